@@ -1,0 +1,40 @@
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "motion/motion.hpp"
+#include "motion/scripted_motion.hpp"
+
+namespace fingerpad {
+
+/// The finger at one tick.
+struct FingerSample {
+  double t_s = 0;
+  Vec3 p_WQ = Vec3::Zero();                   ///< [m]
+  Vec3 direction_W{0, 0.7071, -0.7071};       ///< unit, along the distal phalanx towards the tip
+};
+
+/// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6); recorded
+/// positions are interpolated linearly, directions linearly and made unit again.
+class FingerPath {
+ public:
+  /// @param direction_W  unit; used where the motion has no directions
+  /// Throws Error (refused) for more than 2^31 ticks.
+  FingerPath(Motion motion, double rate_hz, const Vec3& direction_W);
+  FingerPath(const ScriptedMotion& motion, double rate_hz, const Vec3& direction_W);
+
+  long tick_count() const noexcept { return tick_count_; }
+  double rate_hz() const noexcept { return rate_hz_; }
+  /// @pre 0 <= k < tick_count()
+  FingerSample at(long k) const noexcept;
+
+ private:
+  std::variant<Motion, ScriptedMotion> motion_;
+  double rate_hz_;
+  Vec3 direction_W_;
+  double t0_s_ = 0;
+  long tick_count_ = 0;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/types.hpp"
+
+namespace fingerpad {
+
+/// A recorded finger motion: where the finger point Q was, and optionally where the finger pointed.
+struct Motion {
+  std::vector<double> t_s;  ///< n, strictly increasing, finite
+  Points p_WQ;              ///< 3 x n, column i at t_s[i] [m]
+  Points direction_W;       ///< 3 x n unit vectors towards the fingertip, or 3 x 0 where the motion has none
+};
+
+/// Reads a motion table: a header line naming t_s,x_m,y_m,z_m and optionally dx,dy,dz, in any order; other columns are
+/// passed over, so a trace written as CSV is a motion too. Throws Error (refused, `file:line`) on a missing column, a
+/// word that is no number, non-finite numbers, times that do not increase, or no rows.
+Motion read_motion_csv(const std::string& path);
+
+}  // namespace fingerpad

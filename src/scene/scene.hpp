@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+#include "base/types.hpp"
+#include "contact/surface_point.hpp"
+#include "friction/law_table.hpp"
+#include "motion/scripted_motion.hpp"
+
+namespace fingerpad {
+
+/// How a surface answers touch; keys of [[part]] and [[plane]].
+struct SurfaceProperties {
+  double stiffness_n_per_m = 1000;
+  double damping_n_s_per_m = 0;
+  double mu_static = 0.3;
+  double mu_dynamic = 0.2;
+};
+
+struct PartEntry {
+  std::string mesh;       ///< as written
+  std::string mesh_path;  ///< resolved against the scene file
+  double metres_per_unit = 1e-3;
+  Vec3 position_m = Vec3::Zero();  ///< p_WP
+  Mat3 rotation = Mat3::Identity();  ///< R_WP
+  double crease_deg = 30;
+  SurfaceProperties surface;
+};
+
+struct PlaneEntry {
+  Vec3 point_m = Vec3::Zero();
+  Vec3 normal = Vec3::UnitZ();  ///< unit
+  SurfaceProperties surface;
+};
+
+/// method: `automatic` means closest-point until other methods exist.
+enum class ContactMethod { automatic, closest_point };
+
+struct ContactSettings {
+  ContactMethod method = ContactMethod::automatic;
+  Normals normals = Normals::smooth;
+};
+
+/// Slip vibration (paper, fig. 11).
+struct VibrationSettings {
+  double frequency_hz = 89;
+  double bandwidth_hz = 20;
+  double amplitude = 0.05;      ///< RMS as a fraction of the slip force
+  double normal_amplitude = 0;  ///< RMS as a fraction of the normal force
+};
+
+struct FrictionSettings {
+  std::string law = "finger-pad";
+  LawSettings settings;
+  std::optional<VibrationSettings> vibration;
+};
+
+struct FingerSettings {
+  double radius_m = 0;
+  Vec3 direction = Vec3(0, 1, -1).normalized();
+  std::string profile;       ///< as written; empty: none
+  std::string profile_path;  ///< resolved
+};
+
+/// A motion file (CSV or trace) or a scripted motion; neither in a scene that is only viewed or touched live.
+struct MotionSettings {
+  std::string file;  ///< as written
+  std::string file_path;
+  std::optional<ScriptedMotion> scripted;
+  double rate_hz = 1000;
+  bool given() const { return !file.empty() || scripted.has_value(); }
+};
+
+struct HandSettings {
+  double mass_kg = 0.07;
+  double damping_n_s_per_m = 0.5;
+  double stiffness_n_per_m = 200;
+  double encoder_m = 3e-5;
+  int delay_ticks = 0;
+  double coulomb_n = 0;
+  bool free_axis[3] = {true, true, true};  ///< world axes the hand moves along by itself
+};
+
+/// A scene file as plain values; defaults are the documented ones.
+struct Scene {
+  std::string name;
+  std::string path;  ///< of the file, as given; "" for one made in code
+  std::uint64_t seed = 1;
+  std::vector<PartEntry> parts;
+  std::vector<PlaneEntry> planes;
+  ContactSettings contact;
+  FrictionSettings friction;
+  FingerSettings finger;
+  MotionSettings motion;
+  std::optional<HandSettings> hand;
+  std::string text;  ///< the whole scene as TOML, set keys put in: read_scene_text(text, path) gives this scene again
+};
+
+}  // namespace fingerpad

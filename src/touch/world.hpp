@@ -1,0 +1,37 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "contact/surface_point.hpp"
+#include "part/verdict.hpp"
+#include "scene/scene.hpp"
+
+namespace fingerpad {
+
+/// One thing that can be touched: a part in its pose, or a plane.
+struct Surface {
+  SurfaceProperties properties;
+  std::shared_ptr<const Part> part;        ///< empty for a plane
+  std::shared_ptr<const TriangleTree> tree;  ///< empty for a plane
+  Vec3 p_WP = Vec3::Zero();
+  Mat3 R_WP = Mat3::Identity();
+  Vec3 plane_point_W = Vec3::Zero();
+  Vec3 plane_normal_W = Vec3::UnitZ();
+
+  std::string mesh;       ///< as written in the scene; empty for a plane
+  std::string mesh_hash;  ///< of the file's bytes
+};
+
+/// All that can be touched in a scene, loaded: parts first, then planes. Immutable, shared by any number of contacts.
+struct World {
+  std::vector<Surface> surfaces;
+  std::vector<Verdict> verdicts;  ///< one per part
+};
+
+/// Loads every part of a scene. Throws Error (refused) for a mesh that cannot be touched.
+std::shared_ptr<const World> load_world(const Scene& scene);
+
+}  // namespace fingerpad

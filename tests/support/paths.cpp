@@ -1,0 +1,46 @@
+#include "support/paths.hpp"
+
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace fingerpad::test {
+namespace fs = std::filesystem;
+
+fs::path source_dir() { return FINGERPAD_SOURCE_DIR; }
+
+fs::path program() { return FINGERPAD_BINARY; }
+
+std::optional<fs::path> real_data() {
+  const char* named = std::getenv("FINGERPAD_TEST_DATA");
+  const fs::path folder = named != nullptr ? fs::path(named) : source_dir() / ".." / "shared" / "data";
+  if (!fs::is_directory(folder)) return std::nullopt;
+  return fs::canonical(folder);
+}
+
+std::vector<fs::path> real_files(const std::string& folder, const std::vector<std::string>& endings) {
+  std::vector<fs::path> found;
+  const auto data = real_data();
+  if (!data || !fs::is_directory(*data / folder)) return found;
+  for (const auto& entry : fs::directory_iterator(*data / folder)) {
+    if (std::find(endings.begin(), endings.end(), entry.path().extension().string()) != endings.end()) {
+      found.push_back(entry.path());
+    }
+  }
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+fs::path scratch_dir() {
+  const auto* info = testing::UnitTest::GetInstance()->current_test_info();
+  std::string name = std::string(info->test_suite_name()) + "." + info->name();
+  std::replace(name.begin(), name.end(), '/', '_');
+  const fs::path folder = fs::temp_directory_path() / ("fingerpad-test-" + std::to_string(getpid())) / name;
+  fs::remove_all(folder);
+  fs::create_directories(folder);
+  return folder;
+}
+
+}  // namespace fingerpad::test
