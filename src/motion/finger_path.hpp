@@ -11,12 +11,12 @@ namespace fingerpad {
 /// The finger at one tick.
 struct FingerSample {
   double t_s = 0;
-  Vec3 p_WQ = Vec3::Zero();                   ///< [m]
-  Vec3 direction_W{0, 0.7071, -0.7071};       ///< unit, along the distal phalanx towards the tip
+  Vec3 p_WQ = Vec3::Zero();              ///< [m]
+  Vec3 direction_W{0, 0.7071, -0.7071};  ///< unit, along the distal phalanx towards the tip
 };
 
-/// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6); recorded
-/// positions are interpolated linearly, directions linearly and made unit again.
+/// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6);
+/// recorded positions are interpolated linearly, directions linearly and made unit again.
 class FingerPath {
  public:
   /// @param direction_W  unit; used where the motion has no directions

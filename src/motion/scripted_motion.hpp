@@ -7,7 +7,8 @@ namespace fingerpad {
 /// A motion made from a formula. Time starts at 0.
 ///   line:   from `from_m` to `to_m` at constant speed; duration |to - from|/speed
 ///   sine:   centre_m + direction * amplitude_m * sin(2 pi frequency_hz t)
-///   circle: around `normal` through centre_m at radius_m, frequency_hz turns a second, starting at centre + radius * start
+///   circle: around `normal` through centre_m at radius_m, frequency_hz turns a second, starting at centre +
+///   radius * start
 struct ScriptedMotion {
   enum class Kind { line, sine, circle };
   Kind kind = Kind::sine;

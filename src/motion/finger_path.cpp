@@ -1,0 +1,65 @@
+#include "motion/finger_path.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace fingerpad {
+namespace {
+
+long ticks_between(double start_s, double end_s, double rate_hz) {
+  // The last tick may lie a rounding error beyond the end: a motion of 1 s at 1 kHz has 1001 ticks.
+  const double ticks = std::floor((end_s - start_s) * rate_hz + 1e-6) + 1;
+  if (!(ticks <= 2147483648.0)) {
+    throw refused("motion", fmt::format("lasts {} s, which is {:.3g} ticks at {} Hz; at most 2^31 are run",
+                                        end_s - start_s, ticks, rate_hz));
+  }
+  return static_cast<long>(ticks);
+}
+
+FingerSample interpolated(const Motion& motion, double t_s, const Vec3& direction_W) noexcept {
+  const auto above = std::upper_bound(motion.t_s.begin(), motion.t_s.end(), t_s);
+  const auto last = static_cast<Eigen::Index>(motion.t_s.size()) - 1;
+  const auto right =
+      std::clamp<Eigen::Index>(above - motion.t_s.begin(), std::min<Eigen::Index>(1, last), last);
+  const Eigen::Index left = std::max<Eigen::Index>(right - 1, 0);
+  const double t_left = motion.t_s[static_cast<std::size_t>(left)];
+  const double span = motion.t_s[static_cast<std::size_t>(right)] - t_left;
+  const double u = span > 0 ? std::clamp((t_s - t_left) / span, 0.0, 1.0) : 0.0;
+
+  FingerSample sample{t_s, (1 - u) * motion.p_WQ.col(left) + u * motion.p_WQ.col(right), direction_W};
+  if (motion.direction_W.cols() == 0) return sample;
+  const Vec3 mean = (1 - u) * motion.direction_W.col(left) + u * motion.direction_W.col(right);
+  const double length = mean.norm();
+  // Opposite neighbours have no mean: the earlier one holds.
+  sample.direction_W = length > 1e-6 ? Vec3(mean / length) : Vec3(motion.direction_W.col(left));
+  return sample;
+}
+
+}  // namespace
+
+FingerPath::FingerPath(Motion motion, double rate_hz, const Vec3& direction_W)
+    : rate_hz_(rate_hz),
+      direction_W_(direction_W),
+      t0_s_(motion.t_s.front()),
+      tick_count_(ticks_between(motion.t_s.front(), motion.t_s.back(), rate_hz)) {
+  motion_ = std::move(motion);
+}
+
+FingerPath::FingerPath(const ScriptedMotion& motion, double rate_hz, const Vec3& direction_W)
+    : motion_(motion),
+      rate_hz_(rate_hz),
+      direction_W_(direction_W),
+      tick_count_(ticks_between(0, motion.duration_s, rate_hz)) {}
+
+FingerSample FingerPath::at(long k) const noexcept {
+  const double t_s = t0_s_ + static_cast<double>(k) / rate_hz_;
+  if (const auto* scripted = std::get_if<ScriptedMotion>(&motion_))
+    return {t_s, scripted->at(t_s), direction_W_};
+  return interpolated(std::get<Motion>(motion_), t_s, direction_W_);
+}
+
+}  // namespace fingerpad
