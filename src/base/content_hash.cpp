@@ -22,7 +22,8 @@ std::string file_hash(const std::string& path) {
   std::uint64_t hash = content_hash({});
   while (file) {
     file.read(block.data(), block.size());
-    hash = content_hash(std::as_bytes(std::span(block.data(), static_cast<std::size_t>(file.gcount()))), hash);
+    hash =
+        content_hash(std::as_bytes(std::span(block.data(), static_cast<std::size_t>(file.gcount()))), hash);
   }
   return fmt::format("{:016x}", hash);
 }

@@ -12,8 +12,8 @@ enum class ErrorKind {
   refused = 3,  ///< an input cannot be used
 };
 
-/// The one exception of the project: a kind, a place (`bracket.stl: byte 84`, `scene.toml:12:5`) and what is wrong
-/// there, with the mend where one is known. what() is "WHERE: WHAT".
+/// The one exception of the project: a kind, a place (`bracket.stl: byte 84`, `scene.toml:12:5`) and what is
+/// wrong there, with the mend where one is known. what() is "WHERE: WHAT".
 class Error : public std::runtime_error {
  public:
   Error(ErrorKind kind, const std::string& where, const std::string& what)

@@ -12,8 +12,8 @@ std::string number_text(double value);
 /// Appends number_text(value) to `out` (the form for large tables).
 void append_number(std::string& out, double value);
 
-/// The number that `text` spells in full (decimal point, whatever the locale; surrounding blanks allowed; "nan" and
-/// "inf" are numbers here); nothing if anything else stands in it.
+/// The number that `text` spells in full (decimal point, whatever the locale; surrounding blanks allowed;
+/// "nan" and "inf" are numbers here); nothing if anything else stands in it.
 std::optional<double> parse_number(std::string_view text) noexcept;
 
 }  // namespace fingerpad

@@ -33,7 +33,9 @@ std::uint64_t RandomStream::bits() noexcept {
   return result;
 }
 
-double RandomStream::uniform() noexcept { return static_cast<double>(bits() >> 11) * 0x1p-53; }
+double RandomStream::uniform() noexcept {
+  return static_cast<double>(bits() >> 11) * 0x1p-53;
+}
 
 double RandomStream::normal() noexcept {
   if (has_spare_) {

@@ -4,8 +4,8 @@
 
 namespace fingerpad {
 
-/// A seeded stream of random numbers: SplitMix64 (Steele, Lea & Flood 2014) to spread the seed, xoshiro256++ (Blackman
-/// & Vigna 2019) to draw. The same seed and stream number give the same numbers on every machine.
+/// A seeded stream of random numbers: SplitMix64 (Steele, Lea & Flood 2014) to spread the seed, xoshiro256++
+/// (Blackman & Vigna 2019) to draw. The same seed and stream number give the same numbers on every machine.
 class RandomStream {
  public:
   /// Streams of one seed and different numbers are independent.

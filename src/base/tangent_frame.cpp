@@ -34,7 +34,8 @@ Mat3 smallest_rotation(const Vec3& from, const Vec3& to) noexcept {
   if (cosine < -1 + 1e-12) return Eigen::AngleAxisd(std::numbers::pi, any_tangent(from)).toRotationMatrix();
   Mat3 cross;
   cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
-  return Mat3::Identity() + cross + cross * cross / (1 + cosine);  // Rodrigues, with (1 - cos)/sin^2 = 1/(1 + cos)
+  return Mat3::Identity() + cross +
+         cross * cross / (1 + cosine);  // Rodrigues, with (1 - cos)/sin^2 = 1/(1 + cos)
 }
 
 Mat3 transported(const Mat3& frame, const Vec3& normal) noexcept {

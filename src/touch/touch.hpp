@@ -1,9 +1,10 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
-#include "base/random_stream.hpp"
 #include "friction/law.hpp"
+#include "touch/stick_centre.hpp"
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
 
@@ -12,22 +13,51 @@ namespace fingerpad {
 /// One finger in one world: the tick that live touch, replay and study share.
 class Touch {
  public:
-  /// @param scene  its contact, friction, finger and rate; the world is loaded from it
+  /// @param world  as load_world(scene) made it
+  /// @param scene  its contact, friction, finger and rate. Throws Error (refused) for a law that cannot be
+  /// made.
   Touch(std::shared_ptr<const World> world, const Scene& scene);
 
   /// sample -> contact -> friction -> force, at the scene's fixed tick 1/rate.
-  /// noexcept, allocates nothing; no force is ever non-finite, whatever the sample (one that is not finite is free).
+  /// noexcept, allocates nothing; no force is ever non-finite, whatever the sample (one that is not finite is
+  /// free).
   TickRecord tick(const FingerSample& sample) noexcept;
 
   /// Forgets the contact and the last position, as before the first tick.
   void reset() noexcept;
 
  private:
-  struct Contact;
-  Contact find_contact(const Vec3& p_WQ) noexcept;
+  struct Contact {
+    int surface = -1;
+    WorldPoint at;
+    double depth_m = 0;
+  };
+
+  Contact deepest_contact(const Vec3& p_WQ) noexcept;
+  Vec3 device_velocity(const Vec3& p_WQ) noexcept;
+  void turn_frame(const Contact& contact, const Vec3& direction_W) noexcept;
+  TangentialMotion tangential_motion(const Contact& contact, double normal_force_n, const Vec3& velocity_W,
+                                     const Vec3& direction_W) const noexcept;
+  void answer(const Contact& contact, const FingerSample& sample, const Vec3& velocity_W,
+              TickRecord& record) noexcept;
+  void release() noexcept;
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const FrictionLaw> law_;
+  Normals normals_;
+  double radius_m_;
+  double dt_s_;
+
+  std::vector<int> seeds_;  ///< per surface: the last triangle, where the next search starts
+  bool has_position_ = false;
+  Vec3 last_p_WQ_ = Vec3::Zero();
+
+  bool in_contact_ = false;
+  Vec3 last_contact_W_ = Vec3::Zero();
+  Mat3 last_frame_WC_ = Mat3::Identity();
+  Mat3 frame_WC_ = Mat3::Identity();  ///< of the contact: Cx, Cy, and Cz the normal
+  FrictionState friction_;
+  StickCentre centre_;
 };
 
 }  // namespace fingerpad

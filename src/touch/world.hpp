@@ -14,7 +14,7 @@ namespace fingerpad {
 /// One thing that can be touched: a part in its pose, or a plane.
 struct Surface {
   SurfaceProperties properties;
-  std::shared_ptr<const Part> part;        ///< empty for a plane
+  std::shared_ptr<const Part> part;          ///< empty for a plane
   std::shared_ptr<const TriangleTree> tree;  ///< empty for a plane
   Vec3 p_WP = Vec3::Zero();
   Mat3 R_WP = Mat3::Identity();
@@ -25,7 +25,8 @@ struct Surface {
   std::string mesh_hash;  ///< of the file's bytes
 };
 
-/// All that can be touched in a scene, loaded: parts first, then planes. Immutable, shared by any number of contacts.
+/// All that can be touched in a scene, loaded: parts first, then planes. Immutable, shared by any number of
+/// contacts.
 struct World {
   std::vector<Surface> surfaces;
   std::vector<Verdict> verdicts;  ///< one per part

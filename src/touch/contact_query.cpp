@@ -1,0 +1,37 @@
+#include "touch/contact_query.hpp"
+
+namespace fingerpad {
+namespace {
+
+bool within_padded_box(const Part& part, const Vec3& p_P, double reach_m) noexcept {
+  const Vec3 beyond = (p_P - part.centre_P).cwiseAbs() - part.half_extent;
+  // A few rounding errors of slack: the box is a filter, the search decides.
+  return beyond.maxCoeff() <= reach_m + 1e-12 * (part.size_m() + p_P.norm());
+}
+
+}  // namespace
+
+WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals normals, int seed,
+                         double reach_m) noexcept {
+  WorldPoint result;
+  if (!surface.part) {
+    const SurfacePoint near = nearest_plane_point(surface.plane_point_W, surface.plane_normal_W, p_WQ);
+    result.point_W = near.point_P;
+    result.normal_W = near.normal_P;
+    result.signed_distance_m = near.signed_distance_m;
+    result.found = near.signed_distance_m <= reach_m;
+    return result;
+  }
+  const Vec3 p_PQ = surface.R_WP.transpose() * (p_WQ - surface.p_WP);
+  if (!within_padded_box(*surface.part, p_PQ, reach_m)) return result;
+  const SurfacePoint near = nearest_surface_point(*surface.tree, p_PQ, normals, seed, reach_m);
+  if (near.triangle < 0) return result;
+  result.point_W = surface.R_WP * near.point_P + surface.p_WP;
+  result.normal_W = surface.R_WP * near.normal_P;
+  result.signed_distance_m = near.signed_distance_m;
+  result.triangle = near.triangle;
+  result.found = true;
+  return result;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,171 @@
+#include "touch/touch.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+#include "base/tangent_frame.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// Beyond this a position (in m), velocity or force is a broken input, not a finger: products of a few such
+/// numbers must stay far from overflow.
+constexpr double largest_meaningful = 1e60;
+
+bool meaningful(const Vec3& v) noexcept {
+  return v.cwiseAbs().maxCoeff() <= largest_meaningful && v.allFinite();
+}
+
+/// The finger's unit direction, or straight down the normal where the sample's is unusable.
+Vec3 usable_direction(const Vec3& direction_W, const Vec3& normal_W) noexcept {
+  const double length = direction_W.norm();
+  if (!std::isfinite(length) || !(length > 0)) return -normal_W;
+  return direction_W / length;
+}
+
+}  // namespace
+
+Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
+    : world_(std::move(world)),
+      normals_(scene.contact.normals),
+      radius_m_(scene.finger.radius_m),
+      dt_s_(1 / scene.motion.rate_hz),
+      seeds_(world_->surfaces.size(), -1) {
+  const LawEntry* entry = find_law(scene.friction.law);
+  if (entry == nullptr)
+    throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
+  law_ = entry->make(scene.friction.settings);
+}
+
+void Touch::reset() noexcept {
+  has_position_ = false;
+  std::fill(seeds_.begin(), seeds_.end(), -1);
+  release();
+}
+
+void Touch::release() noexcept {
+  in_contact_ = false;
+  friction_ = {};
+  centre_.forget();
+}
+
+Touch::Contact Touch::deepest_contact(const Vec3& p_WQ) noexcept {
+  Contact deepest;
+  for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
+    const WorldPoint at = nearest_point(world_->surfaces[i], p_WQ, normals_, seeds_[i], radius_m_);
+    if (!at.found) continue;
+    seeds_[i] = at.triangle;
+    const double depth_m = radius_m_ - at.signed_distance_m;
+    if (depth_m > deepest.depth_m) deepest = {static_cast<int>(i), at, depth_m};
+  }
+  return deepest;
+}
+
+Vec3 Touch::device_velocity(const Vec3& p_WQ) noexcept {
+  const Vec3 velocity_W = has_position_ ? Vec3((p_WQ - last_p_WQ_) / dt_s_) : Vec3::Zero();
+  has_position_ = true;
+  last_p_WQ_ = p_WQ;
+  return velocity_W;
+}
+
+void Touch::turn_frame(const Contact& contact, const Vec3& direction_W) noexcept {
+  last_frame_WC_ = frame_WC_;
+  frame_WC_ = in_contact_ ? transported(frame_WC_, contact.at.normal_W)
+                          : tangent_frame(contact.at.normal_W, direction_W);
+}
+
+TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_force_n,
+                                          const Vec3& velocity_W, const Vec3& direction_W) const noexcept {
+  const auto in_plane = [this](const Vec3& v) {
+    return Vec2(frame_WC_.col(0).dot(v), frame_WC_.col(1).dot(v));
+  };
+  const SurfaceProperties& properties =
+      world_->surfaces[static_cast<std::size_t>(contact.surface)].properties;
+  const Vec3& normal_W = frame_WC_.col(2);
+
+  TangentialMotion motion;
+  motion.dt_s = dt_s_;
+  motion.normal_force_n = normal_force_n;
+  motion.mu_static = properties.mu_static;
+  motion.mu_dynamic = properties.mu_dynamic;
+  motion.velocity_m_per_s = in_plane(velocity_W);
+  if (in_contact_) {
+    motion.step_m =
+        in_plane(surface_displacement(last_contact_W_, last_frame_WC_.col(2), contact.at.point_W, normal_W));
+  }
+  motion.from_centre_m = centre_.displacement(contact.at.point_W, frame_WC_);
+  motion.inclination_rad = std::asin(std::min(1.0, std::abs(direction_W.dot(normal_W))));
+  const Vec2 longitudinal = in_plane(direction_W);
+  const double length = longitudinal.norm();
+  // A finger straight along the normal names no axis in the plane: the transported frame serves.
+  motion.longitudinal = length > 1e-9 ? Vec2(longitudinal / length) : Vec2(0, 1);
+  return motion;
+}
+
+void Touch::answer(const Contact& contact, const FingerSample& sample, const Vec3& velocity_W,
+                   TickRecord& record) noexcept {
+  const Surface& surface = world_->surfaces[static_cast<std::size_t>(contact.surface)];
+  const Vec3 direction_W = usable_direction(sample.direction_W, contact.at.normal_W);
+  turn_frame(contact, direction_W);
+  const Vec3& normal_W = frame_WC_.col(2);
+
+  // The damper may soften the surface's push, never pull the finger in.
+  const double normal_force_n =
+      std::max(0.0, surface.properties.stiffness_n_per_m * contact.depth_m -
+                        surface.properties.damping_n_s_per_m * normal_W.dot(velocity_W));
+  const TangentialMotion motion = tangential_motion(contact, normal_force_n, velocity_W, direction_W);
+  const Friction friction = law_->tick(motion, friction_);
+  if (friction.centre_moved) {
+    centre_.place(surface, contact.at.point_W, frame_WC_, friction.from_centre_m, normals_,
+                  friction.phase == Phase::stick);
+  }
+
+  record.phase = friction.phase;
+  record.depth_m = contact.depth_m;
+  record.contact_W = contact.at.point_W;
+  record.normal_W = normal_W;
+  record.normal_force_n = normal_force_n;
+  record.friction_W_n = frame_WC_.leftCols<2>() * friction.force_n;
+  record.force_W_n = normal_force_n * normal_W + record.friction_W_n;
+  record.mu = normal_force_n > 0 ? friction.force_n.norm() / normal_force_n : 0.0;
+  record.inclination_rad = motion.inclination_rad;
+  record.surface = contact.surface;
+  record.triangle = contact.at.triangle < 0
+                        ? -1
+                        : surface.part->file_triangle[static_cast<std::size_t>(contact.at.triangle)];
+  if (friction.phase == Phase::stick) {
+    record.stick_centre_W = centre_.is_set()
+                                ? centre_.point_W()
+                                : Vec3(contact.at.point_W - frame_WC_.leftCols<2>() * friction.from_centre_m);
+  }
+  in_contact_ = true;
+  last_contact_W_ = contact.at.point_W;
+}
+
+TickRecord Touch::tick(const FingerSample& sample) noexcept {
+  TickRecord record;
+  record.t_s = sample.t_s;
+  record.p_WQ = sample.p_WQ;
+  if (!meaningful(sample.p_WQ)) {
+    reset();
+    return record;
+  }
+  const Vec3 velocity_W = device_velocity(sample.p_WQ);
+  const Contact contact = deepest_contact(sample.p_WQ);
+  if (contact.surface < 0) {
+    release();
+    return record;
+  }
+  answer(contact, sample, velocity_W, record);
+  if (meaningful(record.force_W_n)) return record;
+  reset();  // a force that overflowed is no force to give to a person's hand
+  TickRecord lost;
+  lost.t_s = sample.t_s;
+  lost.p_WQ = sample.p_WQ;
+  return lost;
+}
+
+}  // namespace fingerpad
