@@ -32,7 +32,12 @@ struct World {
   std::vector<Verdict> verdicts;  ///< one per part
 };
 
+class MeshStore;
+
 /// Loads every part of a scene. Throws Error (refused) for a mesh that cannot be touched.
 std::shared_ptr<const World> load_world(const Scene& scene);
+
+/// As above, with meshes shared between many scenes.
+std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes);
 
 }  // namespace fingerpad

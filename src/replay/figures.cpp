@@ -1,0 +1,76 @@
+#include "replay/figures.hpp"
+
+#include <algorithm>
+#include <array>
+
+namespace fingerpad {
+namespace {
+
+constexpr std::array<std::string_view, 13> figure_names = {
+    "ticks",        "contact_ticks", "stick_ticks",         "slip_ticks",         "ruptures",
+    "coarse_teeth", "max_depth_m",   "mean_normal_force_n", "max_normal_force_n", "max_friction_n",
+    "mean_slip_mu", "max_mu",        "friction_work_j"};
+
+/// Fewer ticks than this in a tooth and its shape is that of the ticks.
+constexpr long ticks_that_show_a_tooth = 10;
+
+}  // namespace
+
+std::span<const std::string_view> Figures::names() noexcept {
+  return figure_names;
+}
+
+std::vector<double> Figures::values() const {
+  const auto mean = [](double sum, long count) { return count > 0 ? sum / static_cast<double>(count) : 0.0; };
+  const auto count = [](long n) { return static_cast<double>(n); };
+  return {count(ticks_),
+          count(contact_ticks_),
+          count(stick_ticks_),
+          count(slip_ticks_),
+          count(ruptures_),
+          count(coarse_teeth_),
+          max_depth_m_,
+          mean(sum_normal_n_, contact_ticks_),
+          max_normal_n_,
+          max_friction_n_,
+          mean(sum_slip_mu_, slip_ticks_),
+          max_mu_,
+          friction_work_j_};
+}
+
+void Figures::observe_phase(Phase phase) noexcept {
+  if (phase == Phase::stick) {
+    if (last_phase_ != Phase::stick) {
+      spell_ticks_ = 0;
+      spell_follows_slip_ = last_phase_ == Phase::slip;
+    }
+    ++spell_ticks_;
+    ++stick_ticks_;
+  }
+  if (phase == Phase::slip) {
+    ++slip_ticks_;
+    if (last_phase_ == Phase::stick) {
+      ++ruptures_;
+      teeth_ += spell_follows_slip_ ? 1 : 0;
+      coarse_teeth_ += spell_follows_slip_ && spell_ticks_ < ticks_that_show_a_tooth ? 1 : 0;
+    }
+  }
+  last_phase_ = phase;
+}
+
+void Figures::observe(const TickRecord& record) noexcept {
+  observe_phase(record.phase);
+  if (ticks_ > 0) friction_work_j_ += record.friction_W_n.dot(record.p_WQ - last_p_WQ_);
+  last_p_WQ_ = record.p_WQ;
+  ++ticks_;
+  if (record.phase == Phase::free) return;
+  ++contact_ticks_;
+  max_depth_m_ = std::max(max_depth_m_, record.depth_m);
+  sum_normal_n_ += record.normal_force_n;
+  max_normal_n_ = std::max(max_normal_n_, record.normal_force_n);
+  max_friction_n_ = std::max(max_friction_n_, record.friction_W_n.norm());
+  max_mu_ = std::max(max_mu_, record.mu);
+  if (record.phase == Phase::slip) sum_slip_mu_ += record.mu;
+}
+
+}  // namespace fingerpad

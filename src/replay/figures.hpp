@@ -1,0 +1,40 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "touch/tick_record.hpp"
+
+namespace fingerpad {
+
+/// What a run comes to, gathered tick by tick: the figures of `summary.csv`.
+class Figures {
+ public:
+  void observe(const TickRecord& record) noexcept;
+
+  /// Names with units, in the order of values().
+  static std::span<const std::string_view> names() noexcept;
+  /// The figures as numbers: counts, then depths, forces, coefficients and the work of friction on the
+  /// finger.
+  std::vector<double> values() const;
+
+  /// Stick spells between two ruptures, and those of them that lasted under ten ticks: there the ticks are
+  /// too coarse to show the sawtooth, and its period and mean force are wrong.
+  long teeth() const noexcept { return teeth_; }
+  long coarse_teeth() const noexcept { return coarse_teeth_; }
+
+ private:
+  void observe_phase(Phase phase) noexcept;
+
+  long ticks_ = 0, contact_ticks_ = 0, stick_ticks_ = 0, slip_ticks_ = 0, ruptures_ = 0;
+  long teeth_ = 0, coarse_teeth_ = 0, spell_ticks_ = 0;
+  bool spell_follows_slip_ = false;
+  Phase last_phase_ = Phase::free;
+  double max_depth_m_ = 0, sum_normal_n_ = 0, max_normal_n_ = 0, max_friction_n_ = 0;
+  double sum_slip_mu_ = 0, max_mu_ = 0, friction_work_j_ = 0;
+  Vec3 last_p_WQ_ = Vec3::Zero();
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,92 @@
+#include "replay/run_job.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <sstream>
+
+#include "base/content_hash.hpp"
+#include "base/error.hpp"
+#include "touch/touch.hpp"
+#include "trace/motion_source.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::string whole_text(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw refused(path, "cannot be read");
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+bool same_run(const TraceInfo& a, const TraceInfo& b) {
+  return a.scene_text == b.scene_text && a.seed == b.seed && a.rate_hz == b.rate_hz &&
+         a.version == b.version && a.mesh_hashes == b.mesh_hashes && a.motion_hash == b.motion_hash &&
+         a.profile_text == b.profile_text;
+}
+
+/// The figures of a trace that an earlier command finished, if it records this very run. A CSV trace carries
+/// no description of its run: there the name and the number of rows must do.
+std::optional<Figures> finished_before(const JobOutput& output, const TraceInfo& info, long ticks) {
+  if (!output.resume || !std::filesystem::exists(output.path)) return std::nullopt;
+  Trace trace;
+  try {
+    trace = read_trace(output.path);
+  } catch (const Error&) {
+    return std::nullopt;  // whatever stands there is no trace of ours: it is made again
+  }
+  if (!trace.complete || static_cast<long>(trace.rows.size()) != ticks) return std::nullopt;
+  if (output.format == TraceFormat::hdf5 && !same_run(trace.info, info)) return std::nullopt;
+  Figures figures;
+  for (const TickRecord& row : trace.rows) figures.observe(row);
+  return figures;
+}
+
+}  // namespace
+
+TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version) {
+  TraceInfo info;
+  info.scene_name = scene.name;
+  info.scene_text = scene.text;
+  info.seed = scene.seed;
+  info.rate_hz = scene.motion.rate_hz;
+  info.version = version;
+  for (const Surface& surface : world.surfaces) {
+    if (!surface.part) continue;
+    info.mesh_files.push_back(surface.mesh);
+    info.mesh_hashes.push_back(surface.mesh_hash);
+  }
+  info.motion_file = scene.motion.file;
+  if (!scene.motion.file_path.empty()) info.motion_hash = file_hash(scene.motion.file_path);
+  if (!scene.finger.profile_path.empty()) info.profile_text = whole_text(scene.finger.profile_path);
+  return info;
+}
+
+Figures run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) {
+  const FingerPath path = load_finger_path(scene);
+  const auto world = load_world(scene, meshes);
+  const TraceInfo info = trace_info(scene, *world, output.version);
+  if (auto figures = finished_before(output, info, path.tick_count())) return *figures;
+
+  Touch touch(world, scene);
+  Figures figures;
+  const auto writer = TraceWriter::create(output.path, output.format, info, *world);
+  constexpr long block_ticks = 4096;
+  std::vector<TickRecord> block;
+  block.reserve(block_ticks);
+  for (long first = 0; first < path.tick_count(); first += block_ticks) {
+    block.clear();
+    for (long k = first; k < std::min(first + block_ticks, path.tick_count()); ++k) {
+      block.push_back(touch.tick(path.at(k)));
+      figures.observe(block.back());
+    }
+    writer->append(block);
+  }
+  writer->finish();
+  return figures;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <string>
+
+#include "replay/figures.hpp"
+#include "scene/scene.hpp"
+#include "touch/mesh_store.hpp"
+#include "trace/trace_writer.hpp"
+
+namespace fingerpad {
+
+/// Where one scene's run goes.
+struct JobOutput {
+  std::string path;
+  TraceFormat format = TraceFormat::hdf5;
+  std::string version;  ///< of the program, kept in the trace
+  bool resume = false;  ///< keep a complete trace of the very same run instead of making it again
+};
+
+/// Follows a scene's motion through its world, tick by tick, and writes the trace.
+/// Throws Error (refused) for inputs, Error (fault) for the disk; an unfinished trace then stays behind,
+/// marked so.
+Figures run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output);
+
+/// What a trace of this scene says about itself.
+TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version);
+
+}  // namespace fingerpad

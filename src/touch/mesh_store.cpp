@@ -1,0 +1,52 @@
+#include "touch/mesh_store.hpp"
+
+#include <algorithm>
+#include <numbers>
+
+#include "base/content_hash.hpp"
+#include "part/import.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry) {
+  auto mesh = std::make_shared<LoadedMesh>();
+  ImportedPart imported =
+      import_touchable(entry.mesh_path, entry.metres_per_unit, entry.crease_deg * std::numbers::pi / 180);
+  mesh->part = imported.part;
+  mesh->verdict = std::move(imported.verdict);
+  mesh->tree = std::make_shared<TriangleTree>(mesh->part);
+  mesh->hash = file_hash(entry.mesh_path);
+  return mesh;
+}
+
+}  // namespace
+
+std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
+  const Key key{entry.mesh_path, entry.metres_per_unit, entry.crease_deg};
+  std::promise<std::shared_ptr<const LoadedMesh>> promise;
+  Pending pending;
+  bool ours = false;
+  {
+    const std::lock_guard lock(mutex_);
+    std::erase(last_used_, key);
+    last_used_.push_front(key);
+    while (last_used_.size() > keep_) {
+      meshes_.erase(last_used_.back());
+      last_used_.pop_back();
+    }
+    ours = !meshes_.contains(key);
+    if (ours) meshes_[key] = promise.get_future().share();
+    pending = meshes_[key];
+  }
+  if (ours) {
+    try {
+      promise.set_value(load_mesh(entry));
+    } catch (...) {
+      promise.set_exception(std::current_exception());
+    }
+  }
+  return pending.get();
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <deque>
+#include <future>
+#include <map>
+#include <mutex>
+#include <string>
+#include <tuple>
+
+#include "touch/world.hpp"
+
+namespace fingerpad {
+
+/// A mesh file, loaded and ready to be searched.
+struct LoadedMesh {
+  std::shared_ptr<const Part> part;
+  std::shared_ptr<const TriangleTree> tree;
+  Verdict verdict;
+  std::string hash;
+};
+
+/// Loads each mesh once, however many jobs ask for it at the same time, and keeps the few used last.
+/// Thread-safe.
+class MeshStore {
+ public:
+  /// @param keep  how many meshes stay loaded when nobody uses them, >= 1
+  explicit MeshStore(std::size_t keep) : keep_(keep) {}
+
+  /// Throws Error (refused) for a mesh that cannot be touched, to everyone who asks.
+  std::shared_ptr<const LoadedMesh> load(const PartEntry& entry);
+
+ private:
+  using Key = std::tuple<std::string, double, double>;  // path, metres per unit, crease in degrees
+  using Pending = std::shared_future<std::shared_ptr<const LoadedMesh>>;
+
+  std::size_t keep_;
+  std::mutex mutex_;
+  std::map<Key, Pending> meshes_;
+  std::deque<Key> last_used_;  // newest in front
+};
+
+}  // namespace fingerpad
