@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fingerpad {
+
+/// Columns of numbers picked from a CSV file by name.
+struct CsvColumns {
+  std::vector<bool> present;                 ///< per asked-for name
+  std::vector<std::vector<double>> columns;  ///< per asked-for name, a number per row; empty where absent
+  std::vector<long> lines;                   ///< per row: its line in the file, from 1
+};
+
+/// Reads named columns of a CSV file whose first line is a header; other columns and blank lines are passed
+/// over.
+///
+/// @param required  names that must be there
+/// @param optional  names that may be there
+/// Throws Error (refused, at `file:line`) for a file that cannot be read or is empty, a missing column, a
+/// short row, a word that is no number, and a number that is not finite.
+CsvColumns read_csv_columns(const std::string& path, const std::vector<std::string_view>& required,
+                            const std::vector<std::string_view>& optional = {});
+
+}  // namespace fingerpad
