@@ -1,1 +1,63 @@
-int main() { return 0; }
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <clocale>
+#include <cstdio>
+
+#include "app/commands.hpp"
+#include "base/error.hpp"
+
+namespace {
+
+constexpr fingerpad::AddCommand commands[] = {
+    fingerpad::add_check, fingerpad::add_query, fingerpad::add_replay, fingerpad::add_touch,
+    fingerpad::add_view,  fingerpad::add_plot,  fingerpad::add_export,
+};
+
+constexpr const char* description =
+    "fingerpad: touch CAD surfaces with a finger pad's stick-slip friction.\n"
+    "Imports a mesh, follows a finger over it tick by tick, and records, plots and shows every contact.\n"
+    "Units are SI; a mesh's own unit is named by its scene or by --unit.";
+
+constexpr const char* footer =
+    "Exit codes: 0 done, 1 fault of the program, 2 usage, 3 an input was refused, 4 a batch finished with "
+    "failed jobs.\n"
+    "`fingerpad SUBCOMMAND --help` tells each subcommand's options, defaults and units.";
+
+int report(const char* what, int code) {
+  fmt::print(stderr, "fingerpad: error: {}\n", what);
+  return code;
+}
+
+int run(int argc, char** argv) {
+  CLI::App program(description, "fingerpad");
+  program.footer(footer);
+  program.set_version_flag("--version", fmt::format("fingerpad {}", fingerpad::program_version));
+  program.require_subcommand(1);
+  program.get_formatter()->column_width(34);
+  fingerpad::Action action;
+  for (const fingerpad::AddCommand add : commands) add(program, action);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    if (error.get_exit_code() == 0) return program.exit(error);  // --help and --version
+    return report(fmt::format("{}\nRun with --help for the options.", error.what()).c_str(),
+                  static_cast<int>(fingerpad::ErrorKind::usage));
+  }
+  return action();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  std::setlocale(LC_ALL, "C");  // decimal points, whatever the desktop speaks
+  try {
+    return run(argc, argv);
+  } catch (const fingerpad::Error& error) {
+    return report(error.what(), static_cast<int>(error.kind()));
+  } catch (const std::bad_alloc&) {
+    return report("out of memory", static_cast<int>(fingerpad::ErrorKind::fault));
+  } catch (const std::exception& error) {
+    return report(error.what(), static_cast<int>(fingerpad::ErrorKind::fault));
+  }
+}

@@ -1,0 +1,91 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/commands.hpp"
+#include "app/unit_option.hpp"
+#include "contact/thinnest_wall.hpp"
+#include "part/import.hpp"
+
+namespace fingerpad {
+namespace {
+
+struct CheckOptions {
+  std::vector<std::string> meshes;
+  std::string unit = "mm";
+  bool json = false;
+};
+
+using Json = nlohmann::ordered_json;
+
+Json number_or_null(double value) {
+  return std::isfinite(value) ? Json(value) : Json(nullptr);
+}
+
+Json corner(const Vec3& p) {
+  return {number_or_null(p.x()), number_or_null(p.y()), number_or_null(p.z())};
+}
+
+Json verdict_json(const Verdict& verdict, double thinnest_wall_m) {
+  return {{"file", verdict.file},
+          {"touchable", verdict.touchable},
+          {"error", verdict.error},
+          {"warnings", verdict.warnings},
+          {"triangles", verdict.triangles},
+          {"kept", verdict.kept},
+          {"degenerate", verdict.degenerate},
+          {"duplicate", verdict.duplicate},
+          {"nonmanifold_edges", verdict.nonmanifold_edges},
+          {"boundary_edges", verdict.boundary_edges},
+          {"components", verdict.components},
+          {"winding_consistent", verdict.winding_consistent},
+          {"closed", verdict.closed},
+          {"volume_m3", number_or_null(verdict.volume_m3)},
+          {"bounds_m", {{"min", corner(verdict.bounds_m.min)}, {"max", corner(verdict.bounds_m.max)}}},
+          {"weld_distance_m", number_or_null(verdict.weld_distance_m)},
+          {"thinnest_wall_m", number_or_null(thinnest_wall_m)}};
+}
+
+int check(const CheckOptions& options) {
+  constexpr double crease_rad = 30 * std::numbers::pi / 180;
+  bool all_touchable = true;
+  Json report = Json::array();
+  for (const std::string& path : options.meshes) {
+    const ImportedPart imported = import_part(path, metres_of(options.unit), crease_rad);
+    double wall_m = std::nan("");
+    if (imported.part) {
+      const TriangleTree tree(imported.part);
+      wall_m = thinnest_wall_m(tree);
+    }
+    if (options.json) {
+      report.push_back(verdict_json(imported.verdict, wall_m));
+    } else {
+      fmt::print("{}", verdict_text(imported.verdict));
+      if (std::isfinite(wall_m)) fmt::print("  thinnest wall  {:.4g} mm\n", 1e3 * wall_m);
+    }
+    if (!imported.verdict.touchable) {
+      all_touchable = false;
+      fmt::print(stderr, "fingerpad: error: {}\n", refusal_text(imported.verdict));
+    }
+  }
+  if (options.json) fmt::print("{}\n", report.dump(2, ' ', false, Json::error_handler_t::replace));
+  return all_touchable ? 0 : 3;
+}
+
+}  // namespace
+
+void add_check(CLI::App& program, Action& action) {
+  auto options = std::make_shared<CheckOptions>();
+  CLI::App* command =
+      program.add_subcommand("check", "The verdict on each mesh: can it be touched, and what is damaged");
+  command->add_option("MESH", options->meshes, "STL, OBJ, PLY or OFF files")->required();
+  add_unit_option(*command, options->unit);
+  command->add_flag("--json", options->json, "Print an array with an object for each mesh (lengths in m)");
+  command->footer("Ends 0 if every mesh can be touched, else 3.");
+  command->callback([options, &action] { action = [options] { return check(*options); }; });
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,88 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <fstream>
+#include <limits>
+#include <numbers>
+
+#include "app/commands.hpp"
+#include "app/unit_option.hpp"
+#include "base/csv_columns.hpp"
+#include "base/error.hpp"
+#include "base/number_text.hpp"
+#include "contact/surface_point.hpp"
+#include "part/import.hpp"
+
+namespace fingerpad {
+namespace {
+
+struct QueryOptions {
+  std::string mesh, points, out;
+  std::string unit = "mm";
+};
+
+constexpr const char* header = "distance_m,px_m,py_m,pz_m,nx,ny,nz,triangle\n";
+
+void append_row(std::string& text, const SurfacePoint& near, const Part& part) {
+  const Vec3& p = near.point_P;
+  const Vec3& n = near.pseudonormal_P;
+  for (const double value : {near.signed_distance_m, p.x(), p.y(), p.z(), n.x(), n.y(), n.z()}) {
+    append_number(text, value);
+    text += ',';
+  }
+  text += fmt::format("{}\n", part.file_triangle[static_cast<std::size_t>(near.triangle)]);
+}
+
+std::string answers(const TriangleTree& tree, const CsvColumns& points) {
+  std::string text = header;
+  int seed = -1;
+  for (std::size_t i = 0; i < points.lines.size(); ++i) {
+    const Vec3 p(points.columns[0][i], points.columns[1][i], points.columns[2][i]);
+    const SurfacePoint near =
+        nearest_surface_point(tree, p, Normals::facet, seed, std::numeric_limits<double>::infinity());
+    seed = near.triangle;
+    append_row(text, near, tree.part());
+  }
+  return text;
+}
+
+int query(const QueryOptions& options) {
+  const CsvColumns points = read_csv_columns(options.points, {"x_m", "y_m", "z_m"});
+  const ImportedPart imported =
+      import_touchable(options.mesh, metres_of(options.unit), 30 * std::numbers::pi / 180);
+  for (const std::string& warning : imported.verdict.warnings) {
+    fmt::print(stderr, "fingerpad: warning: {}: {}\n", options.mesh, warning);
+  }
+  const std::string text = answers(TriangleTree(imported.part), points);
+  if (options.out.empty()) {
+    fmt::print("{}", text);
+    return 0;
+  }
+  std::ofstream file(options.out, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) throw Error(ErrorKind::fault, options.out, "cannot be written");
+  return 0;
+}
+
+}  // namespace
+
+void add_query(CLI::App& program, Action& action) {
+  auto options = std::make_shared<QueryOptions>();
+  CLI::App* command = program.add_subcommand("query", "The closest surface point of each point in a table");
+  command->add_option("MESH", options->mesh, "STL, OBJ, PLY or OFF file")->required();
+  command
+      ->add_option("POINTS", options->points,
+                   "CSV with columns x_m,y_m,z_m, in metres, in the file's own frame")
+      ->required();
+  add_unit_option(*command, options->unit);
+  command->add_option("--out", options->out,
+                      "CSV file to write; without it the table goes to standard output");
+  command->footer(
+      "Writes distance_m,px_m,py_m,pz_m,nx,ny,nz,triangle: the signed distance (negative inside), the "
+      "surface point,\n"
+      "the angle-weighted normal of the closest feature, and the triangle's number in the file, from 0.");
+  command->callback([options, &action] { action = [options] { return query(*options); }; });
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,129 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <charconv>
+#include <thread>
+
+#include "app/commands.hpp"
+#include "app/progress_bar.hpp"
+#include "base/error.hpp"
+#include "replay/batch.hpp"
+
+namespace fingerpad {
+namespace {
+
+struct ReplayOptions {
+  std::vector<std::string> scenes;
+  BatchOptions batch;
+  std::string format = "h5";
+  std::string shard = "1/1";
+  bool quiet = false;
+};
+
+int positive_integer(std::string_view text) {
+  int value = 0;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), value);
+  return status == std::errc{} && end == text.data() + text.size() ? value : 0;
+}
+
+void read_shard(const std::string& text, BatchOptions& batch) {
+  const std::size_t slash = text.find('/');
+  batch.shard = positive_integer(std::string_view(text).substr(0, slash));
+  batch.shard_count =
+      slash == std::string::npos ? 0 : positive_integer(std::string_view(text).substr(slash + 1));
+  if (batch.shard < 1 || batch.shard_count < batch.shard) {
+    throw Error(ErrorKind::usage, "--shard", fmt::format("'{}' is not K/N with 1 <= K <= N", text));
+  }
+}
+
+/// What a person is told of one job: its error, or what its figures warn of.
+void tell(const BatchJob& job, const BatchOptions& options) {
+  const std::string name = trace_name(job.job, options.format);
+  if (job.status != "ok") {
+    fmt::print(stderr, "fingerpad: error: {}\n", job.status);
+    return;
+  }
+  const auto figure = [&](std::string_view wanted) {
+    const auto names = Figures::names();
+    return job
+        .figures[static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin())];
+  };
+  if (figure("coarse_teeth") > 0) {
+    fmt::print(
+        stderr,
+        "fingerpad: warning: {}: {} stick-slip teeth lasted under ten ticks, too coarse to show their true "
+        "period; raise motion.rate_hz or lower friction.stick_stiffness_per_m\n",
+        name, figure("coarse_teeth"));
+  }
+}
+
+int exit_code(const std::vector<BatchJob>& jobs) {
+  if (jobs.size() == 1 && jobs[0].job.number == 0) return jobs[0].exit_code;
+  const bool any_failed =
+      std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.exit_code != 0; });
+  return any_failed ? 4 : 0;
+}
+
+int replay(ReplayOptions options) {
+  read_shard(options.shard, options.batch);
+  options.batch.format = options.format == "csv" ? TraceFormat::csv : TraceFormat::hdf5;
+  options.batch.version = program_version;
+  const Ranks ranks;
+  std::vector<BatchJob> jobs = batch_jobs(options.scenes);
+  const auto share = static_cast<std::size_t>(ranks.count() * options.batch.shard_count);
+  ProgressBar bar((jobs.size() + share - 1) / share,
+                  !options.quiet && ranks.is_root() && isatty(STDERR_FILENO) != 0);
+  run_batch(jobs, options.batch, ranks, [&](const BatchJob& job) { bar.advance(job.job.scene.name); });
+  bar.finish();
+  if (!ranks.is_root()) return 0;
+  for (const BatchJob& job : jobs) {
+    if (!job.status.empty()) tell(job, options.batch);
+  }
+  const auto ran =
+      std::count_if(jobs.begin(), jobs.end(), [](const BatchJob& job) { return !job.status.empty(); });
+  const auto good =
+      std::count_if(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.status == "ok"; });
+  if (!options.quiet) {
+    fmt::print("{} of {} {} done, traces and summary.csv in {}\n", good, ran, ran == 1 ? "job" : "jobs",
+               options.batch.out_dir);
+  }
+  return exit_code(jobs);
+}
+
+}  // namespace
+
+void add_replay(CLI::App& program, Action& action) {
+  auto options = std::make_shared<ReplayOptions>();
+  options->batch.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  CLI::App* command =
+      program.add_subcommand("replay", "Follow each scene's motion over its parts and write the traces");
+  command->add_option("SCENE", options->scenes, "Scene files (TOML); a scene with [[set]] is many jobs")
+      ->required();
+  command->add_option("--out", options->batch.out_dir, "Folder for the traces, summary.csv and timing.csv")
+      ->required();
+  command
+      ->add_option("--jobs", options->batch.threads,
+                   "Threads that share the jobs; results do not depend on it")
+      ->check(CLI::Range(1, 1024))
+      ->capture_default_str();
+  command->add_option("--format", options->format, "h5 or csv")
+      ->check(CLI::IsMember({"h5", "csv"}))
+      ->capture_default_str();
+  command->add_flag("--resume", options->batch.resume,
+                    "Keep complete traces of the same runs instead of making them again");
+  command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")
+      ->type_name("K/N")
+      ->capture_default_str();
+  command->add_flag("--quiet", options->quiet,
+                    "No progress and no closing line; errors and warnings are still told");
+  command->footer(
+      "Writes OUT/<scene>.h5 (or .csv); a set's jobs are <scene>-0001.h5 and so on. summary.csv has a row "
+      "for each job.\n"
+      "Under mpirun the ranks share the jobs. Ends 4 if some jobs of a batch failed; the others are done all "
+      "the same.");
+  command->callback([options, &action] { action = [options] { return replay(*options); }; });
+}
+
+}  // namespace fingerpad
