@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -17,10 +18,14 @@ namespace fingerpad {
 struct LawParameter {
   std::string_view key;  ///< with its unit in the name
   double default_value;
-  double min;  ///< smallest allowed value
+  double min;        ///< smallest allowed value
   bool min_allowed;  ///< false: must be larger than min
   std::string_view meaning;
+  double max = std::numeric_limits<double>::infinity();  ///< largest allowed value
 };
+
+/// Why `value` cannot be this parameter ("must be larger than 0"); empty where it can.
+std::string refusal(const LawParameter& parameter, double value);
 
 /// What a law is made from: a scene's `[friction]`.
 struct LawSettings {

@@ -4,8 +4,9 @@
 
 namespace fingerpad {
 
-/// The finger pad of one person: the stick ellipse against the finger's inclination (paper, figs. 4-7), and what goes
-/// with it. Axes hold at `mu_static`; pad stiffness belongs to the finger, so they scale with a part's mu.
+/// The finger pad of one person: the stick ellipse against the finger's inclination (paper, figs. 4-7), and
+/// what goes with it. Axes hold at `mu_static`; pad stiffness belongs to the finger, so they scale with a
+/// part's mu.
 struct PadProfile {
   double lateral_axis_m = 0;            ///< a at 45 deg
   double longitudinal_axis_m = 0;       ///< b at 45 deg
@@ -20,11 +21,12 @@ struct PadProfile {
   double longitudinal_axis_at(double inclination_rad) const noexcept;
 };
 
-/// The assumed pad when a scene names none: a = mu_static / stick_stiffness, b = 0.8 a, slopes 0.01 per degree.
+/// The assumed pad when a scene names none: a = mu_static / stick_stiffness, b = 0.8 a, slopes 0.01 per
+/// degree.
 PadProfile assumed_profile(double mu_static, double stick_stiffness_per_m);
 
-/// Reads a profile file (TOML, keys as the members). Throws Error (refused, file:line:column) on unknown keys, wrong
-/// types, missing axes, and axes that vanish for some inclination in 0..90 deg.
+/// Reads a profile file (TOML, keys as the members). Throws Error (refused, file:line:column) on unknown
+/// keys, wrong types, missing axes, and axes that vanish for some inclination in 0..90 deg.
 PadProfile read_profile(const std::string& path);
 
 }  // namespace fingerpad

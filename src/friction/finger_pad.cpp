@@ -1,0 +1,86 @@
+#include <numbers>
+
+#include "friction/bounded.hpp"
+#include "friction/law_parameters.hpp"
+#include "friction/stick_rule.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr LawParameter cubic_share{"cubic_share",
+                                   0,
+                                   0,
+                                   true,
+                                   "c of a third-order spring, force ~ rho (1 - c + c rho^2), rho = 1 on the "
+                                   "ellipse; 0 is the linear spring",
+                                   1};
+constexpr LawParameter mu_rises_below{
+    "mu_rises_below_n", 0, 0, true,
+    "normal force below which both coefficients rise as (n/this)^(-1/3) [N]; 0 is off, 2 is the paper's"};
+constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_parameter, cubic_share,
+                                       mu_rises_below};
+
+/// The finger pad (paper, figs. 4-8): the stick-slip rule with an ellipse of stick whose axes lie along the
+/// finger and across it, and shrink as the finger is raised.
+///
+/// A profile's axes hold at its own mu_static and scale with the part's, so the stiffness per newton mu/axis
+/// is the finger's alone. Ellipse closure (SCIENCE 1, an assumption): anisotropic stiffness, isotropic limit
+/// mu_s n. With mu_rises_below_n both spring and limit rise, so the ellipse stays and a change of load never
+/// causes slip.
+class FingerPad final : public FrictionLaw {
+ public:
+  FingerPad(const PadProfile& pad, double cubic, double knee_n, const RestickRule& rule)
+      : lateral45_per_m_(within(pad.mu_static / pad.lateral_axis_m, 1 / huge, huge)),
+        longitudinal45_per_m_(within(pad.mu_static / pad.longitudinal_axis_m, 1 / huge, huge)),
+        lateral_slope_per_deg_(pad.lateral_slope_per_deg),
+        longitudinal_slope_per_deg_(pad.longitudinal_slope_per_deg),
+        cubic_share_(cubic),
+        knee_n_(knee_n),
+        rule_(rule) {}
+
+  Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
+    const TangentialMotion m = bounded(motion);
+    bound(state);
+    const double from45_deg = m.inclination_rad * (180 / std::numbers::pi) - 45;
+    StickSpring spring;
+    spring.load_n = effective_load_n(m.normal_force_n);
+    spring.lateral_per_m = lateral45_per_m_ / axis_factor(lateral_slope_per_deg_, from45_deg);
+    spring.longitudinal_per_m = longitudinal45_per_m_ / axis_factor(longitudinal_slope_per_deg_, from45_deg);
+    spring.cubic_share = cubic_share_;
+    return stick_rule(m, spring, rule_, state);
+  }
+
+ private:
+  /// a(alpha)/a45; positive for every profile that read_profile accepts.
+  static double axis_factor(double slope_per_deg, double from45_deg) noexcept {
+    return within(1 - slope_per_deg * from45_deg, 1e-9, huge);
+  }
+
+  /// n mu(n)/mu_inf, with mu(n) = mu_inf max(1, (n/knee)^(-1/3)) (power law of a Hertz pad).
+  double effective_load_n(double n) const noexcept {
+    if (n >= knee_n_) return n;
+    const double root = std::cbrt(n / knee_n_);
+    return knee_n_ * root * root;
+  }
+
+  double lateral45_per_m_, longitudinal45_per_m_;
+  double lateral_slope_per_deg_, longitudinal_slope_per_deg_;
+  double cubic_share_, knee_n_;
+  RestickRule rule_;
+};
+
+}  // namespace
+
+LawEntry finger_pad_law() noexcept {
+  return {"finger-pad", "the paper's finger pad: stick in an ellipse that shrinks with the finger's angle",
+          parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+            // Any mu serves the assumed pad: only the ratio mu/axis is used, and that is the stiffness.
+            const PadProfile pad = settings.profile.value_or(
+                assumed_profile(0.3, bounded_number(settings, stiffness_per_newton_parameter)));
+            return std::make_unique<FingerPad>(pad, bounded_number(settings, cubic_share),
+                                               bounded_number(settings, mu_rises_below),
+                                               RestickRule{v_min_m_per_s(settings), settings.restick});
+          }};
+}
+
+}  // namespace fingerpad

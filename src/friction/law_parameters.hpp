@@ -1,0 +1,24 @@
+#pragma once
+
+#include "friction/law_table.hpp"
+
+namespace fingerpad {
+
+/// Parameters that several laws share.
+inline constexpr LawParameter v_min_parameter{
+    "v_min_m_per_s", 0.1, 0, true,
+    "speed at and below which slip gives way to stick [m/s]; the paper's is 0.1"};
+inline constexpr LawParameter stiffness_per_newton_parameter{
+    "stick_stiffness_per_m", 1000, 0, false,
+    "k_f: tangential stiffness in stick per newton of normal force [1/m]; assumed"};
+inline constexpr LawParameter fixed_stiffness_parameter{
+    "stick_stiffness_n_per_m", 1000, 0, false,
+    "tangential stiffness in stick, whatever the load [N/m]; 1000 agrees with stick_stiffness_per_m at 1 N"};
+
+/// A parameter's value, kept within what the laws can compute with.
+double bounded_number(const LawSettings& settings, const LawParameter& parameter);
+
+/// v_min: the scene's key if given, else the profile's, else the paper's.
+double v_min_m_per_s(const LawSettings& settings);
+
+}  // namespace fingerpad

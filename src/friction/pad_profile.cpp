@@ -1,0 +1,137 @@
+#include "friction/pad_profile.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+#include <string_view>
+
+#define TOML_ENABLE_FORMATTERS 0
+#include <toml++/toml.h>
+
+#include "base/error.hpp"
+
+namespace fingerpad {
+namespace {
+
+double axis_at(double axis45_m, double slope_per_deg, double inclination_deg) noexcept {
+  return axis45_m * (1 - slope_per_deg * (inclination_deg - 45));
+}
+
+struct NumberKey {
+  std::string_view key;
+  double PadProfile::*member;
+  bool positive;  ///< else any finite number
+  bool required;
+};
+constexpr NumberKey number_keys[] = {
+    {"lateral_axis_m", &PadProfile::lateral_axis_m, true, true},
+    {"longitudinal_axis_m", &PadProfile::longitudinal_axis_m, true, true},
+    {"lateral_slope_per_deg", &PadProfile::lateral_slope_per_deg, false, false},
+    {"longitudinal_slope_per_deg", &PadProfile::longitudinal_slope_per_deg, false, false},
+    {"mu_static", &PadProfile::mu_static, true, false},
+    {"v_min_m_per_s", &PadProfile::v_min_m_per_s, true, false},
+    {"vibration_hz", &PadProfile::vibration_hz, true, false},
+};
+
+std::string place(const std::string& path, const toml::source_region& source) {
+  return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
+}
+
+/// The file's text; a profile is a few lines, so a large file is some other file.
+std::string read_text(const std::string& path) {
+  constexpr std::size_t most_bytes = 1 << 20;
+  std::ifstream file(path, std::ios::binary);
+  std::string text(most_bytes + 1, '\0');
+  if (!file) throw refused(path, "cannot be opened; name a finger-pad profile (TOML)");
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  if (file.bad() || (file.gcount() == 0 && !file.eof())) throw refused(path, "cannot be read");
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.size() > most_bytes) throw refused(path, "larger than 1 MiB: not a finger-pad profile");
+  return text;
+}
+
+toml::table parse(const std::string& path) {
+  const std::string text = read_text(path);
+  try {
+    return toml::parse(text, std::string_view(path));
+  } catch (const toml::parse_error& error) {
+    throw refused(place(path, error.source()), std::string(error.description()));
+  }
+}
+
+double number_of(const std::string& path, const NumberKey& key, const toml::node& node) {
+  const auto where = place(path, node.source());
+  if (!node.is_number()) throw refused(where, fmt::format("{} must be a number", key.key));
+  const double value = *node.value<double>();
+  if (!std::isfinite(value)) throw refused(where, fmt::format("{} must be finite", key.key));
+  if (key.positive && !(value > 0)) throw refused(where, fmt::format("{} must be larger than 0", key.key));
+  return value;
+}
+
+void read_entry(const std::string& path, const toml::key& key, const toml::node& node, PadProfile& profile) {
+  for (const NumberKey& number : number_keys) {
+    if (key.str() != number.key) continue;
+    profile.*number.member = number_of(path, number, node);
+    return;
+  }
+  if (key.str() != "source") {
+    std::string known = "source";
+    for (const NumberKey& number : number_keys) known += fmt::format(", {}", number.key);
+    throw refused(place(path, key.source()),
+                  fmt::format("unknown key '{}'; a profile knows {}", key.str(), known));
+  }
+  if (!node.is_string()) throw refused(place(path, node.source()), "source must be a text");
+  profile.source = **node.as_string();
+}
+
+/// An axis is linear in the angle, so it is positive everywhere if it is at both ends.
+void refuse_vanishing_axis(const std::string& path, const toml::table& table, const char* axis,
+                           const char* slope, double axis45_m, double slope_per_deg) {
+  for (const double deg : {0.0, 90.0}) {
+    const double there = axis_at(axis45_m, slope_per_deg, deg);
+    if (there > 0 && std::isfinite(there)) continue;
+    const toml::node* node = table.get(slope);
+    throw refused(place(path, (node != nullptr ? node : table.get(axis))->source()),
+                  fmt::format("{} = {} makes {} vanish before {} deg; keep it within +-1/45 per degree",
+                              slope, slope_per_deg, axis, deg));
+  }
+}
+
+}  // namespace
+
+double PadProfile::lateral_axis_at(double inclination_rad) const noexcept {
+  return axis_at(lateral_axis_m, lateral_slope_per_deg, inclination_rad * 180 / std::numbers::pi);
+}
+
+double PadProfile::longitudinal_axis_at(double inclination_rad) const noexcept {
+  return axis_at(longitudinal_axis_m, longitudinal_slope_per_deg, inclination_rad * 180 / std::numbers::pi);
+}
+
+PadProfile assumed_profile(double mu_static, double stick_stiffness_per_m) {
+  PadProfile profile;
+  profile.mu_static = mu_static;
+  profile.lateral_axis_m = mu_static / stick_stiffness_per_m;
+  profile.longitudinal_axis_m = 0.8 * profile.lateral_axis_m;
+  profile.source = "assumption: b = 0.8 a, slopes 0.01 per degree; the paper's figures give no numbers";
+  return profile;
+}
+
+PadProfile read_profile(const std::string& path) {
+  const toml::table table = parse(path);
+  PadProfile profile;
+  for (const auto& [key, node] : table) read_entry(path, key, node, profile);
+  for (const NumberKey& key : number_keys) {
+    if (key.required && table.get(key.key) == nullptr) {
+      throw refused(path + ":1:1", fmt::format("{} is missing", key.key));
+    }
+  }
+  refuse_vanishing_axis(path, table, "lateral_axis_m", "lateral_slope_per_deg", profile.lateral_axis_m,
+                        profile.lateral_slope_per_deg);
+  refuse_vanishing_axis(path, table, "longitudinal_axis_m", "longitudinal_slope_per_deg",
+                        profile.longitudinal_axis_m, profile.longitudinal_slope_per_deg);
+  return profile;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,38 @@
+#include "friction/bounded.hpp"
+#include "friction/law_parameters.hpp"
+#include "friction/stick_rule.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_parameter};
+
+/// The paper's basic model: a circle of stick of radius mu_s/k_f, eq. 1-3.
+class StickSlip final : public FrictionLaw {
+ public:
+  StickSlip(double stiffness_per_m, const RestickRule& rule)
+      : stiffness_per_m_(stiffness_per_m), rule_(rule) {}
+
+  Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
+    TangentialMotion m = bounded(motion);
+    bound(state);
+    m.longitudinal = Vec2::UnitY();  // a circle has no axes
+    return stick_rule(m, {m.normal_force_n, stiffness_per_m_, stiffness_per_m_, 0}, rule_, state);
+  }
+
+ private:
+  double stiffness_per_m_;
+  RestickRule rule_;
+};
+
+}  // namespace
+
+LawEntry stick_slip_law() noexcept {
+  return {"stick-slip", "the paper's basic model: stick in a circle, Coulomb slip", parameters,
+          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+            return std::make_unique<StickSlip>(bounded_number(settings, stiffness_per_newton_parameter),
+                                               RestickRule{v_min_m_per_s(settings), settings.restick});
+          }};
+}
+
+}  // namespace fingerpad
