@@ -27,7 +27,7 @@ struct PartEntry {
   std::string mesh;       ///< as written
   std::string mesh_path;  ///< resolved against the scene file
   double metres_per_unit = 1e-3;
-  Vec3 position_m = Vec3::Zero();  ///< p_WP
+  Vec3 position_m = Vec3::Zero();    ///< p_WP
   Mat3 rotation = Mat3::Identity();  ///< R_WP
   double crease_deg = 30;
   SurfaceProperties surface;
@@ -99,7 +99,8 @@ struct Scene {
   FingerSettings finger;
   MotionSettings motion;
   std::optional<HandSettings> hand;
-  std::string text;  ///< the whole scene as TOML, set keys put in: read_scene_text(text, path) gives this scene again
+  std::string
+      text;  ///< the whole scene as TOML, set keys put in: read_scene_text(text, path) gives this scene again
 };
 
 }  // namespace fingerpad

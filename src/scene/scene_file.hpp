@@ -11,21 +11,21 @@ namespace fingerpad {
 /// One job of a scene file: the scene with its set keys put in.
 struct SceneJob {
   Scene scene;
-  int number = 0;  ///< from 1 in a set; 0 for a plain scene
+  int number = 0;                                             ///< from 1 in a set; 0 for a plain scene
   std::vector<std::pair<std::string, std::string>> set_keys;  ///< dotted key and value as written, in order
   std::string error;  ///< why this job's scene is refused (for example a value out of range); empty if good
 };
 
 /// A scene file read whole.
 struct SceneFile {
-  Scene scene;                 ///< without its set
+  Scene scene;  ///< without its set
   bool is_set = false;
   std::vector<SceneJob> jobs;  ///< one for a plain scene; a product per [[set]] entry, last key fastest
 };
 
-/// Reads a scene file. Throws Error (refused) at `file:line:column` for anything that the contract does not know:
-/// syntax, unknown keys, wrong types, values out of range, unknown law or method names. Mesh and motion files are
-/// resolved but not opened (a glob in a set is expanded; one that matches nothing is refused).
+/// Reads a scene file. Throws Error (refused) at `file:line:column` for anything that the contract does not
+/// know: syntax, unknown keys, wrong types, values out of range, unknown law or method names. Mesh and motion
+/// files are resolved but not opened (a glob in a set is expanded; one that matches nothing is refused).
 SceneFile read_scene_file(const std::string& path);
 
 /// As above from text; relative paths are resolved against `path`'s folder. For scenes kept inside a trace.

@@ -1,0 +1,142 @@
+#include "scene/scene_file.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "base/error.hpp"
+#include "base/unit.hpp"
+#include "scene/scene_reader.hpp"
+#include "scene/scene_set.hpp"
+#include "scene/toml_tree.hpp"
+
+namespace fingerpad {
+namespace {
+
+// Far above any scene, far below what would fill the memory.
+constexpr std::size_t max_text_bytes = std::size_t{4} << 20;
+constexpr std::size_t max_jobs = 100000;
+constexpr std::size_t max_job_text_bytes = std::size_t{512} << 20;
+
+std::string read_whole(const std::string& path) {
+  std::error_code ignored;
+  if (std::filesystem::is_directory(path, ignored)) throw refused(path, "is a folder, not a scene file");
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw refused(path, "cannot be read");
+  std::string text(max_text_bytes + 1, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (file.bad()) throw refused(path, "cannot be read");
+  return text;
+}
+
+std::size_t job_count(const std::vector<SetEntry>& entries, const std::string& path, std::size_t text_bytes) {
+  std::size_t total = 0;
+  for (const SetEntry& entry : entries) {
+    std::size_t product = 1;
+    for (const SetAxis& axis : entry) {
+      product *= axis.values.size();
+      if (product > max_jobs) break;
+    }
+    total += product;
+    if (total > max_jobs || total * text_bytes > max_job_text_bytes) {
+      throw refused(
+          path, fmt::format("the set has over {} jobs; at most {} of this scene are run from one file",
+                            total > max_jobs ? max_jobs : total - 1,
+                            std::min(max_jobs, max_job_text_bytes / std::max<std::size_t>(text_bytes, 1))));
+    }
+  }
+  return total;
+}
+
+/// The scene with the values of one combination put in; a refusal becomes the job's error.
+SceneJob make_job(const TomlNode& root, const std::string& path, const SetEntry& entry,
+                  const std::vector<std::size_t>& choice) {
+  SceneJob job;
+  TomlNode filled = root;
+  for (std::size_t i = 0; i < entry.size(); ++i) {
+    const SetValue& value = entry[i].values[choice[i]];
+    job.set_keys.emplace_back(entry[i].key, value.written);
+    put_value(filled, entry[i].target, value.value);
+  }
+  try {
+    job.scene = read_scene(filled, path, Missing::nothing);
+    job.scene.text = write_toml(filled);
+  } catch (const Error& error) {
+    job.error = error.what();
+  }
+  return job;
+}
+
+void add_jobs(SceneFile& file, const TomlNode& root, const std::string& path, const SetEntry& entry) {
+  std::vector<std::size_t> choice(entry.size(), 0);
+  while (true) {
+    SceneJob job = make_job(root, path, entry, choice);
+    job.number = static_cast<int>(file.jobs.size()) + 1;
+    if (!job.error.empty()) {
+      job.scene = Scene();
+      job.scene.name = file.scene.name;
+      job.scene.path = path;
+    }
+    file.jobs.push_back(std::move(job));
+    std::size_t key = entry.size();
+    while (key > 0 && ++choice[key - 1] == entry[key - 1].values.size()) choice[--key] = 0;
+    if (key == 0) return;
+  }
+}
+
+}  // namespace
+
+SceneFile read_scene_file(const std::string& path) {
+  return read_scene_text(read_whole(path), path);
+}
+
+SceneFile read_scene_text(const std::string& text, const std::string& path) {
+  if (text.size() > max_text_bytes) throw refused(path, "is larger than 4 MiB, which no scene file is");
+  TomlNode root = parse_toml(text, path);
+  SceneFile file;
+  const TomlEntry* set = find_entry(root, "set");
+  if (set == nullptr) {
+    file.scene = read_scene(root, path, Missing::nothing);
+    file.scene.text = text;
+    file.jobs.push_back({file.scene, 0, {}, {}});
+    return file;
+  }
+
+  file.is_set = true;
+  const std::vector<SetEntry> entries = read_set(*set, path);
+  std::erase_if(root.entries, [](const TomlEntry& entry) { return entry.key == "set"; });
+  const auto gives_mesh = [](const SetEntry& entry) {
+    return std::any_of(entry.begin(), entry.end(),
+                       [](const SetAxis& axis) { return axis.target == "part.mesh"; });
+  };
+  const bool mesh_from_set = std::all_of(entries.begin(), entries.end(), gives_mesh);
+  file.scene = read_scene(root, path, mesh_from_set ? Missing::mesh : Missing::nothing);
+  file.scene.text = write_toml(root);
+  file.jobs.reserve(job_count(entries, path, file.scene.text.size()));
+  for (const SetEntry& entry : entries) add_jobs(file, root, path, entry);
+  return file;
+}
+
+Scene scene_of_mesh(const std::string& mesh_path, double metres) {
+  TomlNode part;
+  part.entries.push_back({"mesh", {}, toml_text(mesh_path)});
+  for (const char* unit : {"m", "mm", "cm", "in"}) {
+    if (metres_per_unit(unit) == metres) part.entries.push_back({"unit", {}, toml_text(unit)});
+  }
+  TomlNode parts;
+  parts.type = TomlNode::Type::array;
+  parts.items.push_back(std::move(part));
+  TomlNode root;
+  root.entries.push_back({"part", {}, std::move(parts)});
+
+  Scene scene = read_scene(root, "", Missing::nothing);
+  const std::string stem = std::filesystem::path(mesh_path).stem().string();
+  if (!stem.empty()) scene.name = stem;
+  scene.text = write_toml(root);
+  scene.parts.front().metres_per_unit = metres;
+  return scene;
+}
+
+}  // namespace fingerpad

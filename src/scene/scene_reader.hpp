@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "scene/scene.hpp"
+#include "scene/toml_tree.hpp"
+
+namespace fingerpad {
+
+/// What a scene may lack because its set puts it in.
+enum class Missing { nothing, mesh };
+
+/// Reads a scene (without a set) from its TOML. Throws Error (refused, `file:line:column`).
+/// `text` of the result is left empty.
+/// @param path  of the scene file as given: the place in messages, and what relative paths start from
+Scene read_scene(const TomlNode& root, const std::string& path, Missing missing);
+
+/// A path of a scene: absolute as it is, or beside the scene file.
+std::string resolved_path(const std::string& scene_path, const std::string& written);
+
+/// The [motion] of a scene.
+MotionSettings read_motion_settings(const TomlNode& table, const std::string& path);
+
+}  // namespace fingerpad

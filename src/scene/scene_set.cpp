@@ -1,0 +1,191 @@
+#include "scene/scene_set.hpp"
+
+#include <fmt/format.h>
+#include <glob.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <tuple>
+
+#include "base/error.hpp"
+#include "scene/scene_keys.hpp"
+#include "scene/scene_reader.hpp"
+#include "scene/toml_table.hpp"
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A key of a set with its dots written out.
+struct Leaf {
+  std::string key;
+  Place place;
+  const TomlNode* value = nullptr;
+};
+
+void collect_leaves(const TomlNode& table, const std::string& prefix, std::vector<Leaf>& leaves) {
+  for (const TomlEntry& entry : table.entries) {
+    const std::string key = prefix + entry.key;
+    if (entry.value.is(TomlNode::Type::table)) {
+      collect_leaves(entry.value, key + ".", leaves);
+    } else {
+      leaves.push_back({key, entry.place, &entry.value});
+    }
+  }
+}
+
+/// The paths that match a pattern, sorted by name; relative to the scene's folder unless the pattern is
+/// absolute.
+std::vector<std::string> matching_files(const std::string& pattern, const std::string& scene_path) {
+  std::string folder;
+  if (!fs::path(pattern).is_absolute()) folder = fs::path(scene_path).parent_path().string();
+  if (!folder.empty() && folder.back() != '/') folder += '/';
+  std::string escaped;
+  for (const char c : folder) {
+    if (c == '*' || c == '?' || c == '[' || c == ']' || c == '\\') escaped += '\\';
+    escaped += c;
+  }
+  std::vector<std::string> files;
+  glob_t found{};
+  if (glob((escaped + pattern).c_str(), GLOB_NOSORT | GLOB_MARK, nullptr, &found) == 0) {
+    for (std::size_t i = 0; i < found.gl_pathc; ++i) {
+      const std::string file = found.gl_pathv[i];
+      if (file.back() != '/' && file.starts_with(folder)) files.push_back(file.substr(folder.size()));
+    }
+  }
+  globfree(&found);
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+std::string written_text(const TomlNode& value) {
+  if (value.is(TomlNode::Type::text)) return value.text;
+  return value.written.empty() ? write_toml_value(value) : value.written;
+}
+
+/// Adds one value of a key; a glob adds all its files.
+void add_value(SetAxis& axis, const TomlNode& value, const std::string& path) {
+  const bool names_file = axis.target == "part.mesh" || axis.target == "motion.file";
+  const bool glob =
+      names_file && value.is(TomlNode::Type::text) && value.text.find_first_of("*?[") != std::string::npos;
+  std::error_code ignored;
+  if (!glob || fs::exists(resolved_path(path, value.text), ignored)) {
+    axis.values.push_back({value, written_text(value)});
+    return;
+  }
+  const std::vector<std::string> files = matching_files(value.text, path);
+  if (files.empty()) {
+    throw refused(place_text(path, value.place), fmt::format("no file matches '{}'", value.text));
+  }
+  for (const std::string& file : files) {
+    TomlNode name = toml_text(file);
+    name.place = value.place;
+    axis.values.push_back({std::move(name), file});
+  }
+}
+
+SetAxis read_axis(const Leaf& leaf, const std::string& path) {
+  const auto target = set_key_target(leaf.key);
+  if (!target) {
+    const std::string nearest = nearest_word(leaf.key, set_keys());
+    throw refused(
+        place_text(path, leaf.place),
+        fmt::format("unknown key '{}' in [[set]]{}; a set has 'mesh', 'motion', 'seed' and the dotted keys "
+                    "of a scene, such as 'friction.law'",
+                    leaf.key, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+  }
+  SetAxis axis{leaf.key, *target, {}};
+  const TomlNode& value = *leaf.value;
+  const auto is_list = [](const TomlNode& item) { return item.is(TomlNode::Type::array); };
+  const bool list = is_list(value) && (!is_vector_key(*target) || value.items.empty() ||
+                                       std::any_of(value.items.begin(), value.items.end(), is_list));
+  if (!list) {
+    add_value(axis, value, path);
+    return axis;
+  }
+  for (const TomlNode& item : value.items) add_value(axis, item, path);
+  if (axis.values.empty()) {
+    throw refused(
+        place_text(path, leaf.place),
+        fmt::format("'{}' in [[set]] has an empty list, so that the set would have no jobs", leaf.key));
+  }
+  return axis;
+}
+
+SetEntry read_entry(const TomlNode& table, const std::string& path) {
+  std::vector<Leaf> leaves;
+  collect_leaves(table, "", leaves);
+  std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
+    return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+  });
+  SetEntry entry;
+  for (const Leaf& leaf : leaves) {
+    entry.push_back(read_axis(leaf, path));
+    for (std::size_t i = 0; i + 1 < entry.size(); ++i) {
+      if (entry[i].target != entry.back().target) continue;
+      throw refused(place_text(path, leaf.place),
+                    fmt::format("'{}' and '{}' in [[set]] are the same key", entry[i].key, leaf.key));
+    }
+  }
+  return entry;
+}
+
+TomlNode& put_entry(TomlNode& table, const std::string& key, const TomlNode& value) {
+  if (TomlEntry* entry = find_entry(table, key)) {
+    entry->value = value;
+    return entry->value;
+  }
+  table.entries.push_back({key, value.place, value});
+  return table.entries.back().value;
+}
+
+/// The table of that name, or the first of an array of tables; made where it is missing.
+TomlNode& table_at(TomlNode& parent, const std::string& key, bool array) {
+  TomlEntry* entry = find_entry(parent, key);
+  TomlNode* node = entry != nullptr ? &entry->value : nullptr;
+  if (array) {
+    TomlNode list;
+    list.type = TomlNode::Type::array;
+    if (node == nullptr || !node->is(TomlNode::Type::array)) node = &put_entry(parent, key, list);
+    if (node->items.empty()) node->items.emplace_back();
+    return node->items.front();
+  }
+  if (node == nullptr || !node->is(TomlNode::Type::table)) node = &put_entry(parent, key, TomlNode{});
+  return *node;
+}
+
+}  // namespace
+
+std::vector<SetEntry> read_set(const TomlEntry& set, const std::string& path) {
+  const auto refuse = [&](const TomlNode& value) {
+    return refused(place_text(path, set.place),
+                   fmt::format("'set' is {}; write it as [[set]]", type_text(value.type)));
+  };
+  if (!set.value.is(TomlNode::Type::array)) throw refuse(set.value);
+  std::vector<SetEntry> entries;
+  for (const TomlNode& item : set.value.items) {
+    if (!item.is(TomlNode::Type::table)) throw refuse(item);
+    entries.push_back(read_entry(item, path));
+  }
+  return entries;
+}
+
+void put_value(TomlNode& root, const std::string& target, const TomlNode& value) {
+  TomlNode* table = &root;
+  std::string rest = target;
+  for (std::size_t dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
+    const std::string key = rest.substr(0, dot);
+    const bool array = table == &root && (key == "part" || key == "plane");
+    table = &table_at(*table, key, array);
+    rest.erase(0, dot + 1);
+  }
+  if (target == "motion.file") {
+    std::erase_if(table->entries, [](const TomlEntry& entry) { return entry.key != "rate_hz"; });
+  } else if (target == "motion.kind") {
+    std::erase_if(table->entries, [](const TomlEntry& entry) { return entry.key == "file"; });
+  }
+  put_entry(*table, rest, value);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "scene/toml_tree.hpp"
+
+namespace fingerpad {
+
+/// One value of a set's key.
+struct SetValue {
+  TomlNode value;
+  std::string written;  ///< as the file writes it: a text without its quotes; for a glob, the file found
+};
+
+/// One key of a [[set]] entry with its values.
+struct SetAxis {
+  std::string key;     ///< as written, dotted
+  std::string target;  ///< full dotted name in the scene
+  std::vector<SetValue> values;
+};
+
+/// One [[set]] entry: its keys in the order written. Its jobs are their product, last key fastest.
+using SetEntry = std::vector<SetAxis>;
+
+/// Reads the `set` of a scene file and expands globs against the scene's folder. Throws Error (refused,
+/// `file:line:column`) for keys that no scene has, keys given twice, lists without values, and globs that
+/// match nothing.
+std::vector<SetEntry> read_set(const TomlEntry& set, const std::string& path);
+
+/// Puts a value at a full dotted name. `part.` and `plane.` name the first one; tables that are missing are
+/// made; a motion file drives out the keys of a scripted motion and the other way round.
+void put_value(TomlNode& root, const std::string& target, const TomlNode& value);
+
+}  // namespace fingerpad

@@ -1,0 +1,196 @@
+#include "scene/toml_tree.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// toml++ 3.3 builds a table per part of a dotted key and takes them down recursively, so that a line of dots
+/// would overflow the stack: no key of a scene has more than a few parts.
+constexpr int max_key_dots = 16;
+
+/// The position after the string that starts at `i`.
+std::size_t after_string(std::string_view text, std::size_t i) {
+  const char quote = text[i];
+  const std::string_view fence = text.substr(i, 3);
+  const bool many_lines = fence.size() == 3 && fence[1] == quote && fence[2] == quote;
+  for (std::size_t k = i + (many_lines ? 3 : 1); k < text.size(); ++k) {
+    if (text[k] == '\\' && quote == '"') {
+      ++k;
+    } else if (many_lines ? text.substr(k, 3) == fence : text[k] == quote) {
+      return k + (many_lines ? 3 : 1);
+    } else if (!many_lines && text[k] == '\n') {
+      return k;  // never closed: the parser says so
+    }
+  }
+  return text.size();
+}
+
+void refuse_deep_keys(std::string_view text, const std::string& file) {
+  int dots = 0, line = 1;
+  for (std::size_t i = 0; i < text.size();) {
+    const char c = text[i];
+    if (c == '"' || c == '\'') {
+      const std::size_t end = after_string(text, i);
+      line += static_cast<int>(std::count(text.begin() + static_cast<std::ptrdiff_t>(i),
+                                          text.begin() + static_cast<std::ptrdiff_t>(end), '\n'));
+      i = end;
+      continue;
+    }
+    if (c == '#') {
+      i = std::min(text.find('\n', i), text.size());
+      continue;
+    }
+    if (c == '\n' || c == '=' || c == ',' || c == '{' || c == '[') dots = 0;
+    if (c == '\n') ++line;
+    if (c == '.' && ++dots > max_key_dots) {
+      throw refused(fmt::format("{}:{}", file, line), fmt::format("a key of over {} parts", max_key_dots));
+    }
+    ++i;
+  }
+}
+
+Place place_of(const toml::source_region& region) {
+  return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
+}
+
+/// Turns toml++ nodes into ours, with the file at hand to quote numbers as written.
+class Converter {
+ public:
+  explicit Converter(std::string_view text) {
+    for (std::size_t start = 0; start <= text.size();) {
+      const std::size_t end = std::min(text.find('\n', start), text.size());
+      lines_.push_back(text.substr(start, end - start));
+      start = end + 1;
+    }
+  }
+
+  TomlNode node(const toml::node& from) const {
+    TomlNode to;
+    to.place = place_of(from.source());
+    switch (from.type()) {
+      case toml::node_type::table:
+        return table(*from.as_table());
+      case toml::node_type::array:
+        to.type = TomlNode::Type::array;
+        for (const toml::node& item : *from.as_array()) to.items.push_back(node(item));
+        return to;
+      case toml::node_type::string:
+        to.type = TomlNode::Type::text;
+        to.text = from.as_string()->get();
+        return to;
+      case toml::node_type::integer:
+        to.type = TomlNode::Type::integer;
+        to.integer = from.as_integer()->get();
+        to.number = static_cast<double>(to.integer);
+        break;
+      case toml::node_type::floating_point:
+        to.type = TomlNode::Type::number;
+        to.number = from.as_floating_point()->get();
+        break;
+      case toml::node_type::boolean:
+        to.type = TomlNode::Type::boolean;
+        to.boolean = from.as_boolean()->get();
+        break;
+      default:
+        to.type = TomlNode::Type::date;
+    }
+    to.written = quoted(from.source());
+    return to;
+  }
+
+  TomlNode table(const toml::table& from) const {
+    TomlNode to;
+    to.type = TomlNode::Type::table;
+    to.place = place_of(from.source());
+    for (const auto& [key, value] : from) {
+      to.entries.push_back({std::string(key.str()), place_of(key.source()), node(value)});
+    }
+    std::stable_sort(to.entries.begin(), to.entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+      return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
+    });
+    return to;
+  }
+
+ private:
+  /// The text of a region within one line. Columns count code points.
+  std::string quoted(const toml::source_region& region) const {
+    if (region.begin.line == 0 || region.begin.line != region.end.line || region.begin.line > lines_.size())
+      return {};
+    const std::string_view line = lines_[region.begin.line - 1];
+    std::string out;
+    toml::source_index column = 0;
+    for (const char c : line) {
+      if ((static_cast<unsigned char>(c) & 0xC0u) != 0x80u) ++column;
+      if (column >= region.end.column) break;
+      if (column >= region.begin.column) out += c;
+    }
+    while (!out.empty() && (out.back() == ' ' || out.back() == '\t' || out.back() == '\r')) out.pop_back();
+    return out;
+  }
+
+  std::vector<std::string_view> lines_;
+};
+
+}  // namespace
+
+TomlNode toml_text(std::string text) {
+  TomlNode node;
+  node.type = TomlNode::Type::text;
+  node.text = std::move(text);
+  return node;
+}
+
+const TomlEntry* find_entry(const TomlNode& table, std::string_view key) noexcept {
+  for (const TomlEntry& entry : table.entries) {
+    if (entry.key == key) return &entry;
+  }
+  return nullptr;
+}
+
+TomlEntry* find_entry(TomlNode& table, std::string_view key) noexcept {
+  return const_cast<TomlEntry*>(find_entry(std::as_const(table), key));
+}
+
+std::string place_text(const std::string& file, const Place& place) {
+  return place.line > 0 ? fmt::format("{}:{}:{}", file, place.line, place.column) : file;
+}
+
+std::string_view type_text(TomlNode::Type type) noexcept {
+  switch (type) {
+    case TomlNode::Type::boolean:
+      return "true or false";
+    case TomlNode::Type::integer:
+      return "a whole number";
+    case TomlNode::Type::number:
+      return "a number";
+    case TomlNode::Type::text:
+      return "a string";
+    case TomlNode::Type::date:
+      return "a date or time";
+    case TomlNode::Type::array:
+      return "a list";
+    case TomlNode::Type::table:
+      return "a table";
+  }
+  return "";
+}
+
+TomlNode parse_toml(const std::string& text, const std::string& file) {
+  refuse_deep_keys(text, file);
+  try {
+    const toml::table table = toml::parse(text, file);
+    return Converter(text).table(table);
+  } catch (const toml::parse_error& error) {
+    throw refused(place_text(file, place_of(error.source())), fmt::format("{}", error.description()));
+  }
+}
+
+}  // namespace fingerpad
