@@ -1,5 +1,6 @@
 #include "motion/scripted_motion.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 

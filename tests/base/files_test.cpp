@@ -1,0 +1,65 @@
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "base/content_hash.hpp"
+#include "base/csv_columns.hpp"
+#include "base/error.hpp"
+#include "base/unit.hpp"
+#include "support/paths.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::string write(const std::string& name, const std::string& text) {
+  const auto path = test::scratch_dir() / name;
+  std::ofstream(path, std::ios::binary) << text;
+  return path.string();
+}
+
+std::string refusal(const std::string& path, const std::vector<std::string_view>& required) {
+  try {
+    read_csv_columns(path, required);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(CsvColumns, AreFoundByNameWhateverTheirOrder) {
+  const auto path = write("a.csv", "\xef\xbb\xbfy_m, x_m ,word\r\n1,2,blue\r\n\r\n3,4e0,red\r\n");
+  const CsvColumns table = read_csv_columns(path, {"x_m", "y_m"}, {"dx"});
+  EXPECT_EQ(table.columns[0], (std::vector<double>{2, 4}));
+  EXPECT_EQ(table.columns[1], (std::vector<double>{1, 3}));
+  EXPECT_FALSE(table.present[2]);
+  EXPECT_EQ(table.lines, (std::vector<long>{2, 4}));
+}
+
+TEST(CsvColumns, TellTheLineOfWhatIsWrong) {
+  EXPECT_NE(refusal(write("b.csv", "x_m\n1\nzwei\n"), {"x_m"}).find("b.csv:3: 'zwei'"), std::string::npos);
+  EXPECT_NE(refusal(write("c.csv", "a,x_m\n1\n"), {"x_m"}).find("c.csv:2: has 1 cells"), std::string::npos);
+  EXPECT_NE(refusal(write("d.csv", "x_m\ninf\n"), {"x_m"}).find("d.csv:2: column 'x_m' is not finite"),
+            std::string::npos);
+  EXPECT_NE(refusal(write("e.csv", "x\n1\n"), {"x_m"}).find("e.csv:1: no column 'x_m'"), std::string::npos);
+  EXPECT_NE(refusal(write("f.csv", ""), {"x_m"}).find("is empty"), std::string::npos);
+  EXPECT_NE(refusal("/nowhere/g.csv", {"x_m"}).find("cannot be read"), std::string::npos);
+}
+
+TEST(ContentHash, IsFnv1a) {
+  // The published test vectors of FNV-1a, 64 bits.
+  EXPECT_EQ(file_hash(write("empty", "")), "cbf29ce484222325");
+  EXPECT_EQ(file_hash(write("a", "a")), "af63dc4c8601ec8c");
+  EXPECT_EQ(file_hash(write("foobar", "foobar")), "85944171f73967e8");
+}
+
+TEST(Units, AreTheFourOfTheContract) {
+  EXPECT_EQ(metres_per_unit("m").value(), 1);
+  EXPECT_EQ(metres_per_unit("mm").value(), 1e-3);
+  EXPECT_EQ(metres_per_unit("cm").value(), 1e-2);
+  EXPECT_EQ(metres_per_unit("in").value(), 0.0254);
+  EXPECT_FALSE(metres_per_unit("ft").has_value());
+}
+
+}  // namespace
+}  // namespace fingerpad

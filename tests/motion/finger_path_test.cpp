@@ -1,0 +1,109 @@
+#include "motion/finger_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "support/paths.hpp"
+
+namespace fingerpad {
+namespace {
+
+Motion read(const std::string& text) {
+  const auto path = test::scratch_dir() / "m.csv";
+  std::ofstream(path) << text;
+  return read_motion_csv(path.string());
+}
+
+std::string refusal(const std::string& text) {
+  try {
+    read(text);
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    return error.what();
+  }
+  return "";
+}
+
+TEST(FingerPath, HasATickAtBothEnds) {
+  const FingerPath path(read("t_s,x_m,y_m,z_m\n0,0,0,0\n0.2,1,0,0\n"), 1000, Vec3::UnitX());
+  EXPECT_EQ(path.tick_count(), 201);  // 0.2 * 1000 rounds below 200 in some arithmetics: the contract's 1e-6
+  EXPECT_DOUBLE_EQ(path.at(200).t_s, 0.2);
+  EXPECT_DOUBLE_EQ(path.at(200).p_WQ.x(), 1);
+}
+
+TEST(FingerPath, DropsWhatIsLeftAfterTheLastWholeTick) {
+  const FingerPath path(read("t_s,x_m,y_m,z_m\n1,0,0,0\n1.0035,7,0,0\n"), 1000, Vec3::UnitX());
+  EXPECT_EQ(path.tick_count(), 4);
+  EXPECT_DOUBLE_EQ(path.at(0).t_s, 1);
+}
+
+TEST(FingerPath, InterpolatesLinearlyAndHitsTheSamplesExactly) {
+  const FingerPath path(read("t_s,x_m,y_m,z_m\n0,0,0,0\n0.01,0.3,0,0\n0.03,0.1,5,0\n"), 1000, Vec3::UnitX());
+  EXPECT_EQ(path.at(10).p_WQ, Vec3(0.3, 0, 0));
+  EXPECT_NEAR(path.at(5).p_WQ.x(), 0.15, 1e-16);
+  EXPECT_NEAR(path.at(20).p_WQ.x(), 0.2, 1e-15);
+  EXPECT_EQ(path.at(30).p_WQ, Vec3(0.1, 5, 0));
+}
+
+TEST(FingerPath, KeepsDirectionsUnitBetweenSamples) {
+  const FingerPath path(read("t_s,x_m,y_m,z_m,dx,dy,dz\n0,0,0,0,2,0,0\n0.01,0,0,0,0,0,3\n"), 1000,
+                        Vec3::UnitY());
+  EXPECT_NEAR(path.at(5).direction_W.norm(), 1, 1e-15);
+  EXPECT_NEAR(path.at(5).direction_W.x(), std::sqrt(0.5), 1e-15);
+}
+
+TEST(FingerPath, UsesTheSceneDirectionWhereTheMotionHasNone) {
+  const FingerPath path(read("t_s,x_m,y_m,z_m\n0,0,0,0\n"), 1000, Vec3::UnitY());
+  EXPECT_EQ(path.tick_count(), 1);
+  EXPECT_EQ(path.at(0).direction_W, Vec3::UnitY());
+}
+
+TEST(FingerPath, RefusesAMotionOfAbsurdLength) {
+  EXPECT_THROW(FingerPath(read("t_s,x_m,y_m,z_m\n0,0,0,0\n1e300,0,0,0\n"), 1000, Vec3::UnitY()), Error);
+}
+
+TEST(MotionTable, IsReadFromATraceToo) {
+  const Motion motion = read("t_s,x_m,y_m,z_m,phase,cx_m\n0,1,2,3,free,nan\n0.1,1,2,4,stick,0.5\n");
+  EXPECT_EQ(motion.t_s.size(), 2u);
+  EXPECT_EQ(motion.p_WQ.col(1), Vec3(1, 2, 4));
+  EXPECT_EQ(motion.direction_W.cols(), 0);
+}
+
+TEST(MotionTable, TellsTheLineOfWhatIsWrong) {
+  EXPECT_NE(refusal("t_s,x_m,y_m,z_m\n0,0,0,0\n0,0,0,0\n").find("m.csv:3: time 0 s"), std::string::npos);
+  EXPECT_NE(refusal("t_s,x_m,y_m,z_m\n").find("no rows"), std::string::npos);
+  EXPECT_NE(refusal("t_s,x_m,y_m,z_m,dx\n0,0,0,0,1\n").find("all of dx, dy and dz"), std::string::npos);
+  EXPECT_NE(refusal("t_s,x_m,y_m,z_m,dx,dy,dz\n0,0,0,0,0,0,0\n").find("m.csv:2: dx,dy,dz"),
+            std::string::npos);
+}
+
+TEST(ScriptedMotion, SineCircleAndLineGoWhereTheirFormulasSay) {
+  ScriptedMotion sine;
+  sine.kind = ScriptedMotion::Kind::sine;
+  sine.centre_m = Vec3(1, 0, 0);
+  sine.direction = Vec3::UnitY();
+  sine.amplitude_m = 0.02;
+  sine.frequency_hz = 2;
+  EXPECT_NEAR((sine.at(0.125) - Vec3(1, 0.02, 0)).norm(), 0, 1e-15);
+
+  ScriptedMotion circle = sine;
+  circle.kind = ScriptedMotion::Kind::circle;
+  circle.normal = Vec3::UnitZ();
+  for (const double t : {0.0, 0.1, 0.33}) EXPECT_NEAR((circle.at(t) - circle.centre_m).norm(), 0.02, 1e-15);
+  EXPECT_NEAR((circle.at(0.125) - Vec3(0.98, 0, 0)).norm(), 0, 1e-15);
+
+  ScriptedMotion line;
+  line.kind = ScriptedMotion::Kind::line;
+  line.from_m = Vec3(0, 0, 0);
+  line.to_m = Vec3(0.1, 0, 0);
+  line.speed_m_per_s = 0.05;
+  line.duration_s = 2;
+  EXPECT_NEAR(line.at(0.5).x(), 0.025, 1e-16);
+}
+
+}  // namespace
+}  // namespace fingerpad
