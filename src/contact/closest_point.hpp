@@ -17,9 +17,9 @@ struct TrianglePoint {
 
 /// The point of triangle t of `part` that lies closest to q; both relative to the part's centre [m].
 ///
-/// Edges are walked from the lower welded vertex to the higher, so that the triangles on both sides of an edge give the
-/// same point and distance bit for bit. Slivers and triangles without area are safe: the face counts only where its
-/// plane is well determined.
+/// Edges are walked from the lower welded vertex to the higher, so that the triangles on both sides of an
+/// edge give the same point and distance bit for bit. Slivers and triangles without area are safe: the face
+/// counts only where its plane is well determined.
 TrianglePoint closest_on_triangle(const Part& part, int t, const Vec3& q) noexcept;
 
 }  // namespace fingerpad

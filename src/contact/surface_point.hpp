@@ -7,30 +7,34 @@
 namespace fingerpad {
 
 /// How the contact normal is made from facets.
-///   facet:  gradient of the distance to the facets as they are: the facet's own normal over a face; over a convex edge
+///   facet:  gradient of the distance to the facets as they are: the facet's own normal over a face; over a
+///   convex edge
 ///           or vertex the direction from the surface point to the finger.
 ///   smooth: corner normals interpolated over the triangle; creases and sharp vertices keep the facet rule.
 enum class Normals { facet, smooth };
 
 /// Where a point stands against a surface, frame P (the file's frame, not re-centred).
 struct SurfacePoint {
-  Vec3 point_P = Vec3::Zero();         ///< S, the nearest surface point [m]
-  Vec3 normal_P = Vec3::UnitZ();       ///< outward, unit, as `Normals` says
-  Vec3 pseudonormal_P = Vec3::UnitZ();  ///< angle-weighted, of the closest feature, unit; its side gives the sign
+  Vec3 point_P = Vec3::Zero();    ///< S, the nearest surface point [m]
+  Vec3 normal_P = Vec3::UnitZ();  ///< outward, unit, as `Normals` says
+  Vec3 pseudonormal_P =
+      Vec3::UnitZ();  ///< angle-weighted, of the closest feature, unit; its side gives the sign
   double signed_distance_m = std::numeric_limits<double>::infinity();  ///< < 0 inside
-  int triangle = -1;                   ///< index into Part::triangles; -1: a plane, or nothing within reach
+  int triangle = -1;  ///< index into Part::triangles; -1: a plane, or nothing within reach
 };
 
 /// The nearest surface point of a part.
 /// @param p_P      where [m], frame P, finite
 /// @param seed     see TriangleTree::closest
-/// @param reach_m  when positive distance is larger than this, `triangle` is -1 and the distance infinite; points
+/// @param reach_m  when positive distance is larger than this, `triangle` is -1 and the distance infinite;
+/// points
 ///                 inside are always answered
 /// noexcept, allocates nothing.
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,
                                    double reach_m) noexcept;
 
-/// The nearest point of a plane through `point_P` with outward unit normal. Inside is the half space behind it.
+/// The nearest point of a plane through `point_P` with outward unit normal. Inside is the half space behind
+/// it.
 SurfacePoint nearest_plane_point(const Vec3& point_P, const Vec3& normal_P, const Vec3& p_P) noexcept;
 
 }  // namespace fingerpad

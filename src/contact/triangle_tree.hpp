@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "contact/closest_point.hpp"
@@ -12,21 +13,40 @@ struct ClosestTriangle {
   TrianglePoint at;   ///< relative to the part's centre
 };
 
-/// A search tree over a part's triangles: Embree traverses padded float boxes, the callback decides in double.
-/// Immutable after construction; queries from any number of threads.
+/// Where a ray leaves a part.
+struct RayExit {
+  int triangle = -1;  ///< index into Part::triangles; -1 when the ray leaves nowhere
+  double distance_m = std::numeric_limits<double>::infinity();
+};
+
+/// A search tree over a part's triangles: Embree traverses padded float boxes, the callback decides in
+/// double. Immutable after construction; queries from any number of threads.
 class TriangleTree {
  public:
+  /// Builds the tree on all threads. Throws Error (fault) if Embree cannot.
   explicit TriangleTree(std::shared_ptr<const Part> part);
   ~TriangleTree();
   TriangleTree(TriangleTree&&) noexcept;
   TriangleTree& operator=(TriangleTree&&) noexcept;
 
-  /// The closest triangle to q (relative to the part's centre [m]). Exact: the same answer as looking at every
-  /// triangle; ties go to the lowest triangle, so it depends on q alone.
-  /// @param seed  a triangle that is likely close (the last answer), or -1; costs speed only, never changes the answer
+  /// The closest triangle to q (relative to the part's centre [m]). Exact: the same answer as looking at
+  /// every triangle; ties go to the lowest triangle, so it depends on q alone.
+  /// @param seed  a triangle that is likely close (the last answer), or -1; costs speed only, never changes
+  /// the answer
   /// @param reach_m  look no farther than this; infinity for no bound
-  /// @pre q finite. noexcept, allocates nothing.
+  /// A query point more than a million sizes away is answered from the same direction at that distance (the
+  /// point is then off by less than a millionth of the part; distance2_m2 is infinite where a double cannot
+  /// hold it); one that is not finite is answered with nothing. Far points beyond any use of the tree are
+  /// looked up one by one. noexcept, allocates nothing.
   ClosestTriangle closest(const Vec3& q, int seed, double reach_m) const noexcept;
+
+  /// The first triangle through which a ray that starts on triangle `start` passes from the inside to the
+  /// outside. Triangles that share a (welded) vertex with `start` are passed through, as are those met from
+  /// the outside.
+  /// @param origin  relative to the part's centre [m]
+  /// @param direction  unit
+  /// noexcept, allocates nothing.
+  RayExit first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept;
 
   const Part& part() const noexcept;
 

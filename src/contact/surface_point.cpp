@@ -1,0 +1,113 @@
+#include "contact/surface_point.hpp"
+
+#include <cmath>
+
+namespace fingerpad {
+namespace {
+
+/// Closer than this fraction of the part's size the direction to the finger is rounding, not geometry.
+constexpr double direction_resolution = 1e-9;
+/// Unit vectors this near are the same, up to the rounding that made them.
+constexpr double same_normal2 = 1e-18;
+
+int corner_of(Feature feature) noexcept {
+  return static_cast<int>(feature) - static_cast<int>(Feature::vertex0);
+}
+int edge_of(Feature feature) noexcept {
+  return static_cast<int>(feature) - static_cast<int>(Feature::edge0);
+}
+bool is_edge(Feature feature) noexcept {
+  return feature >= Feature::edge0 && feature <= Feature::edge2;
+}
+
+Vec3 pseudonormal(const Part& part, int t, Feature feature) noexcept {
+  if (feature == Feature::face) return part.facet_normals.col(t);
+  if (is_edge(feature)) return part.edge_pseudonormals.col(3 * t + edge_of(feature));
+  return part.vertex_pseudonormals.col(part.welded(corner_of(feature), t));
+}
+
+bool has_crease(const Part& part, int t, int edge) noexcept {
+  return (part.creases[t] >> edge & 1) != 0;
+}
+
+/// Whether the surface is smooth at a feature, so that interpolated normals may be used there.
+bool is_smooth(const Part& part, int t, Feature feature) noexcept {
+  if (feature == Feature::face) return true;
+  if (is_edge(feature)) return !has_crease(part, t, edge_of(feature));
+  const int corner = corner_of(feature);
+  if (has_crease(part, t, corner) || has_crease(part, t, (corner + 2) % 3)) return false;
+  const Vec3 all_round = part.vertex_pseudonormals.col(part.welded(corner, t));
+  return (part.corner_normals.col(3 * t + corner) - all_round).squaredNorm() <= same_normal2;
+}
+
+/// Whether both facets at an edge lie in one plane.
+bool is_flat_edge(const Part& part, int t, int edge) noexcept {
+  const int other = part.neighbours(edge, t);
+  return other >= 0 &&
+         (part.facet_normals.col(t) - part.facet_normals.col(other)).squaredNorm() <= same_normal2;
+}
+
+/// The gradient of the signed distance to the facets.
+Vec3 facet_normal(const Part& part, int t, Feature feature, const Vec3& pseudonormal, const Vec3& outward,
+                  double distance_m) noexcept {
+  if (feature == Feature::face || distance_m <= direction_resolution * part.size_m()) return pseudonormal;
+  if (is_edge(feature) && is_flat_edge(part, t, edge_of(feature))) return pseudonormal;
+  return outward / distance_m;
+}
+
+Vec3 interpolated_normal(const Part& part, int t, const Vec3& barycentric, const Vec3& otherwise) noexcept {
+  const Vec3 sum = part.corner_normals.middleCols<3>(3 * t) * barycentric;
+  const double length = sum.norm();
+  // A fold between smooth neighbours can cancel the sum or turn it round; it says nothing then.
+  if (!(length > 1e-6) || sum.dot(otherwise) <= 0) return otherwise;
+  return sum / length;
+}
+
+bool outside_padded_box(const Part& part, const Vec3& q, double reach_m) noexcept {
+  const double beyond_m = (q.cwiseAbs() - part.half_extent).maxCoeff();
+  const double rounding_m = 1e-12 * (part.size_m() + part.centre_P.norm());
+  return !(beyond_m <= reach_m + rounding_m);
+}
+
+}  // namespace
+
+SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,
+                                   double reach_m) noexcept {
+  const Part& part = tree.part();
+  SurfacePoint result;
+  const Vec3 q = p_P - part.centre_P;
+  if (outside_padded_box(part, q, reach_m)) return result;
+  // No bound on the search: what lies deep inside is answered whatever the reach.
+  const ClosestTriangle found = tree.closest(q, seed, std::numeric_limits<double>::infinity());
+  if (found.triangle < 0) return result;
+
+  const int t = found.triangle;
+  const Vec3 offset = q - found.at.point;
+  const double distance_m =
+      std::isfinite(found.at.distance2_m2) ? std::sqrt(found.at.distance2_m2) : offset.stableNorm();
+  const Vec3 pseudo = pseudonormal(part, t, found.at.feature);
+  const bool inside = offset.dot(pseudo) < 0;
+  if (!inside && !(distance_m <= reach_m)) return result;
+
+  result.triangle = t;
+  result.point_P = part.centre_P + found.at.point;
+  result.pseudonormal_P = pseudo;
+  result.signed_distance_m = inside ? -distance_m : distance_m;
+  const Vec3 outward = inside ? Vec3(-offset) : offset;
+  result.normal_P = facet_normal(part, t, found.at.feature, pseudo, outward, distance_m);
+  if (normals == Normals::smooth && is_smooth(part, t, found.at.feature)) {
+    result.normal_P = interpolated_normal(part, t, found.at.barycentric, result.normal_P);
+  }
+  return result;
+}
+
+SurfacePoint nearest_plane_point(const Vec3& point_P, const Vec3& normal_P, const Vec3& p_P) noexcept {
+  SurfacePoint result;
+  result.signed_distance_m = (p_P - point_P).dot(normal_P);
+  result.point_P = p_P - result.signed_distance_m * normal_P;
+  result.normal_P = normal_P;
+  result.pseudonormal_P = normal_P;
+  return result;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <cstdint>
+
+#include "contact/closest_point.hpp"
+
+namespace fingerpad {
+
+/// One triangle prepared for closest-point queries, in the frame of Part::vertices.
+///
+/// Corners are sorted by welded vertex, so that an edge runs from the lower vertex to the higher in both of
+/// its triangles and gives both the same bits. Edge 0 joins corners 0 and 1, edge 1 corners 1 and 2, edge 2
+/// corners 0 and 2.
+struct TriangleFrame {
+  Vec3 corner[3];  ///< [m]
+  Vec3 inward[3];  ///< unit, in the plane, from edge k into the triangle; zero where no plane is determined
+  double inverse_length2[3];    ///< of edge k [1/m^2]; 0 for an edge without length
+  std::uint8_t part_corner[3];  ///< corner k of the frame is this corner of the part's triangle
+};
+
+TriangleFrame triangle_frame(const Part& part, int t) noexcept;
+
+/// Where on a frame a closest point lies. `site`: 0 face, 1 + k edge k, 4 + k corner k.
+struct FramePoint {
+  Vec3 point = Vec3::Zero();
+  double distance2_m2 = 0;
+  double along = 0;  ///< on an edge: 0 at its first corner, 1 at its second
+  int site = 0;
+};
+
+namespace frame_detail {
+
+inline constexpr int first_corner[3] = {0, 1, 0};
+inline constexpr int second_corner[3] = {1, 2, 2};
+
+inline FramePoint on_edge(const TriangleFrame& f, int k, const Vec3& q) noexcept {
+  const int i = first_corner[k], j = second_corner[k];
+  const Vec3 edge = f.corner[j] - f.corner[i];
+  const double along = (q - f.corner[i]).dot(edge) * f.inverse_length2[k];
+  FramePoint p;
+  if (along <= 0) {
+    p.point = f.corner[i];
+    p.site = 4 + i;
+  } else if (along >= 1) {
+    p.point = f.corner[j];
+    p.site = 4 + j;
+  } else {
+    p.point = f.corner[i] + along * edge;
+    p.site = 1 + k;
+    p.along = along;
+  }
+  p.distance2_m2 = (q - p.point).squaredNorm();
+  return p;
+}
+
+/// Distances of q's projection from the three edges' lines, positive inside [m].
+inline Vec3 inside_m(const TriangleFrame& f, const Vec3& q) noexcept {
+  const Vec3 from0 = q - f.corner[0], from1 = q - f.corner[1];
+  return {from0.dot(f.inward[0]), from1.dot(f.inward[1]), from0.dot(f.inward[2])};
+}
+
+}  // namespace frame_detail
+
+/// The point of a frame's triangle that lies closest to q.
+///
+/// The projection lies inside where it is inside of all three edges; it is then built from the foot on the
+/// nearest edge, so that a sliver's badly known normal is multiplied by its small width and costs no more
+/// than rounding. Elsewhere the closest point lies on an edge that q is outside of; without a plane that is
+/// every edge.
+inline FramePoint closest_in(const TriangleFrame& f, const Vec3& q) noexcept {
+  using namespace frame_detail;
+  const Vec3 s = inside_m(f, q);
+  if (s[0] > 0 && s[1] > 0 && s[2] > 0) {
+    const int k = s[0] <= s[1] ? (s[0] <= s[2] ? 0 : 2) : (s[1] <= s[2] ? 1 : 2);
+    FramePoint p = on_edge(f, k, q);
+    p.point += s[k] * f.inward[k];
+    p.site = 0;
+    p.distance2_m2 = (q - p.point).squaredNorm();
+    return p;
+  }
+  FramePoint best;
+  bool found = false;
+  for (int k = 0; k < 3; ++k) {
+    if (s[k] > 0) continue;
+    const FramePoint p = on_edge(f, k, q);
+    if (!found || p.distance2_m2 < best.distance2_m2) best = p;
+    found = true;
+  }
+  return best;
+}
+
+/// The same point in the terms of the part's triangle.
+TrianglePoint in_part_corners(const TriangleFrame& f, const FramePoint& p, const Vec3& q) noexcept;
+
+}  // namespace fingerpad

@@ -1,0 +1,279 @@
+#include "contact/triangle_tree.hpp"
+
+#include <embree3/rtcore.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/error.hpp"
+#include "contact/triangle_frame.hpp"
+
+namespace fingerpad {
+namespace {
+
+// Embree sees the part scaled by a power of two so that its box lies within [-1, 1]. There, in its float
+// arithmetic: a box corner moves by 3e-8 when rounded; a ray of length 4 strays by 3e-7; a squared distance
+// is off by about 1e-6 of itself at most. The paddings below are above these, so that nothing which could win
+// or tie is passed over.
+constexpr float box_padding = 5e-7f;
+constexpr double relative_slack = 2e-6;
+constexpr double absolute_slack = 1e-8;
+/// Beyond so many half extents float boxes no longer tell triangles apart: every triangle is looked at.
+constexpr double tree_range = 1e4;
+/// Beyond so many half extents only the direction of a point matters.
+constexpr double direction_range = 1 << 20;
+
+/// What Embree's callbacks see of a tree.
+struct Frames {
+  std::vector<TriangleFrame> of;
+  double scale = 1;  ///< Embree's coordinate of one metre, a power of two
+};
+
+}  // namespace
+
+struct TriangleTree::Impl {
+  std::shared_ptr<const Part> part;
+  Frames frames;
+  double extent_m = 0;  ///< longest half side of the part's box
+  RTCDevice device = nullptr;
+  RTCScene scene = nullptr;
+
+  Impl() = default;
+  Impl(const Impl&) = delete;
+  Impl& operator=(const Impl&) = delete;
+  ~Impl() {
+    if (scene != nullptr) rtcReleaseScene(scene);
+    if (device != nullptr) rtcReleaseDevice(device);
+  }
+  void build();
+  ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
+};
+
+namespace {
+
+struct Winner {
+  int triangle = std::numeric_limits<int>::max();
+  FramePoint at;
+
+  /// Takes triangle t if it is closer, or as close and lower. True if it is closer.
+  bool offer(int t, const FramePoint& p) noexcept {
+    const bool closer = p.distance2_m2 < at.distance2_m2;
+    if (closer || (p.distance2_m2 == at.distance2_m2 && t < triangle)) {
+      triangle = t;
+      at = p;
+    }
+    return closer;
+  }
+};
+
+struct Search {
+  const TriangleFrame* frames;
+  Vec3 q;
+  double scale;
+  double rounding;  ///< how far Embree's query point lies from q, scaled
+  Winner winner;
+
+  float radius(double distance_m) const noexcept {
+    return static_cast<float>((distance_m * scale + rounding) * (1 + relative_slack) + absolute_slack);
+  }
+};
+
+bool visit(RTCPointQueryFunctionArguments* args) {
+  Search& search = *static_cast<Search*>(args->userPtr);
+  const int t = static_cast<int>(args->primID);
+  if (!search.winner.offer(t, closest_in(search.frames[t], search.q))) return false;
+  args->query->radius = search.radius(std::sqrt(search.winner.at.distance2_m2));
+  return true;
+}
+
+/// An Embree ray with the exact one behind it.
+struct RaySearch {
+  RTCIntersectContext context;  // first, so that Embree's pointer to it is a pointer to this
+  const Part* part;
+  int start;
+  Vec3 origin, direction;
+  double scale;
+  RayExit exit;
+};
+
+bool share_vertex(const Part& part, int a, int b) noexcept {
+  for (int i = 0; i < 3; ++i) {
+    for (int j = 0; j < 3; ++j) {
+      if (part.welded(i, a) == part.welded(j, b)) return true;
+    }
+  }
+  return false;
+}
+
+/// Distance along the ray to triangle t where it passes outwards, infinite elsewhere
+/// (Moeller & Trumbore 1997, in double).
+double exit_distance(const RaySearch& search, int t) noexcept {
+  constexpr double none = std::numeric_limits<double>::infinity();
+  const auto corner = [&](int k) -> Vec3 { return search.part->vertices.col(search.part->triangles(k, t)); };
+  const Vec3 a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
+  const Vec3 p = search.direction.cross(ac);
+  const double determinant = p.dot(ab);  // minus the ray's component along the facet's normal
+  if (!(determinant < 0)) return none;
+  const Vec3 from_a = search.origin - a;
+  const Vec3 r = from_a.cross(ab);
+  const double u = from_a.dot(p) / determinant, v = search.direction.dot(r) / determinant;
+  constexpr double tolerance = 1e-12;  // a ray through an edge must not slip between both triangles
+  if (u < -tolerance || v < -tolerance || u + v > 1 + tolerance) return none;
+  const double distance = ac.dot(r) / determinant;
+  return distance >= 0 ? distance : none;
+}
+
+void intersect(const RTCIntersectFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  RaySearch& search = *reinterpret_cast<RaySearch*>(args->context);
+  const int t = static_cast<int>(args->primID);
+  if (t == search.start) return;
+  const double distance = exit_distance(search, t);
+  RayExit& exit = search.exit;
+  if (distance > exit.distance_m || (distance == exit.distance_m && t >= exit.triangle)) return;
+  if (!std::isfinite(distance) || share_vertex(*search.part, t, search.start)) return;
+  exit = {t, distance};
+  RTCRayHit& ray = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  ray.ray.tfar = static_cast<float>(distance * search.scale * (1 + relative_slack) + absolute_slack);
+  ray.hit.primID = args->primID;
+  ray.hit.geomID = args->geomID;
+}
+
+void bounds(const RTCBoundsFunctionArguments* args) {
+  const auto& frames = *static_cast<const Frames*>(args->geometryUserPtr);
+  const TriangleFrame& f = frames.of[args->primID];
+  const Vec3 low = f.corner[0].cwiseMin(f.corner[1]).cwiseMin(f.corner[2]) * frames.scale;
+  const Vec3 high = f.corner[0].cwiseMax(f.corner[1]).cwiseMax(f.corner[2]) * frames.scale;
+  RTCBounds& box = *args->bounds_o;
+  box.lower_x = static_cast<float>(low.x()) - box_padding;
+  box.lower_y = static_cast<float>(low.y()) - box_padding;
+  box.lower_z = static_cast<float>(low.z()) - box_padding;
+  box.upper_x = static_cast<float>(high.x()) + box_padding;
+  box.upper_y = static_cast<float>(high.y()) + box_padding;
+  box.upper_z = static_cast<float>(high.z()) + box_padding;
+}
+
+/// Every triangle in turn: for points so far away that a tree of float boxes sees no difference between them.
+Winner look_at_all(const std::vector<TriangleFrame>& frames, const Vec3& q) noexcept {
+  Winner winner;
+  winner.at.distance2_m2 = std::numeric_limits<double>::infinity();
+  for (std::size_t t = 0; t < frames.size(); ++t) winner.offer(static_cast<int>(t), closest_in(frames[t], q));
+  return winner;
+}
+
+}  // namespace
+
+void TriangleTree::Impl::build() {
+  // The widest instruction set is not the fastest: 8-wide boxes were 8-13 % faster than 16-wide ones.
+  device = rtcNewDevice(__builtin_cpu_supports("avx2") ? "isa=avx2" : nullptr);
+  if (device == nullptr) throw Error(ErrorKind::fault, "", "Embree cannot start");
+  scene = rtcNewScene(device);
+  rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(frames.of.size()));
+  rtcSetGeometryUserData(geometry, &frames);
+  rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+  rtcSetGeometryPointQueryFunction(geometry, visit);
+  rtcSetGeometryIntersectFunction(geometry, intersect);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene);
+  const RTCError error = rtcGetDeviceError(device);
+  if (error != RTC_ERROR_NONE) {
+    throw Error(ErrorKind::fault, "",
+                "Embree cannot build a tree of " + std::to_string(frames.of.size()) +
+                    " triangles (its error " + std::to_string(error) + ")");
+  }
+}
+
+TriangleTree::TriangleTree(std::shared_ptr<const Part> part) : impl_(std::make_unique<Impl>()) {
+  Impl& impl = *impl_;
+  impl.part = std::move(part);
+  impl.extent_m = impl.part->half_extent.maxCoeff();
+  if (impl.extent_m > 0) impl.frames.scale = std::ldexp(1.0, -std::ilogb(impl.extent_m) - 1);
+  const int count = impl.part->triangle_count();
+  impl.frames.of.reserve(static_cast<std::size_t>(count));
+  for (int t = 0; t < count; ++t) impl.frames.of.push_back(triangle_frame(*impl.part, t));
+  impl.build();
+}
+
+TriangleTree::~TriangleTree() = default;
+TriangleTree::TriangleTree(TriangleTree&&) noexcept = default;
+TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;
+
+const Part& TriangleTree::part() const noexcept {
+  return *impl_->part;
+}
+
+ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) const noexcept {
+  const Impl& impl = *impl_;
+  const double farthest = q.cwiseAbs().maxCoeff();
+  // Written so that NaN ends here too.
+  if (impl.frames.of.empty() || !(q.cwiseAbs().sum() >= 0) || !(farthest - impl.extent_m <= reach_m))
+    return {};
+
+  if (farthest > tree_range * impl.extent_m) return impl.far_closest(q, reach_m);
+
+  Search search{impl.frames.of.data(), q, impl.frames.scale, 0, {}};
+  Winner& winner = search.winner;
+  winner.at.distance2_m2 = reach_m * reach_m;
+  const int count = static_cast<int>(impl.frames.of.size());
+  if (seed >= 0 && seed < count) winner.offer(seed, closest_in(impl.frames.of[seed], q));
+
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  RTCPointQuery query;
+  const Vec3 scaled = q * impl.frames.scale;
+  query.x = static_cast<float>(scaled.x());
+  query.y = static_cast<float>(scaled.y());
+  query.z = static_cast<float>(scaled.z());
+  query.time = 0;
+  search.rounding = (scaled - Vec3(query.x, query.y, query.z)).cwiseAbs().sum();
+  const double to_far_corner_m = q.norm() + 2 * impl.extent_m;
+  query.radius = search.radius(std::min(std::sqrt(winner.at.distance2_m2), to_far_corner_m));
+  rtcPointQuery(impl.scene, &query, &context, nullptr, &search);
+
+  if (winner.triangle >= count) return {};
+  return {winner.triangle, in_part_corners(impl.frames.of[winner.triangle], winner.at, q)};
+}
+
+ClosestTriangle TriangleTree::Impl::far_closest(const Vec3& q, double reach_m) const noexcept {
+  const double farthest = q.cwiseAbs().maxCoeff();
+  const double limit = direction_range * extent_m;
+  const Vec3 nearer = farthest > limit ? Vec3(q / farthest * limit) : q;
+  const Winner winner = look_at_all(frames.of, nearer);
+  ClosestTriangle result{winner.triangle, in_part_corners(frames.of[winner.triangle], winner.at, nearer)};
+  const double distance_m = (q - result.at.point).stableNorm();
+  result.at.distance2_m2 = distance_m * distance_m;
+  if (!(distance_m <= reach_m)) return {};
+  return result;
+}
+
+RayExit TriangleTree::first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept {
+  const Impl& impl = *impl_;
+  RaySearch search{{}, impl.part.get(), start, origin, direction, impl.frames.scale, {}};
+  rtcInitIntersectContext(&search.context);
+  const Vec3 from = origin * impl.frames.scale;
+  RTCRayHit ray{};
+  ray.ray.org_x = static_cast<float>(from.x());
+  ray.ray.org_y = static_cast<float>(from.y());
+  ray.ray.org_z = static_cast<float>(from.z());
+  ray.ray.dir_x = static_cast<float>(direction.x());
+  ray.ray.dir_y = static_cast<float>(direction.y());
+  ray.ray.dir_z = static_cast<float>(direction.z());
+  ray.ray.tnear = 0;
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.mask = ~0u;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(impl.scene, &search.context, &ray);
+  return search.exit;
+}
+
+}  // namespace fingerpad
