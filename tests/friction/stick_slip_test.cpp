@@ -1,0 +1,222 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "support/plane_contact.hpp"
+
+namespace fingerpad {
+namespace {
+
+using test::make_law;
+using test::PlaneContact;
+using test::pressed;
+using test::settings_of;
+
+constexpr double mu_s = 0.3, mu_d = 0.2, k_f = 1000;
+// Forces are sums and products of a few doubles of order one.
+constexpr double rounding = 1e-12;
+
+/// A steady drag along x: the force on the finger, as its resistance, and the phase of every tick.
+struct Drag {
+  std::vector<double> resistance_n;
+  std::vector<Phase> phase;
+};
+Drag drag(const FrictionLaw& law, double rate_hz, double speed, double seconds, double n = 1) {
+  PlaneContact contact{law, pressed(n, rate_hz)};
+  Drag result;
+  for (int k = 0; k < seconds * rate_hz; ++k) {
+    const Friction f = contact.move_to({speed * k / rate_hz, 0});
+    result.resistance_n.push_back(-f.force_n.x());
+    result.phase.push_back(f.phase);
+  }
+  return result;
+}
+
+TEST(StickSlip, FirstTouchAtRestSticksWithoutForce) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(1, 1000)};
+  const Friction f = contact.move_to({0.4, -0.2});
+  EXPECT_EQ(f.phase, Phase::stick);
+  EXPECT_TRUE(f.centre_moved);
+  EXPECT_EQ(f.force_n, Vec2(0, 0));
+  EXPECT_EQ(contact.centre_m, Vec2(0.4, -0.2));
+}
+
+TEST(StickSlip, FirstTouchAboveVMinSlips) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(1, 1000)};
+  const Friction f = contact.move_to({0, 0}, {0.3, 0.4});
+  EXPECT_EQ(f.phase, Phase::slip);
+  EXPECT_NEAR((f.force_n - Vec2(-0.12, -0.16)).norm(), 0, rounding);
+}
+
+TEST(StickSlip, SlowDragIsTheSawtoothOfThePaper) {
+  const auto law = make_law("stick-slip");
+  const double rate = 10000, speed = 0.002;
+  const Drag d = drag(*law, rate, speed, 2);
+  std::vector<int> ruptures;
+  for (int k = 1; k < static_cast<int>(d.phase.size()); ++k) {
+    if (d.phase[k] == Phase::slip && d.phase[k - 1] == Phase::stick) ruptures.push_back(k);
+  }
+  ASSERT_GT(ruptures.size(), 30U);
+  const int first = ruptures.front(), last = ruptures.back();
+  const double period_m = (last - first) * speed / rate / static_cast<double>(ruptures.size() - 1);
+  double sum = 0;
+  for (int k = first; k < last; ++k) sum += d.resistance_n[k];
+  // A tooth is 500 ticks; one of them is slip and the rupture is seen up to a tick late: 0.4 %.
+  EXPECT_NEAR(period_m, (mu_s - mu_d) / k_f, 0.01 * (mu_s - mu_d) / k_f);
+  EXPECT_NEAR(sum / (last - first), 0.25, 0.01 * 0.25);
+  const double peak = *std::max_element(d.resistance_n.begin(), d.resistance_n.end());
+  EXPECT_LE(peak, mu_s * (1 + 1e-9));
+  EXPECT_GE(peak, mu_s - k_f * speed / rate - rounding);  // at most k_f n V T below the limit
+}
+
+TEST(StickSlip, RuptureDropsTheForceFromStaticToDynamic) {
+  const auto law = make_law("stick-slip");
+  const double rate = 10000, speed = 0.002;
+  const Drag d = drag(*law, rate, speed, 0.5);
+  int ruptures = 0;
+  for (std::size_t k = 1; k < d.phase.size(); ++k) {
+    if (d.phase[k] != Phase::slip || d.phase[k - 1] != Phase::stick) continue;
+    ++ruptures;
+    EXPECT_NEAR(d.resistance_n[k - 1], mu_s,
+                k_f * speed / rate + rounding);  // one tick's motion before the limit
+    EXPECT_NEAR(d.resistance_n[k], mu_d, rounding);
+  }
+  EXPECT_GT(ruptures, 5);
+}
+
+TEST(StickSlip, ForceIsContinuousFromSlipToStick) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(2.5, 1000)};
+  // A sine of 5 cm at 1 Hz passes 0.1 m/s four times a second.
+  Friction last = contact.move_to({0, 0});
+  int resticks = 0;
+  for (int k = 1; k < 5000; ++k) {
+    const double x = 0.05 * std::sin(2 * std::numbers::pi * k / 1000);
+    const Friction f = contact.move_to({x, 0.3 * x});
+    if (f.phase == Phase::stick && last.phase == Phase::slip) {
+      ++resticks;
+      EXPECT_NEAR((f.force_n - last.force_n).norm(), 0, rounding);
+      EXPECT_NEAR(f.from_centre_m.norm(), mu_d / k_f, rounding);
+    }
+    last = f;
+  }
+  EXPECT_GE(resticks, 9);
+}
+
+TEST(StickSlip, AReversalWithinATickMakesNoJump) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(1, 1000)};
+  const Friction before = contact.move_to({0, 0}, {0.2, 0});
+  const Friction after = contact.move_to({0.0001, 0}, {-0.09, 0.01});
+  EXPECT_EQ(after.phase, Phase::stick);
+  EXPECT_NEAR((after.force_n - before.force_n).norm(), 0, rounding);
+}
+
+TEST(StickSlip, StickStartsAtTheForceAsWrittenUnderVibration) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(1, 1000)};
+  const Friction slip = contact.move_to({0, 0}, {0.2, 0});
+  contact.state.slip_force_scale = 1.25;  // what touch/ multiplied that force by
+  const Friction stick = contact.move_to({0.0001, 0}, {0.05, 0});
+  EXPECT_EQ(stick.phase, Phase::stick);
+  EXPECT_NEAR((stick.force_n - 1.25 * slip.force_n).norm(), 0, rounding);
+  const Friction held = contact.move_to({0.0001, 0}, {0, 0});
+  EXPECT_NEAR((held.force_n - stick.force_n).norm(), 0, rounding);
+}
+
+TEST(StickSlip, ASpringThatWouldStartRupturedWaits) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(1, 1000)};
+  contact.move_to({0, 0}, {0.2, 0});
+  contact.state.slip_force_scale = 1.6;  // 0.32 n, above the static limit
+  EXPECT_EQ(contact.move_to({0.0001, 0}, {0.05, 0}).phase, Phase::slip);
+  EXPECT_EQ(contact.move_to({0.0002, 0}, {0.05, 0}).phase, Phase::stick);
+}
+
+TEST(StickSlip, UnloadingAloneNeverSlips) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(3, 1000)};
+  contact.move_to({0, 0});
+  contact.move_to({0.00029, 0});
+  for (int k = 0; k <= 3000; ++k) {
+    contact.motion.normal_force_n = 3 - k * 1e-3;
+    EXPECT_EQ(contact.move_to({0.00029, 0}).phase, Phase::stick);
+  }
+}
+
+TEST(StickSlip, AtRestTheCentreNeverMoves) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(1, 1000)};
+  contact.move_to({0.1, 0.1}, {0.5, 0.1});
+  const Friction first = contact.move_to({0.1001, 0.1}, {0.01, 0});
+  const Vec2 centre = contact.centre_m;
+  for (int k = 0; k < 10000; ++k) {
+    const Friction f = contact.move_to({0.1001, 0.1});
+    ASSERT_EQ(contact.centre_m, centre);
+    ASSERT_FALSE(f.centre_moved);
+    // S minus the centre is rounded at 1e-17 m, times k_f n.
+    ASSERT_NEAR((f.force_n - first.force_n).norm(), 0, 1e-13);
+  }
+}
+
+TEST(StickSlip, EqualCoefficientsStickOnTheLimit) {
+  const auto law = make_law("stick-slip");
+  PlaneContact contact{*law, pressed(1, 1000)};
+  contact.motion.mu_dynamic = contact.motion.mu_static;
+  contact.move_to({0, 0}, {0.7, 0.3});
+  for (int k = 0; k < 100; ++k) EXPECT_EQ(contact.move_to({0.001, 0}, {0, 0}).phase, Phase::stick);
+}
+
+TEST(StickSlip, CrossingSlipsOnAfterASlowRupture) {
+  LawSettings settings;
+  settings.restick = Restick::crossing;
+  const auto law = make_law("stick-slip", settings);
+  const Drag d = drag(*law, 10000, 0.002, 1);
+  const auto rupture = std::find(d.phase.begin(), d.phase.end(), Phase::slip);
+  ASSERT_NE(rupture, d.phase.end());
+  EXPECT_EQ(std::find(rupture, d.phase.end(), Phase::stick), d.phase.end());
+}
+
+TEST(StickSlip, CrossingAtRestKeepsTheLastSlipDirection) {
+  LawSettings settings;
+  settings.restick = Restick::crossing;
+  const auto law = make_law("stick-slip", settings);
+  PlaneContact contact{*law, pressed(1, 1000)};
+  contact.move_to({0, 0});
+  contact.move_to({0.0004, 0}, {0.01, 0});
+  const Friction f = contact.move_to({0.0004, 0}, {0, 0});
+  EXPECT_EQ(f.phase, Phase::slip);
+  EXPECT_NEAR((f.force_n - Vec2(-mu_d, 0)).norm(), 0, rounding);
+}
+
+TEST(StickSlip, CrossingSticksWhereTheSpeedFallsThroughVMin) {
+  LawSettings settings;
+  settings.restick = Restick::crossing;
+  const auto law = make_law("stick-slip", settings);
+  PlaneContact contact{*law, pressed(1, 1000)};
+  EXPECT_EQ(contact.move_to({0, 0}, {0.2, 0}).phase, Phase::slip);
+  EXPECT_EQ(contact.move_to({0.0001, 0}, {0.1, 0}).phase, Phase::stick);
+}
+
+TEST(StickSlip, ThePaperFigure12RunStaysUnderTheStaticLimit) {
+  const auto law = make_law("stick-slip", settings_of({{"stick_stiffness_per_m", 200}}));
+  PlaneContact contact{*law, pressed(1, 500)};
+  for (int k = 0; k < 5000; ++k) {
+    const double t = k / 500.0;
+    contact.motion.normal_force_n = 2 + std::sin(3 * t);
+    const Friction f = contact.move_to({0.04 * std::sin(6 * t), 0});
+    const double mu = f.force_n.norm() / contact.motion.normal_force_n;
+    ASSERT_LE(mu, mu_s * (1 + 1e-9));
+    if (f.phase == Phase::slip) {
+      ASSERT_NEAR(mu, mu_d, 1e-9);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad
