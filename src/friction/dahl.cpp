@@ -1,0 +1,39 @@
+#include "friction/bristle.hpp"
+#include "friction/law_parameters.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr LawParameter parameters[] = {fixed_stiffness_parameter};
+
+/// Dahl 1968, as a vector and with an exact step: dz = dx - |dx| z/z_c, f = sigma z, z_c = mu_d n/sigma.
+///
+/// No static peak. Creeps under an oscillating push. Unloading shortens the bristle to the new z_c: it slips.
+class Dahl final : public FrictionLaw {
+ public:
+  explicit Dahl(double stiffness_n_per_m) : stiffness_n_per_m_(stiffness_n_per_m) {}
+
+  Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
+    const TangentialMotion m = bounded(motion);
+    if (state.phase == Phase::free) return bristle_answer(m, {0, 0}, {0, 0}, Phase::stick, state);
+    bound(state);
+    const double z_c = m.mu_dynamic * m.normal_force_n / stiffness_n_per_m_;
+    const Vec2 held = shortened(state.deflection_m, z_c);
+    const Vec2 z = z_c > 0 ? dahl_step(held, m.step_m, z_c) : held;
+    return bristle_answer(m, -stiffness_n_per_m_ * z, z, bristle_phase(z - held, m.step_m), state);
+  }
+
+ private:
+  double stiffness_n_per_m_;
+};
+
+}  // namespace
+
+LawEntry dahl_law() noexcept {
+  return {"dahl", "Dahl 1968: a bristle that yields exponentially; mu_dynamic only", parameters,
+          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+            return std::make_unique<Dahl>(bounded_number(settings, fixed_stiffness_parameter));
+          }};
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,44 @@
+#include "friction/bristle.hpp"
+#include "friction/stribeck.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr LawParameter parameters[] = {fixed_stiffness_parameter, stribeck_speed_parameter,
+                                       bristle_damping_parameter, viscous_parameter};
+
+/// LuGre (Canudas de Wit, Olsson, Astrom & Lischinsky 1995), as a vector: z' = v - sigma_0 |v| z/g(v),
+/// f = sigma_0 z + sigma_1 z' + sigma_2 v, with Dahl's exact step for z (Euler needs sigma_0 |v| T/g < 2).
+///
+/// Drifts under an oscillating push below breakaway. sigma_1 and sigma_2 default to 0; with them |f| may pass
+/// mu_s n.
+class LuGre final : public FrictionLaw {
+ public:
+  explicit LuGre(const StribeckBristle& bristle) : bristle_(bristle) {}
+
+  Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
+    const TangentialMotion m = bounded(motion);
+    const bool first = state.phase == Phase::free;
+    bound(state);
+    const Vec2 held = shortened(state.deflection_m, m.mu_static * m.normal_force_n / bristle_.sigma0_n_per_m);
+    const double z_c = bristle_.steady_deflection_m(m, length(m.velocity_m_per_s));
+    const Vec2 z = first || z_c <= 0 ? held : dahl_step(held, m.step_m, z_c);
+    const Phase phase = first ? Phase::stick : bristle_phase(z - held, m.step_m);
+    const Vec2 force = first ? Vec2(Vec2::Zero()) : bristle_.force_n(m, z, z - held);
+    return bristle_answer(m, force, z, phase, state);
+  }
+
+ private:
+  StribeckBristle bristle_;
+};
+
+}  // namespace
+
+LawEntry lugre_law() noexcept {
+  return {"lugre", "Canudas de Wit et al. 1995: Dahl's bristle with a Stribeck limit", parameters,
+          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+            return std::make_unique<LuGre>(StribeckBristle(settings));
+          }};
+}
+
+}  // namespace fingerpad

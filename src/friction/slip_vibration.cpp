@@ -1,0 +1,43 @@
+#include "friction/slip_vibration.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace fingerpad {
+
+SlipVibration::SlipVibration(double frequency_hz, double bandwidth_hz, double dt_s,
+                             const RandomStream& stream) noexcept
+    : stream_(stream) {
+  constexpr double pi = std::numbers::pi;
+  const double r = std::exp(-pi * bandwidth_hz * dt_s);
+  const double r2 = r * r;
+  const double one_less_r2 = -std::expm1(-2 * pi * bandwidth_hz * dt_s);
+  const double sine = std::sin(2 * pi * frequency_hz * dt_s);
+  feedback_1_ = 2 * r * std::cos(2 * pi * frequency_hz * dt_s);
+  feedback_2_ = -r2;
+  // Stationary variance of an AR(2) set to 1: g^2 = (1 - r^2)((1 + r^2)^2 - feedback_1^2)/(1 + r^2); the
+  // middle factor is (1 - r^2)^2 + 4 r^2 sin^2.
+  gain_ = std::sqrt(one_less_r2 * (one_less_r2 * one_less_r2 + 4 * r2 * sine * sine) / (1 + r2));
+  correlation_ = feedback_1_ / (1 + r2);
+}
+
+double SlipVibration::next() noexcept {
+  if (!slipping_) {
+    slipping_ = true;
+    before_ = stream_.normal();
+    last_ =
+        correlation_ * before_ + std::sqrt(std::max(0.0, 1 - correlation_ * correlation_)) * stream_.normal();
+    return last_;
+  }
+  const double x = feedback_1_ * last_ + feedback_2_ * before_ + gain_ * stream_.normal();
+  before_ = last_;
+  last_ = x;
+  return x;
+}
+
+double vibration_force_scale(double amplitude, double signal) noexcept {
+  return std::max(0.0, 1 + amplitude * signal);
+}
+
+}  // namespace fingerpad
