@@ -12,6 +12,7 @@
 #include "contact/surface_point.hpp"
 #include "friction/law_table.hpp"
 #include "motion/scripted_motion.hpp"
+#include "motion/simulated_hand.hpp"
 
 namespace fingerpad {
 
@@ -75,16 +76,6 @@ struct MotionSettings {
   std::optional<ScriptedMotion> scripted;
   double rate_hz = 1000;
   bool given() const { return !file.empty() || scripted.has_value(); }
-};
-
-struct HandSettings {
-  double mass_kg = 0.07;
-  double damping_n_s_per_m = 0.5;
-  double stiffness_n_per_m = 200;
-  double encoder_m = 3e-5;
-  int delay_ticks = 0;
-  double coulomb_n = 0;
-  bool free_axis[3] = {true, true, true};  ///< world axes the hand moves along by itself
 };
 
 /// A scene file as plain values; defaults are the documented ones.

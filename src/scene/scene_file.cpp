@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 
@@ -117,6 +118,23 @@ SceneFile read_scene_text(const std::string& text, const std::string& path) {
   file.jobs.reserve(job_count(entries, path, file.scene.text.size()));
   for (const SetEntry& entry : entries) add_jobs(file, root, path, entry);
   return file;
+}
+
+std::vector<double> part_crease_degs(const std::string& text) {
+  std::vector<double> angles;
+  TomlNode root;
+  try {
+    root = parse_toml(text, "");
+  } catch (const Error&) {
+    return angles;
+  }
+  const TomlEntry* parts = find_entry(root, "part");
+  if (parts == nullptr) return angles;
+  for (const TomlNode& part : parts->value.items) {
+    const TomlEntry* crease = find_entry(part, "crease_deg");
+    angles.push_back(crease != nullptr ? crease->value.number : PartEntry().crease_deg);
+  }
+  return angles;
 }
 
 Scene scene_of_mesh(const std::string& mesh_path, double metres) {

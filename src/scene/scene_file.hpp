@@ -31,6 +31,10 @@ SceneFile read_scene_file(const std::string& path);
 /// As above from text; relative paths are resolved against `path`'s folder. For scenes kept inside a trace.
 SceneFile read_scene_text(const std::string& text, const std::string& path);
 
+/// The crease angle of each [[part]] of a scene kept as text, in order. Looks at nothing else in it, so that
+/// it needs none of the scene's files; text that is no scene has no parts.
+std::vector<double> part_crease_degs(const std::string& text);
+
 /// A scene for a mesh alone, with every default: `touch MESH` and `view MESH`.
 Scene scene_of_mesh(const std::string& mesh_path, double metres_per_unit);
 

@@ -1,6 +1,8 @@
 #pragma once
 
-#include <array>
+#include <cstdint>
+#include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -22,28 +24,36 @@ std::span<const TraceColumn> trace_columns() noexcept;
 /// What a trace says about the run it records, enough to repeat it.
 struct TraceInfo {
   std::string scene_name;
-  std::string scene_text;       ///< whole scene as TOML
+  std::string scene_text;  ///< whole scene as TOML
   std::uint64_t seed = 1;
   double rate_hz = 0;
-  std::string version;          ///< of fingerpad
+  std::string version;                   ///< of fingerpad
   std::vector<std::string> mesh_files;   ///< as written in the scene, one per part
   std::vector<std::string> mesh_hashes;  ///< file_hash of each
-  std::string motion_file;      ///< as written; empty for live touch and scripted motions
+  std::string motion_file;               ///< as written; empty for live touch and scripted motions
   std::string motion_hash;
-  std::string profile_text;     ///< the profile file's text, empty without one
+  std::string profile_text;  ///< the profile file's text, empty without one
 };
 
 /// A trace read whole.
 struct Trace {
-  TraceInfo info;                ///< empty texts where the file has none (CSV)
+  TraceInfo info;  ///< empty texts where the file has none (CSV)
   std::vector<TickRecord> rows;
-  bool complete = true;          ///< false: the recording was cut short (its last flush is the end)
-  std::shared_ptr<const World> world;  ///< the surfaces as embedded in the file; empty where there are none
+  bool complete = true;  ///< false: the recording was cut short (its last flush is the end)
+  /// The surfaces as embedded in the file, in their order; without trees. Empty for CSV, and where a part was
+  /// too large to be embedded: then only its mesh file has its shape.
+  std::shared_ptr<const World> world;
 };
 
-/// Reads a trace, HDF5 or CSV, by content. Throws Error (refused) for a file that is neither, lacks a column, or whose
-/// columns differ in length by more than an unfinished flush explains (then the shortest counts).
+/// What of a trace is wanted: the surfaces cost time to rebuild.
+enum class TraceContents { all, rows };
+
+/// Reads a trace, HDF5 or CSV, by content. Throws Error (refused) for a file that is neither, lacks a column,
+/// or whose columns differ in length by more than an unfinished flush explains (then the shortest counts). A
+/// CSV named
+/// `*.part` is one that was cut short.
 Trace read_trace(const std::string& path);
+Trace read_trace(const std::string& path, TraceContents contents);
 
 /// True if the file starts like an HDF5 file.
 bool is_hdf5(const std::string& path);

@@ -10,14 +10,17 @@ namespace fingerpad {
 
 enum class TraceFormat { hdf5, csv };
 
-/// Writes a trace row by row. Rows are gathered in blocks; a block is written and flushed when full and on flush().
-/// HDF5 writers of one process take turns (the library is not thread-safe), so any number may be open.
+/// Writes a trace row by row. Rows are gathered in blocks; a block is written and flushed when full and on
+/// flush(). HDF5 writers of one process take turns (the library is not thread-safe), so any number may be
+/// open.
 class TraceWriter {
  public:
-  /// Starts a new file (an older one is replaced). Throws Error (fault, with the path) if it cannot be created.
-  /// @param world  parts of at most 100,000 triangles are embedded, so that the trace can be seen without its meshes
-  static std::unique_ptr<TraceWriter> create(const std::string& path, TraceFormat format, const TraceInfo& info,
-                                             const World& world);
+  /// Starts a new file (an older one is replaced). Throws Error (fault, with the path) if it cannot be
+  /// created.
+  /// @param world  parts of at most 100,000 triangles are embedded, so that the trace can be seen without its
+  /// meshes
+  static std::unique_ptr<TraceWriter> create(const std::string& path, TraceFormat format,
+                                             const TraceInfo& info, const World& world);
   virtual ~TraceWriter() = default;
   /// Throws Error (fault) when the disk refuses.
   virtual void append(std::span<const TickRecord> rows) = 0;

@@ -1,0 +1,157 @@
+#include "trace/embedded_surfaces.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "scene/scene_file.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double default_crease_deg = 30;
+constexpr std::uint64_t max_surfaces = 100000;
+constexpr int max_embedded_vertices = 3 * max_embedded_triangles;
+
+bool is_embedded(const Part& part) {
+  return part.triangle_count() <= max_embedded_triangles && part.vertices.cols() <= max_embedded_vertices;
+}
+
+void write_vector(const hdf5::Handle& group, const std::string& name, const Vec3& vector) {
+  hdf5::write_numbers(group, name, std::span(vector.data(), 3));
+}
+
+Vec3 read_vector(const hdf5::Handle& group, const std::string& name) {
+  const auto values = hdf5::read_numbers(group, name, 3);
+  return {values[0], values[1], values[2]};
+}
+
+double read_number(const hdf5::Handle& group, const std::string& name) {
+  return hdf5::read_numbers(group, name, 1).front();
+}
+
+void write_properties(const hdf5::Handle& group, const SurfaceProperties& properties) {
+  const auto write = [&group](const char* name, double value) {
+    hdf5::write_numbers(group, name, std::span(&value, 1));
+  };
+  write("stiffness_n_per_m", properties.stiffness_n_per_m);
+  write("damping_n_s_per_m", properties.damping_n_s_per_m);
+  write("mu_static", properties.mu_static);
+  write("mu_dynamic", properties.mu_dynamic);
+}
+
+void write_part(const hdf5::Handle& group, const Surface& surface, double crease_deg) {
+  const Part& part = *surface.part;
+  hdf5::write_text(group, "kind", "part");
+  hdf5::write_text(group, "mesh", surface.mesh);
+  hdf5::write_text(group, "mesh_hash", surface.mesh_hash);
+  write_vector(group, "position_m", surface.p_WP);
+  const Mat3 rows = surface.R_WP.transpose();
+  hdf5::write_numbers(group, "rotation", std::span(rows.data(), 9));
+  hdf5::write_numbers(group, "crease_deg", std::span(&crease_deg, 1));
+  const Bounds bounds = bounds_P(part);
+  write_vector(group, "min_m", bounds.min);
+  write_vector(group, "max_m", bounds.max);
+  if (!is_embedded(part)) return;
+  hdf5::write_table(group, "vertices_m", Points(part.vertices.colwise() + part.centre_P), "m");
+  hdf5::write_table(group, "triangles", part.triangles);
+  hdf5::write_list(group, "file_triangle", part.file_triangle);
+}
+
+/// What make_part asks of a soup, checked: a damaged file must not reach it.
+void check_soup(const hdf5::Handle& group, const TriangleSoup& soup) {
+  const auto refuse = [&group](const char* what) {
+    return refused(group.path(), fmt::format("is damaged: an embedded surface has {}", what));
+  };
+  if (soup.triangles.cols() == 0) throw refuse("no triangles");
+  if (soup.triangles.minCoeff() < 0 || soup.triangles.maxCoeff() >= soup.vertices_P.cols()) {
+    throw refuse("a triangle of a vertex that is not there");
+  }
+  for (const int corner : soup.triangles.reshaped()) {
+    if (!(soup.vertices_P.col(corner).cwiseAbs().maxCoeff() < 1e12))
+      throw refuse("a corner that is not finite");
+  }
+  if (static_cast<Eigen::Index>(soup.file_triangle.size()) != soup.triangles.cols()) {
+    throw refuse("not one file number a triangle");
+  }
+}
+
+/// False if the part was too large to be embedded.
+bool read_part(const hdf5::Handle& group, Surface& surface) {
+  surface.mesh = hdf5::read_text(group, "mesh");
+  surface.mesh_hash = hdf5::read_text(group, "mesh_hash");
+  surface.p_WP = read_vector(group, "position_m");
+  const auto rotation = hdf5::read_numbers(group, "rotation", 9);
+  surface.R_WP = Eigen::Map<const Mat3>(rotation.data()).transpose();
+  if (!hdf5::has_link(group, "vertices_m")) return false;
+  const bool rigid = surface.p_WP.allFinite() && (surface.R_WP.transpose() * surface.R_WP).isIdentity(1e-9);
+  const double crease_deg = read_number(group, "crease_deg");
+  if (!rigid || !(crease_deg >= 0 && crease_deg <= 180)) {
+    throw refused(group.path(), "is damaged: an embedded surface has no sane pose or crease angle");
+  }
+  TriangleSoup soup;
+  soup.vertices_P = hdf5::read_points(group, "vertices_m", max_embedded_vertices);
+  soup.triangles = hdf5::read_triples(group, "triangles", max_embedded_triangles);
+  soup.file_triangle = hdf5::read_list(group, "file_triangle", max_embedded_triangles);
+  check_soup(group, soup);
+  surface.part = std::make_shared<const Part>(make_part(soup, crease_deg * std::numbers::pi / 180));
+  return true;
+}
+
+}  // namespace
+
+void write_surfaces(const hdf5::Handle& file, const World& world, const std::string& scene_text) {
+  const std::vector<double> creases_deg = part_crease_degs(scene_text);
+  const hdf5::Handle all = hdf5::create_group(file, "surfaces");
+  hdf5::write_whole(all, "count", world.surfaces.size());
+  for (std::size_t i = 0; i < world.surfaces.size(); ++i) {
+    const Surface& surface = world.surfaces[i];
+    const hdf5::Handle group = hdf5::create_group(all, fmt::format("{}", i));
+    write_properties(group, surface.properties);
+    if (surface.part) {
+      write_part(group, surface, i < creases_deg.size() ? creases_deg[i] : default_crease_deg);
+    } else {
+      hdf5::write_text(group, "kind", "plane");
+      write_vector(group, "point_m", surface.plane_point_W);
+      write_vector(group, "normal", surface.plane_normal_W);
+    }
+  }
+}
+
+std::shared_ptr<const World> read_surfaces(const hdf5::Handle& file) {
+  if (!hdf5::has_link(file, "surfaces")) return nullptr;
+  const hdf5::Handle all = hdf5::open_group(file, "surfaces");
+  const std::uint64_t count = hdf5::read_whole(all, "count").value_or(0);
+  if (count == 0) return nullptr;
+  if (count > max_surfaces) throw refused(file.path(), fmt::format("is damaged: it has {} surfaces", count));
+  auto world = std::make_shared<World>();
+  for (std::uint64_t i = 0; i < count; ++i) {
+    const hdf5::Handle group = hdf5::open_group(all, fmt::format("{}", i));
+    Surface surface;
+    surface.properties.stiffness_n_per_m = read_number(group, "stiffness_n_per_m");
+    surface.properties.damping_n_s_per_m = read_number(group, "damping_n_s_per_m");
+    surface.properties.mu_static = read_number(group, "mu_static");
+    surface.properties.mu_dynamic = read_number(group, "mu_dynamic");
+    if (hdf5::read_text(group, "kind") == "plane") {
+      surface.plane_point_W = read_vector(group, "point_m");
+      surface.plane_normal_W = read_vector(group, "normal");
+      if (!surface.plane_point_W.allFinite() || !(std::abs(surface.plane_normal_W.norm() - 1) < 1e-9)) {
+        throw refused(file.path(), "is damaged: an embedded plane has no point or normal");
+      }
+    } else {
+      if (!read_part(group, surface)) return nullptr;
+      Verdict verdict;
+      verdict.file = surface.mesh;
+      verdict.touchable = true;
+      verdict.triangles = verdict.kept = surface.part->triangle_count();
+      verdict.bounds_m = bounds_P(*surface.part);
+      world->verdicts.push_back(std::move(verdict));
+    }
+    world->surfaces.push_back(std::move(surface));
+  }
+  return world;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,151 @@
+#include <array>
+
+#include "trace/hdf5_internal.hpp"
+
+namespace fingerpad::hdf5 {
+namespace {
+
+constexpr hsize_t chunk_rows = 1024;
+
+hid_t file_type(NumberType type) {
+  switch (type) {
+    case NumberType::float64:
+      return H5T_IEEE_F64LE;
+    case NumberType::int32:
+      return H5T_STD_I32LE;
+    case NumberType::uint8:
+      return H5T_STD_U8LE;
+  }
+  return H5T_IEEE_F64LE;
+}
+
+/// A dataset of its own extents, written whole.
+Handle write_whole_dataset(const Handle& parent, const std::string& name, NumberType type, hid_t memory_type,
+                           std::span<const hsize_t> extents, const void* values) {
+  const Handle space = made(H5Screate_simple(static_cast<int>(extents.size()), extents.data(), nullptr),
+                            H5Sclose, parent.path());
+  const Handle creation = made(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, parent.path());
+  H5Pset_obj_track_times(creation.id(), 0);
+  Handle dataset = wrapped(H5Dcreate2(parent.id(), name.c_str(), file_type(type), space.id(), H5P_DEFAULT,
+                                      creation.id(), H5P_DEFAULT),
+                           H5Dclose, parent.path());
+  if (!dataset.open() || H5Dwrite(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, values) < 0) {
+    throw write_error(parent.path(), name);
+  }
+  return dataset;
+}
+
+/// Reads a dataset of `rank` dimensions whole after its extents were found sane.
+std::uint64_t checked_rows(const Handle& dataset, const std::string& name, std::size_t rank,
+                           std::uint64_t max_rows) {
+  const auto size = extents(dataset);
+  if (size.size() != rank || size[0] > max_rows || (rank == 2 && size[1] != 3)) {
+    throw read_error(dataset.path(), name);
+  }
+  return size[0];
+}
+
+void read_whole_dataset(const Handle& dataset, const std::string& name, hid_t memory_type, void* out) {
+  if (H5Dread(dataset.id(), memory_type, H5S_ALL, H5S_ALL, H5P_DEFAULT, out) < 0) {
+    throw read_error(dataset.path(), name);
+  }
+}
+
+}  // namespace
+
+Handle create_column(const Handle& file, const std::string& name, NumberType type, const std::string& unit) {
+  const hsize_t none = 0, unlimited = H5S_UNLIMITED;
+  const Handle space = made(H5Screate_simple(1, &none, &unlimited), H5Sclose, file.path());
+  const Handle creation = made(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file.path());
+  H5Pset_chunk(creation.id(), 1, &chunk_rows);
+  H5Pset_obj_track_times(creation.id(), 0);
+  const Handle access = made(H5Pcreate(H5P_DATASET_ACCESS), H5Pclose, file.path());
+  // A few chunks: columns are written in order, and many files may be open.
+  H5Pset_chunk_cache(access.id(), 13, 8 * chunk_rows * sizeof(double), 1.0);
+  Handle column = wrapped(H5Dcreate2(file.id(), name.c_str(), file_type(type), space.id(), H5P_DEFAULT,
+                                     creation.id(), access.id()),
+                          H5Dclose, file.path());
+  if (!column.open()) throw write_error(file.path(), name);
+  write_text(column, "unit", unit);
+  return column;
+}
+
+void append(const Handle& column, std::size_t rows, std::span<const double> values) {
+  const hsize_t start = rows, count = values.size(), total = rows + values.size();
+  if (H5Dset_extent(column.id(), &total) < 0) throw write_error(column.path(), "a column");
+  const Handle file_space = made(H5Dget_space(column.id()), H5Sclose, column.path());
+  const Handle memory_space = made(H5Screate_simple(1, &count, nullptr), H5Sclose, column.path());
+  H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, &start, nullptr, &count, nullptr);
+  if (H5Dwrite(column.id(), H5T_NATIVE_DOUBLE, memory_space.id(), file_space.id(), H5P_DEFAULT,
+               values.data()) < 0) {
+    throw write_error(column.path(), "a column");
+  }
+}
+
+Handle open_dataset(const Handle& parent, const std::string& name) {
+  Handle dataset = wrapped(H5Dopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Dclose, parent.path());
+  if (!dataset.open()) throw read_error(parent.path(), name);
+  return dataset;
+}
+
+std::vector<std::uint64_t> extents(const Handle& dataset) {
+  const Handle type = wrapped(H5Dget_type(dataset.id()), H5Tclose, "");
+  const Handle space = wrapped(H5Dget_space(dataset.id()), H5Sclose, "");
+  const H5T_class_t kind = H5Tget_class(type.id());
+  const int rank = H5Sget_simple_extent_ndims(space.id());
+  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || rank < 1 || rank > 2) return {};
+  std::array<hsize_t, 2> size{};
+  if (H5Sget_simple_extent_dims(space.id(), size.data(), nullptr) != rank) return {};
+  return {size.begin(), size.begin() + rank};
+}
+
+bool read_rows(const Handle& column, std::size_t first, std::span<double> out) {
+  const hsize_t start = first, count = out.size();
+  const Handle file_space = wrapped(H5Dget_space(column.id()), H5Sclose, "");
+  const Handle memory_space = wrapped(H5Screate_simple(1, &count, nullptr), H5Sclose, "");
+  return H5Sselect_hyperslab(file_space.id(), H5S_SELECT_SET, &start, nullptr, &count, nullptr) >= 0 &&
+         H5Dread(column.id(), H5T_NATIVE_DOUBLE, memory_space.id(), file_space.id(), H5P_DEFAULT,
+                 out.data()) >= 0;
+}
+
+// Eigen's matrices are stored by column, so that 3 x n here is n x 3 there.
+void write_table(const Handle& parent, const std::string& name, const Points& points,
+                 const std::string& unit) {
+  const std::array<hsize_t, 2> size = {static_cast<hsize_t>(points.cols()), 3};
+  const Handle table =
+      write_whole_dataset(parent, name, NumberType::float64, H5T_NATIVE_DOUBLE, size, points.data());
+  write_text(table, "unit", unit);
+}
+
+void write_table(const Handle& parent, const std::string& name, const IndexTriples& triples) {
+  const std::array<hsize_t, 2> size = {static_cast<hsize_t>(triples.cols()), 3};
+  write_whole_dataset(parent, name, NumberType::int32, H5T_NATIVE_INT, size, triples.data());
+}
+
+void write_list(const Handle& parent, const std::string& name, std::span<const int> values) {
+  const std::array<hsize_t, 1> size = {values.size()};
+  write_whole_dataset(parent, name, NumberType::int32, H5T_NATIVE_INT, size, values.data());
+}
+
+Points read_points(const Handle& parent, const std::string& name, std::uint64_t max_columns) {
+  const Handle table = open_dataset(parent, name);
+  Points points(3, static_cast<Eigen::Index>(checked_rows(table, name, 2, max_columns)));
+  read_whole_dataset(table, name, H5T_NATIVE_DOUBLE, points.data());
+  return points;
+}
+
+IndexTriples read_triples(const Handle& parent, const std::string& name, std::uint64_t max_columns) {
+  const Handle table = open_dataset(parent, name);
+  IndexTriples triples(3, static_cast<Eigen::Index>(checked_rows(table, name, 2, max_columns)));
+  read_whole_dataset(table, name, H5T_NATIVE_INT, triples.data());
+  return triples;
+}
+
+std::vector<int> read_list(const Handle& parent, const std::string& name, std::uint64_t max_count) {
+  const Handle list = open_dataset(parent, name);
+  std::vector<int> values(checked_rows(list, name, 1, max_count));
+  read_whole_dataset(list, name, H5T_NATIVE_INT, values.data());
+  return values;
+}
+
+}  // namespace fingerpad::hdf5

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <cstdint>
+#include <mutex>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "base/types.hpp"
+
+/// What the trace needs of HDF5, behind plain types, so that hdf5.h stays in one file. Functions that write
+/// throw Error (fault, with the file's path); functions that read throw Error (refused). All of them, and
+/// every Handle's end, need the caller to hold a Turn: Debian's HDF5 is not thread-safe.
+namespace fingerpad::hdf5 {
+
+/// One thread's turn with the library.
+using Turn = std::unique_lock<std::mutex>;
+Turn take_turn();
+
+/// An open HDF5 object; closed at its end. Failures of closing are told by close() alone.
+class Handle {
+ public:
+  using Id = std::int64_t;
+  Handle() = default;
+  Handle(Id id, int (*closer)(Id), std::string path) : id_(id), closer_(closer), path_(std::move(path)) {}
+  Handle(Handle&& other) noexcept
+      : id_(std::exchange(other.id_, -1)), closer_(other.closer_), path_(std::move(other.path_)) {}
+  Handle& operator=(Handle&& other) noexcept;
+  ~Handle() { close(); }
+
+  bool open() const noexcept { return id_ >= 0; }
+  Id id() const noexcept { return id_; }
+  /// False if the library failed (a full disk); the handle is gone either way.
+  bool close() noexcept;
+  /// Of the file that the object is in, for messages.
+  const std::string& path() const noexcept { return path_; }
+
+ private:
+  Id id_ = -1;
+  int (*closer_)(Id) = nullptr;
+  std::string path_;
+};
+
+enum class NumberType { float64, int32, uint8 };
+
+// Files and groups. No times are kept, so that equal contents are equal bytes.
+Handle create_file(const std::string& path);
+Handle open_file(const std::string& path);
+void flush(const Handle& file);
+Handle create_group(const Handle& parent, const std::string& name);
+bool has_link(const Handle& parent, const std::string& name);
+Handle open_group(const Handle& parent, const std::string& name);
+
+// Attributes.
+void write_text(const Handle& object, const std::string& name, const std::string& text);
+void write_texts(const Handle& object, const std::string& name, const std::vector<std::string>& texts);
+void write_flag(const Handle& object, const std::string& name, bool flag);  ///< may be written again
+void write_whole(const Handle& object, const std::string& name, std::uint64_t value);
+void write_numbers(const Handle& object, const std::string& name, std::span<const double> values);
+bool has_attribute(const Handle& object, const std::string& name);
+/// Texts of an attribute, none where the object has no such attribute.
+std::vector<std::string> read_texts(const Handle& object, const std::string& name);
+std::string read_text(const Handle& object, const std::string& name);  ///< "" where there is none
+std::optional<std::uint64_t> read_whole(const Handle& object, const std::string& name);
+/// Exactly `count` numbers.
+std::vector<double> read_numbers(const Handle& object, const std::string& name, std::size_t count);
+
+// Columns: one-dimensional datasets that grow. Chunks are not compressed: deflate took five times as long as
+// writing, and a chunk that changes its size between flushes would have to move.
+Handle create_column(const Handle& file, const std::string& name, NumberType type, const std::string& unit);
+/// Adds values behind the first `rows`.
+void append(const Handle& column, std::size_t rows, std::span<const double> values);
+Handle open_dataset(const Handle& parent, const std::string& name);
+/// The extents of a dataset of numbers.
+std::vector<std::uint64_t> extents(const Handle& dataset);
+/// Rows first .. first + out.size() of a column, as doubles; false if they cannot be read.
+bool read_rows(const Handle& column, std::size_t first, std::span<double> out);
+
+// Small fixed tables, n x 3 in the file for 3 x n here.
+void write_table(const Handle& parent, const std::string& name, const Points& points,
+                 const std::string& unit);
+void write_table(const Handle& parent, const std::string& name, const IndexTriples& triples);
+void write_list(const Handle& parent, const std::string& name, std::span<const int> values);
+Points read_points(const Handle& parent, const std::string& name, std::uint64_t max_columns);
+IndexTriples read_triples(const Handle& parent, const std::string& name, std::uint64_t max_columns);
+std::vector<int> read_list(const Handle& parent, const std::string& name, std::uint64_t max_count);
+
+}  // namespace fingerpad::hdf5

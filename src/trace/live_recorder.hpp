@@ -1,0 +1,59 @@
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <exception>
+#include <memory>
+#include <mutex>
+#include <thread>
+#include <vector>
+
+#include "trace/trace_writer.hpp"
+
+namespace fingerpad {
+
+/// Records a live run: the servo thread pushes its ticks into a ring, a thread of the recorder's own writes
+/// them and flushes at least every 0.1 s, so that the servo never waits for the disk.
+class LiveRecorder {
+ public:
+  /// @param capacity  ticks that the ring holds while the disk is slow
+  explicit LiveRecorder(std::unique_ptr<TraceWriter> writer, std::size_t capacity = 1 << 15);
+  LiveRecorder(const LiveRecorder&) = delete;
+  LiveRecorder& operator=(const LiveRecorder&) = delete;
+  /// Finishes; an error is swallowed (call finish() to hear of it).
+  ~LiveRecorder();
+
+  /// One producer only. noexcept, never blocks, allocates nothing; a tick that finds the ring full is dropped
+  /// and counted.
+  void push(const TickRecord& record) noexcept;
+
+  /// Writes what was pushed, marks the trace complete and joins. Push nothing afterwards. Throws Error
+  /// (fault) if the disk refused at any time. A second call does nothing.
+  void finish();
+
+  long dropped() const noexcept { return dropped_.load(std::memory_order_relaxed); }
+  /// Ticks handed to the writer so far.
+  long recorded() const noexcept { return recorded_.load(std::memory_order_relaxed); }
+  /// True once the disk has refused: the recording goes no further.
+  bool failed() const noexcept { return failed_.load(std::memory_order_relaxed); }
+
+ private:
+  void run();
+  void drain();
+  void stop();
+
+  std::unique_ptr<TraceWriter> writer_;
+  std::vector<TickRecord> ring_;
+  std::atomic<std::size_t> pushed_{0},
+      taken_{0};  // counts since the start; the ring's places are their remainders
+  std::atomic<long> dropped_{0}, recorded_{0};
+  std::atomic<bool> failed_{false};
+  std::exception_ptr error_;       // writer thread, until it is joined
+  std::vector<TickRecord> batch_;  // writer thread
+  std::mutex mutex_;               // guards stopping_
+  std::condition_variable wake_;
+  bool stopping_ = false;
+  std::thread thread_;
+};
+
+}  // namespace fingerpad

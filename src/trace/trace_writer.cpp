@@ -1,0 +1,145 @@
+#include "trace/trace_writer.hpp"
+
+#include <vector>
+
+#include "base/error.hpp"
+#include "trace/csv_rows.hpp"
+#include "trace/embedded_surfaces.hpp"
+#include "trace/hdf5_file.hpp"
+#include "trace/output_file.hpp"
+#include "trace/trace_row.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr std::size_t block_rows = 4096;
+
+void write_info(const hdf5::Handle& file, const TraceInfo& info) {
+  hdf5::write_flag(file, "complete", false);
+  hdf5::write_text(file, "scene_name", info.scene_name);
+  hdf5::write_text(file, "scene", info.scene_text);
+  hdf5::write_whole(file, "seed", info.seed);
+  hdf5::write_numbers(file, "rate_hz", std::span(&info.rate_hz, 1));
+  hdf5::write_text(file, "version", info.version);
+  hdf5::write_texts(file, "mesh_files", info.mesh_files);
+  hdf5::write_texts(file, "mesh_hashes", info.mesh_hashes);
+  hdf5::write_text(file, "motion_file", info.motion_file);
+  hdf5::write_text(file, "motion_hash", info.motion_hash);
+  hdf5::write_text(file, "profile", info.profile_text);
+}
+
+hdf5::NumberType type_of_column(std::size_t column) {
+  if (column == phase_column) return hdf5::NumberType::uint8;
+  return column == part_column || column == triangle_column ? hdf5::NumberType::int32
+                                                            : hdf5::NumberType::float64;
+}
+
+class Hdf5TraceWriter final : public TraceWriter {
+ public:
+  Hdf5TraceWriter(const std::string& path, const TraceInfo& info, const World& world) {
+    const hdf5::Turn turn = hdf5::take_turn();
+    file_ = hdf5::create_file(path);
+    write_info(file_, info);
+    write_surfaces(file_, world, info.scene_text);
+    for (std::size_t k = 0; k < trace_column_count; ++k) {
+      const TraceColumn& column = trace_columns()[k];
+      columns_.push_back(
+          hdf5::create_column(file_, std::string(column.name), type_of_column(k), std::string(column.unit)));
+    }
+    hdf5::flush(file_);
+    pending_.reserve(block_rows);
+  }
+
+  ~Hdf5TraceWriter() override {
+    const hdf5::Turn turn = hdf5::take_turn();
+    close();
+  }
+
+  void append(std::span<const TickRecord> rows) override {
+    for (const TickRecord& row : rows) {
+      pending_.push_back(to_row(row));
+      if (pending_.size() == block_rows) flush();
+    }
+  }
+
+  void flush() override {
+    if (pending_.empty()) return;
+    const hdf5::Turn turn = hdf5::take_turn();
+    write_pending();
+    hdf5::flush(file_);
+  }
+
+  void finish() override {
+    const hdf5::Turn turn = hdf5::take_turn();
+    write_pending();
+    hdf5::flush(file_);  // the rows are safe before the file calls itself complete
+    hdf5::write_flag(file_, "complete", true);
+    const std::string path = file_.path();
+    if (!close()) throw Error(ErrorKind::fault, path, "cannot be written to its end");
+  }
+
+ private:
+  void write_pending() {
+    if (pending_.empty()) return;
+    std::vector<double> values(pending_.size());
+    for (std::size_t k = 0; k < columns_.size(); ++k) {
+      for (std::size_t i = 0; i < pending_.size(); ++i) values[i] = pending_[i][k];
+      hdf5::append(columns_[k], rows_, values);
+    }
+    rows_ += pending_.size();
+    pending_.clear();
+  }
+
+  bool close() noexcept {
+    bool closed = true;
+    for (hdf5::Handle& column : columns_) closed = column.close() && closed;
+    columns_.clear();
+    return file_.close() && closed;
+  }
+
+  hdf5::Handle file_;
+  std::vector<hdf5::Handle> columns_;
+  std::vector<TraceRow> pending_;
+  std::size_t rows_ = 0;  // in the file
+};
+
+class CsvTraceWriter final : public TraceWriter {
+ public:
+  explicit CsvTraceWriter(const std::string& path) : file_(path) { file_.write(csv_header()); }
+
+  void append(std::span<const TickRecord> rows) override {
+    for (const TickRecord& row : rows) {
+      append_csv_row(text_, row);
+      if (text_.size() > std::size_t{1} << 20) write_text();
+    }
+  }
+
+  void flush() override {
+    write_text();
+    file_.flush();
+  }
+
+  void finish() override {
+    write_text();
+    file_.commit();
+  }
+
+ private:
+  void write_text() {
+    file_.write(text_);
+    text_.clear();
+  }
+
+  OutputFile file_;
+  std::string text_;
+};
+
+}  // namespace
+
+std::unique_ptr<TraceWriter> TraceWriter::create(const std::string& path, TraceFormat format,
+                                                 const TraceInfo& info, const World& world) {
+  if (format == TraceFormat::csv) return std::make_unique<CsvTraceWriter>(path);
+  return std::make_unique<Hdf5TraceWriter>(path, info, world);
+}
+
+}  // namespace fingerpad
