@@ -30,7 +30,10 @@ FingerSample interpolated(const Motion& motion, double t_s, const Vec3& directio
   const double span = motion.t_s[static_cast<std::size_t>(right)] - t_left;
   const double u = span > 0 ? std::clamp((t_s - t_left) / span, 0.0, 1.0) : 0.0;
 
-  FingerSample sample{t_s, (1 - u) * motion.p_WQ.col(left) + u * motion.p_WQ.col(right), direction_W};
+  FingerSample sample;
+  sample.t_s = t_s;
+  sample.p_WQ = (1 - u) * motion.p_WQ.col(left) + u * motion.p_WQ.col(right);
+  sample.direction_W = direction_W;
   if (motion.direction_W.cols() == 0) return sample;
   const Vec3 mean = (1 - u) * motion.direction_W.col(left) + u * motion.direction_W.col(right);
   const double length = mean.norm();

@@ -13,6 +13,7 @@ struct FingerSample {
   double t_s = 0;
   Vec3 p_WQ = Vec3::Zero();              ///< [m]
   Vec3 direction_W{0, 0.7071, -0.7071};  ///< unit, along the distal phalanx towards the tip
+  Vec3 push_W_n = Vec3::Zero();          ///< what pushes the finger, where a hand is simulated [N]
 };
 
 /// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6);

@@ -8,7 +8,7 @@
 
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
-#include "touch/touch.hpp"
+#include "touch/closed_loop.hpp"
 #include "trace/motion_source.hpp"
 
 namespace fingerpad {
@@ -66,21 +66,21 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
 }
 
 Figures run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) {
-  const FingerPath path = load_finger_path(scene);
+  FingerPath path = load_finger_path(scene);
   const auto world = load_world(scene, meshes);
   const TraceInfo info = trace_info(scene, *world, output.version);
   if (auto figures = finished_before(output, info, path.tick_count())) return *figures;
 
-  Touch touch(world, scene);
+  ClosedLoop loop(world, scene, std::move(path));
   Figures figures;
   const auto writer = TraceWriter::create(output.path, output.format, info, *world);
   constexpr long block_ticks = 4096;
   std::vector<TickRecord> block;
   block.reserve(block_ticks);
-  for (long first = 0; first < path.tick_count(); first += block_ticks) {
+  for (long first = 0; first < loop.tick_count(); first += block_ticks) {
     block.clear();
-    for (long k = first; k < std::min(first + block_ticks, path.tick_count()); ++k) {
-      block.push_back(touch.tick(path.at(k)));
+    for (long k = first; k < std::min(first + block_ticks, loop.tick_count()); ++k) {
+      block.push_back(loop.next());
       figures.observe(block.back());
     }
     writer->append(block);

@@ -19,11 +19,13 @@ bool meaningful(const Vec3& v) noexcept {
   return v.cwiseAbs().maxCoeff() <= largest_meaningful && v.allFinite();
 }
 
-/// The finger's unit direction, or straight down the normal where the sample's is unusable.
-Vec3 usable_direction(const Vec3& direction_W, const Vec3& normal_W) noexcept {
-  const double length = direction_W.norm();
-  if (!std::isfinite(length) || !(length > 0)) return -normal_W;
-  return direction_W / length;
+/// The sample with a unit direction (straight down the normal where its own is unusable) and a finite push.
+FingerSample usable(FingerSample sample, const Vec3& normal_W) noexcept {
+  const double length = sample.direction_W.norm();
+  sample.direction_W =
+      std::isfinite(length) && length > 0 ? Vec3(sample.direction_W / length) : Vec3(-normal_W);
+  if (!meaningful(sample.push_W_n)) sample.push_W_n.setZero();
+  return sample;
 }
 
 }  // namespace
@@ -78,7 +80,7 @@ void Touch::turn_frame(const Contact& contact, const Vec3& direction_W) noexcept
 }
 
 TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_force_n,
-                                          const Vec3& velocity_W, const Vec3& direction_W) const noexcept {
+                                          const Vec3& velocity_W, const FingerSample& sample) const noexcept {
   const auto in_plane = [this](const Vec3& v) {
     return Vec2(frame_WC_.col(0).dot(v), frame_WC_.col(1).dot(v));
   };
@@ -97,26 +99,27 @@ TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_
         in_plane(surface_displacement(last_contact_W_, last_frame_WC_.col(2), contact.at.point_W, normal_W));
   }
   motion.from_centre_m = centre_.displacement(contact.at.point_W, frame_WC_);
-  motion.inclination_rad = std::asin(std::min(1.0, std::abs(direction_W.dot(normal_W))));
-  const Vec2 longitudinal = in_plane(direction_W);
+  motion.inclination_rad = std::asin(std::min(1.0, std::abs(sample.direction_W.dot(normal_W))));
+  motion.applied_force_n = in_plane(sample.push_W_n);
+  const Vec2 longitudinal = in_plane(sample.direction_W);
   const double length = longitudinal.norm();
   // A finger straight along the normal names no axis in the plane: the transported frame serves.
   motion.longitudinal = length > 1e-9 ? Vec2(longitudinal / length) : Vec2(0, 1);
   return motion;
 }
 
-void Touch::answer(const Contact& contact, const FingerSample& sample, const Vec3& velocity_W,
+void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3& velocity_W,
                    TickRecord& record) noexcept {
   const Surface& surface = world_->surfaces[static_cast<std::size_t>(contact.surface)];
-  const Vec3 direction_W = usable_direction(sample.direction_W, contact.at.normal_W);
-  turn_frame(contact, direction_W);
+  const FingerSample sample = usable(given, contact.at.normal_W);
+  turn_frame(contact, sample.direction_W);
   const Vec3& normal_W = frame_WC_.col(2);
 
   // The damper may soften the surface's push, never pull the finger in.
   const double normal_force_n =
       std::max(0.0, surface.properties.stiffness_n_per_m * contact.depth_m -
                         surface.properties.damping_n_s_per_m * normal_W.dot(velocity_W));
-  const TangentialMotion motion = tangential_motion(contact, normal_force_n, velocity_W, direction_W);
+  const TangentialMotion motion = tangential_motion(contact, normal_force_n, velocity_W, sample);
   const Friction friction = law_->tick(motion, friction_);
   if (friction.centre_moved) {
     centre_.place(surface, contact.at.point_W, frame_WC_, friction.from_centre_m, normals_,

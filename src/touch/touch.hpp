@@ -37,8 +37,8 @@ class Touch {
   Vec3 device_velocity(const Vec3& p_WQ) noexcept;
   void turn_frame(const Contact& contact, const Vec3& direction_W) noexcept;
   TangentialMotion tangential_motion(const Contact& contact, double normal_force_n, const Vec3& velocity_W,
-                                     const Vec3& direction_W) const noexcept;
-  void answer(const Contact& contact, const FingerSample& sample, const Vec3& velocity_W,
+                                     const FingerSample& sample) const noexcept;
+  void answer(const Contact& contact, const FingerSample& given, const Vec3& velocity_W,
               TickRecord& record) noexcept;
   void release() noexcept;
 

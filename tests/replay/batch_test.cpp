@@ -1,0 +1,184 @@
+#include "replay/batch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "support/paths.hpp"
+
+namespace fingerpad {
+namespace {
+namespace fs = std::filesystem;
+
+constexpr const char* plane = "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+constexpr const char* rub =
+    "[motion]\nkind = \"sine\"\ncentre_m = [0, 0, -0.001]\ndirection = [1, 0, 0]\namplitude_m = 0.05\n"
+    "frequency_hz = 1\nduration_s = 1\n";
+
+std::string write_scene(const fs::path& folder, const std::string& name, const std::string& rest) {
+  const fs::path path = folder / (name + ".toml");
+  std::ofstream(path) << "name = \"" << name << "\"\n" << rest;
+  return path.string();
+}
+
+std::string bytes_of(const fs::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  EXPECT_TRUE(file.good()) << path;
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+std::vector<BatchJob> run(const std::vector<std::string>& scenes, BatchOptions options) {
+  auto jobs = batch_jobs(scenes);
+  options.version = "test";
+  const Ranks ranks;
+  run_batch(jobs, options, ranks, [](const BatchJob&) {});
+  return jobs;
+}
+
+BatchOptions options_for(const fs::path& out, int threads = 1) {
+  BatchOptions options;
+  options.out_dir = out.string();
+  options.threads = threads;
+  return options;
+}
+
+const std::string sweep = std::string(plane) + rub +
+                          "[[set]]\nfriction.law = [\"coulomb\", \"stick-slip\", "
+                          "\"finger-pad\"]\nmotion.frequency_hz = [0.5, 1, 2]\n";
+
+TEST(Batch, GivesTheSameBytesOnAnyNumberOfThreads) {
+  const auto folder = test::scratch_dir();
+  const auto scene = write_scene(folder, "sweep", sweep);
+  run({scene}, options_for(folder / "one", 1));
+  for (const int threads : {2, 5}) {
+    const auto out = folder / std::to_string(threads);
+    run({scene}, options_for(out, threads));
+    EXPECT_EQ(bytes_of(folder / "one" / "summary.csv"), bytes_of(out / "summary.csv"));
+    for (int k = 1; k <= 9; ++k) {
+      const std::string name = "sweep-000" + std::to_string(k) + ".h5";
+      EXPECT_EQ(bytes_of(folder / "one" / name), bytes_of(out / name)) << name;
+    }
+  }
+}
+
+TEST(Batch, OneBadJobDoesNotStopTheRest) {
+  const auto folder = test::scratch_dir();
+  const auto good = write_scene(folder, "good", std::string(plane) + rub);
+  const auto bad = write_scene(folder, "bad", std::string("[[part]]\nmesh = \"absent.stl\"\n") + rub);
+  const auto broken = write_scene(folder, "broken", "[[plane\n");
+  const auto jobs = run({bad, broken, good}, options_for(folder / "out", 2));
+  ASSERT_EQ(jobs.size(), 3u);
+  EXPECT_NE(jobs[0].status.find("absent.stl"), std::string::npos);
+  EXPECT_EQ(jobs[0].exit_code, 3);
+  EXPECT_NE(jobs[1].status.find("broken.toml:2"), std::string::npos) << jobs[1].status;
+  EXPECT_EQ(jobs[2].status, "ok");
+  EXPECT_TRUE(fs::exists(folder / "out" / "good.h5"));
+}
+
+TEST(Batch, ShardsTogetherMakeTheWhole) {
+  const auto folder = test::scratch_dir();
+  const auto scene = write_scene(folder, "sweep", sweep);
+  run({scene}, options_for(folder / "whole"));
+  for (int shard = 1; shard <= 2; ++shard) {
+    BatchOptions options = options_for(folder / "shards");
+    options.shard = shard;
+    options.shard_count = 2;
+    run({scene}, options);
+  }
+  for (int k = 1; k <= 9; ++k) {
+    const std::string name = "sweep-000" + std::to_string(k) + ".h5";
+    EXPECT_EQ(bytes_of(folder / "whole" / name), bytes_of(folder / "shards" / name)) << name;
+  }
+}
+
+TEST(Batch, ResumeKeepsFinishedTracesOfTheSameRunOnly) {
+  const auto folder = test::scratch_dir();
+  const auto scene = write_scene(folder, "s", std::string(plane) + rub);
+  BatchOptions options = options_for(folder / "out");
+  options.resume = true;
+  run({scene}, options);
+  const auto trace = folder / "out" / "s.h5";
+  const std::string summary = bytes_of(folder / "out" / "summary.csv");
+  const auto made = fs::last_write_time(trace);
+
+  run({scene}, options);
+  EXPECT_EQ(fs::last_write_time(trace), made) << "a finished run is kept";
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary) << "and its figures are the same";
+
+  const std::string first = bytes_of(trace);
+  write_scene(folder, "s", std::string(plane) + rub + "[friction]\nlaw = \"coulomb\"\n");
+  run({scene}, options);
+  EXPECT_NE(bytes_of(trace), first) << "another run is made again";
+
+  std::ofstream(trace, std::ios::trunc) << "torn";
+  const auto jobs = run({scene}, options);
+  EXPECT_EQ(jobs[0].status, "ok");
+  EXPECT_GT(fs::file_size(trace), 1000u) << "what is no trace is made again";
+}
+
+TEST(Batch, RefusesTwoScenesOfOneName) {
+  const auto folder = test::scratch_dir();
+  fs::create_directories(folder / "b");
+  const auto a = write_scene(folder, "same", std::string(plane) + rub);
+  const auto b = write_scene(folder / "b", "same", std::string(plane) + rub);
+  try {
+    batch_jobs({a, b});
+    FAIL() << "two scenes of one name were taken";
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_NE(std::string(error.what()).find("same"), std::string::npos);
+  }
+}
+
+TEST(Batch, SummaryHasEverySetKeyAsWrittenAndTheFigures) {
+  const auto folder = test::scratch_dir();
+  run({write_scene(folder, "sweep", sweep)}, options_for(folder / "out", 2));
+  std::istringstream lines(bytes_of(folder / "out" / "summary.csv"));
+  std::string header, first, second;
+  std::getline(lines, header);
+  std::getline(lines, first);
+  std::getline(lines, second);
+  EXPECT_EQ(header.rfind("scene,job,friction.law,motion.frequency_hz,status,ticks,contact_ticks,", 0), 0u)
+      << header;
+  EXPECT_EQ(first.rfind("sweep,1,coulomb,0.5,ok,1001,1001,", 0), 0u) << first;
+  EXPECT_EQ(second.rfind("sweep,2,coulomb,1,ok,1001,1001,", 0), 0u) << second;
+}
+
+TEST(Batch, AnOutputFolderThatCannotBeMadeIsAFault) {
+  const auto folder = test::scratch_dir();
+  std::ofstream(folder / "file") << "x";
+  try {
+    run({write_scene(folder, "s", std::string(plane) + rub)}, options_for(folder / "file" / "out"));
+    FAIL();
+  } catch (const Error& error) {
+    EXPECT_EQ(error.kind(), ErrorKind::fault);
+  }
+}
+
+TEST(Figures, CountCoarseTeethAndTheWorkOfFriction) {
+  Figures figures;
+  TickRecord record;
+  record.normal_force_n = 1;
+  const auto observe = [&](Phase phase, double x, double friction) {
+    record.phase = phase;
+    record.p_WQ.x() = x;
+    record.friction_W_n = Vec3(friction, 0, 0);
+    figures.observe(record);
+  };
+  observe(Phase::slip, 0, -0.2);
+  for (int k = 1; k <= 9; ++k) observe(Phase::stick, 0.001 * k, -0.2);
+  observe(Phase::slip, 0.010, -0.2);
+  for (int k = 11; k <= 20; ++k) observe(Phase::stick, 0.001 * k, -0.2);
+  observe(Phase::slip, 0.021, -0.2);
+  EXPECT_EQ(figures.teeth(), 2);
+  EXPECT_EQ(figures.coarse_teeth(), 1) << "nine ticks are too few, ten are not";
+  EXPECT_NEAR(figures.values().back(), -0.2 * 0.021, 1e-15);
+}
+
+}  // namespace
+}  // namespace fingerpad
