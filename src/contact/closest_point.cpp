@@ -23,18 +23,21 @@ Vec3 plane_normal(const TriangleFrame& f) noexcept {
   const double length[3] = {edge[0].norm(), edge[1].norm(), edge[2].norm()};
   const int longest = static_cast<int>(std::max_element(length, length + 3) - length);
   const int a = (longest + 1) % 3, b = (longest + 2) % 3;
-  const Vec3 normal = edge[a].cross(edge[b]);
-  constexpr double rounding = 1e-15;  // a few units in the last place of a cross product
-  if (!(normal.norm() > rounding * length[a] * length[b])) return Vec3::Zero();
-  return normal;
+  const auto normal = edge[a].cast<long double>().cross(edge[b].cast<long double>()).eval();
+  const long double size = normal.norm();
+  constexpr double rounding = 1e-15;
+  if (!(size > rounding * length[a] * length[b])) return Vec3::Zero();
+  // As (corner 1 - corner 0) x (corner 2 - corner 0): with edge 2 = edge 0 + edge 1 the other two pairs are
+  // turned round.
+  return (normal / (longest == 2 ? size : -size)).cast<double>();
 }
 
-/// The unit vector in the plane that points from edge k to the opposite corner; zero without a plane.
+/// The unit vector in the plane that points from edge k into the triangle; zero without a plane. Which way
+/// that is follows from the order of the corners; a sliver's opposite corner is too near to ask.
 Vec3 inward_of(const TriangleFrame& f, int k, const Vec3& unit_normal) noexcept {
   const Vec3 edge = f.corner[second_corner[k]] - f.corner[first_corner[k]];
   const Vec3 across = unit_normal.cross(edge).stableNormalized();
-  const double side = across.dot(f.corner[opposite_corner[k]] - f.corner[first_corner[k]]);
-  return side < 0 ? Vec3(-across) : across;
+  return k == 2 ? Vec3(-across) : across;
 }
 
 Feature edge_between(int corner_a, int corner_b) noexcept {
@@ -55,7 +58,7 @@ TriangleFrame triangle_frame(const Part& part, int t) noexcept {
     f.part_corner[k] = static_cast<std::uint8_t>(order[k]);
     f.corner[k] = part.vertices.col(part.triangles(order[k], t));
   }
-  const Vec3 unit_normal = plane_normal(f).stableNormalized();
+  const Vec3 unit_normal = plane_normal(f);
   for (int k = 0; k < 3; ++k) {
     const double length2 = (f.corner[second_corner[k]] - f.corner[first_corner[k]]).squaredNorm();
     f.inverse_length2[k] = length2 > 0 && std::isfinite(1 / length2) ? 1 / length2 : 0;
@@ -91,7 +94,7 @@ TrianglePoint in_part_corners(const TriangleFrame& f, const FramePoint& p, const
 
 TrianglePoint closest_on_triangle(const Part& part, int t, const Vec3& q) noexcept {
   const TriangleFrame f = triangle_frame(part, t);
-  return in_part_corners(f, closest_in(f, q), q);
+  return in_part_corners(f, closest_in(f, q, tie_distance_m(part, q)), q);
 }
 
 }  // namespace fingerpad

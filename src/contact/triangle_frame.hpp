@@ -33,15 +33,16 @@ namespace frame_detail {
 inline constexpr int first_corner[3] = {0, 1, 0};
 inline constexpr int second_corner[3] = {1, 2, 2};
 
-inline FramePoint on_edge(const TriangleFrame& f, int k, const Vec3& q) noexcept {
+inline FramePoint on_edge(const TriangleFrame& f, int k, const Vec3& q, double tie_m) noexcept {
   const int i = first_corner[k], j = second_corner[k];
   const Vec3 edge = f.corner[j] - f.corner[i];
   const double along = (q - f.corner[i]).dot(edge) * f.inverse_length2[k];
   FramePoint p;
-  if (along <= 0) {
+  const double tie2 = tie_m * tie_m * f.inverse_length2[k];
+  if (along <= 0 || along * along <= tie2) {
     p.point = f.corner[i];
     p.site = 4 + i;
-  } else if (along >= 1) {
+  } else if (along >= 1 || (1 - along) * (1 - along) <= tie2) {
     p.point = f.corner[j];
     p.site = 4 + j;
   } else {
@@ -61,18 +62,25 @@ inline Vec3 inside_m(const TriangleFrame& f, const Vec3& q) noexcept {
 
 }  // namespace frame_detail
 
-/// The point of a frame's triangle that lies closest to q.
+/// How near to an edge or a corner rounding cannot tell a point from one on it [m]: a few units in the last
+/// place. Points that near are taken to lie on it, so that all triangles there give the same bits and the
+/// lowest wins.
+inline double tie_distance_m(const Part& part, const Vec3& q) noexcept {
+  return 5e-16 * (part.half_extent.maxCoeff() + q.cwiseAbs().maxCoeff());
+}
+
+/// The point of a frame's triangle that lies closest to q; `tie_m` is tie_distance_m(part, q).
 ///
 /// The projection lies inside where it is inside of all three edges; it is then built from the foot on the
 /// nearest edge, so that a sliver's badly known normal is multiplied by its small width and costs no more
 /// than rounding. Elsewhere the closest point lies on an edge that q is outside of; without a plane that is
 /// every edge.
-inline FramePoint closest_in(const TriangleFrame& f, const Vec3& q) noexcept {
+inline FramePoint closest_in(const TriangleFrame& f, const Vec3& q, double tie_m) noexcept {
   using namespace frame_detail;
   const Vec3 s = inside_m(f, q);
-  if (s[0] > 0 && s[1] > 0 && s[2] > 0) {
+  if (s[0] > tie_m && s[1] > tie_m && s[2] > tie_m) {
     const int k = s[0] <= s[1] ? (s[0] <= s[2] ? 0 : 2) : (s[1] <= s[2] ? 1 : 2);
-    FramePoint p = on_edge(f, k, q);
+    FramePoint p = on_edge(f, k, q, tie_m);
     p.point += s[k] * f.inward[k];
     p.site = 0;
     p.distance2_m2 = (q - p.point).squaredNorm();
@@ -81,8 +89,8 @@ inline FramePoint closest_in(const TriangleFrame& f, const Vec3& q) noexcept {
   FramePoint best;
   bool found = false;
   for (int k = 0; k < 3; ++k) {
-    if (s[k] > 0) continue;
-    const FramePoint p = on_edge(f, k, q);
+    if (s[k] > tie_m) continue;
+    const FramePoint p = on_edge(f, k, q, tie_m);
     if (!found || p.distance2_m2 < best.distance2_m2) best = p;
     found = true;
   }

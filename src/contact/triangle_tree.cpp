@@ -74,6 +74,7 @@ struct Winner {
 struct Search {
   const TriangleFrame* frames;
   Vec3 q;
+  double tie_m;
   double scale;
   double rounding;  ///< how far Embree's query point lies from q, scaled
   Winner winner;
@@ -86,7 +87,7 @@ struct Search {
 bool visit(RTCPointQueryFunctionArguments* args) {
   Search& search = *static_cast<Search*>(args->userPtr);
   const int t = static_cast<int>(args->primID);
-  if (!search.winner.offer(t, closest_in(search.frames[t], search.q))) return false;
+  if (!search.winner.offer(t, closest_in(search.frames[t], search.q, search.tie_m))) return false;
   args->query->radius = search.radius(std::sqrt(search.winner.at.distance2_m2));
   return true;
 }
@@ -159,10 +160,11 @@ void bounds(const RTCBoundsFunctionArguments* args) {
 }
 
 /// Every triangle in turn: for points so far away that a tree of float boxes sees no difference between them.
-Winner look_at_all(const std::vector<TriangleFrame>& frames, const Vec3& q) noexcept {
+Winner look_at_all(const std::vector<TriangleFrame>& frames, const Vec3& q, double tie_m) noexcept {
   Winner winner;
   winner.at.distance2_m2 = std::numeric_limits<double>::infinity();
-  for (std::size_t t = 0; t < frames.size(); ++t) winner.offer(static_cast<int>(t), closest_in(frames[t], q));
+  for (std::size_t t = 0; t < frames.size(); ++t)
+    winner.offer(static_cast<int>(t), closest_in(frames[t], q, tie_m));
   return winner;
 }
 
@@ -214,17 +216,16 @@ const Part& TriangleTree::part() const noexcept {
 ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) const noexcept {
   const Impl& impl = *impl_;
   const double farthest = q.cwiseAbs().maxCoeff();
-  // Written so that NaN ends here too.
-  if (impl.frames.of.empty() || !(q.cwiseAbs().sum() >= 0) || !(farthest - impl.extent_m <= reach_m))
-    return {};
+  if (impl.frames.of.empty() || !q.allFinite()) return {};
+  if (!(farthest - impl.extent_m <= reach_m)) return {};  // a reach that is no number ends here too
 
   if (farthest > tree_range * impl.extent_m) return impl.far_closest(q, reach_m);
 
-  Search search{impl.frames.of.data(), q, impl.frames.scale, 0, {}};
+  Search search{impl.frames.of.data(), q, tie_distance_m(*impl.part, q), impl.frames.scale, 0, {}};
   Winner& winner = search.winner;
   winner.at.distance2_m2 = reach_m * reach_m;
   const int count = static_cast<int>(impl.frames.of.size());
-  if (seed >= 0 && seed < count) winner.offer(seed, closest_in(impl.frames.of[seed], q));
+  if (seed >= 0 && seed < count) winner.offer(seed, closest_in(impl.frames.of[seed], q, search.tie_m));
 
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
@@ -247,10 +248,10 @@ ClosestTriangle TriangleTree::Impl::far_closest(const Vec3& q, double reach_m) c
   const double farthest = q.cwiseAbs().maxCoeff();
   const double limit = direction_range * extent_m;
   const Vec3 nearer = farthest > limit ? Vec3(q / farthest * limit) : q;
-  const Winner winner = look_at_all(frames.of, nearer);
+  const Winner winner = look_at_all(frames.of, nearer, tie_distance_m(*part, nearer));
   ClosestTriangle result{winner.triangle, in_part_corners(frames.of[winner.triangle], winner.at, nearer)};
   const double distance_m = (q - result.at.point).stableNorm();
-  result.at.distance2_m2 = distance_m * distance_m;
+  if (farthest > limit) result.at.distance2_m2 = distance_m * distance_m;
   if (!(distance_m <= reach_m)) return {};
   return result;
 }
