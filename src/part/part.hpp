@@ -13,24 +13,25 @@ namespace fingerpad {
 /// Frame P is the file's own frame (times the unit); the arrays hold positions relative to `centre_P`:
 /// p_P = centre_P + vertices.col(i). Connectivity (`welded`, `neighbours`) never changes a coordinate.
 struct Part {
-  Vec3 centre_P = Vec3::Zero();       ///< [m]
-  Points vertices;                    ///< 3 x n_v, relative to centre_P [m]
-  IndexTriples triangles;             ///< 3 x n, indices into vertices, the file's winding
-  std::vector<int> file_triangle;     ///< n: number of the triangle in file order from 0 (polygons fanned,
-                                      ///< dropped faces keep their number)
-  IndexTriples welded;                ///< 3 x n, as triangles, but with equal (or near-equal) vertices merged
-  int welded_count = 0;               ///< welded vertices are 0 .. welded_count - 1
-  IndexTriples neighbours;            ///< 3 x n: triangle across edge k (corner k to k+1), -1 at a boundary and
-                                      ///< where more than two triangles meet
-  std::vector<std::uint8_t> creases;  ///< n: bit k set where edge k is sharper than the crease angle or has no
-                                      ///< single neighbour
+  Vec3 centre_P = Vec3::Zero();    ///< [m]
+  Points vertices;                 ///< 3 x n_v, relative to centre_P [m]; those that triangles use
+  IndexTriples triangles;          ///< 3 x n, indices into vertices, the file's winding
+  std::vector<int> file_triangle;  ///< n: number of the triangle in file order from 0 (polygons fanned,
+                                   ///< dropped faces keep their number)
+  IndexTriples welded;             ///< 3 x n, as triangles, but with equal (or near-equal) vertices merged
+  int welded_count = 0;            ///< welded vertices are 0 .. welded_count - 1
+  IndexTriples neighbours;         ///< 3 x n: triangle across edge k (corner k to k+1), -1 at a boundary and
+                                   ///< where more than two triangles meet
+  std::vector<std::uint8_t> creases;  ///< n: bit k set where edge k is sharper than the crease angle or has
+                                      ///< no single neighbour
 
-  Points facet_normals;         ///< 3 x n, unit; of a triangle without area: that of its largest neighbour, or zero
+  Points facet_normals;  ///< 3 x n, unit; of a triangle without area: that of the facet it lies on, which is
+                         ///< the neighbour across its longest edge (or else its largest neighbour)
   Points edge_pseudonormals;    ///< 3 x 3n: column 3t + k is the sum of the facet normals at edge k, unit
   Points vertex_pseudonormals;  ///< 3 x welded_count: angle-weighted (Baerentzen & Aanaes 2005), unit
-  Points corner_normals;        ///< 3 x 3n: column 3t + k, angle-weighted over the smooth fan around the corner
+  Points corner_normals;  ///< 3 x 3n: column 3t + k, angle-weighted over the smooth fan around the corner
 
-  Vec3 half_extent = Vec3::Zero();  ///< of the bounding box of all used vertices [m]; the box is centred on centre_P
+  Vec3 half_extent = Vec3::Zero();  ///< of all used vertices' bounding box, centred on centre_P [m]
   double size_m() const { return 2 * half_extent.norm(); }  ///< the box's diagonal
   int triangle_count() const { return static_cast<int>(triangles.cols()); }
 };
@@ -50,8 +51,10 @@ struct TriangleSoup {
 
 /// Connectivity, creases and normals for a soup: re-centres, welds, finds neighbours, creases and normals.
 ///
-/// Welds exactly; if that leaves boundary edges, tries again at 1e-7 of the diagonal and keeps that where it closes the
-/// mesh (`weld_distance_m` then says so, else 0).
+/// Welds exactly; if that leaves boundary edges, tries again at 1e-7 of the diagonal and keeps that where it
+/// closes the mesh (`weld_distance_m` then says so, else 0). Left out are triangles with two corners in one
+/// place, later repetitions of a triangle (in either winding), and triangles without area that stand alone;
+/// if nothing has an area, the part is left without triangles.
 /// @param crease_rad  edges whose facet normals turn by more than this split corner normals, >= 0
 /// @pre every index is in range and every used coordinate finite; at least one triangle.
 Part make_part(const TriangleSoup& soup, double crease_rad, double* weld_distance_m = nullptr);

@@ -7,7 +7,8 @@
 
 namespace fingerpad {
 
-/// What can be said about a mesh, good and bad. Counts are after the file was read, before anything was left out.
+/// What can be said about a mesh, good and bad. Counts are after the file was read, before anything was left
+/// out.
 struct Verdict {
   std::string file;
   bool touchable = false;

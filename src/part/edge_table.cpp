@@ -1,0 +1,107 @@
+#include "part/edge_table.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+
+#include "part/union_find.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::size_t at(int i) {
+  return static_cast<std::size_t>(i);
+}
+
+struct Upper {
+  int vertex, half_edge;
+  auto operator<=>(const Upper&) const = default;
+};
+
+}  // namespace
+
+EdgeTable make_edge_table(const IndexTriples& corners, int vertex_count) {
+  const int triangles = static_cast<int>(corners.cols());
+  // Bucket the half-edges by their lower vertex, then sort each (small) bucket by the upper one.
+  std::vector<int> begin(at(vertex_count) + 1, 0);
+  const auto each_half_edge = [&](auto&& visit) {
+    for (int t = 0; t < triangles; ++t) {
+      if (is_collapsed(corners, t)) continue;
+      for (int h = 3 * t; h < 3 * t + 3; ++h) {
+        const auto [lower, upper] = std::minmax({edge_from(corners, h), edge_to(corners, h)});
+        visit(h, lower, upper);
+      }
+    }
+  };
+  each_half_edge([&](int, int lower, int) { ++begin[at(lower) + 1]; });
+  std::partial_sum(begin.begin(), begin.end(), begin.begin());
+  std::vector<Upper> bucketed(at(begin.back()));
+  std::vector<int> fill(begin.begin(), begin.end() - 1);
+  each_half_edge([&](int h, int lower, int upper) { bucketed[at(fill[at(lower)]++)] = {upper, h}; });
+
+  EdgeTable table;
+  table.half_edges.reserve(bucketed.size());
+  for (int v = 0; v < vertex_count; ++v) {
+    const auto from = bucketed.begin() + begin[at(v)], to = bucketed.begin() + begin[at(v) + 1];
+    std::sort(from, to);
+    for (auto i = from; i != to; ++i) {
+      if (i == from || i->vertex != (i - 1)->vertex) {
+        table.starts.push_back(static_cast<int>(table.half_edges.size()));
+      }
+      table.half_edges.push_back(i->half_edge);
+    }
+  }
+  table.starts.push_back(static_cast<int>(table.half_edges.size()));
+  return table;
+}
+
+EdgeCounts count_edges(const EdgeTable& table, const IndexTriples& corners) {
+  EdgeCounts counts;
+  for (int e = 0; e < table.edge_count(); ++e) {
+    const auto on = table.on_edge(e);
+    if (on.size() == 1) ++counts.boundary;
+    if (on.size() > 2) ++counts.nonmanifold;
+    if (on.size() == 2 && edge_from(corners, on[0]) == edge_from(corners, on[1])) ++counts.inconsistent;
+  }
+  return counts;
+}
+
+std::vector<int> component_of(const EdgeTable& table, int triangle_count, int* component_count) {
+  UnionFind joined(triangle_count);
+  std::vector<bool> present(at(triangle_count), false);
+  for (int e = 0; e < table.edge_count(); ++e) {
+    const auto on = table.on_edge(e);
+    for (const int h : on) {
+      present[at(h / 3)] = true;
+      joined.join(on[0] / 3, h / 3);
+    }
+  }
+  std::vector<int> component(at(triangle_count), -1);
+  int count = 0;
+  for (int t = 0; t < triangle_count; ++t) {
+    if (!present[at(t)]) continue;
+    // A root is the lowest triangle of its component, so it was numbered before the others.
+    const int r = joined.root(t);
+    component[at(t)] = r == t ? count++ : component[at(r)];
+  }
+  *component_count = count;
+  return component;
+}
+
+std::vector<bool> find_duplicates(const EdgeTable& table, const IndexTriples& corners) {
+  std::vector<bool> duplicate(at(static_cast<int>(corners.cols())), false);
+  std::vector<std::pair<int, int>> around;  // opposite vertex, triangle
+  for (int e = 0; e < table.edge_count(); ++e) {
+    const auto on = table.on_edge(e);
+    if (on.size() < 2) continue;
+    around.clear();
+    for (const int h : on) around.emplace_back(edge_opposite(corners, h), h / 3);
+    std::sort(around.begin(), around.end());
+    for (std::size_t i = 1; i < around.size(); ++i) {
+      if (around[i].first == around[i - 1].first) duplicate[at(around[i].second)] = true;
+    }
+  }
+  return duplicate;
+}
+
+}  // namespace fingerpad
