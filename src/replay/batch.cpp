@@ -81,28 +81,28 @@ std::string trace_name(const SceneJob& job, TraceFormat format) {
 std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths) {
   std::vector<BatchJob> jobs;
   std::set<std::string> names;
+  const auto add = [&jobs](SceneJob job) {
+    jobs.emplace_back();
+    jobs.back().job = std::move(job);
+  };
   for (const std::string& path : scene_paths) {
+    SceneFile file;
     try {
-      const SceneFile file = read_scene_file(path);
-      if (!names.insert(file.scene.name).second) {
-        throw Error(ErrorKind::usage, path,
-                    fmt::format("a scene named '{}' is already in this batch, and both would write one file; "
-                                "give one another `name`",
-                                file.scene.name));
-      }
-      for (const SceneJob& job : file.jobs) {
-        BatchJob entry;
-        entry.job = job;
-        jobs.push_back(std::move(entry));
-      }
+      file = read_scene_file(path);
     } catch (const Error& error) {
-      if (error.kind() == ErrorKind::usage) throw refused("", error.what());
-      BatchJob failed;
-      failed.job.scene.name = std::filesystem::path(path).stem().string();
-      failed.job.scene.path = path;
-      failed.job.error = error.what();
-      jobs.push_back(std::move(failed));
+      SceneJob failed;
+      failed.scene.name = std::filesystem::path(path).stem().string();
+      failed.scene.path = path;
+      failed.error = error.what();
+      add(std::move(failed));
+      continue;
     }
+    if (!names.insert(file.scene.name).second) {
+      throw refused(path, fmt::format("a scene named '{}' is already in this batch, and both would write one "
+                                      "file; give one another `name`",
+                                      file.scene.name));
+    }
+    for (SceneJob& job : file.jobs) add(std::move(job));
   }
   return jobs;
 }

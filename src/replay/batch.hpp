@@ -35,12 +35,13 @@ struct BatchJob {
 /// Throws Error (refused) for two scenes of one name (their traces would overwrite each other).
 std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths);
 
-/// Runs this shard's jobs on `threads` threads, writing a trace each and then `summary.csv` and `timing.csv`.
-/// A job that fails does not stop the rest. Traces and summary depend on the jobs alone, not on threads or
-/// their timing.
-/// @param on_done  called after each job, one call at a time, from any thread
+/// Runs this shard's jobs on `threads` threads a rank, writing a trace each; then the root rank writes
+/// `summary.csv` and `timing.csv`. A job that fails does not stop the rest. Traces and summary depend on the
+/// jobs alone, not on threads, ranks or their timing. On the root every job of the shard has its status
+/// afterwards, elsewhere the rank's own.
+/// @param on_done  called after each of this rank's jobs, one call at a time, from any thread
 /// Throws Error (fault) if the output folder cannot be written.
-void run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options,
+void run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                const std::function<void(const BatchJob&)>& on_done);
 
 /// The trace's file name: `<scene>.h5`, or `<scene>-0001.h5` for a job of a set.
