@@ -1,0 +1,208 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "scene_text.hpp"
+#include "support/paths.hpp"
+
+namespace fingerpad {
+namespace {
+
+using test::plane_scene;
+using test::refusal;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// Each job's values as one text: "a b c".
+std::vector<std::string> jobs_of(const SceneFile& file) {
+  std::vector<std::string> jobs;
+  for (const SceneJob& job : file.jobs) {
+    std::string text;
+    for (const auto& [key, value] : job.set_keys) text += (text.empty() ? "" : " ") + value;
+    jobs.push_back(text);
+  }
+  return jobs;
+}
+
+std::vector<std::string> jobs_of(const std::string& text) {
+  return jobs_of(read_scene_text(text, "s.toml"));
+}
+
+TEST(SceneSet, TheLastKeyVariesFastest) {
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nseed = [3, 1]\nfriction.law = [\"stick-slip\", \"coulomb\"]\n"),
+              ElementsAre("3 stick-slip", "3 coulomb", "1 stick-slip", "1 coulomb"));
+}
+
+TEST(SceneSet, KeysKeepTheOrderWrittenWhateverTheirAlphabet) {
+  EXPECT_THAT(
+      jobs_of(plane_scene + "[[set]]\nmotion = [\"b\", \"a\"]\nfriction.restick = [\"level\"]\n"
+                            "contact.normals = [\"smooth\", \"facet\"]\nfriction.law = \"none\"\n"),
+      ElementsAre("b level smooth none", "b level facet none", "a level smooth none", "a level facet none"));
+}
+
+TEST(SceneSet, KeysMayBeDottedQuotedOrTables) {
+  const auto dotted =
+      jobs_of(plane_scene + "[[set]]\nfriction.law = [\"none\", \"coulomb\"]\nseed = [1, 2]\n");
+  EXPECT_EQ(jobs_of(plane_scene + "[[set]]\n\"friction.law\" = [\"none\", \"coulomb\"]\nseed = [1, 2]\n"),
+            dotted);
+  EXPECT_EQ(jobs_of(plane_scene + "[[set]]\nfriction = { law = [\"none\", \"coulomb\"] }\nseed = [1, 2]\n"),
+            dotted);
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nseed = 1\n[set.friction]\nlaw = [\"none\", \"coulomb\"]\n"),
+              ElementsAre("1 none", "1 coulomb"));
+}
+
+TEST(SceneSet, EntriesFollowOneAnotherAndJobsCountFromOne) {
+  const SceneFile file =
+      read_scene_text(plane_scene + "[[set]]\nseed = [1, 2]\n[[set]]\nfriction.law = \"none\"\n", "s.toml");
+  EXPECT_TRUE(file.is_set);
+  EXPECT_THAT(jobs_of(file), ElementsAre("1", "2", "none"));
+  EXPECT_EQ(file.jobs[0].number, 1);
+  EXPECT_EQ(file.jobs[2].number, 3);
+  EXPECT_EQ(file.jobs[2].set_keys[0].first, "friction.law");
+  EXPECT_EQ(file.jobs[2].scene.friction.law, "none");
+  EXPECT_EQ(file.jobs[2].scene.name, "plane");
+  EXPECT_EQ(file.jobs[1].scene.seed, 2u);
+}
+
+TEST(SceneSet, NumbersAreToldAsWritten) {
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nmotion.rate_hz = [1e3, 5_00, 250.0]\n"),
+              ElementsAre("1e3", "5_00", "250.0"));
+}
+
+TEST(SceneSet, EveryKindOfKeyReachesItsPlace) {
+  const SceneFile file = read_scene_text(
+      plane_scene +
+          "[[part]]\nmesh = \"a\"\n[[part]]\nmesh = \"b\"\n[[set]]\nmesh = \"c\"\nfinger.radius_m = 0.001\n"
+          "hand.mass_kg = 0.2\npart.stiffness_n_per_m = 5\nplane.mu_static = 0.9\npart.rotation.axis = [1, "
+          "0, 0]\n"
+          "part.rotation.angle_deg = 10\nfriction.vibration.amplitude = 0.5\nmotion.file = \"m.csv\"\n",
+      "d/s.toml");
+  ASSERT_EQ(file.jobs.size(), 1u);
+  ASSERT_EQ(file.jobs[0].error, "");
+  const Scene& s = file.jobs[0].scene;
+  EXPECT_EQ(s.parts[0].mesh_path, "d/c");
+  EXPECT_EQ(s.parts[1].mesh, "b");
+  EXPECT_EQ(s.finger.radius_m, 0.001);
+  EXPECT_EQ(s.hand->mass_kg, 0.2);
+  EXPECT_EQ(s.parts[0].surface.stiffness_n_per_m, 5);
+  EXPECT_EQ(s.parts[1].surface.stiffness_n_per_m, 1000);
+  EXPECT_EQ(s.planes[0].surface.mu_static, 0.9);
+  EXPECT_NE(s.parts[0].rotation, Mat3(Mat3::Identity()));
+  EXPECT_EQ(s.friction.vibration->amplitude, 0.5);
+  EXPECT_EQ(s.motion.file_path, "d/m.csv");
+}
+
+TEST(SceneSet, VectorsInAListAreListsOfLists) {
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nfinger.direction = [[0, 1, 0], [0, 0, -1]]\n"),
+              ElementsAre("[0, 1, 0]", "[0, 0, -1]"));
+  const SceneFile one = read_scene_text(plane_scene + "[[set]]\nfinger.direction = [1, 0, 0]\n", "s.toml");
+  ASSERT_EQ(one.jobs.size(), 1u);
+  EXPECT_EQ(one.jobs[0].scene.finger.direction, Vec3(Vec3::UnitX()));
+}
+
+TEST(SceneSet, GlobsAreSortedByNameAndStayRelative) {
+  const auto folder = test::scratch_dir();
+  for (const char* name : {"p/b.stl", "p/a.stl", "p/B.stl", "p/c.obj", "p/d.stl/x"})
+    test::write_file(folder / name, "");
+  const std::string text = "[[set]]\nmesh = [\"p/*.stl\", \"other.stl\"]\n";
+  const SceneFile file = read_scene_text(text, (folder / "s.toml").string());
+  EXPECT_THAT(jobs_of(file), ElementsAre("p/B.stl", "p/a.stl", "p/b.stl", "other.stl"));
+  EXPECT_EQ(file.jobs[1].scene.parts[0].mesh_path, (folder / "p/a.stl").string());
+  EXPECT_EQ(file.jobs[1].scene.text.find(folder.string()), std::string::npos);
+
+  const SceneFile absolute =
+      read_scene_text("[[set]]\nmesh = \"" + (folder / "p/?.obj").string() + "\"\n", "s.toml");
+  EXPECT_THAT(jobs_of(absolute), ElementsAre((folder / "p/c.obj").string()));
+}
+
+TEST(SceneSet, GlobsWorkInFoldersWithGlobCharacters) {
+  const auto folder = test::scratch_dir() / "[x]*";
+  test::write_file(folder / "a.stl", "");
+  EXPECT_THAT(jobs_of(read_scene_text("[[set]]\nmesh = \"*.stl\"\n", (folder / "s.toml").string())),
+              ElementsAre("a.stl"));
+}
+
+TEST(SceneSet, AJobsTextGivesTheSameJobAgain) {
+  const std::string text =
+      "name = \"q \\\" ü\"\n" + plane_scene.substr(plane_scene.find('\n') + 1) +
+      "[[part]]\nmesh = \"a\"\nposition_m = [1e-7, 2, 3.5]\nrotation = { axis = [0,0,1], angle_deg = 30 }\n"
+      "[motion]\nkind = \"line\"\nfrom_m = [0,0,0]\nto_m = [1,0,0]\nspeed_m_per_s = 0.1\n"
+      "[[set]]\nmesh = [\"b\", \"c\"]\nfriction.vibration = [false, { amplitude = 0.01 }]\nseed = [5]\n"
+      "[[set]]\nmotion = \"m.csv\"\npart.rotation.angle_deg = [1, 2]\n";
+  const SceneFile file = read_scene_text(text, "d/s.toml");
+  ASSERT_EQ(file.jobs.size(), 6u);
+  for (const SceneJob& job : file.jobs) {
+    ASSERT_EQ(job.error, "");
+    const SceneFile again = read_scene_text(job.scene.text, "d/s.toml");
+    EXPECT_FALSE(again.is_set);
+    EXPECT_EQ(again.scene.text, job.scene.text);
+    EXPECT_EQ(again.scene.name, "q \" ü");
+    EXPECT_EQ(again.scene.seed, job.scene.seed);
+    EXPECT_EQ(again.scene.parts[0].mesh_path, job.scene.parts[0].mesh_path);
+    EXPECT_EQ(again.scene.parts[0].position_m, Vec3(1e-7, 2, 3.5));
+    EXPECT_EQ(again.scene.parts[0].rotation, job.scene.parts[0].rotation);
+    EXPECT_EQ(again.scene.motion.file_path, job.scene.motion.file_path);
+    EXPECT_EQ(again.scene.motion.scripted.has_value(), job.scene.motion.scripted.has_value());
+    EXPECT_EQ(again.scene.friction.vibration.has_value(), job.scene.friction.vibration.has_value());
+  }
+  EXPECT_EQ(file.jobs[1].scene.friction.vibration->amplitude, 0.01);
+  EXPECT_EQ(file.jobs[4].scene.motion.file, "m.csv");  // the file drove the scripted motion out
+}
+
+TEST(SceneSet, AJobsTextKeepsTheOrderOfTheFile) {
+  const SceneFile file = read_scene_text(
+      "seed = 2\nname = \"n\"\n[motion]\nrate_hz = 500\nfile = \"m\"\n[[plane]]\npoint_m = [0, 0, "
+      "1e-30]\nnormal = "
+      "[0, 0, 1]\n[[set]]\nfriction.law = \"none\"\nseed = 3\n",
+      "s.toml");
+  EXPECT_EQ(file.jobs[0].scene.text,
+            "seed = 3\nname = \"n\"\n\n[motion]\nrate_hz = 500\nfile = \"m\"\n\n[[plane]]\npoint_m = [0, 0, "
+            "1e-30]\n"
+            "normal = [0, 0, 1]\n\n[friction]\nlaw = \"none\"\n");
+}
+
+TEST(SceneSet, AValueOutOfRangeFailsItsJobAlone) {
+  const SceneFile file =
+      read_scene_text(plane_scene + "[[set]]\nplane.mu_static = [0.3,\n  0.1, 0.5]\n", "s.toml");
+  ASSERT_EQ(file.jobs.size(), 3u);
+  EXPECT_EQ(file.jobs[0].error, "");
+  EXPECT_THAT(file.jobs[1].error, StartsWith("s.toml:7:3: mu_dynamic 0.2 is above mu_static 0.1"));
+  EXPECT_EQ(file.jobs[1].scene.name, "plane");
+  EXPECT_EQ(file.jobs[1].number, 2);
+  EXPECT_EQ(file.jobs[2].error, "");
+}
+
+TEST(SceneSet, AnUnknownKeyRefusesTheWholeFileAtItsLine) {
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nfriction.lw = [\"none\"]\n"),
+              StartsWith("s.toml:6:10: unknown key 'friction.lw' in [[set]]; did you mean 'friction.law'?"));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nname = [\"a\"]\n"),
+              StartsWith("s.toml:6:1: unknown key 'name'"));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\ncolour = 1\n"), StartsWith("s.toml:6:1: unknown key 'colour'"));
+  EXPECT_THAT(refusal(plane_scene + "[set]\nseed = 1\n"), HasSubstr("write it as [[set]]"));
+}
+
+TEST(SceneSet, WhatGivesNoJobsIsRefused) {
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nseed = []\n"), StartsWith("s.toml:6:1: "));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nmesh = \"none/*.stl\"\n"),
+              StartsWith("s.toml:6:8: no file matches 'none/*.stl'"));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nmesh = \"a\"\npart.mesh = \"b\"\n"), HasSubstr("the same key"));
+}
+
+TEST(SceneSet, AProductTooLargeToHoldIsRefused) {
+  std::string text = plane_scene + "[[set]]\n";
+  for (const char* key : {"seed", "motion.rate_hz", "plane.stiffness_n_per_m", "finger.radius_m"}) {
+    text += std::string(key) + " = [1";
+    for (int i = 2; i <= 100; ++i) text += ", " + std::to_string(i);
+    text += "]\n";
+  }
+  EXPECT_THAT(refusal(text), StartsWith("s.toml: the set has over 100000 jobs"));
+}
+
+TEST(SceneSet, ASetMayGiveTheMeshThatThePartLacks) {
+  EXPECT_THAT(jobs_of("[[part]]\nunit = \"m\"\n[[set]]\nmesh = [\"a\", \"b\"]\n"), ElementsAre("a", "b"));
+  EXPECT_THAT(refusal("[[part]]\nunit = \"m\"\n[[set]]\nseed = 1\n"),
+              StartsWith("s.toml:1:1: [[part]] needs"));
+}
+
+}  // namespace
+}  // namespace fingerpad
