@@ -40,6 +40,10 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
   if (entry == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
   law_ = entry->make(scene.friction.settings);
+  if (!scene.friction.vibration) return;
+  vibration_settings_ = *scene.friction.vibration;
+  vibration_.emplace(vibration_settings_.frequency_hz, vibration_settings_.bandwidth_hz, dt_s_,
+                     RandomStream(scene.seed));
 }
 
 void Touch::reset() noexcept {
@@ -52,6 +56,7 @@ void Touch::release() noexcept {
   in_contact_ = false;
   friction_ = {};
   centre_.forget();
+  if (vibration_) vibration_->rest();
 }
 
 Touch::Contact Touch::deepest_contact(const Vec3& p_WQ) noexcept {
@@ -116,11 +121,11 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3
   const Vec3& normal_W = frame_WC_.col(2);
 
   // The damper may soften the surface's push, never pull the finger in.
-  const double normal_force_n =
-      std::max(0.0, surface.properties.stiffness_n_per_m * contact.depth_m -
-                        surface.properties.damping_n_s_per_m * normal_W.dot(velocity_W));
+  double normal_force_n = std::max(0.0, surface.properties.stiffness_n_per_m * contact.depth_m -
+                                            surface.properties.damping_n_s_per_m * normal_W.dot(velocity_W));
   const TangentialMotion motion = tangential_motion(contact, normal_force_n, velocity_W, sample);
-  const Friction friction = law_->tick(motion, friction_);
+  Friction friction = law_->tick(motion, friction_);
+  vibrate(friction, normal_force_n);
   if (friction.centre_moved) {
     centre_.place(surface, contact.at.point_W, frame_WC_, friction.from_centre_m, normals_,
                   friction.phase == Phase::stick);
@@ -146,6 +151,20 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3
   }
   in_contact_ = true;
   last_contact_W_ = contact.at.point_W;
+}
+
+/// Paper, figs. 10-11: the slipping pad's vibration shows in the tangential and in the normal force.
+void Touch::vibrate(Friction& friction, double& normal_force_n) noexcept {
+  if (!vibration_) return;
+  if (friction.phase != Phase::slip) {
+    vibration_->rest();
+    return;
+  }
+  const double signal = vibration_->next();
+  const double scale = vibration_force_scale(vibration_settings_.amplitude, signal);
+  friction.force_n *= scale;
+  friction_.slip_force_scale = scale;
+  normal_force_n = std::max(0.0, normal_force_n * (1 + vibration_settings_.normal_amplitude * signal));
 }
 
 TickRecord Touch::tick(const FingerSample& sample) noexcept {

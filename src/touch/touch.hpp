@@ -1,9 +1,11 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "friction/law.hpp"
+#include "friction/slip_vibration.hpp"
 #include "touch/stick_centre.hpp"
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
@@ -40,6 +42,7 @@ class Touch {
                                      const FingerSample& sample) const noexcept;
   void answer(const Contact& contact, const FingerSample& given, const Vec3& velocity_W,
               TickRecord& record) noexcept;
+  void vibrate(Friction& friction, double& normal_force_n) noexcept;
   void release() noexcept;
 
   std::shared_ptr<const World> world_;
@@ -58,6 +61,10 @@ class Touch {
   Mat3 frame_WC_ = Mat3::Identity();  ///< of the contact: Cx, Cy, and Cz the normal
   FrictionState friction_;
   StickCentre centre_;
+
+  std::optional<SlipVibration>
+      vibration_;  ///< only where the scene asks for it: else no random number is drawn
+  VibrationSettings vibration_settings_;
 };
 
 }  // namespace fingerpad

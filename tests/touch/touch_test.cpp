@@ -257,6 +257,37 @@ TEST(Touch, NoForceIsEverNonFiniteOverRandomTicksOnAnEdgyPart) {
   }
 }
 
+TEST(Touch, VibratesInSlipOnlyAndStartsStickAtTheForceAsWritten) {
+  Scene scene = plane_scene("stick-slip");
+  scene.friction.vibration = VibrationSettings{};
+  scene.friction.vibration->normal_amplitude = 0.02;
+  std::vector<Vec3> positions;
+  for (int k = 0; k < 20000; ++k) positions.emplace_back(0.05 * std::sin(2e-3 * k * 3.14159), 0, -0.001);
+  const auto rows = run(plane_world(), scene, positions);
+  double sum = 0, squares = 0;
+  long slips = 0, begun = 0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const double friction_n = rows[k].friction_W_n.norm();
+    if (rows[k].phase == Phase::slip) {
+      const double relative = friction_n / 0.2 - 1;
+      ++slips;
+      sum += relative;
+      squares += relative * relative;
+      continue;
+    }
+    ASSERT_EQ(rows[k].normal_force_n, 1) << "the normal force rests with the pad";
+    if (rows[k - 1].phase != Phase::slip) continue;
+    ++begun;
+    const double moved_m = (rows[k].p_WQ - rows[k - 1].p_WQ).norm();
+    // The spring starts at the last force as written; only the tick's own motion may be felt: k_f n dx.
+    ASSERT_NEAR(friction_n, rows[k - 1].friction_W_n.norm(), 1000 * moved_m + 1e-9);
+  }
+  EXPECT_GT(begun, 10);
+  // Variance 0.05^2; some 400 independent swings of 50 ms each in the 20 s.
+  EXPECT_NEAR(std::sqrt(squares / static_cast<double>(slips)), 0.05, 0.01);
+  EXPECT_NEAR(sum / static_cast<double>(slips), 0, 0.01);
+}
+
 TEST(Touch, TheSameSamplesGiveTheSameBits) {
   const auto world = world_of(test::torus_soup(0.05, 0.02, 48, 24));
   std::vector<Vec3> positions;
