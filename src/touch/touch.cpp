@@ -98,6 +98,7 @@ TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_
   motion.normal_force_n = normal_force_n;
   motion.mu_static = properties.mu_static;
   motion.mu_dynamic = properties.mu_dynamic;
+  motion.surface_stiffness_n_per_m = properties.stiffness_n_per_m;
   motion.velocity_m_per_s = in_plane(velocity_W);
   if (in_contact_) {
     motion.step_m =
@@ -136,7 +137,8 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3
   record.contact_W = contact.at.point_W;
   record.normal_W = normal_W;
   record.normal_force_n = normal_force_n;
-  record.friction_W_n = frame_WC_.leftCols<2>() * friction.force_n;
+  // Adding zero turns a minus zero, which a trace would show as "-0", into a plain one.
+  record.friction_W_n = frame_WC_.leftCols<2>() * friction.force_n + Vec3::Zero();
   record.force_W_n = normal_force_n * normal_W + record.friction_W_n;
   record.mu = normal_force_n > 0 ? friction.force_n.norm() / normal_force_n : 0.0;
   record.inclination_rad = motion.inclination_rad;
