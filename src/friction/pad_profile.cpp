@@ -7,7 +7,6 @@
 #include <numbers>
 #include <string_view>
 
-#define TOML_ENABLE_FORMATTERS 0
 #include <toml++/toml.h>
 
 #include "base/error.hpp"
@@ -52,8 +51,7 @@ std::string read_text(const std::string& path) {
   return text;
 }
 
-toml::table parse(const std::string& path) {
-  const std::string text = read_text(path);
+toml::table parse(const std::string& text, const std::string& path) {
   try {
     return toml::parse(text, std::string_view(path));
   } catch (const toml::parse_error& error) {
@@ -119,7 +117,11 @@ PadProfile assumed_profile(double mu_static, double stick_stiffness_per_m) {
 }
 
 PadProfile read_profile(const std::string& path) {
-  const toml::table table = parse(path);
+  return read_profile_text(read_text(path), path);
+}
+
+PadProfile read_profile_text(const std::string& text, const std::string& path) {
+  const toml::table table = parse(text, path);
   PadProfile profile;
   for (const auto& [key, node] : table) read_entry(path, key, node, profile);
   for (const NumberKey& key : number_keys) {

@@ -29,4 +29,7 @@ PadProfile assumed_profile(double mu_static, double stick_stiffness_per_m);
 /// keys, wrong types, missing axes, and axes that vanish for some inclination in 0..90 deg.
 PadProfile read_profile(const std::string& path);
 
+/// As read_profile, of a text that was read before (a trace keeps it); `path` is for messages.
+PadProfile read_profile_text(const std::string& text, const std::string& path);
+
 }  // namespace fingerpad

@@ -137,6 +137,19 @@ std::vector<double> part_crease_degs(const std::string& text) {
   return angles;
 }
 
+Scene read_recorded_scene(const std::string& scene_text, const std::string& profile_text,
+                          const std::string& path) {
+  TomlNode root = parse_toml(scene_text, path);
+  for (TomlEntry& entry : root.entries) {
+    if (entry.key != "finger") continue;
+    std::erase_if(entry.value.entries, [](const TomlEntry& key) { return key.key == "profile"; });
+  }
+  Scene scene = read_scene(root, path, Missing::nothing);
+  scene.text = scene_text;
+  if (!profile_text.empty()) scene.friction.settings.profile = read_profile_text(profile_text, path);
+  return scene;
+}
+
 Scene scene_of_mesh(const std::string& mesh_path, double metres) {
   TomlNode part;
   part.entries.push_back({"mesh", {}, toml_text(mesh_path)});

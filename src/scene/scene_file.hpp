@@ -35,6 +35,11 @@ SceneFile read_scene_text(const std::string& text, const std::string& path);
 /// it needs none of the scene's files; text that is no scene has no parts.
 std::vector<double> part_crease_degs(const std::string& text);
 
+/// The scene of a trace: its text, with the profile that the trace keeps in place of the profile's file, so
+/// that no file has to be where it was. An empty `profile_text` means that the scene had none.
+Scene read_recorded_scene(const std::string& scene_text, const std::string& profile_text,
+                          const std::string& path);
+
 /// A scene for a mesh alone, with every default: `touch MESH` and `view MESH`.
 Scene scene_of_mesh(const std::string& mesh_path, double metres_per_unit);
 
