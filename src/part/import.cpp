@@ -1,0 +1,175 @@
+#include "part/import.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <new>
+#include <utility>
+
+#include "base/error.hpp"
+#include "part/build_part.hpp"
+#include "part/fan.hpp"
+#include "part/openmesh_reader.hpp"
+#include "part/raw_mesh.hpp"
+#include "part/reconcile.hpp"
+#include "part/sniff.hpp"
+#include "part/verdict_words.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::string file_bytes(const std::string& path) {
+  constexpr std::uintmax_t largest = std::uintmax_t(2) << 30;
+  std::error_code problem;
+  const auto status = std::filesystem::status(path, problem);
+  if (status.type() == std::filesystem::file_type::not_found) throw refused("", "there is no such file");
+  if (std::filesystem::is_directory(status)) throw refused("", "is a folder, not a file");
+  if (!std::filesystem::is_regular_file(status)) throw refused("", "is not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(path, problem);
+  if (problem) throw refused("", "cannot be read: " + problem.message());
+  if (size > largest) throw refused("", fmt::format("has {} bytes; more than 2 GiB are not read", size));
+  std::ifstream file(path, std::ios::binary);
+  if (!file) throw refused("", "cannot be opened for reading");
+  std::string bytes(size, '\0');
+  file.read(bytes.data(), static_cast<std::streamsize>(size));
+  if (static_cast<std::uintmax_t>(file.gcount()) != size) throw refused("", "cannot be read to its end");
+  return bytes;
+}
+
+RawMesh scan(MeshFormat format, std::string& bytes) {
+  switch (format) {
+    case MeshFormat::stl:
+      return scan_stl(bytes);
+    case MeshFormat::obj:
+      return scan_obj(bytes);
+    case MeshFormat::ply:
+      return scan_ply(bytes);
+    case MeshFormat::off:
+      break;
+  }
+  return scan_off(bytes);
+}
+
+std::vector<bool> used_vertices(const RawMesh& mesh) {
+  std::vector<bool> used(mesh.vertices.size(), false);
+  for (const int corner : mesh.corners) {
+    if (corner >= 0) used[static_cast<std::size_t>(corner)] = true;
+  }
+  return used;
+}
+
+/// Throws where a face uses a vertex that is nowhere.
+void refuse_nonfinite(const RawMesh& mesh, const std::vector<bool>& used) {
+  long count = 0;
+  std::size_t place = 0;
+  int first = -1;
+  for (const auto& [vertex, where] : mesh.nonfinite) {
+    if (!used[static_cast<std::size_t>(vertex)]) continue;
+    if (count++ > 0) continue;
+    first = vertex;
+    place = where;
+  }
+  if (count == 0) return;
+  const Vec3& p = mesh.vertices[static_cast<std::size_t>(first)];
+  throw refused(
+      fmt::format("{} {}", mesh.place_unit, place),
+      fmt::format("vertex {} has a coordinate that is not finite ({}, {}, {}); {} such {} in the faces",
+                  first, p.x(), p.y(), p.z(), count, count == 1 ? "vertex" : "vertices"));
+}
+
+/// Lets OpenMesh read what was scanned, and measures what that does to the coordinates.
+void deliver(RawMesh& mesh, const std::string& bytes, MeshFormat format, const std::vector<bool>& used,
+             double metres_per_unit, Verdict& verdict) {
+  const std::vector<Vec3> said = mesh.float32 ? std::vector<Vec3>() : mesh.vertices;
+  const std::string lost = reconcile(mesh, read_by_openmesh(bytes, format, mesh.binary));
+  if (!lost.empty()) verdict.warnings.push_back(lost);
+  double largest = 0;
+  for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
+    if (!used[v]) continue;
+    largest = std::max(largest, mesh.vertices[v].cwiseAbs().maxCoeff());
+    if (said.empty()) continue;
+    verdict.rounding_m = std::max(verdict.rounding_m, metres_per_unit * (mesh.vertices[v] - said[v]).norm());
+  }
+  const auto as_float = static_cast<float>(largest);
+  const float step = std::nextafter(as_float, std::numeric_limits<float>::infinity()) - as_float;
+  verdict.resolution_m = metres_per_unit * static_cast<double>(step);
+}
+
+void fill_census(const Census& census, Verdict& verdict) {
+  verdict.degenerate = census.degenerate;
+  verdict.duplicate = census.duplicate;
+  verdict.nonmanifold_edges = census.nonmanifold_edges;
+  verdict.boundary_edges = census.boundary_edges;
+  verdict.inconsistent_edges = census.inconsistent_edges;
+  verdict.components = census.components;
+  verdict.winding_consistent = census.inconsistent_edges == 0;
+  verdict.closed = census.closed;
+  verdict.volume_m3 = census.volume_m3;
+  verdict.weld_distance_m = census.weld_distance_m;
+}
+
+std::string why_no_triangle(const RawMesh& mesh, const Fan& fan) {
+  if (fan.out_of_range > 0) {
+    return fmt::format("holds no triangle: all {} name vertices that are out of range (the file has {})",
+                       fan.triangles, mesh.vertices.size());
+  }
+  if (mesh.vertices.empty()) return "holds no triangle: the mesh is empty";
+  return fmt::format("holds no triangle, only {} points", mesh.vertices.size());
+}
+
+std::shared_ptr<const Part> read(const std::string& path, double metres_per_unit, double crease_rad,
+                                 Verdict& verdict) {
+  std::string bytes = file_bytes(path);
+  const MeshFormat format = mesh_format(path, bytes);
+  RawMesh mesh = scan(format, bytes);
+  verdict.format = mesh.format;
+  verdict.warnings = mesh.warnings;
+  verdict.vertices = static_cast<long>(mesh.vertices.size());
+  const std::vector<bool> used = used_vertices(mesh);
+  for (int i = 0; i < mesh.polygon_count(); ++i) verdict.triangles += mesh.corner_count(i) - 2;
+  refuse_nonfinite(mesh, used);
+  if (mesh.polygon_count() > 0) deliver(mesh, bytes, format, used, metres_per_unit, verdict);
+  bytes = std::string();
+  const Fan fan = fan_polygons(mesh, metres_per_unit);
+  verdict.out_of_range = fan.out_of_range;
+  if (fan.soup.triangles.cols() == 0) throw refused("", why_no_triangle(mesh, fan));
+  BuiltPart built = build_part(fan.soup, crease_rad);
+  fill_census(built.census, verdict);
+  verdict.kept = built.part.triangle_count();
+  if (verdict.kept == 0) {
+    throw refused("", fmt::format("holds no triangle with an area: all {} are collapsed to lines or points",
+                                  verdict.triangles));
+  }
+  verdict.bounds_m = bounds_P(built.part);
+  add_warnings(mesh, fan, built, verdict);
+  return std::make_shared<const Part>(std::move(built.part));
+}
+
+}  // namespace
+
+ImportedPart import_part(const std::string& path, double metres_per_unit, double crease_rad) {
+  ImportedPart imported;
+  Verdict& verdict = imported.verdict;
+  verdict.file = path;
+  try {
+    imported.part = read(path, metres_per_unit, crease_rad, verdict);
+    verdict.touchable = true;
+  } catch (const std::bad_alloc&) {
+    verdict.error = "needs more memory than there is";
+  } catch (const std::exception& problem) {
+    verdict.error = problem.what();
+  }
+  return imported;
+}
+
+ImportedPart import_touchable(const std::string& path, double metres_per_unit, double crease_rad) {
+  ImportedPart imported = import_part(path, metres_per_unit, crease_rad);
+  if (!imported.part) throw refused(path, imported.verdict.error);
+  return imported;
+}
+
+}  // namespace fingerpad

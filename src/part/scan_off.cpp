@@ -1,0 +1,111 @@
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "part/raw_mesh.hpp"
+#include "part/text_cursor.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// A line of words without its comment; lines that are empty then are passed over.
+class OffText {
+ public:
+  explicit OffText(std::string& bytes) : bytes_(bytes), file_(bytes) {}
+
+  RawMesh scan() {
+    mesh_.format = "OFF";
+    header();
+    for (long long i = 0; i < vertex_count_; ++i) vertex();
+    for (long long i = 0; i < face_count_; ++i) face();
+    return std::move(mesh_);
+  }
+
+ private:
+  bool next_line() {
+    while (!file_.at_end()) {
+      line_number_ = file_.line();
+      const std::string_view line = file_.rest_of_line();
+      line_ = TextCursor(line.substr(0, line.find('#')));
+      if (!TextCursor(line_).word_in_line().empty()) return true;
+    }
+    return false;
+  }
+
+  std::string place() const { return fmt::format("line {}", line_number_); }
+
+  void need_line(std::string_view of_what) {
+    if (next_line()) return;
+    throw refused(fmt::format("line {}", file_.line()),
+                  fmt::format("truncated: the file ends within its {}", of_what));
+  }
+
+  void header() {
+    need_line("header");
+    std::string_view word = line_.word_in_line();
+    const auto name = word.find("OFF");
+    if (name == std::string_view::npos)
+      throw refused(place(), "'" + shown(word) + "' where 'OFF' should stand");
+    if (word.substr(0, name).find_first_of("4n") != std::string_view::npos) {
+      throw refused(place(), "'" + shown(word) + "' has points of other than three dimensions");
+    }
+    word.remove_prefix(name + 3);  // counts may follow without a blank
+    if (word.empty()) word = line_.word_in_line();
+    if (same_word(word, "BINARY"))
+      throw refused(place(), "binary OFF is not read: save as text OFF, PLY or STL");
+    if (word.empty()) {
+      need_line("header");
+      word = line_.word_in_line();
+    }
+    const long long vertices = count(word), faces = count(line_.word_in_line());
+    const std::size_t left = bytes_.size() - file_.offset();
+    vertex_count_ = plausible_count(vertices, 6, left, place(), "vertices");  // "0 0 0\n"
+    face_count_ = plausible_count(faces, 2, left, place(), "faces");          // "0\n"
+  }
+
+  long long count(std::string_view word) const {
+    const auto number = integer_of(word);
+    if (!number)
+      throw refused(place(), "the counts of vertices and faces should stand here: " + not_a_number(word));
+    return *number;
+  }
+
+  void vertex() {
+    need_line("vertices");
+    Vec3 numbers;
+    for (int i = 0; i < 3; ++i) {
+      const std::string_view word = line_.word_in_line();
+      const auto number = coordinate_of(word);
+      if (!number) throw refused(place(), not_a_number(word));
+      numbers[i] = *number;
+    }
+    mesh_.add_vertex(numbers, static_cast<std::size_t>(line_number_));
+  }
+
+  void face() {
+    need_line("faces");
+    const auto corners = integer_of(line_.word_in_line());
+    if (!corners || *corners < 0) throw refused(place(), "a face begins with the number of its corners");
+    for (long long k = 0; k < *corners; ++k) {
+      const std::string_view word = line_.word_in_line();
+      const auto index = integer_of(word);
+      if (!index)
+        throw refused(place(), fmt::format("corner {} of {}: {}", k + 1, *corners, not_a_number(word)));
+      mesh_.corners.push_back(*index < 0 || *index >= vertex_count_ ? -1 : static_cast<int>(*index));
+    }
+    mesh_.end_polygon();
+  }
+
+  std::string& bytes_;
+  TextCursor file_, line_{std::string_view()};
+  long line_number_ = 1;
+  long long vertex_count_ = 0, face_count_ = 0;
+  RawMesh mesh_;
+};
+
+}  // namespace
+
+RawMesh scan_off(std::string& bytes) {
+  return OffText(bytes).scan();
+}
+
+}  // namespace fingerpad

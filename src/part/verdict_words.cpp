@@ -1,0 +1,133 @@
+#include "part/verdict_words.hpp"
+
+#include <fmt/format.h>
+
+namespace fingerpad {
+namespace {
+
+/// "1 edge", "2 edges".
+std::string many(long count, std::string_view one) {
+  return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
+}
+
+void tell_faces(const RawMesh& mesh, const Fan& fan, Verdict& verdict) {
+  auto& warnings = verdict.warnings;
+  if (mesh.short_polygons > 0) {
+    warnings.push_back(many(mesh.short_polygons, "face") + " with fewer than three corners left out");
+  }
+  if (fan.out_of_range > 0) {
+    warnings.push_back(
+        fmt::format("{} left out: an index is out of range, it names a vertex that is not among the {} "
+                    "(first in face {})",
+                    many(fan.out_of_range, "triangle"), mesh.vertices.size(), fan.first_out_of_range));
+  }
+  if (fan.concave > 0) {
+    warnings.push_back(
+        fmt::format("{} concave: fanned from the first corner, some of their triangles fold over",
+                    many(fan.concave, "polygon") + (fan.concave == 1 ? " is" : " are")));
+  }
+  if (verdict.degenerate > 0) {
+    warnings.push_back(many(verdict.degenerate, "degenerate triangle") +
+                       " (without area): nothing to touch there");
+  }
+  if (verdict.duplicate > 0) {
+    warnings.push_back(
+        fmt::format("{} (the same three corners again, in either winding): the first of each is kept",
+                    many(verdict.duplicate, "duplicate triangle")));
+  }
+}
+
+void tell_edges(Verdict& verdict) {
+  auto& warnings = verdict.warnings;
+  if (verdict.boundary_edges > 0) {
+    warnings.push_back(
+        fmt::format("open: {}; a finger can pass through there, and the side it is on is told by the "
+                    "closest facet alone",
+                    many(verdict.boundary_edges, "boundary edge")));
+  }
+  if (verdict.nonmanifold_edges > 0) {
+    warnings.push_back(fmt::format(
+        "non-manifold: {} with more than two triangles; inside and outside may be wrong near them",
+        many(verdict.nonmanifold_edges, "edge")));
+  }
+  if (verdict.inconsistent_edges > 0) {
+    warnings.push_back(
+        fmt::format("inconsistent winding: at {} the triangles on both sides are wound against each other; "
+                    "inside and outside may be wrong near them",
+                    many(verdict.inconsistent_edges, "edge")));
+  }
+}
+
+void tell_numbers(const BuiltPart& built, bool float32, Verdict& verdict) {
+  auto& warnings = verdict.warnings;
+  const double size = built.part.size_m();
+  if (verdict.closed && verdict.winding_consistent && verdict.volume_m3 < 0) {
+    warnings.emplace_back("wound inwards (negative volume): inside and outside are swapped");
+  } else if (built.census.inward_bodies > 0) {
+    warnings.push_back(fmt::format("{} wound inwards: inside and outside are swapped there",
+                                   built.census.inward_bodies == 1
+                                       ? std::string("one closed body is")
+                                       : fmt::format("{} closed bodies are", built.census.inward_bodies)));
+  }
+  if (verdict.weld_distance_m > 0) {
+    warnings.push_back(
+        fmt::format("cracked: vertices up to {:.2g} m apart were taken as one, which closes the mesh; no "
+                    "coordinate was changed",
+                    verdict.weld_distance_m));
+  }
+  constexpr double noticeable = 1e-6;  // of the part's size
+  if (verdict.rounding_m > noticeable * size) {
+    warnings.push_back(
+        fmt::format("rounding the file's numbers to float32 moves vertices by up to {:.2g} m ({:.1g} of the "
+                    "part's size): move the part to the origin and export again",
+                    verdict.rounding_m, verdict.rounding_m / size));
+  } else if (float32 && verdict.resolution_m > noticeable * size) {
+    warnings.push_back(fmt::format(
+        "lies so far from the origin that its float32 coordinates step by {:.2g} m ({:.1g} of the "
+        "part's size): move it to the origin and export again",
+        verdict.resolution_m, verdict.resolution_m / size));
+  }
+}
+
+std::string_view yes_no(bool value) {
+  return value ? "yes" : "no";
+}
+
+}  // namespace
+
+void add_warnings(const RawMesh& mesh, const Fan& fan, const BuiltPart& built, Verdict& verdict) {
+  tell_faces(mesh, fan, verdict);
+  tell_edges(verdict);
+  tell_numbers(built, mesh.float32, verdict);
+}
+
+std::string refusal_text(const Verdict& verdict) {
+  return verdict.file + ": " + verdict.error;
+}
+
+std::string verdict_text(const Verdict& verdict) {
+  std::string text = fmt::format("{}: {}\n", verdict.file,
+                                 !verdict.touchable         ? "refused"
+                                 : verdict.warnings.empty() ? "can be touched"
+                                                            : "can be touched, with care");
+  if (!verdict.error.empty()) text += fmt::format("  refused        {}\n", verdict.error);
+  for (const std::string& warning : verdict.warnings) text += fmt::format("  warning        {}\n", warning);
+  if (!verdict.format.empty()) {
+    text += fmt::format("  {:<14} {} vertices, {} triangles, {} kept\n", verdict.format, verdict.vertices,
+                        verdict.triangles, verdict.kept);
+  }
+  if (verdict.kept == 0) return text;
+  const Vec3 size_mm = 1e3 * (verdict.bounds_m.max - verdict.bounds_m.min);
+  const Vec3 from_mm = 1e3 * verdict.bounds_m.min;
+  text += fmt::format("  size           {:.6g} x {:.6g} x {:.6g} mm, from ({:.6g}, {:.6g}, {:.6g}) mm\n",
+                      size_mm.x(), size_mm.y(), size_mm.z(), from_mm.x(), from_mm.y(), from_mm.z());
+  text += fmt::format("  closed         {}; {} boundary, {} non-manifold, {} inconsistent edges\n",
+                      yes_no(verdict.closed), verdict.boundary_edges, verdict.nonmanifold_edges,
+                      verdict.inconsistent_edges);
+  text += fmt::format("  components     {}\n", verdict.components);
+  text += fmt::format("  volume         {:.6g} cm3{}\n", 1e6 * verdict.volume_m3,
+                      verdict.closed ? "" : " (not closed: of no meaning)");
+  return text;
+}
+
+}  // namespace fingerpad
