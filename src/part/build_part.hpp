@@ -12,9 +12,9 @@ struct Census {
   long nonmanifold_edges = 0;   ///< with more than two triangles
   long boundary_edges = 0;      ///< with one
   long inconsistent_edges = 0;  ///< that two triangles pass in the same direction
-  int components = 0;
-  int inward_bodies = 0;  ///< closed components wound inwards and not inside another one
-  double volume_m3 = 0;   ///< signed, of the kept triangles
+  int components = 0;           ///< connected over welded vertices
+  int inward_bodies = 0;        ///< closed, consistent bodies wound inwards, not inside another
+  double volume_m3 = 0;         ///< signed, of the kept triangles
   double weld_distance_m = 0;
   bool closed = false;  ///< no boundary and no non-manifold edge
 };

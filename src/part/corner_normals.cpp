@@ -31,7 +31,7 @@ Step crossed(const Part& part, const Step& step) {
 
 }  // namespace
 
-void fill_corner_normals(Part& part) {
+void fill_corner_normals(Part& part, const Points& angles) {
   const int n = part.triangle_count();
   part.corner_normals = Points::Zero(3, 3 * n);
   std::vector<bool> done(static_cast<std::size_t>(3 * n), false);
@@ -45,7 +45,7 @@ void fill_corner_normals(Part& part) {
       if (done[static_cast<std::size_t>(column)]) return false;
       done[static_cast<std::size_t>(column)] = true;
       fan.push_back(column);
-      sum += corner_angle(part, step.triangle, step.corner) * part.facet_normals.col(step.triangle);
+      sum += angles(step.corner, step.triangle) * part.facet_normals.col(step.triangle);
       return true;
     };
     const Step first{start / 3, start % 3, start % 3};

@@ -88,12 +88,34 @@ std::vector<int> component_of(const EdgeTable& table, int triangle_count, int* c
   return component;
 }
 
+int component_count(const IndexTriples& corners, int vertex_count) {
+  UnionFind joined(vertex_count);
+  std::vector<bool> present(at(vertex_count), false);
+  for (int t = 0; t < corners.cols(); ++t) {
+    if (is_collapsed(corners, t)) continue;
+    present[at(corners(0, t))] = true;
+    joined.join(corners(0, t), corners(1, t));
+    joined.join(corners(0, t), corners(2, t));
+  }
+  int count = 0;
+  for (int v = 0; v < vertex_count; ++v) {
+    // The root need not be a corner 0 itself.
+    if (present[at(v)]) present[at(joined.root(v))] = true;
+  }
+  for (int v = 0; v < vertex_count; ++v) count += present[at(v)] && joined.root(v) == v ? 1 : 0;
+  return count;
+}
+
 std::vector<bool> find_duplicates(const EdgeTable& table, const IndexTriples& corners) {
   std::vector<bool> duplicate(at(static_cast<int>(corners.cols())), false);
   std::vector<std::pair<int, int>> around;  // opposite vertex, triangle
   for (int e = 0; e < table.edge_count(); ++e) {
     const auto on = table.on_edge(e);
     if (on.size() < 2) continue;
+    if (on.size() == 2) {
+      if (edge_opposite(corners, on[0]) == edge_opposite(corners, on[1])) duplicate[at(on[1] / 3)] = true;
+      continue;
+    }
     around.clear();
     for (const int h : on) around.emplace_back(edge_opposite(corners, h), h / 3);
     std::sort(around.begin(), around.end());

@@ -54,6 +54,9 @@ EdgeCounts count_edges(const EdgeTable& table, const IndexTriples& corners);
 /// that are not in the table.
 std::vector<int> component_of(const EdgeTable& table, int triangle_count, int* component_count);
 
+/// How many components there are when a common vertex is enough to connect.
+int component_count(const IndexTriples& corners, int vertex_count);
+
 /// Triangles with the same three vertices as an earlier one, in either winding.
 std::vector<bool> find_duplicates(const EdgeTable& table, const IndexTriples& corners);
 

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 #include "part/build_part.hpp"
@@ -125,51 +126,88 @@ std::vector<bool> without_area(const Centred& mesh) {
   return flat;
 }
 
-/// The triangles `kept` (of the soup) as a part with neighbours and facet normals; the welding is inherited.
-/// @param welded_ids  3 x all triangles of the soup
-Part assembled(const TriangleSoup& soup, const std::vector<int>& kept, const IndexTriples& welded_ids,
-               EdgeTable& edges, std::vector<bool>& flat) {
-  const Centred mesh = centred(soup, kept);
-  Part part;
-  part.centre_P = mesh.centre_P;
-  part.half_extent = mesh.half_extent;
-  part.vertices = mesh.points;
-  part.triangles = mesh.triangles;
-  part.welded.resize(3, part.triangles.cols());
-  std::vector<int> number(welded_ids.size() == 0 ? 0 : at(welded_ids.maxCoeff()) + 1, -1);
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    const int in_soup = kept[at(t)];
-    part.file_triangle.push_back(soup.file_triangle.empty() ? in_soup : soup.file_triangle[at(in_soup)]);
+/// A part on its way: some triangles of a soup and how they hang together.
+struct Draft {
+  std::vector<int> from_soup;
+  Centred mesh;
+  Connected links;
+  std::vector<bool> flat;  // without area
+};
+
+Draft first_draft(const TriangleSoup& soup) {
+  Draft draft;
+  draft.from_soup.resize(at(static_cast<int>(soup.triangles.cols())));
+  std::iota(draft.from_soup.begin(), draft.from_soup.end(), 0);
+  draft.mesh = centred(soup, draft.from_soup);
+  draft.links = weld(draft.mesh);
+  draft.flat = without_area(draft.mesh);
+  return draft;
+}
+
+/// The draft with the triangles `kept` (numbers in it) alone. The welding is inherited.
+Draft reduced(const TriangleSoup& soup, const Draft& draft, const std::vector<int>& kept) {
+  Draft result;
+  Connected& links = result.links;
+  links.welded.resize(3, static_cast<Eigen::Index>(kept.size()));
+  links.weld_distance = draft.links.weld_distance;
+  std::vector<int> number(at(draft.links.welded_count), -1);
+  for (std::size_t t = 0; t < kept.size(); ++t) {
+    result.from_soup.push_back(draft.from_soup[at(kept[t])]);
     for (int k = 0; k < 3; ++k) {
-      int& id = number[at(welded_ids(k, in_soup))];
-      if (id < 0) id = part.welded_count++;
-      part.welded(k, t) = id;
+      int& id = number[at(draft.links.welded(k, kept[t]))];
+      if (id < 0) id = links.welded_count++;
+      links.welded(k, static_cast<Eigen::Index>(t)) = id;
     }
   }
-  edges = make_edge_table(part.welded, part.welded_count);
-  flat = without_area(mesh);
-  part.neighbours = neighbours_of(edges, part.triangle_count());
-  part.facet_normals = facet_normals(part, edges, flat);
-  return part;
+  links.edges = make_edge_table(links.welded, links.welded_count);
+  result.mesh = centred(soup, result.from_soup);
+  result.flat = without_area(result.mesh);
+  return result;
 }
 
 /// Counts what the whole soup holds and lists what goes into the part.
-std::vector<int> take_census(const Centred& mesh, const Connected& whole, Census& census) {
-  const int n = static_cast<int>(mesh.triangles.cols());
-  const std::vector<bool> duplicate = find_duplicates(whole.edges, whole.welded);
-  const std::vector<bool> flat = without_area(mesh);
-  component_of(whole.edges, n, &census.components);
-  census.boundary_edges = whole.counts.boundary;
-  census.nonmanifold_edges = whole.counts.nonmanifold;
-  census.inconsistent_edges = whole.counts.inconsistent;
-  census.weld_distance_m = whole.weld_distance;
+std::vector<int> take_census(const Draft& draft, Census& census) {
+  const Connected& links = draft.links;
+  const std::vector<bool> duplicate = find_duplicates(links.edges, links.welded);
+  census.components = component_count(links.welded, links.welded_count);
+  census.boundary_edges = links.counts.boundary;
+  census.nonmanifold_edges = links.counts.nonmanifold;
+  census.inconsistent_edges = links.counts.inconsistent;
+  census.weld_distance_m = links.weld_distance;
   std::vector<int> kept;
-  kept.reserve(at(n));
-  for (int t = 0; t < n; ++t) {
-    const bool collapsed = is_collapsed(whole.welded, t);
-    if (collapsed || flat[at(t)]) ++census.degenerate;
+  for (int t = 0; t < links.welded.cols(); ++t) {
+    const bool collapsed = is_collapsed(links.welded, t);
+    if (collapsed || draft.flat[at(t)]) ++census.degenerate;
     if (duplicate[at(t)]) ++census.duplicate;
     if (!collapsed && !duplicate[at(t)]) kept.push_back(t);
+  }
+  return kept;
+}
+
+/// The part without creases, pseudonormals and corner normals. Takes the draft's arrays.
+Part assembled(const TriangleSoup& soup, Draft& draft) {
+  Part part;
+  part.centre_P = draft.mesh.centre_P;
+  part.half_extent = draft.mesh.half_extent;
+  part.vertices = std::move(draft.mesh.points);
+  part.triangles = std::move(draft.mesh.triangles);
+  part.welded = std::move(draft.links.welded);
+  part.welded_count = draft.links.welded_count;
+  part.file_triangle.reserve(draft.from_soup.size());
+  for (const int t : draft.from_soup) {
+    part.file_triangle.push_back(soup.file_triangle.empty() ? t : soup.file_triangle[at(t)]);
+  }
+  part.neighbours = neighbours_of(draft.links.edges, part.triangle_count());
+  return part;
+}
+
+/// The triangles with a side: those without area that no edge joins to one with area have none.
+std::vector<int> sided(const Draft& draft) {
+  const Points normals =
+      facet_normals(draft.mesh.points, draft.mesh.triangles, draft.links.edges, draft.flat);
+  std::vector<int> kept;
+  for (int t = 0; t < normals.cols(); ++t) {
+    if (!normals.col(t).isZero(0)) kept.push_back(t);
   }
   return kept;
 }
@@ -178,29 +216,22 @@ std::vector<int> take_census(const Centred& mesh, const Connected& whole, Census
 
 BuiltPart build_part(const TriangleSoup& soup, double crease_rad) {
   BuiltPart built;
-  std::vector<int> kept(at(static_cast<int>(soup.triangles.cols())));
-  for (std::size_t t = 0; t < kept.size(); ++t) kept[t] = static_cast<int>(t);
-  IndexTriples welded_ids;
-  {
-    const Centred mesh = centred(soup, kept);
-    Connected whole = weld(mesh);
-    kept = take_census(mesh, whole, built.census);
-    welded_ids = std::move(whole.welded);
+  Draft draft = first_draft(soup);
+  std::vector<int> kept = take_census(draft, built.census);
+  if (kept.size() < draft.from_soup.size()) draft = reduced(soup, draft, kept);
+  if (std::find(draft.flat.begin(), draft.flat.end(), true) != draft.flat.end()) {
+    kept = sided(draft);
+    if (kept.size() < draft.from_soup.size()) draft = reduced(soup, draft, kept);
   }
-  EdgeTable edges;
-  std::vector<bool> flat;
   Part& part = built.part;
-  part = assembled(soup, kept, welded_ids, edges, flat);
-  // Triangles without area that no edge joins to one with area have no side: they go too.
-  std::vector<int> sided;
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    if (!part.facet_normals.col(t).isZero(0)) sided.push_back(kept[at(t)]);
-  }
-  if (sided.size() < kept.size()) part = assembled(soup, sided, welded_ids, edges, flat);
-  fill_edge_pseudonormals(part, edges, flat);
-  fill_vertex_pseudonormals(part);
+  part = assembled(soup, draft);
+  const EdgeTable& edges = draft.links.edges;
+  part.facet_normals = facet_normals(part.vertices, part.triangles, edges, draft.flat);
+  fill_edge_pseudonormals(part, edges, draft.flat);
+  const Points angles = corner_angles(part);
+  fill_vertex_pseudonormals(part, angles);
   fill_creases(part, crease_rad);
-  fill_corner_normals(part);
+  fill_corner_normals(part, angles);
   measure_bodies(part, edges, built.census);
   return built;
 }

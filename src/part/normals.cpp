@@ -1,9 +1,11 @@
 #include "part/normals.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace fingerpad {
 namespace {
@@ -18,7 +20,9 @@ constexpr double vanishing = 1e-12;
 /// The facets across the edges of the mesh's triangles, whatever their number.
 class Across {
  public:
+  /// @param triangle_count  0: nothing will be asked
   Across(const EdgeTable& edges, int triangle_count) : edges_(edges), edge_of_(at(3 * triangle_count), -1) {
+    if (triangle_count == 0) return;
     for (int e = 0; e < edges.edge_count(); ++e) {
       for (const int h : edges.on_edge(e)) edge_of_[at(h)] = e;
     }
@@ -38,19 +42,22 @@ class Across {
   std::vector<int> edge_of_;
 };
 
-double area_of(const Part& part, int t) {
-  return shape_of(part.vertices, part.triangles, t).area.norm();
-}
+/// Triangles whose flat ones are given a normal by others.
+struct Receivers {
+  const Points& vertices;
+  const IndexTriples& triangles;
+  const Across& across;
+};
 
 /// The largest triangle with a normal across these edges of t, or -1.
-int largest_across(const Part& part, const Points& normals, const Across& across, int t, bool only_longest) {
+int largest_across(const Receivers& mesh, const Points& normals, int t, bool only_longest) {
   int best = -1;
   double best_area = -1;
-  const int longest = shape_of(part.vertices, part.triangles, t).longest_edge;
+  const int longest = shape_of(mesh.vertices, mesh.triangles, t).longest_edge;
   for (int k = 0; k < 3; ++k) {
     if (only_longest && k != longest) continue;
-    across.visit(3 * t + k, [&](int other) {
-      const double area = area_of(part, other);
+    mesh.across.visit(3 * t + k, [&](int other) {
+      const double area = shape_of(mesh.vertices, mesh.triangles, other).area.norm();
       if (normals.col(other).isZero(0) || area <= best_area) return;
       best = other;
       best_area = area;
@@ -79,25 +86,27 @@ bool has_no_area(const TriangleShape& shape, double largest_coordinate) {
   return height <= 4 * std::numeric_limits<double>::epsilon() * largest_coordinate;
 }
 
-Points facet_normals(const Part& part, const EdgeTable& edges, const std::vector<bool>& flat) {
-  Points normals = Points::Zero(3, part.triangle_count());
+Points facet_normals(const Points& vertices, const IndexTriples& triangles, const EdgeTable& edges,
+                     const std::vector<bool>& flat) {
+  const int n = static_cast<int>(triangles.cols());
+  Points normals = Points::Zero(3, n);
   std::vector<int> waiting;
-  for (int t = 0; t < part.triangle_count(); ++t) {
+  for (int t = 0; t < n; ++t) {
     if (flat[at(t)]) {
       waiting.push_back(t);
     } else {
-      normals.col(t) = shape_of(part.vertices, part.triangles, t).area.normalized();
+      normals.col(t) = shape_of(vertices, triangles, t).area.normalized();
     }
   }
   if (waiting.empty()) return normals;
-  const Across across(edges, part.triangle_count());
+  const Across across(edges, n);
   // First across longest edges as far as that reaches, then one step across any edge, and again.
   bool only_longest = true;
   constexpr int many_rounds = 200;  // a strip of seams is done in a few, as every round turns back
   for (int round = 0; round < many_rounds && !waiting.empty(); ++round) {
     std::vector<int> still;
     for (const int t : waiting) {
-      const int giver = largest_across(part, normals, across, t, only_longest);
+      const int giver = largest_across({vertices, triangles, across}, normals, t, only_longest);
       if (giver < 0) {
         still.push_back(t);
       } else {
@@ -115,11 +124,13 @@ Points facet_normals(const Part& part, const EdgeTable& edges, const std::vector
 void fill_edge_pseudonormals(Part& part, const EdgeTable& edges, const std::vector<bool>& flat) {
   // What a triangle shows to the one across edge k: its facet normal. A triangle without area is a seam: over
   // its longest edge one meets the facets behind its two short ones.
-  const Across across(edges, part.triangle_count());
+  const bool any_flat = std::find(flat.begin(), flat.end(), true) != flat.end();
+  const Across across(edges, any_flat ? part.triangle_count() : 0);
   const auto shown = [&](int h) -> Vec3 {
     const int t = h / 3;
+    if (!flat[at(t)]) return part.facet_normals.col(t);
     const Vec3 own = part.facet_normals.col(t);
-    if (!flat[at(t)] || shape_of(part.vertices, part.triangles, t).longest_edge != h % 3) return own;
+    if (shape_of(part.vertices, part.triangles, t).longest_edge != h % 3) return own;
     Vec3 sum = Vec3::Zero();
     for (const int step : {1, 2}) {
       across.visit(3 * t + (h % 3 + step) % 3, [&](int other) { sum += part.facet_normals.col(other); });
@@ -138,19 +149,27 @@ void fill_edge_pseudonormals(Part& part, const EdgeTable& edges, const std::vect
   }
 }
 
-double corner_angle(const Part& part, int t, int k) {
-  const Vec3 corner = part.vertices.col(part.triangles(k, t));
-  const Vec3 to_next = part.vertices.col(part.triangles((k + 1) % 3, t)) - corner;
-  const Vec3 to_last = part.vertices.col(part.triangles((k + 2) % 3, t)) - corner;
-  return std::atan2(to_next.cross(to_last).norm(), to_next.dot(to_last));
+Points corner_angles(const Part& part) {
+  Points angles(3, part.triangle_count());
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    std::array<Vec3, 3> edge;
+    for (int k = 0; k < 3; ++k) {
+      edge[at(k)] =
+          part.vertices.col(part.triangles((k + 1) % 3, t)) - part.vertices.col(part.triangles(k, t));
+    }
+    // One cross product serves all three corners: each is twice the area.
+    const double twice_area = edge[0].cross(edge[1]).norm();
+    for (int k = 0; k < 3; ++k)
+      angles(k, t) = std::atan2(twice_area, -edge[at(k)].dot(edge[at((k + 2) % 3)]));
+  }
+  return angles;
 }
 
-void fill_vertex_pseudonormals(Part& part) {
+void fill_vertex_pseudonormals(Part& part, const Points& angles) {
   part.vertex_pseudonormals = Points::Zero(3, part.welded_count);
   for (int t = 0; t < part.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k) {
-      part.vertex_pseudonormals.col(part.welded(k, t)) +=
-          corner_angle(part, t, k) * part.facet_normals.col(t);
+      part.vertex_pseudonormals.col(part.welded(k, t)) += angles(k, t) * part.facet_normals.col(t);
     }
   }
   for (int t = part.triangle_count() - 1; t >= 0; --t) {
@@ -166,6 +185,9 @@ void fill_vertex_pseudonormals(Part& part) {
 
 void fill_creases(Part& part, double crease_rad) {
   constexpr double rounding_rad = 1e-9;  // so that an edge of just the crease angle is smooth on both sides
+  constexpr double margin = 1e-6;        // where the cosine alone tells
+  const double limit_rad = std::min(crease_rad, std::numbers::pi) + rounding_rad;
+  const double limit_cos = std::cos(std::min(limit_rad, std::numbers::pi));
   part.creases.assign(at(part.triangle_count()), 0);
   for (int t = 0; t < part.triangle_count(); ++t) {
     for (int k = 0; k < 3; ++k) {
@@ -173,7 +195,9 @@ void fill_creases(Part& part, double crease_rad) {
       bool crease = other < 0;
       if (!crease) {
         const Vec3 a = part.facet_normals.col(t), b = part.facet_normals.col(other);
-        crease = std::atan2(a.cross(b).norm(), a.dot(b)) > crease_rad + rounding_rad;
+        const double cosine = a.dot(b);
+        crease = cosine < limit_cos;
+        if (std::abs(cosine - limit_cos) < margin) crease = std::atan2(a.cross(b).norm(), cosine) > limit_rad;
       }
       if (crease) part.creases[at(t)] |= static_cast<std::uint8_t>(1u << k);
     }

@@ -24,7 +24,8 @@ bool has_no_area(const TriangleShape& shape, double largest_coordinate);
 /// Facet normals, unit: of a triangle without area that of the neighbour across its longest edge, because
 /// that is the surface which its middle vertex stands on (or else of its largest neighbour); zero where no
 /// edge joins it to one.
-Points facet_normals(const Part& part, const EdgeTable& edges, const std::vector<bool>& flat);
+Points facet_normals(const Points& vertices, const IndexTriples& triangles, const EdgeTable& edges,
+                     const std::vector<bool>& flat);
 
 /// Fills edge_pseudonormals from facet_normals: the sum over all triangles at the edge. Across a triangle
 /// without area stands the facet beyond it. Where the sum vanishes: the triangle's own facet normal.
@@ -32,15 +33,15 @@ void fill_edge_pseudonormals(Part& part, const EdgeTable& edges, const std::vect
 
 /// Fills vertex_pseudonormals: angle-weighted sums (Baerentzen & Aanaes 2005); where one vanishes, the facet
 /// normal of the lowest triangle there.
-void fill_vertex_pseudonormals(Part& part);
+void fill_vertex_pseudonormals(Part& part, const Points& angles);
 
 /// Fills creases from facet_normals and neighbours.
 void fill_creases(Part& part, double crease_rad);
 
 /// Fills corner_normals: angle-weighted over the fan of triangles around the corner that no crease parts.
-void fill_corner_normals(Part& part);
+void fill_corner_normals(Part& part, const Points& angles);
 
-/// The angle at corner k of triangle t [rad].
-double corner_angle(const Part& part, int t, int k);
+/// The angles at the corners [rad], 3 x n: row k is corner k.
+Points corner_angles(const Part& part);
 
 }  // namespace fingerpad

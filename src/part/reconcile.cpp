@@ -103,7 +103,9 @@ std::string reconcile(RawMesh& mesh, const OpenMeshDelivery& delivery) {
   std::string lost;
   if (!Comparison(mesh, delivery).walk()) {
     lost = fmt::format(
-        "OpenMesh delivered {} of the file's {} faces, or others: the file was taken at its own word",
+        "OpenMesh reads this file otherwise than it is written (its {} faces are not the file's {}): the "
+        "file was taken at "
+        "its own word",
         delivery.ends.size(), mesh.polygon_count());
   }
   // Vertices that no delivered face named, and all of them after a difference.

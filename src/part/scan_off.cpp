@@ -17,15 +17,21 @@ class OffText {
     header();
     for (long long i = 0; i < vertex_count_; ++i) vertex();
     for (long long i = 0; i < face_count_; ++i) face();
+    bytes_ = std::move(plain_);
     return std::move(mesh_);
   }
 
  private:
+  /// Copies what was read of the line. OpenMesh gets the bare mesh: it stumbles over comments between lines,
+  /// over a header that shares its line, and over face colours that the header does not name.
+  void keep_line() { plain_.append(line_text_.substr(0, line_.offset())).append("\n"); }
+
   bool next_line() {
     while (!file_.at_end()) {
       line_number_ = file_.line();
       const std::string_view line = file_.rest_of_line();
-      line_ = TextCursor(line.substr(0, line.find('#')));
+      line_text_ = line.substr(0, line.find('#'));
+      line_ = TextCursor(line_text_);
       if (!TextCursor(line_).word_in_line().empty()) return true;
     }
     return false;
@@ -57,9 +63,10 @@ class OffText {
       word = line_.word_in_line();
     }
     const long long vertices = count(word), faces = count(line_.word_in_line());
-    const std::size_t left = bytes_.size() - file_.offset();
+    const std::size_t left = bytes_.size() - file_.offset() + 1;              // a last line needs no end
     vertex_count_ = plausible_count(vertices, 6, left, place(), "vertices");  // "0 0 0\n"
     face_count_ = plausible_count(faces, 2, left, place(), "faces");          // "0\n"
+    plain_ = fmt::format("OFF\n{} {} 0\n", vertex_count_, face_count_);
   }
 
   long long count(std::string_view word) const {
@@ -79,6 +86,7 @@ class OffText {
       numbers[i] = *number;
     }
     mesh_.add_vertex(numbers, static_cast<std::size_t>(line_number_));
+    keep_line();
   }
 
   void face() {
@@ -93,11 +101,14 @@ class OffText {
       mesh_.corners.push_back(*index < 0 || *index >= vertex_count_ ? -1 : static_cast<int>(*index));
     }
     mesh_.end_polygon();
+    keep_line();
   }
 
   std::string& bytes_;
   TextCursor file_, line_{std::string_view()};
   long line_number_ = 1;
+  std::string_view line_text_;
+  std::string plain_;
   long long vertex_count_ = 0, face_count_ = 0;
   RawMesh mesh_;
 };

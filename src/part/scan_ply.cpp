@@ -187,7 +187,13 @@ class PlyScan {
 RawMesh scan_ply(std::string& bytes) {
   const PlyHeader header = read_ply_header(bytes);
   if (header.form == PlyHeader::Form::text) refuse_binary(bytes);
-  return PlyScan(bytes, header).scan();
+  RawMesh mesh = PlyScan(bytes, header).scan();
+  if (mesh.binary) {
+    // OpenMesh passes over one byte after "end_header", be it a carriage return or the line's end.
+    const auto body = bytes.begin() + static_cast<std::ptrdiff_t>(header.body);
+    bytes.erase(std::remove(bytes.begin(), body, '\r'), body);
+  }
+  return mesh;
 }
 
 }  // namespace fingerpad

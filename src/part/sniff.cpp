@@ -84,7 +84,8 @@ void refuse_step(const std::string& ending, std::string_view bytes) {
                   "is a STEP file, an exact B-rep without triangles: tessellate it to STL, OBJ or PLY first");
   }
   if (!named) return;
-  const auto content = format_of_content(bytes);
+  auto content = format_of_content(bytes);
+  if (!content && same_word(bytes.substr(0, 6), "solid ")) content = MeshFormat::stl;
   if (!content) throw refused("", "is named as a STEP file, but does not begin as one (ISO-10303-21)");
   throw refused("", "is named as a STEP file, but its bytes are those of an " +
                         std::string(name_of(*content)) + " mesh: rename it");

@@ -24,7 +24,7 @@ struct Verdict {
   long nonmanifold_edges = 0;   ///< with more than two triangles
   long boundary_edges = 0;      ///< with one
   long inconsistent_edges = 0;  ///< that two triangles pass in the same direction
-  int components = 0;           ///< connected over welded vertices' edges
+  int components = 0;           ///< connected over welded vertices
   bool winding_consistent = false;  ///< no two triangles pass an edge in the same direction
   bool closed = false;              ///< no boundary, every edge manifold
   double volume_m3 = 0;             ///< signed: negative where the normals point inwards

@@ -40,10 +40,12 @@ void tell_faces(const RawMesh& mesh, const Fan& fan, Verdict& verdict) {
 void tell_edges(Verdict& verdict) {
   auto& warnings = verdict.warnings;
   if (verdict.boundary_edges > 0) {
-    warnings.push_back(
-        fmt::format("open: {}; a finger can pass through there, and the side it is on is told by the "
-                    "closest facet alone",
-                    many(verdict.boundary_edges, "boundary edge")));
+    std::string text = "open: " + many(verdict.boundary_edges, "boundary edge");
+    const long counted = verdict.triangles - verdict.out_of_range;
+    if (counted > 1 && verdict.boundary_edges == 3 * counted) {
+      text += " (no two triangles share an edge: a soup, or cracks wider than 1e-7 of the diagonal)";
+    }
+    warnings.push_back(text + "; a finger can pass through, and its side is told by the closest facet alone");
   }
   if (verdict.nonmanifold_edges > 0) {
     warnings.push_back(fmt::format(
@@ -113,8 +115,9 @@ std::string verdict_text(const Verdict& verdict) {
   if (!verdict.error.empty()) text += fmt::format("  refused        {}\n", verdict.error);
   for (const std::string& warning : verdict.warnings) text += fmt::format("  warning        {}\n", warning);
   if (!verdict.format.empty()) {
-    text += fmt::format("  {:<14} {} vertices, {} triangles, {} kept\n", verdict.format, verdict.vertices,
-                        verdict.triangles, verdict.kept);
+    text += fmt::format("  {:<14} {}, {}, {} kept\n", verdict.format,
+                        verdict.vertices == 1 ? "1 vertex" : many(verdict.vertices, "vertice"),
+                        many(verdict.triangles, "triangle"), verdict.kept);
   }
   if (verdict.kept == 0) return text;
   const Vec3 size_mm = 1e3 * (verdict.bounds_m.max - verdict.bounds_m.min);
