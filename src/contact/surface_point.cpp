@@ -19,7 +19,6 @@ int edge_of(Feature feature) noexcept {
 bool is_edge(Feature feature) noexcept {
   return feature >= Feature::edge0 && feature <= Feature::edge2;
 }
-
 Vec3 pseudonormal(const Part& part, int t, Feature feature) noexcept {
   if (feature == Feature::face) return part.facet_normals.col(t);
   if (is_edge(feature)) return part.edge_pseudonormals.col(3 * t + edge_of(feature));

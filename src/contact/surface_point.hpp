@@ -24,10 +24,13 @@ struct SurfacePoint {
 };
 
 /// The nearest surface point of a part.
+///
+/// The sign is the side of the angle-weighted pseudonormal of the closest feature (Baerentzen & Aanaes 2005):
+/// right wherever the part bounds a solid, also where bodies touch in a point. Where its surface crosses
+/// itself or whole shells overlap, a point has the sign of the sheet that is nearest.
 /// @param p_P      where [m], frame P, finite
 /// @param seed     see TriangleTree::closest
-/// @param reach_m  when positive distance is larger than this, `triangle` is -1 and the distance infinite;
-/// points
+/// @param reach_m  where the distance is larger than this, `triangle` is -1 and the distance infinite; points
 ///                 inside are always answered
 /// noexcept, allocates nothing.
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,

@@ -96,7 +96,7 @@ bool visit(RTCPointQueryFunctionArguments* args) {
 struct RaySearch {
   RTCIntersectContext context;  // first, so that Embree's pointer to it is a pointer to this
   const Part* part;
-  int start;
+  int start;  ///< triangle that the ray starts on
   Vec3 origin, direction;
   double scale;
   RayExit exit;
@@ -111,9 +111,9 @@ bool share_vertex(const Part& part, int a, int b) noexcept {
   return false;
 }
 
-/// Distance along the ray to triangle t where it passes outwards, infinite elsewhere
+/// Distance along the ray to triangle t where it passes outwards [m], infinite elsewhere
 /// (Moeller & Trumbore 1997, in double).
-double exit_distance(const RaySearch& search, int t) noexcept {
+double exit_distance_m(const RaySearch& search, int t) noexcept {
   constexpr double none = std::numeric_limits<double>::infinity();
   const auto corner = [&](int k) -> Vec3 { return search.part->vertices.col(search.part->triangles(k, t)); };
   const Vec3 a = corner(0), ab = corner(1) - a, ac = corner(2) - a;
@@ -125,8 +125,8 @@ double exit_distance(const RaySearch& search, int t) noexcept {
   const double u = from_a.dot(p) / determinant, v = search.direction.dot(r) / determinant;
   constexpr double tolerance = 1e-12;  // a ray through an edge must not slip between both triangles
   if (u < -tolerance || v < -tolerance || u + v > 1 + tolerance) return none;
-  const double distance = ac.dot(r) / determinant;
-  return distance >= 0 ? distance : none;
+  const double distance_m = ac.dot(r) / determinant;
+  return distance_m >= 0 ? std::abs(distance_m) : none;  // abs: a zero without sign
 }
 
 void intersect(const RTCIntersectFunctionNArguments* args) {
@@ -134,15 +134,33 @@ void intersect(const RTCIntersectFunctionNArguments* args) {
   RaySearch& search = *reinterpret_cast<RaySearch*>(args->context);
   const int t = static_cast<int>(args->primID);
   if (t == search.start) return;
-  const double distance = exit_distance(search, t);
+  const double distance_m = exit_distance_m(search, t);
   RayExit& exit = search.exit;
-  if (distance > exit.distance_m || (distance == exit.distance_m && t >= exit.triangle)) return;
-  if (!std::isfinite(distance) || share_vertex(*search.part, t, search.start)) return;
-  exit = {t, distance};
+  if (distance_m > exit.distance_m || (distance_m == exit.distance_m && t >= exit.triangle)) return;
+  if (share_vertex(*search.part, t, search.start)) return;
+  exit = {t, distance_m};
   RTCRayHit& ray = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-  ray.ray.tfar = static_cast<float>(distance * search.scale * (1 + relative_slack) + absolute_slack);
+  ray.ray.tfar = static_cast<float>(distance_m * search.scale * (1 + relative_slack) + absolute_slack);
   ray.hit.primID = args->primID;
   ray.hit.geomID = args->geomID;
+}
+
+void cast(RTCScene scene, RaySearch& search) noexcept {
+  rtcInitIntersectContext(&search.context);
+  const Vec3 from = search.origin * search.scale;
+  RTCRayHit ray{};
+  ray.ray.org_x = static_cast<float>(from.x());
+  ray.ray.org_y = static_cast<float>(from.y());
+  ray.ray.org_z = static_cast<float>(from.z());
+  ray.ray.dir_x = static_cast<float>(search.direction.x());
+  ray.ray.dir_y = static_cast<float>(search.direction.y());
+  ray.ray.dir_z = static_cast<float>(search.direction.z());
+  ray.ray.tnear = 0;
+  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.mask = ~0u;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene, &search.context, &ray);
 }
 
 void bounds(const RTCBoundsFunctionArguments* args) {
@@ -257,23 +275,8 @@ ClosestTriangle TriangleTree::Impl::far_closest(const Vec3& q, double reach_m) c
 }
 
 RayExit TriangleTree::first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept {
-  const Impl& impl = *impl_;
-  RaySearch search{{}, impl.part.get(), start, origin, direction, impl.frames.scale, {}};
-  rtcInitIntersectContext(&search.context);
-  const Vec3 from = origin * impl.frames.scale;
-  RTCRayHit ray{};
-  ray.ray.org_x = static_cast<float>(from.x());
-  ray.ray.org_y = static_cast<float>(from.y());
-  ray.ray.org_z = static_cast<float>(from.z());
-  ray.ray.dir_x = static_cast<float>(direction.x());
-  ray.ray.dir_y = static_cast<float>(direction.y());
-  ray.ray.dir_z = static_cast<float>(direction.z());
-  ray.ray.tnear = 0;
-  ray.ray.tfar = std::numeric_limits<float>::infinity();
-  ray.ray.mask = ~0u;
-  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(impl.scene, &search.context, &ray);
+  RaySearch search{{}, impl_->part.get(), start, origin, direction, impl_->frames.scale, {}};
+  cast(impl_->scene, search);
   return search.exit;
 }
 

@@ -29,7 +29,7 @@ TEST(ThinnestWall, OfAHollowSphereIsTheGapBetweenItsShells) {
 
 TEST(ThinnestWall, OfASolidSphereIsItsDiameter) {
   EXPECT_NEAR(thinnest_of(test::sphere_soup(1, 4)), 2,
-              0.01);  // facets lie up to 0.0012 inside, rays hit unlike ones
+              0.012);  // the largest facets lie 0.006 inside the sphere
 }
 
 TEST(ThinnestWall, OfAWedgeIsNotItsSharpEdge) {
