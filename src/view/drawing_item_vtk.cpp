@@ -1,0 +1,114 @@
+#include "view/drawing_item_vtk.hpp"
+
+#include <vtkBrush.h>
+#include <vtkContext2D.h>
+#include <vtkPen.h>
+#include <vtkTextProperty.h>
+
+#include <cmath>
+
+namespace fingerpad {
+namespace {
+
+unsigned char alpha_of(const Colour& colour) {
+  return static_cast<unsigned char>(std::lround(255 * colour.opacity));
+}
+
+/// A line cut into dashes: pairs of end points with the corners between them lost, which is as good for
+/// dashes a few pixels long.
+std::vector<float> dashes_of(const Drawing::Line& line) {
+  std::vector<float> ends;
+  const double period = line.stroke.dash + line.stroke.gap;
+  double along = 0;  // since the start of the present dash
+  for (std::size_t i = 1; i < line.points.size(); ++i) {
+    const Vec2 step = line.points[i] - line.points[i - 1];
+    const double length = step.norm();
+    double done = 0;
+    while (done < length) {
+      const bool drawn = along < line.stroke.dash;
+      const double here = std::min(length - done, (drawn ? line.stroke.dash : period) - along);
+      if (drawn) {
+        for (const double at : {done, done + here}) {
+          const Vec2 p = line.points[i - 1] + step * (at / length);
+          ends.push_back(static_cast<float>(p.x()));
+          ends.push_back(static_cast<float>(p.y()));
+        }
+      }
+      done += here;
+      along += here;
+      if (along >= period - 1e-9) along = 0;
+      if (!(here > 0)) break;
+    }
+  }
+  return ends;
+}
+
+struct Painter {
+  vtkContext2D* context;
+
+  void operator()(const Drawing::Line& line) const {
+    const Colour& colour = line.stroke.colour;
+    context->GetPen()->SetLineType(vtkPen::SOLID_LINE);
+    context->GetPen()->SetColor(colour.red, colour.green, colour.blue, alpha_of(colour));
+    context->GetPen()->SetWidth(static_cast<float>(line.stroke.width));
+    if (line.stroke.dash > 0) {
+      std::vector<float> ends = dashes_of(line);
+      if (!ends.empty()) context->DrawLines(ends.data(), static_cast<int>(ends.size() / 2));
+      return;
+    }
+    std::vector<float> points = flat(line.points);
+    context->DrawPoly(points.data(), static_cast<int>(line.points.size()));
+  }
+
+  void operator()(const Drawing::Area& area) const {
+    context->GetPen()->SetLineType(vtkPen::NO_PEN);
+    context->GetBrush()->SetColor(area.fill.red, area.fill.green, area.fill.blue, alpha_of(area.fill));
+    std::vector<float> points = flat(area.points);
+    context->DrawPolygon(points.data(), static_cast<int>(area.points.size()));
+  }
+
+  void operator()(const Drawing::Text& text) const {
+    vtkTextProperty* property = context->GetTextProp();
+    const TextStyle& style = text.style;
+    property->SetFontFamilyToArial();
+    property->SetFontSize(static_cast<int>(std::lround(style.size)));
+    property->SetBold(style.bold ? 1 : 0);
+    property->SetColor(style.colour.red / 255.0, style.colour.green / 255.0, style.colour.blue / 255.0);
+    property->SetOpacity(style.colour.opacity);
+    property->SetOrientation(style.turned ? 90 : 0);
+    constexpr int across[] = {VTK_TEXT_LEFT, VTK_TEXT_CENTERED, VTK_TEXT_RIGHT};
+    constexpr int upright[] = {VTK_TEXT_BOTTOM, VTK_TEXT_CENTERED, VTK_TEXT_TOP};
+    property->SetJustification(across[static_cast<int>(style.across)]);
+    property->SetVerticalJustification(upright[static_cast<int>(style.upright)]);
+    context->DrawString(static_cast<float>(std::lround(text.at.x())),
+                        static_cast<float>(std::lround(text.at.y())), text.words.c_str());
+  }
+
+  static std::vector<float> flat(const std::vector<Vec2>& points) {
+    std::vector<float> values;
+    values.reserve(2 * points.size());
+    for (const Vec2& p : points) {
+      values.push_back(static_cast<float>(p.x()));
+      values.push_back(static_cast<float>(p.y()));
+    }
+    return values;
+  }
+};
+
+}  // namespace
+
+vtkStandardNewMacro(DrawingItem);
+
+void DrawingItem::show(std::vector<std::shared_ptr<const Drawing>> drawings) {
+  drawings_ = std::move(drawings);
+  this->Modified();
+}
+
+bool DrawingItem::Paint(vtkContext2D* painter) {
+  for (const auto& drawing : drawings_) {
+    for (const auto& mark : drawing->marks()) std::visit(Painter{painter}, mark);
+  }
+  return true;
+}
+
+}  // namespace fingerpad

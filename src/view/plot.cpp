@@ -1,0 +1,83 @@
+#include "view/plot.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/error.hpp"
+#include "view/flat_picture.hpp"
+#include "view/svg.hpp"
+#include "view/touch_chart.hpp"
+
+namespace fingerpad {
+namespace {
+
+bool ends_with(const std::string& path, std::string_view ending) {
+  std::string tail = path.size() < ending.size() ? path : path.substr(path.size() - ending.size());
+  std::transform(tail.begin(), tail.end(), tail.begin(), [](unsigned char c) { return std::tolower(c); });
+  return tail == ending;
+}
+
+std::string subtitle_of(const ViewInput& input, const Vec3& direction_W) {
+  std::string words;
+  if (input.scene) {
+    words = fmt::format("{}, {} ticks a second", input.scene->friction.law,
+                        static_cast<long>(std::lround(input.scene->motion.rate_hz)));
+  }
+  const double largest = direction_W.cwiseAbs().maxCoeff();
+  if (largest < 0.99996192) {
+    words += fmt::format("{}s along ({:.2f}, {:.2f}, {:.2f})", words.empty() ? "" : "; ", direction_W.x(),
+                         direction_W.y(), direction_W.z());
+  }
+  return words;
+}
+
+Drawing plot_drawing(const ViewInput& input, int width, int height) {
+  Drawing page;
+  const double em = width / 62.0;
+  const Vec3 direction_W = main_direction(input.rows);
+  const double margin = 0.8 * em;
+  double top = height - 1.0 * em;
+  page.text({width / 2.0, top}, input.title,
+            {.size = 1.5 * em, .across = Across::centre, .upright = Upright::top, .bold = true});
+  page.text({width / 2.0, top - 2.1 * em}, subtitle_of(input, direction_W),
+            {.size = em, .colour = colours::grey, .across = Across::centre, .upright = Upright::top});
+  top -= 4.0 * em;
+
+  const Chart spectrum = spectrum_chart(touch_series(input.rows, direction_W));
+  double bottom = 0.6 * em;
+  if (!spectrum.panels.empty()) {
+    const double panel = 0.2 * height;
+    draw_chart(page, spectrum, {margin, bottom, width - 2 * margin, panel}, em);
+    bottom += panel + 0.8 * em;
+  }
+  draw_chart(page, touch_chart(input.rows, direction_W, touch_levels(input)),
+             {margin, bottom, width - 2 * margin, top - bottom}, em);
+  return page;
+}
+
+}  // namespace
+
+void write_drawing(const Drawing& drawing, int width, int height, const std::string& title,
+                   const std::string& path) {
+  if (ends_with(path, ".svg")) {
+    write_svg(drawing, width, height, title, path);
+  } else if (ends_with(path, ".png")) {
+    write_flat_png(drawing, width, height, path);
+  } else {
+    throw Error(ErrorKind::usage, path, "a plot ends in .png or .svg");
+  }
+}
+
+void write_plot(const ViewInput& input, const std::string& path, int page_width) {
+  if (page_width < 300 || page_width > 10000) {
+    throw Error(ErrorKind::usage, path, "a page is 300 to 10000 pixels wide");
+  }
+  if (input.rows.size() < 2 || !(input.rows.back().t_s > input.rows.front().t_s)) {
+    throw refused(input.title, "holds fewer than two moments: nothing to plot against time");
+  }
+  const int height = page_width * 6 / 5;
+  write_drawing(plot_drawing(input, page_width, height), page_width, height, input.title, path);
+}
+
+}  // namespace fingerpad

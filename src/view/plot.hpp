@@ -1,0 +1,24 @@
+#pragma once
+
+#include <string>
+
+#include "view/chart.hpp"
+#include "view/view_input.hpp"
+
+namespace fingerpad {
+
+/// Plots a touch as the paper lays out its figures: position (stick dotted, stick centre dashed), speed,
+/// forces, coefficient of friction and phase over one time axis, and the spectra of the forces below.
+///
+/// PNG or SVG by the path's ending. SVG needs no screen; PNG starts a virtual one where there is none.
+/// Throws Error: usage for another ending, refused for rows without a time span, fault where the file cannot
+/// be written.
+/// @param page_width  [px], 300 .. 10000; the page is 1.2 times as high
+void write_plot(const ViewInput& input, const std::string& path, int page_width);
+inline constexpr int plot_page_width = 1400;
+
+/// Writes any drawing as PNG or SVG by the path's ending; errors as write_plot.
+void write_drawing(const Drawing& drawing, int width, int height, const std::string& title,
+                   const std::string& path);
+
+}  // namespace fingerpad

@@ -1,0 +1,53 @@
+#include "view/spectrum.hpp"
+
+#include <cmath>
+#include <complex>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
+
+namespace fingerpad {
+namespace {
+
+/// A power of two: eight windows or so of a long record, up to 4096 samples.
+std::size_t window_length(std::size_t samples) {
+  std::size_t length = 32;
+  while (length < 4096 && length * 2 <= samples / 4) length *= 2;
+  return length;
+}
+
+}  // namespace
+
+Spectrum welch_spectrum(std::span<const double> samples, double rate_hz) {
+  Spectrum spectrum;
+  if (samples.size() < 32) return spectrum;
+  const std::size_t length = window_length(samples.size());
+  std::vector<double> window(length), piece(length);
+  double window_power = 0;
+  for (std::size_t i = 0; i < length; ++i) {
+    const double phase = 2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length);
+    window[i] = 0.5 - 0.5 * std::cos(phase);
+    window_power += window[i] * window[i];
+  }
+
+  Eigen::FFT<double> fft;
+  std::vector<std::complex<double>> transform;
+  std::vector<double> power(length / 2 + 1, 0.0);
+  double pieces = 0;
+  for (std::size_t start = 0; start + length <= samples.size(); start += length / 2) {
+    double mean = 0;
+    for (std::size_t i = 0; i < length; ++i) mean += samples[start + i] / static_cast<double>(length);
+    for (std::size_t i = 0; i < length; ++i) piece[i] = window[i] * (samples[start + i] - mean);
+    fft.fwd(transform, piece);
+    for (std::size_t k = 0; k < power.size(); ++k) power[k] += std::norm(transform[k]);
+    ++pieces;
+  }
+
+  for (std::size_t k = 0; k < power.size(); ++k) {
+    const double sides = k == 0 || k == length / 2 ? 1 : 2;
+    spectrum.frequency_hz.push_back(static_cast<double>(k) * rate_hz / static_cast<double>(length));
+    spectrum.density.push_back(sides * power[k] / (pieces * rate_hz * window_power));
+  }
+  return spectrum;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,60 @@
+#include "view/stick_region.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "base/tangent_frame.hpp"
+#include "friction/law_parameters.hpp"
+
+namespace fingerpad {
+
+std::optional<StickAxes> stick_axes(const FrictionSettings& friction, const SurfaceProperties& surface,
+                                    double inclination_rad) {
+  const double stiffness_per_m = friction.settings.number(stiffness_per_newton_parameter);
+  if (friction.law == "stick-slip") {
+    const double radius_m = surface.mu_static / stiffness_per_m;
+    return StickAxes{radius_m, radius_m};
+  }
+  if (friction.law != "finger-pad") return std::nullopt;
+  const PadProfile pad = friction.settings.profile.value_or(assumed_profile(0.3, stiffness_per_m));
+  const double scale = surface.mu_static / pad.mu_static;
+  return StickAxes{scale * pad.lateral_axis_at(inclination_rad),
+                   scale * pad.longitudinal_axis_at(inclination_rad)};
+}
+
+Vec3 finger_direction(const Vec3& scene_direction_W, const TickRecord& row) {
+  if (row.phase == Phase::free || !std::isfinite(row.inclination_rad)) return scene_direction_W;
+  const Vec3 along = tangent_frame(row.normal_W, scene_direction_W).col(1);
+  return std::cos(row.inclination_rad) * along - std::sin(row.inclination_rad) * row.normal_W;
+}
+
+std::optional<StickRegion> stick_region(const Scene& scene, const SurfaceProperties& surface,
+                                        const TickRecord& row) {
+  if (row.phase == Phase::free) return std::nullopt;
+  const auto axes = stick_axes(scene.friction, surface, row.inclination_rad);
+  if (!axes || !(axes->lateral_m > 0) || !(axes->longitudinal_m > 0)) return std::nullopt;
+  const Mat3 frame = tangent_frame(row.normal_W, scene.finger.direction);
+  StickRegion region{*axes, row.stick_centre_W, frame.col(0), frame.col(1)};
+  if (row.phase == Phase::stick && row.stick_centre_W.allFinite()) return region;
+  // f = -mu_s n (d_x/a, d_y/b), solved for the displacement d from the centre.
+  const double limit_n = surface.mu_static * row.normal_force_n;
+  if (!(limit_n > 0)) return std::nullopt;
+  region.centre_W =
+      row.contact_W +
+      region.lateral_W * (row.friction_W_n.dot(region.lateral_W) * axes->lateral_m / limit_n) +
+      region.longitudinal_W * (row.friction_W_n.dot(region.longitudinal_W) * axes->longitudinal_m / limit_n);
+  return region;
+}
+
+std::vector<Vec3> rim_points(const StickRegion& region, int count) {
+  std::vector<Vec3> points;
+  points.reserve(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double angle = 2 * std::numbers::pi * i / count;
+    points.emplace_back(region.centre_W + region.axes.lateral_m * std::cos(angle) * region.lateral_W +
+                        region.axes.longitudinal_m * std::sin(angle) * region.longitudinal_W);
+  }
+  return points;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "touch/tick_record.hpp"
+
+namespace fingerpad {
+
+/// How far the contact point may be from the stick centre before it slips: half axes of an ellipse [m].
+struct StickAxes {
+  double lateral_m = 0;       ///< across the finger
+  double longitudinal_m = 0;  ///< along the finger
+};
+
+/// The stick region of a scene's law on a surface, at a finger's inclination [rad].
+///
+/// stick-slip: the circle mu_s/k_f. finger-pad: the profile's axes (or the assumed ones), scaled by
+/// mu_s/mu_profile; see DESIGN, "Axes". Nothing for laws that have no region of this kind.
+std::optional<StickAxes> stick_axes(const FrictionSettings& friction, const SurfaceProperties& surface,
+                                    double inclination_rad);
+
+/// The stick region in space at one tick. In stick its centre is the stick centre; in slip it is where the
+/// centre would be if stick began now (paper, eq. 2-3: the spring would pull with the present friction).
+struct StickRegion {
+  StickAxes axes;
+  Vec3 centre_W = Vec3::Zero();
+  Vec3 lateral_W = Vec3::UnitX(), longitudinal_W = Vec3::UnitY();  ///< unit, in the tangent plane
+};
+
+/// The region at a tick. Nothing while free, or where the law has none.
+std::optional<StickRegion> stick_region(const Scene& scene, const SurfaceProperties& surface,
+                                        const TickRecord& row);
+
+/// The finger's direction at a tick: the scene's, raised to the inclination that the tick recorded.
+Vec3 finger_direction(const Vec3& scene_direction_W, const TickRecord& row);
+
+/// `count` points of the region's rim, in order [m].
+std::vector<Vec3> rim_points(const StickRegion& region, int count);
+
+}  // namespace fingerpad

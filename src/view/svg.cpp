@@ -1,0 +1,106 @@
+#include "view/svg.hpp"
+
+#include <fmt/format.h>
+
+#include <iterator>
+
+#include "trace/output_file.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::string escaped(const std::string& words) {
+  std::string out;
+  for (const char c : words) {
+    switch (c) {
+      case '&':
+        out += "&amp;";
+        break;
+      case '<':
+        out += "&lt;";
+        break;
+      case '>':
+        out += "&gt;";
+        break;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x20) out += c;
+    }
+  }
+  return out;
+}
+
+/// Writes marks as elements. SVG's y points down.
+struct ElementWriter {
+  std::string& out;
+  double height;
+
+  auto end() { return std::back_inserter(out); }
+
+  std::string coordinates(const std::vector<Vec2>& points) const {
+    std::string list;
+    for (const Vec2& p : points) {
+      fmt::format_to(std::back_inserter(list), "{:.2f},{:.2f} ", p.x(), height - p.y());
+    }
+    if (!list.empty()) list.pop_back();
+    return list;
+  }
+
+  static std::string paint(const char* name, const Colour& colour) {
+    std::string text = fmt::format("{}=\"#{:02x}{:02x}{:02x}\"", name, colour.red, colour.green, colour.blue);
+    if (colour.opacity < 1) text += fmt::format(" {}-opacity=\"{:.3g}\"", name, colour.opacity);
+    return text;
+  }
+
+  void operator()(const Drawing::Line& line) {
+    fmt::format_to(end(), "<polyline points=\"{}\" fill=\"none\" {} stroke-width=\"{:.2f}\"",
+                   coordinates(line.points), paint("stroke", line.stroke.colour), line.stroke.width);
+    if (line.stroke.dash > 0) {
+      fmt::format_to(end(), " stroke-dasharray=\"{:.2f} {:.2f}\"", line.stroke.dash, line.stroke.gap);
+    }
+    out += " stroke-linejoin=\"round\"/>\n";
+  }
+
+  void operator()(const Drawing::Area& area) {
+    fmt::format_to(end(), "<polygon points=\"{}\" {}/>\n", coordinates(area.points),
+                   paint("fill", area.fill));
+  }
+
+  void operator()(const Drawing::Text& text) {
+    const TextStyle& style = text.style;
+    constexpr const char* anchors[] = {"start", "middle", "end"};
+    // The height of a capital is .72 em; renderers differ in dominant-baseline, so it is reckoned here.
+    const double drop = style.upright == Upright::top      ? 0.72 * style.size
+                        : style.upright == Upright::middle ? 0.36 * style.size
+                                                           : 0;
+    const double x = text.at.x() + (style.turned ? drop : 0);
+    const double y = height - text.at.y() + (style.turned ? 0 : drop);
+    fmt::format_to(end(), "<text x=\"{:.2f}\" y=\"{:.2f}\" font-size=\"{:.2f}\" text-anchor=\"{}\" {}", x, y,
+                   style.size, anchors[static_cast<int>(style.across)], paint("fill", style.colour));
+    if (style.bold) out += " font-weight=\"bold\"";
+    if (style.turned) fmt::format_to(end(), " transform=\"rotate(-90 {:.2f} {:.2f})\"", x, y);
+    fmt::format_to(end(), ">{}</text>\n", escaped(text.words));
+  }
+};
+
+}  // namespace
+
+std::string svg_page(const Drawing& drawing, int width, int height, const std::string& title) {
+  std::string out = fmt::format(
+      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
+      "font-family=\"Arial, Helvetica, sans-serif\">\n<title>{2}</title>\n"
+      "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
+      width, height, escaped(title));
+  ElementWriter writer{out, static_cast<double>(height)};
+  for (const auto& mark : drawing.marks()) std::visit(writer, mark);
+  out += "</svg>\n";
+  return out;
+}
+
+void write_svg(const Drawing& drawing, int width, int height, const std::string& title,
+               const std::string& path) {
+  OutputFile file(path);
+  file.write(svg_page(drawing, width, height, title));
+  file.commit();
+}
+
+}  // namespace fingerpad

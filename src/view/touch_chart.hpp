@@ -1,0 +1,31 @@
+#pragma once
+
+#include <span>
+
+#include "view/chart.hpp"
+#include "view/touch_series.hpp"
+#include "view/view_input.hpp"
+
+namespace fingerpad {
+
+/// The levels that a scene draws into its charts; zero leaves one out.
+struct TouchLevels {
+  double mu_static = 0, mu_dynamic = 0, v_min_m_per_s = 0;
+};
+
+/// Levels of the surface that was touched first, where the scene and its world are known.
+TouchLevels touch_levels(const ViewInput& input);
+
+/// The paper's figure layout (figs. 2 and 12): position along the main direction (slip solid, stick dotted,
+/// stick centre dashed), tangential speed, forces, and coefficient of friction over one time axis, with a
+/// band of phases.
+Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, const TouchLevels& levels);
+
+/// As touch_chart for a finger that goes anywhere: position as x, y and z.
+Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels);
+
+/// Power spectral density of tangential and normal force (paper, fig. 11). No panels if the rows are too few
+/// for one.
+Chart spectrum_chart(const TouchSeries& series);
+
+}  // namespace fingerpad

@@ -1,0 +1,80 @@
+#include "view/touch_series.hpp"
+
+#include <Eigen/Eigenvalues>
+#include <cmath>
+
+namespace fingerpad {
+namespace {
+
+const Vec3& place_of(const TickRecord& row) {
+  return row.phase == Phase::free ? row.p_WQ : row.contact_W;
+}
+
+std::string name_of(const Vec3& direction_W) {
+  constexpr double half_degree_cosine = 0.99996192;
+  constexpr const char* names[] = {"x", "y", "z"};
+  for (int axis = 0; axis < 3; ++axis) {
+    if (direction_W[axis] > half_degree_cosine) return names[axis];
+  }
+  return "s";
+}
+
+}  // namespace
+
+Vec3 main_direction(std::span<const TickRecord> rows) {
+  bool any_contact = false;
+  for (const TickRecord& row : rows) any_contact |= row.phase != Phase::free;
+  Vec3 mean = Vec3::Zero();
+  double count = 0;
+  for (const TickRecord& row : rows) {
+    if (any_contact && row.phase == Phase::free) continue;
+    mean += place_of(row);
+    ++count;
+  }
+  if (count < 2) return Vec3::UnitX();
+  mean /= count;
+  Mat3 spread = Mat3::Zero();
+  for (const TickRecord& row : rows) {
+    if (any_contact && row.phase == Phase::free) continue;
+    const Vec3 offset = place_of(row) - mean;
+    spread += offset * offset.transpose();
+  }
+  if (!(spread.trace() > 0) || !spread.allFinite()) return Vec3::UnitX();
+  Vec3 direction = Eigen::SelfAdjointEigenSolver<Mat3>(spread).eigenvectors().col(2);
+  int largest = 0;
+  direction.cwiseAbs().maxCoeff(&largest);
+  if (direction[largest] < 0) direction = -direction;
+  return direction;
+}
+
+double tangential_speed(const TickRecord& before, const TickRecord& row) {
+  const double dt_s = row.t_s - before.t_s;
+  if (row.phase == Phase::free || before.phase == Phase::free || !(dt_s > 0)) return TickRecord::nan;
+  const Vec3 step = row.p_WQ - before.p_WQ;
+  return (step - step.dot(row.normal_W) * row.normal_W).norm() / dt_s;
+}
+
+TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction_W) {
+  TouchSeries series;
+  series.direction_W = direction_W;
+  series.direction_name = name_of(direction_W);
+  const bool world_axis = series.direction_name != "s";
+  const Vec3 origin = world_axis || rows.empty() ? Vec3::Zero() : place_of(rows.front());
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const TickRecord& row = rows[i];
+    const bool free = row.phase == Phase::free;
+    series.t_s.push_back(row.t_s);
+    series.position_m.push_back((place_of(row) - origin).dot(direction_W));
+    series.centre_m.push_back((row.stick_centre_W - origin).dot(direction_W));
+    series.speed_m_per_s.push_back(i > 0 ? tangential_speed(rows[i - 1], row) : TickRecord::nan);
+    series.normal_force_n.push_back(row.normal_force_n);
+    Vec3 along = free ? direction_W : Vec3(direction_W - direction_W.dot(row.normal_W) * row.normal_W);
+    if (along.norm() > 1e-9) along.normalize();
+    series.friction_n.push_back(row.friction_W_n.dot(along));
+    series.mu.push_back(free ? TickRecord::nan : row.mu);
+    series.phase.push_back(row.phase);
+  }
+  return series;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "touch/tick_record.hpp"
+
+namespace fingerpad {
+
+/// A touch against time, as the paper draws it: along the one direction in which the finger mostly rubbed.
+struct TouchSeries {
+  Vec3 direction_W = Vec3::UnitX();  ///< unit
+  std::string direction_name;        ///< "x" where it is a world axis, to half a degree, else "s"
+  std::vector<double> t_s;
+  std::vector<double> position_m;     ///< along the direction: of the contact point, of the finger while free
+  std::vector<double> centre_m;       ///< of the stick centre; nan unless sticking
+  std::vector<double> speed_m_per_s;  ///< tangential; nan while free and on the first tick of a contact
+  std::vector<double> normal_force_n;
+  std::vector<double> friction_n;  ///< component along the direction, within the tangent plane
+  std::vector<double> mu;          ///< nan while free
+  std::vector<Phase> phase;
+};
+
+/// The direction of most motion: the first principal axis of the contact points (of the finger where nothing
+/// was touched). Signed so that its largest component is positive.
+Vec3 main_direction(std::span<const TickRecord> rows);
+
+TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction_W);
+
+/// Tangential speed from one tick to the next [m/s]; nan unless both are in contact.
+double tangential_speed(const TickRecord& before, const TickRecord& row);
+
+}  // namespace fingerpad

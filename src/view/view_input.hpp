@@ -1,0 +1,30 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+#include "touch/tick_record.hpp"
+#include "touch/world.hpp"
+#include "trace/trace.hpp"
+
+namespace fingerpad {
+
+/// What a picture or a window shows: a mesh (world alone), a scene (world, scene, and rows once it was
+/// replayed) or a trace.
+struct ViewInput {
+  std::string title;
+  std::shared_ptr<const World>
+      world;                     ///< empty where the surfaces are not known: then the path alone is shown
+  std::optional<Scene> scene;    ///< the law, the finger and its direction, where known
+  std::vector<TickRecord> rows;  ///< in order of time; empty for a mesh
+};
+
+/// A trace with the scene that it holds. Surfaces that the trace has not embedded are loaded from the meshes
+/// its scene names; where those cannot be read the world stays empty.
+/// @param path  of the trace: where relative paths of its scene start, and the title of a trace without name
+ViewInput view_of_trace(Trace trace, const std::string& path);
+
+}  // namespace fingerpad
