@@ -15,12 +15,13 @@ class Dahl final : public FrictionLaw {
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     const TangentialMotion m = bounded(motion);
-    if (state.phase == Phase::free) return bristle_answer(m, {0, 0}, {0, 0}, Phase::stick, state);
+    if (state.phase == Phase::free) return bristle_answer({0, 0}, {0, 0}, Phase::stick, state);
     bound(state);
     const double z_c = m.mu_dynamic * m.normal_force_n / stiffness_n_per_m_;
     const Vec2 held = shortened(state.deflection_m, z_c);
-    const Vec2 z = z_c > 0 ? dahl_step(held, m.step_m, z_c) : held;
-    return bristle_answer(m, -stiffness_n_per_m_ * z, z, bristle_phase(z - held, m.step_m), state);
+    const double moved = length(m.step_m);
+    const Vec2 z = z_c > 0 ? dahl_step(held, m.step_m, moved, z_c) : held;
+    return bristle_answer(-stiffness_n_per_m_ * z, z, bristle_phase(z - held, moved), state);
   }
 
  private:

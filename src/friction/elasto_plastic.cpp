@@ -32,32 +32,34 @@ class ElastoPlastic final : public FrictionLaw {
     bound(state);
     const Vec2 held = shortened(state.deflection_m, m.mu_static * m.normal_force_n / bristle_.sigma0_n_per_m);
     const double z_ss = bristle_.steady_deflection_m(m, length(m.velocity_m_per_s));
-    const Vec2 z = first || z_ss <= 0 ? held : stepped(held, m.step_m, z_ss);
-    const Phase phase = first ? Phase::stick : bristle_phase(z - held, m.step_m);
+    const double moved = length(m.step_m);
+    const Vec2 z = first || z_ss <= 0 ? held : stepped(held, m.step_m, moved, z_ss);
+    const Phase phase = first ? Phase::stick : bristle_phase(z - held, moved);
     const Vec2 force = first ? Vec2(Vec2::Zero()) : bristle_.force_n(m, z, z - held);
-    return bristle_answer(m, force, z, phase, state);
+    return bristle_answer(force, z, phase, state);
   }
 
  private:
   /// How plastic the bristle is, 0 .. 1 (Dupont 2002, eq. for alpha). |z| within the sine: a signed z there
   /// makes one direction of motion stiffer than the other.
-  double alpha(const Vec2& z, const Vec2& step, double z_ss) const noexcept {
-    const double stretch = length(z), z_ba = elastic_share_ * z_ss;
-    if (z.dot(step) <= 0 || stretch <= z_ba) return 0;
+  double alpha(const Vec2& z, double stretch, const Vec2& step, double z_ss) const noexcept {
+    const double z_ba = elastic_share_ * z_ss;
+    if (stretch <= z_ba || z.dot(step) <= 0) return 0;
     if (stretch >= z_ss) return 1;
     return 0.5 + 0.5 * std::sin(std::numbers::pi * (stretch - 0.5 * (z_ss + z_ba)) / (z_ss - z_ba));
   }
 
-  static Vec2 step_at(double alpha, const Vec2& z, const Vec2& step, double z_ss) noexcept {
-    return alpha > 1e-12 ? dahl_step(z, step, z_ss / alpha) : Vec2(z + step);
+  static Vec2 step_at(double alpha, const Vec2& z, const Vec2& step, double moved, double z_ss) noexcept {
+    return alpha > 1e-12 ? dahl_step(z, step, moved, z_ss / alpha) : Vec2(z + step);
   }
 
-  Vec2 stepped(const Vec2& z, const Vec2& step, double z_ss) const noexcept {
+  Vec2 stepped(const Vec2& z, const Vec2& step, double moved, double z_ss) const noexcept {
     const double stretch = length(z);
-    if (stretch + length(step) <= elastic_share_ * z_ss) return z + step;
-    const Vec2 half = step / 2;
-    const Vec2 middle = step_at(alpha(z, step, z_ss), z, half, z_ss);
-    return shortened(step_at(alpha(middle, step, z_ss), z, step, z_ss), std::max(stretch, z_ss));
+    if (stretch + moved <= elastic_share_ * z_ss) return z + step;
+    const double at_start = alpha(z, stretch, step, z_ss);
+    const Vec2 middle = step_at(at_start, z, step / 2, moved / 2, z_ss);
+    const double at_middle = alpha(middle, length(middle), step, z_ss);
+    return shortened(step_at(at_middle, z, step, moved, z_ss), std::max(stretch, z_ss));
   }
 
   StribeckBristle bristle_;

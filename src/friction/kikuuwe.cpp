@@ -18,7 +18,7 @@ class Kikuuwe final : public FrictionLaw {
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     const TangentialMotion m = bounded(motion);
-    if (state.phase == Phase::free) return bristle_answer(m, {0, 0}, {0, 0}, Phase::stick, state);
+    if (state.phase == Phase::free) return bristle_answer({0, 0}, {0, 0}, Phase::stick, state);
     bound(state);
     const double limit_n = m.mu_dynamic * m.normal_force_n;
     const double per_step = damping_n_s_per_m_ / m.dt_s;
@@ -28,7 +28,7 @@ class Kikuuwe final : public FrictionLaw {
     const Vec2 next = (f + per_step * e) / (stiffness_n_per_m_ + per_step);
     // One that stands on the limit sticks there: rounding must not make it slip at rest.
     const bool saturated = length(wanted) > limit_n * (1 + 1e-12);
-    return bristle_answer(m, -f, next, saturated ? Phase::slip : Phase::stick, state);
+    return bristle_answer(-f, next, saturated ? Phase::slip : Phase::stick, state);
   }
 
  private:

@@ -22,10 +22,11 @@ class LuGre final : public FrictionLaw {
     bound(state);
     const Vec2 held = shortened(state.deflection_m, m.mu_static * m.normal_force_n / bristle_.sigma0_n_per_m);
     const double z_c = bristle_.steady_deflection_m(m, length(m.velocity_m_per_s));
-    const Vec2 z = first || z_c <= 0 ? held : dahl_step(held, m.step_m, z_c);
-    const Phase phase = first ? Phase::stick : bristle_phase(z - held, m.step_m);
+    const double moved = length(m.step_m);
+    const Vec2 z = first || z_c <= 0 ? held : dahl_step(held, m.step_m, moved, z_c);
+    const Phase phase = first ? Phase::stick : bristle_phase(z - held, moved);
     const Vec2 force = first ? Vec2(Vec2::Zero()) : bristle_.force_n(m, z, z - held);
-    return bristle_answer(m, force, z, phase, state);
+    return bristle_answer(force, z, phase, state);
   }
 
  private:

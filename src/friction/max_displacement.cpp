@@ -23,16 +23,16 @@ class MaxDisplacement final : public FrictionLaw {
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     const TangentialMotion m = bounded(motion);
-    if (state.phase == Phase::free) return bristle_answer(m, {0, 0}, {0, 0}, Phase::stick, state);
+    if (state.phase == Phase::free) return bristle_answer({0, 0}, {0, 0}, Phase::stick, state);
     bound(state);
     const Vec2& before = state.deflection_m;
-    const double yielded =
-        stick_m_ > 0 ? std::min(1.0, length(m.step_m) * yielding_per_m(length(before))) : 0;
+    const double moved = length(m.step_m);
+    const double yielded = stick_m_ > 0 ? std::min(1.0, moved * yielding_per_m(length(before))) : 0;
     const Vec2 stretched = before + m.step_m - yielded * before;
     const Vec2 z = shortened(stretched, max_m_);
     const bool yields = length(stretched) > max_m_ * (1 + 1e-12);
-    const Phase phase = yields ? Phase::slip : bristle_phase(z - before, m.step_m);
-    return bristle_answer(m, (-m.mu_dynamic * m.normal_force_n / max_m_) * z, z, phase, state);
+    const Phase phase = yields ? Phase::slip : bristle_phase(z - before, moved);
+    return bristle_answer((-m.mu_dynamic * m.normal_force_n / max_m_) * z, z, phase, state);
   }
 
  private:

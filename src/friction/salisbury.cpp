@@ -26,7 +26,7 @@ class Salisbury final : public FrictionLaw {
       z = direction_of(z) * (m.mu_dynamic * m.normal_force_n / stiffness_n_per_m_);
       phase = Phase::slip;
     }
-    return bristle_answer(m, -stiffness_n_per_m_ * z, z, phase, state);
+    return bristle_answer(-stiffness_n_per_m_ * z, z, phase, state);
   }
 
  private:

@@ -28,7 +28,9 @@ struct StribeckBristle {
   /// g(v)/sigma_0: deflection of steady sliding; g = F_c + (F_s - F_c) e^(-(v/v_s)^2), F = mu n.
   double steady_deflection_m(const TangentialMotion& m, double speed_m_per_s) const noexcept {
     const double ratio = speed_m_per_s / stribeck_speed_m_per_s;
-    const double mu = m.mu_dynamic + (m.mu_static - m.mu_dynamic) * std::exp(-ratio * ratio);
+    const double square = ratio * ratio;
+    const double fallen = square < 40 ? std::exp(-square) : 0;
+    const double mu = m.mu_dynamic + (m.mu_static - m.mu_dynamic) * fallen;
     return mu * m.normal_force_n / sigma0_n_per_m;
   }
 

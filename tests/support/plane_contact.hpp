@@ -32,7 +32,7 @@ struct PlaneContact {
     motion.velocity_m_per_s = velocity_m_per_s;
     motion.step_m = touched ? Vec2(p_m - at_m) : Vec2(Vec2::Zero());
     motion.from_centre_m = state.phase == Phase::stick ? Vec2(p_m - centre_m) : Vec2(Vec2::Zero());
-    const Friction answer = law.tick(motion, state);
+    Friction answer = law.tick(motion, state);
     if (answer.centre_moved) centre_m = p_m - answer.from_centre_m;
     at_m = p_m;
     touched = true;
