@@ -58,7 +58,7 @@ int check(const CheckOptions& options) {
     double wall_m = std::nan("");
     if (imported.part) {
       const TriangleTree tree(imported.part);
-      wall_m = thinnest_wall_m(tree);
+      wall_m = thinnest_wall_m(*imported.part, tree);
     }
     if (options.json) {
       report.push_back(verdict_json(imported.verdict, wall_m));

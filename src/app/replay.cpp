@@ -38,25 +38,31 @@ void read_shard(const std::string& text, BatchOptions& batch) {
   }
 }
 
-/// What a person is told of one job: its error, or what its figures warn of.
-void tell(const BatchJob& job, const BatchOptions& options) {
-  const std::string name = trace_name(job.job, options.format);
-  if (job.status != "ok") {
-    fmt::print(stderr, "fingerpad: error: {}\n", job.status);
-    return;
+double figure(const BatchJob& job, std::string_view wanted) {
+  const auto names = Figures::names();
+  return job.figures[static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin())];
+}
+
+/// Each job's error, and once for the batch what its figures warn of.
+void tell(const std::vector<BatchJob>& jobs) {
+  long coarse_jobs = 0;
+  double coarse_teeth = 0;
+  for (const BatchJob& job : jobs) {
+    if (job.status.empty()) continue;
+    if (job.status != "ok") {
+      fmt::print(stderr, "fingerpad: error: {}\n", job.status);
+      continue;
+    }
+    const double coarse = figure(job, "coarse_teeth");
+    coarse_jobs += coarse > 0 ? 1 : 0;
+    coarse_teeth += coarse;
   }
-  const auto figure = [&](std::string_view wanted) {
-    const auto names = Figures::names();
-    return job
-        .figures[static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin())];
-  };
-  if (figure("coarse_teeth") > 0) {
-    fmt::print(
-        stderr,
-        "fingerpad: warning: {}: {} stick-slip teeth lasted under ten ticks, too coarse to show their true "
-        "period; raise motion.rate_hz or lower friction.stick_stiffness_per_m\n",
-        name, figure("coarse_teeth"));
-  }
+  if (coarse_jobs == 0) return;
+  fmt::print(
+      stderr,
+      "fingerpad: warning: {} stick-slip teeth in {} {} lasted under ten ticks, too coarse to show their "
+      "true period (coarse_teeth in summary.csv); raise motion.rate_hz or soften the pad\n",
+      coarse_teeth, coarse_jobs, coarse_jobs == 1 ? "trace" : "traces");
 }
 
 int exit_code(const std::vector<BatchJob>& jobs) {
@@ -78,9 +84,7 @@ int replay(ReplayOptions options) {
   run_batch(jobs, options.batch, ranks, [&](const BatchJob& job) { bar.advance(job.job.scene.name); });
   bar.finish();
   if (!ranks.is_root()) return 0;
-  for (const BatchJob& job : jobs) {
-    if (!job.status.empty()) tell(job, options.batch);
-  }
+  tell(jobs);
   const auto ran =
       std::count_if(jobs.begin(), jobs.end(), [](const BatchJob& job) { return !job.status.empty(); });
   const auto good =
