@@ -25,7 +25,7 @@ inline Vec2 dahl_step(const Vec2& z_m, const Vec2& step_m, double moved_m, doubl
 
 /// Slip is where more of a step is plastic than elastic; at rest a bristle sticks.
 inline Phase bristle_phase(const Vec2& stretch_m, double moved_m) noexcept {
-  return moved_m > 0 && length(stretch_m) < 0.5 * moved_m ? Phase::slip : Phase::stick;
+  return 4 * stretch_m.squaredNorm() < moved_m * moved_m ? Phase::slip : Phase::stick;
 }
 
 /// Brings the state up to date and reports the deflection as the way from the stick centre.
@@ -38,7 +38,6 @@ inline Friction bristle_answer(const Vec2& force_n, const Vec2& deflection_m, Ph
     answer.from_centre_m = deflection_m;
     answer.centre_moved = true;  // the bristle is the law's own: the centre follows from it
   } else {
-    if (force_n.x() != 0 || force_n.y() != 0) state.slip_direction = direction_of(-force_n);
     state.slip_force_scale = 1;
   }
   state.phase = phase;

@@ -33,7 +33,7 @@ struct TangentialMotion {
 /// A law's memory of one contact. Value-initialised: no contact yet.
 struct FrictionState {
   Phase phase = Phase::free;      ///< of the last tick
-  Vec2 slip_direction{0, 0};      ///< unit, of the last slip tick
+  Vec2 slip_direction{0, 0};      ///< unit, of the last slip tick; for laws that restick
   Vec2 deflection_m{0, 0};        ///< for laws with a bristle of their own, in frame C
   double last_speed_m_per_s = 0;  ///< for laws that tell a fall through v_min
   double slip_force_scale = 1;    ///< what the caller multiplied the last slip tick's force by before writing

@@ -24,8 +24,11 @@ inline Vec2 direction_of(const Vec2& v) noexcept {
   return scaled / std::sqrt(scaled.x() * scaled.x() + scaled.y() * scaled.y());
 }
 
-/// v, shortened to `limit` where it is longer.
+/// v, shortened to `limit` where it is longer (by more than rounding: a vector once shortened stays as it
+/// is).
 inline Vec2 shortened(const Vec2& v, double limit) noexcept {
+  const double square = v.x() * v.x() + v.y() * v.y();
+  if (limit > 1e-140 && square <= limit * limit * (1 + 4e-15)) return v;
   return length(v) > limit ? Vec2(direction_of(v) * limit) : v;
 }
 
