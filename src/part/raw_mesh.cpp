@@ -30,6 +30,13 @@ void RawMesh::end_polygon() {
   ends.push_back(static_cast<int>(corners.size()));
 }
 
+double float32_of(double coordinate) noexcept {
+  // GCC 12 folds double -> float -> double into nothing where it handles two numbers at a time; volatile
+  // keeps it from that.
+  const volatile float rounded = static_cast<float>(coordinate);
+  return rounded;
+}
+
 long long plausible_count(long long count, std::size_t least_bytes, std::size_t bytes_left,
                           const std::string& place, std::string_view what) {
   if (count < 0) throw refused(place, fmt::format("announces {} {}: a count below zero", count, what));

@@ -45,6 +45,9 @@ RawMesh scan_obj(std::string& bytes);
 RawMesh scan_off(std::string& bytes);
 RawMesh scan_ply(std::string& bytes);
 
+/// A coordinate rounded to float32 and back.
+double float32_of(double coordinate) noexcept;
+
 /// The count as it may be announced by a file that goes on for `bytes_left` bytes of which each item needs at
 /// least `least_bytes`; else throws Error (refused).
 /// @param what  "vertices"

@@ -109,7 +109,7 @@ std::string reconcile(RawMesh& mesh, const OpenMeshDelivery& delivery) {
         delivery.ends.size(), mesh.polygon_count());
   }
   // Vertices that no delivered face named, and all of them after a difference.
-  for (Vec3& vertex : mesh.vertices) vertex = vertex.cast<float>().cast<double>();
+  for (Vec3& vertex : mesh.vertices) vertex = vertex.unaryExpr(&float32_of);
   return lost;
 }
 

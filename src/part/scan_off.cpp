@@ -76,13 +76,18 @@ class OffText {
     return *number;
   }
 
+  /// What is wrong with a word where a number should stand.
+  std::string complaint(std::string_view word) const {
+    return word.empty() && file_.at_end() ? "truncated: the file ends here" : not_a_number(word);
+  }
+
   void vertex() {
     need_line("vertices");
     Vec3 numbers;
     for (int i = 0; i < 3; ++i) {
       const std::string_view word = line_.word_in_line();
       const auto number = coordinate_of(word);
-      if (!number) throw refused(place(), not_a_number(word));
+      if (!number) throw refused(place(), complaint(word));
       numbers[i] = *number;
     }
     mesh_.add_vertex(numbers, static_cast<std::size_t>(line_number_));
@@ -97,7 +102,7 @@ class OffText {
       const std::string_view word = line_.word_in_line();
       const auto index = integer_of(word);
       if (!index)
-        throw refused(place(), fmt::format("corner {} of {}: {}", k + 1, *corners, not_a_number(word)));
+        throw refused(place(), fmt::format("corner {} of {}: {}", k + 1, *corners, complaint(word)));
       mesh_.corners.push_back(*index < 0 || *index >= vertex_count_ ? -1 : static_cast<int>(*index));
     }
     mesh_.end_polygon();
