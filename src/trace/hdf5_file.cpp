@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <cstring>
+
 #include "trace/hdf5_internal.hpp"
 
 namespace fingerpad::hdf5 {
@@ -18,24 +20,8 @@ Handle access_properties(const std::string& path) {
 
 }  // namespace
 
-std::string system_reason() {
-  std::string reason;
-  const auto visit = [](unsigned, const H5E_error2_t* error, void* out) -> herr_t {
-    constexpr std::string_view before = "error message = '";
-    const std::string_view text = error->desc != nullptr ? error->desc : "";
-    const std::size_t start = text.find(before);
-    auto& reason = *static_cast<std::string*>(out);
-    if (start == std::string_view::npos || !reason.empty()) return 0;
-    const std::string_view rest = text.substr(start + before.size());
-    reason = rest.substr(0, rest.find('\''));
-    return 0;
-  };
-  H5Ewalk2(H5E_DEFAULT, H5E_WALK_UPWARD, visit, &reason);
-  return reason.empty() ? reason : ": " + reason;
-}
-
 Error write_error(const std::string& path, const std::string& what) {
-  return {ErrorKind::fault, path, fmt::format("cannot write {}{}", what, system_reason())};
+  return {ErrorKind::fault, path, fmt::format("cannot write {}", what)};
 }
 
 Error read_error(const std::string& path, const std::string& what) {
@@ -43,7 +29,7 @@ Error read_error(const std::string& path, const std::string& what) {
 }
 
 Handle made(hid_t id, herr_t (*closer)(hid_t), const std::string& path) {
-  if (id < 0) throw Error(ErrorKind::fault, path, "HDF5 failed" + system_reason());
+  if (id < 0) throw Error(ErrorKind::fault, path, "HDF5 failed");
   return wrapped(id, closer, path);
 }
 
@@ -72,21 +58,28 @@ Handle create_file(const std::string& path) {
   const Handle access = access_properties(path);
   const Handle creation = made(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path);
   H5Pset_obj_track_times(creation.id(), 0);
+  if (!write_through_disk(access)) throw Error(ErrorKind::fault, path, "HDF5 failed");
+  last_open_failure();
   Handle file = wrapped(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, path);
-  if (!file.open()) throw Error(ErrorKind::fault, path, "cannot be created" + system_reason());
-  return file;
+  if (file.open()) return file;
+  const int failure = last_open_failure();
+  throw Error(ErrorKind::fault, path,
+              fmt::format("cannot be created: {}", failure != 0 ? std::strerror(failure) : "it is open"));
 }
 
 Handle open_file(const std::string& path) {
   const Handle access = access_properties(path);
   Handle file = wrapped(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, path);
-  if (!file.open())
-    throw refused(path, "is no HDF5 file that can be read (cut short or damaged)" + system_reason());
+  if (!file.open()) throw refused(path, "is no HDF5 file that can be read: cut short or damaged");
   return file;
 }
 
 void flush(const Handle& file) {
-  if (H5Fflush(file.id(), H5F_SCOPE_LOCAL) < 0) throw write_error(file.path(), "to the disk");
+  const bool flushed = H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0;
+  if (const int failure = write_failure(file)) {
+    throw Error(ErrorKind::fault, file.path(), fmt::format("cannot be written: {}", std::strerror(failure)));
+  }
+  if (!flushed) throw write_error(file.path(), "to the disk");
 }
 
 Handle create_group(const Handle& parent, const std::string& name) {

@@ -14,9 +14,14 @@ namespace fingerpad::hdf5 {
 static_assert(std::is_same_v<hid_t, Handle::Id>);
 static_assert(std::is_same_v<herr_t, int>);
 
-/// What the system said at the bottom of HDF5's error stack (": No space left on device"); empty if nothing.
-std::string system_reason();
+/// Lets files be written through our own driver, which HDF5 never hears an error from; see hdf5_disk.cpp.
+bool write_through_disk(const Handle& access);
+/// errno of the last file that could not be opened through that driver, once; 0 if all could.
+int last_open_failure();
+/// errno of the first write of this file that failed; 0 if none has.
+int write_failure(const Handle& file);
 
+/// HDF5 itself would not write `what`.
 Error write_error(const std::string& path, const std::string& what);
 Error read_error(const std::string& path, const std::string& what);
 

@@ -74,6 +74,7 @@ class Hdf5TraceWriter final : public TraceWriter {
     write_pending();
     hdf5::flush(file_);  // the rows are safe before the file calls itself complete
     hdf5::write_flag(file_, "complete", true);
+    hdf5::flush(file_);
     const std::string path = file_.path();
     if (!close()) throw Error(ErrorKind::fault, path, "cannot be written to its end");
   }

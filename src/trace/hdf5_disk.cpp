@@ -1,0 +1,173 @@
+// How HDF5 reaches the disk while a trace is written.
+//
+// HDF5 1.10 cannot close a file whose last writes failed: it leaves the file half closed and crashes when the
+// library ends, at exit or in MPI_Finalize. So a trace is written through a driver that never refuses: it
+// keeps the first errno, drops what comes after, and the writer asks for that errno after each flush
+// (`write_failure`).
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+#include <utility>
+
+#include "trace/hdf5_internal.hpp"
+
+namespace fingerpad::hdf5 {
+namespace {
+
+struct Disk {
+  H5FD_t base{};  // first: HDF5 knows a Disk by it
+  int file = -1;
+  int failure = 0;  // errno of the first write that failed
+  haddr_t eoa = 0;  // end of what HDF5 has allotted
+  haddr_t eof = 0;  // end of the file
+  struct stat identity {};
+};
+
+int open_failure = 0;  // errno of the last open; read and written in turns
+
+Disk& disk_of(H5FD_t* file) {
+  return *reinterpret_cast<Disk*>(file);
+}
+const Disk& disk_of(const H5FD_t* file) {
+  return *reinterpret_cast<const Disk*>(file);
+}
+
+H5FD_t* disk_open(const char* name, unsigned flags, hid_t, haddr_t) {
+  int how = (flags & H5F_ACC_RDWR) != 0 ? O_RDWR : O_RDONLY;
+  if ((flags & H5F_ACC_TRUNC) != 0) how |= O_TRUNC;
+  if ((flags & H5F_ACC_CREAT) != 0) how |= O_CREAT;
+  if ((flags & H5F_ACC_EXCL) != 0) how |= O_EXCL;
+  const int file = ::open(name, how | O_CLOEXEC, 0666);
+  if (file < 0) {
+    open_failure = errno;
+    return nullptr;
+  }
+  auto* disk = new Disk;
+  disk->file = file;
+  if (fstat(file, &disk->identity) == 0) disk->eof = static_cast<haddr_t>(disk->identity.st_size);
+  return &disk->base;
+}
+
+herr_t disk_close(H5FD_t* file) {
+  ::close(disk_of(file).file);
+  delete &disk_of(file);
+  return 0;
+}
+
+int disk_compare(const H5FD_t* a, const H5FD_t* b) {
+  const struct stat& x = disk_of(a).identity;
+  const struct stat& y = disk_of(b).identity;
+  if (x.st_dev != y.st_dev) return x.st_dev < y.st_dev ? -1 : 1;
+  if (x.st_ino != y.st_ino) return x.st_ino < y.st_ino ? -1 : 1;
+  return 0;
+}
+
+herr_t disk_query(const H5FD_t*, unsigned long* flags) {
+  *flags = H5FD_FEAT_AGGREGATE_METADATA | H5FD_FEAT_ACCUMULATE_METADATA | H5FD_FEAT_DATA_SIEVE |
+           H5FD_FEAT_AGGREGATE_SMALLDATA | H5FD_FEAT_DEFAULT_VFD_COMPATIBLE;
+  return 0;
+}
+
+haddr_t disk_eoa(const H5FD_t* file, H5FD_mem_t) {
+  return disk_of(file).eoa;
+}
+
+herr_t disk_set_eoa(H5FD_t* file, H5FD_mem_t, haddr_t end) {
+  disk_of(file).eoa = end;
+  return 0;
+}
+
+haddr_t disk_eof(const H5FD_t* file, H5FD_mem_t) {
+  return disk_of(file).eof;
+}
+
+herr_t disk_failure(H5FD_t* file, hid_t, void** out) {
+  *out = &disk_of(file).failure;
+  return 0;
+}
+
+herr_t disk_read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, void* out) {
+  auto* bytes = static_cast<char*>(out);
+  while (size > 0) {
+    const ssize_t count = pread(disk_of(file).file, bytes, size, static_cast<off_t>(at));
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return -1;
+    if (count == 0) break;  // beyond the end of the file all is zero
+    bytes += count;
+    at += static_cast<haddr_t>(count);
+    size -= static_cast<std::size_t>(count);
+  }
+  std::memset(bytes, 0, size);
+  return 0;
+}
+
+herr_t disk_write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, const void* from) {
+  Disk& disk = disk_of(file);
+  const auto* bytes = static_cast<const char*>(from);
+  while (size > 0 && disk.failure == 0) {
+    const ssize_t count = pwrite(disk.file, bytes, size, static_cast<off_t>(at));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      disk.failure = count < 0 ? errno : ENOSPC;
+      break;
+    }
+    bytes += count;
+    at += static_cast<haddr_t>(count);
+    size -= static_cast<std::size_t>(count);
+  }
+  disk.eof = std::max(disk.eof, at + size);
+  return 0;
+}
+
+herr_t disk_truncate(H5FD_t* file, hid_t, hbool_t) {
+  Disk& disk = disk_of(file);
+  if (disk.eoa == disk.eof) return 0;
+  if (disk.failure == 0 && ftruncate(disk.file, static_cast<off_t>(disk.eoa)) != 0) disk.failure = errno;
+  disk.eof = disk.eoa;
+  return 0;
+}
+
+H5FD_class_t disk_class() {
+  H5FD_class_t driver{};
+  driver.name = "fingerpad";
+  driver.maxaddr = (haddr_t{1} << 62) - 1;
+  driver.fc_degree = H5F_CLOSE_WEAK;
+  driver.open = disk_open;
+  driver.close = disk_close;
+  driver.cmp = disk_compare;
+  driver.query = disk_query;
+  driver.get_eoa = disk_eoa;
+  driver.set_eoa = disk_set_eoa;
+  driver.get_eof = disk_eof;
+  driver.get_handle = disk_failure;
+  driver.read = disk_read;
+  driver.write = disk_write;
+  driver.truncate = disk_truncate;
+  const H5FD_mem_t places[H5FD_MEM_NTYPES] = H5FD_FLMAP_DICHOTOMY;
+  std::copy(std::begin(places), std::end(places), driver.fl_map);
+  return driver;
+}
+
+}  // namespace
+
+bool write_through_disk(const Handle& access) {
+  static const H5FD_class_t driver = disk_class();
+  static const hid_t id = H5FDregister(&driver);
+  return H5Pset_driver(access.id(), id, nullptr) >= 0;
+}
+
+int last_open_failure() {
+  return std::exchange(open_failure, 0);
+}
+
+int write_failure(const Handle& file) {
+  void* failure = nullptr;
+  if (H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &failure) < 0 || failure == nullptr) return 0;
+  return *static_cast<const int*>(failure);
+}
+
+}  // namespace fingerpad::hdf5

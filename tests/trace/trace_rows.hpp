@@ -1,0 +1,104 @@
+#pragma once
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <vector>
+
+#include "base/error.hpp"
+#include "trace/trace_writer.hpp"
+
+namespace fingerpad::test {
+
+/// Rows as a run would give them: free, slip, stick, free; awkward numbers in them.
+inline std::vector<TickRecord> some_rows(long count) {
+  std::vector<TickRecord> rows;
+  for (long k = 0; k < count; ++k) {
+    TickRecord r;
+    r.t_s = static_cast<double>(k) / 1000;
+    r.p_WQ = Vec3(0.1 * std::sin(0.01 * static_cast<double>(k)), -0.0, 1e-300 * static_cast<double>(k));
+    if (k % 4 != 0) {
+      r.phase = k % 4 == 1 ? Phase::slip : Phase::stick;
+      r.depth_m = 1.0 / static_cast<double>(k + 1);
+      r.contact_W = r.p_WQ + Vec3(0, 0, r.depth_m);
+      r.normal_W = Vec3::UnitZ();
+      r.normal_force_n = 1000 * r.depth_m;
+      r.friction_W_n = Vec3(-0.3 * r.normal_force_n, 0, 0);
+      r.force_W_n = r.friction_W_n + r.normal_force_n * r.normal_W;
+      r.mu = 0.3;
+      r.inclination_rad = 0.78;
+      r.surface = static_cast<int>(k % 2);
+      r.triangle = k % 2 == 0 ? 11 : -1;
+    }
+    if (r.phase == Phase::stick) r.stick_centre_W = Vec3(1, 2, 3);
+    rows.push_back(r);
+  }
+  return rows;
+}
+
+inline std::string bytes_of(const std::filesystem::path& path) {
+  std::ifstream file(path, std::ios::binary);
+  std::ostringstream text;
+  text << file.rdbuf();
+  return text.str();
+}
+
+inline TraceInfo some_info() {
+  TraceInfo info;
+  info.scene_name = "test";
+  info.scene_text = "[[part]]\nmesh = \"box.stl\"\ncrease_deg = 100\n";
+  info.seed = 18446744073709551615u;
+  info.rate_hz = 1000;
+  info.version = "0.1.0";
+  info.mesh_files = {"box.stl"};
+  info.mesh_hashes = {"0123456789abcdef"};
+  info.motion_file = "motions/rüb.csv";
+  info.motion_hash = "fedcba9876543210";
+  info.profile_text = "lateral_axis_m = 3e-4\n";
+  return info;
+}
+
+inline void write_trace(const std::filesystem::path& path, TraceFormat format,
+                        const std::vector<TickRecord>& rows, const World& world = {}) {
+  const auto writer = TraceWriter::create(path.string(), format, some_info(), world);
+  writer->append(rows);
+  writer->finish();
+}
+
+/// The same bits but for the kind of nan.
+inline bool same_number(double a, double b) {
+  return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
+}
+
+inline bool same_vector(const Vec3& a, const Vec3& b) {
+  return same_number(a.x(), b.x()) && same_number(a.y(), b.y()) && same_number(a.z(), b.z());
+}
+
+inline bool same_row(const TickRecord& a, const TickRecord& b) {
+  return same_number(a.t_s, b.t_s) && same_vector(a.p_WQ, b.p_WQ) && a.phase == b.phase &&
+         same_number(a.depth_m, b.depth_m) && same_vector(a.contact_W, b.contact_W) &&
+         same_vector(a.normal_W, b.normal_W) && same_number(a.normal_force_n, b.normal_force_n) &&
+         same_vector(a.force_W_n, b.force_W_n) && same_vector(a.friction_W_n, b.friction_W_n) &&
+         same_number(a.mu, b.mu) && same_vector(a.stick_centre_W, b.stick_centre_W) &&
+         same_number(a.inclination_rad, b.inclination_rad) && a.surface == b.surface &&
+         a.triangle == b.triangle;
+}
+
+inline bool same_rows(const std::vector<TickRecord>& a, const std::vector<TickRecord>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), same_row);
+}
+
+/// What read_trace says against a file; empty if it reads it.
+inline std::string refusal(const std::filesystem::path& path) {
+  try {
+    read_trace(path.string());
+  } catch (const Error& error) {
+    return error.kind() == ErrorKind::refused ? error.what()
+                                              : "not refused but failed: " + std::string(error.what());
+  }
+  return {};
+}
+
+}  // namespace fingerpad::test

@@ -1,0 +1,357 @@
+#include "trace/trace_writer.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <csignal>
+#include <numbers>
+#include <thread>
+
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "trace/export.hpp"
+#include "trace_rows.hpp"
+
+namespace fingerpad {
+namespace {
+
+using test::same_rows;
+using test::some_rows;
+using testing::HasSubstr;
+using testing::StartsWith;
+
+/// A box of 40 x 30 x 20 mm that is turned and moved, and a plane.
+World box_and_plane() {
+  World world;
+  Surface box;
+  box.properties = {1500, 0.5, 0.4, 0.25};
+  const TriangleSoup soup = test::moved(test::box_soup(Vec3(0.04, 0.03, 0.02)), Vec3(10, 0, 0));
+  box.part = std::make_shared<const Part>(make_part(soup, 100 * std::numbers::pi / 180));
+  box.p_WP = Vec3(1, 2, 3);
+  box.R_WP << 0, -1, 0, 1, 0, 0, 0, 0, 1;
+  box.mesh = "box.stl";
+  box.mesh_hash = "0123456789abcdef";
+  world.surfaces.push_back(box);
+  Surface plane;
+  plane.plane_point_W = Vec3(0, 0, 0.5);
+  plane.plane_normal_W = Vec3(0.6, 0, 0.8);
+  world.surfaces.push_back(plane);
+  return world;
+}
+
+TEST(TraceWriter, AnHdf5TraceReadsBackWhole) {
+  const auto path = test::scratch_dir() / "t.h5";
+  const auto rows = some_rows(10000);  // more than two blocks
+  test::write_trace(path, TraceFormat::hdf5, rows);
+  ASSERT_TRUE(is_hdf5(path.string()));
+  const Trace trace = read_trace(path.string());
+  EXPECT_TRUE(trace.complete);
+  EXPECT_TRUE(same_rows(trace.rows, rows));
+  EXPECT_FALSE(trace.world);
+  const TraceInfo info = test::some_info();
+  EXPECT_EQ(trace.info.scene_name, info.scene_name);
+  EXPECT_EQ(trace.info.scene_text, info.scene_text);
+  EXPECT_EQ(trace.info.seed, info.seed);
+  EXPECT_EQ(trace.info.rate_hz, info.rate_hz);
+  EXPECT_EQ(trace.info.version, info.version);
+  EXPECT_EQ(trace.info.mesh_files, info.mesh_files);
+  EXPECT_EQ(trace.info.mesh_hashes, info.mesh_hashes);
+  EXPECT_EQ(trace.info.motion_file, info.motion_file);
+  EXPECT_EQ(trace.info.motion_hash, info.motion_hash);
+  EXPECT_EQ(trace.info.profile_text, info.profile_text);
+}
+
+TEST(TraceWriter, TextsOfAnyLengthAreKept) {
+  const auto path = (test::scratch_dir() / "t.h5").string();
+  TraceInfo info;
+  info.scene_text = "# " + std::string(300000, 'x');  // HDF5 keeps at most 64 KiB beside an object
+  TraceWriter::create(path, TraceFormat::hdf5, info, {})->finish();
+  const Trace trace = read_trace(path);
+  EXPECT_EQ(trace.info.scene_text, info.scene_text);
+  EXPECT_EQ(trace.info.motion_file, "");
+  EXPECT_TRUE(trace.info.mesh_files.empty());
+  EXPECT_TRUE(trace.rows.empty());
+  EXPECT_TRUE(trace.complete);
+}
+
+TEST(TraceWriter, ACsvTraceReadsBackWhole) {
+  const auto path = test::scratch_dir() / "t.csv";
+  const auto rows = some_rows(5000);
+  test::write_trace(path, TraceFormat::csv, rows);
+  const Trace trace = read_trace(path.string());
+  EXPECT_TRUE(trace.complete);
+  EXPECT_TRUE(same_rows(trace.rows, rows));
+  EXPECT_FALSE(std::filesystem::exists(path.string() + ".part"));
+}
+
+TEST(TraceWriter, CsvHasTheContractsColumnsAndWords) {
+  const auto path = test::scratch_dir() / "t.csv";
+  std::vector<TickRecord> rows = some_rows(3);
+  rows[0].mu = -std::numeric_limits<double>::quiet_NaN();
+  test::write_trace(path, TraceFormat::csv, rows);
+  const std::string text = test::bytes_of(path);
+  EXPECT_THAT(text,
+              StartsWith("t_s,x_m,y_m,z_m,phase,depth_m,px_m,py_m,pz_m,nx,ny,nz,fn_n,fx_n,fy_n,fz_n,"
+                         "ffx_n,ffy_n,ffz_n,mu,cx_m,cy_m,cz_m,angle_rad,part,triangle\n"
+                         "0,0,-0,0,free,0,nan,nan,nan,nan,nan,nan,0,0,0,0,0,0,0,nan,nan,nan,nan,nan,-1,-1\n"
+                         "0.001,"));
+  EXPECT_THAT(text, HasSubstr(",slip,0.5,"));
+  EXPECT_THAT(text, HasSubstr(",stick,0.3333333333333333,"));
+  EXPECT_THAT(text, Not(HasSubstr("-nan")));
+  EXPECT_THAT(text, Not(HasSubstr(",,")));
+}
+
+TEST(TraceWriter, ExportedCsvIsTheCsvThatReplayWrites) {
+  const auto folder = test::scratch_dir();
+  const auto rows = some_rows(5000);
+  test::write_trace(folder / "t.h5", TraceFormat::hdf5, rows);
+  test::write_trace(folder / "t.csv", TraceFormat::csv, rows);
+  export_csv(read_trace((folder / "t.h5").string()), (folder / "e.csv").string());
+  EXPECT_EQ(test::bytes_of(folder / "e.csv"), test::bytes_of(folder / "t.csv"));
+}
+
+TEST(TraceWriter, TheSameRunGivesTheSameBytes) {
+  const auto folder = test::scratch_dir();
+  const World world = box_and_plane();
+  test::write_trace(folder / "a.h5", TraceFormat::hdf5, some_rows(9000), world);
+  std::this_thread::sleep_for(std::chrono::milliseconds(1100));  // a date kept anywhere would differ
+  test::write_trace(folder / "b.h5", TraceFormat::hdf5, some_rows(9000), world);
+  EXPECT_EQ(test::bytes_of(folder / "a.h5"), test::bytes_of(folder / "b.h5"));
+}
+
+TEST(TraceWriter, HowRowsWereHandedOverLeavesNoMark) {
+  const auto folder = test::scratch_dir();
+  const auto rows = some_rows(9000);
+  test::write_trace(folder / "a.h5", TraceFormat::hdf5, rows);
+  const auto writer =
+      TraceWriter::create((folder / "b.h5").string(), TraceFormat::hdf5, test::some_info(), {});
+  for (std::size_t i = 0; i < rows.size(); i += 7) {
+    writer->append(std::span(rows).subspan(i, std::min<std::size_t>(7, rows.size() - i)));
+  }
+  writer->finish();
+  EXPECT_EQ(test::bytes_of(folder / "a.h5"), test::bytes_of(folder / "b.h5"));
+}
+
+TEST(TraceWriter, WritersOnManyThreadsDoNotDisturbOneAnother) {
+  const auto folder = test::scratch_dir();
+  const auto rows = some_rows(9000);
+  test::write_trace(folder / "alone.h5", TraceFormat::hdf5, rows);
+  std::vector<std::thread> threads;
+  for (int i = 0; i < 4; ++i) {
+    threads.emplace_back(
+        [&, i] { test::write_trace(folder / (std::to_string(i) + ".h5"), TraceFormat::hdf5, rows); });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (int i = 0; i < 4; ++i) {
+    EXPECT_EQ(test::bytes_of(folder / (std::to_string(i) + ".h5")), test::bytes_of(folder / "alone.h5"));
+  }
+}
+
+TEST(TraceWriter, SurfacesAreEmbeddedAndRebuilt) {
+  const auto path = test::scratch_dir() / "t.h5";
+  const World world = box_and_plane();
+  test::write_trace(path, TraceFormat::hdf5, some_rows(10), world);
+  const Trace trace = read_trace(path.string());
+  ASSERT_TRUE(trace.world);
+  ASSERT_EQ(trace.world->surfaces.size(), 2u);
+  const Surface& box = trace.world->surfaces[0];
+  const Surface& original = world.surfaces[0];
+  ASSERT_TRUE(box.part);
+  EXPECT_EQ(box.mesh, "box.stl");
+  EXPECT_EQ(box.mesh_hash, original.mesh_hash);
+  EXPECT_EQ(box.p_WP, original.p_WP);
+  EXPECT_EQ(box.R_WP, original.R_WP);
+  EXPECT_EQ(box.properties.stiffness_n_per_m, 1500);
+  EXPECT_EQ(box.properties.damping_n_s_per_m, 0.5);
+  EXPECT_EQ(box.properties.mu_static, 0.4);
+  EXPECT_EQ(box.properties.mu_dynamic, 0.25);
+  EXPECT_EQ(box.part->triangles, original.part->triangles);
+  EXPECT_EQ(box.part->file_triangle, original.part->file_triangle);
+  EXPECT_EQ(box.part->creases, original.part->creases);  // 100 degrees: a box has none, at the default it has
+  EXPECT_LT((box.part->centre_P - original.part->centre_P).norm(), 1e-14);
+  // Positions are kept in the file's frame, 10 m away, and come back to its rounding.
+  EXPECT_LT((box.part->vertices - original.part->vertices).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_EQ(trace.world->verdicts.size(), 1u);
+  EXPECT_EQ(trace.world->surfaces[1].plane_point_W, Vec3(0, 0, 0.5));
+  EXPECT_EQ(trace.world->surfaces[1].plane_normal_W, Vec3(0.6, 0, 0.8));
+  EXPECT_FALSE(trace.world->surfaces[1].part);
+  EXPECT_FALSE(read_trace(path.string(), TraceContents::rows).world);
+}
+
+TEST(TraceWriter, ALargePartIsNamedButNotEmbedded) {
+  const auto path = test::scratch_dir() / "t.h5";
+  World world;
+  Surface large;
+  large.part = std::make_shared<const Part>(make_part(test::square_soup(1, 230), 0.5));  // 105,800 triangles
+  large.mesh = "large.stl";
+  world.surfaces.push_back(large);
+  test::write_trace(path, TraceFormat::hdf5, some_rows(10), world);
+  EXPECT_LT(std::filesystem::file_size(path), 1u << 20);
+  const Trace trace = read_trace(path.string());
+  EXPECT_FALSE(trace.world);
+  EXPECT_EQ(trace.rows.size(), 10u);
+}
+
+TEST(TraceWriter, DatasetsStandAtTheRootWithTheirUnits) {
+  const auto path = test::scratch_dir() / "t.h5";
+  test::write_trace(path, TraceFormat::hdf5, some_rows(10));
+  const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
+  ASSERT_GE(file, 0);
+  ASSERT_EQ(trace_columns().size(), 26u);
+  for (const TraceColumn& column : trace_columns()) {
+    const hid_t dataset = H5Dopen2(file, std::string(column.name).c_str(), H5P_DEFAULT);
+    ASSERT_GE(dataset, 0) << column.name;
+    const hid_t type = H5Dget_type(dataset);
+    const std::size_t bytes = column.name == "phase"                               ? 1
+                              : column.name == "part" || column.name == "triangle" ? 4
+                                                                                   : 8;
+    EXPECT_EQ(H5Tget_size(type), bytes) << column.name;
+    EXPECT_EQ(H5Aexists(dataset, "unit"), 1) << column.name;
+    H5Tclose(type);
+    H5Dclose(dataset);
+  }
+  H5Fclose(file);
+}
+
+/// Runs `work` in a child process that then ends as if killed: no destructor, no handler runs.
+template <typename Work>
+int in_killed_child(Work work) {
+  const pid_t child = fork();
+  if (child == 0) {
+    try {
+      work();
+    } catch (...) {
+      _exit(9);
+    }
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : -1;
+}
+
+TEST(TraceWriter, AKilledRecordingReadsUpToItsLastFlush) {
+  const auto folder = test::scratch_dir();
+  const auto rows = some_rows(6000);
+  for (const long flushed : {0L, 100L, 4096L, 5000L}) {
+    const std::string path = (folder / (std::to_string(flushed) + ".h5")).string();
+    const World world = box_and_plane();
+    const int status = in_killed_child([&] {
+      const auto writer = TraceWriter::create(path, TraceFormat::hdf5, test::some_info(), world);
+      for (long i = 0; i < flushed; i += 50) {
+        writer->append(std::span(rows).subspan(static_cast<std::size_t>(i),
+                                               static_cast<std::size_t>(std::min(50L, flushed - i))));
+        if (i % 100 == 0) writer->flush();
+      }
+      writer->flush();
+      writer->append(std::span(rows).subspan(static_cast<std::size_t>(flushed), 10));
+      _exit(0);
+    });
+    ASSERT_EQ(status, 0);
+    const Trace trace = read_trace(path);
+    EXPECT_FALSE(trace.complete);
+    EXPECT_EQ(trace.info.scene_name, "test");
+    EXPECT_EQ(trace.rows.size(), static_cast<std::size_t>(flushed));
+    EXPECT_TRUE(same_rows(trace.rows, std::vector(rows.begin(), rows.begin() + flushed)));
+    ASSERT_TRUE(trace.world);
+  }
+}
+
+TEST(TraceWriter, ARecordingKilledAtAnyMomentIsReadable) {
+  const auto folder = test::scratch_dir();
+  const auto rows = some_rows(20000);
+  const std::string path = (folder / "t.h5").string();
+  for (int round = 0; round < 12; ++round) {
+    const pid_t child = fork();
+    if (child == 0) {
+      const auto writer = TraceWriter::create(path, TraceFormat::hdf5, test::some_info(), {});
+      for (std::size_t i = 0;; i = (i + 100) % rows.size()) {
+        writer->append(std::span(rows).subspan(i, 100));
+        writer->flush();
+      }
+    }
+    std::this_thread::sleep_for(std::chrono::milliseconds(60 + 7 * round));
+    kill(child, SIGKILL);
+    waitpid(child, nullptr, 0);
+    const Trace trace = read_trace(path);
+    EXPECT_FALSE(trace.complete);
+    for (std::size_t i = 0; i < trace.rows.size(); ++i) {
+      ASSERT_TRUE(test::same_row(trace.rows[i], rows[i % rows.size()])) << "round " << round << " row " << i;
+    }
+  }
+}
+
+TEST(TraceWriter, AKilledCsvIsLeftAsAPartThatReads) {
+  const auto folder = test::scratch_dir();
+  const auto rows = some_rows(300);
+  const std::string path = (folder / "t.csv").string();
+  in_killed_child([&] {
+    const auto writer = TraceWriter::create(path, TraceFormat::csv, {}, {});
+    writer->append(std::span(rows).first(200));
+    writer->flush();
+    writer->append(std::span(rows).subspan(200));
+    _exit(0);
+  });
+  EXPECT_FALSE(std::filesystem::exists(path));
+  const Trace trace = read_trace(path + ".part");
+  EXPECT_FALSE(trace.complete);
+  EXPECT_TRUE(same_rows(trace.rows, std::vector(rows.begin(), rows.begin() + 200)));
+}
+
+TEST(TraceWriter, AnUnfinishedTraceIsMarkedSo) {
+  const auto path = (test::scratch_dir() / "t.h5").string();
+  TraceWriter::create(path, TraceFormat::hdf5, test::some_info(), {})->flush();
+  EXPECT_FALSE(read_trace(path).complete);
+}
+
+TEST(TraceWriter, AFileThatCannotBeCreatedIsAFault) {
+  for (const TraceFormat format : {TraceFormat::hdf5, TraceFormat::csv}) {
+    try {
+      TraceWriter::create("/no/such/folder/t", format, {}, {});
+      FAIL();
+    } catch (const Error& error) {
+      EXPECT_EQ(error.kind(), ErrorKind::fault);
+      EXPECT_THAT(error.what(), StartsWith("/no/such/folder/t: cannot be created"));
+      EXPECT_THAT(error.what(), HasSubstr("No such file or directory"));
+    }
+  }
+}
+
+/// How a child ends that writes a trace where files may grow to `limit_bytes`, which stands in for a full
+/// disk: 0 if the fault was told and the library's own end ran without tripping over the failed file.
+int status_with_full_disk(const std::string& path, TraceFormat format, rlim_t limit_bytes) {
+  const pid_t child = fork();
+  if (child == 0) {
+    signal(SIGXFSZ, SIG_IGN);
+    const rlimit limit{limit_bytes, limit_bytes};
+    setrlimit(RLIMIT_FSIZE, &limit);
+    int result = 1;
+    try {
+      test::write_trace(path, format, some_rows(20000));
+    } catch (const Error& error) {
+      const bool told = std::string(error.what()).find(path + ": cannot be written: File too large") == 0;
+      result = error.kind() == ErrorKind::fault && told ? 0 : 2;
+    }
+    std::exit(result);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+}
+
+TEST(TraceWriter, AFullDiskIsAFaultAndNoCrash) {
+  const std::string path = (test::scratch_dir() / "full").string();
+  EXPECT_EQ(status_with_full_disk(path, TraceFormat::csv, 200000), 0);
+  // From a file that cannot even begin to one that fails in its rows.
+  for (const rlim_t limit : {0, 100, 2000, 10000, 40000, 70000, 100000, 200000, 1000000}) {
+    EXPECT_EQ(status_with_full_disk(path, TraceFormat::hdf5, limit), 0) << limit;
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad
