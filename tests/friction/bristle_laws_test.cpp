@@ -121,7 +121,7 @@ double presliding_drift_m(const FrictionLaw& law, const TangentialMotion& motion
   SlidingMass mass{{law, motion}};
   mass.damping_n_s_per_m = damping_n_s_per_m;
   const auto push = [](double, double t) { return 0.5 + 0.3 * std::sin(2 * std::numbers::pi * 5 * t); };
-  const int per_period = static_cast<int>(0.2 / motion.dt_s + 0.5);
+  const int per_period = static_cast<int>(std::lround(0.2 / motion.dt_s));
   for (int k = 0; k < per_period; ++k) mass.tick(push);
   const double start = mass.x_m;
   for (int k = 0; k < 89 * per_period; ++k) mass.tick(push);

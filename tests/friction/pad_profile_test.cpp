@@ -18,7 +18,7 @@ using testing::StartsWith;
 constexpr double deg = std::numbers::pi / 180;
 
 std::string written(const std::string& text) {
-  const auto path = (test::scratch_dir() / "pad.toml").string();
+  std::string path = (test::scratch_dir() / "pad.toml").string();
   std::ofstream(path) << text;
   return path;
 }

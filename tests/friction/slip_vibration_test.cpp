@@ -35,7 +35,8 @@ double power(const std::vector<double>& x, int rate_hz, double frequency_hz) {
 /// not.
 double peak_hz(const std::vector<double>& x, int rate_hz) {
   double moment[5] = {}, weighted[3] = {};  // sums of d^i, and of d^i times log power
-  for (double d = -12; d <= 12; d += 2) {
+  for (int bin = -6; bin <= 6; ++bin) {
+    const double d = 2.0 * bin;
     const double log_power = std::log(power(x, rate_hz, 89 + d));
     for (int i = 0; i < 5; ++i) moment[i] += std::pow(d, i);
     for (int i = 0; i < 3; ++i) weighted[i] += std::pow(d, i) * log_power;
