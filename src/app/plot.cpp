@@ -32,8 +32,10 @@ void add_plot(CLI::App& program, Action& action) {
       ->check(CLI::Range(300, 10000))
       ->capture_default_str();
   command->footer(
-      "Position, speed, forces, coefficient of friction and phase against time, and the spectra of the forces.\n"
-      "Stick is dotted, the stick centre dashed. Needs no screen: a virtual one is started where there is none.");
+      "Position, speed, forces, coefficient of friction and phase against time, and the spectra of the "
+      "forces.\n"
+      "Stick is dotted, the stick centre dashed. Needs no screen: a virtual one is started where there is "
+      "none.");
   command->callback([options, &action] { action = [options] { return plot(*options); }; });
 }
 

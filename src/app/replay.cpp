@@ -98,6 +98,22 @@ int replay(ReplayOptions options) {
 
 }  // namespace
 
+namespace {
+
+/// The table of laws for the help: name, what it is, and its own scene keys with defaults.
+std::string laws_text() {
+  std::string text = "\nLaws for [friction] law, with their own keys, defaults and meaning:\n";
+  for (const LawEntry& law : law_table()) {
+    text += fmt::format("  {:<17}{}\n", law.name, law.summary);
+    for (const LawParameter& key : law.parameters) {
+      text += fmt::format("      {} = {}: {}\n", key.key, key.default_value, key.meaning);
+    }
+  }
+  return text;
+}
+
+}  // namespace
+
 void add_replay(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReplayOptions>();
   options->batch.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
@@ -126,7 +142,8 @@ void add_replay(CLI::App& program, Action& action) {
       "Writes OUT/<scene>.h5 (or .csv); a set's jobs are <scene>-0001.h5 and so on. summary.csv has a row "
       "for each job.\n"
       "Under mpirun the ranks share the jobs. Ends 4 if some jobs of a batch failed; the others are done all "
-      "the same.");
+      "the same.\n" +
+      laws_text());
   command->callback([options, &action] { action = [options] { return replay(*options); }; });
 }
 

@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "friction/law_table.hpp"
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// Every command that the README shows (but tools/run and tools/test, which build this very program) is run as
+// it stands, in a folder that looks like the checkout.
+
+namespace fingerpad {
+namespace {
+namespace fs = std::filesystem;
+
+/// The lines of the README's ```sh blocks.
+std::vector<std::string> readme_commands() {
+  std::istringstream text(test::bytes_of(test::source_dir() / "README.md"));
+  std::vector<std::string> commands;
+  bool in_block = false;
+  for (std::string line; std::getline(text, line);) {
+    if (line.rfind("```", 0) == 0) {
+      in_block = line == "```sh";
+    } else if (in_block && line != "./tools/run") {
+      commands.push_back(line);
+    }
+  }
+  return commands;
+}
+
+bool needs_view(const std::string& command) {
+  return command.find("fingerpad view") != std::string::npos ||
+         command.find("fingerpad plot") != std::string::npos;
+}
+
+TEST(Readme, EveryCommandEndsZero) {
+  const fs::path folder = test::scratch_dir();
+  fs::create_directory_symlink(test::source_dir() / "scenes", folder / "scenes");
+  fs::create_directories(folder / "build" / "bin");
+  fs::create_symlink(test::program(), folder / "build" / "bin" / "fingerpad");
+  const auto commands = readme_commands();
+  EXPECT_GE(commands.size(), 10u);
+  for (const std::string& command : commands) {
+#ifndef FINGERPAD_VIEW
+    if (needs_view(command)) continue;
+#endif
+    const auto result = test::shell(command, folder);
+    EXPECT_EQ(result.exit_code, 0) << command << "\n" << result.err;
+  }
+#ifdef FINGERPAD_VIEW
+  EXPECT_TRUE(std::any_of(commands.begin(), commands.end(), needs_view));
+  for (const char* picture : {"figure12.png", "figure2.svg", "view.png", "housing.png"}) {
+    EXPECT_TRUE(fs::exists(folder / "build" / "example" / picture)) << picture;
+  }
+#endif
+}
+
+TEST(Readme, ListsEveryLawWithItsKeysAndDefaults) {
+  const std::string readme = test::bytes_of(test::source_dir() / "README.md");
+  for (const LawEntry& law : law_table()) {
+    EXPECT_NE(readme.find(fmt::format("| `{}` | {} |", law.name, law.summary)), std::string::npos)
+        << law.name;
+    for (const LawParameter& key : law.parameters) {
+      EXPECT_NE(readme.find(fmt::format("`{} = {}`", key.key, key.default_value)), std::string::npos)
+          << key.key;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad
