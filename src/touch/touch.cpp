@@ -35,7 +35,8 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
       normals_(scene.contact.normals),
       radius_m_(scene.finger.radius_m),
       dt_s_(1 / scene.motion.rate_hz),
-      seeds_(world_->surfaces.size(), -1) {
+      seeds_(world_->surfaces.size(), -1),
+      velocity_(scene.hand ? scene.hand->encoder_m : 0, dt_s_) {
   const LawEntry* entry = find_law(scene.friction.law);
   if (entry == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
@@ -47,7 +48,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
 }
 
 void Touch::reset() noexcept {
-  has_position_ = false;
+  velocity_.reset();
   std::fill(seeds_.begin(), seeds_.end(), -1);
   release();
 }
@@ -69,13 +70,6 @@ Touch::Contact Touch::deepest_contact(const Vec3& p_WQ) noexcept {
     if (depth_m > deepest.depth_m) deepest = {static_cast<int>(i), at, depth_m};
   }
   return deepest;
-}
-
-Vec3 Touch::device_velocity(const Vec3& p_WQ) noexcept {
-  const Vec3 velocity_W = has_position_ ? Vec3((p_WQ - last_p_WQ_) / dt_s_) : Vec3::Zero();
-  has_position_ = true;
-  last_p_WQ_ = p_WQ;
-  return velocity_W;
 }
 
 void Touch::turn_frame(const Contact& contact, const Vec3& direction_W) noexcept {
@@ -177,7 +171,7 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
     reset();
     return record;
   }
-  const Vec3 velocity_W = device_velocity(sample.p_WQ);
+  const Vec3 velocity_W = velocity_.next(sample.p_WQ);
   const Contact contact = deepest_contact(sample.p_WQ);
   if (contact.surface < 0) {
     release();

@@ -6,6 +6,7 @@
 
 #include "friction/law.hpp"
 #include "friction/slip_vibration.hpp"
+#include "motion/velocity_estimator.hpp"
 #include "touch/stick_centre.hpp"
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
@@ -36,7 +37,6 @@ class Touch {
   };
 
   Contact deepest_contact(const Vec3& p_WQ) noexcept;
-  Vec3 device_velocity(const Vec3& p_WQ) noexcept;
   void turn_frame(const Contact& contact, const Vec3& direction_W) noexcept;
   TangentialMotion tangential_motion(const Contact& contact, double normal_force_n, const Vec3& velocity_W,
                                      const FingerSample& sample) const noexcept;
@@ -52,8 +52,7 @@ class Touch {
   double dt_s_;
 
   std::vector<int> seeds_;  ///< per surface: the last triangle, where the next search starts
-  bool has_position_ = false;
-  Vec3 last_p_WQ_ = Vec3::Zero();
+  VelocityEstimator velocity_;
 
   bool in_contact_ = false;
   Vec3 last_contact_W_ = Vec3::Zero();
