@@ -91,7 +91,7 @@ ClosedMesh read_stl(const std::string& path) {
     std::array<std::uint32_t, 3> triangle{};
     for (int k = 0; k < 3; ++k) {
       std::array<float, 3> vertex{};
-      std::memcpy(vertex.data(), record.data() + 12 * (k + 1), sizeof vertex);
+      std::memcpy(vertex.data(), record.data() + 12 * std::size_t(k + 1), sizeof vertex);
       const auto [entry, is_new] = known.try_emplace(vertex, std::uint32_t(mesh.vertices.size()));
       if (is_new) mesh.vertices.push_back(vertex);
       triangle[k] = entry->second;

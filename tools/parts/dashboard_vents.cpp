@@ -1,4 +1,5 @@
 #include <cmath>
+#include <iterator>
 
 #include "dashboard_features.hpp"
 #include "solids.hpp"
@@ -41,6 +42,7 @@ Feature vent() {
   frame = fillet(frame, frame_fillet,
                  [](const gp_Pnt& middle, const gp_Dir&) { return near(middle.Z(), frame_top); });
   std::vector<TopoDS_Shape> blades;
+  blades.reserve(slats + std::size(vane_at) + 1);
   for (int i = 0; i < slats; ++i) {
     blades.push_back(shifted(slat(), 0, (i - (slats - 1) / 2.0) * slat_pitch, slat_centre_z));
   }

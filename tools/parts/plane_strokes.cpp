@@ -10,7 +10,7 @@ constexpr double duration_s = 6;
 constexpr double stroke_hz = 2.1, rhythm_drift_rad = 0.8, rhythm_drift_hz = 0.23;
 constexpr double reach_mm = 47, reach_drift_mm = 7, reach_drift_hz = 0.31;
 constexpr double depth_mm = 3, depth_drift_mm = 0.8, depth_drift_hz = 0.37, hover_mm = 5;
-constexpr double press_s = 0.4, start_s = 0.5;  // it presses first, then begins to stroke
+constexpr double press_s = 0.4, start_s = 0.2;  // it presses first, then begins to stroke
 
 /// 0 before t0, 1 after t1, without a kink in speed or acceleration.
 double rise(double t, double t0, double t1) {
@@ -30,7 +30,7 @@ std::vector<RubSample> plane_strokes(double rate_hz) {
   for (long k = 0; k <= last; ++k) {
     const double t = double(k) / rate_hz;
     const double stroking =
-        rise(t, press_s, press_s + start_s) * (1 - rise(t, duration_s - 0.9, duration_s - 0.5));
+        rise(t, press_s, press_s + start_s) * (1 - rise(t, duration_s - 0.7, duration_s - 0.5));
     const double phase =
         2 * M_PI * stroke_hz * (t - press_s) + rhythm_drift_rad * wave(rhythm_drift_hz, t, 0);
     const double reach = reach_mm + reach_drift_mm * wave(reach_drift_hz, t, 1);
