@@ -80,9 +80,11 @@ TEST(PulledBlock, DampedStickSlipMeetsTheRigidOracle) {
 TEST(PulledBlock, TheLevelRuleAtTheDefaultVMinResticksEarly) {
   const auto law = make_law("stick-slip", settings_of({{"stick_stiffness_per_m", 500}}));
   const double expected = rigid_period_s(0.02, 2);
-  // v_min = 0.1 m/s lies above most of the slip's speed: SCIENCE 3 names a third of the period.
+  // v_min = 0.1 m/s lies above most of the slip's speed. SCIENCE 3 names a third of the period; counted by
+  // teeth of the pull it is 0.48 here (2.069 s), and the claim tested is that it is far too short.
   const double measured = period_s(*law, 0.02, 2, 10000, 60);
-  EXPECT_TRUE(std::isnan(measured) || measured < 0.6 * expected) << measured << " against " << expected;
+  EXPECT_GT(measured, 0.2 * expected);
+  EXPECT_LT(measured, 0.6 * expected);
 }
 
 TEST(SlidingStop, TakesTheTimeAndWayOfConstantDeceleration) {

@@ -149,7 +149,8 @@ TEST(Kikuuwe, DamperAddsItsForceInStick) {
   contact.move_to({0, 0});
   const double dx = 1e-5;
   EXPECT_NEAR(contact.move_to({dx, 0}).force_n.x(), -(1000 * dx + 2 * dx * 1000), rounding);
-  EXPECT_NEAR(contact.move_to({dx, 0}).force_n.x(), -1000 * dx, rounding);
+  // At rest the damper is silent and the spring keeps its stretch.
+  for (int k = 0; k < 5; ++k) EXPECT_NEAR(contact.move_to({dx, 0}).force_n.x(), -1000 * dx, rounding);
 }
 
 }  // namespace
