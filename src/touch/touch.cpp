@@ -119,11 +119,13 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3
   double normal_force_n = std::max(0.0, surface.properties.stiffness_n_per_m * contact.depth_m -
                                             surface.properties.damping_n_s_per_m * normal_W.dot(velocity_W));
   const TangentialMotion motion = tangential_motion(contact, normal_force_n, velocity_W, sample);
+  const bool was_stuck = friction_.phase == Phase::stick;
   Friction friction = law_->tick(motion, friction_);
   vibrate(friction, normal_force_n);
   if (friction.centre_moved) {
+    // Sought on the surface where stick begins; a centre that a law drags along tick by tick needs no search.
     centre_.place(surface, contact.at.point_W, frame_WC_, friction.from_centre_m, normals_,
-                  friction.phase == Phase::stick);
+                  friction.phase == Phase::stick && !was_stuck);
   }
 
   record.phase = friction.phase;
