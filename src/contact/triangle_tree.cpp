@@ -1,6 +1,7 @@
 #include "contact/triangle_tree.hpp"
 
 #include <embree3/rtcore.h>
+#include <tbb/parallel_for.h>
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -218,8 +219,8 @@ TriangleTree::TriangleTree(std::shared_ptr<const Part> part) : impl_(std::make_u
   impl.extent_m = impl.part->half_extent.maxCoeff();
   if (impl.extent_m > 0) impl.frames.scale = std::ldexp(1.0, -std::ilogb(impl.extent_m) - 1);
   const int count = impl.part->triangle_count();
-  impl.frames.of.reserve(static_cast<std::size_t>(count));
-  for (int t = 0; t < count; ++t) impl.frames.of.push_back(triangle_frame(*impl.part, t));
+  impl.frames.of.resize(static_cast<std::size_t>(count));
+  tbb::parallel_for(0, count, [&](int t) { impl.frames.of[t] = triangle_frame(*impl.part, t); });
   impl.build();
 }
 

@@ -2,11 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
 #include "base/random_stream.hpp"
 #include "contact/bare_part.hpp"
+#include "contact/effort.hpp"
 #include "support/brute_force.hpp"
 
 namespace fingerpad {
@@ -65,7 +67,7 @@ TEST(ClosestOnTriangle, EachRegionNamesItsFeature) {
 
 TEST(ClosestOnTriangle, AgreesWithLongDoubleOnRandomTriangles) {
   RandomStream random(1);
-  for (int i = 0; i < 50000; ++i) {
+  for (int i = 0; i < test::samples(50000); ++i) {
     const Vec3 a = random_point(random, 1), b = random_point(random, 1), c = random_point(random, 1);
     expect_exact(a, b, c, random_point(random, i % 2 == 0 ? 1 : 5));
     if (HasFatalFailure()) return;
@@ -76,7 +78,7 @@ TEST(ClosestOnTriangle, AgreesWithLongDoubleOnRandomTriangles) {
 /// beyond.
 TEST(ClosestOnTriangle, SliversOfAnyAspectAreExact) {
   RandomStream random(2);
-  for (int i = 0; i < 50000; ++i) {
+  for (int i = 0; i < test::samples(50000); ++i) {
     const double width = std::pow(10.0, -16 * random.uniform());
     const Vec3 a = random_point(random, 1), b = random_point(random, 1);
     const double along = i % 2 == 0 ? 0.0 : random.uniform();

@@ -1,8 +1,10 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/random_stream.hpp"
+#include "contact/effort.hpp"
 #include "contact/surface_point.hpp"
 #include "contact/thinnest_wall.hpp"
 #include "part/import.hpp"
@@ -28,9 +30,9 @@ Vec3 trial_point(const Part& part, RandomStream& random, int i) {
   return on + anywhere * part.size_m() * std::pow(10.0, -2 - 4 * random.uniform());
 }
 
-/// So many points that a part of n triangles takes some 2e7 looks at a triangle.
+/// So many points that a part of n triangles takes some 1e7 looks at a triangle.
 int affordable_points(const Part& part) {
-  return std::clamp(20000000 / part.triangle_count(), 100, 2000);
+  return std::clamp(test::samples(10000000) / part.triangle_count(), test::samples(100), 2000);
 }
 
 /// Whether the surface near a point of it has solid on one side and nothing on the other. It has not where

@@ -7,6 +7,7 @@
 #include <memory>
 
 #include "base/random_stream.hpp"
+#include "contact/effort.hpp"
 #include "support/brute_force.hpp"
 #include "support/shapes.hpp"
 
@@ -64,14 +65,14 @@ TEST(NearestSurfacePoint, SignsAgreeWithTheWindingNumber) {
     const TriangleTree tree = tree_of(soup);
     RandomStream random(1);
     int inside = 0;
-    for (int i = 0; i < 2000; ++i) {
+    for (int i = 0; i < test::samples(2000); ++i) {
       const Vec3 p = random_point(random, 1.6).cwiseProduct(tree.part().half_extent);
       const SurfacePoint s = at(tree, p + tree.part().centre_P);
       const bool truly_inside = test::winding_number(tree.part(), p) > 0.5;
       inside += truly_inside ? 1 : 0;
       ASSERT_EQ(s.signed_distance_m < 0, truly_inside) << p.transpose() << " " << s.signed_distance_m;
     }
-    ASSERT_GT(inside, 50);
+    ASSERT_GT(inside, test::samples(50));
   }
 }
 
