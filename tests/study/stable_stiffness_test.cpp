@@ -1,0 +1,54 @@
+#include "study/stable_stiffness.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fingerpad {
+namespace {
+
+struct Row {
+  HeldWall wall;
+  double stiffness_n_per_m;
+};
+
+/// SCIENCE 4, the table of largest stable stiffnesses: m = 0.072 kg, b = 0.5 N s/m.
+const Row rows[] = {
+    {{.tick_s = 1e-3, .delay_ticks = 0}, 1001},
+    {{.tick_s = 1e-3, .delay_ticks = 1}, 334},
+    {{.tick_s = 1e-3, .delay_ticks = 2}, 200.6},
+    {{.tick_s = 1e-4, .delay_ticks = 0}, 10001},
+    {{.wall_damping_n_s_per_m = 2, .tick_s = 1e-3}, 4869},
+    {{.wall_damping_n_s_per_m = 20, .tick_s = 1e-3}, 31068},
+};
+
+TEST(StableStiffness, EigenvaluesGiveEveryPublishedLimit) {
+  for (const Row& row : rows) {
+    // The table's last digit is a unit, or a tenth of one.
+    EXPECT_NEAR(exact_stable_stiffness(row.wall), row.stiffness_n_per_m, 6e-4 * row.stiffness_n_per_m);
+  }
+}
+
+TEST(StableStiffness, TheSimulatedHandFindsEveryPublishedLimit) {
+  for (const Row& row : rows) {
+    // 2 % is what the issue asks; the bisection stops at 0.2 %, and ten seconds tell decay from growth to
+    // about as much.
+    EXPECT_NEAR(measured_stable_stiffness(row.wall), row.stiffness_n_per_m, 0.02 * row.stiffness_n_per_m)
+        << "B " << row.wall.wall_damping_n_s_per_m << " d " << row.wall.delay_ticks;
+  }
+}
+
+TEST(StableStiffness, ConditionsOfTheLiterature) {
+  HeldWall wall;
+  EXPECT_DOUBLE_EQ(colgate_schenkel_stiffness(wall), 1000);
+  wall.wall_damping_n_s_per_m = 0.2;
+  EXPECT_DOUBLE_EQ(colgate_schenkel_stiffness(wall), 600);
+  EXPECT_TRUE(std::isnan(abbott_okamura_stiffness(wall)));
+  wall = {.encoder_m = 3e-5, .coulomb_n = 0.006};
+  EXPECT_DOUBLE_EQ(abbott_okamura_stiffness(wall), 400);
+  wall.delay_ticks = 1;
+  EXPECT_TRUE(std::isnan(colgate_schenkel_stiffness(wall)));
+}
+
+}  // namespace
+}  // namespace fingerpad
