@@ -185,7 +185,9 @@ FrictionSettings read_friction(const TomlNode& node, const std::string& path) {
     if (!table.has(key) || key == "law" || key == "restick" || key == "vibration") continue;
     const LawParameter* parameter = find_parameter(*chosen, key);
     const NumberRange range =
-        parameter != nullptr ? NumberRange{parameter->min, 1e12, !parameter->min_allowed} : positive;
+        parameter != nullptr
+            ? NumberRange{parameter->min, std::min(1e12, parameter->max), !parameter->min_allowed}
+            : positive;
     friction.settings.numbers[key] = table.number(key, 0, range);
   }
   friction.settings.restick =
