@@ -22,7 +22,7 @@ Axis y_axis(const Panel& panel, double height, double text_size) {
     max = std::max(max, y);
   };
   for (const Curve& curve : panel.curves) std::for_each(curve.y.begin(), curve.y.end(), take);
-  for (const Level& level : panel.levels) take(level.y);
+  for (const Level& level : panel.levels) take(1.02 * level.y);  // not on the frame
   const int most_marks = std::clamp(static_cast<int>(height / (2.2 * text_size)), 2, 6);
   if (panel.logarithmic) {
     if (!(max > 0)) return decade_axis(1, 10, most_marks);
@@ -53,15 +53,16 @@ class ChartPainter {
     if (chart_.band) top = paint_band(top);
     const auto count = static_cast<double>(std::max<std::size_t>(1, chart_.panels.size()));
     const double share = (top - inner_.bottom) / count;
+    ChartPlace place{{}, x_axis_.min, x_axis_.max};
     for (std::size_t i = 0; i < chart_.panels.size(); ++i) {
       const double header = 1.75 * em_;
       const Box panel{inner_.left, top - share * static_cast<double>(i + 1), inner_.width, share - header};
       paint_panel(chart_.panels[i], panel, i + 1 == chart_.panels.size());
+      place.panels.push_back(panel);
     }
     drawing_.text({inner_.centre().x(), box_.bottom + 0.35 * em_}, chart_.x_label,
                   {.size = em_, .across = Across::centre});
-    const Box panels{inner_.left, inner_.bottom, inner_.width, top - inner_.bottom - 1.75 * em_};
-    return {panels, x_axis_.min, x_axis_.max};
+    return place;
   }
 
  private:
@@ -80,6 +81,11 @@ class ChartPainter {
     };
     for (const Curve& curve : panel.curves) entry(curve.label, stroke_of(curve));
     for (const Level& level : panel.levels) entry(level.label, stroke_of(level));
+  }
+
+  const std::string& y_label_of(const Panel& panel, double height) const {
+    const bool fits = text_width(panel.y_label, em_) < height + em_;
+    return fits || panel.short_y_label.empty() ? panel.y_label : panel.short_y_label;
   }
 
   Stroke stroke_of(const Curve& curve) const {
@@ -121,7 +127,7 @@ class ChartPainter {
     }
     for (const Curve& curve : panel.curves) paint_curve(curve, box, axis);
     drawing_.frame(box, {colours::grey, std::max(1.0, 0.08 * em_)});
-    drawing_.text({box_.left + 0.95 * em_, box.centre().y()}, panel.y_label,
+    drawing_.text({box_.left + 0.95 * em_, box.centre().y()}, y_label_of(panel, box.height),
                   {.size = em_, .across = Across::centre, .upright = Upright::middle, .turned = true});
     paint_legend(panel, box.top() + 0.75 * em_);
   }
@@ -219,12 +225,12 @@ class ChartPainter {
 }  // namespace
 
 double ChartPlace::x_at(double drawing_x) const {
-  const double share = std::clamp((drawing_x - panels.left) / panels.width, 0.0, 1.0);
+  const double share = std::clamp((drawing_x - panels.front().left) / panels.front().width, 0.0, 1.0);
   return x_min + share * (x_max - x_min);
 }
 
 double ChartPlace::drawing_x_at(double x) const {
-  return panels.left + panels.width * std::clamp((x - x_min) / (x_max - x_min), 0.0, 1.0);
+  return panels.front().left + panels.front().width * std::clamp((x - x_min) / (x_max - x_min), 0.0, 1.0);
 }
 
 ChartPlace draw_chart(Drawing& drawing, const Chart& chart, const Box& box, double text_size) {

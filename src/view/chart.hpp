@@ -27,7 +27,8 @@ struct Level {
 
 /// One of the panels that a chart stacks over its x axis.
 struct Panel {
-  std::string y_label;  ///< with its unit
+  std::string y_label;        ///< with its unit
+  std::string short_y_label;  ///< where the other does not fit; empty: none
   std::vector<Curve> curves;
   std::vector<Level> levels;
   bool logarithmic = false;
@@ -55,7 +56,7 @@ struct Chart {
 
 /// Where the panels of a drawn chart lie, to put a cursor in and to read the mouse.
 struct ChartPlace {
-  Box panels;  ///< from the lowest panel's foot to the highest one's head
+  std::vector<Box> panels;  ///< from the top
   double x_min = 0, x_max = 1;
   double x_at(double drawing_x) const;
   double drawing_x_at(double x) const;

@@ -20,7 +20,7 @@ inline constexpr Colour black{0, 0, 0}, orange{230, 159, 0}, sky_blue{86, 180, 2
     bluish_green{0, 158, 115}, yellow{240, 228, 66}, blue{0, 114, 178}, vermillion{213, 94, 0},
     reddish_purple{204, 121, 167};
 inline constexpr Colour white{255, 255, 255}, ink{34, 38, 44}, grey{120, 126, 134}, pale_grey{218, 222, 227},
-    metal{176, 186, 198}, skin{224, 172, 140};
+    metal{196, 204, 214}, skin{224, 172, 140};
 }  // namespace colours
 
 /// One colour a phase, in every picture and chart.

@@ -45,11 +45,11 @@ double text_width(const std::string& words, double size, bool bold) {
   for (const char c : words) {
     if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // the rest of a character of several bytes
     if (std::string_view("il.,:;'|!()[]/ fjt").find(c) != std::string_view::npos) {
-      ems += 0.3;
+      ems += 0.34;
     } else if (std::string_view("mwMW@%").find(c) != std::string_view::npos) {
-      ems += 0.85;
+      ems += 0.92;
     } else {
-      ems += c >= 'A' && c <= 'Z' ? 0.69 : 0.55;
+      ems += c >= 'A' && c <= 'Z' ? 0.72 : 0.6;
     }
   }
   return ems * size * (bold ? 1.08 : 1);

@@ -2,9 +2,13 @@
 
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
+#include <vtkContextScene.h>
+#include <vtkNew.h>
 #include <vtkPen.h>
 #include <vtkTextProperty.h>
+#include <vtkTransform2D.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fingerpad {
@@ -45,6 +49,7 @@ std::vector<float> dashes_of(const Drawing::Line& line) {
 
 struct Painter {
   vtkContext2D* context;
+  double width, height;  ///< of the viewport [px]
 
   void operator()(const Drawing::Line& line) const {
     const Colour& colour = line.stroke.colour;
@@ -80,8 +85,15 @@ struct Painter {
     constexpr int upright[] = {VTK_TEXT_BOTTOM, VTK_TEXT_CENTERED, VTK_TEXT_TOP};
     property->SetJustification(across[static_cast<int>(style.across)]);
     property->SetVerticalJustification(upright[static_cast<int>(style.upright)]);
-    context->DrawString(static_cast<float>(std::lround(text.at.x())),
-                        static_cast<float>(std::lround(text.at.y())), text.words.c_str());
+    // VTK maps 0.5 .. width - 0.5 to the viewport, so that pixels drift by up to a half, and a text's texture
+    // wraps round at its edges. A shift of its own puts each text on the grid.
+    vtkNew<vtkTransform2D> onto_grid;
+    onto_grid->Translate(std::lround(text.at.x()) * (width - 1) / width + 0.5,
+                         std::lround(text.at.y()) * (height - 1) / height + 0.5);
+    context->PushMatrix();
+    context->AppendTransform(onto_grid);
+    context->DrawString(0.0F, 0.0F, text.words.c_str());
+    context->PopMatrix();
   }
 
   static std::vector<float> flat(const std::vector<Vec2>& points) {
@@ -105,8 +117,10 @@ void DrawingItem::show(std::vector<std::shared_ptr<const Drawing>> drawings) {
 }
 
 bool DrawingItem::Paint(vtkContext2D* painter) {
+  const Painter onto{painter, static_cast<double>(this->GetScene()->GetViewWidth()),
+                     static_cast<double>(this->GetScene()->GetViewHeight())};
   for (const auto& drawing : drawings_) {
-    for (const auto& mark : drawing->marks()) std::visit(Painter{painter}, mark);
+    for (const auto& mark : drawing->marks()) std::visit(onto, mark);
   }
   return true;
 }

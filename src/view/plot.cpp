@@ -3,6 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "view/flat_picture.hpp"

@@ -38,8 +38,10 @@ Band phase_band(const std::vector<Phase>& phase) {
 
 /// The panels below the position.
 void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& levels) {
-  Panel speed{
-      "speed [mm/s]", {{"tangential speed", colours::blue, {}, scaled(series.speed_m_per_s, 1e3)}}, {}};
+  Panel speed{"tangential speed [mm/s]",
+              "speed [mm/s]",
+              {{"speed", colours::blue, {}, scaled(series.speed_m_per_s, 1e3)}},
+              {}};
   speed.from_zero = true;
   const auto fastest = std::max_element(
       series.speed_m_per_s.begin(), series.speed_m_per_s.end(),
@@ -49,12 +51,13 @@ void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& leve
       levels.v_min_m_per_s > 0) {
     speed.levels.push_back({"v_min", levels.v_min_m_per_s * 1e3, colours::reddish_purple});
   }
-  Panel force{"force [N]",
+  Panel force{"force on the finger [N]",
+              "force [N]",
               {{"normal", colours::blue, {}, series.normal_force_n},
                {"friction along " + series.direction_name, colours::vermillion, {}, series.friction_n}},
               {}};
   force.from_zero = true;
-  Panel mu{"mu [1]", {{"friction / normal force", colours::ink, {}, series.mu}}, {}};
+  Panel mu{"coefficient of friction [1]", "mu [1]", {{"mu", colours::ink, {}, series.mu}}, {}};
   mu.from_zero = true;
   if (levels.mu_static > 0) mu.levels.push_back({"mu_s", levels.mu_static, colours::bluish_green});
   if (levels.mu_dynamic > 0) mu.levels.push_back({"mu_d", levels.mu_dynamic, colours::orange});
@@ -83,7 +86,8 @@ Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, con
   const std::vector<double> position_mm = scaled(series.position_m, 1e3);
   Chart chart{"time [s]", series.t_s, false, {}, phase_band(series.phase)};
   chart.panels.push_back(
-      {series.direction_name + " [mm]",
+      {"position " + series.direction_name + " [mm]",
+       series.direction_name + " [mm]",
        {{"slip, free", colours::blue, CurveStyle::solid, where_phase(position_mm, series.phase, false)},
         {"stick", colours::blue, CurveStyle::dotted, where_phase(position_mm, series.phase, true)},
         {"stick centre", colours::vermillion, CurveStyle::dashed, scaled(series.centre_m, 1e3)}},
@@ -93,9 +97,10 @@ Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, con
 }
 
 Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
-  const TouchSeries series = touch_series(rows, main_direction(rows));
+  const TouchSeries series = touch_series(rows, Vec3::UnitX());
   Chart chart{"time [s]", series.t_s, false, {}, phase_band(series.phase)};
   Panel position{"finger [mm]",
+                 "",
                  {{"x", colours::blue, CurveStyle::solid, {}},
                   {"y", colours::vermillion, CurveStyle::solid, {}},
                   {"z", colours::bluish_green, CurveStyle::solid, {}}},
@@ -123,7 +128,8 @@ Chart spectrum_chart(const TouchSeries& series) {
   const Spectrum normal = welch_spectrum(series.normal_force_n, rate_hz);
   // Without its zero: windows have no mean.
   chart.x.assign(friction.frequency_hz.begin() + 1, friction.frequency_hz.end());
-  Panel panel{"N\xC2\xB2/Hz",
+  Panel panel{"power density [N\xC2\xB2/Hz]",
+              "N\xC2\xB2/Hz",
               {{"friction along " + series.direction_name,
                 colours::vermillion,
                 CurveStyle::solid,

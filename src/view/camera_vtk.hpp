@@ -1,0 +1,23 @@
+#pragma once
+
+#include "view/draw_space.hpp"
+
+class vtkRenderer;
+
+namespace fingerpad {
+
+/// Sets a parallel camera that sees the contact region from its outside, and enough of the part around it to
+/// know where it is.
+/// @param width_to_height  of the renderer's viewport
+void set_scene_camera(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& extent,
+                      const DrawSpace& space, double width_to_height);
+
+/// Sets a parallel camera straight over a contact: Cx to the right, Cy upwards, `half_height_mm` from the
+/// middle to the top edge.
+void set_close_up_camera(vtkRenderer* renderer, const Vec3& contact_mm, const Mat3& frame,
+                         double half_height_mm);
+
+/// World axes on the screen: column i is axis i as (right, up, towards the eye).
+Mat3 axes_on_screen(vtkRenderer* renderer);
+
+}  // namespace fingerpad

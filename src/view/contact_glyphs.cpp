@@ -1,0 +1,107 @@
+#include "view/contact_glyphs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/tangent_frame.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// The region as a translucent patch with its rim, lifted off the surface by `lift_mm`.
+void add_region(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSpace& space, double lift_mm,
+                double rim_mm) {
+  const bool holds = moment.row.phase == Phase::stick;
+  const Vec3 up = moment.row.normal_W * lift_mm;
+  std::vector<Vec3> rim;
+  for (const Vec3& p_W : rim_points(*moment.region, 64)) rim.push_back(space.to_draw(p_W) + up);
+  const Colour colour = holds ? phase_colour(Phase::stick) : colours::grey;
+  glyphs.solid.tube(rim, true, rim_mm, colour);
+  const Vec3 centre = space.to_draw(moment.region->centre_W) + up;
+  if (holds) glyphs.clear.fan(centre, rim, moment.row.normal_W, colour.with_opacity(0.35));
+}
+
+/// The finger towards its tip at Q: a fingertip of its radius, or a slender stylus for a point.
+void add_finger(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSpace& space, double size_mm) {
+  const Vec3 tip = space.to_draw(moment.row.p_WQ);
+  const Vec3 back = -moment.finger_direction_W;
+  const double radius_mm = moment.finger_radius_m * 1e3;
+  if (radius_mm > 0) {
+    glyphs.clear.ball(tip, radius_mm, colours::skin.with_opacity(0.55));
+    glyphs.clear.bar(tip, tip + back * std::max(4 * radius_mm, 3 * size_mm), radius_mm, 0.85 * radius_mm,
+                     colours::skin.with_opacity(0.45));
+    return;
+  }
+  glyphs.clear.bar(tip, tip + back * 7 * size_mm, 0, 0.85 * size_mm, colours::skin.with_opacity(0.8));
+  glyphs.solid.ball(tip, 0.16 * size_mm, colours::ink);
+}
+
+}  // namespace
+
+ContactMoment contact_moment(const ViewInput& input, const TickRecord& row) {
+  ContactMoment moment{row, std::nullopt, -Vec3::UnitZ(), 0};
+  if (!input.scene) return moment;
+  moment.finger_direction_W = finger_direction(input.scene->finger.direction, row);
+  moment.finger_radius_m = input.scene->finger.radius_m;
+  const auto surface = static_cast<std::size_t>(row.surface);
+  if (row.surface >= 0 && input.world && surface < input.world->surfaces.size()) {
+    moment.region = stick_region(*input.scene, input.world->surfaces[surface].properties, row);
+  }
+  return moment;
+}
+
+ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space, const GlyphChoice& choice) {
+  ContactGlyphs glyphs;
+  const TickRecord& row = moment.row;
+  const double size = choice.size_mm;
+  if (choice.finger) add_finger(glyphs, moment, space, size);
+  if (row.phase == Phase::free) return glyphs;
+
+  const Vec3 contact = space.to_draw(row.contact_W);
+  if (moment.region) add_region(glyphs, moment, space, 0.02 * size, 0.04 * size);
+  glyphs.solid.ball(contact, 0.22 * size, phase_colour(row.phase));
+  if (row.stick_centre_W.allFinite()) {
+    glyphs.solid.ball(space.to_draw(row.stick_centre_W), 0.14 * size, colours::reddish_purple);
+  }
+  if (choice.frame) {
+    const Mat3 frame = tangent_frame(row.normal_W, moment.finger_direction_W);
+    for (int axis = 0; axis < 3; ++axis) {
+      glyphs.solid.arrow(contact, contact + frame.col(axis) * (axis == 2 ? 3.0 : 2.2) * size, 0.05 * size,
+                         colours::ink);
+    }
+  }
+  if (choice.forces) {
+    const auto force = [&](const Vec3& force_W_n, const Colour& colour) {
+      glyphs.solid.arrow(contact, contact + force_W_n * choice.mm_per_n, 0.15 * size, colour);
+    };
+    force(row.normal_W * row.normal_force_n, colours::blue);
+    force(row.friction_W_n, colours::vermillion);
+    glyphs.solid.arrow(contact, contact + row.force_W_n * choice.mm_per_n, 0.09 * size,
+                       colours::reddish_purple);
+  }
+  return glyphs;
+}
+
+ContactGlyphs close_up_glyphs(const ContactMoment& moment, const DrawSpace& space, double limit_n,
+                              double half_height_mm) {
+  ContactGlyphs glyphs;
+  const TickRecord& row = moment.row;
+  if (row.phase == Phase::free) return glyphs;
+  const double unit = half_height_mm / 10;
+  const Vec3 up = row.normal_W * 0.4 * unit;
+  const Vec3 contact = space.to_draw(row.contact_W) + 2 * up;
+  if (moment.region) {
+    add_region(glyphs, moment, space, 0.4 * unit, 0.1 * unit);
+    const Vec3 centre = space.to_draw(moment.region->centre_W) + up;
+    glyphs.solid.tube({centre, contact}, false, 0.09 * unit, colours::ink);
+    if (row.phase == Phase::stick) glyphs.solid.ball(centre, 0.35 * unit, colours::reddish_purple);
+  }
+  glyphs.solid.ball(contact, 0.45 * unit, phase_colour(row.phase));
+  if (limit_n > 0) {
+    glyphs.solid.arrow(contact + up, contact + up + row.friction_W_n / limit_n * 5 * unit, 0.2 * unit,
+                       colours::vermillion);
+  }
+  return glyphs;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "view/draw_space.hpp"
+#include "view/glyph_mesh.hpp"
+#include "view/stick_region.hpp"
+
+namespace fingerpad {
+
+/// One moment of a touch with all that a picture of it needs.
+struct ContactMoment {
+  TickRecord row;
+  std::optional<StickRegion> region;  ///< empty while free, and for laws without one
+  Vec3 finger_direction_W = -Vec3::UnitZ();
+  double finger_radius_m = 0;
+};
+
+ContactMoment contact_moment(const ViewInput& input, const TickRecord& row);
+
+/// What to draw, and how large.
+struct GlyphChoice {
+  double size_mm = 1;   ///< a length that reads well: about a thirtieth of the view
+  double mm_per_n = 1;  ///< of force arrows
+  bool finger = true, forces = true, frame = true;
+};
+
+/// The solids that show a moment, opaque and translucent apart.
+struct ContactGlyphs {
+  GlyphMesh solid, clear;
+};
+
+/// The finger, the contact point, the tangent frame (Cx across the finger, Cy along it, n outwards), the
+/// stick region and its centre at true place and size, and the forces on the finger.
+ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space, const GlyphChoice& choice);
+
+/// The contact from near by, for an inset: region, centre, spring and friction, which is drawn as long as the
+/// region is wide at the static limit.
+/// @param limit_n  mu_s n at this moment [N]
+ContactGlyphs close_up_glyphs(const ContactMoment& moment, const DrawSpace& space, double limit_n,
+                              double half_height_mm);
+
+}  // namespace fingerpad

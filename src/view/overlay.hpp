@@ -1,0 +1,48 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "view/drawing.hpp"
+#include "view/layout.hpp"
+#include "view/view_input.hpp"
+#include "view/view_state.hpp"
+
+namespace fingerpad {
+
+/// What the flat parts of a picture (head-up display, legends, scale bar, time line) are drawn from.
+struct OverlayFacts {
+  std::string title;
+  std::vector<std::string> about;  ///< lines on the part, where nothing moves
+  std::optional<TickRecord> row;   ///< the moment shown
+  double speed_m_per_s = 0;        ///< tangential, nan where unknown
+  std::string surface_name;        ///< of what is touched
+  double mm_per_n = 1;             ///< of force arrows
+  double px_per_mm = 1;            ///< of the scene
+  double max_force_n = 0;          ///< the colour bar's end
+  double t_first_s = 0, t_last_s = 0;
+  Mat3 axes_px = Mat3::Identity();  ///< column i: world axis i as seen on the screen (x, y, towards the eye)
+  double inset_px_per_mm = 0;       ///< 0: no inset
+  bool region = false;              ///< a stick region is drawn
+  double grid_mm = 0;               ///< of a plane; 0: none
+  struct Label {
+    Vec2 at;
+    std::string words;
+  };
+  std::vector<Label> labels;      ///< of the tangent frame's axes, in the scene
+  std::string hint;               ///< of keys; empty in a picture
+  std::vector<std::string> help;  ///< "key: what it does", for the help page
+};
+
+/// The time line's slider within a layout.
+Box time_slider(const Layout& layout);
+
+/// The flat part of a picture that changes from moment to moment.
+Drawing overlay_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout);
+
+/// A colour for 0 .. 1, dark to light (viridis of van der Walt & Smith, five stops).
+Colour ramp_colour(double share);
+
+}  // namespace fingerpad

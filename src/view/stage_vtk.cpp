@@ -1,0 +1,312 @@
+#include "view/stage_vtk.hpp"
+
+#include <fmt/format.h>
+#include <vtkActor.h>
+#include <vtkCamera.h>
+#include <vtkContextActor.h>
+#include <vtkContextScene.h>
+#include <vtkLight.h>
+#include <vtkMapper.h>
+#include <vtkPolyData.h>
+#include <vtkPolyDataMapper.h>
+#include <vtkProperty.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/tangent_frame.hpp"
+#include "view/axis.hpp"
+#include "view/camera_vtk.hpp"
+#include "view/drawing_item_vtk.hpp"
+#include "view/surface_mesh_vtk.hpp"
+
+namespace fingerpad {
+namespace {
+
+void add_glyphs(vtkRenderer* renderer, vtkPolyData* mesh) {
+  vtkNew<vtkPolyDataMapper> mapper;
+  mapper->SetInputData(mesh);
+  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-3, -20);
+  vtkNew<vtkActor> actor;
+  actor->SetMapper(mapper);
+  actor->GetProperty()->SetAmbient(0.35);
+  actor->GetProperty()->SetDiffuse(0.65);
+  renderer->AddActor(actor);
+}
+
+/// A key light over the left shoulder and a fill light: both move with the camera.
+void light(vtkRenderer* renderer) {
+  renderer->AutomaticLightCreationOff();
+  const struct {
+    double x, y, z, strength;
+  } lamps[] = {{-0.5, 0.8, 1, 0.85}, {0.9, -0.2, 0.8, 0.4}, {0, -1, 0.6, 0.25}};
+  for (const auto& lamp : lamps) {
+    vtkNew<vtkLight> one;
+    one->SetLightTypeToCameraLight();
+    one->SetPosition(lamp.x, lamp.y, lamp.z);
+    one->SetIntensity(lamp.strength);
+    renderer->AddLight(one);
+  }
+}
+
+std::string surface_name(const World& world, int index) {
+  if (index < 0 || static_cast<std::size_t>(index) >= world.surfaces.size()) return "-";
+  const Surface& surface = world.surfaces[static_cast<std::size_t>(index)];
+  std::string name =
+      surface.part ? std::filesystem::path(surface.mesh).filename().string() : std::string("plane");
+  constexpr std::size_t longest = 18;
+  if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
+  return name.empty() ? fmt::format("part {}", index) : name;
+}
+
+/// What is to say about the parts where nothing moves.
+std::vector<std::string> about_lines(const ViewInput& input) {
+  std::vector<std::string> lines;
+  if (!input.world) return lines;
+  for (std::size_t i = 0; i < input.world->surfaces.size() && i < 6; ++i) {
+    const Surface& surface = input.world->surfaces[i];
+    if (!surface.part) continue;
+    const Vec3 size_mm = 2e3 * surface.part->half_extent;
+    lines.push_back(fmt::format("{}: {} triangles", surface_name(*input.world, static_cast<int>(i)),
+                                surface.part->triangle_count()));
+    lines.push_back(fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size_mm.x(), size_mm.y(), size_mm.z()));
+    if (i >= input.world->verdicts.size()) continue;
+    const Verdict& verdict = input.world->verdicts[i];
+    lines.emplace_back(verdict.closed ? "closed" : "open");
+    if (!verdict.warnings.empty())
+      lines.push_back(fmt::format("{} warnings (see check)", verdict.warnings.size()));
+  }
+  return lines;
+}
+
+}  // namespace
+
+Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool timeline)
+    : input_(input),
+      extent_(extent_of(input)),
+      charts_(charts),
+      timeline_(timeline),
+      item_(vtkSmartPointer<DrawingItem>::New()) {
+  space_.origin_W = extent_.everything().centre_W;
+  max_force_n_ = extent_.max_force_n;
+  vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
+  window_->SetMultiSamples(4);
+  window_->SetNumberOfLayers(2);
+  for (vtkRenderer* renderer : {scene_.Get(), close_up_.Get(), flat_.Get()}) window_->AddRenderer(renderer);
+  scene_->GradientBackgroundOn();
+  scene_->SetBackground(0.93, 0.945, 0.96);
+  scene_->SetBackground2(0.995, 0.997, 1.0);
+  close_up_->SetBackground(0.97, 0.975, 0.98);
+  flat_->SetLayer(1);
+  close_up_->InteractiveOff();
+  flat_->InteractiveOff();
+  light(scene_);
+  light(close_up_);
+
+  world_ = std::make_unique<WorldProps>(input, space_, extent_);
+  world_->add_to(scene_);
+  world_->add_to(close_up_);
+  add_glyphs(scene_, solid_);
+  add_glyphs(scene_, clear_);
+  add_glyphs(close_up_, close_up_clear_);
+  add_glyphs(close_up_, close_up_solid_);
+  vtkNew<vtkContextActor> flat;
+  flat->GetScene()->AddItem(item_);
+  flat_->AddActor(flat);
+  resize(width, height);
+  reset_camera();
+}
+
+Stage::~Stage() = default;
+
+void Stage::resize(int width, int height) {
+  const int* now = window_->GetSize();
+  if (now[0] != width || now[1] != height) window_->SetSize(width, height);
+  layout_ = layout_for(width, height, charts_, timeline_);
+  chart_drawing_.reset();
+  place_renderers();
+}
+
+void Stage::place_renderers() {
+  const auto place = [&](vtkRenderer* renderer, const Box& box) {
+    const double w = layout_.window.width, h = layout_.window.height;
+    renderer->SetViewport(box.left / w, box.bottom / h, box.right() / w, box.top() / h);
+  };
+  place(scene_, layout_.scene);
+  place(close_up_, layout_.inset);
+  world_->set_line_width(std::max(1.0, 0.09 * layout_.em));
+}
+
+void Stage::reset_camera() {
+  set_scene_camera(scene_, input_, extent_, space_, layout_.scene.width / layout_.scene.height);
+}
+
+void Stage::zoom(double factor) {
+  vtkCamera* camera = scene_->GetActiveCamera();
+  const double scale = camera->GetParallelScale() / factor;
+  const double whole_mm = 1e3 * extent_.everything().radius_m;
+  camera->SetParallelScale(std::clamp(scale, 1e-5 * whole_mm, 30 * whole_mm));
+}
+
+void Stage::show(const std::optional<TickRecord>& row, double speed_m_per_s) {
+  moment_.reset();
+  if (row) moment_ = contact_moment(input_, *row);
+  speed_m_per_s_ = speed_m_per_s;
+}
+
+void Stage::show_chart(Chart chart) {
+  chart_ = std::move(chart);
+  chart_drawing_.reset();
+}
+
+void Stage::show_hint(std::string hint, std::vector<std::string> help) {
+  hint_ = std::move(hint);
+  help_ = std::move(help);
+}
+
+void Stage::expect_force(double force_n) {
+  max_force_n_ = std::max(max_force_n_, force_n);
+}
+
+double Stage::px_per_mm() const {
+  return layout_.scene.height / (2 * scene_->GetActiveCamera()->GetParallelScale());
+}
+
+void Stage::place_close_up(double scene_px_per_mm) {
+  inset_px_per_mm_ = 0;
+  const bool touching = moment_ && moment_->row.phase != Phase::free;
+  double half_height_mm = 1;
+  if (touching && moment_->region) {
+    half_height_mm = 2e3 * std::max(moment_->region->axes.lateral_m, moment_->region->axes.longitudinal_m);
+  }
+  const double px_per_mm = layout_.inset.height / (2 * half_height_mm);
+  const bool shown = touching && state_.close_up && px_per_mm > 1.2 * scene_px_per_mm;
+  close_up_->SetDraw(shown ? 1 : 0);
+  if (!shown) return;
+  inset_px_per_mm_ = px_per_mm;
+  const TickRecord& row = moment_->row;
+  double mu_static = 0;
+  const auto surface = static_cast<std::size_t>(row.surface);
+  if (row.surface >= 0 && input_.world && surface < input_.world->surfaces.size()) {
+    mu_static = input_.world->surfaces[surface].properties.mu_static;
+  }
+  const ContactGlyphs glyphs =
+      close_up_glyphs(*moment_, space_, mu_static * row.normal_force_n, half_height_mm);
+  copy_mesh(glyphs.solid, close_up_solid_);
+  copy_mesh(glyphs.clear, close_up_clear_);
+  set_close_up_camera(close_up_, space_.to_draw(row.contact_W),
+                      tangent_frame(row.normal_W, moment_->finger_direction_W), half_height_mm);
+}
+
+void Stage::project_labels(OverlayFacts& facts, double size_mm) {
+  if (!moment_ || moment_->row.phase == Phase::free || !state_.frame) return;
+  const Mat3 frame = tangent_frame(moment_->row.normal_W, moment_->finger_direction_W);
+  const Vec3 contact = space_.to_draw(moment_->row.contact_W);
+  constexpr const char* names[] = {"Cx", "Cy", "n"};
+  for (int axis = 0; axis < 3; ++axis) {
+    const Vec3 at = contact + frame.col(axis) * (axis == 2 ? 3.5 : 2.8) * size_mm;
+    scene_->SetWorldPoint(at.x(), at.y(), at.z(), 1);
+    scene_->WorldToDisplay();
+    const double* px = scene_->GetDisplayPoint();
+    if (!layout_.scene.holds(px[0], px[1])) continue;
+    const bool beside = axis == 2;  // the normal force lies along n
+    const double aside = facts.axes_px.row(0).dot(frame.col(1)) > 0 ? -layout_.em : layout_.em;
+    facts.labels.push_back({{px[0] + (beside ? aside : 0), px[1]}, names[axis]});
+  }
+}
+
+OverlayFacts Stage::overlay_facts() {
+  OverlayFacts facts;
+  facts.title = input_.title;
+  facts.about = about_lines(input_);
+  facts.hint = hint_;
+  facts.help = help_;
+  facts.axes_px = axes_on_screen(scene_);
+  facts.px_per_mm = px_per_mm();
+  facts.inset_px_per_mm = inset_px_per_mm_;
+  facts.max_force_n = max_force_n_;
+  facts.speed_m_per_s = speed_m_per_s_;
+  facts.grid_mm = world_->grid_m() * 1e3;
+  if (moment_) {
+    facts.row = moment_->row;
+    facts.region = moment_->region.has_value();
+    facts.surface_name = input_.world ? surface_name(*input_.world, moment_->row.surface) : "-";
+  }
+  if (!input_.rows.empty()) {
+    facts.t_first_s = input_.rows.front().t_s;
+    facts.t_last_s = input_.rows.back().t_s;
+  }
+  return facts;
+}
+
+void Stage::render() {
+  const double px = px_per_mm();
+  GlyphChoice choice;
+  choice.size_mm = 1.15 * layout_.em / px;
+  const double longest_mm = 0.3 * std::min(layout_.scene.width, layout_.scene.height) / px;
+  choice.mm_per_n = round_down_125(longest_mm / std::max(max_force_n_, 1e-6));
+  choice.finger = state_.finger;
+  choice.forces = state_.forces;
+  choice.frame = state_.frame;
+  const ContactGlyphs glyphs = moment_ ? contact_glyphs(*moment_, space_, choice) : ContactGlyphs{};
+  copy_mesh(glyphs.solid, solid_);
+  copy_mesh(glyphs.clear, clear_);
+  world_->show_creases(state_.creases);
+  world_->show_path(state_.path, state_.colouring == PathColouring::force);
+  place_close_up(px);
+
+  if (charts_ && chart_ && !chart_drawing_) {
+    Drawing drawing;
+    drawing.box(layout_.charts, colours::white);
+    const double em = layout_.em;
+    const Box inner{layout_.charts.left + 0.4 * em, layout_.charts.bottom + 0.4 * em,
+                    layout_.charts.width - 0.8 * em, layout_.charts.height - 0.8 * em};
+    chart_place_ = draw_chart(drawing, *chart_, inner, em);
+    chart_drawing_ = std::make_shared<const Drawing>(std::move(drawing));
+  }
+  std::vector<std::shared_ptr<const Drawing>> drawings;
+  if (charts_ && chart_drawing_) {
+    drawings.push_back(chart_drawing_);
+    if (timeline_ && moment_) {
+      auto cursor = std::make_shared<Drawing>();
+      const double x = chart_place_.drawing_x_at(moment_->row.t_s);
+      for (const Box& panel : chart_place_.panels) {
+        cursor->line({x, panel.bottom}, {x, panel.top()}, {colours::ink, 0.12 * layout_.em});
+      }
+      drawings.push_back(std::move(cursor));
+    }
+  }
+  OverlayFacts facts = overlay_facts();
+  facts.mm_per_n = choice.mm_per_n;
+  project_labels(facts, choice.size_mm);
+  drawings.push_back(std::make_shared<const Drawing>(overlay_drawing(facts, state_, layout_)));
+  item_->show(std::move(drawings));
+  scene_->ResetCameraClippingRange();
+  window_->Render();
+}
+
+std::optional<double> Stage::time_at(double x_px, double y_px) const {
+  if (!timeline_ || input_.rows.empty()) return std::nullopt;
+  const double first = input_.rows.front().t_s, last = input_.rows.back().t_s;
+  if (layout_.timeline.holds(x_px, y_px)) {
+    const Box slider = time_slider(layout_);
+    return first + std::clamp((x_px - slider.left) / slider.width, 0.0, 1.0) * (last - first);
+  }
+  if (charts_ && chart_ && layout_.charts.holds(x_px, y_px)) return chart_place_.x_at(x_px);
+  return std::nullopt;
+}
+
+std::pair<Vec3, Vec3> Stage::line_of_sight(double x_px, double y_px) {
+  const auto at_depth = [&](double depth) {
+    scene_->SetDisplayPoint(x_px, y_px, depth);
+    scene_->DisplayToWorld();
+    const double* p = scene_->GetWorldPoint();
+    return Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
+  };
+  return {at_depth(0), at_depth(1)};
+}
+
+}  // namespace fingerpad

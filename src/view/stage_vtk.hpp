@@ -1,0 +1,98 @@
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "view/chart.hpp"
+#include "view/contact_glyphs.hpp"
+#include "view/draw_space.hpp"
+#include "view/layout.hpp"
+#include "view/overlay.hpp"
+#include "view/view_state.hpp"
+#include "view/world_props_vtk.hpp"
+
+class vtkContextActor;
+class vtkPolyData;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace fingerpad {
+
+class DrawingItem;
+
+/// What a picture and a window have in common: the scene, the close-up of the contact, the charts and the
+/// flat parts over them, in one render window.
+class Stage {
+ public:
+  /// @param input     kept by reference
+  /// @param charts    a column of charts on the right
+  /// @param timeline  a time line at the bottom
+  Stage(const ViewInput& input, int width, int height, bool charts, bool timeline);
+  ~Stage();
+
+  vtkRenderWindow* window() { return window_; }
+  vtkRenderer* scene() { return scene_; }
+  WorldProps& world() { return *world_; }
+  const DrawSpace& space() const { return space_; }
+  const ViewExtent& extent() const { return extent_; }
+  const Layout& layout() const { return layout_; }
+  ViewState& state() { return state_; }
+
+  void resize(int width, int height);
+  void reset_camera();
+  /// Nearer (> 1) or farther.
+  void zoom(double factor);
+
+  /// The moment shown; `speed_m_per_s` may be nan. Without a row only the surfaces are shown.
+  void show(const std::optional<TickRecord>& row, double speed_m_per_s);
+  void show_chart(Chart chart);
+  void show_hint(std::string hint, std::vector<std::string> help);
+  void show_title_note(std::string note) { hint_ = std::move(note); }
+  /// The largest force so far: arrows keep to a scale in which it fits.
+  void expect_force(double force_n);
+
+  /// Brings everything in line with state, camera and moment, and renders.
+  void render();
+
+  /// The time under the mouse, on the time line or a chart.
+  std::optional<double> time_at(double x_px, double y_px) const;
+
+  /// The line of sight through a pixel of the scene, near to far, draw space [mm].
+  std::pair<Vec3, Vec3> line_of_sight(double x_px, double y_px);
+
+ private:
+  void place_renderers();
+  void place_close_up(double px_per_mm);
+  double px_per_mm() const;
+  OverlayFacts overlay_facts();
+  void project_labels(OverlayFacts& facts, double size_mm);
+
+  const ViewInput& input_;
+  ViewExtent extent_;
+  DrawSpace space_;
+  bool charts_, timeline_;
+  Layout layout_;
+  ViewState state_;
+  std::unique_ptr<WorldProps> world_;
+  std::optional<ContactMoment> moment_;
+  double speed_m_per_s_ = 0;
+  double max_force_n_ = 0;
+  double inset_px_per_mm_ = 0;
+  std::string hint_;
+  std::vector<std::string> help_;
+  std::optional<Chart> chart_;
+  ChartPlace chart_place_;
+  std::shared_ptr<const Drawing> chart_drawing_;
+
+  vtkNew<vtkRenderWindow> window_;
+  vtkNew<vtkRenderer> scene_, close_up_, flat_;
+  vtkNew<vtkPolyData> solid_, clear_, close_up_solid_, close_up_clear_;
+  vtkSmartPointer<DrawingItem> item_;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,73 @@
+#include "view/touch_target.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "touch/contact_query.hpp"
+#include "view/touch_window.hpp"
+
+namespace fingerpad {
+
+FingerSample resting_finger(const World& world, const Scene& scene) {
+  ViewInput input;
+  input.world = std::shared_ptr<const World>(std::shared_ptr<void>(), &world);  // not owned
+  const ViewExtent extent = extent_of(input);
+  const Ball ball = extent.everything();
+  FingerSample finger;
+  finger.p_WQ = ball.centre_W + extent.facing_W * (1.1 * ball.radius_m + scene.finger.radius_m);
+  if (!extent.parts && !world.surfaces.empty()) {
+    const Surface& plane = world.surfaces.front();
+    finger.p_WQ = plane.plane_point_W + plane.plane_normal_W * (0.01 + scene.finger.radius_m);
+  }
+  finger.direction_W = scene.finger.direction;
+  return finger;
+}
+
+TouchTarget::TouchTarget(std::shared_ptr<const World> world, const Scene& scene, double hover_m,
+                         const FingerSample& start)
+    : world_(std::move(world)),
+      normals_(scene.contact.normals),
+      radius_m_(scene.finger.radius_m),
+      hover_m_(hover_m),
+      direction_W_(start.direction_W),
+      spot_W_(start.p_WQ) {}
+
+void TouchTarget::point_at(const Vec3& point_W, const Vec3& normal_W, int surface) {
+  spot_W_ = point_W;
+  normal_W_ = normal_W;
+  surface_ = surface;
+  seed_ = -1;
+}
+
+void TouchTarget::move_by(const Vec3& step_W) {
+  if (surface_ < 0) {
+    spot_W_ += step_W;
+    return;
+  }
+  const Surface& surface = world_->surfaces[static_cast<std::size_t>(surface_)];
+  const Vec3 along_W = step_W - step_W.dot(normal_W_) * normal_W_;
+  spot_W_ += along_W;
+  if (surface.part && !surface.tree) return;
+  const WorldPoint at = nearest_point(surface, spot_W_, normals_, seed_, 10 * step_W.norm() + hover_m_);
+  if (!at.found) return;
+  spot_W_ = at.point_W;
+  normal_W_ = at.normal_W;
+  seed_ = at.triangle;
+}
+
+void TouchTarget::change_force(int steps) {
+  press_n_ = std::clamp(press_n_ * std::pow(1.25, steps), 0.05, 20.0);
+}
+
+FingerSample TouchTarget::sample() const {
+  FingerSample finger;
+  finger.direction_W = direction_W_;
+  finger.p_WQ = spot_W_;
+  if (surface_ < 0) return finger;
+  const SurfaceProperties& properties = world_->surfaces[static_cast<std::size_t>(surface_)].properties;
+  const double depth_m = press_n_ / properties.stiffness_n_per_m;
+  finger.p_WQ += normal_W_ * (radius_m_ + (pressing_ ? -depth_m : hover_m_));
+  return finger;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <optional>
+
+#include "motion/finger_path.hpp"
+#include "touch/world.hpp"
+#include "view/draw_space.hpp"
+
+namespace fingerpad {
+
+/// Where a pointer wants the finger: over a spot of a surface, hovering or pressed in.
+class TouchTarget {
+ public:
+  /// @param hover_m  height above the surface while not pressing, > 0
+  TouchTarget(std::shared_ptr<const World> world, const Scene& scene, double hover_m,
+              const FingerSample& start);
+
+  /// Over this spot of a surface.
+  void point_at(const Vec3& point_W, const Vec3& normal_W, int surface);
+  /// Along the surface from the present spot, by a step in space; back onto the surface where it bends.
+  void move_by(const Vec3& step_W);
+  void press(bool on) { pressing_ = on; }
+  /// The force aimed at, one step of about a quarter up or down; 0.05 to 20 N.
+  void change_force(int steps);
+
+  bool pressing() const noexcept { return pressing_; }
+  double press_n() const noexcept { return press_n_; }
+  const Vec3& normal_W() const noexcept { return normal_W_; }
+  FingerSample sample() const;
+
+ private:
+  std::shared_ptr<const World> world_;
+  Normals normals_;
+  double radius_m_, hover_m_;
+  Vec3 direction_W_;
+  Vec3 spot_W_, normal_W_ = Vec3::UnitZ();
+  int surface_ = -1;  ///< -1: nothing pointed at yet
+  int seed_ = -1;
+  double press_n_ = 1;
+  bool pressing_ = false;
+};
+
+}  // namespace fingerpad

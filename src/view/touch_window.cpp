@@ -1,0 +1,187 @@
+#include "view/touch_window.hpp"
+
+#include <fmt/format.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+#include "view/screen.hpp"
+#include "view/touch_chart.hpp"
+#include "view/touch_target.hpp"
+#include "view/window_loop_vtk.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double chart_s = 4;            // what the strip charts hold
+constexpr double chart_period_s = 0.06;  // they need not follow each frame
+
+/// The ticks of the last seconds, gathered from frame to frame.
+class History {
+ public:
+  explicit History(const TouchWindowInput& input) : input_(input) {}
+
+  void gather() {
+    const TickRecord newest = input_.latest();
+    const double last_s = rows_.empty() ? newest.t_s - chart_s : rows_.back().t_s;
+    if (!rows_.empty() && !(newest.t_s > last_s)) return;
+    for (const TickRecord& row : input_.recent(newest.t_s - last_s + 0.05)) {
+      if (rows_.empty() || row.t_s > rows_.back().t_s) rows_.push_back(row);
+    }
+    const auto keep = std::find_if(rows_.begin(), rows_.end(),
+                                   [&](const TickRecord& row) { return row.t_s >= newest.t_s - chart_s; });
+    rows_.erase(rows_.begin(), keep);
+  }
+
+  const std::vector<TickRecord>& rows() const { return rows_; }
+
+  /// Tangential speed over the last 20 ms: from tick to tick a quantised position makes noise.
+  double speed_m_per_s() const {
+    if (rows_.empty()) return TickRecord::nan;
+    const TickRecord& last = rows_.back();
+    auto first = rows_.rbegin();
+    while (first + 1 != rows_.rend() && (first + 1)->t_s >= last.t_s - 0.02) ++first;
+    return tangential_speed(*first, last);
+  }
+
+ private:
+  const TouchWindowInput& input_;
+  std::vector<TickRecord> rows_;
+};
+
+class TouchWindow {
+ public:
+  TouchWindow(const TouchWindowInput& input, const WindowOptions& options)
+      : input_(input),
+        history_(input),
+        stage_(input.view, options.width, options.height, true, false),
+        target_(input.view.world, input.view.scene.value_or(Scene{}),
+                0.05 * stage_.extent().everything().radius_m,
+                resting_finger(*input.view.world, input.view.scene.value_or(Scene{}))),
+        levels_(touch_levels(input.view)),
+        loop_(stage_, options, handlers()) {
+    std::vector<std::string> help = {"move the mouse: the finger follows over the part",
+                                     "hold left button: press on the part",
+                                     "space: press without holding, lift",
+                                     "wheel, Page Up, Down: press harder, softer",
+                                     "arrow keys: move the finger on the surface",
+                                     "left drag beside the part: turn the view",
+                                     "+, -: view nearer, farther"};
+    for (std::string& line : common_help()) {
+      if (line.find("wheel") == std::string::npos && line.find("left drag") == std::string::npos) {
+        help.push_back(std::move(line));
+      }
+    }
+    stage_.show_hint("", std::move(help));
+    stage_.expect_force(1.5);
+    follow();
+  }
+
+  void run() { loop_.run(); }
+
+ private:
+  WindowHandlers handlers() {
+    WindowHandlers handlers;
+    handlers.key = [this](const std::string& key) { return touch_key(key); };
+    handlers.press = [this](int x, int y) {
+      held_ = point_at(x, y);
+      target_.press(held_ || latched_);
+      return held_;
+    };
+    handlers.move = [this](int x, int y) {
+      // Off the edge of the part a held finger stays where it was.
+      return point_at(x, y) || held_;
+    };
+    handlers.release = [this] {
+      target_.press(latched_);
+      return std::exchange(held_, false);
+    };
+    handlers.wheel = [this](int steps) {
+      target_.change_force(steps);
+      return true;
+    };
+    handlers.frame = [this](double elapsed_s) { return frame(elapsed_s); };
+    handlers.report = [this](WindowReport& report) {
+      report.t_s = history_.rows().empty() ? 0 : history_.rows().back().t_s;
+      report.target_W = target_.sample().p_WQ;
+      report.pressing = target_.pressing();
+      report.press_n = target_.press_n();
+    };
+    return handlers;
+  }
+
+  /// False where there is nothing to touch under the mouse.
+  bool point_at(int x, int y) {
+    if (!stage_.layout().scene.holds(x, y)) return false;
+    const auto [near, far] = stage_.line_of_sight(x, y);
+    const auto hit = stage_.world().first_hit(near, far);
+    if (!hit) return false;
+    // Seen from the back of an open part the finger is on this side too.
+    const bool from_behind = hit->normal_W.dot(far - near) > 0;
+    target_.point_at(hit->point_W, from_behind ? Vec3(-hit->normal_W) : hit->normal_W, hit->surface);
+    return true;
+  }
+
+  bool touch_key(const std::string& key) {
+    const double step_m = 0.004 * stage_.scene()->GetActiveCamera()->GetParallelScale() * 1e-3 * 2;
+    const Vec3 up = Vec3(stage_.scene()->GetActiveCamera()->GetViewUp());
+    const Vec3 right = Vec3(stage_.scene()->GetActiveCamera()->GetDirectionOfProjection()).cross(up);
+    if (key == "space") {
+      latched_ = !latched_;
+      target_.press(latched_ || held_);
+    } else if (key == "Left" || key == "Right") {
+      target_.move_by(right * (key == "Left" ? -step_m : step_m));
+    } else if (key == "Up" || key == "Down") {
+      target_.move_by(up * (key == "Down" ? -step_m : step_m));
+    } else if (key == "Prior" || key == "Next") {
+      target_.change_force(key == "Prior" ? 1 : -1);
+    } else if (key == "plus" || key == "equal" || key == "minus") {
+      stage_.zoom(key == "minus" ? 1 / 1.15 : 1.15);
+    } else {
+      return false;
+    }
+    return true;
+  }
+
+  bool frame(double elapsed_s) {
+    input_.set_target(target_.sample());
+    follow();
+    since_chart_s_ += elapsed_s;
+    if (since_chart_s_ >= chart_period_s) {
+      since_chart_s_ = 0;
+      stage_.show_chart(live_chart(history_.rows(), levels_));
+    }
+    return true;
+  }
+
+  void follow() {
+    history_.gather();
+    if (history_.rows().empty()) return;
+    const TickRecord& row = history_.rows().back();
+    stage_.show(row, history_.speed_m_per_s());
+    stage_.expect_force(row.force_W_n.norm());
+    stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", input_.note,
+                                       input_.note.empty() ? "" : "   ", target_.press_n(),
+                                       target_.pressing() ? "pressing" : "hovering"));
+  }
+
+  const TouchWindowInput& input_;
+  History history_;
+  Stage stage_;
+  TouchTarget target_;
+  TouchLevels levels_;
+  bool held_ = false, latched_ = false;
+  double since_chart_s_ = chart_period_s;
+  WindowLoop loop_;
+};
+
+}  // namespace
+
+void run_touch_window(const TouchWindowInput& input, const WindowOptions& options) {
+  need_display();
+  TouchWindow(input, options).run();
+}
+
+}  // namespace fingerpad

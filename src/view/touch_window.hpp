@@ -1,0 +1,34 @@
+#pragma once
+
+#include <functional>
+#include <vector>
+
+#include "motion/finger_path.hpp"
+#include "view/window.hpp"
+
+namespace fingerpad {
+
+/// A live touch as its window sees it. The functions are called on the window's thread, once a frame; they
+/// must not wait for the servo.
+struct TouchWindowInput {
+  ViewInput view;  ///< world and scene; rows empty
+  /// Where the finger is wanted: under the mouse.
+  std::function<void(const FingerSample&)> set_target;
+  /// The newest tick.
+  std::function<TickRecord()> latest;
+  /// The ticks of the last seconds, oldest first; may begin later.
+  std::function<std::vector<TickRecord>(double seconds)> recent;
+  std::string note;  ///< in the title line, as "recording run.h5"
+};
+
+/// A finger at rest above what can be touched: where a live touch begins.
+FingerSample resting_finger(const World& world, const Scene& scene);
+
+/// Opens a window on a live touch and returns when it is closed. The finger is under the mouse: it hovers
+/// over the part, and presses while the left button is held or space is on; wheel, Page Up and Page Down
+/// change how hard, the arrow keys move it, `h` shows all keys.
+///
+/// Throws Error (usage) where there is no display.
+void run_touch_window(const TouchWindowInput& input, const WindowOptions& options);
+
+}  // namespace fingerpad

@@ -1,0 +1,118 @@
+#include "view/window.hpp"
+
+#include <memory>
+
+#include "view/playback.hpp"
+#include "view/screen.hpp"
+#include "view/touch_chart.hpp"
+#include "view/window_loop_vtk.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// A window with its player; without rows there is nothing to play.
+class ViewWindow {
+ public:
+  ViewWindow(const ViewInput& input, const WindowOptions& options)
+      : input_(input),
+        stage_(input, options.width, options.height, input.rows.size() > 1, input.rows.size() > 1),
+        loop_(stage_, options, handlers()) {
+    if (!input.rows.empty()) playback_.emplace(input);
+    if (input.rows.size() > 1) {
+      stage_.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
+    }
+    std::vector<std::string> help;
+    if (playback_) {
+      help = {"space: play, pause",
+              "left, right: one tick back, on",
+              "Page Up, Down: a twentieth of all back, on",
+              "Home, End: first tick, last tick",
+              "+, -: play faster, slower",
+              "click a chart or the time line: go there"};
+    }
+    for (std::string& line : common_help()) help.push_back(std::move(line));
+    stage_.show_hint(playback_ ? "space plays   h help" : "h help", std::move(help));
+    show_moment();
+  }
+
+  void run() { loop_.run(); }
+
+ private:
+  WindowHandlers handlers() {
+    WindowHandlers handlers;
+    handlers.key = [this](const std::string& key) { return playback_ && player_key(key); };
+    handlers.press = [this](int x, int y) {
+      const auto t_s = stage_.time_at(x, y);
+      dragging_ = playback_ && t_s.has_value();
+      if (dragging_) go_to(*t_s);
+      return dragging_;
+    };
+    handlers.move = [this](int x, int y) {
+      if (!dragging_) return false;
+      if (const auto t_s = stage_.time_at(x, y)) go_to(*t_s);
+      return true;
+    };
+    handlers.release = [this] { return std::exchange(dragging_, false); };
+    handlers.frame = [this](double elapsed_s) {
+      const bool moved = playback_ && playback_->advance(elapsed_s);
+      if (moved) show_moment();
+      return moved;
+    };
+    handlers.report = [this](WindowReport& report) {
+      if (playback_) report.t_s = playback_->t_s();
+    };
+    return handlers;
+  }
+
+  bool player_key(const std::string& key) {
+    const auto twentieth = static_cast<long>(input_.rows.size() / 20 + 1);
+    if (key == "space") {
+      playback_->toggle();
+    } else if (key == "Left" || key == "Right") {
+      playback_->step(key == "Left" ? -1 : 1);
+    } else if (key == "Prior" || key == "Next") {
+      playback_->step(key == "Prior" ? -twentieth : twentieth);
+    } else if (key == "Home") {
+      playback_->go_to(input_.rows.front().t_s);
+    } else if (key == "End") {
+      playback_->go_to(input_.rows.back().t_s);
+    } else if (key == "plus" || key == "equal" || key == "KP_Add") {
+      playback_->change_speed(true);
+    } else if (key == "minus" || key == "KP_Subtract") {
+      playback_->change_speed(false);
+    } else {
+      return false;
+    }
+    show_moment();
+    return true;
+  }
+
+  void go_to(double t_s) {
+    playback_->go_to(t_s);
+    show_moment();
+  }
+
+  void show_moment() {
+    if (!playback_) return;
+    const auto row = static_cast<std::size_t>(playback_->row());
+    stage_.state().playing = playback_->playing();
+    stage_.state().speed = playback_->speed();
+    stage_.show(input_.rows[row],
+                row > 0 ? tangential_speed(input_.rows[row - 1], input_.rows[row]) : TickRecord::nan);
+  }
+
+  const ViewInput& input_;
+  std::optional<Playback> playback_;
+  bool dragging_ = false;
+  Stage stage_;
+  WindowLoop loop_;
+};
+
+}  // namespace
+
+void run_view_window(const ViewInput& input, const WindowOptions& options) {
+  need_display();
+  ViewWindow(input, options).run();
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "view/view_input.hpp"
+#include "view/view_state.hpp"
+
+namespace fingerpad {
+
+/// Something a person does at a window, for tests and demonstrations: handed to the same observers as what
+/// the window system sends.
+struct WindowEvent {
+  enum class Kind { key, press, move, release, wheel_up, wheel_down };
+  double at_s = 0;  ///< since the window opened
+  Kind kind = Kind::key;
+  std::string key = {};  ///< X key name, as "space" or "h"
+  int x = 0, y = 0;      ///< mouse [px], from the lower left corner
+};
+
+/// What a window shows, told after each of its frames.
+struct WindowReport {
+  double t_s = 0;  ///< the moment shown
+  ViewState state;
+  long frames = 0;  ///< rendered so far
+  double since_open_s = 0;
+  Vec3 target_W = Vec3::Zero();  ///< touch windows: where the finger is wanted
+  bool pressing = false;         ///< touch windows: against the surface
+  double press_n = 0;            ///< touch windows: the force aimed at
+};
+
+struct WindowOptions {
+  int width = 1280, height = 800;
+  std::vector<WindowEvent> events;  ///< in order of time
+  std::function<void(const WindowReport&)> on_frame;
+};
+
+/// Opens a window on a mesh, a scene or a trace and returns when it is closed (q, Escape, or by the window
+/// manager). Space plays, the arrow keys step, the time line is dragged, `h` shows all keys.
+///
+/// Throws Error (usage) where there is no display.
+void run_view_window(const ViewInput& input, const WindowOptions& options);
+
+}  // namespace fingerpad

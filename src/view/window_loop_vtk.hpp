@@ -1,0 +1,68 @@
+#pragma once
+
+#include <vtkNew.h>
+
+#include <chrono>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "view/stage_vtk.hpp"
+#include "view/window.hpp"
+
+class vtkObject;
+class vtkRenderWindowInteractor;
+
+namespace fingerpad {
+
+/// What a window's own keys and mouse do; true means that the event went no further. What they leave turns
+/// the camera.
+struct WindowHandlers {
+  std::function<bool(const std::string& key)> key;
+  std::function<bool(int x, int y)> press, move;
+  std::function<bool()> release;
+  std::function<bool(int steps)> wheel;
+  /// Once a frame. @returns whether anything is new to see
+  std::function<bool(double elapsed_s)> frame;
+  std::function<void(WindowReport&)> report;
+};
+
+/// Opens a stage's window and passes events on until it is closed. A frame is drawn when something changed,
+/// at most 60 a second.
+class WindowLoop {
+ public:
+  WindowLoop(Stage& stage, const WindowOptions& options, WindowHandlers handlers);
+  ~WindowLoop();
+  WindowLoop(const WindowLoop&) = delete;
+  WindowLoop& operator=(const WindowLoop&) = delete;
+
+  void run();
+  void close();
+
+ private:
+  void observe();
+  bool on_key(vtkObject*, unsigned long, void*);
+  bool on_mouse(vtkObject*, unsigned long event, void*);
+  bool swallow(vtkObject*, unsigned long, void*) { return true; }
+  bool on_timer(vtkObject*, unsigned long, void*);
+  bool on_camera(vtkObject*, unsigned long, void*);
+  void play_events(double now_s);
+  void play(const WindowEvent& event);
+  bool common_key(const std::string& key);
+
+  Stage& stage_;
+  const WindowOptions& options_;
+  WindowHandlers handlers_;
+  vtkNew<vtkRenderWindowInteractor> interactor_;
+  std::chrono::steady_clock::time_point opened_;
+  double last_frame_s_ = 0;
+  std::size_t next_event_ = 0;
+  long frames_ = 0;
+  bool changed_ = true;
+  bool closing_ = false;
+};
+
+/// The keys that every window has, for its help page.
+std::vector<std::string> common_help();
+
+}  // namespace fingerpad
