@@ -5,6 +5,7 @@
 #include "base/error.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/embedded_surfaces.hpp"
+#include "trace/file_seal.hpp"
 #include "trace/hdf5_file.hpp"
 #include "trace/output_file.hpp"
 #include "trace/trace_row.hpp"
@@ -70,13 +71,16 @@ class Hdf5TraceWriter final : public TraceWriter {
   }
 
   void finish() override {
-    const hdf5::Turn turn = hdf5::take_turn();
-    write_pending();
-    hdf5::flush(file_);  // the rows are safe before the file calls itself complete
-    hdf5::write_flag(file_, "complete", true);
-    hdf5::flush(file_);
     const std::string path = file_.path();
-    if (!close()) throw Error(ErrorKind::fault, path, "cannot be written to its end");
+    {
+      const hdf5::Turn turn = hdf5::take_turn();
+      write_pending();
+      hdf5::flush(file_);  // the rows are safe before the file calls itself complete
+      hdf5::write_flag(file_, "complete", true);
+      hdf5::flush(file_);
+      if (!close()) throw Error(ErrorKind::fault, path, "cannot be written to its end");
+    }
+    seal_file(path);
   }
 
  private:

@@ -139,6 +139,42 @@ TEST(TraceReader, CsvColumnsMayStandInAnyOrderAmongOthers) {
   EXPECT_EQ(trace.rows[0].phase, Phase::stick);
 }
 
+TEST(TraceReader, AnyDamageToAFinishedTraceIsSeen) {
+  const auto folder = test::scratch_dir();
+  test::write_trace(folder / "whole.h5", TraceFormat::hdf5, some_rows(50));
+  const std::string whole = test::bytes_of(folder / "whole.h5");
+  std::srand(1);
+  for (int round = 0; round < 200; ++round) {
+    std::string damaged = whole;
+    const std::size_t place =
+        static_cast<std::size_t>(std::rand()) % (whole.size() - 32);  // the seal is the last 32
+    damaged[place] = static_cast<char>(damaged[place] ^ (1 + std::rand() % 255));
+    write_text(folder / "damaged.h5", damaged);
+    const std::string message = refusal(folder / "damaged.h5");
+    // The first bytes make it an HDF5 file at all.
+    EXPECT_THAT(message, HasSubstr(place < 8 ? "is no trace" : "is damaged: its contents are not those"))
+        << place;
+  }
+}
+
+TEST(TraceReader, DamageToATraceWithoutASealNeverCrashes) {
+  const auto folder = test::scratch_dir();
+  test::write_trace(folder / "whole.h5", TraceFormat::hdf5, some_rows(50));
+  std::string whole = test::bytes_of(folder / "whole.h5");
+  whole.resize(whole.size() - 32);
+  write_text(folder / "bare.h5", whole);
+  EXPECT_EQ(refusal(folder / "bare.h5"), "");
+  std::srand(1);
+  for (int round = 0; round < 60; ++round) {
+    std::string damaged = whole;
+    // Among HDF5's own records, which it trusts; of this many one or two crash or hang it.
+    for (int i = 0; i < 3; ++i)
+      damaged[static_cast<std::size_t>(std::rand()) % 4000] = static_cast<char>(std::rand());
+    write_text(folder / "damaged.h5", damaged);
+    refusal(folder / "damaged.h5");
+  }
+}
+
 TEST(TraceReader, NoCutOfATraceCrashes) {
   const auto folder = test::scratch_dir();
   test::write_trace(folder / "whole.h5", TraceFormat::hdf5, some_rows(50));
