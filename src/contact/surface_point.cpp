@@ -55,7 +55,7 @@ Vec3 facet_normal(const Part& part, int t, Feature feature, const Vec3& pseudono
 }
 
 Vec3 interpolated_normal(const Part& part, int t, const Vec3& barycentric, const Vec3& otherwise) noexcept {
-  const Vec3 sum = part.corner_normals.middleCols<3>(3 * t) * barycentric;
+  const Vec3 sum = part.corner_normals.middleCols<3>(Eigen::Index{3} * t) * barycentric;
   const double length = sum.norm();
   // A fold between smooth neighbours can cancel the sum or turn it round; it says nothing then.
   if (!(length > 1e-6) || sum.dot(otherwise) <= 0) return otherwise;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 
 #include "contact/closest_point.hpp"
@@ -12,10 +13,11 @@ namespace fingerpad {
 /// its triangles and gives both the same bits. Edge 0 joins corners 0 and 1, edge 1 corners 1 and 2, edge 2
 /// corners 0 and 2.
 struct TriangleFrame {
-  Vec3 corner[3];  ///< [m]
-  Vec3 inward[3];  ///< unit, in the plane, from edge k into the triangle; zero where no plane is determined
-  double inverse_length2[3];    ///< of edge k [1/m^2]; 0 for an edge without length
-  std::uint8_t part_corner[3];  ///< corner k of the frame is this corner of the part's triangle
+  std::array<Vec3, 3> corner;  ///< [m]
+  std::array<Vec3, 3>
+      inward;  ///< unit, in the plane, from edge k into the triangle; zero where no plane is determined
+  std::array<double, 3> inverse_length2;    ///< of edge k [1/m^2]; 0 for an edge without length
+  std::array<std::uint8_t, 3> part_corner;  ///< corner k of the frame is this corner of the part's triangle
 };
 
 TriangleFrame triangle_frame(const Part& part, int t) noexcept;

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
+#include <vector>
 
 #include "support/shapes.hpp"
 
@@ -47,6 +49,33 @@ TEST(ThinnestWall, OfAWedgeIsNotItsSharpEdge) {
   const double thinnest = thinnest_of(soup);
   EXPECT_GT(thinnest, 0.01);
   EXPECT_LE(thinnest, 3);
+}
+
+TEST(ThinnestWall, SlantedFacetsAreNoWalls) {
+  // A regular tetrahedron cut so finely that a ray leaves through facets far from its start: none faces
+  // another within 30 degrees (their normals turn by 109.5), so there is no wall.
+  const Vec3 corners[4] = {{4, 4, 4}, {4, -4, -4}, {-4, 4, -4}, {-4, -4, 4}};
+  constexpr int faces[4][3] = {{0, 1, 2}, {0, 3, 1}, {0, 2, 3}, {1, 3, 2}};
+  constexpr int m = 4;  // binary fractions: the faces' common vertices are equal to the bit
+  std::vector<Vec3> points;
+  for (const auto& face : faces) {
+    const Vec3 o = corners[face[0]], x = (corners[face[1]] - o) / m, y = (corners[face[2]] - o) / m;
+    for (int i = 0; i < m; ++i) {
+      for (int j = 0; i + j < m; ++j) {
+        const Vec3 a = o + i * x + j * y;
+        points.insert(points.end(), {a, a + x, a + y});
+        if (i + j + 1 < m) points.insert(points.end(), {a + x, a + x + y, a + y});
+      }
+    }
+  }
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, static_cast<Eigen::Index>(points.size()));
+  soup.triangles.resize(3, static_cast<Eigen::Index>(points.size() / 3));
+  for (int i = 0; i < static_cast<int>(points.size()); ++i) {
+    soup.vertices_P.col(i) = points[i];
+    soup.triangles(i % 3, i / 3) = i;
+  }
+  EXPECT_EQ(thinnest_of(soup), std::numeric_limits<double>::infinity());
 }
 
 TEST(ThinnestWall, OfAnOpenPartIsNoNumber) {

@@ -48,8 +48,8 @@ Vec3 random_point(RandomStream& random, double scale) {
 
 /// A torus of n x m quads, each cut in two; `stretch` along x makes slivers of it.
 std::shared_ptr<const Part> torus(int n, int m, double stretch = 1) {
-  Points vertices(3, n * m);
-  IndexTriples triangles(3, 2 * n * m);
+  Points vertices(3, Eigen::Index{n} * m);
+  IndexTriples triangles(3, Eigen::Index{2} * n * m);
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < m; ++j) {
       const double u = 2 * M_PI * i / n, v = 2 * M_PI * j / m, r = 1 + 0.4 * std::cos(v);
@@ -66,7 +66,7 @@ std::shared_ptr<const Part> torus(int n, int m, double stretch = 1) {
 /// Triangles of every size and shape, touching nowhere: needles to 1e7, some without area, some twice.
 std::shared_ptr<const Part> soup_of_slivers(int count) {
   RandomStream random(7);
-  Points vertices(3, 3 * count);
+  Points vertices(3, Eigen::Index{3} * count);
   IndexTriples triangles(3, count);
   for (int t = 0; t < count; ++t) {
     const Vec3 a = random_point(random, 1);
@@ -102,7 +102,8 @@ void expect_same_bits(const ClosestTriangle& a, const ClosestTriangle& b) {
 /// Points far and near: in the box, beyond it, close to the surface, and on vertices and edges exactly.
 Vec3 trial_point(const Part& part, RandomStream& random, int i) {
   const int t = static_cast<int>(random.uniform() * part.triangle_count());
-  const Vec3 a = part.vertices.col(part.triangles(0, t)), b = part.vertices.col(part.triangles(1, t));
+  Vec3 a = part.vertices.col(part.triangles(0, t));
+  const Vec3 b = part.vertices.col(part.triangles(1, t));
   switch (i % 5) {
     case 0:
       return random_point(random, 1.5);
@@ -202,8 +203,8 @@ TEST(TriangleTree, TiesAreTiesWhereRoundingWouldBreakThem) {
   // triangles there are equally near in exact arithmetic, and the lowest must win.
   constexpr int cells = 9;
   const Vec3 x = Vec3(0.36, 0.48, -0.8), y = Vec3(-0.8, 0.6, 0), z = x.cross(y);
-  Points vertices(3, (cells + 1) * (cells + 1));
-  IndexTriples triangles(3, 2 * cells * cells);
+  Points vertices(3, Eigen::Index{cells + 1} * (cells + 1));
+  IndexTriples triangles(3, Eigen::Index{2} * cells * cells);
   for (int i = 0; i <= cells; ++i) {
     for (int j = 0; j <= cells; ++j)
       vertices.col(i * (cells + 1) + j) = (i / 7.0 - 0.6) * x + (j / 7.0 - 0.7) * y;
