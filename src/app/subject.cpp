@@ -1,0 +1,76 @@
+#include "app/subject.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "scene/scene_file.hpp"
+#include "touch/closed_loop.hpp"
+#include "trace/motion_source.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const World>& world) {
+  ClosedLoop loop(world, scene, load_finger_path(scene));
+  std::vector<TickRecord> rows;
+  rows.reserve(static_cast<std::size_t>(loop.tick_count()));
+  for (long k = 0; k < loop.tick_count(); ++k) rows.push_back(loop.next());
+  return rows;
+}
+
+ViewInput scene_subject(const std::string& path) {
+  ViewInput input;
+  input.scene = single_scene(path);
+  input.title = input.scene->name;
+  input.world = load_world(*input.scene);
+  tell_warnings(*input.world);
+  if (input.scene->motion.given()) input.rows = replayed(*input.scene, input.world);
+  return input;
+}
+
+ViewInput mesh_subject(const std::string& path, double metres_per_unit) {
+  ViewInput input;
+  input.title = std::filesystem::path(path).filename().string();
+  input.world = load_world(scene_of_mesh(path, metres_per_unit));
+  tell_warnings(*input.world);
+  return input;
+}
+
+}  // namespace
+
+SubjectKind subject_kind(const std::string& path) {
+  if (path.ends_with(".toml")) return SubjectKind::scene;
+  if (path.ends_with(".csv") || is_hdf5(path)) return SubjectKind::trace;
+  return SubjectKind::mesh;
+}
+
+Scene single_scene(const std::string& path) {
+  SceneFile file = read_scene_file(path);
+  SceneJob& job = file.jobs.front();
+  if (!job.error.empty()) throw Error(ErrorKind::refused, "", job.error);
+  return std::move(job.scene);
+}
+
+ViewInput load_subject(const std::string& path, double metres_per_unit) {
+  switch (subject_kind(path)) {
+    case SubjectKind::scene:
+      return scene_subject(path);
+    case SubjectKind::trace:
+      return view_of_trace(read_trace(path), path);
+    case SubjectKind::mesh:
+      break;
+  }
+  return mesh_subject(path, metres_per_unit);
+}
+
+void tell_warnings(const World& world) {
+  for (const Verdict& verdict : world.verdicts) {
+    for (const std::string& warning : verdict.warnings) {
+      fmt::print(stderr, "fingerpad: warning: {}: {}\n", verdict.file, warning);
+    }
+  }
+}
+
+}  // namespace fingerpad

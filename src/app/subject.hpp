@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "view/view_input.hpp"
+
+namespace fingerpad {
+
+/// What a path on the command line names, told by ending and content: *.toml is a scene; HDF5, or CSV with a
+/// trace's columns, is a trace; all else is a mesh.
+enum class SubjectKind { scene, mesh, trace };
+SubjectKind subject_kind(const std::string& path);
+
+/// A scene, mesh or trace made ready to be shown. A scene with a motion is replayed first; one without shows
+/// its parts.
+/// @param metres_per_unit  for a mesh
+/// Throws Error (refused) as loading and replaying do.
+ViewInput load_subject(const std::string& path, double metres_per_unit);
+
+/// A scene file's scene; of a set, its first job's. Throws Error (refused).
+Scene single_scene(const std::string& path);
+
+/// Prints the verdicts' warnings to standard error, as `fingerpad: warning: FILE: WHAT`.
+void tell_warnings(const World& world);
+
+}  // namespace fingerpad

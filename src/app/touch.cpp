@@ -1,0 +1,116 @@
+#include "touch/touch.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/subject.hpp"
+#include "app/unit_option.hpp"
+#include "base/error.hpp"
+#include "device/pointer_finger.hpp"
+#include "replay/run_job.hpp"
+#include "scene/scene_file.hpp"
+#include "touch/servo_loop.hpp"
+#include "trace/live_recorder.hpp"
+#include "view/screen.hpp"
+#include "view/touch_window.hpp"
+
+namespace fingerpad {
+namespace {
+
+struct TouchOptions {
+  std::string subject, record;
+  std::string device = "pointer";
+  std::string unit = "mm";
+  std::optional<double> rate_hz;
+};
+
+/// Follows a mouse closely, yet smooths a screen's 60 positions a second.
+constexpr double pointer_bandwidth_hz = 8;
+
+Scene touched_scene(const TouchOptions& options) {
+  const SubjectKind kind = subject_kind(options.subject);
+  if (kind == SubjectKind::trace) {
+    throw Error(ErrorKind::usage, options.subject, "is a trace; touch a scene or a mesh, and view a trace");
+  }
+  Scene scene = kind == SubjectKind::scene ? single_scene(options.subject)
+                                           : scene_of_mesh(options.subject, metres_of(options.unit));
+  scene.hand.reset();  // a person holds the finger
+  if (options.rate_hz) scene.motion.rate_hz = *options.rate_hz;
+  return scene;
+}
+
+std::unique_ptr<LiveRecorder> recorder_for(const TouchOptions& options, const Scene& scene,
+                                           const World& world) {
+  if (options.record.empty()) return nullptr;
+  const TraceFormat format = options.record.ends_with(".csv") ? TraceFormat::csv : TraceFormat::hdf5;
+  TraceInfo info = trace_info(scene, world, std::string(program_version));
+  info.motion_file.clear();  // the person's, not the scene's
+  info.motion_hash.clear();
+  return std::make_unique<LiveRecorder>(TraceWriter::create(options.record, format, info, world));
+}
+
+int touch(const TouchOptions& options) {
+  need_display();  // before a long import
+  const Scene scene = touched_scene(options);
+  const auto world = load_world(scene);
+  tell_warnings(*world);
+  const auto recorder = recorder_for(options, scene, *world);
+  PointerFinger finger(resting_finger(*world, scene), pointer_bandwidth_hz);
+
+  const double dt_s = 1 / scene.motion.rate_hz;
+  ServoLoop servo(
+      Touch(world, scene), scene.motion.rate_hz, [&](double) { return finger.advance(dt_s); },
+      [&](const TickRecord& record) {
+        if (recorder) recorder->push(record);
+      });
+  TouchWindowInput input;
+  input.view.title = scene.name;
+  input.view.world = world;
+  input.view.scene = scene;
+  input.set_target = [&](const FingerSample& target) { finger.set_target(target); };
+  input.latest = [&] { return servo.latest(); };
+  input.recent = [&](double seconds) { return servo.recent(seconds); };
+  if (recorder) input.note = "recording " + options.record;
+  run_touch_window(input, WindowOptions{});
+
+  servo.stop();
+  const ServoLoop::Timing timing = servo.timing();
+  fmt::print("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks,
+             scene.motion.rate_hz, timing.late_ticks, 1e3 * timing.worst_late_s);
+  if (!recorder) return 0;
+  recorder->finish();
+  fmt::print("{} ticks recorded in {}\n", recorder->recorded(), options.record);
+  if (recorder->dropped() > 0) {
+    fmt::print(stderr, "fingerpad: warning: {}: {} ticks were lost because the disk was too slow\n",
+               options.record, recorder->dropped());
+  }
+  return 0;
+}
+
+}  // namespace
+
+void add_touch(CLI::App& program, Action& action) {
+  auto options = std::make_shared<TouchOptions>();
+  CLI::App* command =
+      program.add_subcommand("touch", "Touch a scene or a mesh live, with the finger under the mouse");
+  command->add_option("SUBJECT", options->subject, "Scene (TOML) or mesh")->required();
+  command
+      ->add_option("--device", options->device,
+                   "What moves the finger; pointer is the mouse and the keyboard")
+      ->check(CLI::IsMember({"pointer"}))
+      ->capture_default_str();
+  command->add_option("--record", options->record, "Write a trace of the touch (.h5, or .csv)");
+  command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
+      ->check(CLI::Range(1.0, 100000.0));
+  add_unit_option(*command, options->unit);
+  command->footer(
+      "Hold the left button (or space) to press; wheel, Page Up and Page Down change how hard; h shows all "
+      "keys.\n"
+      "The tick runs on a thread of its own and does not wait for the window.");
+  command->callback([options, &action] { action = [options] { return touch(*options); }; });
+}
+
+}  // namespace fingerpad

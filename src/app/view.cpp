@@ -1,0 +1,71 @@
+#include <CLI/CLI.hpp>
+#include <cstdio>
+#include <optional>
+
+#include "app/commands.hpp"
+#include "app/subject.hpp"
+#include "app/unit_option.hpp"
+#include "base/error.hpp"
+#include "view/picture.hpp"
+#include "view/screen.hpp"
+#include "view/window.hpp"
+
+namespace fingerpad {
+namespace {
+
+struct ViewOptions {
+  std::string subject, png;
+  std::string unit = "mm";
+  std::string size = "1280x800";
+  std::optional<double> at_s;
+};
+
+struct Size {
+  int width = 0, height = 0;
+};
+
+Size read_size(const std::string& text) {
+  Size size;
+  char extra = 0;
+  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &extra) != 2) {
+    throw Error(ErrorKind::usage, "--size", "'" + text + "' is not WxH in pixels, as 1280x800");
+  }
+  return size;
+}
+
+int view(const ViewOptions& options) {
+  const Size size = read_size(options.size);
+  if (options.png.empty()) need_display();  // before a long import
+  const ViewInput input = load_subject(options.subject, metres_of(options.unit));
+  if (!options.png.empty()) {
+    write_view_png(input, options.png, size.width, size.height, options.at_s, ViewState{});
+    return 0;
+  }
+  WindowOptions window;
+  window.width = size.width;
+  window.height = size.height;
+  run_view_window(input, window);
+  return 0;
+}
+
+}  // namespace
+
+void add_view(CLI::App& program, Action& action) {
+  auto options = std::make_shared<ViewOptions>();
+  CLI::App* command =
+      program.add_subcommand("view", "Show a scene, a mesh or a trace in a window or as a picture");
+  command
+      ->add_option("SUBJECT", options->subject, "Scene (TOML; replayed first), mesh, or trace (HDF5 or CSV)")
+      ->required();
+  command->add_option("--png", options->png, "Write a picture instead; needs no screen");
+  command->add_option("--size", options->size, "Size of the window or picture in pixels")
+      ->type_name("WxH")
+      ->capture_default_str();
+  command->add_option("--at", options->at_s,
+                      "The moment of the picture [s]; default: the one with the greatest friction");
+  add_unit_option(*command, options->unit);
+  command->footer("In the window, h shows all keys. --unit is for a mesh; scenes and traces know theirs.");
+  command->callback([options, &action] { action = [options] { return view(*options); }; });
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,88 @@
+#ifdef FINGERPAD_VIEW
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// Pictures and windows as a user without a display meets them.
+
+namespace fingerpad {
+namespace {
+namespace fs = std::filesystem;
+
+fs::path folder_with_plane() {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "plane.toml")
+      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"sine\"\ncentre_m = [0, 0, "
+         "-0.001]\n"
+         "direction = [1, 0, 0]\namplitude_m = 0.05\nfrequency_hz = 1\nduration_s = 1\n";
+  return folder;
+}
+
+struct Size {
+  unsigned width = 0, height = 0;
+};
+
+Size png_size(const fs::path& path) {
+  const std::string bytes = test::bytes_of(path);
+  if (bytes.size() < 24 || bytes.compare(1, 3, "PNG") != 0) return {};
+  const auto number = [&bytes](std::size_t at) {
+    unsigned value = 0;
+    for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+    return value;
+  };
+  return {number(16), number(20)};
+}
+
+TEST(Pictures, OfASceneAndATraceNeedNoScreen) {
+  const fs::path folder = folder_with_plane();
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet", folder).exit_code, 0);
+  for (const char* call : {"view plane.toml --png a.png --size 800x600",
+                           "view o/plane.h5 --png a.png --size 800x600 --at 0.5"}) {
+    fs::remove(folder / "a.png");
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_EQ(png_size(folder / "a.png").width, 800u) << call;
+    EXPECT_EQ(png_size(folder / "a.png").height, 600u) << call;
+  }
+}
+
+TEST(Pictures, OfTheDenseMeshAreDrawnToo) {
+  const auto meshes = test::real_files("dense", {".ply"});
+  if (meshes.empty()) GTEST_SKIP() << "the shared meshes are not here";
+  const fs::path folder = test::scratch_dir();
+  const auto result = test::fingerpad("view '" + meshes[0].string() + "' --png dense.png", folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_GT(fs::file_size(folder / "dense.png"), 20000u) << "a blank page is smaller";
+}
+
+TEST(Plots, AreWrittenAsPngAndSvgOnly) {
+  const fs::path folder = folder_with_plane();
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out o --format csv --quiet", folder).exit_code, 0);
+  EXPECT_EQ(test::fingerpad("plot o/plane.csv --out p.svg", folder).exit_code, 0);
+  EXPECT_EQ(test::fingerpad("plot o/plane.csv --out p.png", folder).exit_code, 0);
+  EXPECT_NE(test::bytes_of(folder / "p.svg").find("<svg"), std::string::npos);
+  EXPECT_EQ(test::fingerpad("plot o/plane.csv --out p.pdf", folder).exit_code, 2);
+}
+
+TEST(Windows, WithoutADisplayEndTwoWithOneLine) {
+  const fs::path folder = folder_with_plane();
+  for (const char* call : {"view plane.toml", "touch plane.toml"}) {
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 2) << call;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+  }
+}
+
+TEST(Windows, ADisplayThatDoesNotAnswerIsToldToo) {
+  const fs::path folder = folder_with_plane();
+  const auto result = test::shell("DISPLAY=:987 '" + test::program().string() + "' view plane.toml", folder);
+  EXPECT_EQ(result.exit_code, 2) << result.err;
+}
+
+}  // namespace
+}  // namespace fingerpad
+#endif
