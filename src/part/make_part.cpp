@@ -219,9 +219,11 @@ BuiltPart build_part(const TriangleSoup& soup, double crease_rad) {
   Draft draft = first_draft(soup);
   std::vector<int> kept = take_census(draft, built.census);
   if (kept.size() < draft.from_soup.size()) draft = reduced(soup, draft, kept);
-  if (std::find(draft.flat.begin(), draft.flat.end(), true) != draft.flat.end()) {
+  // Leaving triangles out moves the centre, and with it what rounding makes of the others: look again.
+  while (std::find(draft.flat.begin(), draft.flat.end(), true) != draft.flat.end()) {
     kept = sided(draft);
-    if (kept.size() < draft.from_soup.size()) draft = reduced(soup, draft, kept);
+    if (kept.size() == draft.from_soup.size()) break;
+    draft = reduced(soup, draft, kept);
   }
   Part& part = built.part;
   part = assembled(soup, draft);

@@ -15,8 +15,8 @@ namespace fingerpad {
 /// index against the vertices) and throws Error (refused) at a place in the file, without the file's name,
 /// for a file that is no mesh of its format or ends too early.
 struct RawMesh {
-  std::string format;  ///< "text STL", "binary PLY", ...
-  bool binary = false;
+  std::string format;          ///< "text STL", "binary PLY", ...
+  bool binary = false;         ///< OpenMesh is to read it as binary
   bool float32 = false;        ///< the file's own coordinates are float32
   std::vector<Vec3> vertices;  ///< in file units; of an STL three a triangle
   std::vector<int> corners;    ///< of all polygons, one after the other; -1: names a vertex that is not there
@@ -38,8 +38,8 @@ struct RawMesh {
   long short_polygons = 0;
 };
 
-/// `bytes` is what OpenMesh will be given next: what would mislead it is blanked out in place (material
-/// libraries that it would open, names that it would take for keywords).
+/// `bytes` is what OpenMesh will be given next: what would mislead it is taken out (material libraries that
+/// it would open, names that it would take for keywords, headers that it would never leave).
 RawMesh scan_stl(std::string& bytes);
 RawMesh scan_obj(std::string& bytes);
 RawMesh scan_off(std::string& bytes);

@@ -28,6 +28,7 @@ class Comparison {
   bool walk() {
     std::size_t next = 0;
     for (int i = 0; i < mesh_.polygon_count(); ++i) {
+      pass_over_short(next);
       const std::span<const int> said(mesh_.corners.data() + mesh_.first_corner(i),
                                       static_cast<std::size_t>(mesh_.corner_count(i)));
       if (next < delivery_.ends.size() && matches(said, delivered(next))) {
@@ -44,10 +45,16 @@ class Comparison {
       if (once.size() == said.size()) return false;
       if (once.size() > 2 && next < delivery_.ends.size() && matches(once, delivered(next))) ++next;
     }
+    pass_over_short(next);
     return next == delivery_.ends.size();
   }
 
  private:
+  /// Faces of fewer than three corners, which the scan left out.
+  void pass_over_short(std::size_t& next) const {
+    while (next < delivery_.ends.size() && delivered(next).size() < 3) ++next;
+  }
+
   std::span<const int> delivered(std::size_t i) const {
     const int from = i == 0 ? 0 : delivery_.ends[i - 1];
     return {delivery_.corners.data() + from, static_cast<std::size_t>(delivery_.ends[i] - from)};

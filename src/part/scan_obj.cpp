@@ -31,6 +31,8 @@ class ObjText {
         continue;
       }
       cursor_.rest_of_line();
+      const std::size_t comment = bytes_.find('#', from);
+      if (comment < cursor_.offset()) blank(comment);
     }
     const int count = static_cast<int>(mesh_.vertices.size());
     for (int& corner : mesh_.corners) {

@@ -23,8 +23,12 @@ class OffText {
 
  private:
   /// Copies what was read of the line. OpenMesh gets the bare mesh: it stumbles over comments between lines,
-  /// over a header that shares its line, and over face colours that the header does not name.
-  void keep_line() { plain_.append(line_text_.substr(0, line_.offset())).append("\n"); }
+  /// over a header that shares its line, and over face colours that the header does not name. A number that
+  /// its stream cannot take would leave its counters at random values, so `otherwise` stands for a line with
+  /// such a one.
+  void keep_line(bool takes, const std::string& otherwise) {
+    plain_.append(takes ? line_text_.substr(0, line_.offset()) : std::string_view(otherwise)).append("\n");
+  }
 
   bool next_line() {
     while (!file_.at_end()) {
@@ -90,23 +94,27 @@ class OffText {
       if (!number) throw refused(place(), complaint(word));
       numbers[i] = *number;
     }
+    const std::size_t nonfinite = mesh_.nonfinite.size();
     mesh_.add_vertex(numbers, static_cast<std::size_t>(line_number_));
-    keep_line();
+    keep_line(mesh_.nonfinite.size() == nonfinite, "0 0 0");
   }
 
   void face() {
     need_line("faces");
     const auto corners = integer_of(line_.word_in_line());
+    bool in_range = true;
     if (!corners || *corners < 0) throw refused(place(), "a face begins with the number of its corners");
     for (long long k = 0; k < *corners; ++k) {
       const std::string_view word = line_.word_in_line();
       const auto index = integer_of(word);
       if (!index)
         throw refused(place(), fmt::format("corner {} of {}: {}", k + 1, *corners, complaint(word)));
-      mesh_.corners.push_back(*index < 0 || *index >= vertex_count_ ? -1 : static_cast<int>(*index));
+      const bool names_one = *index >= 0 && *index < vertex_count_;
+      mesh_.corners.push_back(names_one ? static_cast<int>(*index) : -1);
+      in_range = in_range && names_one;
     }
     mesh_.end_polygon();
-    keep_line();
+    keep_line(in_range, "0");
   }
 
   std::string& bytes_;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "part/plain_ply.hpp"
 #include "part/ply_header.hpp"
 #include "part/raw_mesh.hpp"
 #include "part/sniff.hpp"
@@ -188,11 +190,7 @@ RawMesh scan_ply(std::string& bytes) {
   const PlyHeader header = read_ply_header(bytes);
   if (header.form == PlyHeader::Form::text) refuse_binary(bytes);
   RawMesh mesh = PlyScan(bytes, header).scan();
-  if (mesh.binary) {
-    // OpenMesh passes over one byte after "end_header", be it a carriage return or the line's end.
-    const auto body = bytes.begin() + static_cast<std::ptrdiff_t>(header.body);
-    bytes.erase(std::remove(bytes.begin(), body, '\r'), body);
-  }
+  write_plainly(bytes, header, mesh);
   return mesh;
 }
 

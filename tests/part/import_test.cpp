@@ -261,7 +261,7 @@ TEST(ImportObj, LongLinesContinuationsCommentsAndMaterialsAreRead) {
   const std::string text =
       "# " + std::string(5000, 'x') +
       "\nmtllib /dev/zero\nusemtl none\r\nv 0 0 0 1 0.5 0.5\r\nv 1 0 \\\n0\nv 0 1 0\nvn 0 0 1\nvt 0\n"
-      "f 1//1 2//1 \\\n 3//1";
+      "f 1//1 2//1 \\\n 3//1 # done";
   const ImportedPart imported = import_bytes("a.obj", text);
   ASSERT_TRUE(imported.verdict.touchable) << imported.verdict.error;
   EXPECT_EQ(imported.verdict.kept, 1);
@@ -318,6 +318,24 @@ TEST(ImportPly, HeadersAreReadStrictly) {
       import_bytes("a.ply",
                    ply("format ascii 1.0\nelement void 4000000000\nelement vertex 3\n" + xyz, points)),
       "announces 4000000000");
+}
+
+TEST(ImportPly, WhatKeepsOpenMeshReadingForEverIsReadInATrice) {
+  const std::string xyz = "property float x\nproperty float y\nproperty float z\n";
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n";
+  const std::string list = "property list uchar int vertex_indices\n";
+  // A version that is no number makes its header reader wait for a stream that has failed.
+  const std::string version = "format ascii one\nelement vertex 3\n" + xyz + "element face 1\n" + list;
+  EXPECT_EQ(import_bytes("a.ply", ply(version, points + "3 0 1 2\n")).verdict.kept, 1);
+  // A property before the list: it would take its bytes for the count of corners.
+  const std::string before =
+      "format ascii 1.0\nelement vertex 3\n" + xyz + "element face 1\nproperty int flags\n" + list;
+  EXPECT_EQ(import_bytes("a.ply", ply(before, points + "2000000000 3 0 1 2\n")).verdict.kept, 1);
+  // A number that its stream cannot take leaves its counters as they were.
+  const std::string more = "format ascii 1.0\nelement vertex 4\n" + xyz + "element face 1\n" + list;
+  const ImportedPart imported = import_bytes("a.ply", ply(more, points + "nan 1e999 0\n3 0 1 2\n"));
+  EXPECT_EQ(imported.verdict.kept, 1);
+  EXPECT_THAT(imported.verdict.warnings, Not(Contains(HasSubstr("OpenMesh"))));
 }
 
 TEST(ImportPly, PropertiesThatAreNotNeededArePassedOver) {
