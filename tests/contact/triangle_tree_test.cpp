@@ -16,6 +16,7 @@
 #include "contact/effort.hpp"
 #include "contact/surface_point.hpp"
 #include "support/brute_force.hpp"
+#include "support/shapes.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
@@ -304,13 +305,14 @@ TEST(TriangleTree, APartOfOnePointIsAnswered) {
 }
 
 TEST(TriangleTree, QueriesAllocateNothing) {
-  const auto part = torus(60, 40);
+  const auto part = std::make_shared<const Part>(make_part(test::torus_soup(1, 0.4, 60, 40), 0.5));
   const TriangleTree tree(part);
   RandomStream random(13);
   const auto query_all = [&] {
     for (int i = 0; i < 2000; ++i) {
       const Vec3 q = trial_point(*part, random, i);
       (void)tree.closest(q, i % part->triangle_count(), unbounded);
+      (void)nearest_surface_point(tree, q, Normals::smooth, i % part->triangle_count(), unbounded);
       (void)tree.first_exit(i % part->triangle_count(), q, Vec3::UnitX());
     }
   };
