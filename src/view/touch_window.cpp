@@ -65,9 +65,9 @@ class TouchWindow {
     std::vector<std::string> help = {"move the mouse: the finger follows over the part",
                                      "hold left button: press on the part",
                                      "space: press without holding, lift",
-                                     "wheel, Page Up, Down: press harder, softer",
+                                     "wheel, Page keys: press harder, softer",
                                      "arrow keys: move the finger on the surface",
-                                     "left drag beside the part: turn the view",
+                                     "drag beside part: turn the view",
                                      "+, -: view nearer, farther"};
     for (std::string& line : common_help()) {
       if (line.find("wheel") == std::string::npos && line.find("left drag") == std::string::npos) {
