@@ -10,9 +10,10 @@
 namespace {
 
 constexpr fingerpad::AddCommand commands[] = {
-    fingerpad::add_check, fingerpad::add_query, fingerpad::add_replay, fingerpad::add_export,
+    fingerpad::add_check,  fingerpad::add_query, fingerpad::add_replay,
+    fingerpad::add_export, fingerpad::add_study,
 #ifdef FINGERPAD_VIEW
-    fingerpad::add_touch, fingerpad::add_view,  fingerpad::add_plot,
+    fingerpad::add_touch,  fingerpad::add_view,  fingerpad::add_plot,
 #endif
 };
 

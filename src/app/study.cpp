@@ -1,0 +1,73 @@
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+
+#include "app/commands.hpp"
+#include "app/study_pictures.hpp"
+#include "base/error.hpp"
+#include "study/study.hpp"
+#include "trace/output_file.hpp"
+
+namespace fingerpad {
+namespace {
+
+struct StudyOptions {
+  std::string subject, out_dir;
+};
+
+StudyReport studied(const std::string& subject) {
+  const bool on_terminal = isatty(STDERR_FILENO) != 0;
+  const StudyProgress progress = [&](const std::string& next) {
+    if (on_terminal) fmt::print(stderr, "{}: {} ...\n", subject, next);
+  };
+  if (subject == "stability") return study_stability(progress);
+  if (subject == "friction") return study_friction(progress);
+  throw Error(ErrorKind::usage, "study " + subject,
+              "this study is not there yet; there are friction and stability");
+}
+
+int study(const StudyOptions& options) {
+  const StudyReport report = studied(options.subject);
+  std::error_code error;
+  std::filesystem::create_directories(options.out_dir, error);
+  if (error) throw Error(ErrorKind::fault, options.out_dir, "cannot be created: " + error.message());
+  for (const StudyTable& table : report.tables) {
+    OutputFile file(options.out_dir + "/" + table.name + ".csv");
+    file.write(table.csv());
+    file.commit();
+  }
+#ifdef FINGERPAD_VIEW
+  for (const StudyChart& chart : report.charts) draw_study_chart(chart, options.out_dir + "/" + chart.name);
+  fmt::print("{} tables and {} charts (PNG and SVG) in {}\n", report.tables.size(), report.charts.size(),
+             options.out_dir);
+#else
+  fmt::print("{} tables in {}; charts need a build with FINGERPAD_VIEW=ON\n", report.tables.size(),
+             options.out_dir);
+#endif
+  return 0;
+}
+
+}  // namespace
+
+void add_study(CLI::App& program, Action& action) {
+  auto options = std::make_shared<StudyOptions>();
+  CLI::App* command =
+      program.add_subcommand("study", "Measure speed against accuracy, and stability, as tables and charts");
+  command->add_option("SUBJECT", options->subject, "friction, contact (not there yet) or stability")
+      ->required()
+      ->check(CLI::IsMember({"friction", "contact", "stability"}));
+  command->add_option("--out", options->out_dir, "Folder for the CSV tables and the charts (PNG and SVG)")
+      ->required();
+  command->footer(
+      "friction: every law's error against its own limit of short ticks and against exact stick-slip, by "
+      "rate, beside its cost.\n"
+      "stability: largest stable stiffness by rate, damping and delay; loads at which stick buzzes; energy "
+      "made; restick rules; velocity.\n"
+      "Each takes about a minute. Files named *_measured hold times of this machine; all others are the same "
+      "at every run.");
+  command->callback([options, &action] { action = [options] { return study(*options); }; });
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <functional>
+#include <string>
+
+#include "study/report.hpp"
+
+namespace fingerpad {
+
+/// Told what a study does next.
+using StudyProgress = std::function<void(const std::string&)>;
+
+/// The largest stable stiffness of the closed loop, the load at which each law's stick buzzes, the energy
+/// that friction gives, restick rules, velocity estimators, and the undamped stick (SCIENCE 3 and 4). About
+/// a minute; the same result at every run.
+StudyReport study_stability(const StudyProgress& progress);
+
+/// Every law's error against its own limit of short ticks and against exact stick-slip, by rate, beside its
+/// cost. About a minute; tables and charts named "_measured" hold times.
+StudyReport study_friction(const StudyProgress& progress);
+
+}  // namespace fingerpad
