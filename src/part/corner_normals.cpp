@@ -33,7 +33,7 @@ Step crossed(const Part& part, const Step& step) {
 
 void fill_corner_normals(Part& part, const Points& angles) {
   const int n = part.triangle_count();
-  part.corner_normals = Points::Zero(3, 3 * n);
+  part.corner_normals = Points::Zero(3, Eigen::Index(3) * n);
   std::vector<bool> done(static_cast<std::size_t>(3 * n), false);
   std::vector<int> fan;
   for (int start = 0; start < 3 * n; ++start) {

@@ -15,7 +15,9 @@ std::size_t at(int i) {
 
 struct Upper {
   int vertex, half_edge;
-  auto operator<=>(const Upper&) const = default;
+  bool operator<(const Upper& other) const {
+    return vertex != other.vertex ? vertex < other.vertex : half_edge < other.half_edge;
+  }
 };
 
 }  // namespace

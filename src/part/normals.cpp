@@ -129,15 +129,16 @@ void fill_edge_pseudonormals(Part& part, const EdgeTable& edges, const std::vect
   const auto shown = [&](int h) -> Vec3 {
     const int t = h / 3;
     if (!flat[at(t)]) return part.facet_normals.col(t);
-    const Vec3 own = part.facet_normals.col(t);
+    Vec3 own = part.facet_normals.col(t);
     if (shape_of(part.vertices, part.triangles, t).longest_edge != h % 3) return own;
     Vec3 sum = Vec3::Zero();
     for (const int step : {1, 2}) {
       across.visit(3 * t + (h % 3 + step) % 3, [&](int other) { sum += part.facet_normals.col(other); });
     }
-    return sum.norm() > vanishing ? Vec3(sum.normalized()) : own;
+    if (sum.norm() > vanishing) own = sum.normalized();
+    return own;
   };
-  part.edge_pseudonormals = Points::Zero(3, 3 * part.triangle_count());
+  part.edge_pseudonormals = Points::Zero(3, Eigen::Index(3) * part.triangle_count());
   for (int e = 0; e < edges.edge_count(); ++e) {
     Vec3 sum = Vec3::Zero();
     for (const int h : edges.on_edge(e)) sum += shown(h);

@@ -72,8 +72,8 @@ std::string bare_ply(const RawMesh& mesh) {
   }
   for (int i = 0; i < mesh.polygon_count(); ++i) {
     append_bytes(bytes, mesh.corner_count(i));
-    for (int k = 0; k < mesh.corner_count(i); ++k) {
-      append_bytes(bytes, mesh.corners[static_cast<std::size_t>(mesh.first_corner(i) + k)]);
+    for (int c = mesh.first_corner(i); c < mesh.ends[static_cast<std::size_t>(i)]; ++c) {
+      append_bytes(bytes, mesh.corners[static_cast<std::size_t>(c)]);
     }
   }
   return bytes;
