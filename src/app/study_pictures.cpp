@@ -25,7 +25,7 @@ Colour colour_of(const SeriesStyle& style) {
 }
 
 Stroke stroke_of(const SeriesStyle& style) {
-  constexpr double width = 2;
+  const double width = 2 * style.weight;
   switch (style.dash) {
     case SeriesDash::dashed:
       return {colour_of(style), width, 5 * width, 3 * width};
@@ -41,7 +41,7 @@ Stroke stroke_of(const SeriesStyle& style) {
 }
 
 void draw_marker(Drawing& drawing, const Vec2& at, const SeriesStyle& style) {
-  constexpr double r = 5;
+  const double r = 5 * style.weight;
   const Colour colour = colour_of(style);
   switch (style.marker) {
     case SeriesMarker::none:

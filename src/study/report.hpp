@@ -24,6 +24,7 @@ struct SeriesStyle {
   int colour = 0;
   SeriesDash dash = SeriesDash::solid;
   SeriesMarker marker = SeriesMarker::disc;
+  double weight = 1;  ///< of line and marker
 };
 
 /// One style a law, on every chart: 14 laws, told apart by colour, dash and marker together.

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <numbers>
 
 #include "study/stability_parts.hpp"
@@ -57,7 +58,8 @@ void pad_by_angle(StudyReport& report) {
     for (int deg = 0; deg <= 90; deg += 15) {
       StuckFinger finger;
       finger.law = "finger-pad";
-      finger.inclination_rad = deg * std::numbers::pi / 180;
+      // Not quite upright: along the normal a finger names no direction in the plane.
+      finger.inclination_rad = std::min<double>(deg, 89.9) * std::numbers::pi / 180;
       finger.push_along_finger = along;
       found.x.push_back(deg);
       found.y.push_back(quiet_load_n(finger));

@@ -15,11 +15,11 @@ struct Sweep {
   std::function<HeldWall(double)> wall;
 };
 
-constexpr SeriesStyle touched{0, SeriesDash::none, SeriesMarker::ring};
-constexpr SeriesStyle eigenvalues{5, SeriesDash::solid, SeriesMarker::none};
+constexpr SeriesStyle touched{5, SeriesDash::none, SeriesMarker::ring};
+constexpr SeriesStyle eigenvalues{6, SeriesDash::solid, SeriesMarker::none, 4};
 constexpr SeriesStyle colgate{1, SeriesDash::dashed, SeriesMarker::none};
 constexpr SeriesStyle abbott{3, SeriesDash::dotted, SeriesMarker::none};
-constexpr SeriesStyle thumb{2, SeriesDash::dash_dot, SeriesMarker::none};
+constexpr SeriesStyle thumb{2, SeriesDash::dash_dot, SeriesMarker::none, 0.8};
 
 std::vector<Sweep> sweeps() {
   const std::vector<double> rates_hz{250, 500, 1000, 2000, 4000, 10000};
@@ -40,7 +40,7 @@ std::vector<Sweep> sweeps() {
        }});
   all.push_back({"encoder of 0.03 mm, dry friction",
                  "dry friction of the device [N]",
-                 {0.0015, 0.003, 0.006, 0.015, 0.03, 0.06},
+                 {0.0015, 0.003, 0.006, 0.01, 0.015, 0.03},
                  true,
                  [](double n) { return HeldWall{.encoder_m = 3e-5, .coulomb_n = n}; }});
   return all;

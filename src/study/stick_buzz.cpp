@@ -17,7 +17,9 @@ bool is_quiet(const StuckFinger& finger, double load_n) {
   bench.scene().friction.settings = finger.settings;
   bench.scene().finger.direction =
       Vec3(0, std::cos(finger.inclination_rad), -std::sin(finger.inclination_rad));
-  bench.surface() = {surface_n_per_m, 0, finger.mu_static, finger.mu_dynamic};
+  // contact-area's coefficients hold at 1 N and fall from there; all laws are to have the same limits here.
+  const double raise = finger.law == "contact-area" ? std::cbrt(load_n) : 1;
+  bench.surface() = {surface_n_per_m, 0, raise * finger.mu_static, raise * finger.mu_dynamic};
   HandSettings& hand =
       bench.hold({.mass_kg = 0.072, .damping_n_s_per_m = 0.5, .stiffness_n_per_m = 20, .encoder_m = 0});
   const int axis = finger.push_along_finger ? 1 : 0;
@@ -28,8 +30,8 @@ bool is_quiet(const StuckFinger& finger, double load_n) {
     if (t_s > 0) p[axis] = pushed_m;
     return p;
   });
-  // A tenth of the sliding force never brings quiet stick near its limit, overshoot or not.
-  const double most_n = 0.9 * finger.mu_dynamic * load_n;
+  // A push of a tenth of the sliding force overshoots to a fifth at most where stick is quiet.
+  const double most_n = 0.3 * finger.mu_dynamic * load_n;
   // The change of speed from tick to tick: a finger that creeps steadily does not buzz.
   Ringing ringing(loop.tick_count());
   double last_m = 0, last_step_m = 0;

@@ -10,7 +10,7 @@ namespace fingerpad {
 /// along the surface by a tenth of the sliding force.
 struct StuckFinger {
   std::string law = "stick-slip";
-  LawSettings settings;
+  LawSettings settings = {};
   double rate_hz = 1000;
   double mu_static = 0.3, mu_dynamic = 0.2;
   double inclination_rad = 0.7853981633974483;  ///< of the finger, which points along y
