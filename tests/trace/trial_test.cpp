@@ -37,7 +37,7 @@ TEST(Trial, EndsAChildThatHangs) {
                 1, roomy)
                 .end,
             TrialOutcome::End::died);
-  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(4));  // 3 s, and a busy machine
+  EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(15));  // 3 s, and a busy machine
 }
 
 TEST(Trial, EndsAChildThatEatsMemory) {
