@@ -18,7 +18,7 @@ constexpr LawParameter mu_rises_below{
     "mu_rises_below_n", 0, 0, true,
     "normal force below which both coefficients rise as (n/this)^(-1/3) [N]; 0 is off, 2 is the paper's"};
 constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_parameter, cubic_share,
-                                       mu_rises_below};
+                                       mu_rises_below, device_damping_parameter};
 
 /// The finger pad (paper, figs. 4-8): the stick-slip rule with an ellipse of stick whose axes lie along the
 /// finger and across it, and shrink as the finger is raised.
@@ -77,9 +77,9 @@ LawEntry finger_pad_law() noexcept {
             // Any mu serves the assumed pad: only the ratio mu/axis is used, and that is the stiffness.
             const PadProfile pad = settings.profile.value_or(
                 assumed_profile(0.3, bounded_number(settings, stiffness_per_newton_parameter)));
-            return std::make_unique<FingerPad>(pad, bounded_number(settings, cubic_share),
-                                               bounded_number(settings, mu_rises_below),
-                                               RestickRule{v_min_m_per_s(settings), settings.restick});
+            return std::make_unique<FingerPad>(
+                pad, bounded_number(settings, cubic_share), bounded_number(settings, mu_rises_below),
+                RestickRule{v_min_m_per_s(settings), settings.restick, stick_remedy(settings)});
           }};
 }
 

@@ -46,6 +46,7 @@ struct Friction {
   Phase phase = Phase::slip;  ///< stick or slip
   Vec2 from_centre_m{0, 0};   ///< in stick: displacement of S from the stick centre
   bool centre_moved = false;  ///< the law has set a new stick centre, from_centre_m behind S
+  bool remedied = false;      ///< a StickRemedy has changed the force
 };
 
 /// A friction law: one tick of tangential contact to a force. Immutable, shared by all contacts of a scene.
@@ -59,5 +60,16 @@ class FrictionLaw {
 /// When slip gives way to stick (paper eq. 1, two readings). level: whenever |v| <= v_min. crossing: only
 /// when |v| falls through v_min, so that a rupture at low speed slips on.
 enum class Restick { level, crossing };
+
+/// What to do where the stick spring is too stiff for the loop that displays it: a device of damping b holds
+/// a spring of up to 2 b/T (SCIENCE 4). Acts only in stick, only beyond that, and says so.
+///   damping   a damper beside the spring, 1.5 times what the excess of stiffness asks for
+///   implicit  the spring is read where the finger will be a tick later (backward Euler: a damper of K T)
+///   cap       the spring is softened to 2 b/T; its limit stays, so the pad gives way later
+enum class Remedy { none, damping, implicit, cap };
+struct StickRemedy {
+  Remedy remedy = Remedy::none;
+  double device_damping_n_s_per_m = 0.5;  ///< b, of hand and device
+};
 
 }  // namespace fingerpad

@@ -15,8 +15,15 @@ inline constexpr LawParameter fixed_stiffness_parameter{
     "stick_stiffness_n_per_m", 1000, 0, false,
     "tangential stiffness in stick, whatever the load [N/m]; 1000 agrees with stick_stiffness_per_m at 1 N"};
 
+inline constexpr LawParameter device_damping_parameter{
+    "device_damping_n_s_per_m", 0.5, 0, true,
+    "b: damping of hand and device, which holds a stick spring of up to 2 b/T; for a remedy [N s/m]"};
+
 /// A parameter's value, kept within what the laws can compute with.
 double bounded_number(const LawSettings& settings, const LawParameter& parameter);
+
+/// The scene's remedy; its law must have device_damping_parameter.
+StickRemedy stick_remedy(const LawSettings& settings);
 
 /// v_min: the scene's key if given, else the profile's, else the paper's.
 double v_min_m_per_s(const LawSettings& settings);

@@ -76,6 +76,10 @@ double bounded_number(const LawSettings& settings, const LawParameter& parameter
   return within(settings.number(parameter), least, std::min(parameter.max, huge));
 }
 
+StickRemedy stick_remedy(const LawSettings& settings) {
+  return {settings.remedy, bounded_number(settings, device_damping_parameter)};
+}
+
 double v_min_m_per_s(const LawSettings& settings) {
   const bool given = settings.numbers.find(v_min_parameter.key) != settings.numbers.end();
   if (!given && settings.profile) return within(settings.profile->v_min_m_per_s, 0, huge);

@@ -31,6 +31,7 @@ std::string refusal(const LawParameter& parameter, double value);
 struct LawSettings {
   std::map<std::string, double, std::less<>> numbers;  ///< given keys only
   Restick restick = Restick::level;
+  Remedy remedy = Remedy::none;  ///< of laws whose spring scales with the load
   std::optional<PadProfile> profile;
 
   /// The given number, or the default of `parameter`.

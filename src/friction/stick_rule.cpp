@@ -1,7 +1,9 @@
 #include "friction/stick_rule.hpp"
 
+#include <algorithm>
 #include <cmath>
 
+#include "friction/bounded.hpp"
 #include "friction/plane_vector.hpp"
 
 namespace fingerpad {
@@ -58,9 +60,8 @@ Friction restick(const TangentialMotion& m, const StickSpring& spring, double fo
   return answer;
 }
 
-}  // namespace
-
-Friction stick_rule(const TangentialMotion& m, const StickSpring& spring, const RestickRule& rule,
+/// The rule without remedies.
+Friction plain_rule(const TangentialMotion& m, const StickSpring& spring, const RestickRule& rule,
                     FrictionState& state) noexcept {
   const double speed = length(m.velocity_m_per_s);
   const Vec2 towards = direction_of(m.velocity_m_per_s);
@@ -89,6 +90,45 @@ Friction stick_rule(const TangentialMotion& m, const StickSpring& spring, const 
   state.phase = answer.phase;
   state.last_speed_m_per_s = speed;
   return answer;
+}
+
+/// The rule on a spring that is stiffer than the loop holds. What a damper adds never passes the static
+/// limit; the tick on which stick begins keeps the force of the slip before it.
+Friction remedied_rule(const TangentialMotion& m, const StickSpring& spring, const RestickRule& rule,
+                       double stiffness_n_per_m, double stable_n_per_m, FrictionState& state) noexcept {
+  constexpr double margin =
+      1.5;  // the damper's own sampling takes a part of it (SCIENCE 4: B = 20 gives 3/4)
+  if (rule.remedy.remedy == Remedy::cap) {
+    StickSpring soft = spring;
+    // Never so soft that stick would reach without bound (a device without damping).
+    const double share = std::max(stable_n_per_m / stiffness_n_per_m, 1e-3);
+    soft.lateral_per_m *= share;
+    soft.longitudinal_per_m *= share;
+    Friction answer = plain_rule(m, soft, rule, state);
+    answer.remedied = answer.phase == Phase::stick;
+    return answer;
+  }
+  Friction answer = plain_rule(m, spring, rule, state);
+  if (answer.phase != Phase::stick || answer.centre_moved) return answer;
+  const Vec2 damper =
+      rule.remedy.remedy == Remedy::damping
+          ? Vec2(margin * (stiffness_n_per_m - stable_n_per_m) * m.dt_s / 2 * m.velocity_m_per_s)
+          : Vec2(spring.load_n * scaled_by_axis(m.velocity_m_per_s * m.dt_s, m.longitudinal,
+                                                spring.lateral_per_m, spring.longitudinal_per_m));
+  answer.force_n = shortened(within_huge(answer.force_n - damper), m.mu_static * spring.load_n);
+  answer.remedied = true;
+  return answer;
+}
+
+}  // namespace
+
+Friction stick_rule(const TangentialMotion& m, const StickSpring& spring, const RestickRule& rule,
+                    FrictionState& state) noexcept {
+  if (rule.remedy.remedy == Remedy::none) return plain_rule(m, spring, rule, state);
+  const double stiffness = spring.load_n * std::max(spring.lateral_per_m, spring.longitudinal_per_m);
+  const double stable = 2 * rule.remedy.device_damping_n_s_per_m / m.dt_s;
+  if (!(stiffness > stable)) return plain_rule(m, spring, rule, state);
+  return remedied_rule(m, spring, rule, stiffness, stable, state);
 }
 
 }  // namespace fingerpad

@@ -20,6 +20,7 @@ struct StickSpring {
 struct RestickRule {
   double v_min_m_per_s = 0.1;
   Restick restick = Restick::level;
+  StickRemedy remedy{};
 };
 
 /// One tick of the paper's stick-slip rule, eq. 1-3, on a spring that may differ by axis.

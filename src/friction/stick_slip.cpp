@@ -5,7 +5,8 @@
 namespace fingerpad {
 namespace {
 
-constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_parameter};
+constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_parameter,
+                                       device_damping_parameter};
 
 /// The paper's basic model: a circle of stick of radius mu_s/k_f, eq. 1-3.
 class StickSlip final : public FrictionLaw {
@@ -30,8 +31,9 @@ class StickSlip final : public FrictionLaw {
 LawEntry stick_slip_law() noexcept {
   return {"stick-slip", "the paper's basic model: stick in a circle, Coulomb slip", parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
-            return std::make_unique<StickSlip>(bounded_number(settings, stiffness_per_newton_parameter),
-                                               RestickRule{v_min_m_per_s(settings), settings.restick});
+            return std::make_unique<StickSlip>(
+                bounded_number(settings, stiffness_per_newton_parameter),
+                RestickRule{v_min_m_per_s(settings), settings.restick, stick_remedy(settings)});
           }};
 }
 

@@ -6,10 +6,10 @@
 namespace fingerpad {
 namespace {
 
-constexpr std::array<std::string_view, 13> figure_names = {
+constexpr std::array<std::string_view, 15> figure_names = {
     "ticks",        "contact_ticks", "stick_ticks",         "slip_ticks",         "ruptures",
     "coarse_teeth", "max_depth_m",   "mean_normal_force_n", "max_normal_force_n", "max_friction_n",
-    "mean_slip_mu", "max_mu",        "friction_work_j"};
+    "mean_slip_mu", "max_mu",        "friction_work_j",     "remedied_ticks",     "energy_made_j"};
 
 /// Fewer ticks than this in a tooth and its shape is that of the ticks.
 constexpr long ticks_that_show_a_tooth = 10;
@@ -35,7 +35,9 @@ std::vector<double> Figures::values() const {
           max_friction_n_,
           mean(sum_slip_mu_, slip_ticks_),
           max_mu_,
-          friction_work_j_};
+          friction_work_j_,
+          count(remedied_ticks_),
+          energy_made_j_};
 }
 
 void Figures::observe_phase(Phase phase) noexcept {
@@ -61,7 +63,11 @@ void Figures::observe_phase(Phase phase) noexcept {
 void Figures::observe(const TickRecord& record) noexcept {
   observe_phase(record.phase);
   if (ticks_ > 0) friction_work_j_ += record.friction_W_n.dot(record.p_WQ - last_p_WQ_);
+  if (ticks_ > 0) given_j_ += last_force_W_n_.dot(record.p_WQ - last_p_WQ_);
+  energy_made_j_ = std::max(energy_made_j_, given_j_);
+  last_force_W_n_ = record.force_W_n;
   last_p_WQ_ = record.p_WQ;
+  remedied_ticks_ += record.remedied ? 1 : 0;
   ++ticks_;
   if (record.phase == Phase::free) return;
   ++contact_ticks_;

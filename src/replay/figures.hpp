@@ -16,8 +16,8 @@ class Figures {
 
   /// Names with units, in the order of values().
   static std::span<const std::string_view> names() noexcept;
-  /// The figures as numbers: counts, then depths, forces, coefficients and the work of friction on the
-  /// finger.
+  /// The figures as numbers: counts, then depths, forces, coefficients, the work of friction on the
+  /// finger, the ticks on which a remedy acted, and the energy that the loop has made (0: passive).
   std::vector<double> values() const;
 
   /// Stick spells between two ruptures, and those of them that lasted under ten ticks: there the ticks are
@@ -35,6 +35,11 @@ class Figures {
   double max_depth_m_ = 0, sum_normal_n_ = 0, max_normal_n_ = 0, max_friction_n_ = 0;
   double sum_slip_mu_ = 0, max_mu_ = 0, friction_work_j_ = 0;
   Vec3 last_p_WQ_ = Vec3::Zero();
+  // Passivity observer (Hannaford & Ryu 2002): what the held forces have given to the finger so far, and its
+  // most. A loop that began out of contact stores nothing, so whatever it gives on balance it has made.
+  Vec3 last_force_W_n_ = Vec3::Zero();
+  double given_j_ = 0, energy_made_j_ = 0;
+  long remedied_ticks_ = 0;
 };
 
 }  // namespace fingerpad

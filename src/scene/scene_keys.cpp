@@ -23,7 +23,7 @@ const std::vector<SceneTable>& scene_tables() {
       {"part.rotation", {"axis", "angle_deg"}},
       {"plane", {"point_m", "normal", "stiffness_n_per_m", "damping_n_s_per_m", "mu_static", "mu_dynamic"}},
       {"contact", {"method", "normals"}},
-      {"friction", {"law", "restick", "vibration", "v_min_m_per_s", "stick_stiffness_per_m"}},
+      {"friction", {"law", "restick", "remedy", "vibration", "v_min_m_per_s", "stick_stiffness_per_m"}},
       {"friction.vibration", {"frequency_hz", "bandwidth_hz", "amplitude", "normal_amplitude"}},
       {"finger", {"radius_m", "direction", "profile"}},
       {"motion",

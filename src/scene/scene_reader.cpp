@@ -182,7 +182,8 @@ FrictionSettings read_friction(const TomlNode& node, const std::string& path) {
   if (chosen == nullptr) throw refused(path, fmt::format("the law '{}' is not built in", friction.law));
 
   for (const std::string& key : scene_keys("friction")) {
-    if (!table.has(key) || key == "law" || key == "restick" || key == "vibration") continue;
+    if (!table.has(key) || key == "law" || key == "restick" || key == "remedy" || key == "vibration")
+      continue;
     const LawParameter* parameter = find_parameter(*chosen, key);
     const NumberRange range =
         parameter != nullptr
@@ -192,6 +193,8 @@ FrictionSettings read_friction(const TomlNode& node, const std::string& path) {
   }
   friction.settings.restick =
       table.choice("restick", 0, {"level", "crossing"}) == 0 ? Restick::level : Restick::crossing;
+  constexpr Remedy remedies[] = {Remedy::none, Remedy::damping, Remedy::implicit, Remedy::cap};
+  friction.settings.remedy = remedies[table.choice("remedy", 0, {"none", "damping", "implicit", "cap"})];
   friction.vibration = read_vibration(table);
   return friction;
 }

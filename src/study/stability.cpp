@@ -9,6 +9,8 @@ StudyReport study_stability(const StudyProgress& progress) {
   study_walls(report);
   progress("load above which each law's stick buzzes");
   study_buzz(report);
+  progress("remedies for a stick that buzzes");
+  study_remedies(report);
   progress("energy that friction gives when load or angle change");
   study_energy(report);
   progress("the two readings of restick");

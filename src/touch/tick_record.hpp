@@ -25,6 +25,7 @@ struct TickRecord {
   double inclination_rad = nan;               ///< asin |direction . n|; nan while free
   int surface = -1;                           ///< parts, then planes, from 0; -1 while free
   int triangle = -1;                          ///< number in the file; -1 on a plane and while free
+  bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces
 };
 
 }  // namespace fingerpad

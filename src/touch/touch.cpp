@@ -129,6 +129,7 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3
   }
 
   record.phase = friction.phase;
+  record.remedied = friction.remedied;
   record.depth_m = contact.depth_m;
   record.contact_W = contact.at.point_W;
   record.normal_W = normal_W;

@@ -30,5 +30,13 @@ TEST(StickBuzz, AFixedStiffnessBuzzesAtEveryLoadOrAtNone) {
   }
 }
 
+TEST(StickBuzz, EveryRemedyKeepsAStickQuietThatBuzzesWithoutIt) {
+  for (const Remedy remedy : {Remedy::damping, Remedy::implicit, Remedy::cap}) {
+    StuckFinger finger;
+    finger.settings.remedy = remedy;
+    EXPECT_GT(quiet_load_n(finger), 10) << static_cast<int>(remedy);  // 1 N without
+  }
+}
+
 }  // namespace
 }  // namespace fingerpad
