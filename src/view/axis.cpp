@@ -24,7 +24,7 @@ double Axis::share(double value) const {
   return (value - min) / (max - min);
 }
 
-Axis linear_axis(double min, double max, int most_marks, bool widen) {
+Axis linear_axis(double min, double max, int most_marks) {
   Axis axis;
   if (!(max > min)) {
     const double half = std::max(std::abs(min) * 0.05, 1e-3);
@@ -33,9 +33,8 @@ Axis linear_axis(double min, double max, int most_marks, bool widen) {
   }
   double step = round_down_125((max - min) / std::max(1, most_marks));
   while ((max - min) / step > most_marks) step = round_down_125(step * 2.6);
-  // Values that end on a mark, to rounding, need no further one.
-  axis.min = widen ? step * std::floor(min / step + 1e-9) : min;
-  axis.max = widen ? step * std::ceil(max / step - 1e-9) : max;
+  axis.min = min;
+  axis.max = max;
   for (double k = std::ceil(axis.min / step - 1e-9); k * step <= axis.max + 1e-9 * step; ++k) {
     axis.marks.push_back(k * step);
     axis.labels.push_back(plain_number(std::abs(k) < 0.5 ? 0 : k * step));

@@ -16,9 +16,9 @@ struct Axis {
   double share(double value) const;
 };
 
-/// An axis over these values with marks at 1, 2 or 5 times a power of ten, about `most_marks` of them.
-/// @param widen  true: the ends move out to marks; false: they stay as given
-Axis linear_axis(double min, double max, int most_marks, bool widen);
+/// An axis over these values with marks at multiples of 1, 2 or 5 times a power of ten, at most `most_marks`
+/// and one.
+Axis linear_axis(double min, double max, int most_marks);
 
 /// A logarithmic axis over whole decades. @pre 0 < min <= max
 Axis decade_axis(double min, double max, int most_marks);

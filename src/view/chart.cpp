@@ -22,15 +22,17 @@ Axis y_axis(const Panel& panel, double height, double text_size) {
     max = std::max(max, y);
   };
   for (const Curve& curve : panel.curves) std::for_each(curve.y.begin(), curve.y.end(), take);
-  for (const Level& level : panel.levels) take(1.02 * level.y);  // not on the frame
+  for (const Level& level : panel.levels) take(level.y);
   const int most_marks = std::clamp(static_cast<int>(height / (2.2 * text_size)), 2, 6);
   if (panel.logarithmic) {
     if (!(max > 0)) return decade_axis(1, 10, most_marks);
     // A spectrum's floor of rounding says nothing: eight decades are kept.
     return decade_axis(std::max(min, max * 1e-8), max, most_marks);
   }
-  if (!(max >= min)) return linear_axis(0, 1, most_marks, true);
-  return linear_axis(min, max, most_marks, true);
+  if (!(max >= min)) return linear_axis(0, 1, most_marks);
+  // Curves keep clear of the frame, but for a foot at zero.
+  const double margin = 0.06 * (max > min ? max - min : std::max(std::abs(max), 1e-3));
+  return linear_axis(panel.from_zero && min == 0 ? 0 : min - margin, max + margin, most_marks);
 }
 
 /// Draws one chart; holds what its parts share.
@@ -44,8 +46,8 @@ class ChartPainter {
     inner_ = {left, box.bottom + 2.9 * em_, box.right() - 1.1 * em_ - left, 0};
     inner_.height = box.top() - inner_.bottom;
     const int most_marks = std::max(2, static_cast<int>(inner_.width / (4.5 * em_)));
-    x_axis_ = chart.logarithmic_x ? decade_axis(first, last, most_marks)
-                                  : linear_axis(first, last, most_marks, false);
+    x_axis_ =
+        chart.logarithmic_x ? decade_axis(first, last, most_marks) : linear_axis(first, last, most_marks);
   }
 
   ChartPlace paint() {
@@ -73,11 +75,11 @@ class ChartPainter {
     double x = inner_.left;
     const double size = 0.92 * em_;
     const auto entry = [&](const std::string& label, const Stroke& stroke) {
-      const double width = 2.6 * em_ + text_width(label, size);
+      const double width = 1.9 * em_ + text_width(label, size);
       if (label.empty() || x + width > inner_.right() + em_) return;
-      drawing_.line({x, middle}, {x + 2 * em_, middle}, stroke);
-      drawing_.text({x + 2.4 * em_, middle}, label, {.size = size, .upright = Upright::middle});
-      x += width + 1.0 * em_;
+      drawing_.line({x, middle}, {x + 1.6 * em_, middle}, stroke);
+      drawing_.text({x + 1.9 * em_, middle}, label, {.size = size, .upright = Upright::middle});
+      x += width + 0.9 * em_;
     };
     for (const Curve& curve : panel.curves) entry(curve.label, stroke_of(curve));
     for (const Level& level : panel.levels) entry(level.label, stroke_of(level));

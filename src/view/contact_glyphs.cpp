@@ -8,17 +8,22 @@
 namespace fingerpad {
 namespace {
 
-/// The region as a translucent patch with its rim, lifted off the surface by `lift_mm`.
-void add_region(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSpace& space, double lift_mm,
-                double rim_mm) {
+/// The region as a translucent patch between rings, with its rim, lifted off the surface by `lift_mm`.
+void add_region(ContactGlyphs& glyphs, const ContactMoment& moment, std::vector<std::vector<Vec3>> rings,
+                const DrawSpace& space, double lift_mm, double rim_mm) {
   const bool holds = moment.row.phase == Phase::stick;
-  const Vec3 up = moment.row.normal_W * lift_mm;
-  std::vector<Vec3> rim;
-  for (const Vec3& p_W : rim_points(*moment.region, 64)) rim.push_back(space.to_draw(p_W) + up);
   const Colour colour = holds ? phase_colour(Phase::stick) : colours::grey;
-  glyphs.solid.tube(rim, true, rim_mm, colour);
-  const Vec3 centre = space.to_draw(moment.region->centre_W) + up;
-  if (holds) glyphs.clear.fan(centre, rim, moment.row.normal_W, colour.with_opacity(0.35));
+  const Vec3 up = moment.row.normal_W * lift_mm;
+  for (auto& ring : rings) {
+    for (Vec3& point : ring) point = space.to_draw(point) + up;
+  }
+  glyphs.solid.tube(rings.back(), true, rim_mm, colour);
+  if (!holds) return;
+  const Colour tint = colour.with_opacity(0.35);
+  glyphs.clear.fan(space.to_draw(moment.region->centre_W) + up, rings.front(), moment.row.normal_W, tint);
+  for (std::size_t i = 1; i < rings.size(); ++i) {
+    glyphs.clear.band(rings[i - 1], rings[i], moment.row.normal_W, tint);
+  }
 }
 
 /// The finger towards its tip at Q: a fingertip of its radius, or a slender stylus for a point.
@@ -39,13 +44,15 @@ void add_finger(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSp
 }  // namespace
 
 ContactMoment contact_moment(const ViewInput& input, const TickRecord& row) {
-  ContactMoment moment{row, std::nullopt, -Vec3::UnitZ(), 0};
+  ContactMoment moment;
+  moment.row = row;
   if (!input.scene) return moment;
   moment.finger_direction_W = finger_direction(input.scene->finger.direction, row);
   moment.finger_radius_m = input.scene->finger.radius_m;
   const auto surface = static_cast<std::size_t>(row.surface);
   if (row.surface >= 0 && input.world && surface < input.world->surfaces.size()) {
     moment.region = stick_region(*input.scene, input.world->surfaces[surface].properties, row);
+    if (moment.region) moment.rings = region_rings(*moment.region, input.world->surfaces[surface]);
   }
   return moment;
 }
@@ -58,7 +65,7 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
   if (row.phase == Phase::free) return glyphs;
 
   const Vec3 contact = space.to_draw(row.contact_W);
-  if (moment.region) add_region(glyphs, moment, space, 0.02 * size, 0.04 * size);
+  if (moment.region) add_region(glyphs, moment, moment.rings, space, 0.02 * size, 0.04 * size);
   glyphs.solid.ball(contact, 0.22 * size, phase_colour(row.phase));
   if (row.stick_centre_W.allFinite()) {
     glyphs.solid.ball(space.to_draw(row.stick_centre_W), 0.14 * size, colours::reddish_purple);
@@ -91,7 +98,7 @@ ContactGlyphs close_up_glyphs(const ContactMoment& moment, const DrawSpace& spac
   const Vec3 up = row.normal_W * 0.4 * unit;
   const Vec3 contact = space.to_draw(row.contact_W) + 2 * up;
   if (moment.region) {
-    add_region(glyphs, moment, space, 0.4 * unit, 0.1 * unit);
+    add_region(glyphs, moment, {rim_points(*moment.region, 90, 1)}, space, 0.4 * unit, 0.1 * unit);
     const Vec3 centre = space.to_draw(moment.region->centre_W) + up;
     glyphs.solid.tube({centre, contact}, false, 0.09 * unit, colours::ink);
     if (row.phase == Phase::stick) glyphs.solid.ball(centre, 0.35 * unit, colours::reddish_purple);

@@ -11,7 +11,8 @@ namespace fingerpad {
 /// One moment of a touch with all that a picture of it needs.
 struct ContactMoment {
   TickRecord row;
-  std::optional<StickRegion> region;  ///< empty while free, and for laws without one
+  std::optional<StickRegion> region;     ///< empty while free, and for laws without one
+  std::vector<std::vector<Vec3>> rings;  ///< of the region, on the surface; see region_rings
   Vec3 finger_direction_W = -Vec3::UnitZ();
   double finger_radius_m = 0;
 };

@@ -117,8 +117,8 @@ void DrawingItem::show(std::vector<std::shared_ptr<const Drawing>> drawings) {
 }
 
 bool DrawingItem::Paint(vtkContext2D* painter) {
-  const Painter onto{painter, static_cast<double>(this->GetScene()->GetViewWidth()),
-                     static_cast<double>(this->GetScene()->GetViewHeight())};
+  const Painter onto{painter, static_cast<double>(this->GetScene()->GetSceneWidth()),
+                     static_cast<double>(this->GetScene()->GetSceneHeight())};
   for (const auto& drawing : drawings_) {
     for (const auto& mark : drawing->marks()) std::visit(onto, mark);
   }

@@ -99,4 +99,19 @@ void GlyphMesh::fan(const Vec3& centre, const std::vector<Vec3>& rim, const Vec3
   }
 }
 
+void GlyphMesh::band(const std::vector<Vec3>& inner, const std::vector<Vec3>& outer, const Vec3& normal,
+                     const Colour& colour) {
+  const int first = static_cast<int>(points.size());
+  const int count = static_cast<int>(inner.size());
+  for (std::size_t i = 0; i < inner.size(); ++i) {
+    add(inner[i], normal, colour);
+    add(outer[i], normal, colour);
+  }
+  for (int i = 0; i < count; ++i) {
+    const int here = first + 2 * i, next = first + 2 * ((i + 1) % count);
+    triangles.push_back({here, here + 1, next});
+    triangles.push_back({next, here + 1, next + 1});
+  }
+}
+
 }  // namespace fingerpad

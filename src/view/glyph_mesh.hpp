@@ -21,6 +21,10 @@ class GlyphMesh {
   /// A fan of triangles about `centre` over a closed rim.
   void fan(const Vec3& centre, const std::vector<Vec3>& rim, const Vec3& normal, const Colour& colour);
 
+  /// The band between two closed rings of as many points.
+  void band(const std::vector<Vec3>& inner, const std::vector<Vec3>& outer, const Vec3& normal,
+            const Colour& colour);
+
   std::vector<Vec3> points;
   std::vector<Vec3> normals;                         ///< one a point, unit
   std::vector<std::array<std::uint8_t, 4>> colours;  ///< one a point, RGBA

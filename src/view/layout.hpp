@@ -8,9 +8,9 @@ namespace fingerpad {
 struct Layout {
   double em = 12;  ///< size of texts [px]
   Box window, title, scene;
-  Box charts;    ///< empty without rows
-  Box timeline;  ///< empty without rows
-  Box inset;     ///< within scene
+  Box charts;              ///< empty without rows
+  Box timeline;            ///< empty without rows
+  Box inset, other_inset;  ///< within scene: where the close-up stands, and where it makes way
 };
 
 /// @param charts    a column of charts stands on the right

@@ -15,7 +15,8 @@ namespace {
 constexpr Colour panel_colour{255, 255, 255, 0.86};
 
 std::string number_with_unit(double value, int digits, const char* unit) {
-  return std::isfinite(value) ? fmt::format("{:.{}f} {}", value, digits, unit) : "-";
+  if (!std::isfinite(value)) return "-";
+  return fmt::format("{:.{}f}{}{}", value, digits, *unit != '\0' ? " " : "", unit);
 }
 
 /// Draws the overlay; holds what its parts share.
@@ -238,21 +239,18 @@ class OverlayPainter {
   }
 
   void paint_inset_frame() {
-    const Box& box = layout_.inset;
+    const Box& box = facts_.inset;
     drawing_.frame(box, {colours::grey, std::max(1.0, 0.1 * em_)});
     drawing_.box({box.left, box.top() - 1.5 * em_, box.width, 1.5 * em_}, panel_colour);
     const double zoom = facts_.inset_px_per_mm / facts_.px_per_mm;
     drawing_.text({box.centre().x(), box.top() - 0.75 * em_},
                   fmt::format("contact, {:.{}f}x", zoom, zoom < 10 ? 1 : 0),
                   {.size = em_, .across = Across::centre, .upright = Upright::middle});
-    const Vec2 corner(box.left + 1.0 * em_, box.bottom + 1.0 * em_);
-    drawing_.line(corner, corner + Vec2(1.8 * em_, 0), {colours::ink, 0.12 * em_});
-    drawing_.line(corner, corner + Vec2(0, 1.8 * em_), {colours::ink, 0.12 * em_});
-    drawing_.text(corner + Vec2(2.1 * em_, 0), "Cx", {.size = 0.95 * em_, .upright = Upright::middle});
-    drawing_.text(corner + Vec2(0, 2.6 * em_), "Cy, finger",
-                  {.size = 0.95 * em_, .upright = Upright::middle});
+    drawing_.box({box.left, box.bottom, box.width, 2.3 * em_}, panel_colour);
+    drawing_.text({box.left + 0.6 * em_, box.bottom + 1.15 * em_}, "up: finger",
+                  {.size = em_, .colour = colours::grey, .upright = Upright::middle});
     const double length_mm = round_down_125(0.4 * box.width / facts_.inset_px_per_mm);
-    paint_scale_bar({box.right() - 0.8 * em_, box.bottom + 0.8 * em_}, length_mm, facts_.inset_px_per_mm);
+    paint_scale_bar({box.right() - 0.8 * em_, box.bottom + 0.6 * em_}, length_mm, facts_.inset_px_per_mm);
   }
 
   void paint_timeline() {

@@ -25,6 +25,7 @@ struct OverlayFacts {
   double t_first_s = 0, t_last_s = 0;
   Mat3 axes_px = Mat3::Identity();  ///< column i: world axis i as seen on the screen (x, y, towards the eye)
   double inset_px_per_mm = 0;       ///< 0: no inset
+  Box inset;                        ///< where it stands
   bool region = false;              ///< a stick region is drawn
   double grid_mm = 0;               ///< of a plane; 0: none
   struct Label {

@@ -11,6 +11,31 @@
 #include "view/touch_chart.hpp"
 
 namespace fingerpad {
+namespace {
+
+/// Renders the picture and hands it over while its screen still stands.
+template <typename Use>
+void with_rendered_view(const ViewInput& input, int width, int height, std::optional<double> at_s,
+                        const ViewState& state, Use use) {
+  if (std::min(width, height) < 200 || std::max(width, height) > 8192) {
+    throw Error(ErrorKind::usage, "--size", "a picture is 200 to 8192 pixels wide and high");
+  }
+  const auto screen = screen_to_draw_on();
+  const bool moving = input.rows.size() > 1;
+  Stage stage(input, width, height, moving, moving);
+  stage.window()->SetOffScreenRendering(1);
+  stage.state() = state;
+  if (!input.rows.empty()) {
+    const auto row = static_cast<std::size_t>(at_s ? row_at(input, *at_s) : telling_row(input));
+    stage.show(input.rows[row],
+               row > 0 ? tangential_speed(input.rows[row - 1], input.rows[row]) : TickRecord::nan);
+  }
+  if (moving) stage.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
+  stage.render();
+  use(stage);
+}
+
+}  // namespace
 
 long row_at(const ViewInput& input, double t_s) {
   const auto after = std::upper_bound(input.rows.begin(), input.rows.end(), t_s,
@@ -37,22 +62,16 @@ long telling_row(const ViewInput& input) {
 
 void write_view_png(const ViewInput& input, const std::string& path, int width, int height,
                     std::optional<double> at_s, const ViewState& state) {
-  if (std::min(width, height) < 200 || std::max(width, height) > 8192) {
-    throw Error(ErrorKind::usage, path, "a picture is 200 to 8192 pixels wide and high");
-  }
-  const auto screen = screen_to_draw_on();
-  const bool moving = input.rows.size() > 1;
-  Stage stage(input, width, height, moving, moving);
-  stage.window()->SetOffScreenRendering(1);
-  stage.state() = state;
-  if (!input.rows.empty()) {
-    const auto row = static_cast<std::size_t>(at_s ? row_at(input, *at_s) : telling_row(input));
-    stage.show(input.rows[row],
-               row > 0 ? tangential_speed(input.rows[row - 1], input.rows[row]) : TickRecord::nan);
-  }
-  if (moving) stage.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
-  stage.render();
-  write_png(stage.window(), path);
+  with_rendered_view(input, width, height, at_s, state,
+                     [&](Stage& stage) { write_png(stage.window(), path); });
+}
+
+Pixels view_pixels(const ViewInput& input, int width, int height, std::optional<double> at_s,
+                   const ViewState& state) {
+  Pixels pixels;
+  with_rendered_view(input, width, height, at_s, state,
+                     [&](Stage& stage) { pixels = pixels_of(stage.window()); });
+  return pixels;
 }
 
 }  // namespace fingerpad

@@ -3,6 +3,7 @@
 #include <optional>
 #include <string>
 
+#include "view/pixels.hpp"
 #include "view/view_input.hpp"
 #include "view/view_state.hpp"
 
@@ -17,6 +18,10 @@ namespace fingerpad {
 /// written.
 void write_view_png(const ViewInput& input, const std::string& path, int width, int height,
                     std::optional<double> at_s, const ViewState& state);
+
+/// As write_view_png, without a file.
+Pixels view_pixels(const ViewInput& input, int width, int height, std::optional<double> at_s,
+                   const ViewState& state);
 
 /// The row at or just before a time; -1 without rows.
 long row_at(const ViewInput& input, double t_s);

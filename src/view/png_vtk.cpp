@@ -13,6 +13,17 @@
 
 namespace fingerpad {
 
+Pixels pixels_of(vtkRenderWindow* window) {
+  Pixels pixels;
+  vtkNew<vtkUnsignedCharArray> rgb;
+  const int* size = window->GetSize();
+  pixels.width = size[0];
+  pixels.height = size[1];
+  window->GetPixelData(0, 0, pixels.width - 1, pixels.height - 1, 0, rgb);
+  pixels.rgb.assign(rgb->GetPointer(0), rgb->GetPointer(0) + rgb->GetNumberOfValues());
+  return pixels;
+}
+
 void write_png(vtkRenderWindow* window, const std::string& path) {
   vtkNew<vtkWindowToImageFilter> grabber;
   grabber->SetInput(window);

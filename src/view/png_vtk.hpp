@@ -2,9 +2,14 @@
 
 #include <string>
 
+#include "view/pixels.hpp"
+
 class vtkRenderWindow;
 
 namespace fingerpad {
+
+/// What a window shows.
+Pixels pixels_of(vtkRenderWindow* window);
 
 /// Writes what a window shows as PNG: first as `path`.part, renamed when whole. Throws Error (fault).
 void write_png(vtkRenderWindow* window, const std::string& path);

@@ -52,12 +52,11 @@ void light(vtkRenderer* renderer) {
   }
 }
 
-std::string surface_name(const World& world, int index) {
+std::string surface_name(const World& world, int index, std::size_t longest) {
   if (index < 0 || static_cast<std::size_t>(index) >= world.surfaces.size()) return "-";
   const Surface& surface = world.surfaces[static_cast<std::size_t>(index)];
   std::string name =
       surface.part ? std::filesystem::path(surface.mesh).filename().string() : std::string("plane");
-  constexpr std::size_t longest = 18;
   if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
   return name.empty() ? fmt::format("part {}", index) : name;
 }
@@ -70,7 +69,7 @@ std::vector<std::string> about_lines(const ViewInput& input) {
     const Surface& surface = input.world->surfaces[i];
     if (!surface.part) continue;
     const Vec3 size_mm = 2e3 * surface.part->half_extent;
-    lines.push_back(fmt::format("{}: {} triangles", surface_name(*input.world, static_cast<int>(i)),
+    lines.push_back(fmt::format("{}: {} triangles", surface_name(*input.world, static_cast<int>(i), 40),
                                 surface.part->triangle_count()));
     lines.push_back(fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size_mm.x(), size_mm.y(), size_mm.z()));
     if (i >= input.world->verdicts.size()) continue;
@@ -95,24 +94,31 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   window_->SetMultiSamples(4);
   window_->SetNumberOfLayers(2);
-  for (vtkRenderer* renderer : {scene_.Get(), close_up_.Get(), flat_.Get()}) window_->AddRenderer(renderer);
+  for (vtkRenderer* renderer : {scene_.Get(), close_up_.Get(), close_up_marks_.Get(), flat_.Get()}) {
+    window_->AddRenderer(renderer);
+  }
   scene_->GradientBackgroundOn();
   scene_->SetBackground(0.93, 0.945, 0.96);
   scene_->SetBackground2(0.995, 0.997, 1.0);
   close_up_->SetBackground(0.97, 0.975, 0.98);
   flat_->SetLayer(1);
+  // The region is flat, the surface may not be: the marks are drawn over it.
+  close_up_marks_->PreserveColorBufferOn();
+  close_up_marks_->SetActiveCamera(close_up_->GetActiveCamera());
   close_up_->InteractiveOff();
+  close_up_marks_->InteractiveOff();
   flat_->InteractiveOff();
   light(scene_);
   light(close_up_);
+  light(close_up_marks_);
 
   world_ = std::make_unique<WorldProps>(input, space_, extent_);
   world_->add_to(scene_);
   world_->add_to(close_up_);
   add_glyphs(scene_, solid_);
   add_glyphs(scene_, clear_);
-  add_glyphs(close_up_, close_up_clear_);
-  add_glyphs(close_up_, close_up_solid_);
+  add_glyphs(close_up_marks_, close_up_clear_);
+  add_glyphs(close_up_marks_, close_up_solid_);
   vtkNew<vtkContextActor> flat;
   flat->GetScene()->AddItem(item_);
   flat_->AddActor(flat);
@@ -130,13 +136,13 @@ void Stage::resize(int width, int height) {
   place_renderers();
 }
 
+void Stage::place(vtkRenderer* renderer, const Box& box) {
+  const double w = layout_.window.width, h = layout_.window.height;
+  renderer->SetViewport(box.left / w, box.bottom / h, box.right() / w, box.top() / h);
+}
+
 void Stage::place_renderers() {
-  const auto place = [&](vtkRenderer* renderer, const Box& box) {
-    const double w = layout_.window.width, h = layout_.window.height;
-    renderer->SetViewport(box.left / w, box.bottom / h, box.right() / w, box.top() / h);
-  };
   place(scene_, layout_.scene);
-  place(close_up_, layout_.inset);
   world_->set_line_width(std::max(1.0, 0.09 * layout_.em));
 }
 
@@ -185,8 +191,18 @@ void Stage::place_close_up(double scene_px_per_mm) {
   const double px_per_mm = layout_.inset.height / (2 * half_height_mm);
   const bool shown = touching && state_.close_up && px_per_mm > 1.2 * scene_px_per_mm;
   close_up_->SetDraw(shown ? 1 : 0);
+  close_up_marks_->SetDraw(shown ? 1 : 0);
   if (!shown) return;
   inset_px_per_mm_ = px_per_mm;
+  // The close-up must not hide the contact, nor its arrows above all.
+  const Vec2 contact_px = on_screen(space_.to_draw(moment_->row.contact_W));
+  const double clear = 3 * layout_.em;
+  const Box& usual = layout_.inset;
+  const Box wide{usual.left - clear, usual.bottom - 3 * clear, usual.width + 2 * clear,
+                 usual.height + 4 * clear};
+  inset_ = wide.holds(contact_px.x(), contact_px.y()) ? layout_.other_inset : usual;
+  place(close_up_, inset_);
+  place(close_up_marks_, inset_);
   const TickRecord& row = moment_->row;
   double mu_static = 0;
   const auto surface = static_cast<std::size_t>(row.surface);
@@ -201,6 +217,13 @@ void Stage::place_close_up(double scene_px_per_mm) {
                       tangent_frame(row.normal_W, moment_->finger_direction_W), half_height_mm);
 }
 
+Vec2 Stage::on_screen(const Vec3& p_mm) {
+  scene_->SetWorldPoint(p_mm.x(), p_mm.y(), p_mm.z(), 1);
+  scene_->WorldToDisplay();
+  const double* px = scene_->GetDisplayPoint();
+  return {px[0], px[1]};
+}
+
 void Stage::project_labels(OverlayFacts& facts, double size_mm) {
   if (!moment_ || moment_->row.phase == Phase::free || !state_.frame) return;
   const Mat3 frame = tangent_frame(moment_->row.normal_W, moment_->finger_direction_W);
@@ -208,10 +231,8 @@ void Stage::project_labels(OverlayFacts& facts, double size_mm) {
   constexpr const char* names[] = {"Cx", "Cy", "n"};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 at = contact + frame.col(axis) * (axis == 2 ? 3.5 : 2.8) * size_mm;
-    scene_->SetWorldPoint(at.x(), at.y(), at.z(), 1);
-    scene_->WorldToDisplay();
-    const double* px = scene_->GetDisplayPoint();
-    if (!layout_.scene.holds(px[0], px[1])) continue;
+    const Vec2 px = on_screen(at);
+    if (!layout_.scene.holds(px[0], px[1]) || (inset_px_per_mm_ > 0 && inset_.holds(px[0], px[1]))) continue;
     const bool beside = axis == 2;  // the normal force lies along n
     const double aside = facts.axes_px.row(0).dot(frame.col(1)) > 0 ? -layout_.em : layout_.em;
     facts.labels.push_back({{px[0] + (beside ? aside : 0), px[1]}, names[axis]});
@@ -227,13 +248,14 @@ OverlayFacts Stage::overlay_facts() {
   facts.axes_px = axes_on_screen(scene_);
   facts.px_per_mm = px_per_mm();
   facts.inset_px_per_mm = inset_px_per_mm_;
+  facts.inset = inset_;
   facts.max_force_n = max_force_n_;
   facts.speed_m_per_s = speed_m_per_s_;
   facts.grid_mm = world_->grid_m() * 1e3;
   if (moment_) {
     facts.row = moment_->row;
     facts.region = moment_->region.has_value();
-    facts.surface_name = input_.world ? surface_name(*input_.world, moment_->row.surface) : "-";
+    facts.surface_name = input_.world ? surface_name(*input_.world, moment_->row.surface, 18) : "-";
   }
   if (!input_.rows.empty()) {
     facts.t_first_s = input_.rows.front().t_s;

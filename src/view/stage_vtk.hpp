@@ -67,6 +67,8 @@ class Stage {
 
  private:
   void place_renderers();
+  void place(vtkRenderer* renderer, const Box& box);
+  Vec2 on_screen(const Vec3& p_mm);
   void place_close_up(double px_per_mm);
   double px_per_mm() const;
   OverlayFacts overlay_facts();
@@ -83,6 +85,7 @@ class Stage {
   double speed_m_per_s_ = 0;
   double max_force_n_ = 0;
   double inset_px_per_mm_ = 0;
+  Box inset_;
   std::string hint_;
   std::vector<std::string> help_;
   std::optional<Chart> chart_;
@@ -90,7 +93,7 @@ class Stage {
   std::shared_ptr<const Drawing> chart_drawing_;
 
   vtkNew<vtkRenderWindow> window_;
-  vtkNew<vtkRenderer> scene_, close_up_, flat_;
+  vtkNew<vtkRenderer> scene_, close_up_, close_up_marks_, flat_;
   vtkNew<vtkPolyData> solid_, clear_, close_up_solid_, close_up_clear_;
   vtkSmartPointer<DrawingItem> item_;
 };

@@ -1,10 +1,12 @@
 #include "view/stick_region.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
 #include "base/tangent_frame.hpp"
 #include "friction/law_parameters.hpp"
+#include "touch/contact_query.hpp"
 
 namespace fingerpad {
 
@@ -46,15 +48,33 @@ std::optional<StickRegion> stick_region(const Scene& scene, const SurfacePropert
   return region;
 }
 
-std::vector<Vec3> rim_points(const StickRegion& region, int count) {
+std::vector<Vec3> rim_points(const StickRegion& region, int count, double share) {
   std::vector<Vec3> points;
   points.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) {
     const double angle = 2 * std::numbers::pi * i / count;
-    points.emplace_back(region.centre_W + region.axes.lateral_m * std::cos(angle) * region.lateral_W +
-                        region.axes.longitudinal_m * std::sin(angle) * region.longitudinal_W);
+    points.emplace_back(region.centre_W + share * region.axes.lateral_m * std::cos(angle) * region.lateral_W +
+                        share * region.axes.longitudinal_m * std::sin(angle) * region.longitudinal_W);
   }
   return points;
+}
+
+std::vector<std::vector<Vec3>> region_rings(const StickRegion& region, const Surface& surface) {
+  constexpr int rings = 5, around = 60;
+  const double reach_m = 2 * std::max(region.axes.lateral_m, region.axes.longitudinal_m);
+  std::vector<std::vector<Vec3>> all;
+  int seed = -1;
+  for (int ring = 1; ring <= rings; ++ring) {
+    all.push_back(rim_points(region, around, static_cast<double>(ring) / rings));
+    if (surface.part && !surface.tree) continue;
+    for (Vec3& point : all.back()) {
+      const WorldPoint at = nearest_point(surface, point, Normals::facet, seed, reach_m);
+      if (!at.found) continue;
+      seed = at.triangle;
+      point = at.point_W;
+    }
+  }
+  return all;
 }
 
 }  // namespace fingerpad

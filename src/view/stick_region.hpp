@@ -5,6 +5,7 @@
 
 #include "scene/scene.hpp"
 #include "touch/tick_record.hpp"
+#include "touch/world.hpp"
 
 namespace fingerpad {
 
@@ -36,7 +37,12 @@ std::optional<StickRegion> stick_region(const Scene& scene, const SurfacePropert
 /// The finger's direction at a tick: the scene's, raised to the inclination that the tick recorded.
 Vec3 finger_direction(const Vec3& scene_direction_W, const TickRecord& row);
 
-/// `count` points of the region's rim, in order [m].
-std::vector<Vec3> rim_points(const StickRegion& region, int count);
+/// `count` points of the region's rim, in order, `share` of the way from its centre [m].
+std::vector<Vec3> rim_points(const StickRegion& region, int count, double share);
+
+/// The region as rings of points from its centre to its rim, laid onto the surface where that can be
+/// searched.
+/// @returns rings of equal size, the last one the rim
+std::vector<std::vector<Vec3>> region_rings(const StickRegion& region, const Surface& surface);
 
 }  // namespace fingerpad

@@ -140,6 +140,10 @@ Chart spectrum_chart(const TouchSeries& series) {
                 {normal.density.begin() + 1, normal.density.end()}}},
               {}};
   panel.logarithmic = true;
+  // A force that is held constant has no spectrum but that of rounding.
+  const auto greatest = [](const Curve& curve) { return *std::max_element(curve.y.begin(), curve.y.end()); };
+  const double top = std::max(greatest(panel.curves[0]), greatest(panel.curves[1]));
+  std::erase_if(panel.curves, [&](const Curve& curve) { return !(greatest(curve) > 1e-8 * top); });
   chart.panels.push_back(std::move(panel));
   return chart;
 }

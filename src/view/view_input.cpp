@@ -6,6 +6,17 @@
 #include "scene/scene_file.hpp"
 
 namespace fingerpad {
+namespace {
+
+/// A trace's surfaces come without trees; the stick region is laid onto a surface that can be searched.
+std::shared_ptr<const World> with_trees(World world) {
+  for (Surface& surface : world.surfaces) {
+    if (surface.part && !surface.tree) surface.tree = std::make_shared<const TriangleTree>(surface.part);
+  }
+  return std::make_shared<const World>(std::move(world));
+}
+
+}  // namespace
 
 ViewInput view_of_trace(Trace trace, const std::string& path) {
   ViewInput input;
@@ -13,6 +24,7 @@ ViewInput view_of_trace(Trace trace, const std::string& path) {
       trace.info.scene_name.empty() ? std::filesystem::path(path).stem().string() : trace.info.scene_name;
   input.world = std::move(trace.world);
   input.rows = std::move(trace.rows);
+  if (input.world) input.world = with_trees(*input.world);
   if (trace.info.scene_text.empty()) return input;
   // The trace was recorded elsewhere perhaps: a scene whose files are gone costs its labels, not the picture.
   try {

@@ -2,11 +2,39 @@
 
 #include <vtkCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
+#include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 
+#include <algorithm>
+
 namespace fingerpad {
 namespace {
+
+/// The trackball without its grip on the focus: that would keep timers and keys from us while it turns.
+class SharingTrackball : public vtkInteractorStyleTrackballCamera {
+ public:
+  static SharingTrackball* New();
+  vtkTypeMacro(SharingTrackball, vtkInteractorStyleTrackballCamera);
+
+  void OnLeftButtonDown() override {
+    if (find_renderer()) this->StartRotate();
+  }
+  void OnMiddleButtonDown() override {
+    if (find_renderer()) this->StartPan();
+  }
+  void OnRightButtonDown() override {
+    if (find_renderer()) this->StartDolly();
+  }
+
+ private:
+  bool find_renderer() {
+    const int* at = this->Interactor->GetEventPosition();
+    this->FindPokedRenderer(at[0], at[1]);
+    return this->CurrentRenderer != nullptr;
+  }
+};
+vtkStandardNewMacro(SharingTrackball);
 
 constexpr int frame_ms = 16;
 constexpr float before_the_style = 10;  // the priority of observers that may keep events from the camera
@@ -28,7 +56,7 @@ std::vector<std::string> common_help() {
 WindowLoop::WindowLoop(Stage& stage, const WindowOptions& options, WindowHandlers handlers)
     : stage_(stage), options_(options), handlers_(std::move(handlers)) {
   interactor_->SetRenderWindow(stage_.window());
-  vtkNew<vtkInteractorStyleTrackballCamera> style;
+  vtkNew<SharingTrackball> style;
   style->SetMotionFactor(8);
   interactor_->SetInteractorStyle(style);
   interactor_->EnableRenderOff();  // frames are the timer's
@@ -135,13 +163,23 @@ bool WindowLoop::on_camera(vtkObject*, unsigned long, void*) {
   return false;
 }
 
+void WindowLoop::render() {
+  const auto start = std::chrono::steady_clock::now();
+  stage_.render();
+  ++frames_;
+  // Without a graphics card smooth edges cost most of a frame; a smooth motion is worth more.
+  constexpr double smooth_frame_s = 0.04, patience_s = 0.5;
+  slow_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() - smooth_frame_s;
+  slow_s_ = std::max(0.0, slow_s_);
+  if (slow_s_ > patience_s) stage_.window()->SetMultiSamples(0);
+}
+
 bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
   if (closing_) return true;
   const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - opened_).count();
   play_events(now_s);
   const double elapsed_s = now_s - last_frame_s_;
   last_frame_s_ = now_s;
-  if (closing_) return true;
   if (handlers_.frame && handlers_.frame(elapsed_s)) changed_ = true;
   const int* size = stage_.window()->GetSize();
   if (size[0] != static_cast<int>(stage_.layout().window.width) ||
@@ -149,10 +187,9 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
     stage_.resize(size[0], size[1]);
     changed_ = true;
   }
-  if (changed_) {
+  if (changed_ && !closing_) {
     changed_ = false;
-    stage_.render();
-    ++frames_;
+    render();
   }
   if (options_.on_frame) {
     WindowReport report;

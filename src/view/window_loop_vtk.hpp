@@ -46,6 +46,7 @@ class WindowLoop {
   bool swallow(vtkObject*, unsigned long, void*) { return true; }
   bool on_timer(vtkObject*, unsigned long, void*);
   bool on_camera(vtkObject*, unsigned long, void*);
+  void render();
   void play_events(double now_s);
   void play(const WindowEvent& event);
   bool common_key(const std::string& key);
@@ -58,6 +59,7 @@ class WindowLoop {
   double last_frame_s_ = 0;
   std::size_t next_event_ = 0;
   long frames_ = 0;
+  double slow_s_ = 0;  ///< time that frames took beyond what is smooth
   bool changed_ = true;
   bool closing_ = false;
 };

@@ -1,0 +1,86 @@
+#include "view/plot.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+#include "base/error.hpp"
+#include "support/paths.hpp"
+#include "view/rub.hpp"
+
+namespace fingerpad::test {
+namespace {
+
+using ::testing::HasSubstr;
+
+std::string text_of(const std::filesystem::path& path) {
+  std::ostringstream text;
+  text << std::ifstream(path, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+TEST(Plot, SvgHoldsItsLabelsAsText) {
+  const auto path = scratch_dir() / "plot.svg";
+  write_plot(torus_rub(), path.string(), 1000);
+  const std::string svg = text_of(path);
+  for (const char* label :
+       {"time [s]", "[mm]", "speed [mm/s]", "force [N]", "mu [1]", "stick centre", "normal", "friction along",
+        "frequency [Hz]", "N\xC2\xB2/Hz", "phase", "slip", ">torus<"}) {
+    EXPECT_THAT(svg, HasSubstr(label));
+  }
+  EXPECT_THAT(svg, HasSubstr("stroke-dasharray"));
+  EXPECT_EQ(svg.find("nan"), std::string::npos);
+  EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(Plot, SvgIsTheSameTwiceAndKeepsWithinItsPage) {
+  const auto folder = scratch_dir();
+  write_plot(torus_rub(), (folder / "a.svg").string(), 800);
+  write_plot(torus_rub(), (folder / "b.svg").string(), 800);
+  const std::string svg = text_of(folder / "a.svg");
+  EXPECT_EQ(svg, text_of(folder / "b.svg"));
+  std::istringstream words(svg);
+  for (std::string word; words >> word;) {
+    double x = 0, y = 0;
+    if (word.starts_with("points=\"")) word = word.substr(8);
+    if (std::sscanf(word.c_str(), "%lf,%lf", &x, &y) != 2) continue;
+    EXPECT_TRUE(x >= 0 && x <= 800 && y >= 0 && y <= 960) << word;
+  }
+}
+
+TEST(Plot, PngIsWritten) {
+  const auto path = scratch_dir() / "plot.png";
+  write_plot(torus_rub(), path.string(), 500);
+  const std::string png = text_of(path);
+  EXPECT_EQ(png.substr(1, 3), "PNG");
+  EXPECT_GT(png.size(), 10'000u);  // a blank page of this size takes under 2 kB
+}
+
+TEST(Plot, EscapesTheTitle) {
+  const auto path = scratch_dir() / "plot.svg";
+  ViewInput input = torus_rub(0.1);
+  input.title = "a < b & \"c\"";
+  write_plot(input, path.string(), 500);
+  EXPECT_THAT(text_of(path), HasSubstr("a &lt; b &amp;"));
+}
+
+TEST(Plot, RefusesWhatItCannotDraw) {
+  const auto kind_of = [](const ViewInput& input, const std::string& name) {
+    try {
+      write_plot(input, (scratch_dir() / name).string(), 500);
+    } catch (const Error& error) {
+      return static_cast<int>(error.kind());
+    }
+    return 0;
+  };
+  EXPECT_EQ(kind_of(torus_rub(0.1), "plot.jpg"), 2);
+  EXPECT_EQ(kind_of(torus_rub(0.1), "no/such/folder/plot.svg"), 1);
+  ViewInput empty = torus_rub(0.1);
+  empty.rows.resize(1);
+  EXPECT_EQ(kind_of(empty, "plot.svg"), 3);
+}
+
+}  // namespace
+}  // namespace fingerpad::test

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "base/random_stream.hpp"
+#include "view/playback.hpp"
+#include "view/rub.hpp"
+#include "view/spectrum.hpp"
+#include "view/touch_series.hpp"
+
+namespace fingerpad::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A rub over the plane z = 0 along a direction, 10 mm to and fro at 1 Hz.
+std::vector<TickRecord> plane_rub(const Vec3& along) {
+  std::vector<TickRecord> rows;
+  for (int i = 0; i <= 1000; ++i) {
+    TickRecord row;
+    row.t_s = 1e-3 * i;
+    row.phase = Phase::slip;
+    row.contact_W = Vec3(0.3, 0.4, 0) + along * (0.01 * std::sin(2 * pi * row.t_s));
+    row.p_WQ = row.contact_W - Vec3(0, 0, 1e-3 * (1 + std::sin(30 * row.t_s)));
+    row.normal_W = Vec3::UnitZ();
+    row.friction_W_n = -0.2 * along;
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+TEST(TouchSeries, RunsAlongTheDirectionOfTheRub) {
+  const Vec3 along = Vec3(-0.6, 0.8, 0);
+  const auto rows = plane_rub(along);
+  const Vec3 direction = main_direction(rows);
+  EXPECT_NEAR((direction - along).norm(), 0, 1e-9);
+  const TouchSeries series = touch_series(rows, direction);
+  EXPECT_EQ(series.direction_name, "s");
+  EXPECT_NEAR(series.position_m[250], 0.01, 1e-9);
+  EXPECT_NEAR(series.friction_n[10], -0.2, 1e-12);
+  EXPECT_TRUE(std::isnan(series.speed_m_per_s[0]));
+  // The finger bobs up and down too; only what is tangential counts. Mid-tick slope of a 1 Hz sine: to 1e-5.
+  EXPECT_NEAR(series.speed_m_per_s[1], 0.01 * 2 * pi, 1e-5);
+}
+
+TEST(TouchSeries, NamesAWorldAxisAndKeepsItsCoordinate) {
+  const auto rows = plane_rub(Vec3::UnitY());
+  const TouchSeries series = touch_series(rows, main_direction(rows));
+  EXPECT_EQ(series.direction_name, "y");
+  EXPECT_NEAR(series.position_m[0], 0.4, 1e-12);
+}
+
+TEST(TouchSeries, OfNothingIsEmpty) {
+  EXPECT_EQ(main_direction({}), Vec3::UnitX());
+  EXPECT_TRUE(touch_series({}, Vec3::UnitX()).t_s.empty());
+}
+
+TEST(Spectrum, OfNoiseSumsToItsVariance) {
+  RandomStream noise(7);
+  std::vector<double> samples(20'000);
+  double variance = 0;
+  for (double& sample : samples) {
+    sample = noise.normal();
+    variance += sample * sample / static_cast<double>(samples.size());
+  }
+  const Spectrum spectrum = welch_spectrum(samples, 2000);
+  double sum = 0;
+  for (const double density : spectrum.density) sum += density * spectrum.frequency_hz[1];
+  // Some 8 windows of 4096: the estimate of a sum over 2000 bins scatters by about 2 %.
+  EXPECT_NEAR(sum, variance, 0.06 * variance);
+  EXPECT_EQ(spectrum.frequency_hz.back(), 1000);
+}
+
+TEST(Spectrum, PeaksAtASinesFrequency) {
+  std::vector<double> samples;
+  for (int i = 0; i < 4000; ++i) samples.push_back(5 + std::sin(2 * pi * 89 * i / 1000.0));
+  const Spectrum spectrum = welch_spectrum(samples, 1000);
+  const auto peak = std::max_element(spectrum.density.begin() + 1, spectrum.density.end());
+  // Bins are 1000/512 Hz apart.
+  EXPECT_NEAR(spectrum.frequency_hz[static_cast<std::size_t>(peak - spectrum.density.begin())], 89, 2);
+  EXPECT_LT(spectrum.density[0], 1e-3 * *peak);  // the mean is gone
+}
+
+TEST(Spectrum, OfTooLittleIsEmpty) {
+  EXPECT_TRUE(welch_spectrum(std::vector<double>(31, 1.0), 1000).density.empty());
+}
+
+TEST(Playback, StaysWithinItsRows) {
+  const ViewInput input = torus_rub(0.2);
+  Playback playback(input);
+  playback.go_to(-1);
+  EXPECT_EQ(playback.row(), 0);
+  playback.step(1'000'000);
+  EXPECT_EQ(playback.row(), static_cast<long>(input.rows.size()) - 1);
+  playback.toggle();  // from the end: again from the start
+  EXPECT_TRUE(playback.playing());
+  EXPECT_EQ(playback.row(), 0);
+  EXPECT_TRUE(playback.advance(0.01));
+  EXPECT_EQ(playback.row(), 10);
+  playback.change_speed(true);
+  playback.advance(0.01);
+  EXPECT_EQ(playback.row(), 30);
+  EXPECT_TRUE(playback.advance(100));
+  EXPECT_FALSE(playback.playing());
+  EXPECT_FALSE(playback.advance(1));
+}
+
+}  // namespace
+}  // namespace fingerpad::test

@@ -1,0 +1,142 @@
+#include "view/touch_window.hpp"
+
+#include <gtest/gtest.h>
+
+#include "device/pointer_finger.hpp"
+#include "touch/servo_loop.hpp"
+#include "view/rub.hpp"
+#include "view/screen.hpp"
+#include "view/touch_target.hpp"
+
+namespace fingerpad::test {
+namespace {
+
+using Kind = WindowEvent::Kind;
+
+double distance_to_torus_m(const Vec3& p) {
+  return std::hypot(std::hypot(p.x(), p.y()) - 0.05, p.z()) - 0.02;
+}
+
+/// A live touch of the torus by the true tick, and what its window reported.
+struct LiveTouch {
+  ViewInput view = torus_rub(0.0);
+  std::vector<WindowReport> reports;
+  std::vector<TickRecord> latest;  ///< one a report
+  ServoLoop::Timing timing;
+
+  void play(std::vector<WindowEvent> events, double end_s) {
+    const VirtualScreen screen;
+    view.rows.clear();
+    constexpr double rate_hz = 500;
+    PointerFinger finger(resting_finger(*view.world, *view.scene), 8);
+    Scene scene = *view.scene;
+    scene.motion.rate_hz = rate_hz;
+    ServoLoop servo(
+        Touch(view.world, scene), rate_hz,
+        [&](double t_s) {
+          FingerSample sample = finger.advance(1 / rate_hz);
+          sample.t_s = t_s;
+          return sample;
+        },
+        [](const TickRecord&) {});
+    TouchWindowInput input;
+    input.view = view;
+    input.set_target = [&](const FingerSample& target) { finger.set_target(target); };
+    input.latest = [&] { return servo.latest(); };
+    input.recent = [&](double seconds) { return servo.recent(seconds); };
+    WindowOptions options;
+    options.width = 600;
+    options.height = 400;
+    events.push_back({end_s, Kind::key, "q"});
+    options.events = std::move(events);
+    options.on_frame = [&](const WindowReport& report) {
+      reports.push_back(report);
+      latest.push_back(servo.latest());
+    };
+    run_touch_window(input, options);
+    servo.stop();
+    timing = servo.timing();
+  }
+};
+
+// The near side of the torus's ring, in a window of 600 x 400.
+constexpr int ring_x = 189, ring_y = 90;
+
+TEST(TouchWindow, TheFingerHoversUnderTheMouseAndPressesWhileTheButtonIsHeld) {
+  LiveTouch touch;
+  touch.play({{0.1, Kind::move, "", ring_x, ring_y},
+              {0.8, Kind::press, "", ring_x, ring_y},
+              {2.4, Kind::release, "", ring_x, ring_y}},
+             3.6);
+  ASSERT_FALSE(touch.reports.empty());
+  double hovered_m = 0, pressed_m = 0, most_n = 0;
+  for (std::size_t i = 0; i < touch.reports.size(); ++i) {
+    const WindowReport& report = touch.reports[i];
+    const double distance_m = distance_to_torus_m(report.target_W);
+    if (report.since_open_s > 0.3 && !report.pressing) hovered_m = distance_m;
+    if (report.pressing) pressed_m = distance_m;
+    most_n = std::max(most_n, touch.latest[i].normal_force_n);
+  }
+  // Facets of a 64 x 32 torus lie up to 0.2 mm inside it; 1 N at 1000 N/m is 1 mm deep.
+  EXPECT_NEAR(pressed_m, -1e-3, 3e-4);
+  EXPECT_GT(hovered_m, 1e-3);
+  EXPECT_NEAR(most_n, 1.0, 0.3);
+  EXPECT_FALSE(touch.reports.back().pressing);
+  EXPECT_EQ(touch.latest.back().phase, Phase::free);
+  EXPECT_GT(touch.reports.back().t_s, 1.0);  // the window kept up with the servo's time
+}
+
+TEST(TouchWindow, WheelAndKeysChangeTheForceAndSpaceHolds) {
+  LiveTouch touch;
+  touch.play({{0.1, Kind::move, "", ring_x, ring_y},
+              {0.2, Kind::key, "space"},
+              {0.3, Kind::wheel_up, "", ring_x, ring_y},
+              {0.3, Kind::key, "Prior"},
+              {0.3, Kind::wheel_down, "", ring_x, ring_y}},
+             0.8);
+  ASSERT_FALSE(touch.reports.empty());
+  EXPECT_TRUE(touch.reports.back().pressing);
+  EXPECT_NEAR(touch.reports.back().press_n, 1.25, 1e-9);
+}
+
+TEST(TouchWindow, DrawingDoesNotHoldTheServoUp) {
+  LiveTouch touch;
+  touch.play({}, 1.5);
+  const double open_s = touch.reports.back().since_open_s;
+  // Every tick happened: at 500 Hz over the time that the window was open, but for a tenth for starting.
+  EXPECT_GT(static_cast<double>(touch.timing.ticks), 0.9 * 500 * open_s);
+}
+
+TEST(TouchTarget, ArrowKeysKeepTheFingerOnTheSurface) {
+  const ViewInput view = torus_rub(0.0);
+  TouchTarget target(view.world, *view.scene, 0.002, FingerSample{});
+  target.point_at({0.05, 0, 0.02}, Vec3::UnitZ(), 0);
+  target.press(true);
+  for (int i = 0; i < 40; ++i) target.move_by({0.001, 0, 0});
+  const FingerSample sample = target.sample();
+  EXPECT_GT(sample.p_WQ.x(), 0.06);  // over the bend and on
+  EXPECT_LT(sample.p_WQ.z(), 0.015);
+  // 1 mm deep, and the facets' own error of up to 0.2 mm.
+  EXPECT_NEAR(distance_to_torus_m(sample.p_WQ), -1e-3, 3e-4);
+}
+
+TEST(TouchTarget, ForceStaysWithinReason) {
+  const ViewInput view = torus_rub(0.0);
+  TouchTarget target(view.world, *view.scene, 0.002, FingerSample{});
+  target.change_force(1000);
+  EXPECT_EQ(target.press_n(), 20);
+  target.change_force(-1000);
+  EXPECT_EQ(target.press_n(), 0.05);
+}
+
+TEST(RestingFinger, StandsClearOfWhatCanBeTouched) {
+  const ViewInput view = torus_rub(0.0);
+  EXPECT_GT(distance_to_torus_m(resting_finger(*view.world, *view.scene).p_WQ), 0.005);
+  World plane;
+  plane.surfaces.emplace_back();
+  EXPECT_NEAR(resting_finger(plane, Scene{}).p_WQ.z(), 0.01, 1e-12);
+  EXPECT_TRUE(resting_finger(World{}, Scene{}).p_WQ.allFinite());
+}
+
+}  // namespace
+}  // namespace fingerpad::test
