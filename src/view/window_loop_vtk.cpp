@@ -87,7 +87,7 @@ void WindowLoop::run() {
   stage_.window()->SetWindowName("fingerpad");
   interactor_->Initialize();
   opened_ = std::chrono::steady_clock::now();
-  stage_.render();
+  render();
   interactor_->CreateRepeatingTimer(frame_ms);
   interactor_->Start();
 }
