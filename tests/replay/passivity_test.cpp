@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "replay/figures.hpp"
+
+namespace fingerpad {
+namespace {
+
+double figure(const Figures& figures, std::string_view wanted) {
+  const auto names = Figures::names();
+  const auto at = std::find(names.begin(), names.end(), wanted) - names.begin();
+  return figures.values()[static_cast<std::size_t>(at)];
+}
+
+/// A tick at a depth below the surface z = 0, under a force along z.
+TickRecord tick_at(double z_m, double force_n) {
+  TickRecord record;
+  record.phase = force_n > 0 ? Phase::stick : Phase::free;
+  record.p_WQ = Vec3(0, 0, z_m);
+  record.force_W_n = Vec3(0, 0, force_n);
+  return record;
+}
+
+TEST(Passivity, AHeldSpringGivesBackMoreThanItTook) {
+  // In and out of a wall of 1000 N/m in steps of 1 mm: on the way in the force held over a step is the
+  // smaller one, on the way out the larger one. Taken 1 mJ (0 N, then 1 N), given 3 mJ (2 N, then 1 N).
+  Figures figures;
+  for (const double depth_mm : {0.0, 1.0, 2.0, 1.0, 0.0})
+    figures.observe(tick_at(-1e-3 * depth_mm, depth_mm));
+  EXPECT_NEAR(figure(figures, "energy_made_j"), 2e-3, 1e-15);
+}
+
+TEST(Passivity, AFingerThatOnlyGoesInGetsNothing) {
+  Figures figures;
+  for (int k = 0; k < 5; ++k) figures.observe(tick_at(-1e-3 * k, k));
+  EXPECT_EQ(figure(figures, "energy_made_j"), 0);
+}
+
+TEST(Passivity, CountsTheTicksOnWhichARemedyActed) {
+  Figures figures;
+  for (int k = 0; k < 5; ++k) {
+    TickRecord record = tick_at(-1e-3, 1);
+    record.remedied = k > 2;
+    figures.observe(record);
+  }
+  EXPECT_EQ(figure(figures, "remedied_ticks"), 2);
+}
+
+}  // namespace
+}  // namespace fingerpad
