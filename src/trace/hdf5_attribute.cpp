@@ -48,6 +48,7 @@ void write_texts(const Handle& object, const std::string& name, const std::vecto
   const hsize_t count = texts.size();
   const Handle space = made(H5Screate_simple(1, &count, nullptr), H5Sclose, object.path());
   std::vector<const char*> values;
+  values.reserve(texts.size());
   for (const std::string& text : texts) values.push_back(text.c_str());
   write_attribute(object, name, type.id(), type.id(), space, static_cast<const void*>(values.data()));
 }

@@ -145,7 +145,8 @@ TEST(SceneFile, AcceptsTheNumbersOfEveryLaw) {
   for (const LawEntry& law : law_table()) {
     std::string text = plane_scene + "[friction]\nlaw = \"" + std::string(law.name) + "\"\n";
     for (const LawParameter& parameter : law.parameters) {
-      text += std::string(parameter.key) + " = " + std::to_string(std::min(parameter.min + 1, parameter.max)) + "\n";
+      text += std::string(parameter.key) + " = " +
+              std::to_string(std::min(parameter.min + 1, parameter.max)) + "\n";
     }
     const Scene s = read_scene(text);
     EXPECT_EQ(s.friction.settings.numbers.size(), law.parameters.size()) << law.name;
@@ -153,7 +154,8 @@ TEST(SceneFile, AcceptsTheNumbersOfEveryLaw) {
 }
 
 TEST(SceneFile, RefusesANumberAboveALawsOwnBound) {
-  EXPECT_THROW(read_scene(plane_scene + "[friction]\nlaw = \"elasto-plastic\"\nelastic_share = 1.5\n"), Error);
+  EXPECT_THROW(read_scene(plane_scene + "[friction]\nlaw = \"elasto-plastic\"\nelastic_share = 1.5\n"),
+               Error);
 }
 
 TEST(SceneFile, KeysOfOtherLawsDoNotDisturb) {

@@ -14,7 +14,6 @@ namespace {
 using test::refusal;
 using test::some_rows;
 using testing::HasSubstr;
-using testing::StartsWith;
 
 void write_text(const std::filesystem::path& path, const std::string& text) {
   std::ofstream(path, std::ios::binary) << text;
@@ -23,7 +22,7 @@ void write_text(const std::filesystem::path& path, const std::string& text) {
 /// A file with a column changed by `change(file)`.
 template <typename Change>
 std::filesystem::path changed_trace(const std::string& name, Change change) {
-  const auto path = test::scratch_dir() / name;
+  auto path = test::scratch_dir() / name;
   test::write_trace(path, TraceFormat::hdf5, some_rows(100));
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
   change(file);

@@ -142,6 +142,7 @@ TEST(TraceWriter, WritersOnManyThreadsDoNotDisturbOneAnother) {
   const auto rows = some_rows(9000);
   test::write_trace(folder / "alone.h5", TraceFormat::hdf5, rows);
   std::vector<std::thread> threads;
+  threads.reserve(4);
   for (int i = 0; i < 4; ++i) {
     threads.emplace_back(
         [&, i] { test::write_trace(folder / (std::to_string(i) + ".h5"), TraceFormat::hdf5, rows); });

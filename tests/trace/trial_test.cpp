@@ -43,6 +43,7 @@ TEST(Trial, EndsAChildThatHangs) {
 TEST(Trial, EndsAChildThatEatsMemory) {
   const auto eat = [] {
     std::vector<std::vector<char>> eaten;
+    eaten.reserve(64);
     for (int i = 0; i < 64; ++i) eaten.emplace_back(std::size_t{16} << 20, 'x');
   };
   EXPECT_EQ(trial(eat, 20, std::uint64_t{4} << 30).end, TrialOutcome::End::returned);
