@@ -9,9 +9,13 @@
 namespace fingerpad::test {
 namespace fs = std::filesystem;
 
-fs::path source_dir() { return FINGERPAD_SOURCE_DIR; }
+fs::path source_dir() {
+  return FINGERPAD_SOURCE_DIR;
+}
 
-fs::path program() { return FINGERPAD_BINARY; }
+fs::path program() {
+  return FINGERPAD_BINARY;
+}
 
 std::optional<fs::path> real_data() {
   const char* named = std::getenv("FINGERPAD_TEST_DATA");

@@ -13,12 +13,13 @@ std::filesystem::path source_dir();
 /// The built program.
 std::filesystem::path program();
 
-/// The folder of real meshes (`parts`, `dense`, `malformed`) that lies beside the project as ../shared/data, or where
-/// FINGERPAD_TEST_DATA says; nothing where it is absent, and then the test is skipped.
+/// The folder of real meshes (`parts`, `dense`, `malformed`) that lies beside the project as ../shared/data,
+/// or where FINGERPAD_TEST_DATA says; nothing where it is absent, and then the test is skipped.
 std::optional<std::filesystem::path> real_data();
 
 /// Files of one folder of real_data() with one of these endings, sorted; empty where absent.
-std::vector<std::filesystem::path> real_files(const std::string& folder, const std::vector<std::string>& endings);
+std::vector<std::filesystem::path> real_files(const std::string& folder,
+                                              const std::vector<std::string>& endings);
 
 /// A fresh folder of its own for the running test, emptied at the start of the test.
 std::filesystem::path scratch_dir();
