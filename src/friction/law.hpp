@@ -61,11 +61,14 @@ class FrictionLaw {
 /// when |v| falls through v_min, so that a rupture at low speed slips on.
 enum class Restick { level, crossing };
 
+/// Share of 2 b/T that a stick spring may have without a remedy: at the limit itself it would ring for ever.
+inline constexpr double stick_remedy_reserve = 0.95;
+
 /// What to do where the stick spring is too stiff for the loop that displays it: a device of damping b holds
-/// a spring of up to 2 b/T (SCIENCE 4). Acts only in stick, only beyond that, and says so.
+/// a spring of up to 2 b/T (SCIENCE 4). Acts only in stick, only beyond 0.95 of that, and says so.
 ///   damping   a damper beside the spring, 1.5 times what the excess of stiffness asks for
 ///   implicit  the spring is read where the finger will be a tick later (backward Euler: a damper of K T)
-///   cap       the spring is softened to 2 b/T; its limit stays, so the pad gives way later
+///   cap       the spring is softened to 0.95 of 2 b/T; its limit stays, so the pad gives way later
 enum class Remedy { none, damping, implicit, cap };
 struct StickRemedy {
   Remedy remedy = Remedy::none;

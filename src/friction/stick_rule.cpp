@@ -126,7 +126,7 @@ Friction stick_rule(const TangentialMotion& m, const StickSpring& spring, const 
                     FrictionState& state) noexcept {
   if (rule.remedy.remedy == Remedy::none) return plain_rule(m, spring, rule, state);
   const double stiffness = spring.load_n * std::max(spring.lateral_per_m, spring.longitudinal_per_m);
-  const double stable = 2 * rule.remedy.device_damping_n_s_per_m / m.dt_s;
+  const double stable = stick_remedy_reserve * 2 * rule.remedy.device_damping_n_s_per_m / m.dt_s;
   if (!(stiffness > stable)) return plain_rule(m, spring, rule, state);
   return remedied_rule(m, spring, rule, stiffness, stable, state);
 }

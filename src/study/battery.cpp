@@ -15,10 +15,10 @@ constexpr double turn = 2 * std::numbers::pi;
 constexpr std::array<BatteryCase, 6> cases{{
     {"slow-drag", "drag at 0.01 m/s", 0.5, [](double t) { return Vec3(0.01 * t, 0, -depth_m); }},
     {"sine", "10 mm at 3 Hz", 1, [](double t) { return Vec3(0.01 * std::sin(3 * turn * t), 0, -depth_m); }},
-    {"reversal", "to and fro at 0.15 m/s, 5 turns a second", 1,
+    {"reversal", "to and fro at 0.15 m/s, 5.3 times a second", 1,
      [](double t) {
-       const double phase = std::fmod(5 * t, 1.0);
-       return Vec3(0.15 / 5 * (phase < 0.5 ? phase : 1 - phase), 0, -depth_m);
+       const double phase = std::fmod(5.3 * t, 1.0);
+       return Vec3(0.15 / 5.3 * (phase < 0.5 ? phase : 1 - phase), 0, -depth_m);
      }},
     {"circle", "radius 10 mm at 3 Hz", 1,
      [](double t) { return Vec3(0.01 * std::cos(3 * turn * t), 0.01 * std::sin(3 * turn * t), -depth_m); }},

@@ -13,9 +13,8 @@ constexpr double hand_damping_n_s_per_m = 0.5, stiffness_per_m = 1000;
 void laws_by_rate(StudyReport& report) {
   StudyTable table{"stick_buzz", {"law", "rate_hz", "quiet_up_to_n", "rule_2b_over_kf_t_n"}, {}};
   StudyPanel panel{"", "rate [Hz]", "normal force up to which stick is quiet [N]", true, true, {}, {}};
-  StudySeries rule{"2 b/(k_f T)", {7, SeriesDash::dotted, SeriesMarker::none}, rates_hz, {}};
+  StudySeries rule{"2 b/(k_f T)", {5, SeriesDash::dotted, SeriesMarker::none}, rates_hz, {}};
   for (const double hz : rates_hz) rule.y.push_back(2 * hand_damping_n_s_per_m * hz / stiffness_per_m);
-  panel.series.push_back(rule);
   for (const LawEntry& law : law_table()) {
     const std::string name(law.name);
     StudySeries series{name, law_style(name), rates_hz, {}};
@@ -28,6 +27,7 @@ void laws_by_rate(StudyReport& report) {
     }
     panel.series.push_back(std::move(series));
   }
+  panel.series.push_back(std::move(rule));
   report.tables.push_back(std::move(table));
   report.charts.push_back(
       {"stick_buzz",

@@ -15,10 +15,9 @@ void by_load(StudyReport& report, StudyPanel& panel) {
   const std::vector<double> loads_n{0.25, 0.5, 1, 1.5, 2, 3, 4, 5};
   StudyTable table{
       "energy_by_load", {"law", "load_stretched_n", "load_released_n", "energy_on_finger_j", "rule_j"}, {}};
-  StudySeries rule{"k_f (n2 - n1) d^2/2", {7, SeriesDash::dotted, SeriesMarker::none}, loads_n, {}};
+  StudySeries rule{"k_f (n2 - n1) d^2/2", {5, SeriesDash::dotted, SeriesMarker::none}, loads_n, {}};
   for (const double n : loads_n)
     rule.y.push_back(stiffness_per_m * (n - first_n) * stretch_m * stretch_m / 2);
-  panel.series.push_back(rule);
   for (const LawEntry& law : law_table()) {
     const std::string name(law.name);
     StudySeries series{name, law_style(name), loads_n, {}};
@@ -29,6 +28,7 @@ void by_load(StudyReport& report, StudyPanel& panel) {
     }
     panel.series.push_back(std::move(series));
   }
+  panel.series.push_back(std::move(rule));
   report.tables.push_back(std::move(table));
 }
 

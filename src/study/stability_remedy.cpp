@@ -98,7 +98,8 @@ void study_remedies(StudyReport& report) {
       in_stick.y.push_back(rms_change(remedy.remedy, load_n, presliding_m));
       in_rub.y.push_back(rms_change(remedy.remedy, load_n, rub_m));
       // Rupture is where the spring alone has reached mu_s n.
-      const double stable_n_per_m = 2 * StickRemedy{}.device_damping_n_s_per_m * rate_hz;
+      const double stable_n_per_m =
+          stick_remedy_reserve * 2 * StickRemedy{}.device_damping_n_s_per_m * rate_hz;
       const double stiffness = 1000 * load_n;
       const double held = remedy.remedy == Remedy::cap ? std::min(stiffness, stable_n_per_m) : stiffness;
       stretch.y.push_back(1e3 * mu_static * load_n / held);

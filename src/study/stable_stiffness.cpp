@@ -36,18 +36,20 @@ Eigen::MatrixXd loop_matrix(const HeldWall& wall, double stiffness_n_per_m) {
   return loop;
 }
 
-/// Largest stiffness for which `stable` holds, sought around a guess; the border is crossed once.
+/// Stiffness at which `stable` ends, sought upwards from well below a guess: with dry friction there may be
+/// quiet islands above it.
 template <typename Stable>
 double border(double guess, double share, Stable stable) {
-  double low = guess / 4, high = guess * 1.5;
-  for (int i = 0; i < 40 && !stable(low); ++i) {
-    high = low;
+  constexpr double stride = 1.3;
+  double low = guess / 2;
+  for (int i = 0; !stable(low); ++i) {
+    if (i == 40) return 0;
     low /= 4;
-    if (i == 39) return 0;
   }
-  while (stable(high) && high < guess * 1e6) {
+  double high = low * stride;
+  while (high < guess * 1e6 && stable(high)) {
     low = high;
-    high *= 2;
+    high *= stride;
   }
   while (high / low > 1 + share) {
     const double middle = std::sqrt(low * high);
