@@ -68,7 +68,7 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
   if (moment.region) add_region(glyphs, moment, moment.rings, space, 0.02 * size, 0.04 * size);
   glyphs.solid.ball(contact, 0.22 * size, phase_colour(row.phase));
   if (row.stick_centre_W.allFinite()) {
-    glyphs.solid.ball(space.to_draw(row.stick_centre_W), 0.14 * size, colours::reddish_purple);
+    glyphs.solid.ball(space.to_draw(row.stick_centre_W), 0.14 * size, colours::black);
   }
   if (choice.frame) {
     const Mat3 frame = tangent_frame(row.normal_W, moment.finger_direction_W);
@@ -101,7 +101,7 @@ ContactGlyphs close_up_glyphs(const ContactMoment& moment, const DrawSpace& spac
     add_region(glyphs, moment, {rim_points(*moment.region, 90, 1)}, space, 0.4 * unit, 0.1 * unit);
     const Vec3 centre = space.to_draw(moment.region->centre_W) + up;
     glyphs.solid.tube({centre, contact}, false, 0.09 * unit, colours::ink);
-    if (row.phase == Phase::stick) glyphs.solid.ball(centre, 0.35 * unit, colours::reddish_purple);
+    if (row.phase == Phase::stick) glyphs.solid.ball(centre, 0.35 * unit, colours::black);
   }
   glyphs.solid.ball(contact, 0.45 * unit, phase_colour(row.phase));
   if (limit_n > 0) {

@@ -135,7 +135,7 @@ class OverlayPainter {
       keys.push_back({"whole force", colours::reddish_purple, true});
     }
     if (facts_.row->stick_centre_W.allFinite()) {
-      keys.push_back({"stick centre", colours::reddish_purple, false});
+      keys.push_back({"stick centre", colours::black, false});
     }
     if (facts_.region) {
       const bool holds = facts_.row->phase == Phase::stick;
@@ -147,10 +147,11 @@ class OverlayPainter {
 
   void paint_legend() {
     const std::vector<Key> keys = legend_keys();
-    const bool bar = state_.path && state_.colouring == PathColouring::force;
+    const bool path = state_.path && facts_.path;
+    const bool bar = path && state_.colouring == PathColouring::force;
     const double line = 1.4 * em_;
     const double lines =
-        static_cast<double>(keys.size()) + (state_.forces ? 1 : 0) + (state_.path ? (bar ? 3.0 : 1.0) : 0.0);
+        static_cast<double>(keys.size()) + (state_.forces ? 1 : 0) + (path ? (bar ? 3.0 : 1.0) : 0.0);
     if (lines == 0) return;
     double width = 15.5 * em_;
     for (const Key& key : keys) width = std::max(width, text_width(key.label, em_) + 4 * em_);
@@ -176,7 +177,7 @@ class OverlayPainter {
                     {.size = em_, .colour = colours::grey, .upright = Upright::middle});
       y -= line;
     }
-    if (!state_.path) return;
+    if (!path) return;
     if (bar) {
       paint_colour_bar({left, y - 2.2 * line, width - 1.2 * em_, 0.8 * em_}, y);
       return;

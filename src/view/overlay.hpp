@@ -26,6 +26,7 @@ struct OverlayFacts {
   Mat3 axes_px = Mat3::Identity();  ///< column i: world axis i as seen on the screen (x, y, towards the eye)
   double inset_px_per_mm = 0;       ///< 0: no inset
   Box inset;                        ///< where it stands
+  bool path = false;                ///< a path is drawn
   bool region = false;              ///< a stick region is drawn
   double grid_mm = 0;               ///< of a plane; 0: none
   struct Label {

@@ -249,6 +249,7 @@ OverlayFacts Stage::overlay_facts() {
   facts.px_per_mm = px_per_mm();
   facts.inset_px_per_mm = inset_px_per_mm_;
   facts.inset = inset_;
+  facts.path = input_.rows.size() > 1;
   facts.max_force_n = max_force_n_;
   facts.speed_m_per_s = speed_m_per_s_;
   facts.grid_mm = world_->grid_m() * 1e3;

@@ -70,9 +70,9 @@ class TouchWindow {
                                      "drag beside part: turn the view",
                                      "+, -: view nearer, farther"};
     for (std::string& line : common_help()) {
-      if (line.find("wheel") == std::string::npos && line.find("left drag") == std::string::npos) {
-        help.push_back(std::move(line));
-      }
+      const bool taken = line.starts_with("left drag") || line.starts_with("right drag");
+      if (line.starts_with("c: ")) continue;  // there is no path to colour
+      if (!taken) help.push_back(std::move(line));
     }
     stage_.show_hint("", std::move(help));
     stage_.expect_force(1.5);

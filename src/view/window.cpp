@@ -28,7 +28,8 @@ class ViewWindow {
               "Page Up, Down: a twentieth of all back, on",
               "Home, End: first tick, last tick",
               "+, -: play faster, slower",
-              "click a chart or the time line: go there"};
+              "click on a chart: go to that time",
+              "drag time line: go to that time"};
     }
     for (std::string& line : common_help()) help.push_back(std::move(line));
     stage_.show_hint(playback_ ? "space plays   h help" : "h help", std::move(help));
