@@ -1,6 +1,7 @@
 #include "view/touch_window.hpp"
 
 #include <fmt/format.h>
+#include <sys/resource.h>
 #include <vtkCamera.h>
 #include <vtkRenderer.h>
 
@@ -181,6 +182,10 @@ class TouchWindow {
 
 void run_touch_window(const TouchWindowInput& input, const WindowOptions& options) {
   need_display();
+  // Without a graphics card drawing takes every core there is. This thread and those that it starts to draw
+  // with stand back for the servo's. A system that does not let them loses nothing else.
+  constexpr int stand_back = 10;
+  setpriority(PRIO_PROCESS, 0, stand_back);
   TouchWindow(input, options).run();
 }
 
