@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "contact/segment_crossing.hpp"
 #include "contact/triangle_frame.hpp"
 
 namespace fingerpad {
@@ -24,6 +25,8 @@ namespace {
 constexpr float box_padding = 5e-7f;
 constexpr double relative_slack = 2e-6;
 constexpr double absolute_slack = 1e-8;
+/// Added to a ray's end, scaled: above a float's rounding of lengths up to 4.
+constexpr double ray_slack = 1e-6;
 /// Beyond so many half extents float boxes no longer tell triangles apart: every triangle is looked at.
 constexpr double tree_range = 1e4;
 /// Beyond so many half extents only the direction of a point matters.
@@ -52,6 +55,11 @@ struct TriangleTree::Impl {
     if (device != nullptr) rtcReleaseDevice(device);
   }
   void build();
+  /// Whether a point is surely farther away than reach_m, or this is no number; `farthest_m` is the point's
+  /// largest coordinate. Leaves room for rounding.
+  bool out_of_reach(double farthest_m, double reach_m) const noexcept {
+    return !(farthest_m - extent_m <= reach_m + 1e-14 * (farthest_m + extent_m));
+  }
   ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
 };
 
@@ -93,9 +101,54 @@ bool visit(RTCPointQueryFunctionArguments* args) {
   return true;
 }
 
-/// An Embree ray with the exact one behind it.
-struct RaySearch {
+/// A search for all triangles within a fixed reach.
+struct WithinSearch {
+  const TriangleFrame* frames;
+  Vec3 q;
+  double tie_m;
+  double reach_m;
+  void (*found)(void* context, int triangle);
+  void* context;
+
+  void look_at(int t) const noexcept {
+    const FramePoint p = closest_in(frames[t], q, tie_m);
+    const bool within = std::isfinite(p.distance2_m2) ? p.distance2_m2 <= reach_m * reach_m
+                                                      : (q - p.point).stableNorm() <= reach_m;
+    if (within) found(context, t);
+  }
+};
+
+bool visit_within(RTCPointQueryFunctionArguments* args) {
+  static_cast<const WithinSearch*>(args->userPtr)->look_at(static_cast<int>(args->primID));
+  return false;
+}
+
+/// An Embree ray with the exact search behind it.
+struct AnyRay {
   RTCIntersectContext context;  // first, so that Embree's pointer to it is a pointer to this
+  void (*look_at)(AnyRay& search, int t, float& far);  ///< may shorten the ray
+};
+
+struct CrossingSearch : AnyRay {
+  const Part* part;
+  SegmentCrossing crossing;
+  double start_m, length_m;  ///< where Embree's ray begins along the segment; the segment's length
+  double scale;
+  SegmentHit hit;
+};
+
+void look_at_crossing(AnyRay& any, int t, float& far) {
+  CrossingSearch& search = static_cast<CrossingSearch&>(any);
+  const auto corner = [&](int k) -> Vec3 { return search.part->vertices.col(search.part->triangles(k, t)); };
+  const double along = search.crossing.entry(corner(0), corner(1), corner(2));
+  SegmentHit& hit = search.hit;
+  if (along > hit.along || (along == hit.along && t >= hit.triangle)) return;
+  hit = {t, along};
+  far = static_cast<float>((along * search.length_m - search.start_m) * search.scale + ray_slack);
+}
+
+/// An Embree ray with the exact one behind it.
+struct RaySearch : AnyRay {
   const Part* part;
   int start;  ///< triangle that the ray starts on
   Vec3 origin, direction;
@@ -130,38 +183,63 @@ double exit_distance_m(const RaySearch& search, int t) noexcept {
   return distance_m >= 0 ? std::abs(distance_m) : none;  // abs: a zero without sign
 }
 
-void intersect(const RTCIntersectFunctionNArguments* args) {
-  if (args->valid[0] == 0) return;
-  RaySearch& search = *reinterpret_cast<RaySearch*>(args->context);
-  const int t = static_cast<int>(args->primID);
+void look_at_exit(AnyRay& any, int t, float& far) {
+  RaySearch& search = static_cast<RaySearch&>(any);
   if (t == search.start) return;
   const double distance_m = exit_distance_m(search, t);
   RayExit& exit = search.exit;
   if (distance_m > exit.distance_m || (distance_m == exit.distance_m && t >= exit.triangle)) return;
   if (share_vertex(*search.part, t, search.start)) return;
   exit = {t, distance_m};
+  far = static_cast<float>(distance_m * search.scale * (1 + relative_slack) + ray_slack);
+}
+
+void intersect(const RTCIntersectFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  AnyRay& search = *reinterpret_cast<AnyRay*>(args->context);
   RTCRayHit& ray = *reinterpret_cast<RTCRayHit*>(args->rayhit);
-  ray.ray.tfar = static_cast<float>(distance_m * search.scale * (1 + relative_slack) + absolute_slack);
+  const float far = ray.ray.tfar;
+  search.look_at(search, static_cast<int>(args->primID), ray.ray.tfar);
+  if (ray.ray.tfar >= far) return;
   ray.hit.primID = args->primID;
   ray.hit.geomID = args->geomID;
 }
 
-void cast(RTCScene scene, RaySearch& search) noexcept {
+/// Sends a ray with a unit direction through the scene; `from` and `length` scaled.
+void cast(RTCScene scene, AnyRay& search, const Vec3& from, const Vec3& direction, double length) noexcept {
   rtcInitIntersectContext(&search.context);
-  const Vec3 from = search.origin * search.scale;
   RTCRayHit ray{};
   ray.ray.org_x = static_cast<float>(from.x());
   ray.ray.org_y = static_cast<float>(from.y());
   ray.ray.org_z = static_cast<float>(from.z());
-  ray.ray.dir_x = static_cast<float>(search.direction.x());
-  ray.ray.dir_y = static_cast<float>(search.direction.y());
-  ray.ray.dir_z = static_cast<float>(search.direction.z());
+  ray.ray.dir_x = static_cast<float>(direction.x());
+  ray.ray.dir_y = static_cast<float>(direction.y());
+  ray.ray.dir_z = static_cast<float>(direction.z());
   ray.ray.tnear = 0;
-  ray.ray.tfar = std::numeric_limits<float>::infinity();
+  ray.ray.tfar = static_cast<float>(length);
   ray.ray.mask = ~0u;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
   rtcIntersect1(scene, &search.context, &ray);
+}
+
+/// The piece [begin, end] of a segment (0 .. 1) that lies in the box of +- half; empty where begin > end.
+struct Piece {
+  double begin = 0, end = 1;
+};
+
+Piece piece_in_box(const Vec3& from, const Vec3& way, const Vec3& half) noexcept {
+  Piece piece;
+  for (int i = 0; i < 3; ++i) {
+    if (way[i] == 0) {
+      if (std::abs(from[i]) > half[i]) return {1, 0};
+      continue;
+    }
+    const double a = (-half[i] - from[i]) / way[i], b = (half[i] - from[i]) / way[i];
+    piece.begin = std::max(piece.begin, std::min(a, b));
+    piece.end = std::min(piece.end, std::max(a, b));
+  }
+  return piece;
 }
 
 void bounds(const RTCBoundsFunctionArguments* args) {
@@ -199,7 +277,6 @@ void TriangleTree::Impl::build() {
   rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(frames.of.size()));
   rtcSetGeometryUserData(geometry, &frames);
   rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
-  rtcSetGeometryPointQueryFunction(geometry, visit);
   rtcSetGeometryIntersectFunction(geometry, intersect);
   rtcCommitGeometry(geometry);
   rtcAttachGeometry(scene, geometry);
@@ -236,8 +313,7 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) c
   const Impl& impl = *impl_;
   const double farthest = q.cwiseAbs().maxCoeff();
   if (impl.frames.of.empty() || !q.allFinite()) return {};
-  if (!(farthest - impl.extent_m <= reach_m)) return {};  // a reach that is no number ends here too
-
+  if (impl.out_of_reach(farthest, reach_m)) return {};
   if (farthest > tree_range * impl.extent_m) return impl.far_closest(q, reach_m);
 
   Search search{impl.frames.of.data(), q, tie_distance_m(*impl.part, q), impl.frames.scale, 0, {}};
@@ -257,7 +333,7 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) c
   search.rounding = (scaled - Vec3(query.x, query.y, query.z)).cwiseAbs().sum();
   const double to_far_corner_m = q.norm() + 2 * impl.extent_m;
   query.radius = search.radius(std::min(std::sqrt(winner.at.distance2_m2), to_far_corner_m));
-  rtcPointQuery(impl.scene, &query, &context, nullptr, &search);
+  rtcPointQuery(impl.scene, &query, &context, visit, &search);
 
   if (winner.triangle >= count) return {};
   return {winner.triangle, in_part_corners(impl.frames.of[winner.triangle], winner.at, q)};
@@ -275,9 +351,57 @@ ClosestTriangle TriangleTree::Impl::far_closest(const Vec3& q, double reach_m) c
   return result;
 }
 
+void TriangleTree::each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
+                               void* context) const noexcept {
+  const Impl& impl = *impl_;
+  const double farthest = q.cwiseAbs().maxCoeff();
+  if (impl.frames.of.empty() || !q.allFinite() || !(reach_m >= 0)) return;
+  if (impl.out_of_reach(farthest, reach_m)) return;
+  const WithinSearch search{impl.frames.of.data(), q, tie_distance_m(*impl.part, q), reach_m, visit, context};
+  if (farthest > tree_range * impl.extent_m) {
+    for (int t = 0; t < static_cast<int>(impl.frames.of.size()); ++t) search.look_at(t);
+    return;
+  }
+  RTCPointQueryContext query_context;
+  rtcInitPointQueryContext(&query_context);
+  RTCPointQuery query;
+  const Vec3 scaled = q * impl.frames.scale;
+  query.x = static_cast<float>(scaled.x());
+  query.y = static_cast<float>(scaled.y());
+  query.z = static_cast<float>(scaled.z());
+  query.time = 0;
+  const double rounding = (scaled - Vec3(query.x, query.y, query.z)).cwiseAbs().sum();
+  const double bound = std::min(reach_m, q.norm() + 2 * impl.extent_m) * impl.frames.scale + rounding;
+  query.radius = static_cast<float>(bound * (1 + relative_slack) + absolute_slack);
+  rtcPointQuery(impl.scene, &query, &query_context, visit_within, const_cast<WithinSearch*>(&search));
+}
+
+SegmentHit TriangleTree::first_crossing(const Vec3& from, const Vec3& to) const noexcept {
+  const Impl& impl = *impl_;
+  const Vec3 way = to - from;
+  const double length_m = way.stableNorm();
+  if (impl.frames.of.empty() || !(length_m > 0) || !std::isfinite(length_m) || !from.allFinite()) return {};
+  // Embree gets the piece within the part's box, with room for rounding of the ends.
+  const Vec3 half = impl.part->half_extent.array() + 1e-6 * impl.extent_m + tie_distance_m(*impl.part, from);
+  const Piece piece = piece_in_box(from, way, half);
+  if (!(piece.begin <= piece.end)) return {};
+  CrossingSearch search{{{}, look_at_crossing},
+                        impl.part.get(),
+                        SegmentCrossing(from, to),
+                        piece.begin * length_m,
+                        length_m,
+                        impl.frames.scale,
+                        {}};
+  const double reach_m = (piece.end - piece.begin) * length_m;
+  cast(impl.scene, search, (from + piece.begin * way) * impl.frames.scale, way / length_m,
+       reach_m * impl.frames.scale + ray_slack);
+  return search.hit;
+}
+
 RayExit TriangleTree::first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept {
-  RaySearch search{{}, impl_->part.get(), start, origin, direction, impl_->frames.scale, {}};
-  cast(impl_->scene, search);
+  RaySearch search{{{}, look_at_exit}, impl_->part.get(), start, origin, direction, impl_->frames.scale, {}};
+  cast(impl_->scene, search, origin * impl_->frames.scale, direction,
+       std::numeric_limits<double>::infinity());
   return search.exit;
 }
 

@@ -19,6 +19,12 @@ struct RayExit {
   double distance_m = std::numeric_limits<double>::infinity();
 };
 
+/// Where a segment enters a part.
+struct SegmentHit {
+  int triangle = -1;  ///< index into Part::triangles; -1 when the segment enters nowhere
+  double along = std::numeric_limits<double>::infinity();  ///< 0 at its start, 1 at its end
+};
+
 /// A search tree over a part's triangles: Embree traverses padded float boxes, the callback decides in
 /// double. Immutable after construction; queries from any number of threads.
 class TriangleTree {
@@ -39,6 +45,23 @@ class TriangleTree {
   /// hold it); one that is not finite is answered with nothing. Far points beyond any use of the tree are
   /// looked up one by one. noexcept, allocates nothing.
   ClosestTriangle closest(const Vec3& q, int seed, double reach_m) const noexcept;
+
+  /// Calls `visit(context, triangle)` once for every triangle whose distance to q is at most `reach_m`, as
+  /// `closest` measures it (closest_on_triangle's distance2_m2 <= reach_m * reach_m, in double): those and no
+  /// others, in no order that one may rely on.
+  /// @param q  relative to the part's centre [m]; one that is not finite has no triangles within reach
+  /// @param reach_m  nothing where negative or not a number; infinity for all
+  /// noexcept (so `visit` must not throw), allocates nothing.
+  void each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
+                   void* context) const noexcept;
+
+  /// The first triangle that the segment from `from` to `to` crosses from the outside to the inside, that is
+  /// against the facet's normal; both ends count. Watertight (Woop, Benthin & Wald 2013, in double): no
+  /// segment slips between triangles that share an edge's bits. Ties go to the lowest triangle. A facet seen
+  /// edge-on is not crossed: its neighbours are.
+  /// @param from, to  relative to the part's centre [m]; ends that are not finite or coincide cross nothing
+  /// noexcept, allocates nothing.
+  SegmentHit first_crossing(const Vec3& from, const Vec3& to) const noexcept;
 
   /// The first triangle through which a ray that starts on triangle `start` passes from the inside to the
   /// outside. Triangles that share a (welded) vertex with `start` are passed through, as are those met from
