@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <numbers>
 
 #include "app/commands.hpp"
 #include "app/unit_option.hpp"
@@ -17,6 +16,7 @@ struct CheckOptions {
   std::vector<std::string> meshes;
   std::string unit = "mm";
   bool json = false;
+  bool repair = false;
 };
 
 using Json = nlohmann::ordered_json;
@@ -34,6 +34,7 @@ Json verdict_json(const Verdict& verdict, double thinnest_wall_m) {
           {"touchable", verdict.touchable},
           {"error", verdict.error},
           {"warnings", verdict.warnings},
+          {"repaired", verdict.repaired},
           {"triangles", verdict.triangles},
           {"kept", verdict.kept},
           {"degenerate", verdict.degenerate},
@@ -50,11 +51,13 @@ Json verdict_json(const Verdict& verdict, double thinnest_wall_m) {
 }
 
 int check(const CheckOptions& options) {
-  constexpr double crease_rad = 30 * std::numbers::pi / 180;
   bool all_touchable = true;
   Json report = Json::array();
   for (const std::string& path : options.meshes) {
-    const ImportedPart imported = import_part(path, metres_of(options.unit), crease_rad);
+    ImportOptions how;
+    how.metres_per_unit = metres_of(options.unit);
+    how.repair = options.repair;
+    const ImportedPart imported = import_part(path, how);
     double wall_m = std::nan("");
     if (imported.part) {
       const TriangleTree tree(imported.part);
@@ -84,6 +87,10 @@ void add_check(CLI::App& program, Action& action) {
   command->add_option("MESH", options->meshes, "STL, OBJ, PLY or OFF files")->required();
   add_unit_option(*command, options->unit);
   command->add_flag("--json", options->json, "Print an array with an object for each mesh (lengths in m)");
+  command->add_flag(
+      "--repair", options->repair,
+      "Say what `repair = true` in a scene's [[part]] would do: weld, drop degenerate and duplicate "
+      "faces, make the winding right");
   command->footer("Ends 0 if every mesh can be touched, else 3.");
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }

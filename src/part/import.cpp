@@ -121,8 +121,7 @@ std::string why_no_triangle(const RawMesh& mesh, const Fan& fan) {
   return fmt::format("holds no triangle, only {} points", mesh.vertices.size());
 }
 
-std::shared_ptr<const Part> read(const std::string& path, double metres_per_unit, double crease_rad,
-                                 Verdict& verdict) {
+std::shared_ptr<const Part> read(const std::string& path, const ImportOptions& options, Verdict& verdict) {
   std::string bytes = file_bytes(path);
   const MeshFormat format = mesh_format(path, bytes);
   RawMesh mesh = scan(format, bytes);
@@ -132,12 +131,14 @@ std::shared_ptr<const Part> read(const std::string& path, double metres_per_unit
   const std::vector<bool> used = used_vertices(mesh);
   for (int i = 0; i < mesh.polygon_count(); ++i) verdict.triangles += mesh.corner_count(i) - 2;
   refuse_nonfinite(mesh, used);
-  if (mesh.polygon_count() > 0) deliver(mesh, bytes, format, used, metres_per_unit, verdict);
+  if (mesh.polygon_count() > 0) deliver(mesh, bytes, format, used, options.metres_per_unit, verdict);
   bytes = std::string();
-  const Fan fan = fan_polygons(mesh, metres_per_unit);
+  const Fan fan = fan_polygons(mesh, options.metres_per_unit);
   verdict.out_of_range = fan.out_of_range;
   if (fan.soup.triangles.cols() == 0) throw refused("", why_no_triangle(mesh, fan));
-  BuiltPart built = build_part(fan.soup, crease_rad);
+  verdict.repaired = options.repair;
+  BuiltPart built = options.repair ? build_repaired_part(fan.soup, options.crease_rad)
+                                   : build_part(fan.soup, options.crease_rad);
   fill_census(built.census, verdict);
   verdict.kept = built.part.triangle_count();
   if (verdict.kept == 0) {
@@ -151,12 +152,12 @@ std::shared_ptr<const Part> read(const std::string& path, double metres_per_unit
 
 }  // namespace
 
-ImportedPart import_part(const std::string& path, double metres_per_unit, double crease_rad) {
+ImportedPart import_part(const std::string& path, const ImportOptions& options) {
   ImportedPart imported;
   Verdict& verdict = imported.verdict;
   verdict.file = path;
   try {
-    imported.part = read(path, metres_per_unit, crease_rad, verdict);
+    imported.part = read(path, options, verdict);
     verdict.touchable = true;
   } catch (const std::bad_alloc&) {
     verdict.error = "needs more memory than there is";
@@ -166,10 +167,18 @@ ImportedPart import_part(const std::string& path, double metres_per_unit, double
   return imported;
 }
 
-ImportedPart import_touchable(const std::string& path, double metres_per_unit, double crease_rad) {
-  ImportedPart imported = import_part(path, metres_per_unit, crease_rad);
+ImportedPart import_part(const std::string& path, double metres_per_unit, double crease_rad) {
+  return import_part(path, {metres_per_unit, crease_rad, false});
+}
+
+ImportedPart import_touchable(const std::string& path, const ImportOptions& options) {
+  ImportedPart imported = import_part(path, options);
   if (!imported.part) throw refused(path, imported.verdict.error);
   return imported;
+}
+
+ImportedPart import_touchable(const std::string& path, double metres_per_unit, double crease_rad) {
+  return import_touchable(path, {metres_per_unit, crease_rad, false});
 }
 
 }  // namespace fingerpad

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <numbers>
 #include <string>
 
 #include "part/part.hpp"
@@ -14,14 +15,21 @@ struct ImportedPart {
   Verdict verdict;
 };
 
+/// How a mesh file is to be taken.
+struct ImportOptions {
+  double metres_per_unit = 1e-3;                    ///< what one file unit is, > 0
+  double crease_rad = 30 * std::numbers::pi / 180;  ///< see make_part
+  bool repair = false;  ///< see build_repaired_part; the verdict tells what was done
+};
+
 /// Reads STL (text and binary), OBJ, PLY or OFF through OpenMesh and checks the file against what came out.
 ///
 /// Never throws for a bad file: whatever is wrong is in the verdict.
-/// @param metres_per_unit  what one file unit is, > 0
-/// @param crease_rad       see make_part
+ImportedPart import_part(const std::string& path, const ImportOptions& options);
 ImportedPart import_part(const std::string& path, double metres_per_unit, double crease_rad);
 
 /// As import_part, but a part that cannot be touched throws Error (refused) with the verdict's reason.
+ImportedPart import_touchable(const std::string& path, const ImportOptions& options);
 ImportedPart import_touchable(const std::string& path, double metres_per_unit, double crease_rad);
 
 }  // namespace fingerpad

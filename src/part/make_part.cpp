@@ -5,6 +5,7 @@
 #include "part/build_part.hpp"
 #include "part/edge_table.hpp"
 #include "part/normals.hpp"
+#include "part/repair.hpp"
 #include "part/volume.hpp"
 #include "part/weld.hpp"
 
@@ -79,13 +80,33 @@ Connected connected(const Centred& mesh, const Welding& welding) {
   return result;
 }
 
+/// The farthest that vertices may lie apart and be taken as one.
+double weld_reach(const Centred& mesh) {
+  return 1e-7 * 2 * mesh.half_extent.norm();
+}
+
+/// Welds all vertices within the reach, whatever comes of it.
+Connected weld_all(const Centred& mesh, RepairCounts& counts) {
+  const Welding equal = weld_equal(mesh.points);
+  const double reach = weld_reach(mesh);
+  std::vector<int> one_of_each;
+  for (std::size_t i = 0; i < equal.id.size(); ++i) {
+    if (equal.id[i] == static_cast<int>(one_of_each.size())) one_of_each.push_back(static_cast<int>(i));
+  }
+  const Welding near = reach > 0 ? weld_near(mesh.points, equal, one_of_each, reach) : equal;
+  counts.welded_vertices = equal.count - near.count;
+  Connected result = connected(mesh, near);
+  if (near.count < equal.count) result.weld_distance = reach;
+  return result;
+}
+
 /// Welds equal vertices; where that leaves boundary edges, those on them also at 1e-7 of the diagonal. The
 /// second is kept only where it closes the mesh and neither collapses a triangle nor makes an edge
 /// non-manifold.
 Connected weld(const Centred& mesh) {
   const Welding equal = weld_equal(mesh.points);
   Connected first = connected(mesh, equal);
-  const double reach = 1e-7 * 2 * mesh.half_extent.norm();
+  const double reach = weld_reach(mesh);
   if (first.counts.boundary == 0 || !(reach > 0)) return first;
   std::vector<int> candidates;
   std::vector<bool> listed(at(equal.count), false);
@@ -134,12 +155,13 @@ struct Draft {
   std::vector<bool> flat;  // without area
 };
 
-Draft first_draft(const TriangleSoup& soup) {
+/// @param repair  where to count what was repaired; null for a part as it is
+Draft first_draft(const TriangleSoup& soup, RepairCounts* repair) {
   Draft draft;
   draft.from_soup.resize(at(static_cast<int>(soup.triangles.cols())));
   std::iota(draft.from_soup.begin(), draft.from_soup.end(), 0);
   draft.mesh = centred(soup, draft.from_soup);
-  draft.links = weld(draft.mesh);
+  draft.links = repair != nullptr ? weld_all(draft.mesh, *repair) : weld(draft.mesh);
   draft.flat = without_area(draft.mesh);
   return draft;
 }
@@ -212,11 +234,21 @@ std::vector<int> sided(const Draft& draft) {
   return kept;
 }
 
-}  // namespace
+/// Winds the draft and counts its edges anew.
+void wind_draft(Draft& draft, Census& census) {
+  Connected& links = draft.links;
+  links.edges = wind(draft.mesh.points, draft.mesh.triangles, links.welded, links.welded_count,
+                     std::move(links.edges), census.repair);
+  const EdgeCounts counts = count_edges(links.edges, links.welded);
+  census.boundary_edges = counts.boundary;
+  census.nonmanifold_edges = counts.nonmanifold;
+  census.inconsistent_edges = counts.inconsistent;
+  census.components = component_count(links.welded, links.welded_count);
+}
 
-BuiltPart build_part(const TriangleSoup& soup, double crease_rad) {
+BuiltPart build(const TriangleSoup& soup, double crease_rad, bool repair) {
   BuiltPart built;
-  Draft draft = first_draft(soup);
+  Draft draft = first_draft(soup, repair ? &built.census.repair : nullptr);
   std::vector<int> kept = take_census(draft, built.census);
   if (kept.size() < draft.from_soup.size()) draft = reduced(soup, draft, kept);
   // Leaving triangles out moves the centre, and with it what rounding makes of the others: look again.
@@ -225,6 +257,7 @@ BuiltPart build_part(const TriangleSoup& soup, double crease_rad) {
     if (kept.size() == draft.from_soup.size()) break;
     draft = reduced(soup, draft, kept);
   }
+  if (repair) wind_draft(draft, built.census);
   Part& part = built.part;
   part = assembled(soup, draft);
   const EdgeTable& edges = draft.links.edges;
@@ -236,6 +269,16 @@ BuiltPart build_part(const TriangleSoup& soup, double crease_rad) {
   fill_corner_normals(part, angles);
   measure_bodies(part, edges, built.census);
   return built;
+}
+
+}  // namespace
+
+BuiltPart build_part(const TriangleSoup& soup, double crease_rad) {
+  return build(soup, crease_rad, false);
+}
+
+BuiltPart build_repaired_part(const TriangleSoup& soup, double crease_rad) {
+  return build(soup, crease_rad, true);
 }
 
 Part make_part(const TriangleSoup& soup, double crease_rad, double* weld_distance_m) {

@@ -16,6 +16,7 @@ struct Part {
   Vec3 centre_P = Vec3::Zero();    ///< [m]
   Points vertices;                 ///< 3 x n_v, relative to centre_P [m]; those that triangles use
   IndexTriples triangles;          ///< 3 x n, indices into vertices, the file's winding
+                                   ///< (or the repair's: build_part.hpp)
   std::vector<int> file_triangle;  ///< n: number of the triangle in file order from 0 (polygons fanned,
                                    ///< dropped faces keep their number)
   IndexTriples welded;             ///< 3 x n, as triangles, but with equal (or near-equal) vertices merged

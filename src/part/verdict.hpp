@@ -8,7 +8,7 @@
 namespace fingerpad {
 
 /// What can be said about a mesh, good and bad. Counts are of all that the file holds, before anything was
-/// left out.
+/// left out; where it was repaired, edges, components, winding and volume are the repaired part's.
 struct Verdict {
   std::string file;    ///< as it was named by the caller
   std::string format;  ///< "binary STL", "text PLY", ...; empty where that could not be told
@@ -29,8 +29,9 @@ struct Verdict {
   bool closed = false;              ///< no boundary, every edge manifold
   double volume_m3 = 0;             ///< signed: negative where the normals point inwards
   Bounds bounds_m;                  ///< frame P
-  double weld_distance_m = 0;       ///< vertices closer than this were taken as one; 0: only equal ones
-  double rounding_m = 0;            ///< the farthest a vertex was moved by rounding to float32
+  bool repaired = false;       ///< it was asked for; what was done are the first warnings, "repaired: ..."
+  double weld_distance_m = 0;  ///< vertices closer than this were taken as one; 0: only equal ones
+  double rounding_m = 0;       ///< the farthest a vertex was moved by rounding to float32
   double resolution_m =
       0;  ///< the step of the file's coordinates at the part's place, where they are float32
 };

@@ -10,6 +10,26 @@ std::string many(long count, std::string_view one) {
   return fmt::format("{} {}{}", count, one, count == 1 ? "" : "s");
 }
 
+void tell_repair(const RepairCounts& repair, Verdict& verdict) {
+  std::vector<std::string> done;
+  const auto tell = [&](long count, std::string_view one, std::string_view what) {
+    if (count > 0) done.push_back("repaired: " + many(count, one) + std::string(what));
+  };
+  if (repair.welded_vertices > 0) {
+    done.push_back(
+        fmt::format("repaired: vertices up to {:.2g} m apart were taken as one ({} fewer); no "
+                    "coordinate was changed",
+                    verdict.weld_distance_m, repair.welded_vertices));
+  }
+  tell(repair.turned_triangles, "triangle", " turned round, to be wound as the rest of the piece");
+  tell(repair.turned_bodies, "closed shell", " turned outwards");
+  tell(repair.turned_cavities, "closed shell", " inside a body turned inwards, as a cavity");
+  if (repair.nesting_unknown) {
+    done.emplace_back("repaired: so many closed shells overlap that none was taken as a cavity");
+  }
+  verdict.warnings.insert(verdict.warnings.end(), done.begin(), done.end());
+}
+
 void tell_faces(const RawMesh& mesh, const Fan& fan, Verdict& verdict) {
   auto& warnings = verdict.warnings;
   if (mesh.short_polygons > 0) {
@@ -28,7 +48,8 @@ void tell_faces(const RawMesh& mesh, const Fan& fan, Verdict& verdict) {
   }
   if (verdict.degenerate > 0) {
     warnings.push_back(many(verdict.degenerate, "degenerate triangle") +
-                       " (without area): nothing to touch there");
+                       (verdict.repaired ? " (without area): left out, but for those that join others"
+                                         : " (without area): nothing to touch there"));
   }
   if (verdict.duplicate > 0) {
     warnings.push_back(
@@ -71,7 +92,16 @@ void tell_numbers(const BuiltPart& built, bool float32, Verdict& verdict) {
                                        ? std::string("one closed body is")
                                        : fmt::format("{} closed bodies are", built.census.inward_bodies)));
   }
-  if (verdict.weld_distance_m > 0) {
+  if (built.census.outward_cavities > 0) {
+    const bool one = built.census.outward_cavities == 1;
+    warnings.push_back(
+        fmt::format("{} inside another and {} wound outwards too: touched as overlapping solids, "
+                    "not as cavities",
+                    one ? std::string("one closed body lies")
+                        : fmt::format("{} closed bodies lie", built.census.outward_cavities),
+                    one ? "is" : "are"));
+  }
+  if (verdict.weld_distance_m > 0 && !verdict.repaired) {
     warnings.push_back(
         fmt::format("cracked: vertices up to {:.2g} m apart were taken as one, which closes the mesh; no "
                     "coordinate was changed",
@@ -98,6 +128,7 @@ std::string_view yes_no(bool value) {
 }  // namespace
 
 void add_warnings(const RawMesh& mesh, const Fan& fan, const BuiltPart& built, Verdict& verdict) {
+  if (verdict.repaired) tell_repair(built.census.repair, verdict);
   tell_faces(mesh, fan, verdict);
   tell_edges(verdict);
   tell_numbers(built, mesh.float32, verdict);

@@ -5,7 +5,8 @@
 
 namespace fingerpad {
 
-/// Fills the census' closed, volume_m3 and inward_bodies: signed tetrahedra over the part's centre.
+/// Fills the census' closed, volume_m3, inward_bodies and outward_cavities: signed tetrahedra over the part's
+/// centre.
 void measure_bodies(const Part& part, const EdgeTable& edges, Census& census);
 
 }  // namespace fingerpad

@@ -31,6 +31,7 @@ struct PartEntry {
   Vec3 position_m = Vec3::Zero();    ///< p_WP
   Mat3 rotation = Mat3::Identity();  ///< R_WP
   double crease_deg = 30;
+  bool repair = false;  ///< see build_repaired_part
   SurfaceProperties surface;
 };
 

@@ -18,8 +18,8 @@ const std::vector<SceneTable>& scene_tables() {
   static const std::vector<SceneTable> tables = {
       {"", {"name", "seed", "part", "plane", "contact", "friction", "finger", "motion", "hand", "set"}},
       {"part",
-       {"mesh", "unit", "position_m", "rotation", "crease_deg", "stiffness_n_per_m", "damping_n_s_per_m",
-        "mu_static", "mu_dynamic"}},
+       {"mesh", "unit", "position_m", "rotation", "crease_deg", "repair", "stiffness_n_per_m",
+        "damping_n_s_per_m", "mu_static", "mu_dynamic"}},
       {"part.rotation", {"axis", "angle_deg"}},
       {"plane", {"point_m", "normal", "stiffness_n_per_m", "damping_n_s_per_m", "mu_static", "mu_dynamic"}},
       {"contact", {"method", "normals"}},

@@ -98,6 +98,7 @@ PartEntry read_part(const TomlNode& node, const std::string& path, Missing missi
   part.position_m = table.vector("position_m", part.position_m);
   part.rotation = read_rotation(table);
   part.crease_deg = table.number("crease_deg", part.crease_deg, {0, 180, false});
+  part.repair = table.flag("repair", part.repair);
   part.surface = read_surface(table);
   return part;
 }

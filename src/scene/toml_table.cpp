@@ -133,6 +133,12 @@ std::int64_t TomlTable::whole(std::string_view key, std::int64_t fallback, std::
   return number;
 }
 
+bool TomlTable::flag(std::string_view key, bool fallback) const {
+  const TomlNode* found = value(key);
+  if (found == nullptr) return fallback;
+  return typed(key, *found, found->is(TomlNode::Type::boolean), "true or false").boolean;
+}
+
 std::string TomlTable::text(std::string_view key, const std::string& fallback) const {
   const TomlNode* found = value(key);
   if (found == nullptr) return fallback;

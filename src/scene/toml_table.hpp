@@ -41,6 +41,7 @@ class TomlTable {
 
   double number(std::string_view key, double fallback, const NumberRange& range) const;
   std::int64_t whole(std::string_view key, std::int64_t fallback, std::int64_t min, std::int64_t max) const;
+  bool flag(std::string_view key, bool fallback) const;
   std::string text(std::string_view key, const std::string& fallback) const;
   /// Three finite numbers within +-1e9.
   Vec3 vector(std::string_view key, const Vec3& fallback) const;

@@ -11,8 +11,8 @@ namespace {
 
 std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry) {
   auto mesh = std::make_shared<LoadedMesh>();
-  ImportedPart imported =
-      import_touchable(entry.mesh_path, entry.metres_per_unit, entry.crease_deg * std::numbers::pi / 180);
+  ImportedPart imported = import_touchable(
+      entry.mesh_path, {entry.metres_per_unit, entry.crease_deg * std::numbers::pi / 180, entry.repair});
   mesh->part = imported.part;
   mesh->verdict = std::move(imported.verdict);
   mesh->tree = std::make_shared<TriangleTree>(mesh->part);
@@ -23,7 +23,7 @@ std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry) {
 }  // namespace
 
 std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
-  const Key key{entry.mesh_path, entry.metres_per_unit, entry.crease_deg};
+  const Key key{entry.mesh_path, entry.metres_per_unit, entry.crease_deg, entry.repair};
   std::promise<std::shared_ptr<const LoadedMesh>> promise;
   Pending pending;
   bool ours = false;

@@ -30,7 +30,8 @@ class MeshStore {
   std::shared_ptr<const LoadedMesh> load(const PartEntry& entry);
 
  private:
-  using Key = std::tuple<std::string, double, double>;  // path, metres per unit, crease in degrees
+  using Key =
+      std::tuple<std::string, double, double, bool>;  // path, metres per unit, crease in degrees, repair
   using Pending = std::shared_future<std::shared_ptr<const LoadedMesh>>;
 
   std::size_t keep_;

@@ -1,0 +1,49 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+#include <vector>
+
+#include "fuzz/entries.hpp"
+#include "support/paths.hpp"
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::vector<fs::path> files_below(const fs::path& folder) {
+  std::vector<fs::path> files;
+  if (!fs::is_directory(folder)) return files;
+  for (const auto& entry : fs::directory_iterator(folder)) files.push_back(entry.path());
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+class Corpus : public testing::TestWithParam<test::FuzzEntry> {};
+
+void PrintTo(const test::FuzzEntry& entry, std::ostream* out) {
+  *out << entry.name;
+}
+
+TEST_P(Corpus, EverySeedAndEveryFoundCaseIsReadOrRefused) {
+  const fs::path fuzz = test::source_dir() / "tests" / "fuzz";
+  std::vector<fs::path> files = files_below(fuzz / "corpus" / GetParam().name);
+  ASSERT_FALSE(files.empty()) << "a target without seeds";
+  for (const fs::path& found : files_below(fuzz / "found" / GetParam().name)) files.push_back(found);
+  for (const fs::path& path : files) {
+    std::ifstream file(path, std::ios::binary);
+    const std::string bytes((std::istreambuf_iterator<char>(file)), {});
+    EXPECT_NO_THROW(GetParam().run(bytes)) << path;
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus,
+                         testing::ValuesIn(test::fuzz_entries().begin(), test::fuzz_entries().end()),
+                         [](const auto& info) { return std::string(info.param.name); });
+
+}  // namespace
+}  // namespace fingerpad
