@@ -39,7 +39,11 @@ int study(const StudyOptions& options) {
     file.commit();
   }
 #ifdef FINGERPAD_VIEW
-  for (const StudyChart& chart : report.charts) draw_study_chart(chart, options.out_dir + "/" + chart.name);
+  for (const StudyChart& chart : report.charts) {
+    for (const char* ending : {".png", ".svg"}) {
+      draw_study_chart(chart, options.out_dir + "/" + chart.name + ending);
+    }
+  }
   fmt::print("{} tables and {} charts (PNG and SVG) in {}\n", report.tables.size(), report.charts.size(),
              options.out_dir);
 #else

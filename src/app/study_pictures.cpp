@@ -14,7 +14,7 @@ namespace {
 constexpr double em = 16;  // size of labels [px]
 constexpr double margin = 1.2 * em;
 constexpr double panel_width = 620, panel_height = 440;
-constexpr double left_of_panel = 5.4 * em, below_panel = 4.2 * em, above_panel = 2.2 * em;
+constexpr double left_of_panel = 6.2 * em, below_panel = 4.2 * em, above_panel = 2.2 * em;
 constexpr const char* front_name = "Pareto front";
 
 Colour colour_of(const SeriesStyle& style) {
@@ -116,7 +116,9 @@ Axis axis_of(const StudyPanel& panel, bool is_x) {
 class PanelPainter {
  public:
   PanelPainter(Drawing& drawing, const StudyPanel& panel, const Box& box)
-      : drawing_(drawing), panel_(panel), box_(box), x_(axis_of(panel, true)), y_(axis_of(panel, false)) {}
+      : drawing_(drawing), panel_(panel), box_(box), x_(axis_of(panel, true)), y_(axis_of(panel, false)) {
+    if (panel.equal_scales) make_equal();
+  }
 
   void paint() {
     paint_grid();
@@ -133,6 +135,17 @@ class PanelPainter {
   }
 
  private:
+  /// Widens the axis that has fewer units a pixel.
+  void make_equal() {
+    const double per_px = std::max((x_.max - x_.min) / box_.width, (y_.max - y_.min) / box_.height);
+    const auto widened = [per_px](const Axis& axis, double length_px, int marks) {
+      const double centre = (axis.min + axis.max) / 2, half = per_px * length_px / 2;
+      return linear_axis(centre - half, centre + half, marks);
+    };
+    x_ = widened(x_, box_.width, 9);
+    y_ = widened(y_, box_.height, 7);
+  }
+
   bool is_drawn(double x, double y) const {
     return std::isfinite(x) && std::isfinite(y) && (!x_.logarithmic || x >= x_.min) &&
            (!y_.logarithmic || y >= y_.min);
@@ -240,7 +253,7 @@ double legend_width(const StudyChart& chart) {
 
 }  // namespace
 
-void draw_study_chart(const StudyChart& chart, const std::string& path_stem) {
+void draw_study_chart(const StudyChart& chart, const std::string& path) {
   const int columns = std::max(1, chart.columns);
   const int rows = (static_cast<int>(chart.panels.size()) + columns - 1) / columns;
   const double header = 2.6 * em + 1.5 * em * static_cast<double>(chart.notes.size());
@@ -269,10 +282,8 @@ void draw_study_chart(const StudyChart& chart, const std::string& path_stem) {
     PanelPainter(drawing, chart.panels[i], box).paint();
   }
   draw_legend(drawing, chart, margin + panels_width + 1.5 * margin, top - above_panel - em);
-  for (const char* ending : {".png", ".svg"}) {
-    write_drawing(drawing, static_cast<int>(std::ceil(width)), static_cast<int>(std::ceil(height)),
-                  chart.title, path_stem + ending);
-  }
+  write_drawing(drawing, static_cast<int>(std::ceil(width)), static_cast<int>(std::ceil(height)), chart.title,
+                path);
 }
 
 }  // namespace fingerpad

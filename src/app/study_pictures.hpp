@@ -6,7 +6,7 @@
 
 namespace fingerpad {
 
-/// Draws a study's chart as `path_stem`.png and `path_stem`.svg. Errors as write_drawing.
-void draw_study_chart(const StudyChart& chart, const std::string& path_stem);
+/// Draws a study's chart, PNG or SVG by the path's ending. Errors as write_drawing.
+void draw_study_chart(const StudyChart& chart, const std::string& path);
 
 }  // namespace fingerpad

@@ -44,6 +44,7 @@ struct StudyPanel {
   std::vector<StudySeries> series;
   /// Points that no other beats in both x and y (smaller is better), by x: drawn as a line behind.
   std::vector<std::pair<double, double>> pareto_front;
+  bool equal_scales = false;  ///< a unit is as long along x as along y; for linear axes
 };
 
 /// A page of panels, all with one legend.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <utility>
 
 #include "view/axis.hpp"
@@ -74,15 +75,19 @@ class ChartPainter {
   void paint_legend(const Panel& panel, double middle) {
     double x = inner_.left;
     const double size = 0.92 * em_;
-    const auto entry = [&](const std::string& label, const Stroke& stroke) {
+    const auto entry = [&](const std::string& label, const Stroke& stroke, CurveStyle style) {
       const double width = 1.9 * em_ + text_width(label, size);
       if (label.empty() || x + width > inner_.right() + em_) return;
-      drawing_.line({x, middle}, {x + 1.6 * em_, middle}, stroke);
+      if (style == CurveStyle::rings) {
+        paint_ring({x + 0.8 * em_, middle}, stroke.colour);
+      } else {
+        drawing_.line({x, middle}, {x + 1.6 * em_, middle}, stroke);
+      }
       drawing_.text({x + 1.9 * em_, middle}, label, {.size = size, .upright = Upright::middle});
       x += width + 0.9 * em_;
     };
-    for (const Curve& curve : panel.curves) entry(curve.label, stroke_of(curve));
-    for (const Level& level : panel.levels) entry(level.label, stroke_of(level));
+    for (const Curve& curve : panel.curves) entry(curve.label, stroke_of(curve), curve.style);
+    for (const Level& level : panel.levels) entry(level.label, stroke_of(level), CurveStyle::dashed);
   }
 
   const std::string& y_label_of(const Panel& panel, double height) const {
@@ -98,11 +103,22 @@ class ChartPainter {
       case CurveStyle::dashed:
         return {curve.colour, width, 5 * width, 3 * width};
       case CurveStyle::solid:
+      case CurveStyle::rings:
         break;
     }
     return {curve.colour, width};
   }
   Stroke stroke_of(const Level& level) const { return {level.colour, 0.09 * em_, 0.5 * em_, 0.35 * em_}; }
+
+  void paint_ring(const Vec2& at, const Colour& colour) {
+    constexpr int sides = 16;
+    std::vector<Vec2> points;
+    for (int i = 0; i <= sides; ++i) {
+      const double angle = 2 * std::numbers::pi * i / sides;
+      points.emplace_back(at + 0.38 * em_ * Vec2(std::cos(angle), std::sin(angle)));
+    }
+    drawing_.line(std::move(points), {colour, 0.14 * em_});
+  }
 
   void paint_panel(const Panel& panel, const Box& box, bool lowest) {
     const Axis axis = y_axis(panel, box.height, em_);
@@ -136,6 +152,14 @@ class ChartPainter {
 
   /// Runs of finite points; where several points fall on one column only its ends, least and greatest stay.
   void paint_curve(const Curve& curve, const Box& box, const Axis& axis) {
+    if (curve.style == CurveStyle::rings) {
+      for (std::size_t i = 0; i < std::min(chart_.x.size(), curve.y.size()); ++i) {
+        if (!std::isfinite(curve.y[i])) continue;
+        paint_ring({px(chart_.x[i]), box.bottom + box.height * std::clamp(axis.share(curve.y[i]), 0.0, 1.0)},
+                   curve.colour);
+      }
+      return;
+    }
     std::vector<Vec2> run, column;
     const auto flush_column = [&] {
       const auto by_y = [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); };

@@ -8,7 +8,7 @@
 
 namespace fingerpad {
 
-enum class CurveStyle { solid, dotted, dashed };
+enum class CurveStyle { solid, dotted, dashed, rings };  ///< rings: points alone
 
 /// A curve over its chart's x; y values that are not finite leave gaps.
 struct Curve {

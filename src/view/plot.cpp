@@ -35,18 +35,22 @@ std::string subtitle_of(const ViewInput& input, const Vec3& direction_W) {
   return words;
 }
 
-Drawing plot_drawing(const ViewInput& input, int width, int height) {
-  Drawing page;
-  const double em = width / 62.0;
-  const Vec3 direction_W = main_direction(input.rows);
-  const double margin = 0.8 * em;
-  double top = height - 1.0 * em;
+/// @returns where the page below its title begins
+double draw_title(Drawing& page, const ViewInput& input, const std::string& subtitle, int width, int height,
+                  double em) {
+  const double top = height - 1.0 * em;
   page.text({width / 2.0, top}, input.title,
             {.size = 1.5 * em, .across = Across::centre, .upright = Upright::top, .bold = true});
-  page.text({width / 2.0, top - 2.1 * em}, subtitle_of(input, direction_W),
+  page.text({width / 2.0, top - 2.1 * em}, subtitle,
             {.size = em, .colour = colours::grey, .across = Across::centre, .upright = Upright::top});
-  top -= 4.0 * em;
+  return top - 4.0 * em;
+}
 
+Drawing history_drawing(const ViewInput& input, int width, int height) {
+  Drawing page;
+  const double em = width / 62.0, margin = 0.8 * em;
+  const Vec3 direction_W = main_direction(input.rows);
+  const double top = draw_title(page, input, subtitle_of(input, direction_W), width, height, em);
   const Chart spectrum = spectrum_chart(touch_series(input.rows, direction_W));
   double bottom = 0.6 * em;
   if (!spectrum.panels.empty()) {
@@ -56,6 +60,33 @@ Drawing plot_drawing(const ViewInput& input, int width, int height) {
   }
   draw_chart(page, touch_chart(input.rows, direction_W, touch_levels(input)),
              {margin, bottom, width - 2 * margin, top - bottom}, em);
+  return page;
+}
+
+/// Where a curve is greatest, beyond the slow changes of the stroke itself.
+double peak_hz(const Chart& spectrum, const Curve& curve) {
+  constexpr double slow_hz = 10;
+  const std::vector<double>& density = curve.y;
+  std::size_t best = density.size() - 1;
+  for (std::size_t i = 0; i < density.size(); ++i) {
+    if (spectrum.x[i] > slow_hz && density[i] > density[best]) best = i;
+  }
+  return spectrum.x[best];
+}
+
+Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
+  Drawing page;
+  const double em = width / 62.0, margin = 0.8 * em;
+  const Vec3 direction_W = main_direction(input.rows);
+  const Chart spectrum = spectrum_chart(touch_series(input.rows, direction_W));
+  if (spectrum.panels.empty()) throw refused(input.title, "is too short for a spectrum: it needs 32 ticks");
+  if (spectrum.panels[0].curves.empty())
+    throw refused(input.title, "has forces that do not change: no spectrum");
+  const Curve& first = spectrum.panels[0].curves[0];
+  const std::string subtitle = fmt::format("{}; {} peaks at {:.0f} Hz", subtitle_of(input, direction_W),
+                                           first.label, peak_hz(spectrum, first));
+  const double top = draw_title(page, input, subtitle, width, height, em);
+  draw_chart(page, spectrum, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
   return page;
 }
 
@@ -72,15 +103,18 @@ void write_drawing(const Drawing& drawing, int width, int height, const std::str
   }
 }
 
-void write_plot(const ViewInput& input, const std::string& path, int page_width) {
+void write_plot(const ViewInput& input, const std::string& path, int page_width, PlotSubject subject) {
   if (page_width < 300 || page_width > 10000) {
     throw Error(ErrorKind::usage, path, "a page is 300 to 10000 pixels wide");
   }
   if (input.rows.size() < 2 || !(input.rows.back().t_s > input.rows.front().t_s)) {
     throw refused(input.title, "holds fewer than two moments: nothing to plot against time");
   }
-  const int height = page_width * 6 / 5;
-  write_drawing(plot_drawing(input, page_width, height), page_width, height, input.title, path);
+  const bool history = subject == PlotSubject::history;
+  const int height = history ? page_width * 6 / 5 : page_width / 2;
+  const Drawing drawing =
+      history ? history_drawing(input, page_width, height) : spectrum_drawing(input, page_width, height);
+  write_drawing(drawing, page_width, height, input.title, path);
 }
 
 }  // namespace fingerpad

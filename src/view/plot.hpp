@@ -7,6 +7,9 @@
 
 namespace fingerpad {
 
+/// What a plot shows of a touch.
+enum class PlotSubject { history, spectrum };
+
 /// Plots a touch as the paper lays out its figures: position (stick dotted, stick centre dashed), speed,
 /// forces, coefficient of friction and phase over one time axis, and the spectra of the forces below.
 ///
@@ -14,7 +17,9 @@ namespace fingerpad {
 /// Throws Error: usage for another ending, refused for rows without a time span, fault where the file cannot
 /// be written.
 /// @param page_width  [px], 300 .. 10000; the page is 1.2 times as high
-void write_plot(const ViewInput& input, const std::string& path, int page_width);
+/// `spectrum` draws the spectra alone (paper, fig. 11), on a page half as high as wide.
+void write_plot(const ViewInput& input, const std::string& path, int page_width,
+                PlotSubject subject = PlotSubject::history);
 inline constexpr int plot_page_width = 1400;
 
 /// Writes any drawing as PNG or SVG by the path's ending; errors as write_plot.

@@ -8,10 +8,10 @@
 namespace fingerpad {
 namespace {
 
-/// A power of two: eight windows or so of a long record, up to 4096 samples.
+/// A power of two: 32 windows or so of a long record, which overlap, so that a peak stands where it is.
 std::size_t window_length(std::size_t samples) {
   std::size_t length = 32;
-  while (length < 4096 && length * 2 <= samples / 4) length *= 2;
+  while (length < 4096 && length * 2 <= samples / 16) length *= 2;
   return length;
 }
 

@@ -36,6 +36,26 @@ Band phase_band(const std::vector<Phase>& phase) {
   return band;
 }
 
+/// Values where slip has just given way to stick (the paper's points a, fig. 9). None where they would crowd.
+std::vector<double> where_slip_ends(const std::vector<double>& values, const std::vector<Phase>& phase) {
+  constexpr int most = 60;
+  int count = 0;
+  std::vector<double> out(values.size(), TickRecord::nan);
+  for (std::size_t i = 1; i < values.size(); ++i) {
+    if (phase[i - 1] != Phase::slip || phase[i] != Phase::stick) continue;
+    out[i] = values[i];
+    ++count;
+  }
+  if (count > most) out.clear();
+  return out;
+}
+
+void add_slip_ends(Panel& panel, const std::vector<Phase>& phase) {
+  std::vector<double> ends = where_slip_ends(panel.curves.front().y, phase);
+  const bool any = std::any_of(ends.begin(), ends.end(), [](double y) { return std::isfinite(y); });
+  if (any) panel.curves.push_back({"end of slip", colours::vermillion, CurveStyle::rings, std::move(ends)});
+}
+
 /// The panels below the position.
 void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& levels) {
   Panel speed{"tangential speed [mm/s]",
@@ -51,6 +71,7 @@ void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& leve
       levels.v_min_m_per_s > 0) {
     speed.levels.push_back({"v_min", levels.v_min_m_per_s * 1e3, colours::reddish_purple});
   }
+  add_slip_ends(speed, series.phase);
   Panel force{"force on the finger [N]",
               "force [N]",
               {{"normal", colours::blue, {}, series.normal_force_n},
@@ -59,6 +80,7 @@ void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& leve
   force.from_zero = true;
   Panel mu{"coefficient of friction [1]", "mu [1]", {{"mu", colours::ink, {}, series.mu}}, {}};
   mu.from_zero = true;
+  add_slip_ends(mu, series.phase);
   if (levels.mu_static > 0) mu.levels.push_back({"mu_s", levels.mu_static, colours::bluish_green});
   if (levels.mu_dynamic > 0) mu.levels.push_back({"mu_d", levels.mu_dynamic, colours::orange});
   chart.panels.push_back(std::move(speed));

@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "pad_pushes.hpp"
 #include "plane_strokes.hpp"
 #include "rub.hpp"
 
@@ -46,6 +47,9 @@ void make_all(const std::string& parts, const std::string& out) {
     write_motion(rub(recipe, surface, rate_hz), out, recipe.name);
   }
   write_motion(plane_strokes(rate_hz), out, "plane_strokes");
+  constexpr double pad_rate_hz = 50;
+  write_motion(pad_ellipses(pad_rate_hz), out, "pad_ellipses");
+  write_motion(pad_pushes(pad_rate_hz), out, "pad_pushes");
 }
 
 }  // namespace

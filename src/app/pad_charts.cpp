@@ -1,0 +1,119 @@
+#include "app/pad_charts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <numbers>
+
+#include "base/error.hpp"
+#include "base/tangent_frame.hpp"
+#include "view/stick_region.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// A tick of stick in the pad's own axes: x lateral, y longitudinal.
+struct PadTick {
+  Vec2 displacement_m, friction_n;
+  double angle_deg = 0;
+  std::optional<StickAxes> axes;
+};
+
+/// The chord stands for the way along the surface: exact on a plane, off by (way/radius)^2/24 on a curve.
+std::vector<PadTick> stick_ticks(const ViewInput& input) {
+  if (!input.scene || !input.world) {
+    throw refused(input.title, "holds no scene, so the finger's axes are not known; record it as HDF5");
+  }
+  std::vector<PadTick> ticks;
+  for (const TickRecord& row : input.rows) {
+    if (row.phase != Phase::stick || !row.stick_centre_W.allFinite()) continue;
+    const Mat3 frame = tangent_frame(row.normal_W, input.scene->finger.direction);
+    const auto in_pad = [&](const Vec3& v) -> Vec2 { return {frame.col(0).dot(v), frame.col(1).dot(v)}; };
+    const SurfaceProperties& surface =
+        input.world->surfaces[static_cast<std::size_t>(row.surface)].properties;
+    ticks.push_back({in_pad(row.contact_W - row.stick_centre_W), in_pad(row.friction_W_n),
+                     row.inclination_rad * 180 / std::numbers::pi,
+                     stick_axes(input.scene->friction, surface, row.inclination_rad)});
+  }
+  if (ticks.empty()) throw refused(input.title, "holds no tick of stick");
+  return ticks;
+}
+
+/// Ticks by inclination: each whole degree where there are few of them, else steps of 15 degrees.
+std::map<int, std::vector<const PadTick*>> by_angle(const std::vector<PadTick>& ticks) {
+  constexpr std::size_t most = 7;
+  std::map<int, std::vector<const PadTick*>> groups;
+  for (const int step_deg : {1, 15}) {
+    groups.clear();
+    for (const PadTick& tick : ticks) {
+      groups[static_cast<int>(std::lround(tick.angle_deg / step_deg)) * step_deg].push_back(&tick);
+    }
+    if (groups.size() <= most) break;
+  }
+  return groups;
+}
+
+StudySeries rim(const StickAxes& axes, const SeriesStyle& style) {
+  constexpr int points = 120;
+  StudySeries series{"the law's region", style, {}, {}};
+  for (int i = 0; i <= points; ++i) {
+    const double angle = 2 * std::numbers::pi * i / points;
+    series.x.push_back(1e3 * axes.lateral_m * std::cos(angle));
+    series.y.push_back(1e3 * axes.longitudinal_m * std::sin(angle));
+  }
+  return series;
+}
+
+}  // namespace
+
+StudyChart stick_region_chart(const ViewInput& input) {
+  const std::vector<PadTick> ticks = stick_ticks(input);
+  StudyPanel panel;
+  panel.title = "where the pad stuck";
+  panel.x_label = "lateral displacement from the stick centre [mm]";
+  panel.y_label = "longitudinal displacement [mm]";
+  panel.equal_scales = true;
+  int colour = 0;
+  for (const auto& [angle_deg, group] : by_angle(ticks)) {
+    const SeriesStyle solid{colour, SeriesDash::solid, SeriesMarker::none, 1.3};
+    StudySeries path{fmt::format("finger at {} deg", angle_deg), solid, {}, {}};
+    for (const PadTick* tick : group) {
+      path.x.push_back(1e3 * tick->displacement_m.x());
+      path.y.push_back(1e3 * tick->displacement_m.y());
+    }
+    panel.series.push_back(std::move(path));
+    if (const auto& axes = group[group.size() / 2]->axes) {
+      panel.series.push_back(rim(*axes, {colour, SeriesDash::dashed, SeriesMarker::none, 0.8}));
+    }
+    ++colour;
+  }
+  StudyChart chart{"", input.title + ": stick region by the finger's angle", {}, 1, {std::move(panel)}};
+  return chart;
+}
+
+StudyChart force_displacement_chart(const ViewInput& input) {
+  const std::vector<PadTick> ticks = stick_ticks(input);
+  StudyChart chart{"", input.title + ": friction against displacement in stick", {}, 2, {}};
+  const char* names[] = {"lateral", "longitudinal"};
+  for (int axis = 0; axis < 2; ++axis) {
+    StudyPanel panel;
+    panel.title = names[axis];
+    panel.x_label = "displacement from the stick centre [mm]";
+    panel.y_label = "friction on the finger [N]";
+    int colour = 0;
+    for (const auto& [angle_deg, group] : by_angle(ticks)) {
+      const SeriesStyle style{colour++, SeriesDash::none, SeriesMarker::disc, 0.4};
+      StudySeries points{fmt::format("finger at {} deg", angle_deg), style, {}, {}};
+      for (const PadTick* tick : group) {
+        points.x.push_back(1e3 * tick->displacement_m[axis]);
+        points.y.push_back(tick->friction_n[axis]);
+      }
+      panel.series.push_back(std::move(points));
+    }
+    chart.panels.push_back(std::move(panel));
+  }
+  return chart;
+}
+
+}  // namespace fingerpad
