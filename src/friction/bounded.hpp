@@ -1,8 +1,7 @@
 #pragma once
 
-#include <algorithm>
-
 #include "friction/law.hpp"
+#include "friction/plane_vector.hpp"
 
 namespace fingerpad {
 
@@ -11,42 +10,63 @@ inline constexpr double huge = 1e100;
 
 /// x within [low, high]; `low` for NaN.
 inline double within(double x, double low, double high) noexcept {
-  return std::min(std::max(low, x), high);  // in this order NaN becomes `low`
+  if (x >= low && x <= high) [[likely]]
+    return x;
+  return x > high ? high : low;
 }
 
-inline Vec2 within_huge(const Vec2& v) noexcept {
+[[gnu::noinline, gnu::cold]] inline PlaneVector each_within_huge(const PlaneVector& v) noexcept {
   return {within(v.x(), -huge, huge), within(v.y(), -huge, huge)};
 }
 
-/// The tick's input with every number brought into a range in which each law stays finite, and mu_s >= mu_d.
-/// Every law starts with it; physical input passes unchanged.
-inline TangentialMotion bounded(const TangentialMotion& motion) noexcept {
-  constexpr double huge_mu = 1e50;
-  TangentialMotion m;
-  m.dt_s = within(motion.dt_s, 1e-12, 1e12);
-  m.normal_force_n = within(motion.normal_force_n, 0, huge);
-  m.mu_dynamic = within(motion.mu_dynamic, 0, huge_mu);
-  m.mu_static = within(motion.mu_static, m.mu_dynamic, huge_mu);
-  m.velocity_m_per_s = within_huge(motion.velocity_m_per_s);
-  m.step_m = within_huge(motion.step_m);
-  m.from_centre_m = within_huge(motion.from_centre_m);
-  m.inclination_rad = within(motion.inclination_rad, 0, 1.6);
-  m.longitudinal = {within(motion.longitudinal.x(), -1, 1), within(motion.longitudinal.y(), -1, 1)};
-  m.applied_force_n = within_huge(motion.applied_force_n);
-  m.surface_stiffness_n_per_m = within(motion.surface_stiffness_n_per_m, 1 / huge, huge);
-  return m;
+inline PlaneVector within_huge(const PlaneVector& v) noexcept {
+  // A sum of squares below the square of the bound holds both parts within it; a length needs it anyway.
+  if (v.square() < huge * huge) [[likely]]
+    return v;
+  return each_within_huge(v);
 }
 
-/// The memory brought into range likewise; a contact that begins starts without any.
-inline void bound(FrictionState& state) noexcept {
-  if (state.phase == Phase::free) {
-    state = FrictionState{};
-    return;
+/// The tick's input, every number brought into a range in which each law stays finite, and mu_s >= mu_d;
+/// physical input is read unchanged. Every law reads through it, and so pays for what it reads only.
+class BoundedMotion {
+ public:
+  explicit BoundedMotion(const TangentialMotion& motion) noexcept : m_(motion) {}
+
+  double dt_s() const noexcept { return within(m_.dt_s, 1e-12, 1e12); }
+  double normal_force_n() const noexcept { return within(m_.normal_force_n, 0, huge); }
+  double mu_dynamic() const noexcept { return within(m_.mu_dynamic, 0, huge_mu); }
+  double mu_static() const noexcept { return within(m_.mu_static, mu_dynamic(), huge_mu); }
+  PlaneVector velocity_m_per_s() const noexcept { return within_huge(m_.velocity_m_per_s); }
+  PlaneVector step_m() const noexcept { return within_huge(m_.step_m); }
+  PlaneVector from_centre_m() const noexcept { return within_huge(m_.from_centre_m); }
+  double inclination_rad() const noexcept { return within(m_.inclination_rad, 0, 1.6); }
+  PlaneVector longitudinal() const noexcept {
+    return {within(m_.longitudinal.x(), -1, 1), within(m_.longitudinal.y(), -1, 1)};
   }
-  state.slip_direction = {within(state.slip_direction.x(), -1, 1), within(state.slip_direction.y(), -1, 1)};
-  state.deflection_m = within_huge(state.deflection_m);
-  state.last_speed_m_per_s = within(state.last_speed_m_per_s, 0, huge);
-  state.slip_force_scale = within(state.slip_force_scale, 0, huge);
-}
+  PlaneVector applied_force_n() const noexcept { return within_huge(m_.applied_force_n); }
+  double surface_stiffness_n_per_m() const noexcept {
+    return within(m_.surface_stiffness_n_per_m, 1 / huge, huge);
+  }
+
+ private:
+  static constexpr double huge_mu = 1e50;
+  const TangentialMotion& m_;
+};
+
+/// A law's memory, read likewise.
+class BoundedState {
+ public:
+  explicit BoundedState(const FrictionState& state) noexcept : state_(state) {}
+
+  PlaneVector slip_direction() const noexcept {
+    return {within(state_.slip_direction.x(), -1, 1), within(state_.slip_direction.y(), -1, 1)};
+  }
+  PlaneVector deflection_m() const noexcept { return within_huge(state_.deflection_m); }
+  double last_speed_m_per_s() const noexcept { return within(state_.last_speed_m_per_s, 0, huge); }
+  double slip_force_scale() const noexcept { return within(state_.slip_force_scale, 0, huge); }
+
+ private:
+  const FrictionState& state_;
+};
 
 }  // namespace fingerpad

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "friction/bounded.hpp"
+#include "friction/exponential.hpp"
 #include "friction/law_parameters.hpp"
 #include "friction/stick_rule.hpp"
 
@@ -32,20 +33,18 @@ class ContactArea final : public FrictionLaw {
  public:
   ContactArea(double adhesion_load_n, double stiffness_per_m, const RestickRule& rule)
       : w_n_(adhesion_load_n),
-        at_one_newton_(cubed_radius_n(1, adhesion_load_n)),
+        per_one_newton_(1 / cubed_radius_n(1, adhesion_load_n)),
         stiffness_per_m_(stiffness_per_m),
         rule_(rule) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    TangentialMotion m = bounded(motion);
-    bound(state);
-    const double radius_ratio = std::cbrt(cubed_radius_n(m.normal_force_n, w_n_) / at_one_newton_);
-    m.longitudinal = Vec2::UnitY();  // a circle has no axes
-    return stick_rule(m, {radius_ratio * radius_ratio, stiffness_per_m_, stiffness_per_m_, 0}, rule_, state);
+    const double cubed_ratio = cubed_radius_n(BoundedMotion(motion).normal_force_n(), w_n_) * per_one_newton_;
+    const double area_ratio = cubed_ratio * inverse_cube_root(cubed_ratio);
+    return stick_rule(motion, CircleSpring{area_ratio, stiffness_per_m_}, rule_, state);
   }
 
  private:
-  double w_n_, at_one_newton_;
+  double w_n_, per_one_newton_;
   double stiffness_per_m_;
   RestickRule rule_;
 };

@@ -19,15 +19,14 @@ class Coulomb final : public FrictionLaw {
   explicit Coulomb(double creep_speed_m_per_s) : creep_speed_m_per_s_(creep_speed_m_per_s) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    bound(state);
-    const double speed = length(m.velocity_m_per_s);
-    const Vec2 u = direction_of(m.velocity_m_per_s);
+    const BoundedMotion m(motion);
+    const Polar v = polar(m.velocity_m_per_s());
     Friction answer;
-    answer.force_n = -m.mu_dynamic * m.normal_force_n * std::min(1.0, speed / creep_speed_m_per_s_) * u;
+    answer.force_n =
+        (-m.mu_dynamic() * m.normal_force_n() * std::min(1.0, v.length / creep_speed_m_per_s_)) * v.direction;
     state.phase = Phase::slip;
-    state.slip_direction = u;
-    state.last_speed_m_per_s = speed;
+    state.slip_direction = v.direction;
+    state.last_speed_m_per_s = v.length;
     return answer;
   }
 

@@ -11,21 +11,21 @@ constexpr LawParameter parameters[] = {fixed_stiffness_parameter};
 /// No static peak. Creeps under an oscillating push. Unloading shortens the bristle to the new z_c: it slips.
 class Dahl final : public FrictionLaw {
  public:
-  explicit Dahl(double stiffness_n_per_m) : stiffness_n_per_m_(stiffness_n_per_m) {}
+  explicit Dahl(double stiffness_n_per_m)
+      : stiffness_n_per_m_(stiffness_n_per_m), compliance_m_per_n_(1 / stiffness_n_per_m) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    if (state.phase == Phase::free) return bristle_answer({0, 0}, {0, 0}, Phase::stick, state);
-    bound(state);
-    const double z_c = m.mu_dynamic * m.normal_force_n / stiffness_n_per_m_;
-    const Vec2 held = shortened(state.deflection_m, z_c);
-    const double moved = length(m.step_m);
-    const Vec2 z = z_c > 0 ? dahl_step(held, m.step_m, moved, z_c) : held;
+    if (state.phase == Phase::free) return bristle_at_rest(state);
+    const BoundedMotion m(motion);
+    const double z_c = m.mu_dynamic() * m.normal_force_n() * compliance_m_per_n_;
+    const PlaneVector held = shortened(BoundedState(state).deflection_m(), z_c);
+    const double moved = length(m.step_m());
+    const PlaneVector z = z_c > 0 ? dahl_step(held, m.step_m(), moved / z_c) : held;
     return bristle_answer(-stiffness_n_per_m_ * z, z, bristle_phase(z - held, moved), state);
   }
 
  private:
-  double stiffness_n_per_m_;
+  double stiffness_n_per_m_, compliance_m_per_n_;
 };
 
 }  // namespace

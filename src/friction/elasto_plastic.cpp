@@ -24,51 +24,63 @@ constexpr LawParameter parameters[] = {fixed_stiffness_parameter, stribeck_speed
 class ElastoPlastic final : public FrictionLaw {
  public:
   ElastoPlastic(const StribeckBristle& bristle, double elastic_share)
-      : bristle_(bristle), elastic_share_(elastic_share) {}
+      : bristle_(bristle),
+        elastic_share_(elastic_share),
+        middle_share_(0.5 * (1 + elastic_share)),
+        per_width_(1 / (1 - elastic_share)) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    const bool first = state.phase == Phase::free;
-    bound(state);
-    const Vec2 held = shortened(state.deflection_m, m.mu_static * m.normal_force_n / bristle_.sigma0_n_per_m);
-    const double z_ss = bristle_.steady_deflection_m(m, length(m.velocity_m_per_s));
-    const double moved = length(m.step_m);
-    const Vec2 z = first || z_ss <= 0 ? held : stepped(held, m.step_m, moved, z_ss);
-    const Phase phase = first ? Phase::stick : bristle_phase(z - held, moved);
-    const Vec2 force = first ? Vec2(Vec2::Zero()) : bristle_.force_n(m, z, z - held);
-    return bristle_answer(force, z, phase, state);
+    if (state.phase == Phase::free) return bristle_at_rest(state);
+    const BoundedMotion m(motion);
+    const PlaneVector held = shortened(BoundedState(state).deflection_m(), bristle_.longest_deflection_m(m));
+    const double z_ss = bristle_.steady_deflection_m(m);
+    const double moved = length(m.step_m());
+    const PlaneVector z = z_ss > 0 ? stepped(held, m.step_m(), moved, z_ss) : held;
+    return bristle_answer(bristle_.force_n(m, z, z - held), z, bristle_phase(z - held, moved), state);
   }
 
  private:
-  /// How plastic the bristle is, 0 .. 1 (Dupont 2002, eq. for alpha). |z| within the sine: a signed z there
-  /// makes one direction of motion stiffer than the other.
-  double alpha(const Vec2& z, double stretch, const Vec2& step, double z_ss) const noexcept {
-    const double z_ba = elastic_share_ * z_ss;
-    if (stretch <= z_ba || z.dot(step) <= 0) return 0;
-    // The sine's top is flat: this near to z_ss it differs from 1 by less than 3e-10.
-    if (z_ss - stretch <= 1e-5 * (z_ss - z_ba)) return 1;
-    return 0.5 + 0.5 * std::sin(std::numbers::pi * (stretch - 0.5 * (z_ss + z_ba)) / (z_ss - z_ba));
+  /// 1 - alpha where that is below 0.01, near the flat top of the sine, as its series; 1 elsewhere.
+  double elastic_rest(double stretch_share) const noexcept {
+    const double below_top = (1 - stretch_share) * per_width_;
+    if (below_top <= 0) return 0;
+    const double t = std::numbers::pi * std::numbers::pi / 4 * below_top * below_top;
+    if (t > 0.01) return 1;
+    // sin^2 of the root of t
+    return t * ((1 - t * (1.0 / 3)) + t * t * ((2.0 / 45 - t * (1.0 / 315)) + t * t * (2.0 / 14175)));
   }
 
-  static Vec2 step_at(double alpha, const Vec2& z, const Vec2& step, double moved, double z_ss) noexcept {
-    return alpha > 1e-12 ? dahl_step(z, step, moved, z_ss / alpha) : Vec2(z + step);
+  /// How plastic the bristle is, 0 .. 1 (Dupont 2002, eq. for alpha), at a stretch of |z|/z_ss along the
+  /// motion. |z| within the sine: a signed z there makes one direction of motion stiffer than the other.
+  double alpha(double stretch_share) const noexcept {
+    if (stretch_share <= elastic_share_) return 0;
+    const double rest = elastic_rest(stretch_share);
+    return rest < 1 ? 1 - rest : 0.5 + 0.5 * sine_of_half_turns((stretch_share - middle_share_) * per_width_);
   }
 
-  Vec2 stepped(const Vec2& z, const Vec2& step, double moved, double z_ss) const noexcept {
+  PlaneVector stepped(const PlaneVector& z, const PlaneVector& step, double moved,
+                      double z_ss) const noexcept {
     const double stretch = length(z);
     if (stretch + moved <= elastic_share_ * z_ss) return z + step;
-    const double at_start = alpha(z, stretch, step, z_ss);
-    double at_middle = at_start;
-    // In near steady slip alpha is flat, and the start's value serves for the whole step.
-    if (at_start < 0.99 || z.dot(step) < 0.9 * stretch * moved) {
-      const Vec2 middle = step_at(at_start, z, step / 2, moved / 2, z_ss);
-      at_middle = alpha(middle, length(middle), step, z_ss);
+    const double per_z_ss = 1 / z_ss, x = moved * per_z_ss;
+    const double along = z.dot(step);
+    PlaneVector next;
+    const double rest = elastic_rest(stretch * per_z_ss);
+    if (rest < 1 && x > 1e-3 && x < 2 && along >= 0.9 * stretch * moved) {
+      // In near steady slip alpha is flat, and the start's value serves for the whole step.
+      const Yielding yielded = yielding_less(x, rest);
+      next = z + step * yielded.per_x - z * yielded.share;
+    } else {
+      const double at_start = along > 0 ? alpha(stretch * per_z_ss) : 0;
+      const PlaneVector middle = dahl_step(z, 0.5 * step, 0.5 * x * at_start);
+      const double at_middle = middle.dot(step) > 0 ? alpha(length(middle) * per_z_ss) : 0;
+      next = dahl_step(z, step, x * at_middle);
     }
-    return shortened(step_at(at_middle, z, step, moved, z_ss), std::max(stretch, z_ss));
+    return shortened(next, std::max(stretch, z_ss));
   }
 
   StribeckBristle bristle_;
-  double elastic_share_;
+  double elastic_share_, middle_share_, per_width_;  // z_ba, the middle of z_ba .. z_ss, its width; over z_ss
 };
 
 }  // namespace

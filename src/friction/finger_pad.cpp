@@ -1,6 +1,7 @@
 #include <numbers>
 
 #include "friction/bounded.hpp"
+#include "friction/exponential.hpp"
 #include "friction/law_parameters.hpp"
 #include "friction/stick_rule.hpp"
 
@@ -39,15 +40,15 @@ class FingerPad final : public FrictionLaw {
         rule_(rule) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    bound(state);
-    const double from45_deg = m.inclination_rad * (180 / std::numbers::pi) - 45;
-    StickSpring spring;
-    spring.load_n = effective_load_n(m.normal_force_n);
+    const BoundedMotion m(motion);
+    const double from45_deg = m.inclination_rad() * (180 / std::numbers::pi) - 45;
+    EllipseSpring spring;
+    spring.load_n = effective_load_n(m.normal_force_n());
     spring.lateral_per_m = lateral45_per_m_ / axis_factor(lateral_slope_per_deg_, from45_deg);
     spring.longitudinal_per_m = longitudinal45_per_m_ / axis_factor(longitudinal_slope_per_deg_, from45_deg);
     spring.cubic_share = cubic_share_;
-    return stick_rule(m, spring, rule_, state);
+    spring.along = m.longitudinal();
+    return stick_rule(motion, spring, rule_, state);
   }
 
  private:
@@ -59,8 +60,7 @@ class FingerPad final : public FrictionLaw {
   /// n mu(n)/mu_inf, with mu(n) = mu_inf max(1, (n/knee)^(-1/3)) (power law of a Hertz pad).
   double effective_load_n(double n) const noexcept {
     if (n >= knee_n_) return n;
-    const double root = std::cbrt(n / knee_n_);
-    return knee_n_ * root * root;
+    return n * inverse_cube_root(n / knee_n_);
   }
 
   double lateral45_per_m_, longitudinal45_per_m_;

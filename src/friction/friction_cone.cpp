@@ -13,18 +13,17 @@ namespace {
 class FrictionCone final : public FrictionLaw {
  public:
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
     const Phase before = state.phase;
-    if (before == Phase::free) return bristle_answer({0, 0}, {0, 0}, Phase::stick, state);
-    bound(state);
-    const double depth_m = m.normal_force_n / m.surface_stiffness_n_per_m;
-    const double rim_m = m.mu_dynamic * depth_m;
-    const double cone_m = before == Phase::slip ? rim_m : m.mu_static * depth_m;
-    Vec2 z = state.deflection_m + m.step_m;
+    if (before == Phase::free) return bristle_at_rest(state);
+    const BoundedMotion m(motion);
+    const double depth_m = m.normal_force_n() / m.surface_stiffness_n_per_m();
+    const double rim_m = m.mu_dynamic() * depth_m;
+    const double cone_m = before == Phase::slip ? rim_m : m.mu_static() * depth_m;
+    PlaneVector z = BoundedState(state).deflection_m() + m.step_m();
     // A proxy that was put on the rim stands there: rounding must not make it slip at rest.
-    const bool outside = length(z) > cone_m * (1 + 1e-12);
+    const bool outside = is_longer(z, cone_m * (1 + 1e-12));
     if (outside) z = direction_of(z) * rim_m;
-    return bristle_answer(-m.surface_stiffness_n_per_m * z, z, outside ? Phase::slip : Phase::stick, state);
+    return bristle_answer(-m.surface_stiffness_n_per_m() * z, z, outside ? Phase::slip : Phase::stick, state);
   }
 };
 

@@ -19,24 +19,23 @@ class Karnopp final : public FrictionLaw {
   explicit Karnopp(double zero_band_m_per_s) : zero_band_m_per_s_(zero_band_m_per_s) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    bound(state);
-    const double speed = length(m.velocity_m_per_s);
-    const double limit_n = m.mu_static * m.normal_force_n;
+    const BoundedMotion m(motion);
+    const Polar v = polar(m.velocity_m_per_s());
+    const double limit_n = m.mu_static() * m.normal_force_n();
     Friction answer;
-    if (speed > zero_band_m_per_s_) {
-      state.slip_direction = direction_of(m.velocity_m_per_s);
-      answer.force_n = -m.mu_dynamic * m.normal_force_n * state.slip_direction;
+    if (v.length > zero_band_m_per_s_) {
+      state.slip_direction = v.direction;
+      answer.force_n = (-m.mu_dynamic() * m.normal_force_n()) * v.direction;
     } else {
-      const bool holds = length(m.applied_force_n) <= limit_n;
+      const bool holds = !is_longer(m.applied_force_n(), limit_n);
       answer.phase = holds ? Phase::stick : Phase::slip;
       answer.centre_moved = holds;  // rigid: the centre is the contact point
-      answer.force_n = -shortened(m.applied_force_n, limit_n);
-      if (!holds) state.slip_direction = direction_of(m.applied_force_n);
+      answer.force_n = -shortened(m.applied_force_n(), limit_n);
+      if (!holds) state.slip_direction = direction_of(m.applied_force_n());
     }
     if (answer.phase == Phase::slip) state.slip_force_scale = 1;
     state.phase = answer.phase;
-    state.last_speed_m_per_s = speed;
+    state.last_speed_m_per_s = v.length;
     return answer;
   }
 

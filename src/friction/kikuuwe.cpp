@@ -17,17 +17,16 @@ class Kikuuwe final : public FrictionLaw {
       : stiffness_n_per_m_(stiffness_n_per_m), damping_n_s_per_m_(damping_n_s_per_m) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    if (state.phase == Phase::free) return bristle_answer({0, 0}, {0, 0}, Phase::stick, state);
-    bound(state);
-    const double limit_n = m.mu_dynamic * m.normal_force_n;
-    const double per_step = damping_n_s_per_m_ / m.dt_s;
-    const Vec2& e = state.deflection_m;
-    const Vec2 wanted = stiffness_n_per_m_ * (e + m.step_m) + per_step * m.step_m;
-    const Vec2 f = shortened(wanted, limit_n);
-    const Vec2 next = (f + per_step * e) / (stiffness_n_per_m_ + per_step);
+    if (state.phase == Phase::free) return bristle_at_rest(state);
+    const BoundedMotion m(motion);
+    const double limit_n = m.mu_dynamic() * m.normal_force_n();
+    const double per_step = damping_n_s_per_m_ > 0 ? damping_n_s_per_m_ / m.dt_s() : 0;
+    const PlaneVector e = BoundedState(state).deflection_m();
+    const PlaneVector wanted = stiffness_n_per_m_ * (e + m.step_m()) + per_step * m.step_m();
+    const PlaneVector f = shortened(wanted, limit_n);
+    const PlaneVector next = (f + per_step * e) * (1 / (stiffness_n_per_m_ + per_step));
     // One that stands on the limit sticks there: rounding must not make it slip at rest.
-    const bool saturated = length(wanted) > limit_n * (1 + 1e-12);
+    const bool saturated = is_longer(wanted, limit_n * (1 + 1e-12));
     return bristle_answer(-f, next, saturated ? Phase::slip : Phase::stick, state);
   }
 

@@ -17,16 +17,13 @@ class LuGre final : public FrictionLaw {
   explicit LuGre(const StribeckBristle& bristle) : bristle_(bristle) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    const bool first = state.phase == Phase::free;
-    bound(state);
-    const Vec2 held = shortened(state.deflection_m, m.mu_static * m.normal_force_n / bristle_.sigma0_n_per_m);
-    const double z_c = bristle_.steady_deflection_m(m, length(m.velocity_m_per_s));
-    const double moved = length(m.step_m);
-    const Vec2 z = first || z_c <= 0 ? held : dahl_step(held, m.step_m, moved, z_c);
-    const Phase phase = first ? Phase::stick : bristle_phase(z - held, moved);
-    const Vec2 force = first ? Vec2(Vec2::Zero()) : bristle_.force_n(m, z, z - held);
-    return bristle_answer(force, z, phase, state);
+    if (state.phase == Phase::free) return bristle_at_rest(state);
+    const BoundedMotion m(motion);
+    const PlaneVector held = shortened(BoundedState(state).deflection_m(), bristle_.longest_deflection_m(m));
+    const double z_c = bristle_.steady_deflection_m(m);
+    const double moved = length(m.step_m());
+    const PlaneVector z = z_c > 0 ? dahl_step(held, m.step_m(), moved / z_c) : held;
+    return bristle_answer(bristle_.force_n(m, z, z - held), z, bristle_phase(z - held, moved), state);
   }
 
  private:

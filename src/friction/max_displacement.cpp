@@ -19,32 +19,34 @@ constexpr LawParameter parameters[] = {max_displacement, stick_displacement};
 /// Driftless below the limit; spring and limit scale with the load.
 class MaxDisplacement final : public FrictionLaw {
  public:
-  MaxDisplacement(double max_m, double stick_m) : max_m_(max_m), stick_m_(stick_m) {}
+  MaxDisplacement(double max_m, double stick_m)
+      : max_m_(max_m),
+        per_max_m_(1 / max_m),
+        per_stick_square_(stick_m > 0 ? std::min(1 / (stick_m * stick_m), huge) : 0) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    if (state.phase == Phase::free) return bristle_answer({0, 0}, {0, 0}, Phase::stick, state);
-    bound(state);
-    const Vec2& before = state.deflection_m;
-    const double moved = length(m.step_m);
-    const double yielded = stick_m_ > 0 ? std::min(1.0, moved * yielding_per_m(length(before))) : 0;
-    const Vec2 stretched = before + m.step_m - yielded * before;
-    const Vec2 z = shortened(stretched, max_m_);
-    const bool yields = length(stretched) > max_m_ * (1 + 1e-12);
+    if (state.phase == Phase::free) return bristle_at_rest(state);
+    const BoundedMotion m(motion);
+    const PlaneVector before = BoundedState(state).deflection_m();
+    const double moved = length(m.step_m());
+    const double yielded = per_stick_square_ > 0 ? std::min(1.0, moved * yielding_per_m(before)) : 0;
+    const PlaneVector stretched = before + m.step_m() - yielded * before;
+    const PlaneVector z = shortened(stretched, max_m_);
+    const bool yields = is_longer(stretched, max_m_ * (1 + 1e-12));
     const Phase phase = yields ? Phase::slip : bristle_phase(z - before, moved);
-    return bristle_answer((-m.mu_dynamic * m.normal_force_n / max_m_) * z, z, phase, state);
+    return bristle_answer((-m.mu_dynamic() * m.normal_force_n() * per_max_m_) * z, z, phase, state);
   }
 
  private:
   /// alpha(z); with z = 0 the bristle does not yield.
-  double yielding_per_m(double z) const noexcept {
-    if (z <= 0) return 0;
-    const double ratio = stick_m_ / z;
-    const double square = ratio * ratio, fourth = square * square;
-    return 1 / (max_m_ * (1 + fourth * fourth));
+  double yielding_per_m(const PlaneVector& z) const noexcept {
+    const double square = std::min(z.square() * per_stick_square_, 1e30);  // from there on it is 1/z_max
+    const double fourth = square * square, eighth = fourth * fourth;
+    return per_max_m_ * eighth / (1 + eighth);
   }
 
-  double max_m_, stick_m_;
+  double max_m_, per_max_m_;
+  double per_stick_square_;  // 0: the hard form
 };
 
 }  // namespace

@@ -23,38 +23,37 @@ class SalcudeanVlaar final : public FrictionLaw {
         damping_n_s_per_m_(damping_n_s_per_m) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
     const Phase before = state.phase;
-    bound(state);
-    const double speed = length(m.velocity_m_per_s);
-    const double limit_n = m.mu_static * m.normal_force_n;
-    const Vec2 viscous = -damping(m) * state.slip_force_scale * m.velocity_m_per_s;
+    const BoundedMotion m(motion);
+    const Polar v = polar(m.velocity_m_per_s());
+    const double limit_n = m.mu_static() * m.normal_force_n();
+    const PlaneVector viscous = (-damping(m) * BoundedState(state).slip_force_scale()) * m.velocity_m_per_s();
     Friction answer;
     if (before == Phase::stick) {
-      answer.force_n = -stiffness_n_per_m_ * m.from_centre_m;
-      answer.from_centre_m = m.from_centre_m;
-      answer.phase = length(answer.force_n) > limit_n * (1 + 1e-12) ? Phase::slip : Phase::stick;
-    } else if (speed <= v_min_m_per_s_ && (before == Phase::free || length(viscous) <= limit_n)) {
+      answer.force_n = -stiffness_n_per_m_ * m.from_centre_m();
+      answer.from_centre_m = m.from_centre_m();
+      answer.phase = is_longer(answer.force_n, limit_n * (1 + 1e-12)) ? Phase::slip : Phase::stick;
+    } else if (v.length <= v_min_m_per_s_ && (before == Phase::free || !is_longer(viscous, limit_n))) {
       answer.phase = Phase::stick;
       answer.centre_moved = true;
       if (before == Phase::slip) answer.force_n = viscous;
       answer.from_centre_m = -answer.force_n / stiffness_n_per_m_;
     }
     if (answer.phase == Phase::slip) {
-      answer.from_centre_m = Vec2::Zero();
-      answer.force_n = -damping(m) * m.velocity_m_per_s;
-      if (speed > 0) state.slip_direction = direction_of(m.velocity_m_per_s);
+      answer.from_centre_m = PlaneVector();
+      answer.force_n = -damping(m) * m.velocity_m_per_s();
+      if (v.length > 0) state.slip_direction = v.direction;
       state.slip_force_scale = 1;
     }
     state.phase = answer.phase;
-    state.last_speed_m_per_s = speed;
+    state.last_speed_m_per_s = v.length;
     return answer;
   }
 
  private:
-  double damping(const TangentialMotion& m) const noexcept {
+  double damping(const BoundedMotion& m) const noexcept {
     if (damping_n_s_per_m_ > 0) return damping_n_s_per_m_;
-    return m.mu_dynamic * m.normal_force_n / std::max(v_min_m_per_s_, 1e-9);
+    return m.mu_dynamic() * m.normal_force_n() / std::max(v_min_m_per_s_, 1e-9);
   }
 
   double v_min_m_per_s_, stiffness_n_per_m_, damping_n_s_per_m_;

@@ -15,15 +15,14 @@ class Salisbury final : public FrictionLaw {
   explicit Salisbury(double stiffness_n_per_m) : stiffness_n_per_m_(stiffness_n_per_m) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    const TangentialMotion m = bounded(motion);
-    const bool first = state.phase == Phase::free;
-    bound(state);
-    Vec2 z = first ? Vec2(Vec2::Zero()) : Vec2(state.deflection_m + m.step_m);
-    const double limit_n = m.mu_static * m.normal_force_n;
+    if (state.phase == Phase::free) return bristle_at_rest(state);
+    const BoundedMotion m(motion);
+    PlaneVector z = BoundedState(state).deflection_m() + m.step_m();
+    const double limit_n = m.mu_static() * m.normal_force_n();
     Phase phase = Phase::stick;
     // Where mu_d = mu_s the centre is put on the limit itself: rounding must not move it again at rest.
-    if (stiffness_n_per_m_ * length(z) > limit_n * (1 + 1e-12)) {
-      z = direction_of(z) * (m.mu_dynamic * m.normal_force_n / stiffness_n_per_m_);
+    if (is_longer(stiffness_n_per_m_ * z, limit_n * (1 + 1e-12))) {
+      z = direction_of(z) * (m.mu_dynamic() * m.normal_force_n() / stiffness_n_per_m_);
       phase = Phase::slip;
     }
     return bristle_answer(-stiffness_n_per_m_ * z, z, phase, state);

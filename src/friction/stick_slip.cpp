@@ -15,10 +15,8 @@ class StickSlip final : public FrictionLaw {
       : stiffness_per_m_(stiffness_per_m), rule_(rule) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
-    TangentialMotion m = bounded(motion);
-    bound(state);
-    m.longitudinal = Vec2::UnitY();  // a circle has no axes
-    return stick_rule(m, {m.normal_force_n, stiffness_per_m_, stiffness_per_m_, 0}, rule_, state);
+    const double load_n = BoundedMotion(motion).normal_force_n();
+    return stick_rule(motion, CircleSpring{load_n, stiffness_per_m_}, rule_, state);
   }
 
  private:
