@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cstdint>
 
@@ -14,11 +15,14 @@ namespace fingerpad {
 /// corners 0 and 2.
 struct TriangleFrame {
   std::array<Vec3, 3> corner;  ///< [m]
-  std::array<Vec3, 3>
-      inward;  ///< unit, in the plane, from edge k into the triangle; zero where no plane is determined
-  std::array<double, 3> inverse_length2;    ///< of edge k [1/m^2]; 0 for an edge without length
-  std::array<std::uint8_t, 3> part_corner;  ///< corner k of the frame is this corner of the part's triangle
+  Vec3 normal;                 ///< unit, as the corners' order has it; zero where no plane is determined
 };
+
+/// Which corners of the part's triangle t are corners 0, 1, 2 of its frame.
+std::array<int, 3> corner_order(const Part& part, int t) noexcept;
+
+/// A frame's normal, see TriangleFrame.
+Vec3 frame_normal(const std::array<Vec3, 3>& corner) noexcept;
 
 TriangleFrame triangle_frame(const Part& part, int t) noexcept;
 
@@ -28,6 +32,7 @@ struct FramePoint {
   double distance2_m2 = 0;
   double along = 0;  ///< on an edge: 0 at its first corner, 1 at its second
   int site = 0;
+  Vec3 areas = Vec3::Zero();  ///< on the face: twice the areas that the point spans with edges 0, 1, 2 [m^2]
 };
 
 namespace frame_detail {
@@ -38,9 +43,11 @@ inline constexpr int second_corner[3] = {1, 2, 2};
 inline FramePoint on_edge(const TriangleFrame& f, int k, const Vec3& q, double tie_m) noexcept {
   const int i = first_corner[k], j = second_corner[k];
   const Vec3 edge = f.corner[j] - f.corner[i];
-  const double along = (q - f.corner[i]).dot(edge) * f.inverse_length2[k];
+  const double length2 = edge.squaredNorm();
+  const double inverse_length2 = length2 > 0 && length2 > 1e-300 ? 1 / length2 : 0;
+  const double along = (q - f.corner[i]).dot(edge) * inverse_length2;
   FramePoint p;
-  const double tie2 = tie_m * tie_m * f.inverse_length2[k];
+  const double tie2 = tie_m * tie_m * inverse_length2;
   if (along <= 0 || along * along <= tie2) {
     p.point = f.corner[i];
     p.site = 4 + i;
@@ -54,12 +61,6 @@ inline FramePoint on_edge(const TriangleFrame& f, int k, const Vec3& q, double t
   }
   p.distance2_m2 = (q - p.point).squaredNorm();
   return p;
-}
-
-/// Distances of q's projection from the three edges' lines, positive inside [m].
-inline Vec3 inside_m(const TriangleFrame& f, const Vec3& q) noexcept {
-  const Vec3 from0 = q - f.corner[0], from1 = q - f.corner[1];
-  return {from0.dot(f.inward[0]), from1.dot(f.inward[1]), from0.dot(f.inward[2])};
 }
 
 }  // namespace frame_detail
@@ -79,19 +80,31 @@ inline double tie_distance_m(const Part& part, const Vec3& q) noexcept {
 /// every edge.
 inline FramePoint closest_in(const TriangleFrame& f, const Vec3& q, double tie_m) noexcept {
   using namespace frame_detail;
-  const Vec3 s = inside_m(f, q);
-  if (s[0] > tie_m && s[1] > tie_m && s[2] > tie_m) {
-    const int k = s[0] <= s[1] ? (s[0] <= s[2] ? 0 : 2) : (s[1] <= s[2] ? 1 : 2);
-    FramePoint p = on_edge(f, k, q, tie_m);
-    p.point += s[k] * f.inward[k];
-    p.site = 0;
+  // Into the triangle from each edge, as long as that edge.
+  const Vec3 edge[3] = {f.corner[1] - f.corner[0], f.corner[2] - f.corner[1], f.corner[2] - f.corner[0]};
+  const Vec3 inward[3] = {f.normal.cross(edge[0]), f.normal.cross(edge[1]), edge[2].cross(f.normal)};
+  const Vec3 from0 = q - f.corner[0];
+  const Vec3 area(from0.dot(inward[0]), (q - f.corner[1]).dot(inward[1]), from0.dot(inward[2]));
+  const Vec3 length2(edge[0].squaredNorm(), edge[1].squaredNorm(), edge[2].squaredNorm());
+  const auto inside = [&](int k) { return area[k] > 0 && area[k] * area[k] > tie_m * tie_m * length2[k]; };
+  if (inside(0) && inside(1) && inside(2)) {
+    const auto nearer = [&](int i, int j) {
+      return area[i] * area[i] * length2[j] <= area[j] * area[j] * length2[i];
+    };
+    const int k = nearer(0, 1) ? (nearer(0, 2) ? 0 : 2) : (nearer(1, 2) ? 1 : 2);
+    FramePoint p;
+    const double inverse_length2 = 1 / length2[k];
+    const Vec3& first = f.corner[first_corner[k]];
+    p.point =
+        first + (q - first).dot(edge[k]) * inverse_length2 * edge[k] + area[k] * inverse_length2 * inward[k];
     p.distance2_m2 = (q - p.point).squaredNorm();
+    p.areas = area;
     return p;
   }
   FramePoint best;
   bool found = false;
   for (int k = 0; k < 3; ++k) {
-    if (s[k] > tie_m) continue;
+    if (inside(k)) continue;
     const FramePoint p = on_edge(f, k, q, tie_m);
     if (!found || p.distance2_m2 < best.distance2_m2) best = p;
     found = true;
@@ -99,7 +112,7 @@ inline FramePoint closest_in(const TriangleFrame& f, const Vec3& q, double tie_m
   return best;
 }
 
-/// The same point in the terms of the part's triangle.
-TrianglePoint in_part_corners(const TriangleFrame& f, const FramePoint& p, const Vec3& q) noexcept;
+/// The same point in the terms of the part's triangle; `order` is corner_order(part, t).
+TrianglePoint in_part_corners(const FramePoint& p, const std::array<int, 3>& order) noexcept;
 
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <memory>
 
@@ -25,8 +26,9 @@ struct SegmentHit {
   double along = std::numeric_limits<double>::infinity();  ///< 0 at its start, 1 at its end
 };
 
-/// A search tree over a part's triangles: Embree traverses padded float boxes, the callback decides in
-/// double. Immutable after construction; queries from any number of threads.
+/// A search tree over a part's triangles: Embree traverses padded float boxes of packets of eight, a float
+/// filter with a proven margin looks at a packet at once, and what it leaves is decided in double. Immutable
+/// after construction; queries from any number of threads.
 class TriangleTree {
  public:
   /// Builds the tree on all threads. Throws Error (fault) if Embree cannot.
@@ -72,6 +74,9 @@ class TriangleTree {
   RayExit first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept;
 
   const Part& part() const noexcept;
+
+  /// What the tree holds besides the part, Embree's share with it [bytes].
+  std::size_t memory_bytes() const noexcept;
 
  private:
   struct Impl;

@@ -1,0 +1,104 @@
+#include "contact/packet_scene.hpp"
+
+#include <string>
+
+#include "base/error.hpp"
+
+namespace fingerpad {
+namespace {
+
+bool count_memory(void* total, ssize_t bytes, bool) {
+  *static_cast<std::atomic<std::ptrdiff_t>*>(total) += bytes;
+  return true;
+}
+
+void bounds(const RTCBoundsFunctionArguments* args) {
+  const auto& packed = *static_cast<const PackedPart*>(args->geometryUserPtr);
+  const TrianglePacket& packet = packed.packets[args->primID];
+  Eigen::Array3d low = packet.origin, high = low;
+  for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
+    for (const std::int32_t vertex : packet.exact[static_cast<std::size_t>(lane)].vertex) {
+      const Eigen::Array3d corner = packed.part->vertices.col(vertex).array() * packed.scale;
+      low = low.min(corner);
+      high = high.max(corner);
+    }
+  }
+  RTCBounds& box = *args->bounds_o;
+  box.lower_x = static_cast<float>(low.x()) - box_padding;
+  box.lower_y = static_cast<float>(low.y()) - box_padding;
+  box.lower_z = static_cast<float>(low.z()) - box_padding;
+  box.upper_x = static_cast<float>(high.x()) + box_padding;
+  box.upper_y = static_cast<float>(high.y()) + box_padding;
+  box.upper_z = static_cast<float>(high.z()) + box_padding;
+}
+
+void intersect(const RTCIntersectFunctionNArguments* args) {
+  if (args->valid[0] == 0) return;
+  const auto& packed = *static_cast<const PackedPart*>(args->geometryUserPtr);
+  RayQuery& query = *reinterpret_cast<RayQuery*>(args->context);
+  RTCRayHit& ray = *reinterpret_cast<RTCRayHit*>(args->rayhit);
+  const float far = ray.ray.tfar;
+  query.look_at(query, packed.packets[args->primID], ray.ray.tfar);
+  if (ray.ray.tfar >= far) return;
+  ray.hit.primID = args->primID;
+  ray.hit.geomID = args->geomID;
+}
+
+}  // namespace
+
+PacketScene::PacketScene(const PackedPart& packed) : packed_(&packed) {
+  // The widest instruction set is not the fastest: 8-wide boxes were 8-13 % faster than 16-wide ones.
+  device_ = rtcNewDevice(__builtin_cpu_supports("avx2") ? "isa=avx2" : nullptr);
+  if (device_ == nullptr) throw Error(ErrorKind::fault, "", "Embree cannot start");
+  rtcSetDeviceMemoryMonitorFunction(device_, count_memory, &memory_);
+  scene_ = rtcNewScene(device_);
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_ROBUST);
+  RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_USER);
+  rtcSetGeometryUserPrimitiveCount(geometry, static_cast<unsigned>(packed.packets.size()));
+  rtcSetGeometryUserData(geometry, const_cast<PackedPart*>(packed_));
+  rtcSetGeometryBoundsFunction(geometry, bounds, nullptr);
+  rtcSetGeometryIntersectFunction(geometry, intersect);
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene_, geometry);
+  rtcReleaseGeometry(geometry);
+  rtcCommitScene(scene_);
+  const RTCError error = rtcGetDeviceError(device_);
+  if (error == RTC_ERROR_NONE) return;
+  const std::string count = std::to_string(packed.packets.size());
+  rtcReleaseScene(scene_);
+  rtcReleaseDevice(device_);
+  throw Error(ErrorKind::fault, "",
+              "Embree cannot build a tree of " + count + " packets of triangles (its error " +
+                  std::to_string(error) + ")");
+}
+
+PacketScene::~PacketScene() {
+  rtcReleaseScene(scene_);
+  rtcReleaseDevice(device_);
+}
+
+void PacketScene::each_near(RTCPointQuery& query, RTCPointQueryFunction visit, void* search) const noexcept {
+  RTCPointQueryContext context;
+  rtcInitPointQueryContext(&context);
+  rtcPointQuery(scene_, &query, &context, visit, search);
+}
+
+void PacketScene::cast(RayQuery& query, const Vec3& from, const Vec3& direction,
+                       double length) const noexcept {
+  rtcInitIntersectContext(&query.context);
+  RTCRayHit ray{};
+  ray.ray.org_x = static_cast<float>(from.x());
+  ray.ray.org_y = static_cast<float>(from.y());
+  ray.ray.org_z = static_cast<float>(from.z());
+  ray.ray.dir_x = static_cast<float>(direction.x());
+  ray.ray.dir_y = static_cast<float>(direction.y());
+  ray.ray.dir_z = static_cast<float>(direction.z());
+  ray.ray.tnear = 0;
+  ray.ray.tfar = static_cast<float>(length);
+  ray.ray.mask = ~0u;
+  ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
+  rtcIntersect1(scene_, &query.context, &ray);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,107 @@
+#include "contact/triangle_packet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace fingerpad {
+namespace {
+
+/// A triangle lower than this fraction of its longest side has no rough frame: its plane, known in double to
+/// some 1e-16 of that side, would turn by more than a float can tell.
+constexpr double least_height = 1e-6;
+
+float up(double x) noexcept {
+  return std::nextafter(static_cast<float>(x), std::numeric_limits<float>::infinity());
+}
+
+void set(std::array<TrianglePacket::Lanes, 3>& lanes, std::size_t lane, const Vec3& v) noexcept {
+  for (int i = 0; i < 3; ++i) lanes[i][lane] = static_cast<float>(v[i]);
+}
+
+void set_half(TrianglePacket::Half& half, std::size_t lane, double width, double height) noexcept {
+  const double hypotenuse = std::hypot(width, height);
+  half.width[lane] = static_cast<float>(width);
+  half.normal_x[lane] = static_cast<float>(height / hypotenuse);
+  half.normal_y[lane] = static_cast<float>(width / hypotenuse);
+  half.hypotenuse[lane] = static_cast<float>(hypotenuse);
+}
+
+/// Leaves the lane far off: x along nothing, so that its distance is that of its origin.
+void set_far_off(TrianglePacket& packet, std::size_t lane) noexcept {
+  set(packet.foot, lane, Vec3(far_off, 0, 0));
+  set(packet.x_axis, lane, Vec3::Zero());
+  set(packet.y_axis, lane, Vec3::Zero());
+  set(packet.z_axis, lane, Vec3::UnitX());
+  for (TrianglePacket::Half& half : packet.half) set_half(half, lane, 0, 1);
+}
+
+/// Prepares a lane's rough frame from corners relative to the packet's origin. False if it can have none.
+bool set_rough_frame(TrianglePacket& packet, std::size_t lane, const std::array<Vec3, 3>& corner) noexcept {
+  int longest = 0;
+  double length = 0;
+  for (int k = 0; k < 3; ++k) {
+    const double side = (corner[(k + 1) % 3] - corner[k]).stableNorm();
+    if (side > length) {
+      length = side;
+      longest = k;
+    }
+  }
+  if (!(length > 0)) return false;
+  const Vec3& base = corner[longest];
+  const Vec3 x_axis = (corner[(longest + 1) % 3] - base) / length;
+  const Vec3 apex = corner[(longest + 2) % 3] - base;
+  const double along = std::clamp(apex.dot(x_axis), 0.0, length);
+  Vec3 across = apex - along * x_axis;
+  across -= across.dot(x_axis) * x_axis;
+  const double height = across.stableNorm();
+  if (!(height >= least_height * length)) return false;
+  const Vec3 y_axis = across / height;
+  set(packet.foot, lane, base + along * x_axis);
+  set(packet.x_axis, lane, x_axis);
+  set(packet.y_axis, lane, y_axis);
+  set(packet.z_axis, lane, x_axis.cross(y_axis));
+  set_half(packet.half[0], lane, length - along, height);
+  set_half(packet.half[1], lane, along, height);
+  return true;
+}
+
+}  // namespace
+
+TrianglePacket make_packet(const Part& part, std::span<const std::int32_t> triangles, double scale) noexcept {
+  TrianglePacket packet{};
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Vec3 low = Vec3::Constant(infinite), high = -low;
+  for (std::size_t lane = 0; lane < triangles.size(); ++lane) {
+    TrianglePacket::Exact& exact = packet.exact[lane];
+    exact.triangle = triangles[lane];
+    const auto order = corner_order(part, exact.triangle);
+    for (int k = 0; k < 3; ++k) {
+      exact.vertex[k] = part.triangles(order[k], exact.triangle);
+      const Vec3 corner = part.vertices.col(exact.vertex[k]) * scale;
+      low = low.cwiseMin(corner);
+      high = high.cwiseMax(corner);
+    }
+    packet.used = static_cast<std::uint8_t>(packet.used | 1 << lane);
+  }
+  packet.origin = (low + high) / 2;
+  double radius = 0;
+  for (std::size_t lane = 0; lane < packet_width; ++lane) {
+    set_far_off(packet, lane);
+    if (lane >= triangles.size()) continue;
+    const TriangleFrame frame = exact_frame(part, packet, static_cast<int>(lane));
+    packet.exact[lane].normal = frame_normal(frame.corner);
+    std::array<Vec3, 3> corner;
+    for (int k = 0; k < 3; ++k) {
+      corner[k] = frame.corner[k] * scale - packet.origin;
+      radius = std::max(radius, corner[k].norm());
+    }
+    if (!set_rough_frame(packet, lane, corner)) {
+      packet.always_exact = static_cast<std::uint8_t>(packet.always_exact | 1 << lane);
+    }
+  }
+  packet.radius = up(radius);
+  return packet;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+
+#include "contact/triangle_frame.hpp"
+
+namespace fingerpad {
+
+/// How many triangles a packet holds: a vector register of floats.
+inline constexpr int packet_width = 8;
+
+/// Eight neighbouring triangles prepared for closest-point queries: rough frames in float that a filter
+/// compares all at once, and what the exact answer in double needs.
+///
+/// A rough frame has its origin at the foot of the altitude on the triangle's longest side, x along that
+/// side, y towards the corner opposite, z out of the plane. The altitude (the y axis) cuts the triangle into
+/// two right-angled halves, left (x < 0) and right; as the angles at the longest side are acute, the nearest
+/// point of the triangle always lies in the half on the query's side. Lengths are scaled (see PackedPart)
+/// and rough origins are relative to `origin`.
+struct alignas(32) TrianglePacket {
+  using Lanes = std::array<float, packet_width>;
+
+  /// A right-angled half: corners (0, 0), (width, 0), (0, height) in x and y, x counted away from the
+  /// altitude.
+  struct Half {
+    Lanes width;               ///< of its side on the x axis
+    Lanes normal_x, normal_y;  ///< outward normal of its hypotenuse, both >= 0
+    Lanes hypotenuse;          ///< length
+  };
+
+  /// What a triangle's exact frame is built from.
+  struct Exact {
+    Vec3 normal;             ///< of its TriangleFrame
+    std::int32_t vertex[3];  ///< columns of Part::vertices in the frame's order
+    std::int32_t triangle;   ///< index into Part::triangles
+  };
+
+  std::array<Lanes, 3> foot, x_axis, y_axis, z_axis;
+  std::array<Half, 2> half;  ///< right, left
+  std::array<Exact, packet_width> exact;
+  Vec3 origin;                ///< centre of the box of all corners, scaled
+  float radius;               ///< no corner is farther from `origin`, scaled
+  std::uint8_t used;          ///< bit k: lane k holds a triangle
+  std::uint8_t always_exact;  ///< bit k: no rough frame (a sliver, or no area); the filter sees it far off
+};
+
+/// A lane whose rough frame means nothing has its origin so far off that no distance comes near.
+inline constexpr float far_off = 1e18f;
+
+/// The packet of up to eight triangles of a part.
+/// @param triangles  indices into Part::triangles, ascending
+/// @param scale      a power of two that brings the part's box into [-1, 1]
+TrianglePacket make_packet(const Part& part, std::span<const std::int32_t> triangles, double scale) noexcept;
+
+/// The exact frame of a lane in use.
+inline TriangleFrame exact_frame(const Part& part, const TrianglePacket& packet, int lane) noexcept {
+  const TrianglePacket::Exact& e = packet.exact[static_cast<std::size_t>(lane)];
+  return {{part.vertices.col(e.vertex[0]), part.vertices.col(e.vertex[1]), part.vertices.col(e.vertex[2])},
+          e.normal};
+}
+
+}  // namespace fingerpad
