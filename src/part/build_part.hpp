@@ -24,6 +24,7 @@ struct Census {
   int components = 0;           ///< connected over welded vertices
   int inward_bodies = 0;        ///< closed, consistent bodies wound inwards, not inside another
   int outward_cavities = 0;     ///< closed, consistent bodies wound outwards, inside another
+  bool inside_out = false;      ///< every body is closed and wound against its depth
   double volume_m3 = 0;         ///< signed, of the kept triangles
   double weld_distance_m = 0;
   bool closed = false;  ///< no boundary and no non-manifold edge

@@ -84,7 +84,7 @@ void tell_edges(Verdict& verdict) {
 void tell_numbers(const BuiltPart& built, bool float32, Verdict& verdict) {
   auto& warnings = verdict.warnings;
   const double size = built.part.size_m();
-  if (verdict.closed && verdict.winding_consistent && verdict.volume_m3 < 0) {
+  if (built.census.inside_out) {
     warnings.emplace_back("wound inwards (negative volume): inside and outside are swapped");
   } else if (built.census.inward_bodies > 0) {
     warnings.push_back(fmt::format("{} wound inwards: inside and outside are swapped there",
@@ -92,7 +92,7 @@ void tell_numbers(const BuiltPart& built, bool float32, Verdict& verdict) {
                                        ? std::string("one closed body is")
                                        : fmt::format("{} closed bodies are", built.census.inward_bodies)));
   }
-  if (built.census.outward_cavities > 0) {
+  if (built.census.outward_cavities > 0 && !built.census.inside_out) {
     const bool one = built.census.outward_cavities == 1;
     warnings.push_back(
         fmt::format("{} inside another and {} wound outwards too: touched as overlapping solids, "

@@ -25,10 +25,6 @@ std::vector<fs::path> files_below(const fs::path& folder) {
 
 class Corpus : public testing::TestWithParam<test::FuzzEntry> {};
 
-void PrintTo(const test::FuzzEntry& entry, std::ostream* out) {
-  *out << entry.name;
-}
-
 TEST_P(Corpus, EverySeedAndEveryFoundCaseIsReadOrRefused) {
   const fs::path fuzz = test::source_dir() / "tests" / "fuzz";
   std::vector<fs::path> files = files_below(fuzz / "corpus" / GetParam().name);
