@@ -76,6 +76,7 @@ TrianglePacket make_packet(const Part& part, std::span<const std::int32_t> trian
     TrianglePacket::Exact& exact = packet.exact[lane];
     exact.triangle = triangles[lane];
     const auto order = corner_order(part, exact.triangle);
+    packet.order[lane] = static_cast<std::uint8_t>(order[0] | order[1] << 2 | order[2] << 4);
     for (int k = 0; k < 3; ++k) {
       exact.vertex[k] = part.triangles(order[k], exact.triangle);
       const Vec3 corner = part.vertices.col(exact.vertex[k]) * scale;

@@ -19,7 +19,7 @@ inline constexpr int packet_width = 8;
 /// two right-angled halves, left (x < 0) and right; as the angles at the longest side are acute, the nearest
 /// point of the triangle always lies in the half on the query's side. Lengths are scaled (see PackedPart)
 /// and rough origins are relative to `origin`.
-struct alignas(32) TrianglePacket {
+struct alignas(64) TrianglePacket {
   using Lanes = std::array<float, packet_width>;
 
   /// A right-angled half: corners (0, 0), (width, 0), (0, height) in x and y, x counted away from the
@@ -40,9 +40,10 @@ struct alignas(32) TrianglePacket {
   std::array<Lanes, 3> foot, x_axis, y_axis, z_axis;
   std::array<Half, 2> half;  ///< right, left
   std::array<Exact, packet_width> exact;
-  Vec3 origin;                ///< centre of the box of all corners, scaled
-  float radius;               ///< no corner is farther from `origin`, scaled
-  std::uint8_t used;          ///< bit k: lane k holds a triangle
+  Vec3 origin;                                   ///< centre of the box of all corners, scaled
+  float radius;                                  ///< no corner is farther from `origin`, scaled
+  std::array<std::uint8_t, packet_width> order;  ///< corner_order of each triangle, two bits a corner
+  std::uint8_t used;                             ///< bit k: lane k holds a triangle
   std::uint8_t always_exact;  ///< bit k: no rough frame (a sliver, or no area); the filter sees it far off
 };
 
@@ -53,6 +54,12 @@ inline constexpr float far_off = 1e18f;
 /// @param triangles  indices into Part::triangles, ascending
 /// @param scale      a power of two that brings the part's box into [-1, 1]
 TrianglePacket make_packet(const Part& part, std::span<const std::int32_t> triangles, double scale) noexcept;
+
+/// corner_order of a lane's triangle.
+inline std::array<int, 3> lane_order(const TrianglePacket& packet, int lane) noexcept {
+  const int bits = packet.order[static_cast<std::size_t>(lane)];
+  return {bits & 3, bits >> 2 & 3, bits >> 4};
+}
 
 /// The exact frame of a lane in use.
 inline TriangleFrame exact_frame(const Part& part, const TrianglePacket& packet, int lane) noexcept {

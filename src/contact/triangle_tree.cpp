@@ -20,14 +20,9 @@ struct Winner {
   int triangle = std::numeric_limits<int>::max();
   FramePoint at;
 
-  /// Takes triangle t if it is closer, or as close and lower. True if it is closer.
-  bool offer(int t, const FramePoint& p) noexcept {
-    const bool closer = p.distance2_m2 < at.distance2_m2;
-    if (closer || (p.distance2_m2 == at.distance2_m2 && t < triangle)) {
-      triangle = t;
-      at = p;
-    }
-    return closer;
+  /// Whether triangle t is closer, or as close and lower.
+  bool beaten_by(int t, const FramePoint& p) const noexcept {
+    return p.distance2_m2 < at.distance2_m2 || (p.distance2_m2 == at.distance2_m2 && t < triangle);
   }
 };
 
@@ -96,8 +91,10 @@ struct PacketView {
 
 struct ClosestSearch : ScaledPoint {
   Winner winner;
-  float best;           ///< the winner's distance, rough and no smaller
-  unsigned seen = ~0u;  ///< a packet that was looked at before the search
+  float best;                                 ///< the winner's distance, rough and no smaller
+  const TrianglePacket* won_in = nullptr;     ///< the winner's packet
+  int won_lane = 0;                           ///< its lane there
+  const TrianglePacket* looked_at = nullptr;  ///< before Embree's search
 
   ClosestSearch(const PackedPart& part, PacketFilter packet_filter, const Vec3& point,
                 double reach_m) noexcept
@@ -106,24 +103,49 @@ struct ClosestSearch : ScaledPoint {
     best = rough(reach_m);
   }
 
+  /// Looks at the packet of a triangle that is likely close, and at this triangle first of all.
+  void look_at_seed(int triangle) noexcept {
+    const TrianglePacket& packet =
+        packed->packets[static_cast<std::size_t>(packed->packet_of[static_cast<std::size_t>(triangle)])];
+    looked_at = &packet;
+    int lane = 0;
+    while (packet.exact[static_cast<std::size_t>(lane)].triangle != triangle) ++lane;
+    if (look_at(packet, lane)) best = rough(std::sqrt(winner.at.distance2_m2));
+    look_at(packet, lanes_within_best(packet) & ~(1U << lane));
+  }
+
   /// True if a closer triangle was found.
-  bool look_at(const TrianglePacket& packet) noexcept {
-    const PacketView view(*this, packet);
-    RoughDistances distances;
-    unsigned lanes = filter(packet, view.r, view.limit2(best), distances);
-    lanes = (lanes | packet.always_exact) & packet.used;
-    if (lanes == 0) return false;
-    if ((lanes & (lanes - 1)) != 0) lanes &= nearest_lanes(packet, view, distances) | packet.always_exact;
+  bool look_at(const TrianglePacket& packet) noexcept { return look_at(packet, lanes_within_best(packet)); }
+
+ private:
+  bool look_at(const TrianglePacket& packet, unsigned lanes) noexcept {
     bool closer = false;
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const int lane = std::countr_zero(lanes);
-      closer |= winner.offer(packet.exact[static_cast<std::size_t>(lane)].triangle, exact(packet, lane));
-    }
+    for (; lanes != 0; lanes &= lanes - 1) closer |= look_at(packet, std::countr_zero(lanes));
     if (closer) best = rough(std::sqrt(winner.at.distance2_m2));
     return closer;
   }
 
- private:
+  bool look_at(const TrianglePacket& packet, int lane) noexcept {
+    const int triangle = packet.exact[static_cast<std::size_t>(lane)].triangle;
+    const FramePoint p = exact(packet, lane);
+    if (!winner.beaten_by(triangle, p)) return false;
+    const bool closer = p.distance2_m2 < winner.at.distance2_m2;
+    winner = {triangle, p};
+    won_in = &packet;
+    won_lane = lane;
+    return closer;
+  }
+
+  /// The lanes that could be as near as the winner, and of these those that could be the nearest.
+  unsigned lanes_within_best(const TrianglePacket& packet) noexcept {
+    const PacketView view(*this, packet);
+    RoughDistances distances;
+    unsigned lanes = filter(packet, view.r, view.limit2(best), distances);
+    lanes = (lanes | packet.always_exact) & packet.used;
+    if ((lanes & (lanes - 1)) != 0) lanes &= nearest_lanes(packet, view, distances) | packet.always_exact;
+    return lanes;
+  }
+
   /// The lanes that could be nearest of the packet.
   static unsigned nearest_lanes(const TrianglePacket& packet, const PacketView& view,
                                 const RoughDistances& distances) noexcept {
@@ -140,8 +162,8 @@ struct ClosestSearch : ScaledPoint {
 
 bool visit_closest(RTCPointQueryFunctionArguments* args) {
   ClosestSearch& search = *static_cast<ClosestSearch*>(args->userPtr);
-  if (args->primID == search.seen) return false;
-  if (!search.look_at(search.packed->packets[args->primID])) return false;
+  const TrianglePacket& packet = search.packed->packets[args->primID];
+  if (&packet == search.looked_at || !search.look_at(packet)) return false;
   args->query->radius = search.radius(std::sqrt(search.winner.at.distance2_m2));
   return true;
 }
@@ -201,17 +223,15 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) c
 
   ClosestSearch search(packed, impl.filter, q, reach_m);
   const int count = static_cast<int>(packed.packet_of.size());
-  if (seed >= 0 && seed < count) {
-    search.seen = static_cast<unsigned>(packed.packet_of[static_cast<std::size_t>(seed)]);
-    search.look_at(packed.packets[search.seen]);
-  }
-  const double to_far_corner_m = q.norm() + 2 * packed.extent_m;
-  search.embree.radius = search.radius(std::min(std::sqrt(search.winner.at.distance2_m2), to_far_corner_m));
+  if (seed >= 0 && seed < count) search.look_at_seed(seed);
+  double within_m = std::sqrt(search.winner.at.distance2_m2);
+  if (within_m > packed.extent_m) within_m = std::min(within_m, q.norm() + 2 * packed.extent_m);
+  search.embree.radius = search.radius(within_m);
   impl.scene.each_near(search.embree, visit_closest, &search);
 
   const Winner& winner = search.winner;
-  if (winner.triangle >= count) return {};
-  return {winner.triangle, in_part_corners(winner.at, corner_order(*packed.part, winner.triangle))};
+  if (search.won_in == nullptr) return {};
+  return {winner.triangle, in_part_corners(winner.at, lane_order(*search.won_in, search.won_lane))};
 }
 
 /// Every triangle in turn: for points so far away that a tree of float boxes sees no difference between them.
@@ -225,8 +245,9 @@ ClosestTriangle TriangleTree::Impl::far_closest(const Vec3& q, double reach_m) c
   winner.at.distance2_m2 = std::numeric_limits<double>::infinity();
   for (const TrianglePacket& packet : packed.packets) {
     for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
-      winner.offer(packet.exact[static_cast<std::size_t>(lane)].triangle,
-                   closest_in(exact_frame(part, packet, lane), nearer, tie_m));
+      const int t = packet.exact[static_cast<std::size_t>(lane)].triangle;
+      const FramePoint p = closest_in(exact_frame(part, packet, lane), nearer, tie_m);
+      if (winner.beaten_by(t, p)) winner = {t, p};
     }
   }
   ClosestTriangle result{winner.triangle, in_part_corners(winner.at, corner_order(part, winner.triangle))};
