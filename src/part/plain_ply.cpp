@@ -10,20 +10,29 @@
 namespace fingerpad {
 namespace {
 
+bool is_fraction(PlyType type) {
+  return type == PlyType::float32 || type == PlyType::float64;
+}
+
+bool is_axis(const PlyProperty& property) {
+  return property.name == "x" || property.name == "y" || property.name == "z";
+}
+
 /// Whether OpenMesh can be trusted with this: vertices, then faces, and of the faces nothing but the list.
-/// (It drops properties before the list and reads their bytes as counts.)
+/// (It drops properties before the list and reads their bytes as counts, and complains on the console of
+/// coordinates that are whole numbers.)
 bool is_plain(const PlyHeader& header) {
   if (header.elements.size() != 2 || header.elements[0].name != "vertex" ||
       header.elements[1].name != "face") {
     return false;
   }
   for (const PlyProperty& property : header.elements[0].properties) {
-    if (property.is_list) return false;
+    if (property.is_list || (is_axis(property) && !is_fraction(property.type))) return false;
   }
   const auto& of_face = header.elements[1].properties;
   return of_face.size() == 1 && of_face[0].is_list &&
          (of_face[0].count_type == PlyType::uint8 || of_face[0].count_type == PlyType::int32) &&
-         of_face[0].type != PlyType::float32 && of_face[0].type != PlyType::float64;
+         !is_fraction(of_face[0].type);
 }
 
 std::string_view type_name(PlyType type) {
@@ -40,8 +49,8 @@ std::string plain_header(const PlyHeader& header) {
   std::string text = fmt::format("ply\nformat {} 1.0\nelement vertex {}\n",
                                  forms[static_cast<std::size_t>(header.form)], header.elements[0].count);
   for (const PlyProperty& property : header.elements[0].properties) {
-    const bool axis = property.name == "x" || property.name == "y" || property.name == "z";
-    text += fmt::format("property {} {}\n", type_name(property.type), axis ? property.name : "passed_over");
+    text += fmt::format("property {} {}\n", type_name(property.type),
+                        is_axis(property) ? property.name : "passed_over");
   }
   const PlyProperty& list = header.elements[1].properties[0];
   text += fmt::format("element face {}\nproperty list {} {} vertex_indices\nend_header\n",
