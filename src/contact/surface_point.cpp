@@ -70,6 +70,12 @@ bool outside_padded_box(const Part& part, const Vec3& q, double reach_m) noexcep
 
 }  // namespace
 
+Vec3 shaded_normal(const Part& part, int t, const TrianglePoint& at, Normals normals,
+                   const Vec3& facet_normal_P) noexcept {
+  if (normals == Normals::facet || !is_smooth(part, t, at.feature)) return facet_normal_P;
+  return interpolated_normal(part, t, at.barycentric, facet_normal_P);
+}
+
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,
                                    double reach_m) noexcept {
   const Part& part = tree.part();
@@ -94,9 +100,7 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
   result.signed_distance_m = inside ? -distance_m : distance_m;
   const Vec3 outward = inside ? Vec3(-offset) : offset;
   result.normal_P = facet_normal(part, t, found.at.feature, pseudo, outward, distance_m);
-  if (normals == Normals::smooth && is_smooth(part, t, found.at.feature)) {
-    result.normal_P = interpolated_normal(part, t, found.at.barycentric, result.normal_P);
-  }
+  result.normal_P = shaded_normal(part, t, found.at, normals, result.normal_P);
   return result;
 }
 

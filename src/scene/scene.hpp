@@ -41,8 +41,8 @@ struct PlaneEntry {
   SurfaceProperties surface;
 };
 
-/// method: `automatic` means closest-point until other methods exist.
-enum class ContactMethod { automatic, closest_point };
+/// method: `automatic` means closest-point until the program can tell which is safe.
+enum class ContactMethod { automatic, closest_point, proxy };
 
 struct ContactSettings {
   ContactMethod method = ContactMethod::automatic;

@@ -117,17 +117,9 @@ PlaneEntry read_plane(const TomlNode& node, const std::string& path) {
 ContactSettings read_contact(const TomlNode& node, const std::string& path) {
   const TomlTable table(node, path, "[contact]", scene_keys("contact"));
   ContactSettings contact;
-  switch (table.choice("method", 0, {"auto", "closest-point", "proxy"})) {
-    case 0:
-      contact.method = ContactMethod::automatic;
-      break;
-    case 1:
-      contact.method = ContactMethod::closest_point;
-      break;
-    default:
-      throw table.error(
-          "method", "method \"proxy\" is not available in this version; use \"closest-point\" or \"auto\"");
-  }
+  constexpr ContactMethod methods[] = {ContactMethod::automatic, ContactMethod::closest_point,
+                                       ContactMethod::proxy};
+  contact.method = methods[table.choice("method", 0, {"auto", "closest-point", "proxy"})];
   switch (table.choice("normals", 1, {"facet", "smooth", "curved"})) {
     case 0:
       contact.normals = Normals::facet;

@@ -41,6 +41,8 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
   if (entry == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
   law_ = entry->make(scene.friction.settings);
+  if (scene.contact.method == ContactMethod::proxy)
+    proxy_.emplace(world_proxy(*world_, scene.finger.radius_m, normals_));
   if (!scene.friction.vibration) return;
   vibration_settings_ = *scene.friction.vibration;
   vibration_.emplace(vibration_settings_.frequency_hz, vibration_settings_.bandwidth_hz, dt_s_,
@@ -50,6 +52,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
 void Touch::reset() noexcept {
   velocity_.reset();
   std::fill(seeds_.begin(), seeds_.end(), -1);
+  if (proxy_) proxy_->reset();
   release();
 }
 
@@ -70,6 +73,19 @@ Touch::Contact Touch::deepest_contact(const Vec3& p_WQ) noexcept {
     if (depth_m > deepest.depth_m) deepest = {static_cast<int>(i), at, depth_m};
   }
   return deepest;
+}
+
+Touch::Contact Touch::proxy_contact(const Vec3& p_WQ, TickRecord& record) noexcept {
+  const ProxyContact& proxy = proxy_->move(p_WQ, dt_s_);
+  record.started_inside = started_inside(proxy, *world_, p_WQ);
+  if (!proxy.placed) return deepest_contact(p_WQ);  // no place for the ball: until there is one
+  Contact contact;
+  if (!proxy.touching) return contact;
+  const ProxyHold& hold = proxy.holds[0];
+  contact.surface = hold.surface;
+  contact.depth_m = proxy.depth_m;
+  contact.at = {proxy.point_W, proxy.normal_W, radius_m_ - proxy.depth_m, hold.triangle, true};
+  return contact;
 }
 
 void Touch::turn_frame(const Contact& contact, const Vec3& direction_W) noexcept {
@@ -175,7 +191,7 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
     return record;
   }
   const Vec3 velocity_W = velocity_.next(sample.p_WQ);
-  const Contact contact = deepest_contact(sample.p_WQ);
+  const Contact contact = proxy_ ? proxy_contact(sample.p_WQ, record) : deepest_contact(sample.p_WQ);
   if (contact.surface < 0) {
     release();
     return record;

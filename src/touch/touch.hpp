@@ -7,6 +7,7 @@
 #include "friction/law.hpp"
 #include "friction/slip_vibration.hpp"
 #include "motion/velocity_estimator.hpp"
+#include "touch/proxy_contact.hpp"
 #include "touch/stick_centre.hpp"
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
@@ -37,6 +38,7 @@ class Touch {
   };
 
   Contact deepest_contact(const Vec3& p_WQ) noexcept;
+  Contact proxy_contact(const Vec3& p_WQ, TickRecord& record) noexcept;
   void turn_frame(const Contact& contact, const Vec3& direction_W) noexcept;
   TangentialMotion tangential_motion(const Contact& contact, double normal_force_n, const Vec3& velocity_W,
                                      const FingerSample& sample) const noexcept;
@@ -51,7 +53,8 @@ class Touch {
   double radius_m_;
   double dt_s_;
 
-  std::vector<int> seeds_;  ///< per surface: the last triangle, where the next search starts
+  std::vector<int> seeds_;      ///< per surface: the last triangle, where the next search starts
+  std::optional<Proxy> proxy_;  ///< where the scene asks for it; else each tick's closest point serves
   VelocityEstimator velocity_;
 
   bool in_contact_ = false;

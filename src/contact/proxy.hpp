@@ -1,0 +1,103 @@
+#pragma once
+
+#include "contact/proxy_surroundings.hpp"
+#include "contact/surface_point.hpp"
+
+namespace fingerpad {
+
+/// A surface that holds the proxy.
+struct ProxyHold {
+  int surface = -1;
+  int triangle = -1;              ///< index into Part::triangles; -1: a plane
+  Vec3 point_W = Vec3::Zero();    ///< the surface's point under the proxy [m]
+  Vec3 normal_W = Vec3::UnitZ();  ///< unit, towards the proxy; shaded as Normals says
+  double share_m = 0;             ///< multiplier: its part of the depth, along its own normal
+};
+
+/// Where the proxy stands against the finger.
+struct ProxyContact {
+  bool placed = true;    ///< false: a start found no place for the ball; the next move tries again
+  bool started = false;  ///< this move put the proxy down anew
+  bool touching = false;
+  bool settled = true;          ///< false: the proxy is still on its way to where it is closest to the finger
+  Vec3 proxy_W = Vec3::Zero();  ///< centre of the ball, its skin taken off [m]
+  double depth_m = 0;           ///< from the finger to it
+  Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to it
+  Vec3 normal_W = Vec3::UnitZ();     ///< as that, with the holds' shaded normals in place of the facets'
+  Vec3 point_W = Vec3::Zero();     ///< S: the surface's point; of several, and on the way, the ball's lowest
+  int hold_count = 0;              ///< >= 1 while touching
+  std::array<ProxyHold, 3> holds;  ///< greatest share first; on the way: those of before
+};
+
+/// A god-object (Zilles & Salisbury 1995; for a ball Ruspini, Kolarov & Khatib 1997): a ball of the finger's
+/// radius that goes where the finger goes but never crosses a surface, and holds out on the side where it
+/// came from. What pushes the finger is the way from it to the proxy.
+///
+/// Sound: a step is the projection of the finger onto half spaces that each triangle in view leaves free,
+/// with the start in all of them, so it crosses nothing however often it is repeated and wherever it ends;
+/// triangles block from both sides, whatever their winding. Steps repeat until the projection stays, which
+/// is a place from where every short way nearer to the finger is blocked. Lengths compare with the parts'
+/// size only.
+class Proxy {
+ public:
+  /// @param smooth  over edges that are no creases the proxy goes on to the neighbour that is nearer to the
+  /// finger, as the closest point does: facets there stand for a smooth surface, and what they hold back is
+  /// not its shape
+  Proxy(std::vector<ProxySurface> surfaces, double radius_m, Normals normals);
+
+  /// Forgets where the proxy is: the next move starts anew.
+  void reset() noexcept;
+
+  /// Takes the proxy after the finger.
+  ///
+  /// The first move after a reset puts it there, or, where the ball would not fit, at the nearest place that
+  /// is outside of all surfaces. In contact the proxy goes at most twice as far as the finger in a tick
+  /// (or, where the finger rests, by the share dt/0.5 s of the depth), so that a finger pressed in deep that
+  /// slips off an edge is let go within a motion and not within a tick.
+  /// @param p_WQ  finite
+  /// noexcept, allocates nothing.
+  const ProxyContact& move(const Vec3& p_WQ, double dt_s) noexcept;
+
+ private:
+  /// What the last full look allows without another: to fly in a ball that is free, or to slide along one
+  /// wall within a ball where nothing else stands in front of it.
+  struct Cruise {
+    enum class Kind { none, flight, slide } kind = Kind::none;
+    Vec3 centre = Vec3::Zero();  ///< of the ball, relative to the world's, as all here
+    double room_m = 0;
+    ProxyWall wall;  ///< slide; its place lies at wall_offset_m along its normal
+    double wall_offset_m = 0;
+    /// Facets that share a smooth vertex with the wall's and lie behind it, seen from the world's centre.
+    std::array<ProxyWall, 24> neighbours;
+    int neighbour_count = 0;
+  };
+  double widest_view() const noexcept;
+  void start(const Vec3& goal) noexcept;
+  bool cruise(const Vec3& goal) noexcept;
+  bool fly(const Vec3& goal) noexcept;
+  void settle(const Vec3& goal, double budget_m) noexcept;
+  void follow(const Vec3& goal, double budget_m) noexcept;
+  bool advance(const ProxyStep& step, const Vec3& goal, double& budget_m) noexcept;
+  bool is_at_rest(const ProxyStep& step) const noexcept;
+  bool hop(const Vec3& goal) noexcept;
+  void remember() noexcept;
+  void remember_neighbours() noexcept;
+  void remember_fan(int corner) noexcept;
+  void report(const Vec3& goal) noexcept;
+  void report_underway(const Vec3& goal) noexcept;
+  ProxyHold hold_at(const ProxyWall& wall, double share_m) const noexcept;
+
+  ProxySurroundings around_;
+  Normals normals_;
+
+  bool placed_ = false;
+  Vec3 place_ = Vec3::Zero();  ///< of the ball's centre, relative to the world's
+  Vec3 last_goal_ = Vec3::Zero();
+  double reach_m_ = 0;  ///< of a view; grows and shrinks with what there is to see
+  Vec3 hold_place_ = Vec3::Zero();
+  ProxyStep hold_;  ///< the last step, from hold_place_, with the walls that stopped it
+  Cruise cruise_;
+  ProxyContact contact_;
+};
+
+}  // namespace fingerpad

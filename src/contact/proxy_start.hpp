@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "contact/proxy_surroundings.hpp"
+
+namespace fingerpad {
+
+/// Where a ball that appears at `goal` may stand: there if nothing comes nearer than the clearance, else the
+/// nearest surface point outwards, moved on where another surface is in the way. Inside of a part is where
+/// the nearest feature's pseudonormal says so and the winding number about the point is above one half: not
+/// merely behind an open sheet, and not outside a shell that is wound inside out. Nothing where no such place
+/// was found within a bounded search (a slot narrower than the ball).
+/// @param goal  relative to the world's centre, finite
+/// noexcept, allocates nothing. O(triangles) where the goal is behind a surface.
+std::optional<Vec3> proxy_start(const ProxySurroundings& around, const Vec3& goal) noexcept;
+
+}  // namespace fingerpad

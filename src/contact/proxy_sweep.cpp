@@ -1,0 +1,117 @@
+#include "contact/proxy_sweep.hpp"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace fingerpad {
+namespace {
+
+/// A triangle whose area is smaller than this share of its sides' squares is no more than its edges: its
+/// width is then far below any clearance.
+constexpr double least_area_share = 1e-13;
+/// Newton's steps converge quadratically; a cap for what rounding might do.
+constexpr int newton_steps = 32;
+
+struct Corners {
+  Vec3 a, b, c;
+};
+
+Corners corners_of(const Part& part, int t) noexcept {
+  return {part.vertices.col(part.triangles(0, t)), part.vertices.col(part.triangles(1, t)),
+          part.vertices.col(part.triangles(2, t))};
+}
+
+/// Offers the closest point of the edge from corner k at `a` to the next at `b`.
+void offer_edge(const Vec3& a, const Vec3& b, int k, const Vec3& q, TrianglePoint& best) noexcept {
+  const Vec3 along = b - a;
+  const double length2 = along.squaredNorm(), dot = (q - a).dot(along);
+  TrianglePoint p;
+  const int next = (k + 1) % 3;
+  if (!(dot > 0)) {
+    p.point = a;
+    p.feature = static_cast<Feature>(static_cast<int>(Feature::vertex0) + k);
+    p.barycentric[k] = 1;
+  } else if (dot >= length2) {
+    p.point = b;
+    p.feature = static_cast<Feature>(static_cast<int>(Feature::vertex0) + next);
+    p.barycentric[next] = 1;
+  } else {
+    const double share = dot / length2;
+    p.point = a + share * along;
+    p.feature = static_cast<Feature>(static_cast<int>(Feature::edge0) + k);
+    p.barycentric[k] = 1 - share;
+    p.barycentric[next] = share;
+  }
+  p.distance2_m2 = (q - p.point).squaredNorm();
+  if (p.distance2_m2 < best.distance2_m2) best = p;
+}
+
+}  // namespace
+
+TriangleApproach approach_triangle(const Part& part, int t, const Vec3& q) noexcept {
+  const Corners f = corners_of(part, t);
+  const Vec3 normal = part.facet_normals.col(t);
+  const Vec3 ab = f.b - f.a, bc = f.c - f.b, ca = f.a - f.c;
+  const Vec3 aq = q - f.a, bq = q - f.b, cq = q - f.c;
+  const double c_share = normal.dot(ab.cross(aq)), a_share = normal.dot(bc.cross(bq)),
+               b_share = normal.dot(ca.cross(cq));
+  TriangleApproach result;
+  if (a_share > 0 && b_share > 0 && c_share > 0) {
+    const double area = a_share + b_share + c_share;
+    if (area > least_area_share * (ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm())) {
+      const double height = normal.dot(aq);
+      result.at.point = q - height * normal;
+      result.at.distance2_m2 = height * height;
+      result.at.barycentric = Vec3(a_share, b_share, c_share) / area;
+      result.distance_m = std::abs(height);
+      result.towards = height < 0 ? Vec3(-normal) : normal;
+      return result;
+    }
+  }
+  result.at.distance2_m2 = std::numeric_limits<double>::infinity();
+  offer_edge(f.a, f.b, 0, q, result.at);
+  offer_edge(f.b, f.c, 1, q, result.at);
+  offer_edge(f.c, f.a, 2, q, result.at);
+  result.distance_m = std::sqrt(result.at.distance2_m2);
+  result.towards = result.distance_m > 0 ? Vec3((q - result.at.point) / result.distance_m) : normal;
+  return result;
+}
+
+TriangleSweep sweep_past_triangle(const Part& part, int t, const Vec3& from, const Vec3& to,
+                                  double clearance_m, double tolerance_m) noexcept {
+  const Vec3 way = to - from;
+  TriangleSweep sweep;
+  sweep.reached = 0;
+  for (int k = 0; k < newton_steps; ++k) {
+    const TriangleApproach here = approach_triangle(part, t, from + sweep.reached * way);
+    const double gap_m = here.distance_m - clearance_m, slope = here.towards.dot(way);
+    sweep.normal = here.towards;
+    sweep.offset_m = here.towards.dot(here.at.point) + clearance_m;
+    sweep.end_slack_m = gap_m + (1 - sweep.reached) * slope;
+    if (sweep.end_slack_m >= -tolerance_m) {
+      sweep.reached = 1;
+      return sweep;
+    }
+    if (gap_m <= tolerance_m) break;
+    sweep.reached += gap_m / -slope;
+  }
+  sweep.blocked = true;
+
+  const Corners f = corners_of(part, t);
+  const Vec3 normal = part.facet_normals.col(t), corner = f.a;
+  const double height_m = normal.dot(from - corner);
+  if (std::abs(height_m) < clearance_m - tolerance_m) return sweep;
+  // A triangle without area bears a neighbour's normal: it must lie in that plane.
+  if (std::abs(normal.dot(f.b - f.a)) > tolerance_m || std::abs(normal.dot(f.c - f.a)) > tolerance_m)
+    return sweep;
+  const double side = height_m < 0 ? -1 : 1;
+  const double slack_m = side * normal.dot(to - corner) - clearance_m;
+  if (slack_m <= sweep.end_slack_m) return sweep;
+  sweep.normal = side * normal;
+  sweep.offset_m = side * normal.dot(corner) + clearance_m;
+  sweep.end_slack_m = slack_m;
+  sweep.blocked = slack_m < -tolerance_m;
+  return sweep;
+}
+
+}  // namespace fingerpad

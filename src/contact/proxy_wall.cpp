@@ -1,0 +1,87 @@
+#include "contact/proxy_wall.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <bit>
+#include <cmath>
+
+namespace fingerpad {
+namespace {
+
+/// Squared sine of the angle under which two planes count as parallel.
+constexpr double parallel2 = 1e-16;
+/// Three normals of a smaller volume than this span no corner that rounding leaves in place.
+constexpr double flat_volume = 1e-12;
+
+/// The multipliers that put the point onto every chosen wall; false where the walls do not fix them.
+bool multipliers(const Vec3& goal, std::span<const ProxyWall> walls, const std::array<int, 3>& choice,
+                 int count, std::array<double, 3>& share) noexcept {
+  std::array<Vec3, 3> n;
+  std::array<double, 3> missing{};
+  for (int i = 0; i < count; ++i) {
+    const ProxyWall& wall = walls[static_cast<std::size_t>(choice[i])];
+    n[i] = wall.normal;
+    missing[i] = wall.least_m - wall.normal.dot(goal);
+  }
+  if (count == 1) share[0] = missing[0];
+  if (count == 2) {
+    const double sine2 = n[0].cross(n[1]).squaredNorm();
+    if (!(sine2 > parallel2)) return false;
+    // The 2 x 2 system, written so that nearly equal normals cancel nothing but the missing lengths.
+    const double cosine = n[0].dot(n[1]), turn = cosine < 0 ? -1 : 1;
+    const double common = 1 / (1 + turn * cosine), apart = (missing[0] - turn * missing[1]) / sine2;
+    share[0] = apart + turn * missing[1] * common;
+    share[1] = turn * (missing[0] * common - apart);
+  }
+  if (count == 3) {
+    const Vec3 c12 = n[1].cross(n[2]), c20 = n[2].cross(n[0]), c01 = n[0].cross(n[1]);
+    const double volume = n[0].dot(c12);
+    if (!(std::abs(volume) > flat_volume)) return false;
+    const Vec3 shift = (missing[0] * c12 + missing[1] * c20 + missing[2] * c01) / volume;
+    share = {shift.dot(c12) / volume, shift.dot(c20) / volume, shift.dot(c01) / volume};
+  }
+  return true;
+}
+
+}  // namespace
+
+std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const ProxyWall& b) noexcept {
+  const std::array<ProxyWall, 2> walls{a, b};
+  std::array<double, 3> share{};
+  if (!multipliers(near, walls, {0, 1, 0}, 2, share)) return std::nullopt;
+  return near + share[0] * a.normal + share[1] * b.normal;
+}
+
+ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,
+                                   double tolerance_m) noexcept {
+  ProxyProjection best;
+  double best_distance_m = 0;
+  const auto count = static_cast<unsigned>(std::min<std::size_t>(walls.size(), 4));
+  // Fewer walls first, so that one that adds nothing is not named.
+  for (int size = 0; size <= 3; ++size) {
+    for (unsigned set = 0; set < 1u << count; ++set) {
+      if (std::popcount(set) != size) continue;
+      ProxyProjection p;
+      for (unsigned i = 0; i < count; ++i) {
+        if ((set >> i & 1) != 0) p.active[p.active_count++] = static_cast<int>(i);
+      }
+      if (!multipliers(goal, walls, p.active, p.active_count, p.share_m)) continue;
+      p.z = goal;
+      for (int i = 0; i < size; ++i)
+        p.z += p.share_m[i] * walls[static_cast<std::size_t>(p.active[i])].normal;
+      const bool free = std::all_of(walls.begin(), walls.begin() + count, [&](const ProxyWall& wall) {
+        return wall.normal.dot(p.z) >= wall.least_m - tolerance_m;
+      });
+      const double distance_m = (p.z - goal).norm();
+      if (!free || (best.found && !(distance_m < best_distance_m * (1 - 1e-12)))) continue;
+      p.found = true;
+      for (double& share : p.share_m) share = std::max(0.0, share);
+      best = p;
+      best_distance_m = distance_m;
+    }
+    if (size == 0 && best.found) return best;
+  }
+  return best;
+}
+
+}  // namespace fingerpad

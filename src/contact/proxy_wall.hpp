@@ -1,0 +1,41 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+
+#include "base/types.hpp"
+
+namespace fingerpad {
+
+/// A half space that the proxy's step z must stay in: normal . z >= least_m. All in one frame, relative to
+/// where the proxy stands, so that the numbers are as small as the step.
+struct ProxyWall {
+  Vec3 normal = Vec3::UnitZ();  ///< unit, out of the surface
+  double least_m = 0;
+  int surface = -1;
+  int triangle = -1;  ///< -1: of a plane
+};
+
+/// The point of an intersection of half spaces that lies closest to a goal.
+struct ProxyProjection {
+  bool found = false;
+  Vec3 z = Vec3::Zero();
+  int active_count = 0;
+  std::array<int, 3> active{};      ///< which walls the point lies on
+  std::array<double, 3> share_m{};  ///< multipliers, >= 0: z - goal is the sum of share times normal
+};
+
+/// The place on both walls' planes that lies closest to `near`; nothing where they are parallel to 1e-8.
+std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const ProxyWall& b) noexcept;
+
+/// Projects `goal` onto at most four half spaces by looking at every choice of at most three of them: in
+/// three dimensions no more are needed to hold the closest point. Choices whose planes are parallel to 1e-8
+/// are passed over, since fewer of them say the same. Not found where rounding leaves the half spaces
+/// nothing in common.
+/// @param tolerance_m  a point this far behind a wall still counts as in front of it
+/// noexcept, O(1), allocates nothing.
+ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,
+                                   double tolerance_m) noexcept;
+
+}  // namespace fingerpad

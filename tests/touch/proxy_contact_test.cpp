@@ -1,0 +1,146 @@
+#include "touch/proxy_contact.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "base/random_stream.hpp"
+#include "support/shapes.hpp"
+#include "support/worlds.hpp"
+#include "touch/touch.hpp"
+
+namespace fingerpad {
+namespace {
+
+using test::plane_scene;
+using test::plane_world;
+using test::world_of;
+
+Scene proxy_scene(const std::string& law = "none") {
+  Scene scene = plane_scene(law);
+  scene.contact.method = ContactMethod::proxy;
+  return scene;
+}
+
+Scene closest_scene(const std::string& law = "none") {
+  Scene scene = plane_scene(law);
+  scene.contact.method = ContactMethod::closest_point;
+  return scene;
+}
+
+std::vector<TickRecord> run(const std::shared_ptr<const World>& world, const Scene& scene,
+                            const std::vector<Vec3>& positions) {
+  Touch touch(world, scene);
+  std::vector<TickRecord> rows;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    rows.push_back(
+        touch.tick({static_cast<double>(k) / scene.motion.rate_hz, positions[k], Vec3(0, 0.6, -0.8)}));
+  }
+  return rows;
+}
+
+/// Down onto z = height at a pace, then pressed in by a depth, then held.
+std::vector<Vec3> strike(double height_m, double depth_m, double speed_m_per_s, double rate_hz) {
+  std::vector<Vec3> positions;
+  const double step_m = speed_m_per_s / rate_hz, from_m = height_m + 0.01 + 0.37 * step_m;
+  for (double z = from_m; z > height_m - depth_m; z -= step_m) positions.emplace_back(0.0031, 0.0017, z);
+  for (int k = 0; k < 20; ++k) positions.emplace_back(0.0031, 0.0017, height_m - depth_m);
+  return positions;
+}
+
+TEST(ProxyContact, IsTheClosestPointOnAThickConvexSmoothPart) {
+  // A rub over a finely tessellated ball, by a point 1 mm deep.
+  const double radius_m = 0.05;
+  const auto world = world_of(test::sphere_soup(radius_m, 5));
+  std::vector<Vec3> positions;
+  for (int k = 0; k < 6000; ++k) {
+    const double around = 0.011 + 1e-3 * k, up = 0.4 * std::sin(7e-4 * k),
+                 r = radius_m - 1e-3 * std::min(1.0, k / 100.0 - 0.5);
+    positions.emplace_back(r * std::cos(up) * std::cos(around), r * std::cos(up) * std::sin(around),
+                           r * std::sin(up));
+  }
+  for (const char* law : {"none", "finger-pad"}) {
+    const auto proxy = run(world, proxy_scene(law), positions);
+    const auto closest = run(world, closest_scene(law), positions);
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+      ASSERT_EQ(proxy[k].phase, closest[k].phase) << k;
+      // Rounding: 1e-17 m at 1000 N/m, and the stick's displacements summed over the run.
+      ASSERT_LT((proxy[k].force_W_n - closest[k].force_W_n).norm(), 1e-9)
+          << k << " " << proxy[k].depth_m << " " << closest[k].depth_m;
+    }
+  }
+}
+
+TEST(ProxyContact, NeverPopsThroughAPlate) {
+  int closest_pops = 0;
+  for (const double thickness_m : {1e-3, 2e-4}) {
+    for (const double speed : {0.05, 0.1, 0.2, 0.5, 1.0, 2.0, 5.0}) {
+      for (const double radius_m : {0.0, 0.004}) {
+        const auto world = world_of(test::box_soup(Vec3(0.1, 0.08, thickness_m)));
+        const double top_m = thickness_m / 2 + radius_m;
+        const auto positions = strike(top_m, 5.5e-3, speed, 1000);
+        Scene scene = proxy_scene();
+        scene.finger.radius_m = radius_m;
+        for (const auto& row : run(world, scene, positions)) {
+          const double depth_m = top_m - row.p_WQ.z();
+          if (depth_m <= 0) {
+            ASSERT_EQ(row.phase, Phase::free);
+            continue;
+          }
+          // Rounding of the coordinates at 1000 N/m.
+          ASSERT_NEAR(row.force_W_n.z(), 1000 * depth_m, 1e-9)
+              << thickness_m << " " << speed << " " << radius_m;
+          ASSERT_LT(row.force_W_n.head<2>().norm(), 1e-9);
+        }
+        scene.contact.method = ContactMethod::closest_point;
+        closest_pops += run(world, scene, positions).back().force_W_n.z() < 1 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_EQ(closest_pops, 28)
+      << "the closest point leaves on the far side: without that nothing is shown here";
+}
+
+/// The largest change of force from tick to tick, in motions of the finger times the stiffness.
+double worst_step(const std::vector<TickRecord>& rows, double stiffness_n_per_m) {
+  double worst = 0;
+  for (std::size_t k = 1; k < rows.size(); ++k) {
+    const double moved_m = (rows[k].p_WQ - rows[k - 1].p_WQ).norm();
+    const double change_n = (rows[k].force_W_n - rows[k - 1].force_W_n).norm();
+    worst = std::max(worst, change_n / (stiffness_n_per_m * moved_m));
+  }
+  return worst;
+}
+
+std::vector<Vec3> line(const Vec3& from, const Vec3& to, int ticks) {
+  std::vector<Vec3> positions;
+  for (int k = 0; k <= ticks; ++k)
+    positions.emplace_back(from + (to - from) * (static_cast<double>(k) / ticks));
+  return positions;
+}
+
+TEST(ProxyContact, OverARightAngledEdgeTheForceChangesByNoMoreThanTheMotionExplains) {
+  const auto world = world_of(test::box_soup(Vec3(0.04, 0.04, 0.04)));
+  for (const double radius_m : {0.0, 0.003}) {
+    for (const double depth_m : {1e-4, 1e-3, 3e-3}) {
+      for (const int ticks : {200, 2000}) {
+        const double z = 0.02 + radius_m - depth_m;
+        Scene scene = proxy_scene();
+        scene.finger.radius_m = radius_m;
+        const auto press = line(Vec3(0.005, 0.001, 0.03), Vec3(0.005, 0.001, z), 300);
+        auto positions = press;
+        for (const Vec3& p : line(Vec3(0.005, 0.001, z), Vec3(0.035, 0.003, z), ticks))
+          positions.push_back(p);
+        const auto rows = run(world, scene, positions);
+        // |dF| <= k (|dg| + |dp|), and in contact the proxy goes at most twice as far as the finger.
+        EXPECT_LE(worst_step(rows, 1000), 3 + 1e-6) << radius_m << " " << depth_m << " " << ticks;
+        EXPECT_EQ(rows.back().phase, Phase::free);
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad
