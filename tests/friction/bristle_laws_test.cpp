@@ -115,6 +115,88 @@ TEST(LuGre, PreslidingRampFollowsTheClosedForm) {
   EXPECT_NEAR(mass.x_m, expected, 0.03 * expected);
 }
 
+TEST(LuGre, PreslidingRampsBackAndForthFollowTheirHysteresis) {
+  // The paper's other half: from 1.425 N down to -1.425 N and up again, at 0.1425 N/s.
+  const auto law = make_law("lugre", canudas());
+  SlidingMass mass{{*law, canudas_load(4000)}};
+  const auto ramp = [](double, double t) {
+    const double up_down = std::abs(std::fmod(t - 10, 40) - 20);  // 20 at the top, 0 at the bottom
+    return t < 10 ? 0.1425 * t : 0.1425 * (up_down - 10);
+  };
+  const double z_c = 1.5e-5, share = 1.425 / 1.5;
+  while (mass.t_s < 10) mass.tick(ramp);
+  const double top_m = mass.x_m;
+  while (mass.t_s < 30) mass.tick(ramp);
+  // Turned round at z1 = 0.95 z_c the bristle yields as z = -z_c + (z1 + z_c) e^(-|dx|/z_c).
+  const double way_m = z_c * std::log((1 + share) / (1 - share));
+  EXPECT_NEAR(top_m - mass.x_m, way_m, 0.03 * way_m);  // as in the ramp above
+  const double bottom_m = mass.x_m;
+  while (mass.t_s < 50) mass.tick(ramp);
+  EXPECT_NEAR(mass.x_m - bottom_m, way_m, 0.03 * way_m);
+}
+
+TEST(LuGre, HoldsWhereEulersStepDiverges) {
+  // Explicit Euler needs sigma0 |v| T/g < 2; here it is 5000.
+  const auto law = make_law("lugre", canudas());
+  PlaneContact contact{*law, canudas_load(1000)};
+  contact.move_to({0, 0});
+  for (int k = 1; k < 200; ++k) {
+    const double way = 0.05 * k;  // 50 m/s
+    contact.move_to({way, 0});
+    EXPECT_LE(contact.state.deflection_m.norm(), 1.5e-5 * (1 + 1e-12));
+  }
+  EXPECT_NEAR(contact.state.deflection_m.x(), 1e-5, 1e-15);  // F_c/sigma0
+}
+
+/// Elasto-plastic bristle by its equations as Dupont 2002 prints them, on a line, in steps so small that the
+/// first order does. sigma1 = sigma2 = 0, g = F_s.
+double integrated_bristle_m(double way_m, double z_ba, double z_ss) {
+  double z = 0;
+  const int steps = 2000000;
+  for (int i = 0; i < steps; ++i) {
+    const double size = std::abs(z);
+    double alpha = 0;
+    if (z * way_m > 0 && size > z_ba) {
+      alpha = size >= z_ss
+                  ? 1
+                  : 0.5 + 0.5 * std::sin(std::numbers::pi * (size - (z_ss + z_ba) / 2) / (z_ss - z_ba));
+    }
+    const double dx = way_m / steps;
+    z += dx - alpha * z / z_ss * std::abs(dx);
+  }
+  return z;
+}
+
+TEST(ElastoPlastic, FollowsItsPublishedEquations) {
+  const auto law = make_law("elasto-plastic", settings_of({{"stribeck_speed_m_per_s", 1e6}}));  // g = F_s
+  for (const double way_m : {2.0e-4, 2.6e-4, 3.5e-4, -5e-4, 1.5e-3}) {
+    PlaneContact contact{*law, pressed(1, 1000)};
+    contact.move_to({0, 0});
+    for (int k = 1; k <= 1000; ++k) contact.move_to({way_m * k / 1000, 0});
+    // Steps of 1.5e-6 m against z_ss = 3e-4 m, second order: (5e-3)^2 of the bristle times a few.
+    EXPECT_NEAR(contact.state.deflection_m.x(), integrated_bristle_m(way_m, 0.7 * 3e-4, 3e-4), 3e-9) << way_m;
+  }
+}
+
+TEST(MaxDisplacement, SmoothFormFollowsItsPublishedEquation) {
+  // dw = |dx| alpha(z) z, alpha = z^8/(z_max (z_stick^8 + z^8)), integrated by tiny steps of first order;
+  // over ways after which the hard limit, which stays, is not yet reached.
+  const double z_max = 2e-4, z_stick = 1.5e-4;
+  const auto law = make_law("max-displacement", settings_of({{"stick_displacement_m", z_stick}}));
+  for (const double way_m : {1e-4, 1.6e-4, 2.2e-4}) {
+    double z = 0;
+    for (int i = 0; i < 200000; ++i) {
+      const double dx = way_m / 200000, eighth = std::pow(z / z_stick, 8);
+      z += dx - dx * eighth / (z_max * (1 + eighth)) * z;
+    }
+    PlaneContact contact{*law, pressed(1, 1000)};
+    contact.move_to({0, 0});
+    for (int k = 1; k <= 4000; ++k) contact.move_to({way_m * k / 4000, 0});
+    ASSERT_LT(z, z_max);
+    EXPECT_NEAR(contact.state.deflection_m.x(), z, 2e-4 * z_max);  // first order: steps of 3e-4 of z_max
+  }
+}
+
 /// How far a mass has drifted over 18 s under 0.5 + 0.3 sin N at 5 Hz (Dupont 2002), from the end of its
 /// first period.
 double presliding_drift_m(const FrictionLaw& law, const TangentialMotion& motion, double damping_n_s_per_m) {

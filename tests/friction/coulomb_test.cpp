@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "support/plane_contact.hpp"
+#include "support/sliding_mass.hpp"
 
 namespace fingerpad {
 namespace {
@@ -23,6 +23,17 @@ TEST(Coulomb, CreepsUnderAPushAtTheStatedSpeed) {
   PlaneContact contact{*law, pressed(n, 1000)};
   const double creep = push_n * v_t / (0.2 * n);
   EXPECT_NEAR(contact.move_to({0, 0}, {creep, 0}).force_n.x(), -push_n, 1e-15);
+}
+
+TEST(Coulomb, AMassUnderASteadyPushCreepsAtTheStatedSpeedForEver) {
+  const auto law = make_law("coulomb");
+  test::SlidingMass mass{{*law, pressed(1, 1000)}};
+  const auto push = [](double, double) { return 0.1; };
+  while (mass.t_s < 4) mass.tick(push);
+  const double start_m = mass.x_m;
+  while (mass.t_s < 8) mass.tick(push);
+  // f v_t/(mu n) = 5 mm/s at the defaults; 4 s are 4000 ticks, and one may be miscounted.
+  EXPECT_NEAR((mass.x_m - start_m) / 4, 0.1 * 0.01 / 0.2, 1e-5);
 }
 
 TEST(None, NeverPushes) {

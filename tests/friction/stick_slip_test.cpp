@@ -108,6 +108,27 @@ TEST(StickSlip, ForceIsContinuousFromSlipToStick) {
   EXPECT_GE(resticks, 9);
 }
 
+TEST(StickSlip, CentreIsSetBehindTheTransitionByThePapersEquation) {
+  // Paper, eq. 2-3: c = a - (mu_d/k_f) v/|v|.
+  const auto law = make_law("stick-slip");
+  for (int i = 0; i < 24; ++i) {
+    const Vec2 u = test::unit_at(0.26 * i), a(0.01, -0.02);
+    PlaneContact contact{*law, pressed(0.7, 1000)};
+    contact.move_to(a, 0.11 * u);
+    contact.move_to(a, 0.09 * u);
+    EXPECT_NEAR((contact.centre_m - (a - mu_d / k_f * u)).norm(), 0, 1e-16);  // rounding of 1e-2 m
+  }
+}
+
+TEST(StickSlip, TangentialStiffnessGrowsInProportionToTheLoad) {
+  const auto law = make_law("stick-slip");
+  for (const double n : {0.1, 1.0, 7.0}) {
+    PlaneContact contact{*law, pressed(n, 1000)};
+    contact.move_to({0, 0});
+    EXPECT_NEAR(-contact.move_to({1e-4, 0}).force_n.x() / 1e-4, k_f * n, 1e-9);  // rounding of 1e4
+  }
+}
+
 TEST(StickSlip, AReversalWithinATickMakesNoJump) {
   const auto law = make_law("stick-slip");
   PlaneContact contact{*law, pressed(1, 1000)};

@@ -1,0 +1,53 @@
+#include "friction/law_table.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace fingerpad {
+namespace {
+
+TEST(LawTable, HoldsTheLawsOfTheContractInOrder) {
+  const std::vector<std::string_view> expected = {
+      "none", "coulomb", "stick-slip",     "finger-pad",       "salisbury",     "salcudean-vlaar", "karnopp",
+      "dahl", "lugre",   "elasto-plastic", "max-displacement", "friction-cone", "contact-area",    "kikuuwe"};
+  std::vector<std::string_view> names;
+  for (const LawEntry& entry : law_table()) names.push_back(entry.name);
+  EXPECT_EQ(names, expected);
+  EXPECT_EQ(find_law("no such law"), nullptr);
+}
+
+TEST(LawTable, EveryDefaultIsAllowed) {
+  for (const LawEntry& entry : law_table()) {
+    for (const LawParameter& parameter : entry.parameters) {
+      EXPECT_EQ(refusal(parameter, parameter.default_value), "") << entry.name << ": " << parameter.key;
+      EXPECT_FALSE(parameter.meaning.empty());
+    }
+  }
+}
+
+TEST(LawTable, AKeyMeansTheSameInEveryLaw) {
+  for (const LawEntry& one : law_table()) {
+    for (const LawEntry& other : law_table()) {
+      for (const LawParameter& a : one.parameters) {
+        for (const LawParameter& b : other.parameters) {
+          if (a.key != b.key) continue;
+          EXPECT_EQ(a.meaning, b.meaning) << a.key;
+        }
+      }
+    }
+  }
+}
+
+TEST(LawTable, RefusesWhatAParameterCannotBe) {
+  const LawParameter parameter{"x", 1, 0, false, "", 2};
+  EXPECT_EQ(refusal(parameter, 1), "");
+  EXPECT_EQ(refusal(parameter, 0), "must be larger than 0");
+  EXPECT_EQ(refusal(parameter, -1), "must be at least 0");
+  EXPECT_EQ(refusal(parameter, 3), "must be at most 2");
+  EXPECT_EQ(refusal(parameter, std::nan("")), "must be a finite number");
+}
+
+}  // namespace
+}  // namespace fingerpad
