@@ -64,19 +64,22 @@ class ElastoPlastic final : public FrictionLaw {
     if (stretch + moved <= elastic_share_ * z_ss) return z + step;
     const double per_z_ss = 1 / z_ss, x = moved * per_z_ss;
     const double along = z.dot(step);
-    PlaneVector next;
     const double rest = elastic_rest(stretch * per_z_ss);
     if (rest < 1 && x > 1e-3 && x < 2 && along >= 0.9 * stretch * moved) {
       // In near steady slip alpha is flat, and the start's value serves for the whole step.
       const Yielding yielded = yielding_less(x, rest);
-      next = z + step * yielded.per_x - z * yielded.share;
-    } else {
-      const double at_start = along > 0 ? alpha(stretch * per_z_ss) : 0;
-      const PlaneVector middle = dahl_step(z, 0.5 * step, 0.5 * x * at_start);
-      const double at_middle = middle.dot(step) > 0 ? alpha(length(middle) * per_z_ss) : 0;
-      next = dahl_step(z, step, x * at_middle);
+      return shortened(z + step * yielded.per_x - z * yielded.share, std::max(stretch, z_ss));
     }
-    return shortened(next, std::max(stretch, z_ss));
+    const double at_start = along > 0 ? alpha(stretch * per_z_ss) : 0;
+    return shortened(stepped_by_middle(z, step, x, at_start, per_z_ss), std::max(stretch, z_ss));
+  }
+
+  /// The step with alpha as it is at its middle. Half an implicit step finds the middle: the order stays two.
+  [[gnu::noinline]] PlaneVector stepped_by_middle(const PlaneVector& z, const PlaneVector& step, double x,
+                                                  double at_start, double per_z_ss) const noexcept {
+    const PlaneVector middle = (z + 0.5 * step) * (1 / (1 + 0.5 * x * at_start));
+    const double at_middle = middle.dot(step) > 0 ? alpha(length(middle) * per_z_ss) : 0;
+    return dahl_step(z, step, x * at_middle);
   }
 
   StribeckBristle bristle_;
