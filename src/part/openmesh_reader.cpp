@@ -134,7 +134,14 @@ OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, b
   Collector collector(delivery);
   om::IO::Options options;
   if (binary) options += om::IO::Options::Binary;
-  delivery.succeeded = reader_of(format).read(stream, collector, options);
+  // A scanned binary file holds all that it announces: a read past its end means that OpenMesh takes other
+  // bytes for counts, and it would go on for minutes. (Texts are read until they end.)
+  if (binary) stream.exceptions(std::ios::failbit);
+  try {
+    delivery.succeeded = reader_of(format).read(stream, collector, options);
+  } catch (const std::ios_base::failure&) {
+    delivery.succeeded = false;
+  }
   return delivery;
 }
 

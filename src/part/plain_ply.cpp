@@ -19,8 +19,8 @@ bool is_axis(const PlyProperty& property) {
 }
 
 /// Whether OpenMesh can be trusted with this: vertices, then faces, and of the faces nothing but the list.
-/// (It drops properties before the list and reads their bytes as counts, and complains on the console of
-/// coordinates that are whole numbers.)
+/// (It drops properties before the list, and coordinates that are whole numbers, and reads their bytes as
+/// counts: a few hundred bytes kept it busy for minutes.)
 bool is_plain(const PlyHeader& header) {
   if (header.elements.size() != 2 || header.elements[0].name != "vertex" ||
       header.elements[1].name != "face") {
@@ -32,7 +32,7 @@ bool is_plain(const PlyHeader& header) {
   const auto& of_face = header.elements[1].properties;
   return of_face.size() == 1 && of_face[0].is_list &&
          (of_face[0].count_type == PlyType::uint8 || of_face[0].count_type == PlyType::int32) &&
-         !is_fraction(of_face[0].type);
+         (of_face[0].type == PlyType::int32 || of_face[0].type == PlyType::uint32);
 }
 
 std::string_view type_name(PlyType type) {

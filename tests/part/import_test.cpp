@@ -351,6 +351,19 @@ TEST(ImportPly, PropertiesThatAreNotNeededArePassedOver) {
   EXPECT_EQ(imported.verdict.out_of_range, 1);
 }
 
+TEST(ImportPly, WholeNumbersAsCoordinatesAreRead) {
+  // OpenMesh passes over coordinates of these types without reading their bytes, takes them for a face's
+  // count and goes on for minutes.
+  using namespace std::string_literals;
+  const std::string bytes =
+      "ply\nformat binary_little_endian 1.0\nelement vertex 3\nproperty short x\nproperty short y\nproperty "
+      "short z\nelement face 1\nproperty list int ushort vertex_indices\nend_header\n"
+      "\0\0\0\0\0\0\7\0\0\0\0\0\0\0\7\0\0\0\3\0\0\0\0\0\1\0\2\0"s;
+  const ImportedPart imported = import_bytes("short.ply", bytes);
+  ASSERT_NE(imported.part, nullptr) << imported.verdict.error;
+  EXPECT_EQ(imported.part->size_m(), 7 * std::sqrt(2.0));
+}
+
 TEST(Verdict, TextNamesTheFileTheDamageAndTheNumbers) {
   TriangleSoup open = box_soup({1, 2, 3});
   open.triangles.conservativeResize(3, 11);
