@@ -12,7 +12,7 @@
 namespace fingerpad {
 
 std::size_t PackedPart::memory_bytes() const noexcept {
-  return packets.capacity() * sizeof(TrianglePacket) + packet_of.capacity() * sizeof(std::int32_t);
+  return packets.capacity() * sizeof(TrianglePacket) + slot_of.capacity() * sizeof(std::uint32_t);
 }
 
 PackedPart pack(std::shared_ptr<const Part> part) {
@@ -22,14 +22,15 @@ PackedPart pack(std::shared_ptr<const Part> part) {
   if (packed.extent_m > 0) packed.scale = std::ldexp(1.0, -std::ilogb(packed.extent_m) - 1);
   const std::vector<std::int32_t> order = packet_order(*packed.part);
   packed.packets.resize((order.size() + packet_width - 1) / packet_width);
-  packed.packet_of.resize(order.size());
+  packed.slot_of.resize(order.size());
   tbb::parallel_for(std::size_t{0}, packed.packets.size(), [&](std::size_t i) {
     const std::size_t first = i * packet_width,
                       count = std::min<std::size_t>(packet_width, order.size() - first);
     const auto triangles = std::span(order).subspan(first, count);
     packed.packets[i] = make_packet(*packed.part, triangles, packed.scale);
-    for (const std::int32_t t : triangles)
-      packed.packet_of[static_cast<std::size_t>(t)] = static_cast<std::int32_t>(i);
+    for (std::size_t lane = 0; lane < count; ++lane) {
+      packed.slot_of[static_cast<std::size_t>(triangles[lane])] = static_cast<std::uint32_t>(first + lane);
+    }
   });
   return packed;
 }

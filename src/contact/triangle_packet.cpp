@@ -1,5 +1,6 @@
 #include "contact/triangle_packet.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <limits>

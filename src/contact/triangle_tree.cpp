@@ -105,11 +105,11 @@ struct ClosestSearch : ScaledPoint {
 
   /// Looks at the packet of a triangle that is likely close, and at this triangle first of all.
   void look_at_seed(int triangle) noexcept {
-    const TrianglePacket& packet =
-        packed->packets[static_cast<std::size_t>(packed->packet_of[static_cast<std::size_t>(triangle)])];
+    const TrianglePacket& packet = packed->packets[packed->packet_of(triangle)];
     looked_at = &packet;
-    int lane = 0;
-    while (packet.exact[static_cast<std::size_t>(lane)].triangle != triangle) ++lane;
+    const int lane = packed->lane_of(triangle);
+    // The filter will want all of it: let it come while the seed is looked at.
+    for (int i = 0; i < 10; ++i) __builtin_prefetch(reinterpret_cast<const char*>(&packet) + i * 64);
     if (look_at(packet, lane)) best = rough(std::sqrt(winner.at.distance2_m2));
     look_at(packet, lanes_within_best(packet) & ~(1U << lane));
   }
@@ -222,7 +222,7 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) c
   if (farthest > tree_range * packed.extent_m) return impl.far_closest(q, reach_m);
 
   ClosestSearch search(packed, impl.filter, q, reach_m);
-  const int count = static_cast<int>(packed.packet_of.size());
+  const int count = static_cast<int>(packed.slot_of.size());
   if (seed >= 0 && seed < count) search.look_at_seed(seed);
   double within_m = std::sqrt(search.winner.at.distance2_m2);
   if (within_m > packed.extent_m) within_m = std::min(within_m, q.norm() + 2 * packed.extent_m);

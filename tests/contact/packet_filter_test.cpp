@@ -135,7 +135,8 @@ TEST(PackedPart, HoldsEachTriangleOnceInFullPackets) {
       for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
         const int t = packet.exact[static_cast<std::size_t>(lane)].triangle;
         ASSERT_TRUE(seen.insert(t).second);
-        ASSERT_EQ(packed.packet_of[static_cast<std::size_t>(t)], static_cast<int>(i));
+        ASSERT_EQ(packed.packet_of(t), i);
+        ASSERT_EQ(packed.lane_of(t), lane);
         ASSERT_EQ(lane_order(packet, lane), corner_order(*part, t));
         for (const Vec3& corner : exact_frame(*part, packet, lane).corner) {
           ASSERT_LE((corner * packed.scale - packet.origin).norm(), packet.radius);
