@@ -5,6 +5,7 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/tangent_frame.hpp"
@@ -18,6 +19,7 @@ struct PadTick {
   Vec2 displacement_m, friction_n;
   double angle_deg = 0;
   std::optional<StickAxes> axes;
+  bool first = false;  ///< of its stick phase
 };
 
 /// The chord stands for the way along the surface: exact on a plane, off by (way/radius)^2/24 on a curve.
@@ -26,15 +28,20 @@ std::vector<PadTick> stick_ticks(const ViewInput& input) {
     throw refused(input.title, "holds no scene, so the finger's axes are not known; record it as HDF5");
   }
   std::vector<PadTick> ticks;
+  bool first = true;
   for (const TickRecord& row : input.rows) {
-    if (row.phase != Phase::stick || !row.stick_centre_W.allFinite()) continue;
+    if (row.phase != Phase::stick || !row.stick_centre_W.allFinite()) {
+      first = true;
+      continue;
+    }
     const Mat3 frame = tangent_frame(row.normal_W, input.scene->finger.direction);
     const auto in_pad = [&](const Vec3& v) -> Vec2 { return {frame.col(0).dot(v), frame.col(1).dot(v)}; };
     const SurfaceProperties& surface =
         input.world->surfaces[static_cast<std::size_t>(row.surface)].properties;
     ticks.push_back({in_pad(row.contact_W - row.stick_centre_W), in_pad(row.friction_W_n),
                      row.inclination_rad * 180 / std::numbers::pi,
-                     stick_axes(input.scene->friction, surface, row.inclination_rad)});
+                     stick_axes(input.scene->friction, surface, row.inclination_rad),
+                     std::exchange(first, false)});
   }
   if (ticks.empty()) throw refused(input.title, "holds no tick of stick");
   return ticks;
@@ -52,6 +59,22 @@ std::map<int, std::vector<const PadTick*>> by_angle(const std::vector<PadTick>& 
     if (groups.size() <= most) break;
   }
   return groups;
+}
+
+/// A curve over a group's ticks with a gap between stick phases.
+template <typename X, typename Y>
+StudySeries curve_over(const std::vector<const PadTick*>& group, std::string name, const SeriesStyle& style,
+                       X x, Y y) {
+  StudySeries series{std::move(name), style, {}, {}};
+  for (const PadTick* tick : group) {
+    if (tick->first) {
+      series.x.push_back(TickRecord::nan);
+      series.y.push_back(TickRecord::nan);
+    }
+    series.x.push_back(x(*tick));
+    series.y.push_back(y(*tick));
+  }
+  return series;
 }
 
 StudySeries rim(const StickAxes& axes, const SeriesStyle& style) {
@@ -77,12 +100,10 @@ StudyChart stick_region_chart(const ViewInput& input) {
   int colour = 0;
   for (const auto& [angle_deg, group] : by_angle(ticks)) {
     const SeriesStyle solid{colour, SeriesDash::solid, SeriesMarker::none, 1.3};
-    StudySeries path{fmt::format("finger at {} deg", angle_deg), solid, {}, {}};
-    for (const PadTick* tick : group) {
-      path.x.push_back(1e3 * tick->displacement_m.x());
-      path.y.push_back(1e3 * tick->displacement_m.y());
-    }
-    panel.series.push_back(std::move(path));
+    panel.series.push_back(curve_over(
+        group, fmt::format("finger at {} deg", angle_deg), solid,
+        [](const PadTick& tick) { return 1e3 * tick.displacement_m.x(); },
+        [](const PadTick& tick) { return 1e3 * tick.displacement_m.y(); }));
     if (const auto& axes = group[group.size() / 2]->axes) {
       panel.series.push_back(rim(*axes, {colour, SeriesDash::dashed, SeriesMarker::none, 0.8}));
     }
@@ -103,13 +124,11 @@ StudyChart force_displacement_chart(const ViewInput& input) {
     panel.y_label = "friction on the finger [N]";
     int colour = 0;
     for (const auto& [angle_deg, group] : by_angle(ticks)) {
-      const SeriesStyle style{colour++, SeriesDash::none, SeriesMarker::disc, 0.4};
-      StudySeries points{fmt::format("finger at {} deg", angle_deg), style, {}, {}};
-      for (const PadTick* tick : group) {
-        points.x.push_back(1e3 * tick->displacement_m[axis]);
-        points.y.push_back(tick->friction_n[axis]);
-      }
-      panel.series.push_back(std::move(points));
+      const SeriesStyle style{colour++, SeriesDash::solid, SeriesMarker::none, 1.3};
+      panel.series.push_back(curve_over(
+          group, fmt::format("finger at {} deg", angle_deg), style,
+          [axis](const PadTick& tick) { return 1e3 * tick.displacement_m[axis]; },
+          [axis](const PadTick& tick) { return tick.friction_n[axis]; }));
     }
     chart.panels.push_back(std::move(panel));
   }

@@ -111,7 +111,7 @@ class ChartPainter {
   Stroke stroke_of(const Level& level) const { return {level.colour, 0.09 * em_, 0.5 * em_, 0.35 * em_}; }
 
   void paint_ring(const Vec2& at, const Colour& colour) {
-    constexpr int sides = 16;
+    constexpr int sides = 12;
     std::vector<Vec2> points;
     for (int i = 0; i <= sides; ++i) {
       const double angle = 2 * std::numbers::pi * i / sides;

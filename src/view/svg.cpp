@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <iterator>
 
 #include "trace/output_file.hpp"
@@ -29,6 +30,43 @@ std::string escaped(const std::string& words) {
   return out;
 }
 
+/// Marks the points between `first` and `last` that a line within `tolerance` of all of them needs (Douglas &
+/// Peucker 1973).
+void mark_needed(const std::vector<Vec2>& points, std::size_t first, std::size_t last, double tolerance,
+                 std::vector<bool>& needed) {
+  const Vec2 along = points[last] - points[first];
+  const double length = along.norm();
+  double farthest = tolerance;
+  std::size_t split = 0;
+  for (std::size_t i = first + 1; i < last; ++i) {
+    const Vec2 from_first = points[i] - points[first];
+    const double share = length > 0 ? std::clamp(from_first.dot(along) / (length * length), 0.0, 1.0) : 0;
+    const double distance = (from_first - share * along).norm();
+    if (distance > farthest) {
+      farthest = distance;
+      split = i;
+    }
+  }
+  if (split == 0) return;
+  needed[split] = true;
+  mark_needed(points, first, split, tolerance, needed);
+  mark_needed(points, split, last, tolerance, needed);
+}
+
+/// The points that can be told apart on a screen: thousands of samples make a file that nobody can send.
+std::vector<Vec2> simplified(const std::vector<Vec2>& points) {
+  constexpr double tolerance_px = 0.15;
+  if (points.size() < 3) return points;
+  std::vector<bool> needed(points.size());
+  needed.front() = needed.back() = true;
+  mark_needed(points, 0, points.size() - 1, tolerance_px, needed);
+  std::vector<Vec2> kept;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (needed[i]) kept.push_back(points[i]);
+  }
+  return kept;
+}
+
 /// Writes marks as elements. SVG's y points down.
 struct ElementWriter {
   std::string& out;
@@ -38,8 +76,8 @@ struct ElementWriter {
 
   std::string coordinates(const std::vector<Vec2>& points) const {
     std::string list;
-    for (const Vec2& p : points) {
-      fmt::format_to(std::back_inserter(list), "{:.2f},{:.2f} ", p.x(), height - p.y());
+    for (const Vec2& p : simplified(points)) {
+      fmt::format_to(std::back_inserter(list), "{:.1f},{:.1f} ", p.x(), height - p.y());
     }
     if (!list.empty()) list.pop_back();
     return list;

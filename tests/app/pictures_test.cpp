@@ -68,6 +68,42 @@ TEST(Plots, AreWrittenAsPngAndSvgOnly) {
   EXPECT_EQ(test::fingerpad("plot o/plane.csv --out p.pdf", folder).exit_code, 2);
 }
 
+TEST(Plots, ShowThePapersFigures) {
+  const fs::path folder = test::scratch_dir();
+  const std::string scenes = (test::source_dir() / "scenes").string();
+  ASSERT_EQ(test::fingerpad("replay '" + scenes + "/figure7.toml' '" + scenes + "/figure8.toml' '" + scenes +
+                                "/figure9.toml' '" + scenes + "/figure11.toml' --out o --quiet",
+                            folder)
+                .exit_code,
+            0);
+  const auto plotted = [&](const std::string& arguments) {
+    const auto result = test::fingerpad("plot " + arguments + " --out p.svg", folder);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return test::bytes_of(folder / "p.svg");
+  };
+  const std::string ellipses = plotted("o/figure7.h5 --show stick-region");
+  for (const char* label : {"finger at 15 deg", "finger at 45 deg", "finger at 75 deg", "the law's region"}) {
+    EXPECT_NE(ellipses.find(label), std::string::npos) << label;
+  }
+  EXPECT_NE(plotted("o/figure8.h5 --show force-displacement").find(">longitudinal<"), std::string::npos);
+  EXPECT_NE(plotted("o/figure9.h5 --from 1 --to 2").find("end of slip"), std::string::npos);
+  // 20 s of a peak 20 Hz wide: its place is known to a few hertz.
+  const std::string spectrum = plotted("o/figure11.h5 --show spectrum");
+  const std::size_t at = spectrum.find("peaks at ");
+  ASSERT_NE(at, std::string::npos);
+  EXPECT_NEAR(std::stod(spectrum.substr(at + 9)), 89, 4);
+}
+
+TEST(Plots, OfWhatATraceDoesNotHoldAreRefused) {
+  const fs::path folder = folder_with_plane();
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out o --format csv --quiet", folder).exit_code, 0);
+  const auto no_scene = test::fingerpad("plot o/plane.csv --show stick-region --out p.svg", folder);
+  EXPECT_EQ(no_scene.exit_code, 3) << "a CSV trace does not say how the finger lay";
+  EXPECT_NE(no_scene.err.find("HDF5"), std::string::npos) << no_scene.err;
+  EXPECT_EQ(test::fingerpad("plot o/plane.csv --from 5 --out p.svg", folder).exit_code, 3);
+  EXPECT_EQ(test::fingerpad("plot o/plane.csv --show tea --out p.svg", folder).exit_code, 2);
+}
+
 TEST(Windows, WithoutADisplayEndTwoWithOneLine) {
   const fs::path folder = folder_with_plane();
   for (const char* call : {"view plane.toml", "touch plane.toml"}) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -126,7 +127,30 @@ TEST(Svg, TurnsTheUprightAxis) {
   Drawing drawing;
   drawing.line({{0, 0}, {10, 30}}, {colours::black, 1});
   const std::string page_text = svg_page(drawing, 100, 50, "t");
-  EXPECT_NE(page_text.find("0.00,50.00 10.00,20.00"), std::string::npos);
+  EXPECT_NE(page_text.find("0.0,50.0 10.0,20.0"), std::string::npos);
+}
+
+TEST(Svg, LeavesOutPointsThatNobodySeesAndKeepsPeaks) {
+  std::vector<Vec2> points;
+  for (int i = 0; i <= 1000; ++i) points.emplace_back(0.1 * i, i == 400 ? 30 : 10 + 0.05 * (i % 2));
+  Drawing drawing;
+  drawing.line(points, {colours::black, 1});
+  const std::string page_text = svg_page(drawing, 100, 50, "t");
+  EXPECT_NE(page_text.find("40.0,20.0"), std::string::npos) << "the peak";
+  EXPECT_LT(page_text.size(), 600u) << "a thousand points take 10 kB";
+}
+
+TEST(Chart, DrawsRingsOnlyWhereThereIsAValue) {
+  Chart chart;
+  chart.x = {0, 1, 2, 3};
+  chart.panels.push_back({"y", "", {{"", colours::blue, CurveStyle::rings, {nan, 1, nan, 2}}}, {}});
+  Drawing drawing;
+  draw_chart(drawing, chart, page, 10);
+  const auto rings = std::count_if(drawing.marks().begin(), drawing.marks().end(), [](const auto& mark) {
+    const auto* line = std::get_if<Drawing::Line>(&mark);
+    return line != nullptr && line->points.size() > 8 && line->points.front() == line->points.back();
+  });
+  EXPECT_EQ(rings, 2);
 }
 
 }  // namespace
