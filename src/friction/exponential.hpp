@@ -25,7 +25,8 @@ inline constexpr std::array<double, 32> powers_of_half = [] {
 inline double exp_of_minus(double x) noexcept {
   // x = k ln2/32 - r with |r| <= ln2/64; ln2/32 in two parts, the first short enough for an exact product.
   constexpr double high = 0x1.62e42fefa0000p-6, low = 0x1.cf79abc9e3b3ap-45;
-  const auto k = static_cast<std::int64_t>(x * (32 / 0.693147180559945309) + 0.5);
+  const double above = x * (32 / 0.693147180559945309) + 0.5;  // >= 0: cut off, it is the nearest
+  const auto k = static_cast<std::int64_t>(above);
   const auto steps = static_cast<double>(k);
   const double r = (steps * high - x) + steps * low;
   const double r2 = r * r;
