@@ -75,8 +75,9 @@ std::vector<std::string> about_lines(const ViewInput& input) {
     if (i >= input.world->verdicts.size()) continue;
     const Verdict& verdict = input.world->verdicts[i];
     lines.emplace_back(verdict.closed ? "closed" : "open");
-    if (!verdict.warnings.empty())
-      lines.push_back(fmt::format("{} warnings (see check)", verdict.warnings.size()));
+    const std::size_t warnings = verdict.warnings.size();
+    if (warnings > 0)
+      lines.push_back(fmt::format("{} warning{} (see check)", warnings, warnings > 1 ? "s" : ""));
   }
   return lines;
 }
