@@ -46,7 +46,7 @@ double figure(const BatchJob& job, std::string_view wanted) {
 /// Each job's error, and once for the batch what its figures warn of.
 void tell(const std::vector<BatchJob>& jobs) {
   long coarse_jobs = 0;
-  double coarse_teeth = 0, remedied_ticks = 0;
+  double coarse_teeth = 0, remedied_ticks = 0, inside_starts = 0;
   for (const BatchJob& job : jobs) {
     if (job.status.empty()) continue;
     if (job.status != "ok") {
@@ -57,12 +57,20 @@ void tell(const std::vector<BatchJob>& jobs) {
     coarse_jobs += coarse > 0 ? 1 : 0;
     coarse_teeth += coarse;
     remedied_ticks += figure(job, "remedied_ticks");
+    inside_starts += figure(job, "inside_starts");
   }
   if (remedied_ticks > 0) {
     fmt::print(stderr,
                "fingerpad: warning: the stick spring was too stiff for the loop on {} ticks, and "
                "friction.remedy acted (remedied_ticks in summary.csv)\n",
                remedied_ticks);
+  }
+  if (inside_starts > 0) {
+    fmt::print(
+        stderr,
+        "fingerpad: warning: {} of the motions start inside of a part; the proxy was put at the nearest "
+        "place outside (inside_starts in summary.csv)\n",
+        inside_starts);
   }
   if (coarse_jobs == 0) return;
   fmt::print(

@@ -87,14 +87,9 @@ bool Proxy::cruise(const Vec3& goal) noexcept {
   const bool in_room = (place - cruise_.centre).squaredNorm() <= cruise_.room_m * cruise_.room_m;
   if (!in_room || !around_.is_clear_of_planes(place, slides ? wall.surface : -1)) return false;
   if (lack_m > 0 && wall.triangle >= 0) {
-    bool leaves = false;
-    for (int k = 0; k < cruise_.neighbour_count; ++k) {
-      const ProxyWall& n = cruise_.neighbours[static_cast<std::size_t>(k)];
-      leaves |= n.least_m - n.normal.dot(goal) < lack_m - around_.tolerance_m();
-    }
     const Part& part = around_.surfaces()[static_cast<std::size_t>(wall.surface)].tree->part();
     const auto foot = approach_triangle(part, wall.triangle, around_.in_part(wall.surface, place));
-    if (leaves || foot.at.feature != Feature::face) return false;
+    if (foot.at.feature != Feature::face || nearer_neighbour(goal) != nullptr) return false;
   }
   place_ = place;
   contact_.touching = false;
@@ -173,9 +168,11 @@ void Proxy::settle(const Vec3& goal, double budget_m) noexcept {
     reach_m = around_.look_around(place_, reach_m);
     const ProxyStep step = around_.step_towards(goal - place_, nullptr);
     ended = advance(step, goal, budget_m);
+    reach_m_ = std::min(reach_m_, reach_m);  // less where the view was too rich for the memory
     if (k == 0 && around_.view_count() > rich_view) reach_m_ *= 0.7;
-    if (k == 0 && around_.view_count() < poor_view) reach_m_ = std::min(1.4 * reach_m_, widest_view());
-    if (step.truncated) reach_m *= 2;
+    if (k == 0 && around_.view_count() < poor_view && reach_m == reach_m_)
+      reach_m_ = std::min(1.2 * reach_m_, widest_view());
+    if (step.truncated && around_.view_count() <= rich_view) reach_m *= 2;
   }
   if (!ended) contact_.settled = goal == place_;
 }
@@ -249,30 +246,41 @@ void Proxy::remember_fan(int corner) noexcept {
   }
 }
 
+/// The neighbour with the finger's foot on it that is nearest to the finger, if it is nearer than the wall.
+const ProxyWall* Proxy::nearer_neighbour(const Vec3& goal) const noexcept {
+  const ProxyWall* nearest = nullptr;
+  double least_depth_m = cruise_.wall_offset_m - cruise_.wall.normal.dot(goal) - around_.tolerance_m();
+  for (int k = 0; k < cruise_.neighbour_count; ++k) {
+    const ProxyWall& wall = cruise_.neighbours[static_cast<std::size_t>(k)];
+    const double depth_m = wall.least_m - wall.normal.dot(goal);
+    if (!(depth_m < least_depth_m)) continue;
+    const Part& part = around_.surfaces()[static_cast<std::size_t>(wall.surface)].tree->part();
+    const auto foot = approach_triangle(part, wall.triangle, around_.in_part(wall.surface, goal));
+    // The finger's foot on the plane lies on the facet where the facet is no farther than the plane.
+    if (foot.distance_m > std::abs(depth_m - around_.clearance_m()) + around_.tolerance_m()) continue;
+    least_depth_m = depth_m;
+    nearest = &wall;
+  }
+  return nearest;
+}
+
 /// Goes over the smooth convex edge to the neighbour that is nearer to the finger, by way of where the ball
 /// lies on both. False where there is none, or the way is blocked or no gain.
 bool Proxy::hop(const Vec3& goal) noexcept {
   if (cruise_.kind != Cruise::Kind::slide || cruise_.neighbour_count == 0) return false;
-  const double depth_m = cruise_.wall_offset_m - cruise_.wall.normal.dot(goal);
-  const ProxyWall* nearer = nullptr;
-  double least_depth_m = depth_m - around_.tolerance_m();
-  for (int k = 0; k < cruise_.neighbour_count; ++k) {
-    const ProxyWall& wall = cruise_.neighbours[static_cast<std::size_t>(k)];
-    const double d = wall.least_m - wall.normal.dot(goal);
-    if (!(d < least_depth_m)) continue;
-    least_depth_m = d;
-    nearer = &wall;
-  }
+  const ProxyWall* nearer = nearer_neighbour(goal);
   if (nearer == nullptr) return false;
 
   const Vec3 old_place = place_;
   ProxyWall here = cruise_.wall, there = *nearer;
   here.least_m = cruise_.wall_offset_m - here.normal.dot(place_);
   there.least_m -= there.normal.dot(place_);
-  const Vec3 middle = 0.5 * (goal + std::max(0.0, least_depth_m) * there.normal - place_);
+  const Vec3 far = goal - place_ + (there.least_m - there.normal.dot(goal - place_)) * there.normal;
+  const Vec3 middle = 0.5 * far;
   const std::optional<Vec3> over = on_both_walls(middle, here, there);
   if (!over) return false;
   const double way_m = over->norm();
+  if (way_m > 1.5 * far.norm()) return false;  // over an edge that is near, not where the planes meet at all
   if (around_.look_around(place_, std::max(reach_m_, way_m)) < way_m ||
       !around_.is_free(*over, std::span(&here, 1)))
     return false;
@@ -344,8 +352,11 @@ void Proxy::report(const Vec3& goal) noexcept {
     shaded += hold.share_m * hold.normal_W;
   }
   contact_.hold_count = p.active_count;
-  std::stable_sort(contact_.holds.begin(), contact_.holds.begin() + p.active_count,
-                   [](const ProxyHold& a, const ProxyHold& b) { return a.share_m > b.share_m; });
+  // By share; std::stable_sort would allocate.
+  for (int k = 1; k < p.active_count; ++k) {
+    for (int i = k; i > 0 && contact_.holds[i].share_m > contact_.holds[i - 1].share_m; --i)
+      std::swap(contact_.holds[i], contact_.holds[i - 1]);
+  }
   contact_.depth_m = push.norm();
   contact_.touching = contact_.depth_m > 0;
   if (!contact_.touching) return;

@@ -58,6 +58,11 @@ class Proxy {
   /// noexcept, allocates nothing.
   const ProxyContact& move(const Vec3& p_WQ, double dt_s) noexcept;
 
+  /// Where the ball's centre stands, its skin included [m]; the finger's place where nothing holds it.
+  Vec3 ball_W() const noexcept { return place_ + around_.centre_W(); }
+  /// What the ball keeps from every surface: radius and skin [m].
+  double clearance_m() const noexcept { return around_.clearance_m(); }
+
  private:
   /// What the last full look allows without another: to fly in a ball that is free, or to slide along one
   /// wall within a ball where nothing else stands in front of it.
@@ -79,6 +84,7 @@ class Proxy {
   void follow(const Vec3& goal, double budget_m) noexcept;
   bool advance(const ProxyStep& step, const Vec3& goal, double& budget_m) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;
+  const ProxyWall* nearer_neighbour(const Vec3& goal) const noexcept;
   bool hop(const Vec3& goal) noexcept;
   void remember() noexcept;
   void remember_neighbours() noexcept;

@@ -6,10 +6,11 @@
 namespace fingerpad {
 namespace {
 
-constexpr std::array<std::string_view, 15> figure_names = {
+constexpr std::array<std::string_view, 16> figure_names = {
     "ticks",        "contact_ticks", "stick_ticks",         "slip_ticks",         "ruptures",
     "coarse_teeth", "max_depth_m",   "mean_normal_force_n", "max_normal_force_n", "max_friction_n",
-    "mean_slip_mu", "max_mu",        "friction_work_j",     "remedied_ticks",     "energy_made_j"};
+    "mean_slip_mu", "max_mu",        "friction_work_j",     "remedied_ticks",     "energy_made_j",
+    "inside_starts"};
 
 /// Fewer ticks than this in a tooth and its shape is that of the ticks.
 constexpr long ticks_that_show_a_tooth = 10;
@@ -37,7 +38,8 @@ std::vector<double> Figures::values() const {
           max_mu_,
           friction_work_j_,
           count(remedied_ticks_),
-          energy_made_j_};
+          energy_made_j_,
+          count(inside_starts_)};
 }
 
 void Figures::observe_phase(Phase phase) noexcept {
@@ -68,6 +70,7 @@ void Figures::observe(const TickRecord& record) noexcept {
   last_force_W_n_ = record.force_W_n;
   last_p_WQ_ = record.p_WQ;
   remedied_ticks_ += record.remedied ? 1 : 0;
+  inside_starts_ += record.started_inside ? 1 : 0;
   ++ticks_;
   if (record.phase == Phase::free) return;
   ++contact_ticks_;

@@ -17,7 +17,8 @@ class Figures {
   /// Names with units, in the order of values().
   static std::span<const std::string_view> names() noexcept;
   /// The figures as numbers: counts, then depths, forces, coefficients, the work of friction on the
-  /// finger, the ticks on which a remedy acted, and the energy that the loop has made (0: passive).
+  /// finger, the ticks on which a remedy acted, the energy that the loop has made (0: passive), and how often
+  /// a proxy had to be put outside of a part because the finger started inside.
   std::vector<double> values() const;
 
   /// Stick spells between two ruptures, and those of them that lasted under ten ticks: there the ticks are
@@ -39,7 +40,7 @@ class Figures {
   // most. A loop that began out of contact stores nothing, so whatever it gives on balance it has made.
   Vec3 last_force_W_n_ = Vec3::Zero();
   double given_j_ = 0, energy_made_j_ = 0;
-  long remedied_ticks_ = 0;
+  long remedied_ticks_ = 0, inside_starts_ = 0;
 };
 
 }  // namespace fingerpad

@@ -9,6 +9,7 @@
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
 #include "touch/closed_loop.hpp"
+#include "touch/proxy_contact.hpp"
 #include "trace/motion_source.hpp"
 
 namespace fingerpad {
@@ -30,7 +31,8 @@ bool same_run(const TraceInfo& a, const TraceInfo& b) {
 
 /// The figures of a trace that an earlier command finished, if it records this very run. A CSV trace carries
 /// no description of its run: there the name and the number of rows must do.
-std::optional<Figures> finished_before(const JobOutput& output, const TraceInfo& info, long ticks) {
+std::optional<Figures> finished_before(const JobOutput& output, const TraceInfo& info, long ticks,
+                                       const Scene& scene, const World& world) {
   if (!output.resume || !std::filesystem::exists(output.path)) return std::nullopt;
   Trace trace;
   try {
@@ -40,6 +42,8 @@ std::optional<Figures> finished_before(const JobOutput& output, const TraceInfo&
   }
   if (!trace.complete || static_cast<long>(trace.rows.size()) != ticks) return std::nullopt;
   if (output.format == TraceFormat::hdf5 && !same_run(trace.info, info)) return std::nullopt;
+  if (scene.contact.method == ContactMethod::proxy && !trace.rows.empty())
+    trace.rows.front().started_inside = is_inside_part(trace.rows.front(), world);
   Figures figures;
   for (const TickRecord& row : trace.rows) figures.observe(row);
   return figures;
@@ -71,7 +75,7 @@ Figures run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) 
   const TraceInfo info = trace_info(scene, *world, output.version);
   // A trace does not tell on which ticks a remedy acted: such a run is made again.
   if (scene.friction.settings.remedy == Remedy::none) {
-    if (auto figures = finished_before(output, info, path.tick_count())) return *figures;
+    if (auto figures = finished_before(output, info, path.tick_count(), scene, *world)) return *figures;
   }
 
   ClosedLoop loop(world, scene, std::move(path));

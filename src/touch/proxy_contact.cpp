@@ -11,11 +11,10 @@ Proxy world_proxy(const World& world, double radius_m, Normals normals) {
   return {std::move(surfaces), radius_m, normals};
 }
 
-bool started_inside(const ProxyContact& contact, const World& world, const Vec3& p_WQ) noexcept {
-  if (!contact.started || (contact.placed && !contact.touching)) return false;
-  if (!contact.placed) return true;
-  const Surface& surface = world.surfaces[static_cast<std::size_t>(contact.holds[0].surface)];
-  return surface.part && (p_WQ - contact.point_W).dot(contact.direction_W) < 0;
+bool is_inside_part(const TickRecord& record, const World& world) noexcept {
+  if (record.phase == Phase::free || record.surface < 0) return false;
+  return world.surfaces[static_cast<std::size_t>(record.surface)].part &&
+         (record.p_WQ - record.contact_W).dot(record.normal_W) < 0;
 }
 
 }  // namespace fingerpad

@@ -77,7 +77,7 @@ Touch::Contact Touch::deepest_contact(const Vec3& p_WQ) noexcept {
 
 Touch::Contact Touch::proxy_contact(const Vec3& p_WQ, TickRecord& record) noexcept {
   const ProxyContact& proxy = proxy_->move(p_WQ, dt_s_);
-  record.started_inside = started_inside(proxy, *world_, p_WQ);
+  record.started_inside = proxy.started;
   if (!proxy.placed) return deepest_contact(p_WQ);  // no place for the ball: until there is one
   Contact contact;
   if (!proxy.touching) return contact;
@@ -193,10 +193,12 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
   const Vec3 velocity_W = velocity_.next(sample.p_WQ);
   const Contact contact = proxy_ ? proxy_contact(sample.p_WQ, record) : deepest_contact(sample.p_WQ);
   if (contact.surface < 0) {
+    record.started_inside = false;
     release();
     return record;
   }
   answer(contact, sample, velocity_W, record);
+  record.started_inside = record.started_inside && is_inside_part(record, *world_);
   if (meaningful(record.force_W_n)) return record;
   reset();  // a force that overflowed is no force to give to a person's hand
   TickRecord lost;

@@ -61,8 +61,6 @@ TEST(SceneRefusal, NamesThePlaceOfAnUnknownName) {
 }
 
 TEST(SceneRefusal, WhatIsNotBuiltYetIsSaidSo) {
-  EXPECT_THAT(refusal(plane_scene + "[contact]\nmethod = \"proxy\"\n"),
-              AllOf(StartsWith("s.toml:6:10: "), HasSubstr("not available in this version; use")));
   EXPECT_THAT(refusal(plane_scene + "[contact]\nnormals = \"curved\"\n"),
               AllOf(StartsWith("s.toml:6:11: "), HasSubstr("not available in this version; use")));
 }

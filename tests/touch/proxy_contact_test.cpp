@@ -142,5 +142,92 @@ TEST(ProxyContact, OverARightAngledEdgeTheForceChangesByNoMoreThanTheMotionExpla
   }
 }
 
+TEST(ProxyContact, InMillimetresAndInMetresFeelsTheSame) {
+  // As a mesh file holds it: numbers a thousand times as large, brought to metres on import.
+  const TriangleSoup metres = test::torus_soup(0.05, 0.02, 48, 24);
+  TriangleSoup millimetres = metres;
+  millimetres.vertices_P *= 1000;
+  millimetres.vertices_P *= 1e-3;
+  std::vector<Vec3> positions;
+  for (int k = 0; k < 4000; ++k) {
+    const double around = 0.0123 + 2e-4 * k, across = 0.3 + 1.3e-3 * k,
+                 r = 0.0195 + 0.001 * std::sin(0.01 * k);
+    positions.emplace_back((0.05 + r * std::cos(across)) * std::cos(around),
+                           (0.05 + r * std::cos(across)) * std::sin(around), r * std::sin(across));
+  }
+  const auto a = run(world_of(metres), proxy_scene("finger-pad"), positions);
+  const auto b = run(world_of(millimetres), proxy_scene("finger-pad"), positions);
+  for (std::size_t k = 0; k < a.size(); ++k) ASSERT_LT((a[k].force_W_n - b[k].force_W_n).norm(), 1e-9) << k;
+}
+
+TEST(ProxyContact, FeelsTheSameFarFromTheOrigin) {
+  const Vec3 far(1e4, -1e4, 1e4);
+  const auto near_world = world_of(test::box_soup(Vec3(0.1, 0.1, 0.02)));
+  auto far_world = std::make_shared<World>(*near_world);
+  far_world->surfaces[0].p_WP = far;
+  std::vector<Vec3> here, there;
+  for (int k = 0; k < 3000; ++k) {
+    here.emplace_back(-0.04 + 4e-5 * k, 0.01,
+                      std::max(0.0095, 0.011 - 1e-5 * k));  // on, along, and off the end
+    there.emplace_back(here.back() + far);
+  }
+  const auto a = run(near_world, proxy_scene("stick-slip"), here);
+  const auto b = run(far_world, proxy_scene("stick-slip"), there);
+  int same = 0;
+  for (std::size_t k = 0; k < a.size(); ++k) {
+    // The input itself is rounded to 1.8e-12 m there: times 1000 N/m and, in stick, 500 N/m more.
+    same += (a[k].force_W_n - b[k].force_W_n).norm() < 1e-8 ? 1 : 0;
+  }
+  EXPECT_GE(same, 2980) << "off the end it is let go over some ticks, of which the first may be another";
+}
+
+TEST(ProxyContact, LeansOnAPlaneAndAPartTogether) {
+  auto world = std::make_shared<World>(*world_of(test::box_soup(Vec3(0.02, 0.02, 0.02))));
+  Surface floor;
+  floor.properties.stiffness_n_per_m = 500;
+  world->surfaces.push_back(floor);  // z = 0, through the middle of the box
+  auto positions = line(Vec3(0.03, 0.001, 0.01), Vec3(0.009, 0.001, -0.003), 100);
+  const auto deep = run(world, proxy_scene(), positions).back();
+  // In the corner between the box's side and the floor: 1 mm into one, 3 mm into the other. The floor holds
+  // most, so that its stiffness counts.
+  EXPECT_NEAR(deep.depth_m, std::hypot(0.001, 0.003), 1e-12);
+  EXPECT_EQ(deep.surface, 1);
+  EXPECT_EQ(deep.triangle, -1);
+  EXPECT_LT((deep.force_W_n - 500 * Vec3(0.001, 0, 0.003)).norm(), 1e-9);
+  positions = line(Vec3(0.03, 0.001, 0.01), Vec3(0.007, 0.001, -0.001), 100);
+  EXPECT_EQ(run(world, proxy_scene(), positions).back().surface, 0);
+}
+
+TEST(ProxyContact, AStartInsideIsHandledAndTold) {
+  const auto world = world_of(test::box_soup(Vec3(0.1, 0.1, 0.02)));
+  const auto rows =
+      run(world, proxy_scene(), {Vec3(0.01, 0.02, 0.004), Vec3(0.01, 0.02, 0.005), Vec3(0.01, 0.02, 0.02)});
+  EXPECT_TRUE(rows[0].started_inside);
+  EXPECT_NEAR(rows[0].force_W_n.z(), 6, 1e-12);
+  EXPECT_FALSE(rows[1].started_inside);
+  EXPECT_NEAR(rows[1].force_W_n.z(), 5, 1e-12);
+  EXPECT_EQ(rows[2].phase, Phase::free);
+  EXPECT_FALSE(run(world, proxy_scene(), {Vec3(0.01, 0.02, 0.02)})[0].started_inside);
+}
+
+TEST(ProxyContact, ForgetsWhereItWasAfterABrokenSample) {
+  const auto world = world_of(test::box_soup(Vec3(0.1, 0.1, 0.02)));
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const Vec3& bad : {Vec3(nan, 0, 0), Vec3(0, 0, -1e300), Vec3(1e9, 0, 0)}) {
+    const auto rows =
+        run(world, proxy_scene("finger-pad"), {Vec3(0, 0.001, 0.011), bad, Vec3(0, 0.001, 0.009)});
+    EXPECT_EQ(rows[1].phase, Phase::free);
+    EXPECT_NEAR(rows[2].normal_force_n, 1, 1e-9);
+  }
+}
+
+TEST(ProxyContact, OnPlanesAloneIsTheDeepestPlane) {
+  std::vector<Vec3> positions;
+  for (int k = 0; k < 500; ++k) positions.emplace_back(1e-3 * k, 0, 1e-3 * std::cos(0.1 * k));
+  const auto a = run(plane_world(), proxy_scene("finger-pad"), positions);
+  const auto b = run(plane_world(), closest_scene("finger-pad"), positions);
+  for (std::size_t k = 0; k < a.size(); ++k) ASSERT_LT((a[k].force_W_n - b[k].force_W_n).norm(), 1e-12) << k;
+}
+
 }  // namespace
 }  // namespace fingerpad
