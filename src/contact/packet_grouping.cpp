@@ -42,7 +42,8 @@ struct Box {
 };
 
 float packets_of(std::size_t triangles) noexcept {
-  return static_cast<float>((triangles + width - 1) / width);
+  const std::size_t packets = (triangles + width - 1) / width;
+  return static_cast<float>(packets);
 }
 
 /// A total order along an axis, so that a split is the same whatever order the items came in.

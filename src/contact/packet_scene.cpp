@@ -1,5 +1,7 @@
 #include "contact/packet_scene.hpp"
 
+#include <embree3/rtcore.h>
+
 #include <string>
 
 #include "base/error.hpp"
@@ -32,10 +34,30 @@ void bounds(const RTCBoundsFunctionArguments* args) {
   box.upper_z = static_cast<float>(high.z()) + box_padding;
 }
 
+/// What hangs behind Embree's point query.
+struct PointSearch {
+  PacketScene::Visit visit;
+  void* search;
+};
+
+bool visit_point(RTCPointQueryFunctionArguments* args) {
+  const PointSearch& behind = *static_cast<const PointSearch*>(args->userPtr);
+  const float radius = behind.visit(behind.search, args->primID, args->query->radius);
+  if (!(radius < args->query->radius)) return false;
+  args->query->radius = radius;
+  return true;
+}
+
+/// What hangs behind Embree's ray.
+struct RaySearch {
+  RTCIntersectContext context;  // first, so that Embree's pointer to it is a pointer to this
+  RayQuery* query;
+};
+
 void intersect(const RTCIntersectFunctionNArguments* args) {
   if (args->valid[0] == 0) return;
   const auto& packed = *static_cast<const PackedPart*>(args->geometryUserPtr);
-  RayQuery& query = *reinterpret_cast<RayQuery*>(args->context);
+  RayQuery& query = *reinterpret_cast<RaySearch*>(args->context)->query;
   RTCRayHit& ray = *reinterpret_cast<RTCRayHit*>(args->rayhit);
   const float far = ray.ray.tfar;
   query.look_at(query, packed.packets[args->primID], ray.ray.tfar);
@@ -77,15 +99,18 @@ PacketScene::~PacketScene() {
   rtcReleaseDevice(device_);
 }
 
-void PacketScene::each_near(RTCPointQuery& query, RTCPointQueryFunction visit, void* search) const noexcept {
+void PacketScene::each_near(const float* point, float radius, Visit visit, void* search) const noexcept {
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
-  rtcPointQuery(scene_, &query, &context, visit, search);
+  RTCPointQuery query{point[0], point[1], point[2], 0, radius};
+  PointSearch behind{visit, search};
+  rtcPointQuery(scene_, &query, &context, visit_point, &behind);
 }
 
 void PacketScene::cast(RayQuery& query, const Vec3& from, const Vec3& direction,
                        double length) const noexcept {
-  rtcInitIntersectContext(&query.context);
+  RaySearch search{{}, &query};
+  rtcInitIntersectContext(&search.context);
   RTCRayHit ray{};
   ray.ray.org_x = static_cast<float>(from.x());
   ray.ray.org_y = static_cast<float>(from.y());
@@ -98,7 +123,7 @@ void PacketScene::cast(RayQuery& query, const Vec3& from, const Vec3& direction,
   ray.ray.mask = ~0u;
   ray.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   ray.hit.instID[0] = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_, &query.context, &ray);
+  rtcIntersect1(scene_, &search.context, &ray);
 }
 
 }  // namespace fingerpad

@@ -1,10 +1,11 @@
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <atomic>
 
 #include "contact/packed_part.hpp"
+
+struct RTCDeviceTy;  // Embree's
+struct RTCSceneTy;
 
 namespace fingerpad {
 
@@ -18,9 +19,8 @@ inline constexpr double absolute_slack = 1e-8;
 /// Added to a ray's end, scaled: above a float's rounding of lengths up to 4.
 inline constexpr double ray_slack = 1e-6;
 
-/// A search along an Embree ray; comes first in what knows more.
+/// A search along an Embree ray; the base of what knows more.
 struct RayQuery {
-  RTCIntersectContext context;  // first, so that Embree's pointer to it is a pointer to this
   /// Looks at a packet's triangles; may shorten the ray.
   void (*look_at)(RayQuery& query, const TrianglePacket& packet, float& far);
 };
@@ -35,9 +35,12 @@ class PacketScene {
   PacketScene(const PacketScene&) = delete;
   PacketScene& operator=(const PacketScene&) = delete;
 
-  /// Calls visit(args) for packets whose box comes within the query's radius; args->userPtr is `search`, and
-  /// args->primID the packet.
-  void each_near(RTCPointQuery& query, RTCPointQueryFunction visit, void* search) const noexcept;
+  /// Looks at a packet; returns the radius to go on with, at most the one given.
+  using Visit = float (*)(void* search, unsigned packet, float radius) noexcept;
+
+  /// Calls visit(search, packet, radius) for packets whose box comes within the radius of a point.
+  /// @param point, radius  scaled
+  void each_near(const float* point, float radius, Visit visit, void* search) const noexcept;
 
   /// Sends a ray with a unit direction through the tree.
   /// @param from, length  scaled; the length may be infinite
@@ -48,8 +51,8 @@ class PacketScene {
  private:
   const PackedPart* packed_;
   std::atomic<std::ptrdiff_t> memory_{0};  ///< what Embree holds
-  RTCDevice device_ = nullptr;
-  RTCScene scene_ = nullptr;
+  RTCDeviceTy* device_ = nullptr;
+  RTCSceneTy* scene_ = nullptr;
 };
 
 }  // namespace fingerpad

@@ -106,7 +106,7 @@ Piece piece_in_box(const Vec3& from, const Vec3& way, const Vec3& half) noexcept
 
 RayExit TriangleTree::first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept {
   const PackedPart& packed = impl_->packed;
-  ExitQuery search{{{}, look_at_exit}, packed.part.get(), start, origin, direction, packed.scale, {}};
+  ExitQuery search{{look_at_exit}, packed.part.get(), start, origin, direction, packed.scale, {}};
   impl_->scene.cast(search, origin * packed.scale, direction, std::numeric_limits<double>::infinity());
   return search.exit;
 }
@@ -121,7 +121,7 @@ SegmentHit TriangleTree::first_crossing(const Vec3& from, const Vec3& to) const 
       packed.part->half_extent.array() + 1e-6 * packed.extent_m + tie_distance_m(*packed.part, from);
   const Piece piece = piece_in_box(from, way, half);
   if (!(piece.begin <= piece.end)) return {};
-  CrossingQuery search{{{}, look_at_crossing},
+  CrossingQuery search{{look_at_crossing},
                        packed.part.get(),
                        SegmentCrossing(from, to),
                        piece.begin * length_m,

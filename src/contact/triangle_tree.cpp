@@ -33,7 +33,7 @@ struct ScaledPoint {
   Vec3 q;
   double tie_m;
   Vec3 scaled;
-  RTCPointQuery embree;
+  float embree[3];     ///< scaled, as Embree has it
   double rounding;     ///< how far Embree's query point lies from q, scaled
   float exact_margin;  ///< the last term of rough_margin's claim
 
@@ -43,11 +43,8 @@ struct ScaledPoint {
         q(point),
         tie_m(tie_distance_m(*part.part, point)),
         scaled(point * part.scale) {
-    embree.x = static_cast<float>(scaled.x());
-    embree.y = static_cast<float>(scaled.y());
-    embree.z = static_cast<float>(scaled.z());
-    embree.time = 0;
-    rounding = (scaled - Vec3(embree.x, embree.y, embree.z)).cwiseAbs().sum();
+    for (int i = 0; i < 3; ++i) embree[i] = static_cast<float>(scaled[i]);
+    rounding = (scaled - Vec3(embree[0], embree[1], embree[2])).cwiseAbs().sum();
     exact_margin = static_cast<float>(2e-14 * (1 + scaled.cwiseAbs().sum()));
   }
 
@@ -109,7 +106,9 @@ struct ClosestSearch : ScaledPoint {
     looked_at = &packet;
     const int lane = packed->lane_of(triangle);
     // The filter will want all of it: let it come while the seed is looked at.
-    for (int i = 0; i < 10; ++i) __builtin_prefetch(reinterpret_cast<const char*>(&packet) + i * 64);
+    for (std::ptrdiff_t line = 0; line < 640; line += 64) {
+      __builtin_prefetch(reinterpret_cast<const char*>(&packet) + line);
+    }
     if (look_at(packet, lane)) best = rough(std::sqrt(winner.at.distance2_m2));
     look_at(packet, lanes_within_best(packet) & ~(1U << lane));
   }
@@ -160,12 +159,11 @@ struct ClosestSearch : ScaledPoint {
   }
 };
 
-bool visit_closest(RTCPointQueryFunctionArguments* args) {
-  ClosestSearch& search = *static_cast<ClosestSearch*>(args->userPtr);
-  const TrianglePacket& packet = search.packed->packets[args->primID];
-  if (&packet == search.looked_at || !search.look_at(packet)) return false;
-  args->query->radius = search.radius(std::sqrt(search.winner.at.distance2_m2));
-  return true;
+float visit_closest(void* any_search, unsigned index, float radius) noexcept {
+  ClosestSearch& search = *static_cast<ClosestSearch*>(any_search);
+  const TrianglePacket& packet = search.packed->packets[index];
+  if (&packet == search.looked_at || !search.look_at(packet)) return radius;
+  return search.radius(std::sqrt(search.winner.at.distance2_m2));
 }
 
 /// A search for all triangles within a fixed reach.
@@ -191,10 +189,10 @@ struct WithinSearch : ScaledPoint {
   }
 };
 
-bool visit_within(RTCPointQueryFunctionArguments* args) {
-  const WithinSearch& search = *static_cast<const WithinSearch*>(args->userPtr);
-  search.look_at(search.packed->packets[args->primID]);
-  return false;
+float visit_within(void* any_search, unsigned index, float radius) noexcept {
+  const WithinSearch& search = *static_cast<const WithinSearch*>(any_search);
+  search.look_at(search.packed->packets[index]);
+  return radius;
 }
 
 }  // namespace
@@ -226,8 +224,7 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) c
   if (seed >= 0 && seed < count) search.look_at_seed(seed);
   double within_m = std::sqrt(search.winner.at.distance2_m2);
   if (within_m > packed.extent_m) within_m = std::min(within_m, q.norm() + 2 * packed.extent_m);
-  search.embree.radius = search.radius(within_m);
-  impl.scene.each_near(search.embree, visit_closest, &search);
+  impl.scene.each_near(search.embree, search.radius(within_m), visit_closest, &search);
 
   const Winner& winner = search.winner;
   if (search.won_in == nullptr) return {};
@@ -276,8 +273,7 @@ void TriangleTree::each_within(const Vec3& q, double reach_m, void (*visit)(void
     }
     return;
   }
-  search.embree.radius = search.radius(bound_m);
-  impl.scene.each_near(search.embree, visit_within, &search);
+  impl.scene.each_near(search.embree, search.radius(bound_m), visit_within, &search);
 }
 
 }  // namespace fingerpad
