@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "contact/curved_closest.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -62,6 +64,36 @@ Vec3 interpolated_normal(const Part& part, int t, const Vec3& barycentric, const
   return sum / length;
 }
 
+/// No patch strays farther from its triangle than this: a tangent turns off its chord by at most 30 degrees.
+double largest_bulge_m(const Part& part, Normals normals) noexcept {
+  return normals == Normals::curved ? part.size_m() / 4 : 0;
+}
+
+/// The answer on the curved surface.
+/// @param signed_distance_m  to the facets
+SurfacePoint curved_surface_point(const Part& part, const ClosestTriangle& facets, const Vec3& q,
+                                  double signed_distance_m) noexcept {
+  const CurvedPoint found = closest_on_curved(part, facets, q);
+  const Feature feature = found.at.feature;
+  const Vec3 pseudo = pseudonormal(part, found.triangle, feature);
+  const bool smooth = is_smooth(part, found.triangle, feature);
+  const Vec3 offset = q - found.at.point;
+  const bool inside = std::abs(signed_distance_m) > found.deviation_m
+                          ? signed_distance_m < 0
+                          : offset.dot(smooth ? found.normal_P : pseudo) < 0;
+  const double distance_m =
+      std::isfinite(found.at.distance2_m2) ? std::sqrt(found.at.distance2_m2) : offset.stableNorm();
+  SurfacePoint result;
+  result.triangle = found.triangle;
+  result.point_P = part.centre_P + found.at.point;
+  result.pseudonormal_P = pseudo;
+  result.signed_distance_m = inside ? -distance_m : distance_m;
+  const Vec3 outward = inside ? Vec3(-offset) : offset;
+  result.normal_P =
+      smooth ? found.normal_P : facet_normal(part, found.triangle, feature, pseudo, outward, distance_m);
+  return result;
+}
+
 bool outside_padded_box(const Part& part, const Vec3& q, double reach_m) noexcept {
   const double beyond_m = (q.cwiseAbs() - part.half_extent).maxCoeff();
   const double rounding_m = 1e-12 * (part.size_m() + part.centre_P.norm());
@@ -73,6 +105,7 @@ bool outside_padded_box(const Part& part, const Vec3& q, double reach_m) noexcep
 Vec3 shaded_normal(const Part& part, int t, const TrianglePoint& at, Normals normals,
                    const Vec3& facet_normal_P) noexcept {
   if (normals == Normals::facet || !is_smooth(part, t, at.feature)) return facet_normal_P;
+  if (normals == Normals::curved) return shown_normal(curved_patch(part, t), at.barycentric, facet_normal_P);
   return interpolated_normal(part, t, at.barycentric, facet_normal_P);
 }
 
@@ -81,7 +114,7 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
   const Part& part = tree.part();
   SurfacePoint result;
   const Vec3 q = p_P - part.centre_P;
-  if (outside_padded_box(part, q, reach_m)) return result;
+  if (outside_padded_box(part, q, reach_m + largest_bulge_m(part, normals))) return result;
   // No bound on the search: what lies deep inside is answered whatever the reach.
   const ClosestTriangle found = tree.closest(q, seed, std::numeric_limits<double>::infinity());
   if (found.triangle < 0) return result;
@@ -92,6 +125,10 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
       std::isfinite(found.at.distance2_m2) ? std::sqrt(found.at.distance2_m2) : offset.stableNorm();
   const Vec3 pseudo = pseudonormal(part, t, found.at.feature);
   const bool inside = offset.dot(pseudo) < 0;
+  if (normals == Normals::curved) {
+    const SurfacePoint curved = curved_surface_point(part, found, q, inside ? -distance_m : distance_m);
+    return curved.signed_distance_m <= reach_m ? curved : result;
+  }
   if (!inside && !(distance_m <= reach_m)) return result;
 
   result.triangle = t;

@@ -11,7 +11,10 @@ namespace fingerpad {
 ///   convex edge
 ///           or vertex the direction from the surface point to the finger.
 ///   smooth: corner normals interpolated over the triangle; creases and sharp vertices keep the facet rule.
-enum class Normals { facet, smooth };
+///   curved: a cubic patch over each triangle (curved_patch.hpp) stands for the surface: point, distance and
+///           normal are the patch's. The point's error falls with the cube of the facet size, the normal's
+///           with its square. Creases and sharp vertices stay sharp and keep the facet rule.
+enum class Normals { facet, smooth, curved };
 
 /// Where a point stands against a surface, frame P (the file's frame, not re-centred).
 struct SurfacePoint {
@@ -28,6 +31,8 @@ struct SurfacePoint {
 /// The sign is the side of the angle-weighted pseudonormal of the closest feature (Baerentzen & Aanaes 2005):
 /// right wherever the part bounds a solid, also where bodies touch in a point. Where its surface crosses
 /// itself or whole shells overlap, a point has the sign of the sheet that is nearest.
+/// `curved`: `triangle` is the one whose patch the point lies on, and the sign is the facets' wherever they
+/// are farther off than the patch strays from them; between the two it is the side of the patch.
 /// @param p_P      where [m], frame P, finite
 /// @param seed     see TriangleTree::closest
 /// @param reach_m  where the distance is larger than this, `triangle` is -1 and the distance infinite; points
