@@ -155,24 +155,30 @@ bool Proxy::advance(const ProxyStep& step, const Vec3& goal, double& budget_m) n
   return length_m <= around_.tolerance_m() || is_at_rest(step);
 }
 
+/// Makes the next views wider or narrower, after what a search has found.
+void Proxy::suit_view() noexcept {
+  if (around_.is_cut()) reach_m_ = std::min(reach_m_, around_.reach_m());
+  if (around_.view_count() > rich_view) reach_m_ = std::min(reach_m_, 0.7 * around_.reach_m());
+  if (around_.view_count() < poor_view && around_.reach_m() >= reach_m_)
+    reach_m_ = std::min(1.2 * reach_m_, widest_view());
+}
+
 /// Steps until the proxy is as close to the finger as it gets, or the budget is spent.
 void Proxy::settle(const Vec3& goal, double budget_m) noexcept {
   cruise_.kind = Cruise::Kind::none;
   double reach_m = reach_m_;
-  bool ended = false;
+  bool ended = false, truncated = false;
   for (int k = 0; k < most_steps && !ended; ++k) {
     if (goal == place_) {
       hold_ = {};
       break;
     }
-    reach_m = around_.look_around(place_, reach_m);
+    reach_m = around_.look_around(place_, reach_m, truncated);
     const ProxyStep step = around_.step_towards(goal - place_, nullptr);
+    if (around_.is_fresh()) suit_view();
     ended = advance(step, goal, budget_m);
-    reach_m_ = std::min(reach_m_, reach_m);  // less where the view was too rich for the memory
-    if (k == 0 && around_.view_count() > rich_view) reach_m_ *= 0.7;
-    if (k == 0 && around_.view_count() < poor_view && reach_m == reach_m_)
-      reach_m_ = std::min(1.2 * reach_m_, widest_view());
-    if (step.truncated && around_.view_count() <= rich_view) reach_m *= 2;
+    truncated = step.truncated;
+    if (truncated && around_.view_count() <= rich_view) reach_m *= 2;
   }
   if (!ended) contact_.settled = goal == place_;
 }
@@ -281,12 +287,14 @@ bool Proxy::hop(const Vec3& goal) noexcept {
   if (!over) return false;
   const double way_m = over->norm();
   if (way_m > 1.5 * far.norm()) return false;  // over an edge that is near, not where the planes meet at all
-  if (around_.look_around(place_, std::max(reach_m_, way_m)) < way_m ||
+  const double view_m = std::max(reach_m_, way_m);
+  if ((around_.look_around(place_, view_m, false) < way_m &&
+       around_.look_around(place_, view_m, true) < way_m) ||
       !around_.is_free(*over, std::span(&here, 1)))
     return false;
   const Vec3 edge_place = place_ + *over;
   there.least_m -= there.normal.dot(*over);
-  around_.look_around(edge_place, std::max(reach_m_, way_m));
+  around_.look_around(edge_place, view_m, false);
   const ProxyStep step = around_.step_towards(goal - edge_place, &there);
   const Vec3 new_place = edge_place + step.z;
   if (!((goal - new_place).norm() < (goal - old_place).norm() - around_.tolerance_m())) return false;

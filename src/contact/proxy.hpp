@@ -80,6 +80,7 @@ class Proxy {
   void start(const Vec3& goal) noexcept;
   bool cruise(const Vec3& goal) noexcept;
   bool fly(const Vec3& goal) noexcept;
+  void suit_view() noexcept;
   void settle(const Vec3& goal, double budget_m) noexcept;
   void follow(const Vec3& goal, double budget_m) noexcept;
   bool advance(const ProxyStep& step, const Vec3& goal, double& budget_m) noexcept;

@@ -138,41 +138,64 @@ ProxySurroundings::Near ProxySurroundings::near(int surface, int triangle, const
   return {triangle, approach.distance_m - clearance_m(), approach.towards};
 }
 
-double ProxySurroundings::look_around(const Vec3& place, double reach_m) noexcept {
+/// From a place nearby: the triangles found before are all that can be within what is left of that reach.
+bool ProxySurroundings::look_again(const Vec3& place, double reach_m) noexcept {
+  const double left_m = search_reach_m_ - (place - search_place_).norm() * (1 + 1e-12);
+  if (overflow_ || !(left_m >= 0.5 * reach_m)) return false;
   place_ = place;
-  for (int attempt = 0;; ++attempt) {
-    reach_m_ = reach_m;
-    overflow_ = false;
-    near_.clear();
-    for (std::size_t i = 0; i < surfaces_.size() && !overflow_; ++i) {
-      View& view = views_[i];
-      view.first = view.end = near_.size();
-      view.within_reach = false;
-      if (!surfaces_[i].tree) continue;
-      const int surface = static_cast<int>(i);
-      view.at = in_part(surface, place);
-      const double distance_m = clearance_m() + reach_m;
-      view.within_reach = box_within(surface, view.at, distance_m);
-      if (!view.within_reach) continue;
-      struct Gathering {
-        ProxySurroundings* all;
-        int surface;
-      } gathering{this, surface};
-      surfaces_[i].tree->each_within(
-          view.at, distance_m,
-          [](void* context, int triangle) {
-            const Gathering& g = *static_cast<Gathering*>(context);
-            ProxySurroundings& all = *g.all;
-            all.overflow_ |= all.near_.size() == all.near_.capacity();
-            if (all.overflow_) return;
-            all.near_.push_back(
-                all.near(g.surface, triangle, all.views_[static_cast<std::size_t>(g.surface)].at));
-          },
-          &gathering);
-      view.end = near_.size();
-    }
+  reach_m_ = left_m;
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (!surfaces_[i].tree || !views_[i].within_reach) continue;
+    views_[i].at = in_part(static_cast<int>(i), place);
+    for (std::size_t k = views_[i].first; k < views_[i].end; ++k)
+      near_[k] = near(static_cast<int>(i), near_[k].triangle, views_[i].at);
+  }
+  return true;
+}
+
+/// Fills the view; overflow_ where it is too rich.
+void ProxySurroundings::search(const Vec3& place, double reach_m) noexcept {
+  overflow_ = false;
+  near_.clear();
+  const double distance_m = clearance_m() + reach_m;
+  for (std::size_t i = 0; i < surfaces_.size() && !overflow_; ++i) {
+    View& view = views_[i];
+    view.first = view.end = near_.size();
+    view.within_reach = false;
+    if (!surfaces_[i].tree) continue;
+    const int surface = static_cast<int>(i);
+    view.at = in_part(surface, place);
+    view.within_reach = box_within(surface, view.at, distance_m);
+    if (!view.within_reach) continue;
+    struct Gathering {
+      ProxySurroundings* all;
+      int surface;
+    } gathering{this, surface};
+    surfaces_[i].tree->each_within(
+        view.at, distance_m,
+        [](void* context, int triangle) {
+          const Gathering& g = *static_cast<Gathering*>(context);
+          ProxySurroundings& all = *g.all;
+          all.overflow_ |= all.near_.size() == all.near_.capacity();
+          if (all.overflow_) return;
+          all.near_.push_back(
+              all.near(g.surface, triangle, all.views_[static_cast<std::size_t>(g.surface)].at));
+        },
+        &gathering);
+    view.end = near_.size();
+  }
+}
+
+double ProxySurroundings::look_around(const Vec3& place, double reach_m, bool anew) noexcept {
+  if (!anew && look_again(place, reach_m)) return reach_m_;
+  place_ = search_place_ = place;
+  is_cut_ = false;
+  constexpr int most_cuts = 6;
+  for (int cut = 0; cut <= most_cuts; ++cut) {
+    reach_m_ = search_reach_m_ = reach_m;
+    search(place, reach_m);
     if (!overflow_) return reach_m_;
-    if (attempt == 6) break;
+    is_cut_ = true;
     reach_m *= 0.25;
   }
   // Too many even this near: each pass asks the trees anew.

@@ -66,8 +66,13 @@ class ProxySurroundings {
   double room_m(const Vec3& place, double enough_m) noexcept;
 
   /// Looks at everything within `reach_m` beyond the ball around a place. A view too rich for the memory
-  /// that was set aside is made smaller; returns how far it reaches.
-  double look_around(const Vec3& place, double reach_m) noexcept;
+  /// that was set aside is made smaller; returns how far it reaches. What the last search of the trees found
+  /// serves again as long as it shows half as far, or more, from the new place.
+  /// @param anew  search the trees whatever is at hand
+  double look_around(const Vec3& place, double reach_m, bool anew) noexcept;
+  /// Whether the last look searched the trees, and whether it had to be cut short.
+  bool is_fresh() const noexcept { return place_ == search_place_; }
+  bool is_cut() const noexcept { return is_cut_; }
 
   /// Where was looked around from, how far, and how many triangles are in view.
   const Vec3& place() const noexcept { return place_; }
@@ -101,6 +106,8 @@ class ProxySurroundings {
   };
 
   bool box_within(int surface, const Vec3& q, double distance_m) const noexcept;
+  bool look_again(const Vec3& place, double reach_m) noexcept;
+  void search(const Vec3& place, double reach_m) noexcept;
   Near near(int surface, int triangle, const Vec3& q) const noexcept;
   template <class Visit>
   void each_near(int surface, Visit visit) const noexcept;
@@ -116,6 +123,9 @@ class ProxySurroundings {
 
   Vec3 place_ = Vec3::Zero();
   double reach_m_ = 0;
+  Vec3 search_place_ = Vec3::Zero();  // where the trees were asked from, and how far
+  double search_reach_m_ = -1;
+  bool is_cut_ = false;
   std::vector<Near> near_;
   std::vector<View> views_;
   std::vector<int> seeds_;

@@ -20,7 +20,7 @@ namespace {
 #ifdef __SANITIZE_ADDRESS__
 constexpr int ticks = 500;
 #else
-constexpr int ticks = 20000;
+constexpr int ticks = 8000;
 #endif
 
 /// Goes towards one facet after another, some thousandth of the part under it, with a tremble, and now and
