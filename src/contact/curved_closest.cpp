@@ -11,7 +11,9 @@ constexpr int most_hops = 12;
 /// Steps shorter than this fraction of the patch are taken without asking whether they come nearer: rounding
 /// hides that, while Newton's method is certain there.
 constexpr double surely_converging = 1e-6;
-constexpr double converged = 1e-13;
+/// A step so short is the last: of Newton's method, whose error squares; and of Gauss-Newton, whose error
+/// falls by a share.
+constexpr double last_newton = 1e-7, last_gauss_newton = 1e-13;
 
 /// A place on one patch.
 struct Foot {
@@ -26,12 +28,13 @@ struct Foot {
 struct Slope {
   double g1, g2;
   double h11, h12, h22;  ///< positive definite
-  bool usable;
+  bool newton = true;    ///< the true curvature, not Gauss-Newton's
+  bool usable = false;
 };
 
 Slope slope_at(const PatchPoint& p, const Vec3& q) noexcept {
   const Vec3 r = p.x - q;
-  Slope s{r.dot(p.x1), r.dot(p.x2), 0, 0, 0, true};
+  Slope s{r.dot(p.x1), r.dot(p.x2), 0, 0, 0};
   const double e = p.x1.squaredNorm(), f = p.x1.dot(p.x2), g = p.x2.squaredNorm();
   s.h11 = e + r.dot(p.x11);
   s.h12 = f + r.dot(p.x12);
@@ -41,6 +44,7 @@ Slope slope_at(const PatchPoint& p, const Vec3& q) noexcept {
     s.h11 = e;
     s.h12 = f;
     s.h22 = g;
+    s.newton = false;
   }
   s.usable = s.h11 * s.h22 - s.h12 * s.h12 > 1e-14 * s.h11 * s.h22;
   return s;
@@ -105,6 +109,7 @@ Foot descend(const CurvedPatch& patch, int t, const Vec3& q, const Vec3& start) 
   for (int i = 0; i < most_steps; ++i) {
     const Slope slope = slope_at(at, q);
     if (!slope.usable || !std::isfinite(foot.distance2_m2)) return foot;
+    const double last_m = (slope.newton ? last_newton : last_gauss_newton) * patch.length_m;
     Vec3 step = allowed_step(slope, foot.barycentric);
     for (int halvings = 0;; ++halvings) {
       const Vec3 next = stepped(foot.barycentric, step);
@@ -114,7 +119,7 @@ Foot descend(const CurvedPatch& patch, int t, const Vec3& q, const Vec3& start) 
       const double distance2_m2 = (there.x - q).squaredNorm();
       const bool sure = length_m <= surely_converging * patch.length_m;
       if (sure || distance2_m2 < foot.distance2_m2) {
-        foot = {t, next, there.x, distance2_m2, length_m <= converged * patch.length_m};
+        foot = {t, next, there.x, distance2_m2, length_m <= last_m};
         at = there;
         break;
       }
@@ -152,6 +157,7 @@ Feature feature_at(const Vec3& barycentric) noexcept {
 
 /// Looks for a closer place, from patch to patch.
 struct Walk {
+  const CornerNormals& normals;
   const Part& part;
   const Vec3& q;
   Foot best;
@@ -168,7 +174,7 @@ struct Walk {
       }
     }
     if (!(std::abs(start.sum() - 1) < 1e-9)) return false;
-    const CurvedPatch candidate = curved_patch(part, to);
+    const CurvedPatch candidate = curved_patch(normals, to);
     const Foot foot = closest_on(part, candidate, to, q, start);
     if (!foot.good || foot.distance2_m2 > best.distance2_m2) return false;
     if (foot.distance2_m2 == best.distance2_m2 && (to == from || (foot.barycentric.array() <= 0).any()))
@@ -212,9 +218,11 @@ struct Walk {
 
 }  // namespace
 
-CurvedPoint closest_on_curved(const Part& part, const ClosestTriangle& facets, const Vec3& q) noexcept {
+CurvedPoint closest_on_curved(const CornerNormals& normals, const ClosestTriangle& facets,
+                              const Vec3& q) noexcept {
+  const Part& part = normals.part;
   const int t = facets.triangle;
-  Walk walk{part, q, {}, curved_patch(part, t), 0};
+  Walk walk{normals, part, q, {}, curved_patch(normals, t), 0};
   walk.deviation_m = walk.patch.deviation_m;
   walk.best = walk.patch.flat ? Foot{t, facets.at.barycentric, facets.at.point, facets.at.distance2_m2, true}
                               : descend(walk.patch, t, q, facets.at.barycentric);

@@ -23,6 +23,7 @@ struct CurvedPoint {
 /// triangle without area, a point at infinity), it is the facets' answer.
 /// @param facets  the tree's answer for q, found
 /// noexcept, allocates nothing.
-CurvedPoint closest_on_curved(const Part& part, const ClosestTriangle& facets, const Vec3& q) noexcept;
+CurvedPoint closest_on_curved(const CornerNormals& normals, const ClosestTriangle& facets,
+                              const Vec3& q) noexcept;
 
 }  // namespace fingerpad

@@ -1,5 +1,7 @@
 #include "contact/curved_normals.hpp"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
@@ -67,6 +69,15 @@ Vec3 curved_corner_normal(const Part& part, int t, int corner) noexcept {
   const Vec3 normal = sum / length;
   // A fan folded upon itself sums to nothing.
   return length > 0 && normal.dot(otherwise) > 0.5 ? normal : otherwise;
+}
+
+Points curved_corner_normals(const Part& part) {
+  const int n = part.triangle_count();
+  Points normals(3, Eigen::Index{3} * n);
+  tbb::parallel_for(0, n, [&](int t) {
+    for (int k = 0; k < 3; ++k) normals.col(Eigen::Index{3} * t + k) = curved_corner_normal(part, t, k);
+  });
+  return normals;
 }
 
 }  // namespace fingerpad

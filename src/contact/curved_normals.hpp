@@ -15,4 +15,19 @@ namespace fingerpad {
 /// noexcept, allocates nothing; the same from every triangle of the fan, up to rounding.
 Vec3 curved_corner_normal(const Part& part, int t, int corner) noexcept;
 
+/// That of every corner, 3 x 3n as Part::corner_normals. On all threads; the same bits on any number of them.
+Points curved_corner_normals(const Part& part);
+
+/// Where patches take their corner normals from: a table where there is one, else made when asked for. Either
+/// way the same bits.
+struct CornerNormals {
+  const Part& part;
+  const Points* table = nullptr;  ///< curved_corner_normals of the part
+
+  Vec3 operator()(int t, int corner) const noexcept {
+    if (table != nullptr) return table->col(Eigen::Index{3} * t + corner);
+    return curved_corner_normal(part, t, corner);
+  }
+};
+
 }  // namespace fingerpad

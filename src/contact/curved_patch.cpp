@@ -4,8 +4,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/curved_normals.hpp"
-
 namespace fingerpad {
 namespace {
 
@@ -40,24 +38,26 @@ Tangent in_both_planes(const Vec3& chord, const Vec3& normal, const Vec3& beyond
 }
 
 /// The normals beyond edge k at its ends; false where no neighbour answers for both.
-bool normals_beyond(const Part& part, int t, int k, Vec3& first, Vec3& second) noexcept {
+bool normals_beyond(const CornerNormals& normals, int t, int k, Vec3& first, Vec3& second) noexcept {
+  const Part& part = normals.part;
   const int other = part.neighbours(k, t);
   if (other < 0) return false;
   int found = 0;
   for (int c = 0; c < 3; ++c) {
     const int vertex = part.welded(c, other);
     if (vertex == part.welded(k, t)) {
-      first = curved_corner_normal(part, other, c);
+      first = normals(other, c);
       found |= 1;
     } else if (vertex == part.welded((k + 1) % 3, t)) {
-      second = curved_corner_normal(part, other, c);
+      second = normals(other, c);
       found |= 2;
     }
   }
   return found == 3;
 }
 
-void place_edge(const Part& part, int t, int k, CurvedPatch& patch) noexcept {
+void place_edge(const CornerNormals& normals, int t, int k, CurvedPatch& patch) noexcept {
+  const Part& part = normals.part;
   const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>((k + 1) % 3);
   const Vec3 chord = patch.control[j] - patch.control[i];
   const Vec3 &n_i = patch.corner_normal[i], &n_j = patch.corner_normal[j];
@@ -67,7 +67,7 @@ void place_edge(const Part& part, int t, int k, CurvedPatch& patch) noexcept {
   if (!is_crease && part.neighbours(k, t) >= 0) {
     at_i = in_plane(chord, n_i);
     at_j = in_plane(-chord, n_j);
-  } else if (is_crease && normals_beyond(part, t, k, beyond_i, beyond_j)) {
+  } else if (is_crease && normals_beyond(normals, t, k, beyond_i, beyond_j)) {
     at_i = in_both_planes(chord, n_i, beyond_i);
     at_j = in_both_planes(-chord, n_j, beyond_j);
   }
@@ -100,13 +100,14 @@ double deviation(const CurvedPatch& patch) noexcept {
 
 }  // namespace
 
-CurvedPatch curved_patch(const Part& part, int t) noexcept {
+CurvedPatch curved_patch(const CornerNormals& normals, int t) noexcept {
+  const Part& part = normals.part;
   CurvedPatch patch;
   for (int k = 0; k < 3; ++k) {
     patch.control[static_cast<std::size_t>(k)] = part.vertices.col(part.triangles(k, t));
-    patch.corner_normal[static_cast<std::size_t>(k)] = curved_corner_normal(part, t, k);
+    patch.corner_normal[static_cast<std::size_t>(k)] = normals(t, k);
   }
-  for (int k = 0; k < 3; ++k) place_edge(part, t, k, patch);
+  for (int k = 0; k < 3; ++k) place_edge(normals, t, k, patch);
   auto& c = patch.control;
   const Vec3 edges = (c[3] + c[4] + c[5] + c[6] + c[7] + c[8]) / 6;
   c[9] = edges + (edges - (c[0] + c[1] + c[2]) / 3) / 2;

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "part/part.hpp"
+#include "contact/curved_normals.hpp"
 
 namespace fingerpad {
 
@@ -34,7 +34,7 @@ struct PatchPoint {
 };
 
 /// The patch over triangle t. noexcept, allocates nothing; finite for any part.
-CurvedPatch curved_patch(const Part& part, int t) noexcept;
+CurvedPatch curved_patch(const CornerNormals& normals, int t) noexcept;
 
 PatchPoint evaluate(const CurvedPatch& patch, const Vec3& barycentric) noexcept;
 

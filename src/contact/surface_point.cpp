@@ -71,9 +71,10 @@ double largest_bulge_m(const Part& part, Normals normals) noexcept {
 
 /// The answer on the curved surface.
 /// @param signed_distance_m  to the facets
-SurfacePoint curved_surface_point(const Part& part, const ClosestTriangle& facets, const Vec3& q,
+SurfacePoint curved_surface_point(const CornerNormals& normals, const ClosestTriangle& facets, const Vec3& q,
                                   double signed_distance_m) noexcept {
-  const CurvedPoint found = closest_on_curved(part, facets, q);
+  const Part& part = normals.part;
+  const CurvedPoint found = closest_on_curved(normals, facets, q);
   const Feature feature = found.at.feature;
   const Vec3 pseudo = pseudonormal(part, found.triangle, feature);
   const bool smooth = is_smooth(part, found.triangle, feature);
@@ -105,7 +106,8 @@ bool outside_padded_box(const Part& part, const Vec3& q, double reach_m) noexcep
 Vec3 shaded_normal(const Part& part, int t, const TrianglePoint& at, Normals normals,
                    const Vec3& facet_normal_P) noexcept {
   if (normals == Normals::facet || !is_smooth(part, t, at.feature)) return facet_normal_P;
-  if (normals == Normals::curved) return shown_normal(curved_patch(part, t), at.barycentric, facet_normal_P);
+  if (normals == Normals::curved)
+    return shown_normal(curved_patch({part}, t), at.barycentric, facet_normal_P);
   return interpolated_normal(part, t, at.barycentric, facet_normal_P);
 }
 
@@ -126,7 +128,8 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
   const Vec3 pseudo = pseudonormal(part, t, found.at.feature);
   const bool inside = offset.dot(pseudo) < 0;
   if (normals == Normals::curved) {
-    const SurfacePoint curved = curved_surface_point(part, found, q, inside ? -distance_m : distance_m);
+    const SurfacePoint curved =
+        curved_surface_point({part, tree.curved_normals()}, found, q, inside ? -distance_m : distance_m);
     return curved.signed_distance_m <= reach_m ? curved : result;
   }
   if (!inside && !(distance_m <= reach_m)) return result;

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <atomic>
+#include <mutex>
+
 #include "contact/packet_filter.hpp"
 #include "contact/packet_scene.hpp"
 #include "contact/triangle_tree.hpp"
@@ -11,6 +14,9 @@ struct TriangleTree::Impl {
   PackedPart packed;
   PacketFilter filter;
   PacketScene scene;
+  std::once_flag curved_once;
+  Points curved_table;
+  std::atomic<const Points*> curved_normals = nullptr;  ///< the table, once it is whole
 
   explicit Impl(std::shared_ptr<const Part> part)
       : packed(pack(std::move(part))), filter(fastest_packet_filter()), scene(packed) {}

@@ -6,6 +6,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/curved_normals.hpp"
 #include "contact/tree_parts.hpp"
 
 namespace fingerpad {
@@ -207,8 +208,21 @@ const Part& TriangleTree::part() const noexcept {
   return *impl_->packed.part;
 }
 
+void TriangleTree::prepare_curved() const {
+  std::call_once(impl_->curved_once, [this] {
+    impl_->curved_table = curved_corner_normals(part());
+    impl_->curved_normals.store(&impl_->curved_table, std::memory_order_release);
+  });
+}
+
+const Points* TriangleTree::curved_normals() const noexcept {
+  return impl_->curved_normals.load(std::memory_order_acquire);
+}
+
 std::size_t TriangleTree::memory_bytes() const noexcept {
-  return sizeof(Impl) + impl_->packed.memory_bytes() + impl_->scene.memory_bytes();
+  const Points* curved = curved_normals();
+  return sizeof(Impl) + impl_->packed.memory_bytes() + impl_->scene.memory_bytes() +
+         (curved == nullptr ? 0 : static_cast<std::size_t>(curved->size()) * sizeof(double));
 }
 
 ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) const noexcept {

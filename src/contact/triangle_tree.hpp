@@ -75,6 +75,13 @@ class TriangleTree {
 
   const Part& part() const noexcept;
 
+  /// Makes a table of the normals that curved patches have at corners (curved_normals.hpp), 72 bytes a
+  /// triangle, on all threads; once, whoever asks. It makes `curved` queries about four times faster and
+  /// changes no bit of their answers. Throws std::bad_alloc.
+  void prepare_curved() const;
+  /// The table, 3 x 3n; null where nobody asked for it.
+  const Points* curved_normals() const noexcept;
+
   /// What the tree holds besides the part, Embree's share with it [bytes].
   std::size_t memory_bytes() const noexcept;
 
