@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <charconv>
+#include <set>
 #include <thread>
 
 #include "app/commands.hpp"
@@ -80,6 +81,16 @@ void tell(const std::vector<BatchJob>& jobs) {
       coarse_teeth, coarse_jobs, coarse_jobs == 1 ? "trace" : "traces");
 }
 
+/// What the program chose where scenes left it open: each part's line once, however many jobs touch it.
+void tell_choices(const std::vector<BatchJob>& jobs) {
+  std::set<std::string_view> told;
+  for (const BatchJob& job : jobs) {
+    for (const std::string& reason : job.contact_reasons) {
+      if (told.insert(reason).second) fmt::print(stderr, "fingerpad: {}\n", reason);
+    }
+  }
+}
+
 int exit_code(const std::vector<BatchJob>& jobs) {
   if (jobs.size() == 1 && jobs[0].job.number == 0) return jobs[0].exit_code;
   const bool any_failed =
@@ -99,6 +110,7 @@ int replay(ReplayOptions options) {
   run_batch(jobs, options.batch, ranks, [&](const BatchJob& job) { bar.advance(job.job.scene.name); });
   bar.finish();
   if (!ranks.is_root()) return 0;
+  if (!options.quiet) tell_choices(jobs);
   tell(jobs);
   const auto ran =
       std::count_if(jobs.begin(), jobs.end(), [](const BatchJob& job) { return !job.status.empty(); });
@@ -151,8 +163,9 @@ void add_replay(CLI::App& program, Action& action) {
   command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")
       ->type_name("K/N")
       ->capture_default_str();
-  command->add_flag("--quiet", options->quiet,
-                    "No progress and no closing line; errors and warnings are still told");
+  command->add_flag(
+      "--quiet", options->quiet,
+      "No progress, no choices of contact and no closing line; errors and warnings are still told");
   command->footer(
       "Writes OUT/<scene>.h5 (or .csv); a set's jobs are <scene>-0001.h5 and so on. summary.csv has a row "
       "for each job.\n"

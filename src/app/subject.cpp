@@ -26,6 +26,7 @@ ViewInput scene_subject(const std::string& path) {
   input.title = input.scene->name;
   input.world = load_world(*input.scene);
   tell_warnings(*input.world);
+  tell_choice(*input.world);
   if (input.scene->motion.given()) input.rows = replayed(*input.scene, input.world);
   return input;
 }
@@ -33,7 +34,9 @@ ViewInput scene_subject(const std::string& path) {
 ViewInput mesh_subject(const std::string& path, double metres_per_unit) {
   ViewInput input;
   input.title = std::filesystem::path(path).filename().string();
-  input.world = load_world(scene_of_mesh(path, metres_per_unit));
+  Scene scene = scene_of_mesh(path, metres_per_unit);
+  scene.contact.method = ContactMethod::closest_point;  // only looked at: nothing to measure it for
+  input.world = load_world(scene);
   tell_warnings(*input.world);
   return input;
 }
@@ -63,6 +66,11 @@ ViewInput load_subject(const std::string& path, double metres_per_unit) {
       break;
   }
   return mesh_subject(path, metres_per_unit);
+}
+
+void tell_choice(const World& world) {
+  if (!world.contact) return;
+  for (const std::string& reason : world.contact->reasons) fmt::print(stderr, "fingerpad: {}\n", reason);
 }
 
 void tell_warnings(const World& world) {

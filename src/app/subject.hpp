@@ -23,4 +23,7 @@ Scene single_scene(const std::string& path);
 /// Prints the verdicts' warnings to standard error, as `fingerpad: warning: FILE: WHAT`.
 void tell_warnings(const World& world);
 
+/// Prints what was chosen where the scene left its contact open, and why, a line a part, to standard error.
+void tell_choice(const World& world);
+
 }  // namespace fingerpad

@@ -54,9 +54,11 @@ std::unique_ptr<LiveRecorder> recorder_for(const TouchOptions& options, const Sc
 
 int touch(const TouchOptions& options) {
   need_display();  // before a long import
-  const Scene scene = touched_scene(options);
+  Scene scene = touched_scene(options);
   const auto world = load_world(scene);
   tell_warnings(*world);
+  tell_choice(*world);
+  scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
   const auto recorder = recorder_for(options, scene, *world);
   PointerFinger finger(resting_finger(*world, scene), pointer_bandwidth_hz);
 

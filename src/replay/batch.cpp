@@ -23,8 +23,12 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
   try {
     if (!job.error.empty()) throw Error(ErrorKind::refused, "", job.error);
     const auto path = std::filesystem::path(options.out_dir) / trace_name(job, options.format);
-    batch_job.figures =
-        run_job(job.scene, meshes, {path.string(), options.format, options.version, options.resume}).values();
+    const JobResult result =
+        run_job(job.scene, meshes, {path.string(), options.format, options.version, options.resume});
+    batch_job.figures = result.figures.values();
+    batch_job.contact_method = result.contact_method;
+    batch_job.contact_normals = result.contact_normals;
+    batch_job.contact_reasons = result.contact_reasons;
     batch_job.status = "ok";
   } catch (const Error& error) {
     batch_job.status = error.what();
@@ -40,7 +44,9 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
 std::string outcomes_text(const std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours) {
   nlohmann::json outcomes = nlohmann::json::array();
   for (const std::size_t i : ours) {
-    outcomes.push_back({i, jobs[i].status, jobs[i].exit_code, jobs[i].seconds, jobs[i].figures});
+    const BatchJob& job = jobs[i];
+    outcomes.push_back({i, job.status, job.exit_code, job.seconds, job.figures, job.contact_method,
+                        job.contact_normals, job.contact_reasons});
   }
   return outcomes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -52,6 +58,9 @@ void take_outcomes(std::vector<BatchJob>& jobs, const std::string& text) {
     job.exit_code = outcome[2];
     job.seconds = outcome[3];
     job.figures = outcome[4].get<std::vector<double>>();
+    job.contact_method = outcome[5];
+    job.contact_normals = outcome[6];
+    job.contact_reasons = outcome[7].get<std::vector<std::string>>();
   }
 }
 

@@ -25,8 +25,10 @@ struct BatchOptions {
 /// One job of a batch, and how it ended.
 struct BatchJob {
   SceneJob job;
-  std::string status;           ///< "ok", or the error; empty: another shard's
-  std::vector<double> figures;  ///< Figures::values(), empty unless "ok"
+  std::string status;                           ///< "ok", or the error; empty: another shard's
+  std::vector<double> figures;                  ///< Figures::values(), empty unless "ok"
+  std::string contact_method, contact_normals;  ///< that served (TraceInfo); empty unless "ok"
+  std::vector<std::string> contact_reasons;     ///< of what its scene left open
   double seconds = 0;
   int exit_code = 0;  ///< of this job alone
 };

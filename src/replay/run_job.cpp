@@ -42,7 +42,7 @@ std::optional<Figures> finished_before(const JobOutput& output, const TraceInfo&
   }
   if (!trace.complete || static_cast<long>(trace.rows.size()) != ticks) return std::nullopt;
   if (output.format == TraceFormat::hdf5 && !same_run(trace.info, info)) return std::nullopt;
-  if (scene.contact.method == ContactMethod::proxy && !trace.rows.empty())
+  if (settled_contact(scene, world).method == ContactMethod::proxy && !trace.rows.empty())
     trace.rows.front().started_inside = is_inside_part(trace.rows.front(), world);
   Figures figures;
   for (const TickRecord& row : trace.rows) figures.observe(row);
@@ -66,20 +66,27 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
   info.motion_file = scene.motion.file;
   if (!scene.motion.file_path.empty()) info.motion_hash = file_hash(scene.motion.file_path);
   if (!scene.finger.profile_path.empty()) info.profile_text = whole_text(scene.finger.profile_path);
+  const ContactChoice contact = settled_contact(scene, world);
+  info.contact_method = method_in(world, contact.method);
+  info.contact_normals = normals_name(contact.normals);
+  info.contact_reasons = contact.reasons;
   return info;
 }
 
-Figures run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) {
+JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) {
   FingerPath path = load_finger_path(scene);
   const auto world = load_world(scene, meshes);
   const TraceInfo info = trace_info(scene, *world, output.version);
+  JobResult result{{}, info.contact_method, info.contact_normals, info.contact_reasons};
   // A trace does not tell on which ticks a remedy acted: such a run is made again.
   if (scene.friction.settings.remedy == Remedy::none) {
-    if (auto figures = finished_before(output, info, path.tick_count(), scene, *world)) return *figures;
+    if (const auto figures = finished_before(output, info, path.tick_count(), scene, *world)) {
+      result.figures = *figures;
+      return result;
+    }
   }
 
   ClosedLoop loop(world, scene, std::move(path));
-  Figures figures;
   const auto writer = TraceWriter::create(output.path, output.format, info, *world);
   constexpr long block_ticks = 4096;
   std::vector<TickRecord> block;
@@ -88,12 +95,12 @@ Figures run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) 
     block.clear();
     for (long k = first; k < std::min(first + block_ticks, loop.tick_count()); ++k) {
       block.push_back(loop.next());
-      figures.observe(block.back());
+      result.figures.observe(block.back());
     }
     writer->append(block);
   }
   writer->finish();
-  return figures;
+  return result;
 }
 
 }  // namespace fingerpad

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "replay/figures.hpp"
 #include "scene/scene.hpp"
@@ -17,10 +18,17 @@ struct JobOutput {
   bool resume = false;  ///< keep a complete trace of the very same run instead of making it again
 };
 
+/// What a run came to.
+struct JobResult {
+  Figures figures;
+  std::string contact_method, contact_normals;  ///< see TraceInfo
+  std::vector<std::string> contact_reasons;
+};
+
 /// Follows a scene's motion through its world, tick by tick, and writes the trace.
 /// Throws Error (refused) for inputs, Error (fault) for the disk; an unfinished trace then stays behind,
 /// marked so.
-Figures run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output);
+JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output);
 
 /// What a trace of this scene says about itself.
 TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version);

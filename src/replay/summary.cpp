@@ -48,7 +48,7 @@ std::string summary_text(const std::vector<BatchJob>& jobs) {
   for (const std::string& key : keys) text += "," + cell(key);
   text += ",status";
   for (const std::string_view name : Figures::names()) text += fmt::format(",{}", name);
-  text += "\n";
+  text += ",contact_method,contact_normals\n";
   for (const BatchJob& job : jobs) {
     if (job.status.empty()) continue;
     text += fmt::format("{},{}", cell(job.job.scene.name), job.job.number);
@@ -57,7 +57,7 @@ std::string summary_text(const std::vector<BatchJob>& jobs) {
     for (std::size_t i = 0; i < Figures::names().size(); ++i) {
       text += "," + number_text(job.status == "ok" ? job.figures[i] : TickRecord::nan);
     }
-    text += "\n";
+    text += fmt::format(",{},{}\n", job.contact_method, job.contact_normals);
   }
   return text;
 }

@@ -6,9 +6,9 @@
 
 namespace fingerpad {
 
-/// Writes `summary.csv` (scene, job, every set key as written, status, figures: no times) and `timing.csv`
-/// (scene, job, seconds) into the output folder: a row for each job that this call ran. With several shards
-/// the names carry the shard: `summary-2of8.csv`. Throws Error (fault).
+/// Writes `summary.csv` (scene, job, every set key as written, status, figures, contact method and normals:
+/// no times) and `timing.csv` (scene, job, seconds) into the output folder: a row for each job that this call
+/// ran. With several shards the names carry the shard: `summary-2of8.csv`. Throws Error (fault).
 void write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
 
 }  // namespace fingerpad

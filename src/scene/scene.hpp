@@ -41,12 +41,17 @@ struct PlaneEntry {
   SurfaceProperties surface;
 };
 
-/// method: `automatic` means closest-point until the program can tell which is safe.
+/// method: `automatic` means the cheapest that keeps the tolerances (choose_contact).
 enum class ContactMethod { automatic, closest_point, proxy };
 
 struct ContactSettings {
   ContactMethod method = ContactMethod::automatic;
   Normals normals = Normals::smooth;
+  bool automatic_normals = false;  ///< `normals = "auto"`: as for the method
+  // What a choice must keep.
+  double force_tolerance = 0.03;  ///< error of the force, as a fraction of it
+  double mu_tolerance = 0.1;      ///< error of the coefficient of friction, as a fraction of it
+  double greatest_force_n = 10;   ///< that the finger will press with
 };
 
 /// Slip vibration (paper, fig. 11).

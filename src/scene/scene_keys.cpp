@@ -22,7 +22,7 @@ const std::vector<SceneTable>& scene_tables() {
         "damping_n_s_per_m", "mu_static", "mu_dynamic"}},
       {"part.rotation", {"axis", "angle_deg"}},
       {"plane", {"point_m", "normal", "stiffness_n_per_m", "damping_n_s_per_m", "mu_static", "mu_dynamic"}},
-      {"contact", {"method", "normals"}},
+      {"contact", {"method", "normals", "force_tolerance", "mu_tolerance", "greatest_force_n"}},
       {"friction", {"law", "restick", "remedy", "vibration", "v_min_m_per_s", "stick_stiffness_per_m"}},
       {"friction.vibration", {"frequency_hz", "bandwidth_hz", "amplitude", "normal_amplitude"}},
       {"finger", {"radius_m", "direction", "profile"}},

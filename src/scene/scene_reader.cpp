@@ -120,17 +120,13 @@ ContactSettings read_contact(const TomlNode& node, const std::string& path) {
   constexpr ContactMethod methods[] = {ContactMethod::automatic, ContactMethod::closest_point,
                                        ContactMethod::proxy};
   contact.method = methods[table.choice("method", 0, {"auto", "closest-point", "proxy"})];
-  switch (table.choice("normals", 1, {"facet", "smooth", "curved"})) {
-    case 0:
-      contact.normals = Normals::facet;
-      break;
-    case 1:
-      contact.normals = Normals::smooth;
-      break;
-    default:
-      throw table.error("normals",
-                        "normals \"curved\" are not available in this version; use \"smooth\" or \"facet\"");
-  }
+  contact.force_tolerance = table.number("force_tolerance", contact.force_tolerance, {0, 1, true});
+  contact.mu_tolerance = table.number("mu_tolerance", contact.mu_tolerance, {0, 1, true});
+  contact.greatest_force_n = table.number("greatest_force_n", contact.greatest_force_n, {0, 1e6, true});
+  constexpr Normals normals[] = {Normals::facet, Normals::smooth, Normals::curved};
+  const std::size_t word = table.choice("normals", 1, {"facet", "smooth", "curved", "auto"});
+  contact.automatic_normals = word == std::size(normals);
+  if (!contact.automatic_normals) contact.normals = normals[word];
   return contact;
 }
 

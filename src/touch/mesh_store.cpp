@@ -49,4 +49,20 @@ std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
   return pending.get();
 }
 
+PartMeasures MeshStore::measure(const PartEntry& entry, const LoadedMesh& mesh) {
+  std::shared_ptr<Measured> measured;
+  {
+    const std::lock_guard lock(mutex_);
+    std::shared_ptr<Measured>& kept =
+        measured_[{mesh.hash, entry.metres_per_unit, entry.crease_deg, entry.repair}];
+    if (!kept) kept = std::make_shared<Measured>();
+    measured = kept;
+  }
+  std::call_once(measured->once, [&] {
+    measured->measures = measure_part(*mesh.part, *mesh.tree);
+    ++measured_count_;
+  });
+  return measured->measures;
+}
+
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <atomic>
 #include <deque>
 #include <future>
 #include <map>
@@ -29,15 +30,28 @@ class MeshStore {
   /// Throws Error (refused) for a mesh that cannot be touched, to everyone who asks.
   std::shared_ptr<const LoadedMesh> load(const PartEntry& entry);
 
+  /// What `mesh`, as loaded for `entry`, measures: made once for each content of a file (with its unit,
+  /// crease and repair), when first asked for, and kept for as long as the store.
+  PartMeasures measure(const PartEntry& entry, const LoadedMesh& mesh);
+  /// How many parts were measured so far.
+  long measured_count() const noexcept { return measured_count_; }
+
  private:
   using Key =
       std::tuple<std::string, double, double, bool>;  // path, metres per unit, crease in degrees, repair
   using Pending = std::shared_future<std::shared_ptr<const LoadedMesh>>;
+  /// Measured once by whoever comes first; the others wait at the flag.
+  struct Measured {
+    std::once_flag once;
+    PartMeasures measures;
+  };
 
   std::size_t keep_;
   std::mutex mutex_;
   std::map<Key, Pending> meshes_;
-  std::deque<Key> last_used_;  // newest in front
+  std::deque<Key> last_used_;                          // newest in front
+  std::map<Key, std::shared_ptr<Measured>> measured_;  // by the file's hash in place of its path
+  std::atomic<long> measured_count_{0};
 };
 
 }  // namespace fingerpad

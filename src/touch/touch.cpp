@@ -32,7 +32,7 @@ FingerSample usable(FingerSample sample, const Vec3& normal_W) noexcept {
 
 Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
     : world_(std::move(world)),
-      normals_(scene.contact.normals),
+      normals_(settled_contact(scene, *world_).normals),
       radius_m_(scene.finger.radius_m),
       dt_s_(1 / scene.motion.rate_hz),
       seeds_(world_->surfaces.size(), -1),
@@ -41,7 +41,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
   if (entry == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
   law_ = entry->make(scene.friction.settings);
-  if (scene.contact.method == ContactMethod::proxy)
+  if (settled_contact(scene, *world_).method == ContactMethod::proxy)
     proxy_.emplace(world_proxy(*world_, scene.finger.radius_m, normals_));
   if (!scene.friction.vibration) return;
   vibration_settings_ = *scene.friction.vibration;

@@ -17,7 +17,7 @@ namespace fingerpad {
 /// One finger in one world: the tick that live touch, replay and study share.
 class Touch {
  public:
-  /// @param world  as load_world(scene) made it
+  /// @param world  as load_world(scene) made it, with the choice of what the scene leaves open
   /// @param scene  its contact, friction, finger and rate. Throws Error (refused) for a law that cannot be
   /// made.
   Touch(std::shared_ptr<const World> world, const Scene& scene);

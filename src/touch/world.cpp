@@ -11,6 +11,7 @@ std::shared_ptr<const World> load_world(const Scene& scene) {
 
 std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
   auto world = std::make_shared<World>();
+  std::vector<PartMeasures> measures;
   for (const PartEntry& entry : scene.parts) {
     const auto mesh = meshes.load(entry);
     Surface surface;
@@ -23,6 +24,7 @@ std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
     surface.mesh_hash = mesh->hash;
     world->surfaces.push_back(std::move(surface));
     world->verdicts.push_back(mesh->verdict);
+    if (leaves_a_choice(scene.contact)) measures.push_back(meshes.measure(entry, *mesh));
   }
   for (const PlaneEntry& entry : scene.planes) {
     Surface surface;
@@ -31,6 +33,7 @@ std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
     surface.plane_normal_W = entry.normal;
     world->surfaces.push_back(std::move(surface));
   }
+  world->contact = choose_contact(scene, world->surfaces, measures);
   return world;
 }
 

@@ -8,6 +8,7 @@
 #include "contact/surface_point.hpp"
 #include "part/verdict.hpp"
 #include "scene/scene.hpp"
+#include "touch/contact_choice.hpp"
 
 namespace fingerpad {
 
@@ -30,11 +31,14 @@ struct Surface {
 struct World {
   std::vector<Surface> surfaces;
   std::vector<Verdict> verdicts;  ///< one per part
+  std::optional<ContactChoice>
+      contact;  ///< as load_world chose it for its scene; none in worlds made by hand
 };
 
 class MeshStore;
 
-/// Loads every part of a scene. Throws Error (refused) for a mesh that cannot be touched.
+/// Loads every part of a scene, and measures them where it leaves its contact method or normals to choose.
+/// Throws Error (refused) for a mesh that cannot be touched.
 std::shared_ptr<const World> load_world(const Scene& scene);
 
 /// As above, with meshes shared between many scenes.

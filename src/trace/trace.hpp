@@ -32,7 +32,10 @@ struct TraceInfo {
   std::vector<std::string> mesh_hashes;  ///< file_hash of each
   std::string motion_file;               ///< as written; empty for live touch and scripted motions
   std::string motion_hash;
-  std::string profile_text;  ///< the profile file's text, empty without one
+  std::string profile_text;     ///< the profile file's text, empty without one
+  std::string contact_method;   ///< that served: "closest-point", "proxy", or "plane" without a part
+  std::string contact_normals;  ///< "facet", "smooth" or "curved"
+  std::vector<std::string> contact_reasons;  ///< why, where the scene left it open: a line a part
 };
 
 /// A trace read whole.

@@ -32,6 +32,9 @@ TraceInfo read_info(const hdf5::Handle& file) {
   info.motion_file = hdf5::read_text(file, "motion_file");
   info.motion_hash = hdf5::read_text(file, "motion_hash");
   info.profile_text = hdf5::read_text(file, "profile");
+  info.contact_method = hdf5::read_text(file, "contact_method");
+  info.contact_normals = hdf5::read_text(file, "contact_normals");
+  info.contact_reasons = hdf5::read_texts(file, "contact_reasons");
   return info;
 }
 

@@ -27,6 +27,9 @@ void write_info(const hdf5::Handle& file, const TraceInfo& info) {
   hdf5::write_text(file, "motion_file", info.motion_file);
   hdf5::write_text(file, "motion_hash", info.motion_hash);
   hdf5::write_text(file, "profile", info.profile_text);
+  hdf5::write_text(file, "contact_method", info.contact_method);
+  hdf5::write_text(file, "contact_normals", info.contact_normals);
+  hdf5::write_texts(file, "contact_reasons", info.contact_reasons);
 }
 
 hdf5::NumberType type_of_column(std::size_t column) {

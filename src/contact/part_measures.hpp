@@ -1,0 +1,47 @@
+#pragma once
+
+#include <limits>
+
+#include "contact/triangle_tree.hpp"
+
+namespace fingerpad {
+
+/// What of a part's shape decides how it can be touched: its edges, all of them, and its walls, at samples.
+/// Lengths in metres, angles as turns of the facets' normals: 0 where two facets lie in one plane, pi where
+/// one folds back onto the other.
+///
+/// A turn is only believed where both facets are higher over the edge than a hundred roundings of the file's
+/// float32 coordinates: the normals of thinner slivers are noise.
+struct PartMeasures {
+  long open_edges = 0;  ///< half-edges with no single neighbour: at a boundary, or where more than two meet
+  long contradicting_edges = 0;  ///< half-edges whose neighbour is wound the other way
+  double volume_m3 = 0;          ///< signed: < 0 where the part is inside out; means nothing where it is open
+
+  double sharpest_ridge_rad = 0;   ///< largest turn across a convex edge; pi less the angle of the material
+  double sharpest_valley_rad = 0;  ///< largest turn across a concave edge that is a crease
+  double tightest_hollow_m = inf;  ///< smallest radius of the surface across concave edges that are no crease
+  double largest_smooth_turn_rad = 0;  ///< across an edge that is no crease
+  double largest_sag_m = 0;  ///< of facets that stand for a smooth surface: how far they cut into it
+
+  double thinnest_m = inf;  ///< the smallest local thickness met
+  double median_m = inf;    ///< half of the surface's area is thinner
+  int ray_count = 0;
+
+  static constexpr double inf = std::numeric_limits<double>::infinity();
+};
+
+/// Measures a part on all threads. Bounded: every edge is looked at once, and at most 60,000 rays are cast;
+/// the same part gives the same answer on any number of threads.
+///
+/// Local thickness: a ray goes from a facet straight inwards to where it leaves the part, through a facet
+/// whose normal is turned by at least 120 degrees (others are no opposite side); it is the diameter of the
+/// ball that touches both facets' planes, the first where the ray starts: L (1 - tan^2(a/2)) for a ray of
+/// length L and facets that meet at the angle a; L for parallel ones. Rays start as in thinnest_wall_m, from
+/// every facet's m x m like parts, or from every k-th facet's centre.
+/// @param part  the part that `tree` was built on
+PartMeasures measure_part(const Part& part, const TriangleTree& tree);
+
+/// Facets whose normals turn by at least this face opposite ways: two thirds of a half turn.
+inline constexpr double opposite_turn_rad = 2.0943951023931953;
+
+}  // namespace fingerpad
