@@ -17,6 +17,11 @@ struct ProxyWall {
   int triangle = -1;  ///< -1: of a plane
 };
 
+/// 1 where a wall's normal lies on the outer side of its facet, -1 where the wall holds from behind.
+inline double side_of(const Vec3& outer_normal, const Vec3& wall_normal) noexcept {
+  return outer_normal.dot(wall_normal) < 0 ? -1 : 1;
+}
+
 /// The point of an intersection of half spaces that lies closest to a goal.
 struct ProxyProjection {
   bool found = false;
