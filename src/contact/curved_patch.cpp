@@ -12,29 +12,53 @@ constexpr double flatness = 1e-9;
 /// Sine of the largest turn of an edge's tangent off its chord.
 constexpr double largest_turn = 0.5;
 
-/// From an end of an edge to the control point near it, where `chord` goes to the other end and `normal` is
-/// the surface's: a third of the chord, in the tangent plane. Of no use where it turns too far.
-struct Tangent {
-  Vec3 third;
+/// How an edge's curve leaves its chord at one end: from the point a third of the chord along to the control
+/// point there, where `chord` goes to the other end and `normal` is the surface's. Of no use where the
+/// tangent turns too far.
+struct Bulge {
+  Vec3 offset;
   bool usable;
 };
 
-Tangent in_plane(const Vec3& chord, const Vec3& normal) noexcept {
+Bulge in_plane(const Vec3& chord, const Vec3& normal) noexcept {
   const double off = chord.dot(normal);
-  return {(chord - off * normal) / 3, off * off <= largest_turn * largest_turn * chord.squaredNorm()};
+  return {-off / 3 * normal, off * off <= largest_turn * largest_turn * chord.squaredNorm()};
 }
 
 /// As above where two smooth surfaces meet in a crease: along the line that is in both tangent planes. At a
 /// crease's end, where it runs out into a smooth surface, both planes are one.
-Tangent in_both_planes(const Vec3& chord, const Vec3& normal, const Vec3& beyond) noexcept {
+Bulge in_both_planes(const Vec3& chord, const Vec3& normal, const Vec3& beyond) noexcept {
   const Vec3 line = normal.cross(beyond);
   const double sine2 = line.squaredNorm();
   if (sine2 < 1e-12 && normal.dot(beyond) > 0) return in_plane(chord, normal);
   // Planes that meet at a few degrees say little about where: 1 degree of error in one turns the line by ten.
-  if (sine2 < 0.01) return {chord / 3, true};
+  if (sine2 < 0.01) return {Vec3::Zero(), true};
   const double along = chord.dot(line);
-  return {along / (3 * sine2) * line,
+  return {(along / sine2 * line - chord) / 3,
           along * along >= (1 - largest_turn * largest_turn) * chord.squaredNorm() * sine2};
+}
+
+/// An edge bulges at one end at most twice as much as at the other, and not at all where they disagree which
+/// way. On a smooth surface both bulges are of order h^2 and differ by h^3 alone, so this costs no order; it
+/// keeps the edges of a flat face straight that a fillet tilts at one end.
+void reconcile(Vec3& a, Vec3& b) noexcept {
+  const double a2 = a.squaredNorm(), b2 = b.squaredNorm();
+  if (!(a.dot(b) > 0)) {
+    a.setZero();
+    b.setZero();
+  } else if (a2 > 4 * b2) {
+    a *= 2 * std::sqrt(b2 / a2);
+  } else if (b2 > 4 * a2) {
+    b *= 2 * std::sqrt(a2 / b2);
+  }
+}
+
+/// A triangle's height over its longest edge [m].
+double height_m(const Part& part, int t) noexcept {
+  const Vec3 p = part.vertices.col(part.triangles(0, t));
+  const Vec3 a = part.vertices.col(part.triangles(1, t)) - p, b = part.vertices.col(part.triangles(2, t)) - p;
+  const double longest2 = std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()});
+  return longest2 > 0 ? std::sqrt(a.cross(b).squaredNorm() / longest2) : 0;
 }
 
 /// The normals beyond edge k at its ends; false where no neighbour answers for both.
@@ -56,34 +80,49 @@ bool normals_beyond(const CornerNormals& normals, int t, int k, Vec3& first, Vec
   return found == 3;
 }
 
-void place_edge(const CornerNormals& normals, int t, int k, CurvedPatch& patch) noexcept {
+/// How the curve of edge k leaves its chord at both ends; the same, up to rounding, from both sides.
+std::array<Vec3, 2> bulges(const CornerNormals& normals, int t, int k, const CurvedPatch& patch) noexcept {
   const Part& part = normals.part;
   const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>((k + 1) % 3);
   const Vec3 chord = patch.control[j] - patch.control[i];
   const Vec3 &n_i = patch.corner_normal[i], &n_j = patch.corner_normal[j];
-  Tangent at_i{chord / 3, false}, at_j{-chord / 3, false};
-  Vec3 beyond_i, beyond_j;
+  Bulge at_i = in_plane(chord, n_i), at_j = in_plane(-chord, n_j);
+  const int other = part.neighbours(k, t);
   const bool is_crease = (part.creases[static_cast<std::size_t>(t)] >> k & 1) != 0;
-  if (!is_crease && part.neighbours(k, t) >= 0) {
-    at_i = in_plane(chord, n_i);
-    at_j = in_plane(-chord, n_j);
-  } else if (is_crease && normals_beyond(normals, t, k, beyond_i, beyond_j)) {
+  if (is_crease && other >= 0) {
+    Vec3 beyond_i, beyond_j;
+    if (!normals_beyond(normals, t, k, beyond_i, beyond_j)) return {Vec3::Zero(), Vec3::Zero()};
     at_i = in_both_planes(chord, n_i, beyond_i);
     at_j = in_both_planes(-chord, n_j, beyond_j);
   }
-  const bool curved = at_i.usable && at_j.usable;
-  patch.control[3 + 2 * i] = patch.control[i] + (curved ? at_i.third : Vec3(chord / 3));
-  patch.control[4 + 2 * i] = patch.control[j] + (curved ? at_j.third : Vec3(-chord / 3));
+  if (!at_i.usable || !at_j.usable) return {Vec3::Zero(), Vec3::Zero()};
+  reconcile(at_i.offset, at_j.offset);
+  const double larger = std::sqrt(std::max(at_i.offset.squaredNorm(), at_j.offset.squaredNorm()));
+  if (larger > flatness * patch.length_m) {
+    // A sliver must not fold, and a long one in a flat face says little about how the surface curves.
+    double most = height_m(part, t) / 2;
+    if (other >= 0) most = std::min(most, height_m(part, other) / 2);
+    const double share = std::min(1.0, most / larger);
+    at_i.offset *= share;
+    at_j.offset *= share;
+  }
+  return {at_i.offset, at_j.offset};
+}
+
+void place_edge(const CornerNormals& normals, int t, int k, CurvedPatch& patch) noexcept {
+  const auto i = static_cast<std::size_t>(k), j = static_cast<std::size_t>((k + 1) % 3);
+  const Vec3 chord = patch.control[j] - patch.control[i];
+  const std::array<Vec3, 2> bulge = bulges(normals, t, k, patch);
+  patch.control[3 + 2 * i] = patch.control[i] + chord / 3 + bulge[0];
+  patch.control[4 + 2 * i] = patch.control[j] - chord / 3 + bulge[1];
 
   // Half way the normal is the ends' mean, turned so that it is perpendicular to the curve.
-  const Vec3 mean = n_i + n_j;
-  const Vec3 tangent =
-      patch.control[j] + patch.control[4 + 2 * i] - patch.control[3 + 2 * i] - patch.control[i];
+  const Vec3 mean = patch.corner_normal[i] + patch.corner_normal[j];
+  const Vec3 tangent = 4.0 / 3 * chord + bulge[1] - bulge[0];
   const double tangent2 = tangent.squaredNorm();
-  Vec3 middle = mean;
-  if (curved && tangent2 > 0) middle -= mean.dot(tangent) / tangent2 * tangent;
+  const Vec3 middle = tangent2 > 0 ? Vec3(mean - mean.dot(tangent) / tangent2 * tangent) : mean;
   const double length = middle.norm();
-  patch.edge_normal[i] = length > 0.5 ? Vec3(middle / length) : n_i;
+  patch.edge_normal[i] = length > 0.5 ? Vec3(middle / length) : patch.corner_normal[i];
 }
 
 /// How far the control points stand from where the flat triangle has them.
@@ -107,12 +146,13 @@ CurvedPatch curved_patch(const CornerNormals& normals, int t) noexcept {
     patch.control[static_cast<std::size_t>(k)] = part.vertices.col(part.triangles(k, t));
     patch.corner_normal[static_cast<std::size_t>(k)] = normals(t, k);
   }
+  for (std::size_t k = 0; k < 3; ++k) {
+    patch.length_m = std::max(patch.length_m, (patch.control[(k + 1) % 3] - patch.control[k]).norm());
+  }
   for (int k = 0; k < 3; ++k) place_edge(normals, t, k, patch);
   auto& c = patch.control;
   const Vec3 edges = (c[3] + c[4] + c[5] + c[6] + c[7] + c[8]) / 6;
   c[9] = edges + (edges - (c[0] + c[1] + c[2]) / 3) / 2;
-  for (std::size_t k = 0; k < 3; ++k)
-    patch.length_m = std::max(patch.length_m, (c[(k + 1) % 3] - c[k]).norm());
   patch.deviation_m = deviation(patch);
   patch.flat = patch.deviation_m <= flatness * patch.length_m;
   return patch;
