@@ -1,0 +1,306 @@
+#include "touch/contact_choice.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <numbers>
+#include <thread>
+
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "support/worlds.hpp"
+#include "touch/mesh_store.hpp"
+#include "touch/touch.hpp"
+
+namespace fingerpad {
+namespace {
+
+using test::box_soup;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A point finger at 1 kHz that presses with 1 N on 1000 N/m: 1 mm, and 1 mm of motion in a tick.
+Scene light_press() {
+  Scene scene;
+  scene.contact.greatest_force_n = 1;
+  return scene;
+}
+
+std::vector<Surface> surfaces_of(const TriangleSoup& soup, double crease_deg = 30) {
+  Surface surface;
+  surface.part = std::make_shared<const Part>(make_part(soup, crease_deg * std::numbers::pi / 180));
+  surface.tree = std::make_shared<const TriangleTree>(surface.part);
+  surface.mesh = "models/part.stl";
+  return {surface};
+}
+
+ContactChoice choice_for(const Scene& scene, const std::vector<Surface>& surfaces) {
+  std::vector<PartMeasures> measures;
+  for (const Surface& surface : surfaces) {
+    if (surface.part) measures.push_back(measure_part(*surface.part, *surface.tree));
+  }
+  return choose_contact(scene, surfaces, measures);
+}
+
+ContactMethod method_for(const Scene& scene, const TriangleSoup& soup) {
+  return choice_for(scene, surfaces_of(soup)).method;
+}
+
+Normals normals_for(Scene scene, const TriangleSoup& soup) {
+  scene.contact.automatic_normals = true;
+  return choice_for(scene, surfaces_of(soup)).normals;
+}
+
+TEST(ContactChoice, AThinPlateGetsAProxyABoxAndASphereDoNot) {
+  EXPECT_EQ(method_for(Scene(), box_soup({0.1, 0.1, 0.001})), ContactMethod::proxy);
+  EXPECT_EQ(method_for(Scene(), box_soup({0.1, 0.1, 0.1})), ContactMethod::closest_point);
+  EXPECT_EQ(method_for(Scene(), test::sphere_soup(0.05, 4)), ContactMethod::closest_point);
+  Scene fingertip;
+  fingertip.finger.radius_m = 0.007;
+  EXPECT_EQ(method_for(fingertip, box_soup({0.1, 0.1, 0.001})), ContactMethod::proxy);
+  EXPECT_EQ(method_for(fingertip, box_soup({0.1, 0.1, 0.1})), ContactMethod::closest_point);
+  EXPECT_EQ(method_for(fingertip, test::sphere_soup(0.05, 4)), ContactMethod::closest_point);
+}
+
+TEST(ContactChoice, APlateIsThinBelowTwiceTheCentresDepth) {
+  // 1 mm of press and 1 mm of a tick's motion: the middle of a plate of 4 mm.
+  EXPECT_EQ(method_for(light_press(), box_soup({0.1, 0.1, 0.00399})), ContactMethod::proxy);
+  EXPECT_EQ(method_for(light_press(), box_soup({0.1, 0.1, 0.00401})), ContactMethod::closest_point);
+  Scene stiff = light_press();  // half the depth
+  auto surfaces = surfaces_of(box_soup({0.1, 0.1, 0.00301}));
+  surfaces[0].properties.stiffness_n_per_m = 2000;
+  EXPECT_EQ(choice_for(stiff, surfaces).method, ContactMethod::closest_point);
+  surfaces[0].properties.stiffness_n_per_m = 1900;
+  EXPECT_EQ(choice_for(stiff, surfaces).method, ContactMethod::proxy);
+  Scene fast = light_press();  // a tick's motion of 0.1 mm
+  fast.motion.rate_hz = 10000;
+  EXPECT_EQ(method_for(fast, box_soup({0.1, 0.1, 0.00221})), ContactMethod::closest_point);
+  EXPECT_EQ(method_for(fast, box_soup({0.1, 0.1, 0.00219})), ContactMethod::proxy);
+}
+
+TEST(ContactChoice, AFingerWhoseCentreStaysOutsideNeedsNoWall) {
+  Scene scene = light_press();
+  scene.finger.radius_m = 0.00201;
+  EXPECT_EQ(method_for(scene, box_soup({0.1, 0.1, 0.0005})), ContactMethod::closest_point);
+  scene.finger.radius_m = 0.0017;  // its centre goes 0.3 mm in
+  EXPECT_EQ(method_for(scene, box_soup({0.1, 0.1, 0.0005})), ContactMethod::proxy);
+}
+
+TEST(ContactChoice, WhatHasNoInsideGetsAProxy) {
+  Scene scene = light_press();
+  scene.finger.radius_m = 0.1;
+  EXPECT_EQ(method_for(scene, test::square_soup(0.1, 2)), ContactMethod::proxy) << "an open sheet";
+  EXPECT_EQ(method_for(scene, test::reversed(box_soup({1, 1, 1}))), ContactMethod::proxy) << "inside out";
+}
+
+TEST(ContactChoice, AKnifeEdgeGetsAProxyABluntEdgeDoesNot) {
+  const auto wedge = [](double degrees) {  // a prism over a rhombus with this sharp angle
+    const double angle_rad = degrees * std::numbers::pi / 180;
+    TriangleSoup soup = box_soup({1, 1, 1});
+    for (int i = 0; i < soup.vertices_P.cols(); ++i) {
+      const double x = soup.vertices_P(0, i), y = soup.vertices_P(1, i);
+      soup.vertices_P.col(i).head<2>() = Vec2(x + y * std::cos(angle_rad), y * std::sin(angle_rad));
+    }
+    return soup;
+  };
+  const auto knife = choice_for(light_press(), surfaces_of(wedge(58)));
+  EXPECT_EQ(knife.method, ContactMethod::proxy);
+  EXPECT_THAT(knife.reasons, ElementsAre(HasSubstr("an edge is as sharp as 58 degrees")));
+  EXPECT_EQ(method_for(light_press(), wedge(62)), ContactMethod::closest_point);
+}
+
+TEST(ContactChoice, ACornerCountsForAFingerWithARadiusAndByTheTolerance) {
+  const auto prism = [](double valley_deg) {  // a block with a notch on top, whose bottom turns by valley_deg
+    const double depth = 0.5 * std::tan(valley_deg / 2 * std::numbers::pi / 180);
+    TriangleSoup soup;
+    soup.vertices_P.resize(3, 10);
+    soup.vertices_P << -1, 1, 1, 0, -1, -1, 1, 1, 0, -1,   //
+        -1, -1, depth, 0, depth, -1, -1, depth, 0, depth,  //
+        0, 0, 0, 0, 0, 2, 2, 2, 2, 2;
+    soup.triangles.resize(3, 16);
+    soup.triangles << 0, 0, 0, 5, 5, 5, 0, 0, 1, 1, 2, 2, 3, 3, 4, 4,  //
+        3, 2, 4, 6, 7, 8, 1, 6, 2, 7, 3, 8, 4, 9, 0, 5,                //
+        2, 1, 3, 7, 8, 9, 6, 5, 7, 6, 8, 7, 9, 8, 5, 9;
+    return soup;
+  };
+  Scene scene = light_press();
+  const auto block = surfaces_of(prism(80));
+  EXPECT_EQ(choice_for(scene, block).method, ContactMethod::closest_point) << "a point touches one wall";
+  scene.finger.radius_m = 0.01;
+  const ContactChoice both = choice_for(scene, block);
+  EXPECT_EQ(both.method, ContactMethod::proxy);
+  EXPECT_THAT(both.reasons, ElementsAre(HasSubstr("touches two walls at once")));
+  // The nearest wall alone is wrong by sin(turn / 2) of the force.
+  const double turn_rad = measure_part(*block[0].part, *block[0].tree).sharpest_valley_rad;
+  ASSERT_GT(turn_rad, 0.6);
+  scene.contact.force_tolerance = std::sin(turn_rad / 2) - 0.001;
+  EXPECT_EQ(choice_for(scene, block).method, ContactMethod::proxy);
+  scene.contact.force_tolerance = std::sin(turn_rad / 2) + 0.001;
+  EXPECT_EQ(choice_for(scene, block).method, ContactMethod::closest_point);
+}
+
+TEST(ContactChoice, AFingerWiderThanAHollowGetsAProxy) {
+  Scene scene = light_press();
+  scene.finger.radius_m = 0.015;
+  const auto torus = test::torus_soup(0.04, 0.01, 96, 48);
+  EXPECT_EQ(method_for(scene, torus), ContactMethod::closest_point) << "its hole is 30 mm in radius";
+  scene.finger.radius_m = 0.045;
+  EXPECT_EQ(method_for(scene, torus), ContactMethod::proxy);
+}
+
+TEST(ContactChoice, SurfacesSideBySideGetAProxyForAll) {
+  auto surfaces = surfaces_of(box_soup({0.1, 0.1, 0.1}));
+  surfaces.emplace_back();  // the plane z = 0
+  surfaces[0].p_WP = {0, 0, 0.2};
+  EXPECT_EQ(choice_for(light_press(), surfaces).method, ContactMethod::closest_point) << "15 cm above";
+  surfaces[0].p_WP = {0, 0, 0.05};
+  EXPECT_EQ(choice_for(light_press(), surfaces).method, ContactMethod::proxy) << "it stands on the plane";
+
+  auto parts = surfaces_of(box_soup({0.1, 0.1, 0.1}));
+  parts.push_back(surfaces_of(box_soup({0.1, 0.1, 0.001}))[0]);
+  parts[1].p_WP = {0.5, 0, 0};
+  parts[1].mesh = "plate.stl";
+  const ContactChoice choice = choice_for(light_press(), parts);
+  EXPECT_EQ(choice.method, ContactMethod::proxy);
+  EXPECT_THAT(choice.reasons,
+              ElementsAre("part.stl: proxy, because plate.stl needs it (auto)",
+                          "plate.stl: proxy, because walls are 1 mm thick and 1 N at 1000 N/m "
+                          "presses 1 mm deep (auto)"));
+}
+
+TEST(ContactChoice, NormalsFollowTheTurnOfTheFacets) {
+  EXPECT_EQ(normals_for(Scene(), box_soup({0.1, 0.1, 0.1})), Normals::facet);
+  Scene scene;  // tilt: the smaller of 3 % of the force and 10 % of mu 0.2
+  const TriangleSoup sphere = test::sphere_soup(0.05, 4);
+  const auto part = std::make_shared<const Part>(make_part(sphere, 0.5));
+  const PartMeasures m = measure_part(*part, TriangleTree(part));
+  EXPECT_EQ(normals_for(scene, sphere), Normals::smooth);
+  scene.contact.mu_tolerance = m.largest_smooth_turn_rad / 2 / 0.2 * 1.01;
+  scene.contact.force_tolerance = m.largest_smooth_turn_rad / 2 * 1.01;
+  EXPECT_EQ(normals_for(scene, sphere), Normals::facet);
+  scene.contact.mu_tolerance *= 0.97;
+  EXPECT_EQ(normals_for(scene, sphere), Normals::smooth) << "the tilt shows in the coefficient of friction";
+}
+
+TEST(ContactChoice, CurvedNormalsAreForFacetsThatCutDeepUnderAClosestPoint) {
+  const TriangleSoup coarse = test::sphere_soup(0.05, 2);
+  const auto part = std::make_shared<const Part>(make_part(coarse, 0.6));
+  const PartMeasures m = measure_part(*part, TriangleTree(part));
+  Scene scene;
+  scene.contact.automatic_normals = true;
+  const auto surfaces = surfaces_of(coarse, 35);
+  // 3 % of the greatest depth against the sag.
+  scene.contact.greatest_force_n = 1000 * m.largest_sag_m / 0.03 * 0.99;
+  ASSERT_EQ(choice_for(scene, surfaces).method, ContactMethod::closest_point);
+  EXPECT_EQ(choice_for(scene, surfaces).normals, Normals::curved);
+  scene.contact.greatest_force_n *= 1.02;
+  EXPECT_EQ(choice_for(scene, surfaces).normals, Normals::smooth);
+  scene.contact.greatest_force_n /= 1.02;
+  scene.contact.method = ContactMethod::proxy;
+  EXPECT_EQ(choice_for(scene, surfaces).normals, Normals::smooth) << "a proxy stands on the facets";
+}
+
+TEST(ContactChoice, WhatASceneSaysIsKept) {
+  Scene scene;
+  scene.contact.method = ContactMethod::closest_point;
+  const auto plate = surfaces_of(box_soup({0.1, 0.1, 0.001}));
+  ContactChoice choice = choice_for(scene, plate);
+  EXPECT_EQ(choice.method, ContactMethod::closest_point);
+  EXPECT_EQ(choice.normals, Normals::smooth);
+  EXPECT_THAT(choice.reasons, IsEmpty());
+  scene.contact.automatic_normals = true;
+  choice = choice_for(scene, plate);
+  EXPECT_EQ(choice.method, ContactMethod::closest_point);
+  EXPECT_THAT(choice.reasons, ElementsAre("part.stl: facet normals, because its faces are flat (auto)"));
+  scene.contact.method = ContactMethod::automatic;
+  choice = choice_for(scene, plate);
+  EXPECT_EQ(choice.method, ContactMethod::proxy);
+  EXPECT_THAT(
+      choice.reasons,
+      ElementsAre("part.stl: proxy, because walls are 1 mm thick and 10 N at 1000 N/m presses 10 mm deep; "
+                  "facet normals, because its faces are flat (auto)"));
+}
+
+TEST(ContactChoice, PlanesAloneAreNothingToChoose) {
+  const std::vector<Surface> plane(1);
+  const ContactChoice choice = choice_for(Scene(), plane);
+  EXPECT_EQ(choice.method, ContactMethod::closest_point);
+  EXPECT_THAT(choice.reasons, IsEmpty());
+  EXPECT_EQ(method_in(*test::plane_world(), choice.method), "plane");
+  EXPECT_EQ(method_in(*test::world_of(box_soup({1, 1, 1})), choice.method), "closest-point");
+}
+
+/// A part from a file in `folder`: a plate of 1 x 100 x 100 units.
+PartEntry plate(const std::filesystem::path& folder, const std::string& name) {
+  PartEntry entry;
+  entry.mesh = name;
+  entry.mesh_path = test::write_file(folder, name, test::binary_ply(box_soup({100, 100, 1}))).string();
+  return entry;
+}
+
+Scene plate_scene() {
+  Scene scene = test::plane_scene("coulomb");
+  scene.parts.push_back(plate(test::scratch_dir(), "plate.ply"));
+  return scene;
+}
+
+TEST(ContactChoice, APartIsMeasuredOnceForItsContentAndOnlyWhereThereIsAChoice) {
+  const auto folder = test::scratch_dir();
+  Scene scene = test::plane_scene("coulomb");
+  scene.parts.push_back(plate(folder, "plate.ply"));
+  MeshStore meshes(1);
+  Scene given = scene;
+  given.contact.method = ContactMethod::proxy;
+  load_world(given, meshes);
+  EXPECT_EQ(meshes.measured_count(), 0) << "a scene that says all pays nothing";
+  load_world(scene, meshes);
+  load_world(scene, meshes);
+  scene.parts[0] = plate(folder, "copy.ply");
+  load_world(scene, meshes);
+  EXPECT_EQ(meshes.measured_count(), 1) << "the same content in another file";
+  scene.parts[0].crease_deg = 80;
+  load_world(scene, meshes);
+  scene.parts[0].metres_per_unit = 0.01;
+  EXPECT_EQ(load_world(scene, meshes)->contact->method, ContactMethod::proxy);
+  EXPECT_EQ(meshes.measured_count(), 3);
+  scene.parts[0].metres_per_unit = 1;
+  EXPECT_EQ(load_world(scene, meshes)->contact->method, ContactMethod::closest_point) << "1 m thick";
+}
+
+TEST(ContactChoice, ManyThreadsMeasureAPartOnceAndChooseTheSame) {
+  const Scene scene = plate_scene();
+  MeshStore meshes(2);
+  std::vector<std::string> reasons(8);
+  std::vector<std::thread> threads;
+  for (std::string& reason : reasons)
+    threads.emplace_back([&] { reason = load_world(scene, meshes)->contact->reasons.at(0); });
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(meshes.measured_count(), 1);
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  EXPECT_THAT(reasons, testing::Each(load_world(scene)->contact->reasons.at(0)));
+}
+
+TEST(ContactChoice, ATouchThatLeavesItOpenHoldsAtAThinPlate) {
+  // Pressed 0.8 mm into a plate of 1 mm: past its middle, where the nearest surface is the far one.
+  const auto deep_force_z = [](const Scene& scene) {
+    Touch touch(load_world(scene), scene);
+    FingerSample sample;
+    TickRecord record;
+    for (int k = 0; k <= 100; ++k) {
+      sample.t_s = 0.001 * k;
+      sample.p_WQ = {0.001, 0.002, 0.0007 - 1e-5 * k};
+      record = touch.tick(sample);
+    }
+    return record.force_W_n.z();
+  };
+  Scene scene = plate_scene();
+  EXPECT_NEAR(deep_force_z(scene), 0.8, 1e-3);  // 1000 N/m; the proxy's skin and float32 coordinates
+  scene.contact.method = ContactMethod::closest_point;
+  EXPECT_LT(deep_force_z(scene), 0) << "and says so where the scene insists";
+}
+
+}  // namespace
+}  // namespace fingerpad
