@@ -23,7 +23,8 @@ WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals norma
     return result;
   }
   const Vec3 p_PQ = surface.R_WP.transpose() * (p_WQ - surface.p_WP);
-  if (!within_padded_box(*surface.part, p_PQ, reach_m)) return result;
+  // Curved patches stand out of the box; their search has a filter of its own.
+  if (normals != Normals::curved && !within_padded_box(*surface.part, p_PQ, reach_m)) return result;
   const SurfacePoint near = nearest_surface_point(*surface.tree, p_PQ, normals, seed, reach_m);
   if (near.triangle < 0) return result;
   result.point_W = surface.R_WP * near.point_P + surface.p_WP;

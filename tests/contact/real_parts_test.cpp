@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "base/random_stream.hpp"
+#include "contact/curved_patch.hpp"
 #include "contact/effort.hpp"
 #include "contact/surface_point.hpp"
 #include "contact/thinnest_wall.hpp"
@@ -81,6 +82,63 @@ TEST_P(RealParts, AreMeasuredAsByBruteForceAndSignedAsByTheirWindingNumber) {
             signs / 4 + 1);  // of the parts at hand one has a sixth of its surface inside other shells
   RecordProperty("signs", signs);
   RecordProperty("on_no_boundary", excused);
+}
+
+/// The part as a soup again, moved; its triangles in the same order.
+TriangleSoup moved_soup(const Part& part, const Vec3& offset_m) {
+  TriangleSoup soup;
+  soup.vertices_P = part.vertices.colwise() + offset_m;
+  soup.triangles = part.triangles;
+  return soup;
+}
+
+TEST_P(RealParts, AnswerTheSameWhereTheyAreMovedFarOff) {
+  if (!imported_.part) GTEST_SKIP() << imported_.verdict.error;
+  const Part& part = *imported_.part;
+  const Vec3 offset = Vec3(1e4, -1e4, 1e4) * 1e-3;  // of the file's units, millimetres
+  const TriangleTree here(
+      std::make_shared<const Part>(make_part(moved_soup(part, Vec3::Zero()), crease_rad)));
+  const TriangleTree there(std::make_shared<const Part>(make_part(moved_soup(part, offset), crease_rad)));
+  if (there.part().triangle_count() != here.part().triangle_count())
+    GTEST_SKIP() << "smaller than what coordinates of that size can tell apart";
+  // Every coordinate is rounded at its new size.
+  const double tolerance_m = 1e-12 * (part.size_m() + offset.norm());
+  RandomStream random(3);
+  int signs = 0;
+  for (int i = 0; i < test::samples(2000); ++i) {
+    const Vec3 p = trial_point(part, random, i);
+    const SurfacePoint a = nearest_surface_point(here, p, Normals::facet, -1, unbounded);
+    const SurfacePoint b = nearest_surface_point(there, p + offset, Normals::facet, -1, unbounded);
+    ASSERT_NEAR(std::abs(a.signed_distance_m), std::abs(b.signed_distance_m), tolerance_m);
+    if (!imported_.verdict.closed || std::abs(a.signed_distance_m) <= tolerance_m) continue;
+    ++signs;
+    ASSERT_EQ(a.signed_distance_m < 0, b.signed_distance_m < 0)
+        << p.transpose() << " " << a.signed_distance_m << " " << b.signed_distance_m;
+  }
+  RecordProperty("signs", signs);
+}
+
+TEST_P(RealParts, StayWithinTheirPatchesReachOfTheFacetsAsCurvedSurfaces) {
+  if (!imported_.part) GTEST_SKIP() << imported_.verdict.error;
+  const Part& part = *imported_.part;
+  const TriangleTree tree(imported_.part);
+  tree.prepare_curved();
+  double deviation_m = 1e-12 * (part.size_m() + part.centre_P.norm());
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    deviation_m = std::max(deviation_m, curved_patch({part, tree.curved_normals()}, t).deviation_m);
+  }
+  RandomStream random(4);
+  int seed = -1;
+  for (int i = 0; i < test::samples(2000); ++i) {
+    const Vec3 p = trial_point(part, random, i) + part.centre_P;
+    const SurfacePoint facet = nearest_surface_point(tree, p, Normals::facet, seed, unbounded);
+    const SurfacePoint curved = nearest_surface_point(tree, p, Normals::curved, seed, unbounded);
+    seed = facet.triangle;
+    ASSERT_NEAR(std::abs(curved.signed_distance_m), std::abs(facet.signed_distance_m), deviation_m);
+    ASSERT_NEAR(curved.normal_P.norm(), 1, 1e-12);
+    if (std::abs(facet.signed_distance_m) <= deviation_m) continue;
+    ASSERT_EQ(curved.signed_distance_m < 0, facet.signed_distance_m < 0);
+  }
 }
 
 TEST_P(RealParts, HaveAThinnestWallWhereTheyAreClosed) {

@@ -1,0 +1,161 @@
+#include "contact/curved_patch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+#include "base/random_stream.hpp"
+#include "contact/closest_point.hpp"
+#include "contact/profiles.hpp"
+#include "support/shapes.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double crease_rad = 30 * M_PI / 180;
+
+bool is_crease(const Part& part, int t, int k) {
+  return (part.creases[static_cast<std::size_t>(t)] >> k & 1) != 0;
+}
+
+/// The weights of edge k's two ends, as corners of t, carried over to the triangle beyond.
+Vec3 beyond(const Part& part, int t, const Vec3& barycentric, int other) {
+  Vec3 there = Vec3::Zero();
+  for (int k = 0; k < 3; ++k) {
+    for (int c = 0; c < 3; ++c) {
+      if (part.welded(c, other) == part.welded(k, t)) there[c] = barycentric[k];
+    }
+  }
+  return there;
+}
+
+TEST(CurvedPatch, NeighboursMeetInOneCurveAndOverSmoothEdgesWithOneNormal) {
+  for (const TriangleSoup& soup :
+       {test::torus_soup(1, 0.4, 13, 7), test::filleted_bar(5, 3), test::drum(17)}) {
+    const Part part = make_part(soup, crease_rad);
+    for (int t = 0; t < part.triangle_count(); ++t) {
+      const CurvedPatch patch = curved_patch({part}, t);
+      for (int k = 0; k < 3; ++k) {
+        const int other = part.neighbours(k, t);
+        if (other < 0) continue;
+        const CurvedPatch neighbour = curved_patch({part}, other);
+        for (const double along : {0.0, 0.1, 0.5, 0.77}) {
+          Vec3 b = Vec3::Zero();
+          b[k] = 1 - along;
+          b[(k + 1) % 3] = along;
+          const Vec3 there = beyond(part, t, b, other);
+          // Sums of ten terms of the part's size, in another order.
+          ASSERT_LE((evaluate(patch, b).x - evaluate(neighbour, there).x).norm(), 1e-15 * part.size_m());
+          if (is_crease(part, t, k)) continue;
+          const Vec3 n = shown_normal(patch, b, part.facet_normals.col(t));
+          ASSERT_LE((n - shown_normal(neighbour, there, part.facet_normals.col(other))).norm(), 4e-15);
+        }
+      }
+    }
+  }
+}
+
+TEST(CurvedPatch, DerivativesAreThoseOfDifferences) {
+  const Part part = make_part(test::torus_soup(1, 0.4, 13, 7), crease_rad);
+  const CurvedPatch patch = curved_patch({part}, 20);
+  const Vec3 b(0.2, 0.5, 0.3), d1(-1, 1, 0), d2(-1, 0, 1);
+  const PatchPoint p = evaluate(patch, b);
+  const double h =
+      1e-4;  // differences of a cubic are wrong by h^2 at most, of order 1e-8, and by 1e-16 / h^2
+  const auto x = [&](const Vec3& at) { return evaluate(patch, at).x; };
+  EXPECT_LE(((x(b + h * d1) - x(b - h * d1)) / (2 * h) - p.x1).norm(), 1e-7);
+  EXPECT_LE(((x(b + h * d2) - x(b - h * d2)) / (2 * h) - p.x2).norm(), 1e-7);
+  EXPECT_LE(((x(b + h * d1) - 2 * p.x + x(b - h * d1)) / (h * h) - p.x11).norm(), 1e-6);
+  EXPECT_LE(((x(b + h * d2) - 2 * p.x + x(b - h * d2)) / (h * h) - p.x22).norm(), 1e-6);
+  const Vec3 mixed =
+      x(b + h * (d1 + d2)) - x(b + h * (d1 - d2)) - x(b - h * (d1 - d2)) + x(b - h * (d1 + d2));
+  EXPECT_LE((mixed / (4 * h * h) - p.x12).norm(), 1e-6);
+  EXPECT_GT(p.x11.norm(), 0.01);  // it is curved at all
+}
+
+TEST(CurvedPatch, TouchesTheCornersTangentPlanes) {
+  const Part part = make_part(test::torus_soup(1, 0.4, 16, 8), crease_rad);
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    const CurvedPatch patch = curved_patch({part}, t);
+    for (int k = 0; k < 3; ++k) {
+      const PatchPoint p = evaluate(patch, Vec3::Unit(k));
+      ASSERT_LE((p.x - part.vertices.col(part.triangles(k, t))).norm(), 1e-15);
+      // Only edges whose ends disagree about the bulge leave the tangent plane: by what they disagree, h^3.
+      const Vec3 own = p.x1.cross(p.x2).normalized();
+      ASSERT_GT(own.dot(patch.corner_normal[static_cast<std::size_t>(k)]), std::cos(0.1));
+    }
+  }
+}
+
+TEST(CurvedPatch, StaysWithinItsDeviationOfTheTriangle) {
+  RandomStream random(1);
+  for (const TriangleSoup& soup : {test::torus_soup(1, 0.4, 9, 6), test::filleted_bar(3, 1), test::drum(9)}) {
+    const Part part = make_part(soup, crease_rad);
+    for (int t = 0; t < part.triangle_count(); ++t) {
+      const CurvedPatch patch = curved_patch({part}, t);
+      // The greatest turn of a tangent off its chord bounds it too.
+      ASSERT_LE(patch.deviation_m, patch.length_m / 5);
+      for (int i = 0; i < 5; ++i) {
+        Vec3 b(random.uniform(), random.uniform(), random.uniform());
+        b /= b.sum();
+        const Vec3 x = evaluate(patch, b).x;
+        ASSERT_LE(std::sqrt(closest_on_triangle(part, t, x).distance2_m2),
+                  patch.deviation_m + 1e-15 * part.size_m());
+      }
+    }
+  }
+}
+
+TEST(CurvedPatch, AFlatFaceBesideAFilletStaysFlat) {
+  const Part part = make_part(test::filleted_bar(8, 3), crease_rad);
+  int flat = 0;
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    const Vec3 n = part.facet_normals.col(t);
+    if (std::abs(n.z() - 1) > 1e-9 && std::abs(n.x() - 1) > 1e-9) continue;
+    ++flat;
+    EXPECT_TRUE(curved_patch({part}, t).flat);
+    // And what normal its corners show is tilted far less than by half the turn to the next facet.
+    for (int k = 0; k < 3; ++k) EXPECT_LE((curved_corner_normal(part, t, k) - n).norm(), 0.1 * M_PI / 2 / 16);
+  }
+  EXPECT_EQ(flat, 12);
+}
+
+TEST(CurvedPatch, ACornersNormalIsTheSameFromEveryTriangleOfItsFan) {
+  const Part part = make_part(test::torus_soup(1, 0.4, 24, 16), crease_rad);  // no turn over 23 degrees
+  Points seen = Points::Zero(3, part.welded_count);
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 n = curved_corner_normal(part, t, k);
+      ASSERT_NEAR(n.norm(), 1, 1e-15);
+      auto first = seen.col(part.welded(k, t));
+      if (first.isZero()) first = n;
+      ASSERT_LE((n - first).norm(), 1e-15);
+    }
+  }
+}
+
+TEST(CurvedPatch, BothHalvesOfAQuadCountAsOneFacet) {
+  // Whichever way they are split, a bar's strips on both sides of a corner weigh the same.
+  const Part part = make_part(test::filleted_bar(8, 1), crease_rad);
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k) {
+      const Vec3 p = part.vertices.col(part.triangles(k, t)) + part.centre_P;
+      if (p.x() <= 0.01 || p.z() <= 0.01) continue;  // within the fillet, which is about the y axis
+      const Vec3 n = curved_corner_normal(part, t, k);
+      ASSERT_LE((n - Vec3(p.x(), 0, p.z()).normalized()).norm(), 1e-5);  // the angle is known to 1e-5
+    }
+  }
+}
+
+TEST(CurvedPatch, TheTableHoldsTheSameBits) {
+  const Part part = make_part(test::drum(17), crease_rad);
+  const Points table = curved_corner_normals(part);
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    const CurvedPatch with = curved_patch({part, &table}, t), without = curved_patch({part}, t);
+    for (std::size_t i = 0; i < 10; ++i) ASSERT_EQ(with.control[i], without.control[i]);
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad

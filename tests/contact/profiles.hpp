@@ -1,0 +1,60 @@
+#pragma once
+
+#include <cmath>
+#include <vector>
+
+#include "part/part.hpp"
+
+namespace fingerpad::test {
+
+/// Two flat faces, z = 1 and x = 1, that a fillet of radius 1 about the y axis joins: each face 10 long, all
+/// 20 wide, open at the borders.
+/// @param facets  of the fillet
+/// @param rows    along y
+inline TriangleSoup filleted_bar(int facets, int rows) {
+  std::vector<Vec2> profile = {{-10, 1}};
+  for (int i = 0; i <= facets; ++i) {
+    const double angle = M_PI / 2 * i / facets;
+    profile.emplace_back(std::sin(angle), std::cos(angle));
+  }
+  profile.emplace_back(1, -10);
+  const int across = static_cast<int>(profile.size());
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, Eigen::Index{across} * (rows + 1));
+  soup.triangles.resize(3, Eigen::Index{2} * (across - 1) * rows);
+  Eigen::Index next = 0;
+  for (int j = 0; j <= rows; ++j) {
+    for (int i = 0; i < across; ++i) {
+      const Vec2 p = profile[static_cast<std::size_t>(i)];
+      const int a = j * across + i;
+      soup.vertices_P.col(a) = Vec3(p.x(), 20.0 * j / rows - 10, p.y());
+      if (j == rows || i == across - 1) continue;
+      soup.triangles.col(next++) << a, a + 1, a + 1 + across;
+      soup.triangles.col(next++) << a, a + 1 + across, a + across;
+    }
+  }
+  return soup;
+}
+
+/// A closed cylinder of radius 1 from z = -1 to z = 1, its rims sharp; the ends are fans about their middles.
+inline TriangleSoup drum(int facets) {
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, 2 * facets + 2);
+  soup.triangles.resize(3, 4 * facets);
+  const int low_middle = 2 * facets, high_middle = low_middle + 1;
+  soup.vertices_P.col(low_middle) << 0, 0, -1;
+  soup.vertices_P.col(high_middle) << 0, 0, 1;
+  for (int i = 0; i < facets; ++i) {
+    const double angle = 2 * M_PI * i / facets;
+    const int low = 2 * i, high = low + 1, next_low = 2 * ((i + 1) % facets), next_high = next_low + 1;
+    soup.vertices_P.col(low) << std::cos(angle), std::sin(angle), -1;
+    soup.vertices_P.col(high) << std::cos(angle), std::sin(angle), 1;
+    soup.triangles.col(4 * i) << low, next_low, next_high;
+    soup.triangles.col(4 * i + 1) << low, next_high, high;
+    soup.triangles.col(4 * i + 2) << low_middle, next_low, low;
+    soup.triangles.col(4 * i + 3) << high_middle, high, next_high;
+  }
+  return soup;
+}
+
+}  // namespace fingerpad::test
