@@ -19,4 +19,9 @@ StudyReport study_stability(const StudyProgress& progress);
 /// cost. About a minute; tables and charts named "_measured" hold times.
 StudyReport study_friction(const StudyProgress& progress);
 
+/// Every contact method with every kind of normals, on tessellations of surfaces that are known exactly:
+/// position, normal, force and force steps against the exact ones, beside the time of a tick; and how many
+/// strikes pop through thin walls. Half a minute; tables and charts named "_measured" hold times.
+StudyReport study_contact(const StudyProgress& progress);
+
 }  // namespace fingerpad

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "study/report.hpp"
+#include "study/study.hpp"
+
+namespace fingerpad {
+
+/// The parts of study_contact; each adds its tables and charts.
+void study_contact_accuracy(StudyReport& report, const StudyProgress& progress);
+void study_contact_strikes(StudyReport& report, const StudyProgress& progress);
+
+}  // namespace fingerpad

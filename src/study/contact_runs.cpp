@@ -1,0 +1,173 @@
+#include "study/contact_runs.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+namespace fingerpad {
+namespace {
+
+constexpr double stiffness_n_per_m = 1000, tick_s = 1e-3;
+const Vec3 finger_direction = Vec3(0, 0.6, -0.8);
+
+std::vector<TickRecord> run(Touch& touch, const std::vector<Vec3>& positions) {
+  std::vector<TickRecord> rows;
+  rows.reserve(positions.size());
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    rows.push_back(touch.tick({static_cast<double>(k) * tick_s, positions[k], finger_direction}));
+  return rows;
+}
+
+double angle_between(const Vec3& a, const Vec3& b) {
+  return std::atan2(a.cross(b).norm(), a.dot(b));
+}
+
+}  // namespace
+
+const std::vector<ContactVariant>& contact_variants() {
+  using enum ContactMethod;
+  using enum SeriesMarker;
+  constexpr SeriesDash solid = SeriesDash::solid, dashed = SeriesDash::dashed;
+  static const std::vector<ContactVariant> variants{
+      {closest_point, Normals::facet, "closest-point", "facet", {0, dashed, ring, 1.5}},
+      {closest_point, Normals::smooth, "closest-point", "smooth", {6, dashed, square, 1.3}},
+      {closest_point, Normals::curved, "closest-point", "curved", {2, dashed, diamond, 1.2}},
+      {proxy, Normals::facet, "proxy", "facet", {1, solid, disc, 0.9}},
+      {proxy, Normals::smooth, "proxy", "smooth", {4, solid, triangle, 0.8}},
+      {proxy, Normals::curved, "proxy", "curved", {3, solid, cross, 0.7}},
+  };
+  return variants;
+}
+
+std::shared_ptr<const World> world_of_mesh(const TriangleSoup& soup, const std::string& name) {
+  Surface surface;
+  surface.mesh = name;
+  surface.properties.stiffness_n_per_m = stiffness_n_per_m;
+  surface.part = std::make_shared<const Part>(make_part(soup, std::numbers::pi / 6));
+  surface.tree = std::make_shared<const TriangleTree>(surface.part);
+  surface.tree->prepare_curved();
+  auto world = std::make_shared<World>();
+  world->surfaces.push_back(std::move(surface));
+  return world;
+}
+
+Scene scene_of_variant(const ContactVariant& variant, const std::string& law) {
+  Scene scene;
+  scene.name = "study";
+  scene.contact.method = variant.method;
+  scene.contact.normals = variant.normals;
+  scene.friction.law = law;
+  scene.motion.rate_hz = 1 / tick_s;
+  return scene;
+}
+
+AutomaticChoice automatic_choice(const World& world, double finger_radius_m, double greatest_force_n) {
+  Scene scene;
+  scene.contact.method = ContactMethod::automatic;
+  scene.contact.automatic_normals = true;
+  scene.contact.greatest_force_n = greatest_force_n;
+  scene.finger.radius_m = finger_radius_m;
+  scene.motion.rate_hz = 1 / tick_s;
+  const Surface& surface = world.surfaces[0];
+  const PartMeasures measures = measure_part(*surface.part, *surface.tree);
+  const ContactChoice choice = choose_contact(scene, world.surfaces, {&measures, 1});
+  const auto& all = contact_variants();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const ContactVariant& v) {
+    return v.method == choice.method && v.normals == choice.normals;
+  });
+  return {&*found, choice.reasons.at(0)};
+}
+
+Rub rub_under(const ExactSurface& surface, double under_m, double radius_m) {
+  constexpr int ticks = 4000;
+  Rub rub;
+  rub.approach_ticks = 40;
+  rub.radius_m = radius_m;
+  const auto place = [&](double along, double below_m) {
+    const Vec3 on = surface.way(along);
+    return Vec3(on - below_m * surface.foot(on).normal);
+  };
+  const double from_m = -(under_m + 2 * radius_m);  // as far outside as it will be deep
+  for (std::size_t k = 0; k < rub.approach_ticks; ++k) {
+    const double done = static_cast<double>(k) / static_cast<double>(rub.approach_ticks);
+    rub.positions.push_back(place(0, from_m + done * (under_m - from_m)));
+  }
+  for (int k = 0; k < ticks; ++k) rub.positions.push_back(place(static_cast<double>(k) / ticks, under_m));
+  return rub;
+}
+
+RubError rub_error(const std::shared_ptr<const World>& world, const ExactSurface& surface,
+                   const ContactVariant& variant, const Rub& rub) {
+  Scene scene = scene_of_variant(variant, "none");
+  scene.finger.radius_m = rub.radius_m;
+  Touch touch(world, scene);
+  const std::vector<TickRecord> rows = run(touch, rub.positions);
+  RubError error;
+  Vec3 last_exact_n = Vec3::Zero();
+  for (std::size_t k = rub.approach_ticks; k < rows.size(); ++k) {
+    const TickRecord& row = rows[k];
+    const ExactFoot foot = surface.foot(rub.positions[k]);
+    const Vec3 exact_n = stiffness_n_per_m * (rub.radius_m - foot.signed_distance_m) * foot.normal;
+    const double force_share = (row.force_W_n - exact_n).norm() / exact_n.norm();
+    error.force_rms_share += force_share * force_share;
+    error.force_worst_share = std::max(error.force_worst_share, force_share);
+    if (k > rub.approach_ticks) {
+      const double step_n = (row.force_W_n - rows[k - 1].force_W_n).norm();
+      error.step_share = std::max(error.step_share, step_n / exact_n.norm());
+      error.exact_step_share =
+          std::max(error.exact_step_share, (exact_n - last_exact_n).norm() / exact_n.norm());
+    }
+    last_exact_n = exact_n;
+    if (row.phase == Phase::free) {
+      ++error.lost_ticks;
+      continue;
+    }
+    const double off_m = std::abs(surface.foot(row.contact_W).signed_distance_m);
+    const double turned_rad = angle_between(row.normal_W, foot.normal);
+    error.position_rms_m += off_m * off_m;
+    error.normal_rms_rad += turned_rad * turned_rad;
+    error.position_worst_m = std::max(error.position_worst_m, off_m);
+    error.normal_worst_rad = std::max(error.normal_worst_rad, turned_rad);
+  }
+  const auto ticks = static_cast<double>(rows.size() - rub.approach_ticks);
+  const double held = std::max(1.0, ticks - static_cast<double>(error.lost_ticks));
+  error.force_rms_share = std::sqrt(error.force_rms_share / ticks);
+  error.position_rms_m = std::sqrt(error.position_rms_m / held);
+  error.normal_rms_rad = std::sqrt(error.normal_rms_rad / held);
+  return error;
+}
+
+double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub) {
+  constexpr int runs = 5;
+  Touch touch(world, scene_of_variant(variant, "finger-pad"));
+  double best_s = HUGE_VAL, sum = 0;
+  for (int i = 0; i < runs; ++i) {
+    touch.reset();
+    const auto start = std::chrono::steady_clock::now();
+    for (std::size_t k = 0; k < rub.positions.size(); ++k)
+      sum += touch.tick({static_cast<double>(k) * tick_s, rub.positions[k], finger_direction}).force_W_n.x();
+    best_s =
+        std::min(best_s, std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count());
+  }
+  return std::isfinite(sum) ? best_s * 1e9 / static_cast<double>(rub.positions.size()) : HUGE_VAL;
+}
+
+bool pops_through(const std::shared_ptr<const World>& world, const ContactVariant& variant,
+                  const Strike& strike) {
+  constexpr double from_m = 0.01, depth_m = 5.5e-3;
+  constexpr int held_ticks = 20;
+  Scene scene = scene_of_variant(variant, "none");
+  scene.finger.radius_m = strike.radius_m;
+  Touch touch(world, scene);
+  std::vector<Vec3> positions;
+  const double step_m = strike.speed_m_per_s * tick_s, end_m = strike.radius_m - depth_m;
+  const auto at = [&](double z) { return Vec3(strike.at_m.x(), strike.at_m.y(), z); };
+  for (double z = strike.radius_m + from_m + strike.phase * step_m; z > end_m; z -= step_m)
+    positions.push_back(at(z));
+  for (int k = 0; k < held_ticks; ++k) positions.push_back(at(end_m));
+  return !(run(touch, positions).back().force_W_n.z() > stiffness_n_per_m * depth_m / 2);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "part/part.hpp"
+
+namespace fingerpad {
+
+/// Where a point stands against a surface that is known exactly.
+struct ExactFoot {
+  double signed_distance_m = 0;  ///< < 0 inside
+  Vec3 normal = Vec3::UnitZ();   ///< unit, outward, at the nearest point
+};
+
+/// A smooth surface known exactly, with its tessellations (every vertex on it) and a way over it.
+struct ExactSurface {
+  std::string name;
+  std::string words;        ///< with its sizes, for a chart
+  std::vector<int> levels;  ///< of tessellation, coarse to fine
+  std::function<TriangleSoup(int level)> mesh;
+  std::function<double(int level)> facet_m;  ///< size of a facet across the curve [m]
+  std::function<ExactFoot(const Vec3& p)> foot;
+  std::function<Vec3(double along)> way;  ///< a point of the surface for 0 .. 1, at a fairly even pace
+};
+
+/// A sphere (patches superconverge there: no orders are told from it), a generic torus, and a cylinder whose
+/// rims are rounded by quarter circles, as CAD fillets are.
+std::vector<ExactSurface> exact_surfaces();
+
+/// A ball of facets about the origin, an octahedron split in four `subdivisions` times: 8 * 4^subdivisions
+/// triangles, vertices on the sphere, wound outwards.
+TriangleSoup ball_mesh(double radius_m, int subdivisions);
+
+/// A plate of 12 triangles, 60 x 40 mm, its top in z = 0, and a hollow ball, outer radius 30 mm, whose
+/// topmost point is the origin; walls of this thickness.
+TriangleSoup plate_mesh(double thickness_m);
+TriangleSoup hollow_ball_mesh(double thickness_m);
+
+}  // namespace fingerpad
