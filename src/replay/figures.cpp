@@ -6,11 +6,26 @@
 namespace fingerpad {
 namespace {
 
-constexpr std::array<std::string_view, 16> figure_names = {
-    "ticks",        "contact_ticks", "stick_ticks",         "slip_ticks",         "ruptures",
-    "coarse_teeth", "max_depth_m",   "mean_normal_force_n", "max_normal_force_n", "max_friction_n",
-    "mean_slip_mu", "max_mu",        "friction_work_j",     "remedied_ticks",     "energy_made_j",
-    "inside_starts"};
+constexpr std::array<std::string_view, 20> figure_names = {"ticks",
+                                                           "contact_ticks",
+                                                           "stick_ticks",
+                                                           "slip_ticks",
+                                                           "ruptures",
+                                                           "coarse_teeth",
+                                                           "max_depth_m",
+                                                           "mean_normal_force_n",
+                                                           "max_normal_force_n",
+                                                           "max_friction_n",
+                                                           "mean_slip_mu",
+                                                           "max_mu",
+                                                           "friction_work_j",
+                                                           "remedied_ticks",
+                                                           "energy_made_j",
+                                                           "inside_starts",
+                                                           "pop_throughs",
+                                                           "max_force_step_n",
+                                                           "max_apparent_stiffness_n_per_m",
+                                                           "nonfinite_ticks"};
 
 /// Fewer ticks than this in a tooth and its shape is that of the ticks.
 constexpr long ticks_that_show_a_tooth = 10;
@@ -39,7 +54,11 @@ std::vector<double> Figures::values() const {
           friction_work_j_,
           count(remedied_ticks_),
           energy_made_j_,
-          count(inside_starts_)};
+          count(inside_starts_),
+          count(pop_throughs_.count()),
+          max_step_n_,
+          max_step_n_per_m_,
+          count(nonfinite_ticks_)};
 }
 
 void Figures::observe_phase(Phase phase) noexcept {
@@ -62,8 +81,24 @@ void Figures::observe_phase(Phase phase) noexcept {
   last_phase_ = phase;
 }
 
+void Figures::observe_step(const TickRecord& record) noexcept {
+  const Vec3 normal_W_n = record.force_W_n - record.friction_W_n;
+  if (ticks_ > 0) {
+    max_step_n_ = std::max(max_step_n_, (record.force_W_n - last_force_W_n_).norm());
+    const double moved_m = (record.p_WQ - last_p_WQ_).norm();
+    // A motion of a few roundings of the position says nothing.
+    if (moved_m > 1e-12 * record.p_WQ.norm()) {
+      max_step_n_per_m_ = std::max(max_step_n_per_m_, (normal_W_n - last_normal_W_n_).norm() / moved_m);
+    }
+  }
+  last_normal_W_n_ = normal_W_n;
+}
+
 void Figures::observe(const TickRecord& record) noexcept {
   observe_phase(record.phase);
+  observe_step(record);
+  pop_throughs_.observe(record);
+  nonfinite_ticks_ += record.force_W_n.allFinite() ? 0 : 1;
   if (ticks_ > 0) friction_work_j_ += record.friction_W_n.dot(record.p_WQ - last_p_WQ_);
   if (ticks_ > 0) given_j_ += last_force_W_n_.dot(record.p_WQ - last_p_WQ_);
   energy_made_j_ = std::max(energy_made_j_, given_j_);

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "replay/pop_throughs.hpp"
 #include "touch/tick_record.hpp"
 
 namespace fingerpad {
@@ -12,13 +13,21 @@ namespace fingerpad {
 /// What a run comes to, gathered tick by tick: the figures of `summary.csv`.
 class Figures {
  public:
+  Figures() = default;
+  /// @param world  where the run takes place: then ways through parts that no contact shows count as
+  /// pop-throughs too
+  explicit Figures(std::shared_ptr<const World> world) : pop_throughs_(std::move(world)) {}
+
   void observe(const TickRecord& record) noexcept;
 
   /// Names with units, in the order of values().
   static std::span<const std::string_view> names() noexcept;
   /// The figures as numbers: counts, then depths, forces, coefficients, the work of friction on the
   /// finger, the ticks on which a remedy acted, the energy that the loop has made (0: passive), and how often
-  /// a proxy had to be put outside of a part because the finger started inside.
+  /// a proxy had to be put outside of a part because the finger started inside; pop-throughs; the greatest
+  /// change of the whole force from tick to tick; the greatest change of the normal force (as a vector) per
+  /// metre that the finger moved in the tick, which a stiffness alone explains up to its own number; and the
+  /// ticks whose force was not finite (0: promised).
   std::vector<double> values() const;
 
   /// Stick spells between two ruptures, and those of them that lasted under ten ticks: there the ticks are
@@ -28,6 +37,7 @@ class Figures {
 
  private:
   void observe_phase(Phase phase) noexcept;
+  void observe_step(const TickRecord& record) noexcept;
 
   long ticks_ = 0, contact_ticks_ = 0, stick_ticks_ = 0, slip_ticks_ = 0, ruptures_ = 0;
   long teeth_ = 0, coarse_teeth_ = 0, spell_ticks_ = 0;
@@ -40,7 +50,10 @@ class Figures {
   // most. A loop that began out of contact stores nothing, so whatever it gives on balance it has made.
   Vec3 last_force_W_n_ = Vec3::Zero();
   double given_j_ = 0, energy_made_j_ = 0;
-  long remedied_ticks_ = 0, inside_starts_ = 0;
+  long remedied_ticks_ = 0, inside_starts_ = 0, nonfinite_ticks_ = 0;
+  PopThroughs pop_throughs_;
+  Vec3 last_normal_W_n_ = Vec3::Zero();
+  double max_step_n_ = 0, max_step_n_per_m_ = 0;
 };
 
 }  // namespace fingerpad

@@ -32,7 +32,7 @@ bool same_run(const TraceInfo& a, const TraceInfo& b) {
 /// The figures of a trace that an earlier command finished, if it records this very run. A CSV trace carries
 /// no description of its run: there the name and the number of rows must do.
 std::optional<Figures> finished_before(const JobOutput& output, const TraceInfo& info, long ticks,
-                                       const Scene& scene, const World& world) {
+                                       const Scene& scene, const std::shared_ptr<const World>& world) {
   if (!output.resume || !std::filesystem::exists(output.path)) return std::nullopt;
   Trace trace;
   try {
@@ -42,9 +42,9 @@ std::optional<Figures> finished_before(const JobOutput& output, const TraceInfo&
   }
   if (!trace.complete || static_cast<long>(trace.rows.size()) != ticks) return std::nullopt;
   if (output.format == TraceFormat::hdf5 && !same_run(trace.info, info)) return std::nullopt;
-  if (settled_contact(scene, world).method == ContactMethod::proxy && !trace.rows.empty())
-    trace.rows.front().started_inside = is_inside_part(trace.rows.front(), world);
-  Figures figures;
+  if (settled_contact(scene, *world).method == ContactMethod::proxy && !trace.rows.empty())
+    trace.rows.front().started_inside = is_inside_part(trace.rows.front(), *world);
+  Figures figures(world);
   for (const TickRecord& row : trace.rows) figures.observe(row);
   return figures;
 }
@@ -77,10 +77,10 @@ JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output
   FingerPath path = load_finger_path(scene);
   const auto world = load_world(scene, meshes);
   const TraceInfo info = trace_info(scene, *world, output.version);
-  JobResult result{{}, info.contact_method, info.contact_normals, info.contact_reasons};
+  JobResult result{Figures(world), info.contact_method, info.contact_normals, info.contact_reasons};
   // A trace does not tell on which ticks a remedy acted: such a run is made again.
   if (scene.friction.settings.remedy == Remedy::none) {
-    if (const auto figures = finished_before(output, info, path.tick_count(), scene, *world)) {
+    if (const auto figures = finished_before(output, info, path.tick_count(), scene, world)) {
       result.figures = *figures;
       return result;
     }

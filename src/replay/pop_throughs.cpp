@@ -1,0 +1,53 @@
+#include "replay/pop_throughs.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// Cosines of 60 and of 120 degrees.
+constexpr double push_along_motion = 0.5, turned_round = -0.5;
+constexpr double most_depth_per_motion = 3;
+constexpr double rounding = 1e-12;  // of a position, as a fraction of the numbers it came from
+
+bool is_inside(const TickRecord& record) noexcept {
+  return (record.p_WQ - record.contact_W).dot(record.normal_W) < 0;
+}
+
+}  // namespace
+
+bool PopThroughs::way_enters_a_part(const Vec3& to_W) const noexcept {
+  if (!world_) return false;
+  for (const Surface& surface : world_->surfaces) {
+    if (!surface.part) continue;
+    const Part& part = *surface.part;
+    const auto from_centre = [&](const Vec3& p_W) {
+      return Vec3(surface.R_WP.transpose() * (p_W - surface.p_WP) - part.centre_P);
+    };
+    const Vec3 from = from_centre(last_.p_WQ), to = from_centre(to_W);
+    const SegmentHit hit = surface.tree->first_crossing(from, to);
+    if (hit.triangle < 0) continue;
+    // A way that ends on the surface has not gone through it.
+    const double past_m = (1 - hit.along) * part.facet_normals.col(hit.triangle).dot(from - to);
+    if (past_m > rounding * (part.size_m() + part.centre_P.norm() + to_W.norm())) return true;
+  }
+  return false;
+}
+
+bool PopThroughs::popped(const TickRecord& now) const noexcept {
+  const Vec3 motion_W = now.p_WQ - last_.p_WQ;
+  const double moved_m = motion_W.norm();
+  const bool was_free = last_.phase == Phase::free, is_free = now.phase == Phase::free;
+  if (was_free && is_free) return moved_m > 0 && way_enters_a_part(now.p_WQ);
+  if (is_free) return most_depth_per_motion * moved_m < last_.depth_m;
+  if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m;
+  if (now.normal_W.dot(last_.normal_W) > turned_round) return false;
+  if (moved_m < last_.depth_m + now.depth_m) return true;
+  return is_inside(last_) && is_inside(now) && !way_enters_a_part(now.p_WQ);
+}
+
+void PopThroughs::observe(const TickRecord& record) noexcept {
+  if (any_ && popped(record)) ++count_;
+  last_ = record;
+  any_ = true;
+}
+
+}  // namespace fingerpad

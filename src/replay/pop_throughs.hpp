@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+
+#include "touch/tick_record.hpp"
+#include "touch/world.hpp"
+
+namespace fingerpad {
+
+/// Counts the ticks on which a surface stops holding the finger on the side that it came from. From the last
+/// tick to this one
+///   - the finger's way enters a part, but there is contact at neither end: nothing was felt at all; or
+///   - a first touch pushes it on in the direction of its motion (within 60 degrees); or
+///   - in unbroken contact the normal turns by more than 120 degrees although the finger cannot have left one
+///     surface for another: it moved by less than the depths before and after together, or its way stays
+///     inside the part; or
+///   - contact is lost although it moved by less than a third of its depth (a proxy lets go within a motion).
+/// The same for every contact method: all is seen from the finger's way, the parts and what was felt.
+class PopThroughs {
+ public:
+  /// Without a world, ways are not held against parts.
+  PopThroughs() = default;
+  explicit PopThroughs(std::shared_ptr<const World> world) : world_(std::move(world)) {}
+
+  /// noexcept; one segment query a part on a tick that is free like the last.
+  void observe(const TickRecord& record) noexcept;
+  long count() const noexcept { return count_; }
+
+ private:
+  bool way_enters_a_part(const Vec3& to_W) const noexcept;
+  bool popped(const TickRecord& now) const noexcept;
+
+  std::shared_ptr<const World> world_;
+  TickRecord last_;
+  bool any_ = false;
+  long count_ = 0;
+};
+
+}  // namespace fingerpad
