@@ -104,7 +104,8 @@ int replay(ReplayOptions options) {
   options.batch.version = program_version;
   const Ranks ranks;
   std::vector<BatchJob> jobs = batch_jobs(options.scenes);
-  const auto share = static_cast<std::size_t>(ranks.count() * options.batch.shard_count);
+  const auto share =
+      static_cast<std::size_t>(ranks.count()) * static_cast<std::size_t>(options.batch.shard_count);
   ProgressBar bar((jobs.size() + share - 1) / share,
                   !options.quiet && ranks.is_root() && isatty(STDERR_FILENO) != 0);
   run_batch(jobs, options.batch, ranks, [&](const BatchJob& job) { bar.advance(job.job.scene.name); });

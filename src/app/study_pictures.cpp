@@ -274,8 +274,8 @@ void draw_study_chart(const StudyChart& chart, const std::string& path) {
   }
   const double top = height - header;
   for (std::size_t i = 0; i < chart.panels.size(); ++i) {
-    const auto column = static_cast<double>(static_cast<int>(i) % columns);
-    const auto row = static_cast<double>(static_cast<int>(i) / columns);
+    const int row_index = static_cast<int>(i) / columns, column_index = static_cast<int>(i) % columns;
+    const double row = row_index, column = column_index;
     const Box box{margin + column * (left_of_panel + panel_width) + left_of_panel,
                   top - row * (above_panel + panel_height + below_panel) - above_panel - panel_height,
                   panel_width, panel_height};
