@@ -57,6 +57,9 @@ inline TraceInfo some_info() {
   info.motion_file = "motions/rüb.csv";
   info.motion_hash = "fedcba9876543210";
   info.profile_text = "lateral_axis_m = 3e-4\n";
+  info.contact_method = "proxy";
+  info.contact_normals = "smooth";
+  info.contact_reasons = {"box.stl: proxy, because walls are 1 mm thick (auto)", "b.stl: proxy"};
   return info;
 }
 

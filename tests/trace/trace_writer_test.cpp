@@ -64,6 +64,9 @@ TEST(TraceWriter, AnHdf5TraceReadsBackWhole) {
   EXPECT_EQ(trace.info.motion_file, info.motion_file);
   EXPECT_EQ(trace.info.motion_hash, info.motion_hash);
   EXPECT_EQ(trace.info.profile_text, info.profile_text);
+  EXPECT_EQ(trace.info.contact_method, info.contact_method);
+  EXPECT_EQ(trace.info.contact_normals, info.contact_normals);
+  EXPECT_EQ(trace.info.contact_reasons, info.contact_reasons);
 }
 
 TEST(TraceWriter, TextsOfAnyLengthAreKept) {
