@@ -37,8 +37,8 @@ ProxyHold Proxy::hold_at(const ProxyWall& wall, double share_m) const noexcept {
   hold.point_W = around_.from_part(wall.surface, approach.at.point) + around_.centre_W();
   const Vec3 normal_P = surface.R_WP.transpose() * wall.normal;
   const double side = side_of(part.facet_normals.col(wall.triangle), normal_P);
-  hold.normal_W =
-      surface.R_WP * (side * shaded_normal(part, wall.triangle, approach.at, normals_, side * normal_P));
+  hold.normal_W = surface.R_WP * (side * shaded_normal(*surface.tree, wall.triangle, approach.at, normals_,
+                                                       side * normal_P));
   return hold;
 }
 

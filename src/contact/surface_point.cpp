@@ -103,12 +103,12 @@ bool outside_padded_box(const Part& part, const Vec3& q, double reach_m) noexcep
 
 }  // namespace
 
-Vec3 shaded_normal(const Part& part, int t, const TrianglePoint& at, Normals normals,
+Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Normals normals,
                    const Vec3& facet_normal_P) noexcept {
+  const Part& part = tree.part();
   if (normals == Normals::facet || !is_smooth(part, t, at.feature)) return facet_normal_P;
-  if (normals == Normals::curved)
-    return shown_normal(curved_patch({part}, t), at.barycentric, facet_normal_P);
-  return interpolated_normal(part, t, at.barycentric, facet_normal_P);
+  if (normals == Normals::smooth) return interpolated_normal(part, t, at.barycentric, facet_normal_P);
+  return shown_normal(curved_patch({part, tree.curved_normals()}, t), at.barycentric, facet_normal_P);
 }
 
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,
@@ -140,7 +140,7 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
   result.signed_distance_m = inside ? -distance_m : distance_m;
   const Vec3 outward = inside ? Vec3(-offset) : offset;
   result.normal_P = facet_normal(part, t, found.at.feature, pseudo, outward, distance_m);
-  result.normal_P = shaded_normal(part, t, found.at, normals, result.normal_P);
+  result.normal_P = shaded_normal(tree, t, found.at, normals, result.normal_P);
   return result;
 }
 

@@ -41,11 +41,11 @@ struct SurfacePoint {
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,
                                    double reach_m) noexcept;
 
-/// The normal at a point of triangle t as `normals` says: the facet rule's where that is asked for, and at
-/// creases and sharp vertices.
+/// The normal at a point of triangle t of the tree's part as `normals` says: the facet rule's where that is
+/// asked for, and at creases and sharp vertices.
 /// @param facet_normal_P  what the facet rule gives there, on the facets' outer side, unit
 /// noexcept, allocates nothing.
-Vec3 shaded_normal(const Part& part, int t, const TrianglePoint& at, Normals normals,
+Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Normals normals,
                    const Vec3& facet_normal_P) noexcept;
 
 /// The nearest point of a plane through `point_P` with outward unit normal. Inside is the half space behind

@@ -34,6 +34,11 @@ std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
     world->surfaces.push_back(std::move(surface));
   }
   world->contact = choose_contact(scene, world->surfaces, measures);
+  if (settled_contact(scene, *world).normals == Normals::curved) {
+    for (const Surface& surface : world->surfaces) {
+      if (surface.tree) surface.tree->prepare_curved();
+    }
+  }
   return world;
 }
 

@@ -60,11 +60,6 @@ TEST(SceneRefusal, NamesThePlaceOfAnUnknownName) {
               StartsWith("s.toml:3:8: [[part]]: unknown unit 'furlong' (known: m, mm, cm, in)"));
 }
 
-TEST(SceneRefusal, WhatIsNotBuiltYetIsSaidSo) {
-  EXPECT_THAT(refusal(plane_scene + "[contact]\nnormals = \"curved\"\n"),
-              AllOf(StartsWith("s.toml:6:11: "), HasSubstr("not available in this version; use")));
-}
-
 TEST(SceneRefusal, ValuesOutOfRangeNameTheirPlace) {
   const struct {
     const char* lines;

@@ -141,6 +141,15 @@ TEST(SceneFile, DefaultsAreTheDocumentedOnes) {
   EXPECT_FALSE(s.hand.has_value());
 }
 
+TEST(SceneFile, NormalsAreCalledByTheirNames) {
+  const auto normals = [](const std::string& name) {
+    return test::read_scene(test::plane_scene + "[contact]\nnormals = \"" + name + "\"\n").contact.normals;
+  };
+  EXPECT_EQ(normals("facet"), Normals::facet);
+  EXPECT_EQ(normals("smooth"), Normals::smooth);
+  EXPECT_EQ(normals("curved"), Normals::curved);
+}
+
 TEST(SceneFile, AcceptsTheNumbersOfEveryLaw) {
   for (const LawEntry& law : law_table()) {
     std::string text = plane_scene + "[friction]\nlaw = \"" + std::string(law.name) + "\"\n";

@@ -31,9 +31,15 @@ namespace {
 
 TEST(Tick, AllocatesNothingWhereItSticksSlipsAndCrossesEdges) {
   const auto world = test::world_of(test::torus_soup(0.05, 0.02, 48, 24));
-  for (const ContactMethod method : {ContactMethod::closest_point, ContactMethod::proxy}) {
+  const std::pair<ContactMethod, Normals> contacts[] = {{ContactMethod::closest_point, Normals::smooth},
+                                                        {ContactMethod::closest_point, Normals::curved},
+                                                        {ContactMethod::proxy, Normals::smooth},
+                                                        {ContactMethod::proxy, Normals::curved}};
+  for (const auto& [method, normals] : contacts) {
     Scene scene = test::plane_scene("finger-pad");
     scene.contact.method = method;
+    scene.contact.normals = normals;
+    scene.contact.automatic_normals = false;
     Touch touch(world, scene);
     bool stuck = false, slipped = false;
     const auto sample_at = [](int k) {
