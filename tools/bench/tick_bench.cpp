@@ -22,6 +22,7 @@ std::shared_ptr<const World> sphere_world(int subdivisions) {
   surface.part =
       std::make_shared<const Part>(make_part(icosphere(subdivisions), 30 * std::numbers::pi / 180));
   surface.tree = std::make_shared<const TriangleTree>(surface.part);
+  surface.tree->prepare_curved();
   world->surfaces.push_back(std::move(surface));
   return world;
 }
@@ -41,8 +42,9 @@ std::vector<FingerSample> rub(bool coherent, int count) {
 }
 
 void tick(benchmark::State& state, const std::shared_ptr<const World>& world, const std::string& law,
-          bool coherent, bool vibration) {
+          bool coherent, bool vibration, Normals normals) {
   Scene scene;
+  scene.contact.normals = normals;
   scene.friction.law = law;
   scene.finger.radius_m = finger_m;
   if (vibration) scene.friction.vibration = VibrationSettings{};
@@ -57,9 +59,9 @@ void tick(benchmark::State& state, const std::shared_ptr<const World>& world, co
 }
 
 void add(const std::string& name, const std::shared_ptr<const World>& world, const std::string& law,
-         bool coherent, bool vibration) {
+         bool coherent, bool vibration, Normals normals) {
   benchmark::RegisterBenchmark(
-      name.c_str(), [=](benchmark::State& state) { tick(state, world, law, coherent, vibration); });
+      name.c_str(), [=](benchmark::State& state) { tick(state, world, law, coherent, vibration, normals); });
 }
 
 void add_all() {
@@ -68,15 +70,21 @@ void add_all() {
   plane->surfaces[0].plane_normal_W = Vec3::UnitX();
   plane->surfaces[0].plane_point_W =
       Vec3(10, 0, 0);  // all samples are deep inside: the plane's cheapest case
-  for (const char* law : {"none", "finger-pad"}) add(std::string("plane/") + law, plane, law, true, false);
+  for (const char* law : {"none", "finger-pad"})
+    add(std::string("plane/") + law, plane, law, true, false, Normals::smooth);
   for (const int subdivisions : {5, 7}) {
     const auto world = sphere_world(subdivisions);
     const std::string size = subdivisions == 5 ? "20k" : "328k";
     for (const char* law : {"none", "coulomb", "stick-slip", "finger-pad"}) {
-      add("sphere_" + size + "/coherent/" + law, world, law, true, false);
+      add("sphere_" + size + "/coherent/" + law, world, law, true, false, Normals::smooth);
     }
-    add("sphere_" + size + "/coherent/finger-pad+vibration", world, "finger-pad", true, true);
-    add("sphere_" + size + "/random/finger-pad", world, "finger-pad", false, false);
+    add("sphere_" + size + "/coherent/finger-pad+vibration", world, "finger-pad", true, true,
+        Normals::smooth);
+    add("sphere_" + size + "/random/finger-pad", world, "finger-pad", false, false, Normals::smooth);
+    add("sphere_" + size + "/coherent/none/facet", world, "none", true, false, Normals::facet);
+    add("sphere_" + size + "/coherent/none/smooth", world, "none", true, false, Normals::smooth);
+    add("sphere_" + size + "/coherent/none/curved", world, "none", true, false, Normals::curved);
+    add("sphere_" + size + "/coherent/finger-pad/curved", world, "finger-pad", true, false, Normals::curved);
   }
 }
 
