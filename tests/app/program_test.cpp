@@ -128,6 +128,22 @@ TEST(Program, WarnsWhereTicksAreTooCoarseForTheSawtooth) {
   EXPECT_NE(result.err.find("under ten ticks"), std::string::npos) << result.err;
 }
 
+TEST(Program, TellsWhatItChoseForAPartAndWhyOnceAndNotWhenQuiet) {
+  const fs::path folder = folder_with_cube();
+  std::ofstream(folder / "set.toml") << cube_scene << "[[set]]\nfriction.law = [\"coulomb\", \"none\"]\n";
+  const std::string told =
+      "fingerpad: cube.off: proxy, because walls are 10 mm thick and 10 N at 1000 N/m presses 10 mm deep "
+      "(auto)\n";
+  const std::string loud = test::fingerpad("replay set.toml --out h", folder).err;
+  EXPECT_EQ(loud.find(told), 0u) << loud;
+  EXPECT_EQ(loud.find("(auto)"), loud.rfind("(auto)")) << "one line for two jobs: " << loud;
+  const std::string quiet = test::fingerpad("replay set.toml --out h --quiet", folder).err;
+  EXPECT_EQ(quiet.find("(auto)"), std::string::npos) << quiet;
+  std::ofstream(folder / "given.toml") << cube_scene << "[contact]\nmethod = \"proxy\"\n";
+  const std::string given = test::fingerpad("replay given.toml --out g", folder).err;
+  EXPECT_EQ(given.find("(auto)"), std::string::npos) << "the scene's own words: " << given;
+}
+
 TEST(Program, RanksShareABatchAndChangeNothing) {
   const fs::path folder = folder_with_cube();
 #ifndef FINGERPAD_MPI
