@@ -6,7 +6,7 @@ StudyReport study_contact(const StudyProgress& progress) {
   StudyReport report;
   study_contact_accuracy(report, progress);
   progress("strikes through thin walls");
-  study_contact_strikes(report, progress);
+  study_contact_strikes(report);
   return report;
 }
 

@@ -7,6 +7,6 @@ namespace fingerpad {
 
 /// The parts of study_contact; each adds its tables and charts.
 void study_contact_accuracy(StudyReport& report, const StudyProgress& progress);
-void study_contact_strikes(StudyReport& report, const StudyProgress& progress);
+void study_contact_strikes(StudyReport& report);
 
 }  // namespace fingerpad

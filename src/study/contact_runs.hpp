@@ -59,8 +59,14 @@ struct RubError {
 RubError rub_error(const std::shared_ptr<const World>& world, const ExactSurface& surface,
                    const ContactVariant& variant, const Rub& rub);
 
-/// Mean time of a whole tick over a rub with finger-pad friction [ns]: the best of several runs.
+/// Mean time of a whole tick over a rub with finger-pad friction [ns]: of each piece of the rub the best of
+/// several runs, so that what else the machine does counts little.
 double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub);
+
+/// A point presses 3 mm into a block and slides off over its right-angled edge at this speed: the largest
+/// change of force from tick to tick, as a share of the 3 N.
+double edge_step_share(const std::shared_ptr<const World>& block, const ContactVariant& variant,
+                       double speed_m_per_s);
 
 /// A strike: from 10 mm above down along -z at a constant speed, until a finger of this radius is 5.5 mm
 /// deep under z = 0, then held there for 20 ticks of 1 ms.

@@ -180,6 +180,7 @@ TriangleSoup ball_mesh(double radius_m, int subdivisions) {
 TriangleSoup plate_mesh(double thickness_m) {
   // Vertex number: bit 0 is x, bit 1 is y, bit 2 is z.
   std::vector<Vec3> vertices;
+  vertices.reserve(8);
   for (int i = 0; i < 8; ++i)
     vertices.emplace_back(0.06 * ((i & 1) - 0.5), 0.04 * ((i >> 1 & 1) - 0.5),
                           (i & 4) != 0 ? 0 : -thickness_m);

@@ -21,7 +21,8 @@ StudyReport study_friction(const StudyProgress& progress);
 
 /// Every contact method with every kind of normals, on tessellations of surfaces that are known exactly:
 /// position, normal, force and force steps against the exact ones, beside the time of a tick; and how many
-/// strikes pop through thin walls. Half a minute; tables and charts named "_measured" hold times.
+/// strikes pop through thin walls. Not against CAD surfaces, which a program without a CAD kernel has not
+/// got. Half a minute; tables and charts named "_measured" hold times.
 StudyReport study_contact(const StudyProgress& progress);
 
 }  // namespace fingerpad
