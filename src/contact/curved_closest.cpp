@@ -62,7 +62,7 @@ bool is_allowed(const Vec3& barycentric, const Vec3& step) noexcept {
 Vec3 allowed_step(const Slope& s, const Vec3& barycentric) noexcept {
   const double det = s.h11 * s.h22 - s.h12 * s.h12;
   const double d1 = (s.h12 * s.g2 - s.h22 * s.g1) / det, d2 = (s.h12 * s.g1 - s.h11 * s.g2) / det;
-  const Vec3 newton(-d1 - d2, d1, d2);
+  Vec3 newton(-d1 - d2, d1, d2);
   if (is_allowed(barycentric, newton)) return newton;
   Vec3 best = Vec3::Zero();
   double best_gain = 0;

@@ -53,7 +53,7 @@ Vec3 weighted_normal(const Part& part, int t, int corner) noexcept {
 }  // namespace
 
 Vec3 curved_corner_normal(const Part& part, int t, int corner) noexcept {
-  const Vec3 otherwise = part.corner_normals.col(Eigen::Index{3} * t + corner);
+  Vec3 otherwise = part.corner_normals.col(Eigen::Index{3} * t + corner);
   Vec3 sum = weighted_normal(part, t, corner);
   int count = 1;
   for (const int edge : {corner, (corner + 2) % 3}) {
@@ -66,7 +66,7 @@ Vec3 curved_corner_normal(const Part& part, int t, int corner) noexcept {
     if (step.triangle == t) break;
   }
   const double length = sum.norm();
-  const Vec3 normal = sum / length;
+  Vec3 normal = sum / length;
   // A fan folded upon itself sums to nothing.
   return length > 0 && normal.dot(otherwise) > 0.5 ? normal : otherwise;
 }

@@ -39,8 +39,8 @@ inline TriangleSoup filleted_bar(int facets, int rows) {
 /// A closed cylinder of radius 1 from z = -1 to z = 1, its rims sharp; the ends are fans about their middles.
 inline TriangleSoup drum(int facets) {
   TriangleSoup soup;
-  soup.vertices_P.resize(3, 2 * facets + 2);
-  soup.triangles.resize(3, 4 * facets);
+  soup.vertices_P.resize(3, Eigen::Index{2} * facets + 2);
+  soup.triangles.resize(3, Eigen::Index{4} * facets);
   const int low_middle = 2 * facets, high_middle = low_middle + 1;
   soup.vertices_P.col(low_middle) << 0, 0, -1;
   soup.vertices_P.col(high_middle) << 0, 0, 1;
@@ -49,10 +49,11 @@ inline TriangleSoup drum(int facets) {
     const int low = 2 * i, high = low + 1, next_low = 2 * ((i + 1) % facets), next_high = next_low + 1;
     soup.vertices_P.col(low) << std::cos(angle), std::sin(angle), -1;
     soup.vertices_P.col(high) << std::cos(angle), std::sin(angle), 1;
-    soup.triangles.col(4 * i) << low, next_low, next_high;
-    soup.triangles.col(4 * i + 1) << low, next_high, high;
-    soup.triangles.col(4 * i + 2) << low_middle, next_low, low;
-    soup.triangles.col(4 * i + 3) << high_middle, high, next_high;
+    const Eigen::Index first = Eigen::Index{4} * i;
+    soup.triangles.col(first) << low, next_low, next_high;
+    soup.triangles.col(first + 1) << low, next_high, high;
+    soup.triangles.col(first + 2) << low_middle, next_low, low;
+    soup.triangles.col(first + 3) << high_middle, high, next_high;
   }
   return soup;
 }
