@@ -56,6 +56,20 @@ TEST(CurvedPatch, NeighboursMeetInOneCurveAndOverSmoothEdgesWithOneNormal) {
   }
 }
 
+TEST(CurvedPatch, HalfWayAlongAnEdgeTheShownNormalIsPerpendicularToItsCurve) {
+  const Part part = make_part(test::torus_soup(1, 0.4, 24, 16), crease_rad);
+  double by_the_mean = 0;  // what the mean of the ends would leave
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    const CurvedPatch patch = curved_patch({part}, t);
+    const Vec3 b(0.5, 0.5, 0);
+    const Vec3 tangent = evaluate(patch, b).x1.normalized();
+    ASSERT_NEAR(shown_normal(patch, b, part.facet_normals.col(t)).dot(tangent), 0, 4e-15);
+    const Vec3 mean = (patch.corner_normal[0] + patch.corner_normal[1]).normalized();
+    by_the_mean = std::max(by_the_mean, std::abs(mean.dot(tangent)));
+  }
+  EXPECT_GT(by_the_mean, 0.005);
+}
+
 TEST(CurvedPatch, DerivativesAreThoseOfDifferences) {
   const Part part = make_part(test::torus_soup(1, 0.4, 13, 7), crease_rad);
   const CurvedPatch patch = curved_patch({part}, 20);
@@ -105,6 +119,21 @@ TEST(CurvedPatch, StaysWithinItsDeviationOfTheTriangle) {
       }
     }
   }
+}
+
+TEST(CurvedPatch, ASliverBulgesLessThanItIsHigh) {
+  // Slivers along the ring: edges 0.2 to 0.5 long, whose arcs rise by a thirtieth of that, are 0.01 apart.
+  const Part part = make_part(test::torus_soup(1, 0.4, 16, 250), crease_rad);
+  double most_bulge = 0;
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    const CurvedPatch patch = curved_patch({part}, t);
+    const Vec3 a = patch.control[1] - patch.control[0], b = patch.control[2] - patch.control[0];
+    const double height_m = a.cross(b).norm() / patch.length_m;
+    // Each edge's control points by half the height, the middle by half as much again as their mean.
+    ASSERT_LE(patch.deviation_m, 0.75 * height_m * (1 + 1e-9));
+    most_bulge = std::max(most_bulge, patch.deviation_m / height_m);
+  }
+  EXPECT_GT(most_bulge, 0.49);  // the bound was reached: they are bent enough to show it
 }
 
 TEST(CurvedPatch, AFlatFaceBesideAFilletStaysFlat) {
