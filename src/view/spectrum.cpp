@@ -8,10 +8,12 @@
 namespace fingerpad {
 namespace {
 
-/// A power of two: 32 windows or so of a long record, which overlap, so that a peak stands where it is.
+/// A power of two: of a long record 32 windows or so, which overlap, so that a peak stands where it is; of a
+/// short one eight, which still tell frequencies apart.
 std::size_t window_length(std::size_t samples) {
+  constexpr std::size_t fine = 1024, longest = 4096;
   std::size_t length = 32;
-  while (length < 4096 && length * 2 <= samples / 16) length *= 2;
+  while (length < longest && length * 2 <= samples / (length < fine ? 4 : 16)) length *= 2;
   return length;
 }
 
