@@ -76,7 +76,7 @@ class TriangleTree {
   const Part& part() const noexcept;
 
   /// Makes a table of the normals that curved patches have at corners (curved_normals.hpp), 72 bytes a
-  /// triangle, on all threads; once, whoever asks. It makes `curved` queries about four times faster and
+  /// triangle, on all threads; once, whoever asks. It makes `curved` queries about twice as fast and
   /// changes no bit of their answers. Throws std::bad_alloc.
   void prepare_curved() const;
   /// The table, 3 x 3n; null where nobody asked for it.

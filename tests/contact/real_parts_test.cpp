@@ -105,7 +105,7 @@ TEST_P(RealParts, AnswerTheSameWhereTheyAreMovedFarOff) {
   const double tolerance_m = 1e-12 * (part.size_m() + offset.norm());
   RandomStream random(3);
   int signs = 0;
-  for (int i = 0; i < test::samples(2000); ++i) {
+  for (int i = 0; i < test::samples(600); ++i) {
     const Vec3 p = trial_point(part, random, i);
     const SurfacePoint a = nearest_surface_point(here, p, Normals::facet, -1, unbounded);
     const SurfacePoint b = nearest_surface_point(there, p + offset, Normals::facet, -1, unbounded);
@@ -129,7 +129,7 @@ TEST_P(RealParts, StayWithinTheirPatchesReachOfTheFacetsAsCurvedSurfaces) {
   }
   RandomStream random(4);
   int seed = -1;
-  for (int i = 0; i < test::samples(2000); ++i) {
+  for (int i = 0; i < test::samples(600); ++i) {
     const Vec3 p = trial_point(part, random, i) + part.centre_P;
     const SurfacePoint facet = nearest_surface_point(tree, p, Normals::facet, seed, unbounded);
     const SurfacePoint curved = nearest_surface_point(tree, p, Normals::curved, seed, unbounded);
