@@ -13,7 +13,7 @@ namespace fingerpad {
 /// the window system sends.
 struct WindowEvent {
   enum class Kind { key, press, move, release, wheel_up, wheel_down };
-  double at_s = 0;  ///< since the window opened
+  double at_s = 0;  ///< since the window opened, at the earliest; slow frames delay it and all that follow
   Kind kind = Kind::key;
   std::string key = {};  ///< X key name, as "space" or "h"
   int x = 0, y = 0;      ///< mouse [px], from the lower left corner

@@ -177,10 +177,10 @@ void WindowLoop::render() {
 bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
   if (closing_) return true;
   const double now_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - opened_).count();
-  play_events(now_s);
   const double elapsed_s = now_s - last_frame_s_;
   last_frame_s_ = now_s;
   if (handlers_.frame && handlers_.frame(elapsed_s)) changed_ = true;
+  play_events(now_s);
   const int* size = stage_.window()->GetSize();
   if (size[0] != static_cast<int>(stage_.layout().window.width) ||
       size[1] != static_cast<int>(stage_.layout().window.height)) {
@@ -203,8 +203,13 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
 }
 
 void WindowLoop::play_events(double now_s) {
-  while (!closing_ && next_event_ < options_.events.size() && options_.events[next_event_].at_s <= now_s) {
-    play(options_.events[next_event_++]);
+  while (!closing_ && next_event_ < options_.events.size()) {
+    const WindowEvent& event = options_.events[next_event_];
+    if (event.at_s + events_late_s_ > now_s) return;
+    // A slow frame delays all that follow too: events never come closer together than they were meant.
+    events_late_s_ = now_s - event.at_s;
+    ++next_event_;
+    play(event);
   }
 }
 

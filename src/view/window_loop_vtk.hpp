@@ -58,6 +58,7 @@ class WindowLoop {
   std::chrono::steady_clock::time_point opened_;
   double last_frame_s_ = 0;
   std::size_t next_event_ = 0;
+  double events_late_s_ = 0;
   long frames_ = 0;
   double slow_s_ = 0;  ///< time that frames took beyond what is smooth
   bool changed_ = true;
