@@ -140,10 +140,11 @@ RubError rub_error(const std::shared_ptr<const World>& world, const ExactSurface
   return error;
 }
 
-double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub) {
+double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub,
+                   const std::string& law) {
   constexpr int runs = 10;
   constexpr std::size_t piece_ticks = 200;
-  Scene scene = scene_of_variant(variant, "finger-pad");
+  Scene scene = scene_of_variant(variant, law);
   scene.finger.radius_m = rub.radius_m;
   Touch touch(world, scene);
   const std::size_t ticks = rub.positions.size();

@@ -59,9 +59,10 @@ struct RubError {
 RubError rub_error(const std::shared_ptr<const World>& world, const ExactSurface& surface,
                    const ContactVariant& variant, const Rub& rub);
 
-/// Mean time of a whole tick over a rub with finger-pad friction [ns]: of each piece of the rub the best of
+/// Mean time of a whole tick over a rub with this friction law [ns]: of each piece of the rub the best of
 /// several runs, so that what else the machine does counts little.
-double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub);
+double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub,
+                   const std::string& law);
 
 /// A point presses 3 mm into a block and slides off over its right-angled edge at this speed: the largest
 /// change of force from tick to tick, as a share of the 3 N.
