@@ -29,6 +29,8 @@ constexpr std::array<std::string_view, 20> figure_names = {"ticks",
 
 /// Fewer ticks than this in a tooth and its shape is that of the ticks.
 constexpr long ticks_that_show_a_tooth = 10;
+/// A contact point that goes more than so many times as far as the finger in a tick has jumped.
+constexpr double jump_ratio = 4;
 
 }  // namespace
 
@@ -61,10 +63,17 @@ std::vector<double> Figures::values() const {
           count(nonfinite_ticks_)};
 }
 
-void Figures::observe_phase(Phase phase) noexcept {
+void Figures::observe_phase(const TickRecord& record) noexcept {
+  const Phase phase = record.phase;
+  if (ticks_ > 0 && phase != Phase::free && last_phase_ != Phase::free) {
+    const double finger_m = (record.p_WQ - last_p_WQ_).norm();
+    spell_jumped_ |= (record.contact_W - last_contact_W_).norm() > jump_ratio * finger_m;
+  }
+  last_contact_W_ = record.contact_W;
   if (phase == Phase::stick) {
     if (last_phase_ != Phase::stick) {
       spell_ticks_ = 0;
+      spell_jumped_ = false;
       spell_follows_slip_ = last_phase_ == Phase::slip;
     }
     ++spell_ticks_;
@@ -75,7 +84,8 @@ void Figures::observe_phase(Phase phase) noexcept {
     if (last_phase_ == Phase::stick) {
       ++ruptures_;
       teeth_ += spell_follows_slip_ ? 1 : 0;
-      coarse_teeth_ += spell_follows_slip_ && spell_ticks_ < ticks_that_show_a_tooth ? 1 : 0;
+      const bool short_spell = spell_ticks_ < ticks_that_show_a_tooth && !spell_jumped_;
+      coarse_teeth_ += spell_follows_slip_ && short_spell ? 1 : 0;
     }
   }
   last_phase_ = phase;
@@ -95,7 +105,7 @@ void Figures::observe_step(const TickRecord& record) noexcept {
 }
 
 void Figures::observe(const TickRecord& record) noexcept {
-  observe_phase(record.phase);
+  observe_phase(record);
   observe_step(record);
   pop_throughs_.observe(record);
   nonfinite_ticks_ += record.force_W_n.allFinite() ? 0 : 1;

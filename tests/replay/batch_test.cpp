@@ -180,5 +180,26 @@ TEST(Figures, CountCoarseTeethAndTheWorkOfFriction) {
   EXPECT_NEAR(figures.values()[12], -0.2 * 0.021, 1e-15);
 }
 
+TEST(Figures, AToothThatAJumpOfTheContactBreaksIsNotTooCoarse) {
+  Figures figures;
+  TickRecord record;
+  record.normal_force_n = 1;
+  const auto observe = [&](Phase phase, int k, double contact_x) {
+    record.phase = phase;
+    record.p_WQ.x() = 0.001 * k;
+    record.contact_W = Vec3(contact_x, 0, 0);
+    figures.observe(record);
+  };
+  observe(Phase::slip, 0, 0);
+  for (int k = 1; k <= 5; ++k) observe(Phase::stick, k, 0.001 * k);
+  observe(Phase::slip, 6, 0.006 + 0.01);  // ten times as far as the finger
+  EXPECT_EQ(figures.teeth(), 1);
+  EXPECT_EQ(figures.coarse_teeth(), 0);
+  for (int k = 7; k <= 11; ++k) observe(Phase::stick, k, 0.01 + 0.001 * k);
+  observe(Phase::slip, 12, 0.01 + 0.012);
+  EXPECT_EQ(figures.teeth(), 2);
+  EXPECT_EQ(figures.coarse_teeth(), 1) << "the next one has no jump in it";
+}
+
 }  // namespace
 }  // namespace fingerpad
