@@ -39,6 +39,7 @@ bool needs_view(const std::string& command) {
 TEST(Readme, EveryCommandEndsZero) {
   const fs::path folder = test::scratch_dir();
   fs::create_directory_symlink(test::source_dir() / "scenes", folder / "scenes");
+  fs::create_directory_symlink(test::source_dir() / "tools", folder / "tools");
   fs::create_directories(folder / "build" / "bin");
   fs::create_symlink(test::program(), folder / "build" / "bin" / "fingerpad");
   const auto commands = readme_commands();
