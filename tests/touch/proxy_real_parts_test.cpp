@@ -24,10 +24,13 @@ constexpr int ticks = 8000;
 #endif
 
 /// Goes towards one facet after another, some thousandth of the part under it, with a tremble, and now and
-/// then far off.
+/// then far off. Begins close above the part's box.
 class Wanderer {
  public:
-  explicit Wanderer(const Part& part) : part_(part), at_(part.centre_P + Vec3(0, 0, part.size_m())) { aim(); }
+  explicit Wanderer(const Part& part)
+      : part_(part), at_(part.centre_P + Vec3(0, 0, part.half_extent.z() + 0.03 * part.size_m())) {
+    aim();
+  }
 
   Vec3 next() {
     const double size_m = part_.size_m();
