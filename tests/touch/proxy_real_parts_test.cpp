@@ -18,7 +18,7 @@ namespace fingerpad {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
-constexpr int ticks = 500;
+constexpr int ticks = 1200;
 #else
 constexpr int ticks = 8000;
 #endif
@@ -92,7 +92,7 @@ TEST_P(ProxyOnRealPart, NeverGetsInsideAndKeepsWithinTheFrictionLimit) {
       if (!imported.verdict.closed) continue;
       ASSERT_LT(std::abs(test::winding_number(part, q)), 0.5) << k;
     }
-    EXPECT_GT(touched, ticks / 10);
+    EXPECT_GT(touched, ticks / 50) << "it flew past the part: nothing was tested";
   }
 }
 
