@@ -168,12 +168,14 @@ double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVaria
 double edge_step_share(const std::shared_ptr<const World>& block, const ContactVariant& variant,
                        double speed_m_per_s) {
   constexpr double depth_m = 3e-3, edge_m = 0.03, from_m = 0.02;
+  constexpr int press_ticks = 40;
   const double step_m = speed_m_per_s * tick_s;
   std::vector<Vec3> positions;
-  for (double z = 1e-3; z > -depth_m; z -= 1e-4) positions.emplace_back(from_m, 1e-3, z);
+  positions.reserve(press_ticks);
+  for (int k = 0; k < press_ticks; ++k) positions.emplace_back(from_m, 1e-3, 1e-3 - 1e-4 * k);
   const std::size_t pressed = positions.size();
-  for (double x = from_m; x < edge_m + 2 * depth_m + step_m; x += step_m)
-    positions.emplace_back(x, 1e-3, -depth_m);
+  const int slide_ticks = static_cast<int>((edge_m + 2 * depth_m - from_m) / step_m) + 2;
+  for (int k = 0; k < slide_ticks; ++k) positions.emplace_back(from_m + k * step_m, 1e-3, -depth_m);
   Touch touch(block, scene_of_variant(variant, "none"));
   const std::vector<TickRecord> rows = run(touch, positions);
   double worst_n = 0;
@@ -192,8 +194,8 @@ bool pops_through(const std::shared_ptr<const World>& world, const ContactVarian
   std::vector<Vec3> positions;
   const double step_m = strike.speed_m_per_s * tick_s, end_m = strike.radius_m - depth_m;
   const auto at = [&](double z) { return Vec3(strike.at_m.x(), strike.at_m.y(), z); };
-  for (double z = strike.radius_m + from_m + strike.phase * step_m; z > end_m; z -= step_m)
-    positions.push_back(at(z));
+  const double start_m = strike.radius_m + from_m + strike.phase * step_m;
+  for (int k = 0; start_m - k * step_m > end_m; ++k) positions.push_back(at(start_m - k * step_m));
   for (int k = 0; k < held_ticks; ++k) positions.push_back(at(end_m));
   return !(run(touch, positions).back().force_W_n.z() > stiffness_n_per_m * depth_m / 2);
 }
