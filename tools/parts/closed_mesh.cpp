@@ -78,6 +78,25 @@ void write_stl(const ClosedMesh& mesh, const std::string& part_name, const std::
   if (!file) throw std::runtime_error(path + ": cannot be written");
 }
 
+void write_ply(const ClosedMesh& mesh, const std::string& comment, const std::string& path) {
+  if (mesh.vertices.size() > 0x10000) throw std::runtime_error(path + ": too many vertices for 16 bits");
+  std::ofstream file(path, std::ios::binary);
+  file << "ply\nformat binary_little_endian 1.0\ncomment " << comment << "\nelement vertex "
+       << mesh.vertices.size() << "\nproperty float x\nproperty float y\nproperty float z\nelement face "
+       << mesh.triangles.size() << "\nproperty list uchar ushort vertex_indices\nend_header\n";
+  for (const auto& vertex : mesh.vertices)
+    file.write(reinterpret_cast<const char*>(vertex.data()), sizeof vertex);
+  for (const auto& triangle : mesh.triangles) {
+    std::array<char, 7> record{3};
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto index = std::uint16_t(triangle[k]);
+      std::memcpy(record.data() + 1 + 2 * k, &index, sizeof index);
+    }
+    file.write(record.data(), record.size());
+  }
+  if (!file) throw std::runtime_error(path + ": cannot be written");
+}
+
 ClosedMesh read_stl(const std::string& path) {
   std::ifstream file(path, std::ios::binary);
   file.seekg(header_bytes);

@@ -23,6 +23,10 @@ double volume_mm3(const ClosedMesh& mesh);
 /// bytes.
 void write_stl(const ClosedMesh& mesh, const std::string& part_name, const std::string& path);
 
+/// Binary PLY, float vertices and 16-bit indices: a quarter of an STL's bytes. Same mesh, same bytes. Throws
+/// std::runtime_error, also for more than 65536 vertices.
+void write_ply(const ClosedMesh& mesh, const std::string& comment, const std::string& path);
+
 /// Reads what write_stl wrote and welds equal vertices. Throws std::runtime_error.
 ClosedMesh read_stl(const std::string& path);
 
