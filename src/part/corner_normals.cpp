@@ -1,6 +1,7 @@
-#include <utility>
+#include <span>
 #include <vector>
 
+#include "part/in_parallel.hpp"
 #include "part/normals.hpp"
 
 namespace fingerpad {
@@ -29,37 +30,60 @@ Step crossed(const Part& part, const Step& step) {
   return {other, corner, came_by_own_edge ? (corner + 2) % 3 : corner};
 }
 
-}  // namespace
+/// The fans around one vertex. Corners of different vertices have nothing in common, so that vertices can be
+/// done side by side.
+class Fans {
+ public:
+  Fans(Part& part, const Points& angles, std::vector<char>& done)
+      : part_(part), angles_(angles), done_(done) {}
 
-void fill_corner_normals(Part& part, const Points& angles) {
-  const int n = part.triangle_count();
-  part.corner_normals = Points::Zero(3, Eigen::Index(3) * n);
-  std::vector<bool> done(static_cast<std::size_t>(3 * n), false);
-  std::vector<int> fan;
-  for (int start = 0; start < 3 * n; ++start) {
-    if (done[static_cast<std::size_t>(start)]) continue;
-    Vec3 sum = Vec3::Zero();
-    fan.clear();
-    const auto enter = [&](const Step& step) {
-      const int column = 3 * step.triangle + step.corner;
-      if (done[static_cast<std::size_t>(column)]) return false;
-      done[static_cast<std::size_t>(column)] = true;
-      fan.push_back(column);
-      sum += angles(step.corner, step.triangle) * part.facet_normals.col(step.triangle);
-      return true;
-    };
+  void fill(std::span<const int> corners) {
+    for (const int column : corners) {
+      if (done_[static_cast<std::size_t>(column)] == 0) fill_fan(column);
+    }
+  }
+
+ private:
+  void fill_fan(int start) {
+    fan_.clear();
+    sum_ = Vec3::Zero();
     const Step first{start / 3, start % 3, start % 3};
     enter(first);
     for (const int edge : {first.edge, (first.edge + 2) % 3}) {
-      Step step = crossed(part, {first.triangle, first.corner, edge});
-      while (step.triangle >= 0 && enter(step)) step = crossed(part, step);
+      Step step = crossed(part_, {first.triangle, first.corner, edge});
+      while (step.triangle >= 0 && enter(step)) step = crossed(part_, step);
     }
-    const bool vanishes = sum.norm() <= 1e-12;
-    for (const int column : fan) {
-      part.corner_normals.col(column) =
-          vanishes ? Vec3(part.facet_normals.col(column / 3)) : sum.normalized();
-    }
+    const bool vanishes = sum_.norm() <= 1e-12;
+    const Vec3 unit = sum_.normalized();
+    for (const int column : fan_)
+      part_.corner_normals.col(column) = vanishes ? Vec3(part_.facet_normals.col(column / 3)) : unit;
   }
+
+  bool enter(const Step& step) {
+    const int column = 3 * step.triangle + step.corner;
+    if (done_[static_cast<std::size_t>(column)] != 0) return false;
+    done_[static_cast<std::size_t>(column)] = 1;
+    fan_.push_back(column);
+    sum_ += angles_(step.corner, step.triangle) * part_.facet_normals.col(step.triangle);
+    return true;
+  }
+
+  Part& part_;
+  const Points& angles_;
+  std::vector<char>& done_;  // a byte a corner: bits would be shared between threads
+  std::vector<int> fan_;
+  Vec3 sum_ = Vec3::Zero();
+};
+
+}  // namespace
+
+void fill_corner_normals(Part& part, const CornersAtVertices& corners, const Points& angles) {
+  part.corner_normals.resize(3, Eigen::Index(3) * part.triangle_count());
+  std::vector<char> done(corners.columns.size(), 0);
+  in_parallel(part.welded_count, [&](int begin, int end) {
+    Fans fans(part, angles, done);
+    for (int v = begin; v < end; ++v) fans.fill(corners.at(v));
+  });
 }
 
 }  // namespace fingerpad

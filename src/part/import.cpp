@@ -85,7 +85,7 @@ void refuse_nonfinite(const RawMesh& mesh, const std::vector<bool>& used) {
 void deliver(RawMesh& mesh, const std::string& bytes, MeshFormat format, const std::vector<bool>& used,
              double metres_per_unit, Verdict& verdict) {
   const std::vector<Vec3> said = mesh.float32 ? std::vector<Vec3>() : mesh.vertices;
-  const std::string lost = reconcile(mesh, read_by_openmesh(bytes, format, mesh.binary));
+  const std::string lost = reconcile(mesh, read_by_openmesh(bytes, format, mesh));
   if (!lost.empty()) verdict.warnings.push_back(lost);
   double largest = 0;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {

@@ -5,6 +5,7 @@
 
 #include "part/build_part.hpp"
 #include "part/edge_table.hpp"
+#include "part/in_parallel.hpp"
 #include "part/normals.hpp"
 #include "part/repair.hpp"
 #include "part/volume.hpp"
@@ -141,11 +142,14 @@ IndexTriples neighbours_of(const EdgeTable& edges, int triangle_count) {
 }
 
 std::vector<bool> without_area(const Centred& mesh) {
-  std::vector<bool> flat(at(static_cast<int>(mesh.triangles.cols())));
-  for (int t = 0; t < mesh.triangles.cols(); ++t) {
-    flat[at(t)] = has_no_area(shape_of(mesh.points, mesh.triangles, t), mesh.largest_coordinate);
-  }
-  return flat;
+  const int n = static_cast<int>(mesh.triangles.cols());
+  std::vector<char> flat(at(n));
+  in_parallel(n, [&](int begin, int end) {
+    for (int t = begin; t < end; ++t) {
+      flat[at(t)] = has_no_area(shape_of(mesh.points, mesh.triangles, t), mesh.largest_coordinate) ? 1 : 0;
+    }
+  });
+  return {flat.begin(), flat.end()};
 }
 
 /// A part on its way: some triangles of a soup and how they hang together.
@@ -263,17 +267,18 @@ BuiltPart build(const TriangleSoup& soup, double crease_rad, bool repair) {
   part = assembled(soup, draft);
   const EdgeTable& edges = draft.links.edges;
   part.facet_normals = facet_normals(part.vertices, part.triangles, edges, draft.flat);
-  // Two halves that touch nothing of each other's; a second thread is worth its start for large parts only.
+  // Beside each other: they touch nothing of each other's. Worth a thread for large parts only.
   constexpr int large = 50000;
-  auto sides = std::async(part.triangle_count() < large ? std::launch::deferred : std::launch::async, [&] {
-    fill_edge_pseudonormals(part, edges, draft.flat);
-    measure_bodies(part, edges, built.census);
-  });
-  const Points angles = corner_angles(part);
-  fill_vertex_pseudonormals(part, angles);
+  const auto how = part.triangle_count() < large ? std::launch::deferred : std::launch::async;
+  auto bodies = std::async(how, [&] { measure_bodies(part, edges, built.census); });
+  auto corners_at = std::async(how, [&] { return corners_at_vertices(part); });
   fill_creases(part, crease_rad);
-  fill_corner_normals(part, angles);
-  sides.get();
+  const Points angles = corner_angles(part);
+  fill_edge_pseudonormals(part, edges, draft.flat);
+  const CornersAtVertices corners = corners_at.get();
+  fill_vertex_pseudonormals(part, corners, angles);
+  fill_corner_normals(part, corners, angles);
+  bodies.get();
   return built;
 }
 

@@ -6,6 +6,9 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
+
+#include "part/in_parallel.hpp"
 
 namespace fingerpad {
 namespace {
@@ -89,14 +92,15 @@ bool has_no_area(const TriangleShape& shape, double largest_coordinate) {
 Points facet_normals(const Points& vertices, const IndexTriples& triangles, const EdgeTable& edges,
                      const std::vector<bool>& flat) {
   const int n = static_cast<int>(triangles.cols());
-  Points normals = Points::Zero(3, n);
+  Points normals(3, n);
+  in_parallel(n, [&](int begin, int end) {
+    for (int t = begin; t < end; ++t) {
+      normals.col(t) = flat[at(t)] ? Vec3::Zero() : Vec3(shape_of(vertices, triangles, t).area.normalized());
+    }
+  });
   std::vector<int> waiting;
   for (int t = 0; t < n; ++t) {
-    if (flat[at(t)]) {
-      waiting.push_back(t);
-    } else {
-      normals.col(t) = shape_of(vertices, triangles, t).area.normalized();
-    }
+    if (flat[at(t)]) waiting.push_back(t);
   }
   if (waiting.empty()) return normals;
   const Across across(edges, n);
@@ -138,50 +142,64 @@ void fill_edge_pseudonormals(Part& part, const EdgeTable& edges, const std::vect
     if (sum.norm() > vanishing) own = sum.normalized();
     return own;
   };
-  part.edge_pseudonormals = Points::Zero(3, Eigen::Index(3) * part.triangle_count());
-  for (int e = 0; e < edges.edge_count(); ++e) {
-    Vec3 sum = Vec3::Zero();
-    for (const int h : edges.on_edge(e)) sum += shown(h);
-    const bool vanishes = sum.norm() <= vanishing;
-    const Vec3 unit = sum.normalized();
-    for (const int h : edges.on_edge(e)) {
-      part.edge_pseudonormals.col(h) = vanishes ? Vec3(part.facet_normals.col(h / 3)) : unit;
+  part.edge_pseudonormals.resize(3, Eigen::Index(3) * part.triangle_count());
+  const bool all_on_edges = edges.half_edges.size() == at(3 * part.triangle_count());
+  if (!all_on_edges) part.edge_pseudonormals.setZero();
+  in_parallel(edges.edge_count(), [&](int begin, int end) {
+    for (int e = begin; e < end; ++e) {
+      Vec3 sum = Vec3::Zero();
+      for (const int h : edges.on_edge(e)) sum += shown(h);
+      const bool vanishes = sum.norm() <= vanishing;
+      const Vec3 unit = sum.normalized();
+      for (const int h : edges.on_edge(e)) {
+        part.edge_pseudonormals.col(h) = vanishes ? Vec3(part.facet_normals.col(h / 3)) : unit;
+      }
     }
-  }
+  });
 }
 
 Points corner_angles(const Part& part) {
   Points angles(3, part.triangle_count());
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    std::array<Vec3, 3> edge;
-    for (int k = 0; k < 3; ++k) {
-      edge[at(k)] =
-          part.vertices.col(part.triangles((k + 1) % 3, t)) - part.vertices.col(part.triangles(k, t));
+  in_parallel(part.triangle_count(), [&](int begin, int end) {
+    for (int t = begin; t < end; ++t) {
+      std::array<Vec3, 3> edge;
+      for (int k = 0; k < 3; ++k) {
+        edge[at(k)] =
+            part.vertices.col(part.triangles((k + 1) % 3, t)) - part.vertices.col(part.triangles(k, t));
+      }
+      // One cross product serves all three corners: each is twice the area.
+      const double twice_area = edge[0].cross(edge[1]).norm();
+      for (int k = 0; k < 3; ++k)
+        angles(k, t) = std::atan2(twice_area, -edge[at(k)].dot(edge[at((k + 2) % 3)]));
     }
-    // One cross product serves all three corners: each is twice the area.
-    const double twice_area = edge[0].cross(edge[1]).norm();
-    for (int k = 0; k < 3; ++k)
-      angles(k, t) = std::atan2(twice_area, -edge[at(k)].dot(edge[at((k + 2) % 3)]));
-  }
+  });
   return angles;
 }
 
-void fill_vertex_pseudonormals(Part& part, const Points& angles) {
-  part.vertex_pseudonormals = Points::Zero(3, part.welded_count);
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      part.vertex_pseudonormals.col(part.welded(k, t)) += angles(k, t) * part.facet_normals.col(t);
+CornersAtVertices corners_at_vertices(const Part& part) {
+  CornersAtVertices corners;
+  corners.starts.assign(at(part.welded_count) + 1, 0);
+  for (const int v : part.welded.reshaped()) ++corners.starts[at(v) + 1];
+  std::partial_sum(corners.starts.begin(), corners.starts.end(), corners.starts.begin());
+  corners.columns.resize(at(3 * part.triangle_count()));
+  std::vector<int> fill(corners.starts.begin(), corners.starts.end() - 1);
+  int column = 0;
+  for (const int v : part.welded.reshaped()) corners.columns[at(fill[at(v)]++)] = column++;
+  return corners;
+}
+
+void fill_vertex_pseudonormals(Part& part, const CornersAtVertices& corners, const Points& angles) {
+  part.vertex_pseudonormals.resize(3, part.welded_count);
+  in_parallel(part.welded_count, [&](int begin, int end) {
+    for (int v = begin; v < end; ++v) {
+      Vec3 sum = Vec3::Zero();
+      for (const int column : corners.at(v))
+        sum += angles(column % 3, column / 3) * part.facet_normals.col(column / 3);
+      if (sum.norm() <= vanishing && !corners.at(v).empty())
+        sum = part.facet_normals.col(corners.at(v).front() / 3);
+      part.vertex_pseudonormals.col(v) = sum.normalized();
     }
-  }
-  for (int t = part.triangle_count() - 1; t >= 0; --t) {
-    // Downwards, so that of the triangles at a vanishing sum the lowest is written last.
-    for (int k = 0; k < 3; ++k) {
-      auto normal = part.vertex_pseudonormals.col(part.welded(k, t));
-      const double length = normal.norm();
-      if (length <= vanishing) normal = 0.5 * vanishing * part.facet_normals.col(t);
-    }
-  }
-  part.vertex_pseudonormals.colwise().normalize();
+  });
 }
 
 void fill_creases(Part& part, double crease_rad) {
@@ -190,19 +208,20 @@ void fill_creases(Part& part, double crease_rad) {
   const double limit_rad = std::min(crease_rad, std::numbers::pi) + rounding_rad;
   const double limit_cos = std::cos(std::min(limit_rad, std::numbers::pi));
   part.creases.assign(at(part.triangle_count()), 0);
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const int other = part.neighbours(k, t);
-      bool crease = other < 0;
-      if (!crease) {
-        const Vec3 a = part.facet_normals.col(t), b = part.facet_normals.col(other);
-        const double cosine = a.dot(b);
-        crease = cosine < limit_cos;
-        if (std::abs(cosine - limit_cos) < margin) crease = std::atan2(a.cross(b).norm(), cosine) > limit_rad;
+  const auto is_crease = [&](int t, int other) {
+    if (other < 0) return true;
+    const Vec3 a = part.facet_normals.col(t), b = part.facet_normals.col(other);
+    const double cosine = a.dot(b);
+    if (std::abs(cosine - limit_cos) < margin) return std::atan2(a.cross(b).norm(), cosine) > limit_rad;
+    return cosine < limit_cos;
+  };
+  in_parallel(part.triangle_count(), [&](int begin, int end) {
+    for (int t = begin; t < end; ++t) {
+      for (int k = 0; k < 3; ++k) {
+        if (is_crease(t, part.neighbours(k, t))) part.creases[at(t)] |= static_cast<std::uint8_t>(1u << k);
       }
-      if (crease) part.creases[at(t)] |= static_cast<std::uint8_t>(1u << k);
     }
-  }
+  });
 }
 
 }  // namespace fingerpad

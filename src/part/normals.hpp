@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "part/edge_table.hpp"
@@ -31,15 +32,28 @@ Points facet_normals(const Points& vertices, const IndexTriples& triangles, cons
 /// without area stands the facet beyond it. Where the sum vanishes: the triangle's own facet normal.
 void fill_edge_pseudonormals(Part& part, const EdgeTable& edges, const std::vector<bool>& flat);
 
+/// The corners at each welded vertex: column 3 t + k is corner k of triangle t.
+struct CornersAtVertices {
+  std::vector<int> columns;  ///< those of one vertex stand together, ascending
+  std::vector<int> starts;   ///< vertex v: columns[starts[v]] up to, not including, columns[starts[v + 1]]
+
+  std::span<const int> at(int v) const {
+    const auto from = static_cast<std::size_t>(starts[static_cast<std::size_t>(v)]);
+    const auto to = static_cast<std::size_t>(starts[static_cast<std::size_t>(v) + 1]);
+    return {columns.data() + from, to - from};
+  }
+};
+CornersAtVertices corners_at_vertices(const Part& part);
+
 /// Fills vertex_pseudonormals: angle-weighted sums (Baerentzen & Aanaes 2005); where one vanishes, the facet
 /// normal of the lowest triangle there.
-void fill_vertex_pseudonormals(Part& part, const Points& angles);
+void fill_vertex_pseudonormals(Part& part, const CornersAtVertices& corners, const Points& angles);
 
 /// Fills creases from facet_normals and neighbours.
 void fill_creases(Part& part, double crease_rad);
 
 /// Fills corner_normals: angle-weighted over the fan of triangles around the corner that no crease parts.
-void fill_corner_normals(Part& part, const Points& angles);
+void fill_corner_normals(Part& part, const CornersAtVertices& corners, const Points& angles);
 
 /// The angles at the corners [rad], 3 x n: row k is corner k.
 Points corner_angles(const Part& part);

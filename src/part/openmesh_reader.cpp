@@ -122,21 +122,24 @@ om::IO::BaseReader& reader_of(MeshFormat format) {
 
 }  // namespace
 
-OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, bool binary) {
+OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, const RawMesh& mesh) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   // Its remarks to the console are replaced by the comparison with the file itself.
   omerr().disable();
   omlog().disable();
   OpenMeshDelivery delivery;
+  delivery.vertices.reserve(mesh.vertices.size());
+  delivery.corners.reserve(mesh.corners.size());
+  delivery.ends.reserve(mesh.ends.size());
   MemoryBuffer buffer(bytes);
   std::istream stream(&buffer);
   Collector collector(delivery);
   om::IO::Options options;
-  if (binary) options += om::IO::Options::Binary;
+  if (mesh.binary) options += om::IO::Options::Binary;
   // A scanned binary file holds all that it announces: a read past its end means that OpenMesh takes other
   // bytes for counts, and it would go on for minutes. (Texts are read until they end.)
-  if (binary) stream.exceptions(std::ios::failbit);
+  if (mesh.binary) stream.exceptions(std::ios::failbit);
   try {
     delivery.succeeded = reader_of(format).read(stream, collector, options);
   } catch (const std::ios_base::failure&) {

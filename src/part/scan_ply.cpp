@@ -64,21 +64,28 @@ class PlyNumbers {
 
   /// The number of items in a list: not negative, and no more than the rest of the file can hold.
   long long next_count(const PlyProperty& list) {
-    const std::string where = place();
+    const std::size_t where = place_number();
     const auto count = static_cast<long long>(next(list.count_type));
     const bool text = form_ == PlyHeader::Form::text;
     const std::size_t left = text ? bytes_.size() - at_ - text_.offset() + 1 : bytes_.size() - at_;
-    return plausible_count(count, text ? 2 : ply_size(list.type), left, where, "items in a list");
+    const std::size_t least = text ? 2 : ply_size(list.type);
+    // The place is only put into words for a count that will be refused: they took half of the scan.
+    if (count >= 0 && static_cast<std::size_t>(count) <= left / least) return count;
+    return plausible_count(count, least, left, place_words(where), "items in a list");
   }
+
+  /// No fewer than there are numbers to come.
+  std::size_t bytes_left() const { return bytes_.size() - at_; }
 
   std::size_t place_number() const {
     return form_ == PlyHeader::Form::text ? static_cast<std::size_t>(text_.line()) : at_;
   }
-  std::string place() const {
-    return fmt::format("{} {}", form_ == PlyHeader::Form::text ? "line" : "byte", place_number());
-  }
+  std::string place() const { return place_words(place_number()); }
 
  private:
+  std::string place_words(std::size_t number) const {
+    return fmt::format("{} {}", form_ == PlyHeader::Form::text ? "line" : "byte", number);
+  }
   Error truncated() const { return refused(place(), "truncated: the file ends before its last element"); }
 
   double next_word(PlyType type) {
@@ -143,6 +150,7 @@ class PlyScan {
       const PlyType type = element.properties[static_cast<std::size_t>(axis)].type;
       mesh_.float32 = mesh_.float32 && type == PlyType::float32;
     }
+    mesh_.vertices.reserve(mesh_.vertices.size() + static_cast<std::size_t>(element.count));
     for (long long i = 0; i < element.count; ++i) {
       Vec3 vertex = Vec3::Zero();
       const std::size_t place = numbers_.place_number();
@@ -165,6 +173,9 @@ class PlyScan {
       return;
     }
     const auto list = static_cast<std::size_t>(named);
+    const auto announced = static_cast<std::size_t>(element.count);  // the file has the bytes for it
+    mesh_.ends.reserve(mesh_.ends.size() + announced);
+    mesh_.corners.reserve(mesh_.corners.size() + std::min(3 * announced, numbers_.bytes_left()));
     for (long long i = 0; i < element.count; ++i) {
       skip(element, 0, list);
       const long long count = numbers_.next_count(element.properties[list]);
