@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <numbers>
 
 #include "friction/bristle.hpp"
@@ -20,14 +21,15 @@ constexpr LawParameter parameters[] = {fixed_stiffness_parameter, stribeck_speed
 /// alpha(z, v), so that small motions are purely elastic and do not drift.
 ///
 /// Deviation: z_ba is a share of z_ss(v) = g(v)/sigma_0, not of F_s/sigma_0, so that z_ba < z_ss at every
-/// speed. The step takes alpha at its middle; with alpha held it is exact.
+/// speed. The step takes alpha at its middle, or its mean where that is near 1: second order.
 class ElastoPlastic final : public FrictionLaw {
  public:
   ElastoPlastic(const StribeckBristle& bristle, double elastic_share)
       : bristle_(bristle),
         elastic_share_(elastic_share),
         middle_share_(0.5 * (1 + elastic_share)),
-        per_width_(1 / (1 - elastic_share)) {}
+        per_width_(1 / (1 - elastic_share)),
+        rest_per_gap2_(0.25 * std::numbers::pi * std::numbers::pi * per_width_ * per_width_) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     if (state.phase == Phase::free) return bristle_at_rest(state);
@@ -40,38 +42,38 @@ class ElastoPlastic final : public FrictionLaw {
   }
 
  private:
-  /// 1 - alpha where that is below 0.01, near the flat top of the sine, as its series; 1 elsewhere.
-  double elastic_rest(double stretch_share) const noexcept {
-    const double below_top = (1 - stretch_share) * per_width_;
-    if (below_top <= 0) return 0;
-    const double t = std::numbers::pi * std::numbers::pi / 4 * below_top * below_top;
-    if (t > 0.01) return 1;
-    // sin^2 of the root of t
-    return t * ((1 - t * (1.0 / 3)) + t * t * ((2.0 / 45 - t * (1.0 / 315)) + t * t * (2.0 / 14175)));
-  }
-
   /// How plastic the bristle is, 0 .. 1 (Dupont 2002, eq. for alpha), at a stretch of |z|/z_ss along the
   /// motion. |z| within the sine: a signed z there makes one direction of motion stiffer than the other.
   double alpha(double stretch_share) const noexcept {
     if (stretch_share <= elastic_share_) return 0;
-    const double rest = elastic_rest(stretch_share);
-    return rest < 1 ? 1 - rest : 0.5 + 0.5 * sine_of_half_turns((stretch_share - middle_share_) * per_width_);
+    if (stretch_share >= 1) return 1;
+    return 0.5 + 0.5 * sine_of_half_turns((stretch_share - middle_share_) * per_width_);
   }
 
   PlaneVector stepped(const PlaneVector& z, const PlaneVector& step, double moved,
                       double z_ss) const noexcept {
+    const double per_z_ss = 1 / z_ss, x = std::min(longest_step, moved * per_z_ss);
+    const double along = z.dot(step);
+    if (along > 0 && (z + 0.5 * step).square() > z_ss * z_ss) return stepped_in_slip(z, step, x, z_ss);
     const double stretch = length(z);
     if (stretch + moved <= elastic_share_ * z_ss) return z + step;
-    const double per_z_ss = 1 / z_ss, x = moved * per_z_ss;
-    const double along = z.dot(step);
-    const double rest = elastic_rest(stretch * per_z_ss);
-    if (rest < 1 && x > 1e-3 && x < 2 && along >= 0.9 * stretch * moved) {
-      // In near steady slip alpha is flat, and the start's value serves for the whole step.
-      const Yielding yielded = yielding_less(x, rest);
-      return shortened(z + step * yielded.per_x - z * yielded.share, std::max(stretch, z_ss));
-    }
     const double at_start = along > 0 ? alpha(stretch * per_z_ss) : 0;
     return shortened(stepped_by_middle(z, step, x, at_start, per_z_ss), std::max(stretch, z_ss));
+  }
+
+  /// The step where its middle is beyond z_ss if nothing yields: alpha is near 1 or becomes so within it.
+  /// 1 - alpha is about the square of pi/2 (1 - |z|/z_ss)/(1 - z_ba) then, and decays over the step.
+  PlaneVector stepped_in_slip(const PlaneVector& z, const PlaneVector& step, double x,
+                              double z_ss) const noexcept {
+    // Of the square of 1 - |z|/z_ss = 1 - sqrt(1 - below) the first terms: no root to wait for.
+    const double below = std::max(0.0, 1 - z.square() / (z_ss * z_ss));
+    const double gap2 = below * below * (0.25 + 0.125 * below);
+    const double rest = std::min(0.5, gap2 * (rest_per_gap2_ / (1 + x)));
+    // Dahl's step for alpha x, with e^y as its series to y^4: no step is too long for its inverse.
+    const double y = x - x * rest, y2 = y * y;
+    const double grown = (1 + y) + y2 * ((0.5 + y * (1.0 / 6)) + y2 * (1.0 / 24));
+    const double pushed = (1 + y * 0.5) + y2 * (1.0 / 6 + y * (1.0 / 24));  // (grown - 1)/y
+    return shortened((z + pushed * step) * (1 / grown), std::max(length(z), z_ss));
   }
 
   /// The step with alpha as it is at its middle. Half an implicit step finds the middle: the order stays two.
@@ -82,8 +84,12 @@ class ElastoPlastic final : public FrictionLaw {
     return dahl_step(z, step, x * at_middle);
   }
 
+  /// In z_ss: beyond it every step ends in steady slip, and nothing overflows below it.
+  static constexpr double longest_step = 1e30;
+
   StribeckBristle bristle_;
   double elastic_share_, middle_share_, per_width_;  // z_ba, the middle of z_ba .. z_ss, its width; over z_ss
+  double rest_per_gap2_;                             // (1 - alpha)/(1 - |z|/z_ss)^2 near 1
 };
 
 }  // namespace

@@ -53,17 +53,6 @@ inline Yielding yielding(double x) noexcept {
   return {x * per_x, per_x};
 }
 
-/// yielding(x (1 - less)) for 1e-3 < x < 2 and 0 <= less <= 0.01, as exact. Where `less` is known last: what
-/// takes long needs x only.
-inline Yielding yielding_less(double x, double less) noexcept {
-  const double per_x = 1 / x, falls = exp_of_minus(x);
-  const double d = x * less, d2 = d * d;
-  const double grown =
-      d + d2 * ((1.0 / 2 + d * (1.0 / 6)) + d2 * ((1.0 / 24 + d * (1.0 / 120)) + d2 * (1.0 / 720)));
-  const double share = (1 - falls) - falls * grown;
-  return {share, share * (per_x / (1 - less))};  // the quotient is ready before the share
-}
-
 /// sin(pi u) for |u| <= 1/2, to 3e-16: its series as far as u^21, summed in pairs.
 inline double sine_of_half_turns(double u) noexcept {
   const double q = u * u, q2 = q * q, q4 = q2 * q2;

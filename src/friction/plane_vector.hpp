@@ -46,8 +46,8 @@ struct Polar {
   PlaneVector direction;
 };
 
-/// For squares that overflow, underflow or vanish.
-[[gnu::noinline, gnu::cold]] inline Polar extreme_polar(const PlaneVector& v) noexcept {
+/// For squares that overflow, underflow or vanish. By value: else every vector would live in memory for it.
+[[gnu::noinline, gnu::cold]] inline Polar extreme_polar(PlaneVector v) noexcept {
   const double largest = std::max(std::abs(v.x()), std::abs(v.y()));
   if (largest == 0) return {};
   const PlaneVector scaled(v.x() / largest, v.y() / largest);

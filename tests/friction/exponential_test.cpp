@@ -30,18 +30,6 @@ TEST(Yielding, IsExactFromTheTiniestStepToTheLongest) {
   EXPECT_EQ(yielding(100).share, 1);
 }
 
-TEST(Yielding, OfALittleLessIsTheSame) {
-  for (const double less : {0.0, 1e-9, 1e-4, 0.01}) {
-    for (double x = 0.0011; x < 2; x *= 1.3) {
-      const long double y = static_cast<long double>(x) * (1 - static_cast<long double>(less));
-      const long double expected = -std::expm1(-y);
-      const Yielding found = yielding_less(x, less);
-      EXPECT_NEAR(found.share / expected, 1, 3e-13) << x << ", less " << less;  // as above
-      EXPECT_NEAR(found.per_x / (expected / y), 1, 3e-13) << x << ", less " << less;
-    }
-  }
-}
-
 TEST(SineOfHalfTurns, IsTheSine) {
   for (double u = -0.5; u <= 0.5; u += 0.0013) {
     const long double expected = std::sin(std::numbers::pi_v<long double> * u);
