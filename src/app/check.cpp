@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 #include "app/commands.hpp"
+#include "app/progress_bar.hpp"
 #include "app/unit_option.hpp"
 #include "contact/thinnest_wall.hpp"
 #include "part/import.hpp"
@@ -50,19 +52,28 @@ Json verdict_json(const Verdict& verdict, double thinnest_wall_m) {
           {"thinnest_wall_m", number_or_null(thinnest_wall_m)}};
 }
 
+/// A mesh's import and its thinnest wall.
+std::pair<ImportedPart, double> checked(const std::string& path, const CheckOptions& options) {
+  LoadBar bar(stderr_is_terminal());
+  const LoadProgress progress = bar.progress(path);
+  ImportOptions how;
+  how.metres_per_unit = metres_of(options.unit);
+  how.repair = options.repair;
+  how.progress = step_of(progress, 0, 0.5);
+  ImportedPart imported = import_part(path, how);
+  if (!imported.part) return {std::move(imported), std::nan("")};
+  tell(progress, "building the search tree", 0.5);
+  const TriangleTree tree(imported.part);
+  tell(progress, "measuring its walls", 0.85);
+  const double wall_m = thinnest_wall_m(*imported.part, tree);
+  return {std::move(imported), wall_m};
+}
+
 int check(const CheckOptions& options) {
   bool all_touchable = true;
   Json report = Json::array();
   for (const std::string& path : options.meshes) {
-    ImportOptions how;
-    how.metres_per_unit = metres_of(options.unit);
-    how.repair = options.repair;
-    const ImportedPart imported = import_part(path, how);
-    double wall_m = std::nan("");
-    if (imported.part) {
-      const TriangleTree tree(imported.part);
-      wall_m = thinnest_wall_m(*imported.part, tree);
-    }
+    const auto [imported, wall_m] = checked(path, options);
     if (options.json) {
       report.push_back(verdict_json(imported.verdict, wall_m));
     } else {

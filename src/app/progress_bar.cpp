@@ -1,24 +1,79 @@
 #include "app/progress_bar.hpp"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
+#include <filesystem>
+#include <utility>
 
 namespace fingerpad {
+namespace {
 
-void ProgressBar::advance(const std::string& what) {
-  ++done_;
-  if (!shown_) return;
-  constexpr std::size_t width = 40;
-  const std::size_t filled = std::min(width, width * done_ / std::max<std::size_t>(total_, 1));
-  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {}/{} {:<24.24}", "", filled, "", width - filled, done_, total_,
-             what);
-  std::fflush(stderr);
+// Together less than the 80 columns of the narrowest terminal.
+constexpr int bar_width = 20, text_width = 50;
+
+}  // namespace
+
+bool stderr_is_terminal() noexcept {
+  return isatty(STDERR_FILENO) != 0;
+}
+
+ProgressBar::ProgressBar(bool shown, std::chrono::milliseconds patience, End end) : end_(end) {
+  if (shown) drawer_ = std::thread([this, patience] { draw_now_and_then(patience); });
+}
+
+ProgressBar::~ProgressBar() {
+  finish();
+}
+
+void ProgressBar::show(double share_done, std::string what) {
+  const std::lock_guard lock(mutex_);
+  state_ = {std::clamp(share_done, 0.0, 1.0), std::move(what)};
 }
 
 void ProgressBar::finish() {
-  if (shown_ && done_ > 0) fmt::print(stderr, "\n");
+  if (!drawer_.joinable()) return;
+  {
+    const std::lock_guard lock(mutex_);
+    finished_ = true;
+  }
+  woken_.notify_all();
+  drawer_.join();
+  if (end_ == End::kept && state_) {
+    draw(*state_);
+    fmt::print(stderr, "\n");
+  } else if (is_drawn_) {
+    fmt::print(stderr, "\r{:{}}\r", "", bar_width + text_width + 8);
+  }
+  std::fflush(stderr);
+}
+
+void ProgressBar::draw_now_and_then(std::chrono::milliseconds patience) {
+  constexpr std::chrono::milliseconds between{100};
+  std::unique_lock lock(mutex_);
+  woken_.wait_for(lock, patience, [this] { return finished_; });
+  while (!finished_) {
+    if (state_) draw(*state_);
+    woken_.wait_for(lock, between, [this] { return finished_; });
+  }
+}
+
+void ProgressBar::draw(const State& state) {
+  const int filled = static_cast<int>(std::floor(bar_width * state.share_done));
+  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f}% {:<{}.{}}", "", filled, "", bar_width - filled,
+             std::floor(100 * state.share_done), state.what, text_width, text_width);
+  std::fflush(stderr);
+  is_drawn_ = true;
+}
+
+LoadProgress LoadBar::progress(const std::string& file) {
+  const std::string name = std::filesystem::path(file).filename().string();
+  return [this, lead = name.empty() ? name : name + ": "](std::string_view stage, double share_done) {
+    bar_.show(share_done, lead + std::string(stage));
+  };
 }
 
 }  // namespace fingerpad

@@ -1,24 +1,70 @@
 #pragma once
 
-#include <cstddef>
+#include <chrono>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
 #include <string>
+#include <thread>
+
+#include "part/load_progress.hpp"
 
 namespace fingerpad {
 
-/// A one-line bar on standard error that shows how many of a known number of jobs are done. Says nothing if
-/// not shown.
+/// Whether standard error is a terminal: else a bar would be noise in a log.
+bool stderr_is_terminal() noexcept;
+
+/// A bar of one line on standard error, drawn by a thread of its own ten times a second, so that whoever
+/// works only says how far it is. Says nothing and starts no thread if not shown. Thread-safe.
+///
+///     [=======             ]  38% bracket.stl: making normals
 class ProgressBar {
  public:
-  ProgressBar(std::size_t total, bool shown) : total_(total), shown_(shown) {}
-  /// One more job is done; `what` names it.
-  void advance(const std::string& what);
-  /// Ends the line.
+  /// What is left of the line at the end: its last state, or nothing (what was quick leaves no trace at all).
+  enum class End { kept, wiped };
+
+  /// @param patience  nothing is drawn for so long
+  ProgressBar(bool shown, std::chrono::milliseconds patience, End end);
+  /// finish()
+  ~ProgressBar();
+  ProgressBar(const ProgressBar&) = delete;
+  ProgressBar& operator=(const ProgressBar&) = delete;
+
+  /// What the bar shows from now on. @param share_done  0 .. 1
+  void show(double share_done, std::string what);
+
+  /// Ends the line, and the thread. Must come before anything else is written to the terminal.
   void finish();
 
  private:
-  std::size_t total_;
-  std::size_t done_ = 0;
-  bool shown_;
+  struct State {
+    double share_done = 0;
+    std::string what;
+  };
+  void draw_now_and_then(std::chrono::milliseconds patience);
+  void draw(const State& state);
+
+  End end_;
+  std::mutex mutex_;
+  std::condition_variable woken_;
+  std::optional<State> state_;  ///< none before the first show()
+  bool finished_ = false, is_drawn_ = false;
+  std::thread drawer_;
+};
+
+/// A bar for loads, which shows itself where they take longer than half a second and wipes itself away:
+/// what a load function is given as its progress.
+class LoadBar {
+ public:
+  explicit LoadBar(bool shown) : bar_(shown, std::chrono::milliseconds(500), ProgressBar::End::wiped) {}
+
+  /// @param file  named before each stage; empty where the load names its files itself
+  /// The bar must live for as long as this is called.
+  LoadProgress progress(const std::string& file = {});
+  void finish() { bar_.finish(); }
+
+ private:
+  ProgressBar bar_;
 };
 
 }  // namespace fingerpad

@@ -3,9 +3,9 @@
 #include <CLI/CLI.hpp>
 #include <fstream>
 #include <limits>
-#include <numbers>
 
 #include "app/commands.hpp"
+#include "app/progress_bar.hpp"
 #include "app/unit_option.hpp"
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
@@ -48,12 +48,19 @@ std::string answers(const TriangleTree& tree, const CsvColumns& points) {
 
 int query(const QueryOptions& options) {
   const CsvColumns points = read_csv_columns(options.points, {"x_m", "y_m", "z_m"});
-  const ImportedPart imported =
-      import_touchable(options.mesh, metres_of(options.unit), 30 * std::numbers::pi / 180);
+  LoadBar bar(stderr_is_terminal());
+  const LoadProgress progress = bar.progress(options.mesh);
+  ImportOptions how;
+  how.metres_per_unit = metres_of(options.unit);
+  how.progress = step_of(progress, 0, 0.6);
+  const ImportedPart imported = import_touchable(options.mesh, how);
+  tell(progress, "building the search tree", 0.6);
+  const TriangleTree tree(imported.part);
+  bar.finish();
   for (const std::string& warning : imported.verdict.warnings) {
     fmt::print(stderr, "fingerpad: warning: {}: {}\n", options.mesh, warning);
   }
-  const std::string text = answers(TriangleTree(imported.part), points);
+  const std::string text = answers(tree, points);
   if (options.out.empty()) {
     fmt::print("{}", text);
     return 0;

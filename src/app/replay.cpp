@@ -1,8 +1,8 @@
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <atomic>
 #include <charconv>
 #include <set>
 #include <thread>
@@ -98,6 +98,31 @@ int exit_code(const std::vector<BatchJob>& jobs) {
   return any_failed ? 4 : 0;
 }
 
+/// How many of this rank's jobs are done, and what is being loaded for the next.
+class JobBar {
+ public:
+  JobBar(std::size_t total, bool shown)
+      : total_(total), bar_(shown, std::chrono::milliseconds(0), ProgressBar::End::kept) {}
+
+  void advance(const std::string& scene) {
+    ++done_;
+    show(scene);
+  }
+  void load(std::string_view stage, double done) { show(fmt::format("{} {:.0f}%", stage, 100 * done)); }
+  void finish() { bar_.finish(); }
+
+ private:
+  void show(const std::string& what) {
+    const std::size_t done = done_;
+    bar_.show(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(total_, 1)),
+              fmt::format("{}/{} {}", done, total_, what));
+  }
+
+  std::size_t total_;
+  std::atomic<std::size_t> done_{0};
+  ProgressBar bar_;
+};
+
 int replay(ReplayOptions options) {
   read_shard(options.shard, options.batch);
   options.batch.format = options.format == "csv" ? TraceFormat::csv : TraceFormat::hdf5;
@@ -106,8 +131,8 @@ int replay(ReplayOptions options) {
   std::vector<BatchJob> jobs = batch_jobs(options.scenes);
   const auto share =
       static_cast<std::size_t>(ranks.count()) * static_cast<std::size_t>(options.batch.shard_count);
-  ProgressBar bar((jobs.size() + share - 1) / share,
-                  !options.quiet && ranks.is_root() && isatty(STDERR_FILENO) != 0);
+  JobBar bar((jobs.size() + share - 1) / share, !options.quiet && ranks.is_root() && stderr_is_terminal());
+  options.batch.on_load = [&](std::string_view stage, double done) { bar.load(stage, done); };
   run_batch(jobs, options.batch, ranks, [&](const BatchJob& job) { bar.advance(job.job.scene.name); });
   bar.finish();
   if (!ranks.is_root()) return 0;

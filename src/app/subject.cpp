@@ -20,23 +20,25 @@ std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const
   return rows;
 }
 
-ViewInput scene_subject(const std::string& path) {
+ViewInput scene_subject(const std::string& path, LoadBar& bar) {
   ViewInput input;
   input.scene = single_scene(path);
   input.title = input.scene->name;
-  input.world = load_world(*input.scene);
+  input.world = load_world(*input.scene, bar.progress());
+  bar.finish();
   tell_warnings(*input.world);
   tell_choice(*input.world);
   if (input.scene->motion.given()) input.rows = replayed(*input.scene, input.world);
   return input;
 }
 
-ViewInput mesh_subject(const std::string& path, double metres_per_unit) {
+ViewInput mesh_subject(const std::string& path, double metres_per_unit, LoadBar& bar) {
   ViewInput input;
   input.title = std::filesystem::path(path).filename().string();
   Scene scene = scene_of_mesh(path, metres_per_unit);
   scene.contact.method = ContactMethod::closest_point;  // only looked at: nothing to measure it for
-  input.world = load_world(scene);
+  input.world = load_world(scene, bar.progress());
+  bar.finish();
   tell_warnings(*input.world);
   return input;
 }
@@ -56,16 +58,16 @@ Scene single_scene(const std::string& path) {
   return std::move(job.scene);
 }
 
-ViewInput load_subject(const std::string& path, double metres_per_unit) {
+ViewInput load_subject(const std::string& path, double metres_per_unit, LoadBar& bar) {
   switch (subject_kind(path)) {
     case SubjectKind::scene:
-      return scene_subject(path);
+      return scene_subject(path, bar);
     case SubjectKind::trace:
       return view_of_trace(read_trace(path), path);
     case SubjectKind::mesh:
       break;
   }
-  return mesh_subject(path, metres_per_unit);
+  return mesh_subject(path, metres_per_unit, bar);
 }
 
 void tell_choice(const World& world) {

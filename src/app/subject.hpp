@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "app/progress_bar.hpp"
 #include "view/view_input.hpp"
 
 namespace fingerpad {
@@ -14,8 +15,9 @@ SubjectKind subject_kind(const std::string& path);
 /// A scene, mesh or trace made ready to be shown. A scene with a motion is replayed first; one without shows
 /// its parts.
 /// @param metres_per_unit  for a mesh
+/// @param bar  shows how the meshes' loading goes; finished before anything is told
 /// Throws Error (refused) as loading and replaying do.
-ViewInput load_subject(const std::string& path, double metres_per_unit);
+ViewInput load_subject(const std::string& path, double metres_per_unit, LoadBar& bar);
 
 /// A scene file's scene; of a set, its first job's. Throws Error (refused).
 Scene single_scene(const std::string& path);

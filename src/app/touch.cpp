@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/progress_bar.hpp"
 #include "app/subject.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
@@ -55,7 +56,9 @@ std::unique_ptr<LiveRecorder> recorder_for(const TouchOptions& options, const Sc
 int touch(const TouchOptions& options) {
   need_display();  // before a long import
   Scene scene = touched_scene(options);
-  const auto world = load_world(scene);
+  LoadBar bar(stderr_is_terminal());
+  const auto world = load_world(scene, bar.progress());
+  bar.finish();
   tell_warnings(*world);
   tell_choice(*world);
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/progress_bar.hpp"
 #include "app/subject.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
@@ -36,7 +37,9 @@ Size read_size(const std::string& text) {
 int view(const ViewOptions& options) {
   const Size size = read_size(options.size);
   if (options.png.empty()) need_display();  // before a long import
-  const ViewInput input = load_subject(options.subject, metres_of(options.unit));
+  LoadBar bar(stderr_is_terminal());
+  const ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);
+  bar.finish();
   if (!options.png.empty()) {
     write_view_png(input, options.png, size.width, size.height, options.at_s, ViewState{});
     return 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "part/load_progress.hpp"
 #include "part/part.hpp"
 
 namespace fingerpad {
@@ -39,11 +40,11 @@ struct BuiltPart {
 
 /// make_part with its census. Left out are triangles with two corners welded into one, triangles that repeat
 /// an earlier one, and triangles without area that no edge joins to one with area.
-BuiltPart build_part(const TriangleSoup& soup, double crease_rad);
+BuiltPart build_part(const TriangleSoup& soup, double crease_rad, const LoadProgress& progress = {});
 
 /// As build_part, with what can be mended without a new triangle or a moved vertex: all vertices within 1e-7
 /// of the diagonal are welded, and the winding is made right (repair.hpp). Boundary edges stay, and so do
 /// triangles without area that join others: leaving them out would open the mesh.
-BuiltPart build_repaired_part(const TriangleSoup& soup, double crease_rad);
+BuiltPart build_repaired_part(const TriangleSoup& soup, double crease_rad, const LoadProgress& progress = {});
 
 }  // namespace fingerpad

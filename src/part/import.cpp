@@ -83,9 +83,11 @@ void refuse_nonfinite(const RawMesh& mesh, const std::vector<bool>& used) {
 
 /// Lets OpenMesh read what was scanned, and measures what that does to the coordinates.
 void deliver(RawMesh& mesh, const std::string& bytes, MeshFormat format, const std::vector<bool>& used,
-             double metres_per_unit, Verdict& verdict) {
+             const ImportOptions& options, Verdict& verdict) {
+  const double metres_per_unit = options.metres_per_unit;
   const std::vector<Vec3> said = mesh.float32 ? std::vector<Vec3>() : mesh.vertices;
-  const std::string lost = reconcile(mesh, read_by_openmesh(bytes, format, mesh));
+  const std::string lost =
+      reconcile(mesh, read_by_openmesh(bytes, format, mesh, step_of(options.progress, 0.15, 0.35)));
   if (!lost.empty()) verdict.warnings.push_back(lost);
   double largest = 0;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -122,6 +124,7 @@ std::string why_no_triangle(const RawMesh& mesh, const Fan& fan) {
 }
 
 std::shared_ptr<const Part> read(const std::string& path, const ImportOptions& options, Verdict& verdict) {
+  tell(options.progress, "reading", 0);
   std::string bytes = file_bytes(path);
   const MeshFormat format = mesh_format(path, bytes);
   RawMesh mesh = scan(format, bytes);
@@ -131,14 +134,15 @@ std::shared_ptr<const Part> read(const std::string& path, const ImportOptions& o
   const std::vector<bool> used = used_vertices(mesh);
   for (int i = 0; i < mesh.polygon_count(); ++i) verdict.triangles += mesh.corner_count(i) - 2;
   refuse_nonfinite(mesh, used);
-  if (mesh.polygon_count() > 0) deliver(mesh, bytes, format, used, options.metres_per_unit, verdict);
+  if (mesh.polygon_count() > 0) deliver(mesh, bytes, format, used, options, verdict);
   bytes = std::string();
   const Fan fan = fan_polygons(mesh, options.metres_per_unit);
   verdict.out_of_range = fan.out_of_range;
   if (fan.soup.triangles.cols() == 0) throw refused("", why_no_triangle(mesh, fan));
   verdict.repaired = options.repair;
-  BuiltPart built = options.repair ? build_repaired_part(fan.soup, options.crease_rad)
-                                   : build_part(fan.soup, options.crease_rad);
+  const LoadProgress progress = step_of(options.progress, 0.4, 1);
+  BuiltPart built = options.repair ? build_repaired_part(fan.soup, options.crease_rad, progress)
+                                   : build_part(fan.soup, options.crease_rad, progress);
   fill_census(built.census, verdict);
   verdict.kept = built.part.triangle_count();
   if (verdict.kept == 0) {
@@ -168,7 +172,7 @@ ImportedPart import_part(const std::string& path, const ImportOptions& options) 
 }
 
 ImportedPart import_part(const std::string& path, double metres_per_unit, double crease_rad) {
-  return import_part(path, {metres_per_unit, crease_rad, false});
+  return import_part(path, {metres_per_unit, crease_rad, false, {}});
 }
 
 ImportedPart import_touchable(const std::string& path, const ImportOptions& options) {
@@ -178,7 +182,7 @@ ImportedPart import_touchable(const std::string& path, const ImportOptions& opti
 }
 
 ImportedPart import_touchable(const std::string& path, double metres_per_unit, double crease_rad) {
-  return import_touchable(path, {metres_per_unit, crease_rad, false});
+  return import_touchable(path, {metres_per_unit, crease_rad, false, {}});
 }
 
 }  // namespace fingerpad

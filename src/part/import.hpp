@@ -4,6 +4,7 @@
 #include <numbers>
 #include <string>
 
+#include "part/load_progress.hpp"
 #include "part/part.hpp"
 #include "part/verdict.hpp"
 
@@ -19,7 +20,8 @@ struct ImportedPart {
 struct ImportOptions {
   double metres_per_unit = 1e-3;                    ///< what one file unit is, > 0
   double crease_rad = 30 * std::numbers::pi / 180;  ///< see make_part
-  bool repair = false;  ///< see build_repaired_part; the verdict tells what was done
+  bool repair = false;    ///< see build_repaired_part; the verdict tells what was done
+  LoadProgress progress;  ///< told as it goes
 };
 
 /// Reads STL (text and binary), OBJ, PLY or OFF through OpenMesh and checks the file against what came out.

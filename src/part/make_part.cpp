@@ -251,8 +251,9 @@ void wind_draft(Draft& draft, Census& census) {
   census.components = component_count(links.welded, links.welded_count);
 }
 
-BuiltPart build(const TriangleSoup& soup, double crease_rad, bool repair) {
+BuiltPart build(const TriangleSoup& soup, double crease_rad, bool repair, const LoadProgress& progress) {
   BuiltPart built;
+  tell(progress, "joining triangles", 0);
   Draft draft = first_draft(soup, repair ? &built.census.repair : nullptr);
   std::vector<int> kept = take_census(draft, built.census);
   if (kept.size() < draft.from_soup.size()) draft = reduced(soup, draft, kept);
@@ -263,6 +264,7 @@ BuiltPart build(const TriangleSoup& soup, double crease_rad, bool repair) {
     draft = reduced(soup, draft, kept);
   }
   if (repair) wind_draft(draft, built.census);
+  tell(progress, "making normals", 0.45);
   Part& part = built.part;
   part = assembled(soup, draft);
   const EdgeTable& edges = draft.links.edges;
@@ -284,12 +286,12 @@ BuiltPart build(const TriangleSoup& soup, double crease_rad, bool repair) {
 
 }  // namespace
 
-BuiltPart build_part(const TriangleSoup& soup, double crease_rad) {
-  return build(soup, crease_rad, false);
+BuiltPart build_part(const TriangleSoup& soup, double crease_rad, const LoadProgress& progress) {
+  return build(soup, crease_rad, false, progress);
 }
 
-BuiltPart build_repaired_part(const TriangleSoup& soup, double crease_rad) {
-  return build(soup, crease_rad, true);
+BuiltPart build_repaired_part(const TriangleSoup& soup, double crease_rad, const LoadProgress& progress) {
+  return build(soup, crease_rad, true, progress);
 }
 
 Part make_part(const TriangleSoup& soup, double crease_rad, double* weld_distance_m) {

@@ -6,6 +6,7 @@
 #include <OpenMesh/Core/IO/reader/PLYReader.hh>
 #include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
+#include <algorithm>
 #include <istream>
 #include <mutex>
 #include <streambuf>
@@ -40,7 +41,9 @@ class MemoryBuffer : public std::streambuf {
 /// Takes what a reader delivers as it comes; all but vertices and faces is let go.
 class Collector : public om::IO::BaseImporter {
  public:
-  explicit Collector(OpenMeshDelivery& into) : into_(into) {}
+  /// @param expected  how many faces there should be
+  Collector(OpenMeshDelivery& into, int expected, const LoadProgress& progress)
+      : into_(into), expected_(expected), progress_(progress) {}
 
   om::VertexHandle add_vertex(const om::Vec3f& p) override { return add(Vec3(p[0], p[1], p[2])); }
   om::VertexHandle add_vertex(const om::Vec3d& p) override { return add(Vec3(p[0], p[1], p[2])); }
@@ -53,6 +56,11 @@ class Collector : public om::IO::BaseImporter {
   om::FaceHandle add_face(const VHandles& corners) override {
     for (const om::VertexHandle corner : corners) into_.corners.push_back(knows(corner) ? corner.idx() : -1);
     into_.ends.push_back(static_cast<int>(into_.corners.size()));
+    constexpr std::size_t between_news = 1 << 16;
+    if (into_.ends.size() % between_news == 0) {
+      const double share = static_cast<double>(into_.ends.size()) / std::max(expected_, 1);
+      tell(progress_, "reading through OpenMesh", std::min(share, 1.0));
+    }
     return om::FaceHandle(static_cast<int>(into_.ends.size()) - 1);
   }
 
@@ -104,6 +112,8 @@ class Collector : public om::IO::BaseImporter {
   }
 
   OpenMeshDelivery& into_;
+  int expected_;
+  const LoadProgress& progress_;
 };
 
 om::IO::BaseReader& reader_of(MeshFormat format) {
@@ -122,7 +132,8 @@ om::IO::BaseReader& reader_of(MeshFormat format) {
 
 }  // namespace
 
-OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, const RawMesh& mesh) {
+OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, const RawMesh& mesh,
+                                  const LoadProgress& progress) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
   // Its remarks to the console are replaced by the comparison with the file itself.
@@ -132,9 +143,10 @@ OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, c
   delivery.vertices.reserve(mesh.vertices.size());
   delivery.corners.reserve(mesh.corners.size());
   delivery.ends.reserve(mesh.ends.size());
+  tell(progress, "reading through OpenMesh", 0);
   MemoryBuffer buffer(bytes);
   std::istream stream(&buffer);
-  Collector collector(delivery);
+  Collector collector(delivery, mesh.polygon_count(), progress);
   om::IO::Options options;
   if (mesh.binary) options += om::IO::Options::Binary;
   // A scanned binary file holds all that it announces: a read past its end means that OpenMesh takes other

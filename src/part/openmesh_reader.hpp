@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "base/types.hpp"
+#include "part/load_progress.hpp"
 #include "part/raw_mesh.hpp"
 #include "part/sniff.hpp"
 
@@ -23,6 +24,7 @@ struct OpenMeshDelivery {
 /// The readers are objects with state that the library shares: calls wait for each other.
 /// @param bytes  the file; it must have passed its scan_* (OpenMesh runs on for ever on some broken files)
 /// @param mesh   what the scan found: how much to make room for, and whether OpenMesh is to read it as binary
-OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, const RawMesh& mesh);
+OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, const RawMesh& mesh,
+                                  const LoadProgress& progress);
 
 }  // namespace fingerpad

@@ -123,7 +123,7 @@ void run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const R
   if (failure) throw Error(ErrorKind::fault, options.out_dir, "cannot be made: " + failure.message());
 
   const std::vector<std::size_t> ours = share(jobs.size(), options, ranks);
-  MeshStore meshes(static_cast<std::size_t>(options.threads) + 1);
+  MeshStore meshes(static_cast<std::size_t>(options.threads) + 1, options.on_load);
   std::mutex done_mutex;
   tbb::task_arena arena(options.threads);
   arena.execute([&] {

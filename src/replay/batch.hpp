@@ -20,6 +20,7 @@ struct BatchOptions {
   int shard = 1;        ///< this call's share of the jobs, from 1
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1
   std::string version;
+  LoadProgress on_load;  ///< as MeshStore's
 };
 
 /// One job of a batch, and how it ended.

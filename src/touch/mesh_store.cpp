@@ -1,6 +1,7 @@
 #include "touch/mesh_store.hpp"
 
 #include <algorithm>
+#include <filesystem>
 #include <numbers>
 
 #include "base/content_hash.hpp"
@@ -9,14 +10,28 @@
 namespace fingerpad {
 namespace {
 
-std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry) {
+// How a load's time is shared out, by the million-triangle mesh.
+constexpr double imported_at = 0.5, hashed_at = 0.52, searchable_at = 0.9;
+
+/// Names the mesh that the stages are of.
+LoadProgress progress_of(const LoadProgress& whole, const PartEntry& entry) {
+  if (!whole) return {};
+  return [&whole, file = std::filesystem::path(entry.mesh_path).filename().string()](
+             std::string_view stage, double share) { whole(file + ": " + std::string(stage), share); };
+}
+
+std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry, const LoadProgress& progress) {
   auto mesh = std::make_shared<LoadedMesh>();
-  ImportedPart imported = import_touchable(
-      entry.mesh_path, {entry.metres_per_unit, entry.crease_deg * std::numbers::pi / 180, entry.repair});
+  ImportedPart imported =
+      import_touchable(entry.mesh_path, {entry.metres_per_unit, entry.crease_deg * std::numbers::pi / 180,
+                                         entry.repair, step_of(progress, 0, imported_at)});
   mesh->part = imported.part;
   mesh->verdict = std::move(imported.verdict);
-  mesh->tree = std::make_shared<TriangleTree>(mesh->part);
+  tell(progress, "hashing", imported_at);
   mesh->hash = file_hash(entry.mesh_path);
+  tell(progress, "building the search tree", hashed_at);
+  mesh->tree = std::make_shared<TriangleTree>(mesh->part);
+  tell(progress, "ready", searchable_at);
   return mesh;
 }
 
@@ -41,7 +56,7 @@ std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
   }
   if (ours) {
     try {
-      promise.set_value(load_mesh(entry));
+      promise.set_value(load_mesh(entry, progress_of(progress_, entry)));
     } catch (...) {
       promise.set_exception(std::current_exception());
     }
@@ -59,6 +74,7 @@ PartMeasures MeshStore::measure(const PartEntry& entry, const LoadedMesh& mesh) 
     measured = kept;
   }
   std::call_once(measured->once, [&] {
+    tell(progress_of(progress_, entry), "measuring its walls and edges", searchable_at);
     measured->measures = measure_part(*mesh.part, *mesh.tree);
     ++measured_count_;
   });

@@ -8,6 +8,7 @@
 #include <string>
 #include <tuple>
 
+#include "part/load_progress.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {
@@ -24,8 +25,11 @@ struct LoadedMesh {
 /// Thread-safe.
 class MeshStore {
  public:
-  /// @param keep  how many meshes stay loaded when nobody uses them, >= 1
-  explicit MeshStore(std::size_t keep) : keep_(keep) {}
+  /// @param keep      how many meshes stay loaded when nobody uses them, >= 1
+  /// @param progress  told of each mesh as it is loaded and measured, as "FILE: STAGE" with the share of that
+  ///                  mesh's own load; by whichever thread loads, so perhaps by several at a time
+  explicit MeshStore(std::size_t keep, LoadProgress progress = {})
+      : keep_(keep), progress_(std::move(progress)) {}
 
   /// Throws Error (refused) for a mesh that cannot be touched, to everyone who asks.
   std::shared_ptr<const LoadedMesh> load(const PartEntry& entry);
@@ -47,6 +51,7 @@ class MeshStore {
   };
 
   std::size_t keep_;
+  LoadProgress progress_;
   std::mutex mutex_;
   std::map<Key, Pending> meshes_;
   std::deque<Key> last_used_;                          // newest in front

@@ -4,8 +4,8 @@
 
 namespace fingerpad {
 
-std::shared_ptr<const World> load_world(const Scene& scene) {
-  MeshStore meshes(scene.parts.size() + 1);
+std::shared_ptr<const World> load_world(const Scene& scene, const LoadProgress& progress) {
+  MeshStore meshes(scene.parts.size() + 1, progress);
   return load_world(scene, meshes);
 }
 

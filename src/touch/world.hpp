@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/surface_point.hpp"
+#include "part/load_progress.hpp"
 #include "part/verdict.hpp"
 #include "scene/scene.hpp"
 #include "touch/contact_choice.hpp"
@@ -39,7 +40,8 @@ class MeshStore;
 
 /// Loads every part of a scene, and measures them where it leaves its contact method or normals to choose.
 /// Throws Error (refused) for a mesh that cannot be touched.
-std::shared_ptr<const World> load_world(const Scene& scene);
+/// @param progress  as MeshStore's
+std::shared_ptr<const World> load_world(const Scene& scene, const LoadProgress& progress = {});
 
 /// As above, with meshes shared between many scenes.
 std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes);

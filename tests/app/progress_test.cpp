@@ -1,0 +1,84 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "support/shell.hpp"
+
+// What a person sees of a load that takes its time: a bar on a terminal, and nothing anywhere else.
+
+namespace fingerpad {
+namespace {
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+using testing::Not;
+
+#ifdef __SANITIZE_ADDRESS__
+constexpr int subdivisions = 7;  // 131,072 triangles
+#else
+constexpr int subdivisions = 8;  // 524,288: over a second
+#endif
+
+/// A folder with a mesh that takes longer than half a second, one that does not, and a point to ask them for.
+fs::path folder_with_meshes() {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "ball.ply", test::binary_ply(test::sphere_soup(50, subdivisions)));
+  test::write_file(folder, "box.ply", test::binary_ply(test::box_soup({9, 9, 9})));
+  std::ofstream(folder / "points.csv") << "x_m,y_m,z_m\n0,0,0.06\n";
+  return folder;
+}
+
+/// What a terminal gets from the program's standard error; its standard output goes to out.csv.
+std::string on_a_terminal(const std::string& arguments, const fs::path& folder) {
+  const std::string call = "'" + test::program().string() + "' " + arguments + " >out.csv";
+  return test::shell("script --quiet --return --command \"" + call + "\" /dev/null", folder).out;
+}
+
+bool has_script() {
+  return test::shell("script --version", test::scratch_dir()).exit_code == 0;
+}
+
+TEST(LoadBar, ShowsTheStagesOfALongLoadOnATerminalAndWipesItselfAway) {
+  if (!has_script()) GTEST_SKIP() << "no script(1) to play a terminal";
+  const fs::path folder = folder_with_meshes();
+  const std::string seen = on_a_terminal("query ball.ply points.csv", folder);
+  EXPECT_THAT(seen, HasSubstr("% ball.ply: building the search tree"));
+  EXPECT_THAT(seen, HasSubstr("\r[==="));
+  EXPECT_THAT(seen, Not(HasSubstr("100%"))) << "the end is shown by the bar's being gone";
+  const std::size_t last_bar = seen.rfind("\r["), blank = seen.rfind("\r          ");
+  EXPECT_NE(blank, std::string::npos);
+  EXPECT_GT(blank, last_bar) << "wiped away";
+  EXPECT_THAT(test::bytes_of(folder / "out.csv"), HasSubstr("distance_m"));
+}
+
+TEST(LoadBar, IsSilentWhereThereIsNoTerminal) {
+  const fs::path folder = folder_with_meshes();
+  EXPECT_EQ(test::fingerpad("query ball.ply points.csv --out out.csv", folder).err, "");
+  EXPECT_EQ(test::fingerpad("check ball.ply", folder).err, "");
+}
+
+TEST(LoadBar, AQuickLoadAndARefusedOneLeaveNoTrace) {
+  if (!has_script()) GTEST_SKIP() << "no script(1) to play a terminal";
+  const fs::path folder = folder_with_meshes();
+  EXPECT_EQ(on_a_terminal("query box.ply points.csv", folder), "");
+  const std::string refused = on_a_terminal("query absent.ply points.csv", folder);
+  EXPECT_EQ(refused.rfind("fingerpad: error: absent.ply", 0), 0u) << refused;
+}
+
+TEST(JobBar, NamesTheMeshThatABatchWaitsForAndKeepsItsLastLine) {
+  if (!has_script()) GTEST_SKIP() << "no script(1) to play a terminal";
+  const fs::path folder = folder_with_meshes();
+  std::ofstream(folder / "ball.toml")
+      << "[[part]]\nmesh = \"ball.ply\"\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0.051]\n"
+         "to_m = [0, 0, 0.0499]\nspeed_m_per_s = 0.1\n";
+  const std::string seen = on_a_terminal("replay ball.toml --out o", folder);
+  EXPECT_THAT(seen, HasSubstr("0/1 ball.ply: building the search tree"));
+  EXPECT_THAT(seen, HasSubstr("[====================] 100% 1/1 ball"));
+  EXPECT_THAT(on_a_terminal("replay ball.toml --out q --quiet", folder), Not(HasSubstr("[")));
+}
+
+}  // namespace
+}  // namespace fingerpad
