@@ -15,20 +15,35 @@ namespace {
 
 struct StudyOptions {
   std::string subject, out_dir;
+  std::string exact_folder = "scenes/exact";
+  bool exact_folder_given = false;
 };
 
-StudyReport studied(const std::string& subject) {
+/// The folder of the CAD part's exact surface; "" where it is not where it was looked for by default, and
+/// that is told.
+std::string exact_folder(const StudyOptions& options) {
+  const std::string table = options.exact_folder + "/meshes.csv";
+  if (options.exact_folder_given || std::filesystem::exists(table)) return options.exact_folder;
+  fmt::print(stderr,
+             "fingerpad: warning: {}: is not here, so the study goes without the CAD part's exact surface; "
+             "--exact DIR says where it is\n",
+             table);
+  return "";
+}
+
+StudyReport studied(const StudyOptions& options) {
+  const std::string& subject = options.subject;
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   const StudyProgress progress = [&](const std::string& next) {
     if (on_terminal) fmt::print(stderr, "{}: {} ...\n", subject, next);
   };
   if (subject == "stability") return study_stability(progress);
   if (subject == "friction") return study_friction(progress);
-  return study_contact(progress);
+  return study_contact(progress, exact_folder(options));
 }
 
 int study(const StudyOptions& options) {
-  const StudyReport report = studied(options.subject);
+  const StudyReport report = studied(options);
   std::error_code error;
   std::filesystem::create_directories(options.out_dir, error);
   if (error) throw Error(ErrorKind::fault, options.out_dir, "cannot be created: " + error.message());
@@ -63,6 +78,9 @@ void add_study(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"friction", "contact", "stability"}));
   command->add_option("--out", options->out_dir, "Folder for the CSV tables and the charts (PNG and SVG)")
       ->required();
+  const CLI::Option* exact = command->add_option(
+      "--exact", options->exact_folder,
+      "contact: folder of a CAD part's tessellations and points of its exact surface; default scenes/exact");
   command->footer(
       "friction: every law's error against its own limit of short ticks and against exact stick-slip, by "
       "rate, beside its cost.\n"
@@ -73,7 +91,10 @@ void add_study(CLI::App& program, Action& action) {
       "made; restick rules; velocity.\n"
       "Each takes about a minute. Files named *_measured hold times of this machine; all others are the same "
       "at every run.");
-  command->callback([options, &action] { action = [options] { return study(*options); }; });
+  command->callback([options, exact, &action] {
+    options->exact_folder_given = exact->count() > 0;
+    action = [options] { return study(*options); };
+  });
 }
 
 }  // namespace fingerpad

@@ -25,6 +25,49 @@ double angle_between(const Vec3& a, const Vec3& b) {
   return std::atan2(a.cross(b).norm(), a.dot(b));
 }
 
+/// @param off_m  (row, exact foot): how far a tick's surface point is off
+template <typename Off>
+RubError rub_error_by(const std::shared_ptr<const World>& world, const ContactVariant& variant,
+                      const Rub& rub, Off off_m) {
+  Scene scene = scene_of_variant(variant, "none");
+  scene.finger.radius_m = rub.radius_m;
+  Touch touch(world, scene);
+  const std::vector<TickRecord> rows = run(touch, rub.positions);
+  RubError error;
+  Vec3 last_exact_n = Vec3::Zero();
+  for (std::size_t k = rub.approach_ticks; k < rows.size(); ++k) {
+    const TickRecord& row = rows[k];
+    const ExactFoot& foot = rub.exact[k];
+    const Vec3 exact_n = stiffness_n_per_m * (rub.radius_m - foot.signed_distance_m) * foot.normal;
+    const double force_share = (row.force_W_n - exact_n).norm() / exact_n.norm();
+    error.force_rms_share += force_share * force_share;
+    error.force_worst_share = std::max(error.force_worst_share, force_share);
+    if (k > rub.approach_ticks) {
+      const double step_n = (row.force_W_n - rows[k - 1].force_W_n).norm();
+      error.step_share = std::max(error.step_share, step_n / exact_n.norm());
+      error.exact_step_share =
+          std::max(error.exact_step_share, (exact_n - last_exact_n).norm() / exact_n.norm());
+    }
+    last_exact_n = exact_n;
+    if (row.phase == Phase::free) {
+      ++error.lost_ticks;
+      continue;
+    }
+    const double position_m = std::abs(off_m(row, foot));
+    const double turned_rad = angle_between(row.normal_W, foot.normal);
+    error.position_rms_m += position_m * position_m;
+    error.normal_rms_rad += turned_rad * turned_rad;
+    error.position_worst_m = std::max(error.position_worst_m, position_m);
+    error.normal_worst_rad = std::max(error.normal_worst_rad, turned_rad);
+  }
+  const auto ticks = static_cast<double>(rows.size() - rub.approach_ticks);
+  const double held = std::max(1.0, ticks - static_cast<double>(error.lost_ticks));
+  error.force_rms_share = std::sqrt(error.force_rms_share / ticks);
+  error.position_rms_m = std::sqrt(error.position_rms_m / held);
+  error.normal_rms_rad = std::sqrt(error.normal_rms_rad / held);
+  return error;
+}
+
 }  // namespace
 
 const std::vector<ContactVariant>& contact_variants() {
@@ -43,10 +86,14 @@ const std::vector<ContactVariant>& contact_variants() {
 }
 
 std::shared_ptr<const World> world_of_mesh(const TriangleSoup& soup, const std::string& name) {
+  return world_of_part(std::make_shared<const Part>(make_part(soup, std::numbers::pi / 6)), name);
+}
+
+std::shared_ptr<const World> world_of_part(std::shared_ptr<const Part> part, const std::string& name) {
   Surface surface;
   surface.mesh = name;
   surface.properties.stiffness_n_per_m = stiffness_n_per_m;
-  surface.part = std::make_shared<const Part>(make_part(soup, std::numbers::pi / 6));
+  surface.part = std::move(part);
   surface.tree = std::make_shared<const TriangleTree>(surface.part);
   surface.tree->prepare_curved();
   auto world = std::make_shared<World>();
@@ -96,48 +143,22 @@ Rub rub_under(const ExactSurface& surface, double under_m, double radius_m) {
     rub.positions.push_back(place(0, from_m + done * (under_m - from_m)));
   }
   for (int k = 0; k < ticks; ++k) rub.positions.push_back(place(static_cast<double>(k) / ticks, under_m));
+  rub.exact.reserve(rub.positions.size());
+  for (const Vec3& position : rub.positions) rub.exact.push_back(surface.foot(position));
   return rub;
 }
 
 RubError rub_error(const std::shared_ptr<const World>& world, const ExactSurface& surface,
                    const ContactVariant& variant, const Rub& rub) {
-  Scene scene = scene_of_variant(variant, "none");
-  scene.finger.radius_m = rub.radius_m;
-  Touch touch(world, scene);
-  const std::vector<TickRecord> rows = run(touch, rub.positions);
-  RubError error;
-  Vec3 last_exact_n = Vec3::Zero();
-  for (std::size_t k = rub.approach_ticks; k < rows.size(); ++k) {
-    const TickRecord& row = rows[k];
-    const ExactFoot foot = surface.foot(rub.positions[k]);
-    const Vec3 exact_n = stiffness_n_per_m * (rub.radius_m - foot.signed_distance_m) * foot.normal;
-    const double force_share = (row.force_W_n - exact_n).norm() / exact_n.norm();
-    error.force_rms_share += force_share * force_share;
-    error.force_worst_share = std::max(error.force_worst_share, force_share);
-    if (k > rub.approach_ticks) {
-      const double step_n = (row.force_W_n - rows[k - 1].force_W_n).norm();
-      error.step_share = std::max(error.step_share, step_n / exact_n.norm());
-      error.exact_step_share =
-          std::max(error.exact_step_share, (exact_n - last_exact_n).norm() / exact_n.norm());
-    }
-    last_exact_n = exact_n;
-    if (row.phase == Phase::free) {
-      ++error.lost_ticks;
-      continue;
-    }
-    const double off_m = std::abs(surface.foot(row.contact_W).signed_distance_m);
-    const double turned_rad = angle_between(row.normal_W, foot.normal);
-    error.position_rms_m += off_m * off_m;
-    error.normal_rms_rad += turned_rad * turned_rad;
-    error.position_worst_m = std::max(error.position_worst_m, off_m);
-    error.normal_worst_rad = std::max(error.normal_worst_rad, turned_rad);
-  }
-  const auto ticks = static_cast<double>(rows.size() - rub.approach_ticks);
-  const double held = std::max(1.0, ticks - static_cast<double>(error.lost_ticks));
-  error.force_rms_share = std::sqrt(error.force_rms_share / ticks);
-  error.position_rms_m = std::sqrt(error.position_rms_m / held);
-  error.normal_rms_rad = std::sqrt(error.normal_rms_rad / held);
-  return error;
+  return rub_error_by(world, variant, rub, [&](const TickRecord& row, const ExactFoot&) {
+    return surface.foot(row.contact_W).signed_distance_m;
+  });
+}
+
+RubError rub_error(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub) {
+  return rub_error_by(world, variant, rub, [&](const TickRecord& row, const ExactFoot& foot) {
+    return row.depth_m - (rub.radius_m - foot.signed_distance_m);
+  });
 }
 
 double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub,
@@ -186,18 +207,22 @@ double edge_step_share(const std::shared_ptr<const World>& block, const ContactV
 
 bool pops_through(const std::shared_ptr<const World>& world, const ContactVariant& variant,
                   const Strike& strike) {
-  constexpr double from_m = 0.01, depth_m = 5.5e-3;
+  return pops_through(world, variant, strike, Vec3(strike.at_m.x(), strike.at_m.y(), 0), Vec3::UnitZ());
+}
+
+bool pops_through(const std::shared_ptr<const World>& world, const ContactVariant& variant,
+                  const Strike& strike, const Vec3& surface_m, const Vec3& normal) {
   constexpr int held_ticks = 20;
   Scene scene = scene_of_variant(variant, "none");
   scene.finger.radius_m = strike.radius_m;
   Touch touch(world, scene);
   std::vector<Vec3> positions;
-  const double step_m = strike.speed_m_per_s * tick_s, end_m = strike.radius_m - depth_m;
-  const auto at = [&](double z) { return Vec3(strike.at_m.x(), strike.at_m.y(), z); };
-  const double start_m = strike.radius_m + from_m + strike.phase * step_m;
+  const double step_m = strike.speed_m_per_s * tick_s, end_m = strike.radius_m - strike.depth_m;
+  const auto at = [&](double above_m) { return Vec3(surface_m + above_m * normal); };
+  const double start_m = strike.radius_m + strike.from_m + strike.phase * step_m;
   for (int k = 0; start_m - k * step_m > end_m; ++k) positions.push_back(at(start_m - k * step_m));
   for (int k = 0; k < held_ticks; ++k) positions.push_back(at(end_m));
-  return !(run(touch, positions).back().force_W_n.z() > stiffness_n_per_m * depth_m / 2);
+  return !(run(touch, positions).back().force_W_n.dot(normal) > stiffness_n_per_m * strike.depth_m / 2);
 }
 
 }  // namespace fingerpad

@@ -25,6 +25,8 @@ const std::vector<ContactVariant>& contact_variants();
 /// One part at the origin of 1000 N/m, with creases at 30 degrees.
 /// @param name  in what is said of it
 std::shared_ptr<const World> world_of_mesh(const TriangleSoup& soup, const std::string& name);
+/// The same of a part that is made already.
+std::shared_ptr<const World> world_of_part(std::shared_ptr<const Part> part, const std::string& name);
 
 /// A scene that touches it in this way, with a point finger, a tick of 1 ms and this friction law.
 Scene scene_of_variant(const ContactVariant& variant, const std::string& law);
@@ -41,6 +43,7 @@ AutomaticChoice automatic_choice(const World& world, double finger_radius_m, dou
 /// come down to its start from outside over `approach_ticks`.
 struct Rub {
   std::vector<Vec3> positions;
+  std::vector<ExactFoot> exact;  ///< where each position stands against the exact surface
   std::size_t approach_ticks = 0;
   double radius_m = 0;  ///< of the finger
 };
@@ -58,6 +61,9 @@ struct RubError {
 };
 RubError rub_error(const std::shared_ptr<const World>& world, const ExactSurface& surface,
                    const ContactVariant& variant, const Rub& rub);
+/// The same where the exact surface is known at the rub's positions alone: there `position` is how far the
+/// depth is off the exact one, which is how far the tessellation lies off the surface under the finger.
+RubError rub_error(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub);
 
 /// Mean time of a whole tick over a rub with this friction law [ns]: of each piece of the rub the best of
 /// several runs, so that what else the machine does counts little.
@@ -69,16 +75,20 @@ double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVaria
 double edge_step_share(const std::shared_ptr<const World>& block, const ContactVariant& variant,
                        double speed_m_per_s);
 
-/// A strike: from 10 mm above down along -z at a constant speed, until a finger of this radius is 5.5 mm
-/// deep under z = 0, then held there for 20 ticks of 1 ms.
+/// A strike: from `from_m` above down along -z at a constant speed, until a finger of this radius is
+/// `depth_m` deep under z = 0, then held there for 20 ticks of 1 ms.
 struct Strike {
   double speed_m_per_s = 1;
   double radius_m = 0;
   Vec2 at_m = Vec2::Zero();
   double phase = 0;  ///< of the ticks, 0 .. 1
+  double from_m = 0.01, depth_m = 5.5e-3;
 };
 /// Whether the finger is not pushed back up at its end with half of the force that its depth explains.
 bool pops_through(const std::shared_ptr<const World>& world, const ContactVariant& variant,
                   const Strike& strike);
+/// The same along -normal (unit) at a point of a surface, instead of under strike.at_m.
+bool pops_through(const std::shared_ptr<const World>& world, const ContactVariant& variant,
+                  const Strike& strike, const Vec3& surface_m, const Vec3& normal);
 
 }  // namespace fingerpad

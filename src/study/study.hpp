@@ -21,8 +21,11 @@ StudyReport study_friction(const StudyProgress& progress);
 
 /// Every contact method with every kind of normals, on tessellations of surfaces that are known exactly:
 /// position, normal, force and force steps against the exact ones, beside the time of a tick; and how many
-/// strikes pop through thin walls. Not against CAD surfaces, which a program without a CAD kernel has not
-/// got. Half a minute; tables and charts named "_measured" hold times.
-StudyReport study_contact(const StudyProgress& progress);
+/// strikes pop through thin walls. Half a minute; tables and charts named "_measured" hold times.
+/// @param exact_folder  samples of a CAD part's exact surface (a program without a CAD kernel has not got
+/// more)
+///                      with its tessellations, as in scenes/exact; "": go without, and leave its tables out.
+///                      Throws Error (refused) where the folder cannot be used.
+StudyReport study_contact(const StudyProgress& progress, const std::string& exact_folder);
 
 }  // namespace fingerpad
