@@ -50,6 +50,8 @@ std::string unknown_inside(const PartMeasures& part) {
   if (part.open_edges > 0)
     return fmt::format("the mesh is not closed ({} edges without one neighbour)", part.open_edges);
   if (part.contradicting_edges > 0) return "its facets are wound against each other";
+  if (part.overlap_count > 0)
+    return "it overlaps itself, and inside of another body the nearest surface is no wall";
   return part.volume_m3 < 0 ? "it is inside out" : "";
 }
 

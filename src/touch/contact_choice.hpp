@@ -31,6 +31,9 @@ bool leaves_a_choice(const ContactSettings& contact) noexcept;
 /// Method, where the scene says auto. Closest-point answers from the nearest surface, so it is wrong where
 /// that changes under the finger; each of these calls for the proxy:
 ///   - the part is open, wound against itself or inside out: its inside is not known;
+///   - bodies of the part overlap or touch over an area, or it passes through itself: the nearest sheet may
+///   be
+///     one that lies inside of another body, and its side says nothing (seen by samples: PartMeasures);
 ///   - a wall is thinner than twice the depth to which the greatest force presses the finger's centre
 ///   (greatest
 ///     force / stiffness - radius, and one tick's motion at 1 m/s): beyond its middle the far side is nearer;
@@ -48,6 +51,11 @@ bool leaves_a_choice(const ContactSettings& contact) noexcept;
 /// mu_dynamic. facet where half the largest turn over a smooth edge is less; else smooth; curved where
 /// besides the facets cut into the surface by more than the force tolerance's share of the greatest depth,
 /// and the method is closest-point (a proxy stands on the facets, whatever its normals).
+///
+/// Creases are taken at the scene's word: an edge that turns by more than `crease_deg` is meant to be an
+/// edge. So a sphere of 20 facets, whose every edge turns by 42 degrees, is an icosahedron, with flat faces:
+/// nothing in the mesh tells the one from the other (a cube's edges turn alike too). Where it is meant to be
+/// round, say so by a `crease_deg` above the turn of its facets.
 ///
 /// One world has one method and one kind of normals: what one part needs all get.
 /// @param surfaces  as load_world made them: parts first

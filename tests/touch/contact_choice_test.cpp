@@ -65,6 +65,93 @@ TEST(ContactChoice, AThinPlateGetsAProxyABoxAndASphereDoNot) {
   EXPECT_EQ(method_for(fingertip, test::sphere_soup(0.05, 4)), ContactMethod::closest_point);
 }
 
+/// A frustum of a cone about the z axis, closed by fans; a cylinder where both radii are equal.
+TriangleSoup frustum_soup(double low_radius_m, double high_radius_m, double height_m, int sides) {
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, 2 * sides + 2);
+  soup.triangles.resize(3, 4 * sides);
+  for (int i = 0; i < sides; ++i) {
+    const double angle = 2 * std::numbers::pi * i / sides, x = std::cos(angle), y = std::sin(angle);
+    soup.vertices_P.col(2 * i) << low_radius_m * x, low_radius_m * y, 0;
+    soup.vertices_P.col(2 * i + 1) << high_radius_m * x, high_radius_m * y, height_m;
+    const int low = 2 * i, high = low + 1, next_low = 2 * ((i + 1) % sides), next_high = next_low + 1;
+    soup.triangles.middleCols<4>(4 * i) << low, low, 2 * sides, 2 * sides + 1,  //
+        next_low, next_high, next_low, high,                                    //
+        next_high, high, low, next_high;
+  }
+  soup.vertices_P.col(2 * sides) << 0, 0, 0;
+  soup.vertices_P.col(2 * sides + 1) << 0, 0, height_m;
+  return soup;
+}
+
+TEST(ContactChoice, NoConvexPartPaysForAProxyThatIsThickerThanItsPress) {
+  for (const double radius_m : {0.0, 0.007}) {
+    Scene scene;  // 10 N at 1000 N/m, 1 kHz
+    scene.finger.radius_m = radius_m;
+    // Twice the centre's depth: 22 mm for a point, 8 mm for a finger of 7 mm.
+    const double least_m = 2 * (0.010 - radius_m + 0.001);
+    for (const double times : {1.02, 2.0, 10.0, 100.0}) {
+      const double d = times * least_m;
+      const auto is_closest = [&](const TriangleSoup& soup) {
+        return method_for(scene, soup) == ContactMethod::closest_point;
+      };
+      EXPECT_TRUE(is_closest(box_soup({d, d, d}))) << "cube " << d;
+      EXPECT_TRUE(is_closest(box_soup({9 * d, 5 * d, d}))) << "slab " << d;
+      // Facets cut into a sphere and a cylinder: 0.2 % here.
+      EXPECT_TRUE(is_closest(test::sphere_soup(1.005 * d / 2, 4))) << "sphere " << d;
+      EXPECT_TRUE(is_closest(frustum_soup(1.005 * d / 2, 1.005 * d / 2, d, 96))) << "cylinder " << d;
+      EXPECT_TRUE(is_closest(frustum_soup(1.5 * d, d, d, 96))) << "frustum " << d;
+    }
+    EXPECT_EQ(method_for(scene, box_soup({1, 1, 0.98 * least_m})), ContactMethod::proxy);
+    EXPECT_EQ(method_for(scene, test::sphere_soup(0.49 * least_m, 4)), ContactMethod::proxy);
+    EXPECT_EQ(method_for(scene, frustum_soup(0.49 * least_m, 0.49 * least_m, 1, 96)), ContactMethod::proxy);
+  }
+}
+
+TEST(ContactChoice, WhatOverlapsItselfGetsAProxy) {
+  const TriangleSoup block = box_soup({0.1, 0.1, 0.1});
+  const auto crossed = surfaces_of(test::joined(block, test::moved(block, {0.04, 0.03, 0.02})));
+  const ContactChoice choice = choice_for(light_press(), crossed);
+  EXPECT_EQ(choice.method, ContactMethod::proxy);
+  EXPECT_THAT(choice.reasons, ElementsAre(HasSubstr("because it overlaps itself")));
+  EXPECT_EQ(method_for(light_press(), test::joined(block, test::moved(block, {0.2, 0, 0}))),
+            ContactMethod::closest_point)
+      << "two blocks side by side, 10 cm apart";
+}
+
+TEST(ContactChoice, ATouchOfCrossedBlocksHoldsWhereTheNearestSheetIsHidden) {
+  // 2 mm deep in the top of the wide block, 0.5 mm beside the tall one's side, which goes on within it: the
+  // nearest sheet is that side, and the point lies outside of it.
+  const auto crossed =
+      test::joined(box_soup({0.1, 0.1, 0.02}), test::moved(box_soup({0.04, 0.04, 0.1}), {0, 0, 0.01}));
+  const auto world = test::world_of(crossed);
+  const auto force_z = [&](ContactMethod method) {
+    Scene scene = test::plane_scene("none");
+    scene.contact.method = method;
+    Touch touch(world, scene);
+    FingerSample sample;
+    TickRecord record;
+    for (int k = 0; k <= 100; ++k) {
+      sample.t_s = 0.001 * k;
+      sample.p_WQ = {0.0205, 0, 0.0100 - 2e-5 * k + 1e-4};
+      record = touch.tick(sample);
+    }
+    return record.force_W_n.z();
+  };
+  EXPECT_NEAR(force_z(ContactMethod::proxy), 1.9, 1e-3);  // 1000 N/m; the proxy's skin
+  EXPECT_LT(force_z(ContactMethod::closest_point), 0.6) << "what the rule is for";
+}
+
+TEST(ContactChoice, ASphereOfAFewFacetsIsRoundWhereItsCreaseAngleSaysSo) {
+  const TriangleSoup octahedron = test::sphere_soup(0.05, 0);  // its edges turn by 70.5 degrees
+  Scene scene;
+  scene.contact.automatic_normals = true;
+  EXPECT_EQ(choice_for(scene, surfaces_of(octahedron, 30)).normals, Normals::facet) << "a solid with edges";
+  const ContactChoice round = choice_for(scene, surfaces_of(octahedron, 75));
+  EXPECT_EQ(round.normals, Normals::curved);
+  EXPECT_THAT(round.reasons, ElementsAre(HasSubstr("its facets cut")));
+}
+
 TEST(ContactChoice, APlateIsThinBelowTwiceTheCentresDepth) {
   // 1 mm of press and 1 mm of a tick's motion: the middle of a plate of 4 mm.
   EXPECT_EQ(method_for(light_press(), box_soup({0.1, 0.1, 0.00399})), ContactMethod::proxy);
