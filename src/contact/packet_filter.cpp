@@ -75,8 +75,30 @@ FINGERPAD_INLINED unsigned filter(const TrianglePacket& p, const float* r, float
   return to_mask(squared <= limit2);
 }
 
+FINGERPAD_INLINED std::uint64_t filter_boxes(const PacketBoxes* boxes, int groups, const float* point,
+                                             float radius2) noexcept {
+  const Floats zero = {};
+  std::uint64_t near = 0;
+  for (int group = 0; group < groups; ++group) {
+    Floats squared = zero, centre, half;
+    for (int i = 0; i < 3; ++i) {
+      load(centre, boxes[group].centre[i]), load(half, boxes[group].half[i]);
+      const Floats from_centre = point[i] - centre;
+      Floats beyond = (from_centre < zero ? -from_centre : from_centre) - half;
+      beyond = beyond > zero ? beyond : zero;
+      squared += beyond * beyond;
+    }
+    near |= std::uint64_t{to_mask(squared <= radius2)} << (packet_width * group);
+  }
+  return near;
+}
+
 unsigned plain(const TrianglePacket& p, const float* r, float limit2, RoughDistances& rough) noexcept {
   return filter(p, r, limit2, rough);
+}
+
+std::uint64_t plain_boxes(const PacketBoxes* boxes, int groups, const float* point, float radius2) noexcept {
+  return filter_boxes(boxes, groups, point, radius2);
 }
 
 #if defined(__x86_64__)
@@ -84,12 +106,28 @@ unsigned plain(const TrianglePacket& p, const float* r, float limit2, RoughDista
                                            RoughDistances& rough) noexcept {
   return filter(p, r, limit2, rough);
 }
+
+[[gnu::target("avx2")]] std::uint64_t boxes_with_avx2(const PacketBoxes* boxes, int groups,
+                                                      const float* point, float radius2) noexcept {
+  return filter_boxes(boxes, groups, point, radius2);
+}
 #endif
 
 }  // namespace
 
 PacketFilter plain_packet_filter() noexcept {
   return plain;
+}
+
+BoxFilter plain_box_filter() noexcept {
+  return plain_boxes;
+}
+
+BoxFilter fastest_box_filter() noexcept {
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx2")) return boxes_with_avx2;
+#endif
+  return plain_boxes;
 }
 
 PacketFilter fastest_packet_filter() noexcept {

@@ -42,10 +42,22 @@ inline constexpr float rough_margin = 32 * 0x1p-24f;
 using PacketFilter = unsigned (*)(const TrianglePacket& packet, const float* r, float limit2,
                                   RoughDistances& rough) noexcept;
 
+/// Boxes side by side, scaled and already padded (packet_scene.hpp) against what rounding does.
+struct alignas(32) PacketBoxes {
+  std::array<TrianglePacket::Lanes, 3> centre, half;
+};
+
+/// Which boxes of up to eight groups come within the root of `radius2` of a point: a byte of bits a group,
+/// the first lowest. In float, like Embree's own test.
+using BoxFilter = std::uint64_t (*)(const PacketBoxes* boxes, int groups, const float* point,
+                                    float radius2) noexcept;
+
 /// The fastest filter that this machine can run.
 PacketFilter fastest_packet_filter() noexcept;
+BoxFilter fastest_box_filter() noexcept;
 
 /// The filter that every machine can run.
 PacketFilter plain_packet_filter() noexcept;
+BoxFilter plain_box_filter() noexcept;
 
 }  // namespace fingerpad

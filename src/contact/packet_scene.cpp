@@ -17,21 +17,12 @@ bool count_memory(void* total, ssize_t bytes, bool) {
 void bounds(const RTCBoundsFunctionArguments* args) {
   const auto& packed = *static_cast<const PackedPart*>(args->geometryUserPtr);
   const TrianglePacket& packet = packed.packets[args->primID];
-  Eigen::Array3d low = packet.origin, high = low;
-  for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
-    for (const std::int32_t vertex : packet.exact[static_cast<std::size_t>(lane)].vertex) {
-      const Eigen::Array3d corner = packed.part->vertices.col(vertex).array() * packed.scale;
-      low = low.min(corner);
-      high = high.max(corner);
-    }
+  float low[3], high[3];
+  for (int i = 0; i < 3; ++i) {
+    low[i] = static_cast<float>(packet.origin[i] - packet.box_half[i]) - box_padding;
+    high[i] = static_cast<float>(packet.origin[i] + packet.box_half[i]) + box_padding;
   }
-  RTCBounds& box = *args->bounds_o;
-  box.lower_x = static_cast<float>(low.x()) - box_padding;
-  box.lower_y = static_cast<float>(low.y()) - box_padding;
-  box.lower_z = static_cast<float>(low.z()) - box_padding;
-  box.upper_x = static_cast<float>(high.x()) + box_padding;
-  box.upper_y = static_cast<float>(high.y()) + box_padding;
-  box.upper_z = static_cast<float>(high.z()) + box_padding;
+  *args->bounds_o = {low[0], low[1], low[2], 0, high[0], high[1], high[2], 0};
 }
 
 /// What hangs behind Embree's point query.

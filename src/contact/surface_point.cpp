@@ -101,24 +101,16 @@ bool outside_padded_box(const Part& part, const Vec3& q, double reach_m) noexcep
   return !(beyond_m <= reach_m + rounding_m);
 }
 
-}  // namespace
-
-Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Normals normals,
-                   const Vec3& facet_normal_P) noexcept {
-  const Part& part = tree.part();
-  if (normals == Normals::facet || !is_smooth(part, t, at.feature)) return facet_normal_P;
-  if (normals == Normals::smooth) return interpolated_normal(part, t, at.barycentric, facet_normal_P);
-  return shown_normal(curved_patch({part, tree.curved_normals()}, t), at.barycentric, facet_normal_P);
-}
-
-SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,
-                                   double reach_m) noexcept {
+/// @param hint  a seed, or a memory
+template <class Hint>
+SurfacePoint nearest(const TriangleTree& tree, const Vec3& p_P, Normals normals, Hint& hint,
+                     double reach_m) noexcept {
   const Part& part = tree.part();
   SurfacePoint result;
   const Vec3 q = p_P - part.centre_P;
   if (outside_padded_box(part, q, reach_m + largest_bulge_m(part, normals))) return result;
   // No bound on the search: what lies deep inside is answered whatever the reach.
-  const ClosestTriangle found = tree.closest(q, seed, std::numeric_limits<double>::infinity());
+  const ClosestTriangle found = tree.closest(q, hint, std::numeric_limits<double>::infinity());
   if (found.triangle < 0) return result;
 
   const int t = found.triangle;
@@ -142,6 +134,26 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
   result.normal_P = facet_normal(part, t, found.at.feature, pseudo, outward, distance_m);
   result.normal_P = shaded_normal(tree, t, found.at, normals, result.normal_P);
   return result;
+}
+
+}  // namespace
+
+Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Normals normals,
+                   const Vec3& facet_normal_P) noexcept {
+  const Part& part = tree.part();
+  if (normals == Normals::facet || !is_smooth(part, t, at.feature)) return facet_normal_P;
+  if (normals == Normals::smooth) return interpolated_normal(part, t, at.barycentric, facet_normal_P);
+  return shown_normal(curved_patch({part, tree.curved_normals()}, t), at.barycentric, facet_normal_P);
+}
+
+SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,
+                                   double reach_m) noexcept {
+  return nearest(tree, p_P, normals, seed, reach_m);
+}
+
+SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals,
+                                   ClosestMemory& memory, double reach_m) noexcept {
+  return nearest(tree, p_P, normals, memory, reach_m);
 }
 
 SurfacePoint nearest_plane_point(const Vec3& point_P, const Vec3& normal_P, const Vec3& p_P) noexcept {

@@ -2,6 +2,7 @@
 
 #include <limits>
 
+#include "contact/closest_memory.hpp"
 #include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
@@ -40,6 +41,10 @@ struct SurfacePoint {
 /// noexcept, allocates nothing.
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,
                                    double reach_m) noexcept;
+
+/// The same along a path; see TriangleTree::closest.
+SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals,
+                                   ClosestMemory& memory, double reach_m) noexcept;
 
 /// The normal at a point of triangle t of the tree's part as `normals` says: the facet rule's where that is
 /// asked for, and at creases and sharp vertices.

@@ -3,16 +3,24 @@
 #include <atomic>
 #include <mutex>
 
-#include "contact/packet_filter.hpp"
-#include "contact/packet_scene.hpp"
+#include "contact/closest_memory.hpp"
+#include "contact/closest_search.hpp"
 #include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
 
+/// Beyond so many half extents float boxes no longer tell triangles apart: every triangle is looked at.
+inline constexpr double tree_range = 1e4;
+
+/// A number that no tree had before.
+std::uint64_t new_tree_number() noexcept;
+
 /// What a TriangleTree is made of.
 struct TriangleTree::Impl {
+  std::uint64_t number = new_tree_number();
   PackedPart packed;
   PacketFilter filter;
+  BoxFilter box_filter = fastest_box_filter();
   PacketScene scene;
   std::once_flag curved_once;
   Points curved_table;
@@ -26,6 +34,9 @@ struct TriangleTree::Impl {
   bool out_of_reach(double farthest_m, double reach_m) const noexcept {
     return !(farthest_m - packed.extent_m <= reach_m + 1e-14 * (farthest_m + packed.extent_m));
   }
+  /// Looks for a triangle nearer than what the search has, `within_m` away.
+  void search_tree(ClosestSearch& search, double within_m) const noexcept;
+  void remember_packets(const ClosestSearch& search, double step_m, ClosestMemory& memory) const noexcept;
   ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
 };
 

@@ -103,6 +103,8 @@ TrianglePacket make_packet(const Part& part, std::span<const std::int32_t> trian
     }
   }
   packet.radius = up(radius);
+  for (int i = 0; i < 3; ++i)
+    packet.box_half[i] = up(std::max(high[i] - packet.origin[i], packet.origin[i] - low[i]));
   return packet;
 }
 

@@ -42,6 +42,7 @@ struct alignas(64) TrianglePacket {
   std::array<Exact, packet_width> exact;
   Vec3 origin;                                   ///< centre of the box of all corners, scaled
   float radius;                                  ///< no corner is farther from `origin`, scaled
+  float box_half[3];                             ///< half sides of that box, scaled, rounded up
   std::array<std::uint8_t, packet_width> order;  ///< corner_order of each triangle, two bits a corner
   std::uint8_t used;                             ///< bit k: lane k holds a triangle
   std::uint8_t always_exact;  ///< bit k: no rough frame (a sliver, or no area); the filter sees it far off

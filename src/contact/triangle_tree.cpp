@@ -12,153 +12,8 @@
 namespace fingerpad {
 namespace {
 
-/// Beyond so many half extents float boxes no longer tell triangles apart: every triangle is looked at.
-constexpr double tree_range = 1e4;
 /// Beyond so many half extents only the direction of a point matters.
 constexpr double direction_range = 1 << 20;
-
-struct Winner {
-  int triangle = std::numeric_limits<int>::max();
-  FramePoint at;
-
-  /// Whether triangle t is closer, or as close and lower.
-  bool beaten_by(int t, const FramePoint& p) const noexcept {
-    return p.distance2_m2 < at.distance2_m2 || (p.distance2_m2 == at.distance2_m2 && t < triangle);
-  }
-};
-
-/// A query point as Embree and the packets' filter see it.
-struct ScaledPoint {
-  const PackedPart* packed;
-  PacketFilter filter;
-  Vec3 q;
-  double tie_m;
-  Vec3 scaled;
-  float embree[3];     ///< scaled, as Embree has it
-  double rounding;     ///< how far Embree's query point lies from q, scaled
-  float exact_margin;  ///< the last term of rough_margin's claim
-
-  ScaledPoint(const PackedPart& part, PacketFilter packet_filter, const Vec3& point) noexcept
-      : packed(&part),
-        filter(packet_filter),
-        q(point),
-        tie_m(tie_distance_m(*part.part, point)),
-        scaled(point * part.scale) {
-    for (int i = 0; i < 3; ++i) embree[i] = static_cast<float>(scaled[i]);
-    rounding = (scaled - Vec3(embree[0], embree[1], embree[2])).cwiseAbs().sum();
-    exact_margin = static_cast<float>(2e-14 * (1 + scaled.cwiseAbs().sum()));
-  }
-
-  /// Embree's radius for everything within a distance.
-  float radius(double distance_m) const noexcept {
-    return static_cast<float>((distance_m * packed->scale + rounding) * (1 + relative_slack) +
-                              absolute_slack);
-  }
-
-  /// A distance that is looked for, as a float no smaller.
-  float rough(double distance_m) const noexcept {
-    return static_cast<float>(distance_m * packed->scale) * (1 + 0x1p-22f);
-  }
-
-  FramePoint exact(const TrianglePacket& packet, int lane) const noexcept {
-    return closest_in(exact_frame(*packed->part, packet, lane), q, tie_m);
-  }
-};
-
-/// A packet as seen from a point.
-struct PacketView {
-  const TrianglePacket* packet;
-  float r[3];
-  float margin;  ///< no rough distance is off by more
-
-  PacketView(const ScaledPoint& point, const TrianglePacket& seen) noexcept : packet(&seen) {
-    float sum = 0;
-    for (int i = 0; i < 3; ++i) {
-      r[i] = static_cast<float>(point.scaled[i] - seen.origin[i]);
-      sum += std::abs(r[i]);
-    }
-    margin = rough_margin * (sum + 2 * seen.radius) + point.exact_margin;
-  }
-
-  /// The square that a rough distance must not exceed where the true one is at most `distance`.
-  float limit2(float distance) const noexcept {
-    const float limit = distance + margin;
-    return limit * limit * (1 + 0x1p-21f);
-  }
-};
-
-struct ClosestSearch : ScaledPoint {
-  Winner winner;
-  float best;                                 ///< the winner's distance, rough and no smaller
-  const TrianglePacket* won_in = nullptr;     ///< the winner's packet
-  int won_lane = 0;                           ///< its lane there
-  const TrianglePacket* looked_at = nullptr;  ///< before Embree's search
-
-  ClosestSearch(const PackedPart& part, PacketFilter packet_filter, const Vec3& point,
-                double reach_m) noexcept
-      : ScaledPoint(part, packet_filter, point) {
-    winner.at.distance2_m2 = reach_m * reach_m;
-    best = rough(reach_m);
-  }
-
-  /// Looks at the packet of a triangle that is likely close, and at this triangle first of all.
-  void look_at_seed(int triangle) noexcept {
-    const TrianglePacket& packet = packed->packets[packed->packet_of(triangle)];
-    looked_at = &packet;
-    const int lane = packed->lane_of(triangle);
-    // The filter will want all of it: let it come while the seed is looked at.
-    for (std::ptrdiff_t line = 0; line < 640; line += 64) {
-      __builtin_prefetch(reinterpret_cast<const char*>(&packet) + line);
-    }
-    if (look_at(packet, lane)) best = rough(std::sqrt(winner.at.distance2_m2));
-    look_at(packet, lanes_within_best(packet) & ~(1U << lane));
-  }
-
-  /// True if a closer triangle was found.
-  bool look_at(const TrianglePacket& packet) noexcept { return look_at(packet, lanes_within_best(packet)); }
-
- private:
-  bool look_at(const TrianglePacket& packet, unsigned lanes) noexcept {
-    bool closer = false;
-    for (; lanes != 0; lanes &= lanes - 1) closer |= look_at(packet, std::countr_zero(lanes));
-    if (closer) best = rough(std::sqrt(winner.at.distance2_m2));
-    return closer;
-  }
-
-  bool look_at(const TrianglePacket& packet, int lane) noexcept {
-    const int triangle = packet.exact[static_cast<std::size_t>(lane)].triangle;
-    const FramePoint p = exact(packet, lane);
-    if (!winner.beaten_by(triangle, p)) return false;
-    const bool closer = p.distance2_m2 < winner.at.distance2_m2;
-    winner = {triangle, p};
-    won_in = &packet;
-    won_lane = lane;
-    return closer;
-  }
-
-  /// The lanes that could be as near as the winner, and of these those that could be the nearest.
-  unsigned lanes_within_best(const TrianglePacket& packet) noexcept {
-    const PacketView view(*this, packet);
-    RoughDistances distances;
-    unsigned lanes = filter(packet, view.r, view.limit2(best), distances);
-    lanes = (lanes | packet.always_exact) & packet.used;
-    if ((lanes & (lanes - 1)) != 0) lanes &= nearest_lanes(packet, view, distances) | packet.always_exact;
-    return lanes;
-  }
-
-  /// The lanes that could be nearest of the packet.
-  static unsigned nearest_lanes(const TrianglePacket& packet, const PacketView& view,
-                                const RoughDistances& distances) noexcept {
-    float least = distances.squared[0];
-    for (const float squared : distances.squared) least = std::min(least, squared);
-    const float limit2 = view.limit2((std::sqrt(least) + view.margin) * (1 + 0x1p-22f));
-    unsigned lanes = 0;
-    for (unsigned lane = 0; lane < packet_width; ++lane) {
-      lanes |= static_cast<unsigned>(distances.squared[lane] <= limit2) << lane;
-    }
-    return lanes & packet.used;
-  }
-};
 
 float visit_closest(void* any_search, unsigned index, float radius) noexcept {
   ClosestSearch& search = *static_cast<ClosestSearch*>(any_search);
@@ -198,6 +53,11 @@ float visit_within(void* any_search, unsigned index, float radius) noexcept {
 
 }  // namespace
 
+std::uint64_t new_tree_number() noexcept {
+  static std::atomic<std::uint64_t> last = 0;
+  return ++last;
+}
+
 TriangleTree::TriangleTree(std::shared_ptr<const Part> part)
     : impl_(std::make_unique<Impl>(std::move(part))) {}
 TriangleTree::~TriangleTree() = default;
@@ -236,13 +96,13 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) c
   ClosestSearch search(packed, impl.filter, q, reach_m);
   const int count = static_cast<int>(packed.slot_of.size());
   if (seed >= 0 && seed < count) search.look_at_seed(seed);
-  double within_m = std::sqrt(search.winner.at.distance2_m2);
-  if (within_m > packed.extent_m) within_m = std::min(within_m, q.norm() + 2 * packed.extent_m);
-  impl.scene.each_near(search.embree, search.radius(within_m), visit_closest, &search);
+  impl.search_tree(search, std::sqrt(search.winner.at.distance2_m2));
+  return search.answer();
+}
 
-  const Winner& winner = search.winner;
-  if (search.won_in == nullptr) return {};
-  return {winner.triangle, in_part_corners(winner.at, lane_order(*search.won_in, search.won_lane))};
+void TriangleTree::Impl::search_tree(ClosestSearch& search, double within_m) const noexcept {
+  if (within_m > packed.extent_m) within_m = std::min(within_m, search.q.norm() + 2 * packed.extent_m);
+  scene.each_near(search.embree, search.radius(within_m), visit_closest, &search);
 }
 
 /// Every triangle in turn: for points so far away that a tree of float boxes sees no difference between them.

@@ -9,10 +9,10 @@ bool within_padded_box(const Part& part, const Vec3& p_P, double reach_m) noexce
   return beyond.maxCoeff() <= reach_m + 1e-12 * (part.size_m() + p_P.norm());
 }
 
-}  // namespace
-
-WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals normals, int seed,
-                         double reach_m) noexcept {
+/// @param hint  a seed, or a memory
+template <class Hint>
+WorldPoint nearest(const Surface& surface, const Vec3& p_WQ, Normals normals, Hint& hint,
+                   double reach_m) noexcept {
   WorldPoint result;
   if (!surface.part) {
     const SurfacePoint near = nearest_plane_point(surface.plane_point_W, surface.plane_normal_W, p_WQ);
@@ -25,7 +25,7 @@ WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals norma
   const Vec3 p_PQ = surface.R_WP.transpose() * (p_WQ - surface.p_WP);
   // Curved patches stand out of the box; their search has a filter of its own.
   if (normals != Normals::curved && !within_padded_box(*surface.part, p_PQ, reach_m)) return result;
-  const SurfacePoint near = nearest_surface_point(*surface.tree, p_PQ, normals, seed, reach_m);
+  const SurfacePoint near = nearest_surface_point(*surface.tree, p_PQ, normals, hint, reach_m);
   if (near.triangle < 0) return result;
   result.point_W = surface.R_WP * near.point_P + surface.p_WP;
   result.normal_W = surface.R_WP * near.normal_P;
@@ -33,6 +33,18 @@ WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals norma
   result.triangle = near.triangle;
   result.found = true;
   return result;
+}
+
+}  // namespace
+
+WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals normals, int seed,
+                         double reach_m) noexcept {
+  return nearest(surface, p_WQ, normals, seed, reach_m);
+}
+
+WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals normals, ClosestMemory& memory,
+                         double reach_m) noexcept {
+  return nearest(surface, p_WQ, normals, memory, reach_m);
 }
 
 }  // namespace fingerpad

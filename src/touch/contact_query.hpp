@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/closest_memory.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {
@@ -17,6 +18,10 @@ struct WorldPoint {
 /// part a point outside its padded bounding box is told so without a search.
 /// @pre p_WQ finite. noexcept, allocates nothing.
 WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals normals, int seed,
+                         double reach_m) noexcept;
+
+/// The same along a path; see TriangleTree::closest.
+WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals normals, ClosestMemory& memory,
                          double reach_m) noexcept;
 
 }  // namespace fingerpad

@@ -121,6 +121,33 @@ TEST(PacketFilter, ComparesWithItsLimit) {
   }
 }
 
+TEST(BoxFilter, NamesTheBoxesWithinTheRadius) {
+  RandomStream random(3);
+  for (int i = 0; i < test::samples(5000); ++i) {
+    std::array<PacketBoxes, 8> boxes;
+    Vec3 centre[64], half[64];
+    for (std::size_t k = 0; k < 64; ++k) {
+      centre[k] = random_point(random, 1), half[k] = 0.1 * random_point(random, 1).cwiseAbs();
+      for (int axis = 0; axis < 3; ++axis) {
+        boxes[k / 8].centre[axis][k % 8] = static_cast<float>(centre[k][axis]);
+        boxes[k / 8].half[axis][k % 8] = static_cast<float>(half[k][axis]);
+      }
+    }
+    const Vec3 q = random_point(random, 1.2);
+    const float point[3] = {static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z())};
+    const auto radius = static_cast<float>(random.uniform());
+    const int groups = 1 + i % 8;
+    const std::uint64_t near = fastest_box_filter()(boxes.data(), groups, point, radius * radius);
+    ASSERT_EQ(near, plain_box_filter()(boxes.data(), groups, point, radius * radius));
+    for (int k = 0; k < 64; ++k) {
+      const double distance = ((q - centre[k]).cwiseAbs() - half[k]).cwiseMax(0).norm();
+      if (std::abs(distance - static_cast<double>(radius)) < 1e-6) continue;  // a float cannot tell
+      const bool within = k < 8 * groups && distance < static_cast<double>(radius);
+      ASSERT_EQ(near >> k & 1, within ? 1u : 0u) << "box " << k << " of " << groups << " groups";
+    }
+  }
+}
+
 TEST(PackedPart, HoldsEachTriangleOnceInFullPackets) {
   for (const TriangleSoup& soup :
        {test::torus_soup(1, 0.4, 100, 63), test::square_soup(1, 70), test::box_soup({1, 2, 3})}) {

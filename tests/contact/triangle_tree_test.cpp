@@ -15,6 +15,7 @@
 #include "contact/bare_part.hpp"
 #include "contact/effort.hpp"
 #include "contact/surface_point.hpp"
+#include "contact/tree_trials.hpp"
 #include "support/brute_force.hpp"
 #include "support/shapes.hpp"
 
@@ -40,48 +41,13 @@ namespace fingerpad {
 namespace {
 
 using test::bare_part;
+using test::expect_same_bits;
+using test::random_point;
 using test::samples;
+using test::soup_of_slivers;
+using test::torus;
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
-
-Vec3 random_point(RandomStream& random, double scale) {
-  return Vec3(random.uniform() - 0.5, random.uniform() - 0.5, random.uniform() - 0.5) * (2 * scale);
-}
-
-/// A torus of n x m quads, each cut in two; `stretch` along x makes slivers of it.
-std::shared_ptr<const Part> torus(int n, int m, double stretch = 1) {
-  Points vertices(3, Eigen::Index{n} * m);
-  IndexTriples triangles(3, Eigen::Index{2} * n * m);
-  for (int i = 0; i < n; ++i) {
-    for (int j = 0; j < m; ++j) {
-      const double u = 2 * M_PI * i / n, v = 2 * M_PI * j / m, r = 1 + 0.4 * std::cos(v);
-      vertices.col(i * m + j) = Vec3(stretch * r * std::cos(u), r * std::sin(u), 0.4 * std::sin(v));
-      const int a = i * m + j, b = (i + 1) % n * m + j;
-      const int c = (i + 1) % n * m + (j + 1) % m, d = i * m + (j + 1) % m;
-      triangles.col(2 * (i * m + j)) << a, b, c;
-      triangles.col(2 * (i * m + j) + 1) << a, c, d;
-    }
-  }
-  return std::make_shared<const Part>(bare_part(vertices, triangles));
-}
-
-/// Triangles of every size and shape, touching nowhere: needles to 1e7, some without area, some twice.
-std::shared_ptr<const Part> soup_of_slivers(int count) {
-  RandomStream random(7);
-  Points vertices(3, Eigen::Index{3} * count);
-  IndexTriples triangles(3, count);
-  for (int t = 0; t < count; ++t) {
-    const Vec3 a = random_point(random, 1);
-    const Vec3 ab = random_point(random, 0.3 * std::pow(10.0, -3 * random.uniform()));
-    const double width = t % 10 == 0 ? 0 : std::pow(10.0, -7 * random.uniform());
-    vertices.col(3 * t) = a;
-    vertices.col(3 * t + 1) = a + ab;
-    vertices.col(3 * t + 2) = a + ab * random.uniform() + random_point(random, ab.norm() * width);
-    triangles.col(t) << 3 * t, 3 * t + 1, 3 * t + 2;
-    if (t % 17 == 1) triangles.col(t) = triangles.col(t - 1);
-  }
-  return std::make_shared<const Part>(bare_part(vertices, triangles));
-}
 
 /// What the tree promises: the lowest (distance, number) of all triangles.
 ClosestTriangle look_at_all(const Part& part, const Vec3& q) {
@@ -91,14 +57,6 @@ ClosestTriangle look_at_all(const Part& part, const Vec3& q) {
     if (best.triangle < 0 || p.distance2_m2 < best.at.distance2_m2) best = {t, p};
   }
   return best;
-}
-
-void expect_same_bits(const ClosestTriangle& a, const ClosestTriangle& b) {
-  ASSERT_EQ(a.triangle, b.triangle);
-  ASSERT_EQ(a.at.distance2_m2, b.at.distance2_m2);
-  ASSERT_EQ(a.at.point, b.at.point);
-  ASSERT_EQ(a.at.feature, b.at.feature);
-  ASSERT_EQ(a.at.barycentric, b.at.barycentric);
 }
 
 /// Points far and near: in the box, beyond it, close to the surface, and on vertices and edges exactly.
@@ -309,9 +267,11 @@ TEST(TriangleTree, QueriesAllocateNothing) {
   const auto part = std::make_shared<const Part>(make_part(test::torus_soup(1, 0.4, 60, 40), 0.5));
   const TriangleTree tree(part);
   RandomStream random(13);
+  ClosestMemory memory;
   const auto query_all = [&] {
     for (int i = 0; i < 2000; ++i) {
       const Vec3 q = trial_point(*part, random, i);
+      (void)tree.closest({1.5 + 1e-4 * i, 0, 0}, memory, unbounded);
       (void)tree.closest(q, i % part->triangle_count(), unbounded);
       (void)nearest_surface_point(tree, q, Normals::smooth, i % part->triangle_count(), unbounded);
       (void)tree.first_exit(i % part->triangle_count(), q, Vec3::UnitX());

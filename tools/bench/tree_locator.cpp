@@ -1,6 +1,7 @@
 #include <limits>
 #include <utility>
 
+#include "contact/closest_memory.hpp"
 #include "contact/triangle_tree.hpp"
 #include "locator.hpp"
 
@@ -12,14 +13,12 @@ class TreeLocator : public Locator {
   explicit TreeLocator(std::shared_ptr<const Part> part) : tree_(std::move(part)) {}
 
   double distance2_m2(const Vec3& q) override {
-    const ClosestTriangle found = tree_.closest(q, last_, std::numeric_limits<double>::infinity());
-    last_ = found.triangle;
-    return found.at.distance2_m2;
+    return tree_.closest(q, memory_, std::numeric_limits<double>::infinity()).at.distance2_m2;
   }
 
  private:
   TriangleTree tree_;
-  int last_ = -1;
+  ClosestMemory memory_;
 };
 
 }  // namespace

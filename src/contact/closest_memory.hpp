@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+
+#include "contact/packet_filter.hpp"
+
+namespace fingerpad {
+
+/// What a caller keeps from one query for the closest triangle to the next, along a path: the last answer,
+/// and now and then the packets around it, so that while the path stays near no tree is searched. It costs
+/// speed only and never changes an answer, whatever it holds: also that of another tree, or of a path that
+/// jumps. Two kilobytes; for one thread at a time.
+class ClosestMemory {
+ public:
+  /// Forgets everything.
+  void forget() noexcept {
+    tree_ = 0;
+    triangle_ = -1;
+    forget_packets();
+  }
+
+  /// The last answer; -1 if there is none.
+  int triangle() const noexcept { return triangle_; }
+  /// How many packets are kept; 0 where every query searches the tree.
+  int packet_count() const noexcept { return count_; }
+
+ private:
+  friend class TriangleTree;
+  friend struct PacketGathering;
+
+  static constexpr int groups = 8, most = groups * packet_width;
+
+  bool covers(const Vec3& q, double distance_m, double rounding_m) const noexcept;
+  void forget_packets() noexcept {
+    count_ = 0;
+    clear_m_ = -1;
+  }
+
+  std::uint64_t tree_ = 0;  ///< the number of the tree that all this is about
+  int triangle_ = -1;
+  Vec3 last_ = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< last point asked for
+
+  int count_ = 0;  ///< packets listed
+  Vec3 from_ = Vec3::Zero();
+  double clear_m_ = -1;  ///< no triangle of a packet that is not listed is nearer to `from_`
+  int served_ = 0;       ///< queries since the list was made
+  int pause_ = 0;        ///< queries until a list may be made again: the last was not worth it
+  std::array<std::uint32_t, most> packet_;
+  std::array<PacketBoxes, groups> boxes_;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,151 @@
+#include "contact/closest_memory.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+#include "contact/effort.hpp"
+#include "contact/tree_trials.hpp"
+
+namespace fingerpad {
+namespace {
+
+using test::expect_same_bits;
+using test::samples;
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// A path that goes on in a way for a while, then in another: of steps of any length from a millionth of the
+/// part to more than all of it, standing still, trembling, near the surface, inside and far off.
+class Wander {
+ public:
+  Wander(const Part& part, std::uint64_t seed) : part_(part), random_(seed) {}
+
+  Vec3 next() {
+    if (left_-- == 0) turn();
+    heading_ += 0.1 * test::random_point(random_, 1);
+    at_ += step_m_ * heading_;
+    if (tremble_) return at_ + 0.3 * test::random_point(random_, step_m_);
+    return at_;
+  }
+
+ private:
+  void turn() {
+    left_ = 5 + static_cast<int>(150 * random_.uniform());
+    heading_ = test::random_point(random_, 1);
+    tremble_ = random_.uniform() < 0.2;
+    step_m_ = random_.uniform() < 0.1 ? 0 : part_.size_m() * std::pow(10.0, -6 * random_.uniform());
+    const int t = static_cast<int>(random_.uniform() * part_.triangle_count());
+    const Vec3 on = part_.vertices.col(part_.triangles(0, t));
+    const double away = random_.uniform();
+    if (away < 0.8) at_ = on + test::random_point(random_, part_.size_m() * std::pow(10.0, -5 * away));
+    if (away < 0.01) at_ = 1e5 * at_;  // beyond the tree's range
+    if (away > 0.95) at_ = on;
+  }
+
+  const Part& part_;
+  RandomStream random_;
+  int left_ = 0;
+  bool tremble_ = false;
+  double step_m_ = 0;
+  Vec3 at_ = Vec3::Zero(), heading_ = Vec3::Zero();
+};
+
+TEST(ClosestMemory, ChangesNoBitOfAnAnswerOnAnyPath) {
+  for (const auto& part : {test::torus(24, 12), test::torus(150, 90), test::torus(64, 8, 1e-4),
+                           test::torus(80, 50, 1e5), test::soup_of_slivers(3000)}) {
+    const TriangleTree tree(part);
+    Wander wander(*part, 5);
+    ClosestMemory memory;
+    int listed = 0;
+    for (int i = 0; i < samples(20000); ++i) {
+      const Vec3 q = wander.next();
+      expect_same_bits(tree.closest(q, memory, unbounded), tree.closest(q, -1, unbounded));
+      if (HasFatalFailure()) FAIL() << "query " << i;
+      listed += memory.packet_count() > 0 ? 1 : 0;
+    }
+    EXPECT_GT(listed, samples(4000));  // else nothing but the tree was tested
+  }
+}
+
+TEST(ClosestMemory, ChangesNoBitWithinAReach) {
+  const auto part = test::torus(100, 60);
+  const TriangleTree tree(part);
+  for (const double reach_m : {0.0, 1e-3, 0.05, 0.6}) {
+    Wander wander(*part, 6);
+    ClosestMemory memory;
+    int found = 0;
+    for (int i = 0; i < samples(30000); ++i) {
+      const Vec3 q = wander.next();
+      const ClosestTriangle answer = tree.closest(q, memory, reach_m);
+      expect_same_bits(answer, tree.closest(q, -1, reach_m));
+      if (HasFatalFailure()) FAIL() << "query " << i;
+      found += answer.triangle >= 0 ? 1 : 0;
+    }
+    EXPECT_GT(found, 0) << reach_m;
+    EXPECT_LT(found, samples(30000)) << reach_m;
+  }
+}
+
+TEST(ClosestMemory, ReachesThatChangeFromQueryToQueryAreKept) {
+  const auto part = test::torus(100, 60);
+  const TriangleTree tree(part);
+  Wander wander(*part, 7);
+  RandomStream random(8);
+  ClosestMemory memory;
+  for (int i = 0; i < samples(30000); ++i) {
+    const Vec3 q = wander.next();
+    const double reach_m = i % 3 == 0 ? unbounded : std::pow(10.0, -4 * random.uniform());
+    expect_same_bits(tree.closest(q, memory, reach_m), tree.closest(q, -1, reach_m));
+    if (HasFatalFailure()) FAIL() << "query " << i;
+  }
+}
+
+TEST(ClosestMemory, OfAnotherTreeIsForgotten) {
+  const auto big = test::torus(100, 60), small = test::torus(24, 12);
+  const TriangleTree first(big);
+  auto second = std::make_unique<TriangleTree>(small);
+  Wander wander(*big, 9);
+  ClosestMemory memory;
+  for (int i = 0; i < samples(20000); ++i) {
+    const Vec3 q = wander.next();
+    if (i % 100 == 0) second = std::make_unique<TriangleTree>(small);  // perhaps where the last one was
+    const TriangleTree& tree = i / 50 % 2 == 0 ? first : *second;
+    expect_same_bits(tree.closest(q, memory, unbounded), tree.closest(q, -1, unbounded));
+    if (HasFatalFailure()) FAIL() << "query " << i;
+  }
+}
+
+TEST(ClosestMemory, TiesGoToTheLowestTriangleAsWithout) {
+  // Along edges and over vertices of a flat grid every answer is a tie.
+  const auto part = test::torus(40, 30);
+  const TriangleTree tree(part);
+  ClosestMemory memory;
+  for (int t = 0; t < part->triangle_count(); ++t) {
+    const Vec3 a = part->vertices.col(part->triangles(0, t)), b = part->vertices.col(part->triangles(1, t));
+    for (int k = 0; k <= 8; ++k) {
+      const Vec3 q = a + k / 8.0 * (b - a);
+      expect_same_bits(tree.closest(q, memory, unbounded), tree.closest(q, -1, unbounded));
+      if (HasFatalFailure()) FAIL() << "triangle " << t;
+    }
+  }
+  EXPECT_GT(memory.packet_count(), 0);
+}
+
+TEST(ClosestMemory, WhatIsNoPointIsAnsweredAndForgotten) {
+  const auto part = test::torus(24, 12);
+  const TriangleTree tree(part);
+  ClosestMemory memory;
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (int i = 0; i < 100; ++i) {
+    const Vec3 q(1.4 + 1e-3 * i, 0, 0);
+    EXPECT_EQ(tree.closest({nan, 0, 0}, memory, unbounded).triangle, -1);
+    EXPECT_EQ(tree.closest({0, unbounded, 0}, memory, unbounded).triangle, -1);
+    EXPECT_EQ(tree.closest(q, memory, nan).triangle, -1);
+    EXPECT_EQ(tree.closest(q, memory, -1).triangle, -1);
+    expect_same_bits(tree.closest(q, memory, unbounded), tree.closest(q, -1, unbounded));
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad
