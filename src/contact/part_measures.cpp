@@ -15,7 +15,8 @@
 namespace fingerpad {
 namespace {
 
-constexpr int most_rays = 40000, most_overlap_rays = 10000;
+/// Of a mesh with more facets than `most_rays` only every k-th sends a ray.
+constexpr int most_rays = 60000, most_starts = 40000, most_overlap_rays = 10000;
 constexpr int most_cuts = 8;
 /// Half a unit in the last place of a float32 number, relative to it.
 constexpr double float32_rounding = 6e-8;
@@ -190,7 +191,7 @@ class WallSamples {
       : part_(part), tree_(tree), trusted_height_m_(trusted_height_m) {
     const int count = part.triangle_count();
     while (m_ < most_cuts && static_cast<long>(m_ + 1) * (m_ + 1) * count <= most_rays) ++m_;
-    stride_ = (count + most_rays - 1) / most_rays;
+    stride_ = count > most_rays ? (count + most_starts - 1) / most_starts : 1;
     starts_ = (count + stride_ - 1) / stride_;
     walls_.resize(static_cast<std::size_t>(starts_) * static_cast<std::size_t>(m_ * m_));
     overlap_stride_ = (static_cast<int>(walls_.size()) + most_overlap_rays - 1) / most_overlap_rays;

@@ -32,14 +32,14 @@ struct PartMeasures {
   static constexpr double inf = std::numeric_limits<double>::infinity();
 };
 
-/// Measures a part on all threads. Bounded: every edge is looked at once, and at most 40,000 rays are cast;
+/// Measures a part on all threads. Bounded: every edge is looked at once, and at most 60,000 rays are cast;
 /// the same part gives the same answer on any number of threads.
 ///
 /// Local thickness: a ray goes from a facet straight inwards to where it leaves the part, through a facet
 /// whose normal is turned by at least 120 degrees (others are no opposite side); it is the diameter of the
 /// ball that touches both facets' planes, the first where the ray starts: L (1 - tan^2(a/2)) for a ray of
 /// length L and facets that meet at the angle a; L for parallel ones. Rays start as in thinnest_wall_m, from
-/// every facet's m x m like parts, or from every k-th facet's centre.
+/// every facet's m x m like parts, or from every k-th facet's centre, then 40,000 at most.
 ///
 /// Overlap: between a facet and where a ray straight inwards first leaves, a solid has no other facet. One
 /// met from the outside means that two bodies, or two sheets of one, take the same room (the way back must
