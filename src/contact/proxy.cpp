@@ -109,9 +109,10 @@ bool Proxy::advance(const ProxyStep& step, const Vec3& goal, double& budget_m) n
 
 /// Makes the next views wider or narrower, after what a search has found.
 void Proxy::suit_view() noexcept {
-  if (around_.is_cut()) reach_m_ = std::min(reach_m_, around_.reach_m());
-  if (around_.view_count() > rich_view) reach_m_ = std::min(reach_m_, 0.7 * around_.reach_m());
-  if (around_.view_count() < poor_view && around_.reach_m() >= reach_m_)
+  const double seen_m = around_.search_reach_m();
+  if (around_.is_cut()) reach_m_ = std::min(reach_m_, seen_m);
+  if (around_.view_count() > rich_view) reach_m_ = std::min(reach_m_, 0.7 * seen_m);
+  if (around_.view_count() < poor_view && seen_m >= reach_m_)
     reach_m_ = std::min(1.2 * reach_m_, widest_view());
 }
 
@@ -146,16 +147,27 @@ void Proxy::follow(const Vec3& goal, double budget_m) noexcept {
   report(goal);
 }
 
+/// Sees to a view that shows the way over an edge to `far`, and some more in this direction.
+/// @param way_m  to the edge
+void Proxy::look_towards(const Vec3& far, double way_m) noexcept {
+  const double far_m = far.norm(), need_m = 3 * std::max(far_m, way_m);
+  if (need_m < (1 - lead) * reach_m_) {
+    if (around_.look_ahead(place_, need_m, reach_m_, lead * reach_m_ / far_m * far)) suit_view();
+  } else if (around_.look_around(place_, std::max(reach_m_, way_m), false) < way_m) {
+    around_.look_around(place_, std::max(reach_m_, way_m), true);
+  }
+}
+
 /// Goes over the smooth convex edge to the neighbour that is nearer to the finger, by way of where the ball
 /// lies on both. False where there is none, or the way is blocked or no gain.
 bool Proxy::hop(const Vec3& goal) noexcept {
-  if (cruise_.kind != Cruise::Kind::slide || cruise_.neighbour_count == 0) return false;
+  if (cruise_.kind != Cruise::Kind::slide || cruise_.wall_count != 1 || fan_.count == 0) return false;
   const ProxyWall* nearer = nearer_neighbour(goal);
   if (nearer == nullptr) return false;
 
   const Vec3 old_place = place_;
-  ProxyWall here = cruise_.wall, there = *nearer;
-  here.least_m = cruise_.wall_offset_m - here.normal.dot(place_);
+  ProxyWall here = cruise_.walls[0], there = *nearer;
+  here.least_m -= here.normal.dot(place_);
   there.least_m -= there.normal.dot(place_);
   const Vec3 far = goal - place_ + (there.least_m - there.normal.dot(goal - place_)) * there.normal;
   const Vec3 middle = 0.5 * far;
@@ -163,14 +175,12 @@ bool Proxy::hop(const Vec3& goal) noexcept {
   if (!over) return false;
   const double way_m = over->norm();
   if (way_m > 1.5 * far.norm()) return false;  // over an edge that is near, not where the planes meet at all
-  const double view_m = std::max(reach_m_, way_m);
-  if ((around_.look_around(place_, view_m, false) < way_m &&
-       around_.look_around(place_, view_m, true) < way_m) ||
-      !around_.is_free(*over, std::span(&here, 1)))
-    return false;
+  look_towards(far, way_m);
+  if (around_.reach_m() < way_m || !around_.is_free(*over, std::span(&here, 1))) return false;
   const Vec3 edge_place = place_ + *over;
   there.least_m -= there.normal.dot(*over);
-  around_.look_around(edge_place, view_m, false);
+  const double rest_m = (far - *over).norm();
+  around_.look_ahead(edge_place, std::min(rest_m, 0.5 * reach_m_), std::max(reach_m_, rest_m), Vec3::Zero());
   const ProxyStep step = around_.step_towards(goal - edge_place, &there);
   const Vec3 new_place = edge_place + step.z;
   if (!((goal - new_place).norm() < (goal - old_place).norm() - around_.tolerance_m())) return false;

@@ -64,21 +64,39 @@ class Proxy {
   double clearance_m() const noexcept { return around_.clearance_m(); }
 
  private:
-  /// What the last full look allows without another: to fly in a ball that is free, or to slide along one
-  /// wall within a ball where nothing else stands in front of it.
+  /// What the last look around allows without another: to fly in a ball that is free, or to slide along the
+  /// walls that hold the proxy within a ball where nothing else stands in front of them.
   struct Cruise {
     enum class Kind { none, flight, slide } kind = Kind::none;
     Vec3 centre = Vec3::Zero();  ///< of the ball, relative to the world's, as all here
     double room_m = 0;
-    ProxyWall wall;  ///< slide; its place lies at wall_offset_m along its normal
-    double wall_offset_m = 0;
-    /// Facets that share a smooth vertex with the wall's and lie behind it, seen from the world's centre.
-    std::array<ProxyWall, 24> neighbours;
-    int neighbour_count = 0;
+    int wall_count = 0;              ///< slide
+    std::array<ProxyWall, 3> walls;  ///< seen from the world's centre
+    Vec3 corner = Vec3::Zero();      ///< the first of the one wall's triangle, and how from there the weights
+    Mat3 weights = Mat3::Zero();     ///< of its corners, a row each, change with the place
+
+    bool has_room(const Vec3& place) const noexcept {
+      return (place - centre).squaredNorm() <= room_m * room_m;
+    }
   };
+  /// Facets that share a smooth vertex with a wall's triangle and lie behind it, as walls seen from the
+  /// world's centre.
+  struct Fan {
+    int surface = -1, triangle = -1;
+    double side = 0;
+    std::array<ProxyWall, 24> neighbours;
+    int count = 0;
+  };
+  /// Where the proxy slides on it looks around from so much of the view's reach ahead.
+  static constexpr double lead = 0.4;
+
   double widest_view() const noexcept;
   void start(const Vec3& goal) noexcept;
   bool cruise(const Vec3& goal) noexcept;
+  bool slide_on_one(const Vec3& goal) noexcept;
+  bool slide_on_several(const Vec3& goal) noexcept;
+  bool extend_slide(const Vec3& place) noexcept;
+  bool make_room(std::span<const ProxyWall> walls, const Vec3& centre, const Vec3& place) noexcept;
   bool fly(const Vec3& goal) noexcept;
   void suit_view() noexcept;
   void settle(const Vec3& goal, double budget_m) noexcept;
@@ -86,11 +104,14 @@ class Proxy {
   bool advance(const ProxyStep& step, const Vec3& goal, double& budget_m) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;
   const ProxyWall* nearer_neighbour(const Vec3& goal) const noexcept;
+  void look_towards(const Vec3& far, double way_m) noexcept;
   bool hop(const Vec3& goal) noexcept;
   void remember() noexcept;
+  void remember_weights() noexcept;
   void remember_neighbours() noexcept;
-  void remember_fan(int corner) noexcept;
+  void remember_fan(int corner, double behind_m) noexcept;
   void report(const Vec3& goal) noexcept;
+  void report_slide(const Vec3& goal, double depth_m, const Vec3& weights) noexcept;
   void report_underway(const Vec3& goal) noexcept;
   ProxyHold hold_at(const ProxyWall& wall, double share_m) const noexcept;
 
@@ -104,6 +125,7 @@ class Proxy {
   Vec3 hold_place_ = Vec3::Zero();
   ProxyStep hold_;  ///< the last step, from hold_place_, with the walls that stopped it
   Cruise cruise_;
+  Fan fan_;
   ProxyContact contact_;
 };
 

@@ -88,6 +88,30 @@ void Proxy::report(const Vec3& goal) noexcept {
                                          : Vec3(contact_.proxy_W - around_.radius_m() * contact_.direction_W);
 }
 
+/// One facet holds the proxy, and the place under it is known by the weights of the facet's corners.
+void Proxy::report_slide(const Vec3& goal, double depth_m, const Vec3& weights) noexcept {
+  const ProxyWall& wall = hold_.walls[0];
+  const ProxySurface& surface = around_.surfaces()[static_cast<std::size_t>(wall.surface)];
+  const Part& part = surface.tree->part();
+  contact_.touching = contact_.settled = true;
+  contact_.depth_m = depth_m;
+  contact_.direction_W = wall.normal;
+  contact_.proxy_W = goal + depth_m * wall.normal + around_.centre_W();
+  contact_.point_W = hold_place_ - around_.clearance_m() * wall.normal + around_.centre_W();
+  contact_.hold_count = 1;
+  ProxyHold& hold = contact_.holds[0];
+  hold = {wall.surface, wall.triangle, contact_.point_W, wall.normal, depth_m};
+  if (normals_ != Normals::facet) {
+    const Vec3 normal_P = surface.R_WP.transpose() * wall.normal;
+    const double side = side_of(part.facet_normals.col(wall.triangle), normal_P);
+    TrianglePoint at;
+    at.barycentric = weights;
+    hold.normal_W =
+        surface.R_WP * (side * shaded_normal(*surface.tree, wall.triangle, at, normals_, side * normal_P));
+  }
+  contact_.normal_W = hold.normal_W;
+}
+
 /// The proxy has not come to rest: on its way it pushes as far as it still has to go.
 void Proxy::report_underway(const Vec3& goal) noexcept {
   if (hold_.wall_count > 0) {

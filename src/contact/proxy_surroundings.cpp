@@ -19,24 +19,6 @@ int largest_fan(const Part& part) {
   return fan.empty() ? 0 : *std::max_element(fan.begin(), fan.end());
 }
 
-/// A wall in a part's frame, as the part's triangles are held against it.
-struct PartWall {
-  Vec3 normal;
-  double offset_m;  // triangles up to here stand behind it
-};
-
-bool is_behind(const Part& part, int t, const PartWall& wall) noexcept {
-  for (int k = 0; k < 3; ++k) {
-    if (wall.normal.dot(part.vertices.col(part.triangles(k, t))) > wall.offset_m) return false;
-  }
-  return true;
-}
-
-bool is_behind_any(const Part& part, int t, std::span<const PartWall> walls) noexcept {
-  return std::any_of(walls.begin(), walls.end(),
-                     [&](const PartWall& wall) { return is_behind(part, t, wall); });
-}
-
 }  // namespace
 
 ProxySurroundings::ProxySurroundings(std::vector<ProxySurface> surfaces, double radius_m)
@@ -132,23 +114,14 @@ double ProxySurroundings::room_m(const Vec3& place, double enough_m) noexcept {
   return room_m;
 }
 
-ProxySurroundings::Near ProxySurroundings::near(int surface, int triangle, const Vec3& q) const noexcept {
-  const Part& part = surfaces_[static_cast<std::size_t>(surface)].tree->part();
-  const TriangleApproach approach = approach_triangle(part, triangle, q);
-  return {triangle, approach.distance_m - clearance_m(), approach.towards};
-}
-
 /// From a place nearby: the triangles found before are all that can be within what is left of that reach.
-bool ProxySurroundings::look_again(const Vec3& place, double reach_m) noexcept {
+bool ProxySurroundings::look_again(const Vec3& place, double need_m) noexcept {
   const double left_m = search_reach_m_ - (place - search_place_).norm() * (1 + 1e-12);
-  if (overflow_ || !(left_m >= 0.5 * reach_m)) return false;
+  if (overflow_ || !(left_m >= need_m)) return false;
   place_ = place;
   reach_m_ = left_m;
   for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    if (!surfaces_[i].tree || !views_[i].within_reach) continue;
-    views_[i].at = in_part(static_cast<int>(i), place);
-    for (std::size_t k = views_[i].first; k < views_[i].end; ++k)
-      near_[k] = near(static_cast<int>(i), near_[k].triangle, views_[i].at);
+    if (surfaces_[i].tree && views_[i].within_reach) views_[i].at = in_part(static_cast<int>(i), place);
   }
   return true;
 }
@@ -178,23 +151,24 @@ void ProxySurroundings::search(const Vec3& place, double reach_m) noexcept {
           ProxySurroundings& all = *g.all;
           all.overflow_ |= all.near_.size() == all.near_.capacity();
           if (all.overflow_) return;
-          all.near_.push_back(
-              all.near(g.surface, triangle, all.views_[static_cast<std::size_t>(g.surface)].at));
+          NearTriangle& near = all.near_.emplace_back();
+          near.triangle = triangle;
+          near.corners =
+              corners_of(all.surfaces_[static_cast<std::size_t>(g.surface)].tree->part(), triangle);
         },
         &gathering);
     view.end = near_.size();
   }
 }
 
-double ProxySurroundings::look_around(const Vec3& place, double reach_m, bool anew) noexcept {
-  if (!anew && look_again(place, reach_m)) return reach_m_;
+void ProxySurroundings::search_around(const Vec3& place, double reach_m) noexcept {
   place_ = search_place_ = place;
   is_cut_ = false;
   constexpr int most_cuts = 6;
   for (int cut = 0; cut <= most_cuts; ++cut) {
     reach_m_ = search_reach_m_ = reach_m;
     search(place, reach_m);
-    if (!overflow_) return reach_m_;
+    if (!overflow_) return;
     is_cut_ = true;
     reach_m *= 0.25;
   }
@@ -204,11 +178,23 @@ double ProxySurroundings::look_around(const Vec3& place, double reach_m, bool an
     views_[i].at = in_part(static_cast<int>(i), place);
     views_[i].within_reach = true;
   }
+}
+
+double ProxySurroundings::look_around(const Vec3& place, double reach_m, bool anew) noexcept {
+  if (anew || !look_again(place, 0.5 * reach_m)) search_around(place, reach_m);
   return reach_m_;
 }
 
+bool ProxySurroundings::look_ahead(const Vec3& place, double need_m, double reach_m,
+                                   const Vec3& ahead) noexcept {
+  if (look_again(place, need_m)) return false;
+  search_around(place + ahead, reach_m);
+  if (!look_again(place, need_m)) search_around(place, reach_m);  // cut short there
+  return true;
+}
+
 template <class Visit>
-void ProxySurroundings::each_near(int surface, Visit visit) const noexcept {
+void ProxySurroundings::each_near(int surface, Visit visit) noexcept {
   const auto i = static_cast<std::size_t>(surface);
   if (!views_[i].within_reach) return;
   if (!overflow_) {
@@ -216,62 +202,100 @@ void ProxySurroundings::each_near(int surface, Visit visit) const noexcept {
     return;
   }
   struct Passing {
-    const ProxySurroundings* all;
-    int surface;
+    const Part* part;
     Visit* visit;
-  } passing{this, surface, &visit};
+  } passing{&surfaces_[i].tree->part(), &visit};
   surfaces_[i].tree->each_within(
       views_[i].at, clearance_m() + reach_m_,
       [](void* context, int triangle) {
         const Passing& p = *static_cast<Passing*>(context);
-        (*p.visit)(p.all->near(p.surface, triangle, p.all->views_[static_cast<std::size_t>(p.surface)].at));
+        NearTriangle near;
+        near.triangle = triangle;
+        near.corners = corners_of(*p.part, triangle);
+        (*p.visit)(near);
       },
       &passing);
 }
 
+/// The walls in a part's frame; seen from the place looked around from.
+std::size_t ProxySurroundings::part_walls(int surface, std::span<const ProxyWall> walls,
+                                          std::array<PartWall, 3>& in_part) const noexcept {
+  const auto i = static_cast<std::size_t>(surface);
+  const std::size_t count = std::min(walls.size(), in_part.size());
+  for (std::size_t k = 0; k < count; ++k) {
+    in_part[k].normal = surfaces_[i].R_WP.transpose() * walls[k].normal;
+    in_part[k].offset_m =
+        in_part[k].normal.dot(views_[i].at) + walls[k].least_m - clearance_m() + tolerance_m_;
+  }
+  return count;
+}
+
+/// The wall that a way breaches most, of those offered so far; ties go to the lowest triangle.
+struct ProxySurroundings::Worst {
+  std::optional<ProxyWall> wall;
+  double slack_m;  ///< < 0
+
+  bool is_beaten_by(double other_slack_m, int surface, int triangle) const noexcept {
+    if (!(other_slack_m == slack_m && wall)) return other_slack_m < slack_m;
+    return surface == wall->surface && triangle < wall->triangle;
+  }
+};
+
+void ProxySurroundings::offer_plane(int surface, const Vec3& z, Worst& worst) const noexcept {
+  const ProxyWall wall = plane_wall(surface, place_);
+  const double slack_m = wall.normal.dot(z) - wall.least_m;
+  if (worst.is_beaten_by(slack_m, surface, -1)) worst = {wall, slack_m};
+}
+
+void ProxySurroundings::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
+                                   Worst& worst) noexcept {
+  const auto i = static_cast<std::size_t>(surface);
+  const Mat3& R_WP = surfaces_[i].R_WP;
+  const Vec3 from = views_[i].at, way = R_WP.transpose() * z, to = from + way;
+  const double way_m = way.norm() * (1 + 1e-12);
+  std::array<PartWall, 3> in_front;
+  const std::span in_front_of(in_front.data(), part_walls(surface, walls, in_front));
+  const NearTriangle* worst_near = nullptr;
+  each_near(surface, [&](NearTriangle& near) {
+    if (near.seen) {
+      const double here_m = near.least_gap_m(from), there_m = here_m + near.towards.dot(way);
+      // Both ends well in front of the half space that an earlier look left free (where the ball touches,
+      // what it sees from here decides), or, however steeply the way leads down from here, a smaller breach
+      // than one that is known.
+      if (std::min(here_m, there_m) >= 2 * tolerance_m_ || here_m - way_m > worst.slack_m) return;
+    }
+    if (near.is_behind_any(in_front_of)) return;
+    if (!near.seen || near.seen_from != from) near.look_from(from, clearance_m());
+    // The breach only shrinks as the sweep goes on from its first tangent, which is this.
+    const double end_slack_m = near.gap_m + near.towards.dot(way);
+    if (end_slack_m >= -tolerance_m_ || end_slack_m > worst.slack_m) return;
+    const TriangleSweep sweep = sweep_past_triangle(near.corners, from, to, clearance_m(), tolerance_m_);
+    if (!sweep.blocked || !worst.is_beaten_by(sweep.end_slack_m, surface, near.triangle)) return;
+    worst.slack_m = sweep.end_slack_m;
+    worst.wall =
+        ProxyWall{R_WP * sweep.normal, sweep.offset_m - sweep.normal.dot(from), surface, near.triangle};
+    worst_near = &near;
+  });
+  // It is likely the worst of the next way too, which then tells at once that others are not.
+  if (worst_near != nullptr && !overflow_)
+    std::swap(near_[views_[i].first], near_[static_cast<std::size_t>(worst_near - near_.data())]);
+}
+
 std::optional<ProxyWall> ProxySurroundings::worst_wall(const Vec3& z, std::span<const ProxyWall> walls,
-                                                       double breach_m) const noexcept {
-  std::optional<ProxyWall> worst;
-  double worst_slack_m = -breach_m;
-  const auto is_worse = [&](double slack_m, int surface, int triangle) {
-    if (!(slack_m == worst_slack_m && worst)) return slack_m < worst_slack_m;
-    return surface == worst->surface && triangle < worst->triangle;
-  };
+                                                       double breach_m) noexcept {
+  Worst worst{std::nullopt, -breach_m};
   for (int surface = 0; surface < static_cast<int>(surfaces_.size()); ++surface) {
     const auto i = static_cast<std::size_t>(surface);
     if (!surfaces_[i].tree) {
-      const ProxyWall wall = plane_wall(surface, place_);
-      const double slack_m = wall.normal.dot(z) - wall.least_m;
-      if (is_worse(slack_m, surface, -1)) {
-        worst = wall;
-        worst_slack_m = slack_m;
-      }
-      continue;
+      offer_plane(surface, z, worst);
+    } else if (views_[i].within_reach) {
+      offer_part(surface, z, walls, worst);
     }
-    if (!views_[i].within_reach) continue;
-    const Part& part = surfaces_[i].tree->part();
-    const Mat3& R_WP = surfaces_[i].R_WP;
-    const Vec3 from = views_[i].at, way = R_WP.transpose() * z, to = from + way;
-    std::array<PartWall, 3> in_front;
-    const std::size_t count = std::min<std::size_t>(walls.size(), 3);
-    for (std::size_t k = 0; k < count; ++k) {
-      in_front[k].normal = R_WP.transpose() * walls[k].normal;
-      in_front[k].offset_m = in_front[k].normal.dot(from) + walls[k].least_m - clearance_m() + tolerance_m_;
-    }
-    each_near(surface, [&](const Near& near) {
-      if (near.gap_m + near.towards.dot(way) >= -tolerance_m_) return;
-      if (is_behind_any(part, near.triangle, std::span(in_front.data(), count))) return;
-      const TriangleSweep sweep =
-          sweep_past_triangle(part, near.triangle, from, to, clearance_m(), tolerance_m_);
-      if (!sweep.blocked || !is_worse(sweep.end_slack_m, surface, near.triangle)) return;
-      worst_slack_m = sweep.end_slack_m;
-      worst = ProxyWall{R_WP * sweep.normal, sweep.offset_m - sweep.normal.dot(from), surface, near.triangle};
-    });
   }
-  return worst;
+  return worst.wall;
 }
 
-double ProxySurroundings::free_share(const Vec3& z) const noexcept {
+double ProxySurroundings::free_share(const Vec3& z) noexcept {
   double share = 1;
   for (int surface = 0; surface < static_cast<int>(surfaces_.size()); ++surface) {
     const auto i = static_cast<std::size_t>(surface);
@@ -283,20 +307,19 @@ double ProxySurroundings::free_share(const Vec3& z) const noexcept {
       continue;
     }
     const Vec3 from = views_[i].at, to = from + surfaces_[i].R_WP.transpose() * z;
-    each_near(surface, [&](const Near& near) {
-      const TriangleSweep sweep = sweep_past_triangle(surfaces_[i].tree->part(), near.triangle, from, to,
-                                                      clearance_m(), tolerance_m_);
+    each_near(surface, [&](const NearTriangle& near) {
+      const TriangleSweep sweep = sweep_past_triangle(near.corners, from, to, clearance_m(), tolerance_m_);
       if (sweep.blocked) share = std::min(share, sweep.reached);
     });
   }
   return share;
 }
 
-bool ProxySurroundings::is_free(const Vec3& z, std::span<const ProxyWall> walls) const noexcept {
+bool ProxySurroundings::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept {
   return !worst_wall(z, walls, tolerance_m_);
 }
 
-ProxyStep ProxySurroundings::step_towards(const Vec3& goal, const ProxyWall* first) const noexcept {
+ProxyStep ProxySurroundings::step_towards(const Vec3& goal, const ProxyWall* first) noexcept {
   ProxyStep step;
   std::array<ProxyWall, 4> walls;
   std::size_t count = 0;
@@ -335,16 +358,19 @@ ProxyStep ProxySurroundings::step_towards(const Vec3& goal, const ProxyWall* fir
   return step;
 }
 
-double ProxySurroundings::room_in_front_of(const ProxyWall& wall) const noexcept {
-  double room_m = overflow_ ? 0.0 : reach_m_;
+double ProxySurroundings::room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre) noexcept {
+  double room_m = overflow_ ? 0.0 : search_reach_m_ - (centre - search_place_).norm() * (1 + 1e-12);
   for (std::size_t i = 0; i < surfaces_.size() && room_m > 0; ++i) {
     if (!surfaces_[i].tree || !views_[i].within_reach) continue;
-    const Part& part = surfaces_[i].tree->part();
-    PartWall in_front;
-    in_front.normal = surfaces_[i].R_WP.transpose() * wall.normal;
-    in_front.offset_m = in_front.normal.dot(views_[i].at) + wall.least_m - clearance_m() + tolerance_m_;
-    each_near(static_cast<int>(i), [&](const Near& near) {
-      if (near.gap_m < room_m && !is_behind(part, near.triangle, in_front)) room_m = near.gap_m;
+    const int surface = static_cast<int>(i);
+    const Vec3 at = in_part(surface, centre);
+    std::array<PartWall, 3> in_front;
+    const std::span in_front_of(in_front.data(), part_walls(surface, walls, in_front));
+    each_near(surface, [&](NearTriangle& near) {
+      if (near.seen && near.least_gap_m(at) >= room_m) return;
+      if (near.is_behind_any(in_front_of)) return;
+      if (!near.seen || near.seen_from != at) near.look_from(at, clearance_m());
+      room_m = std::min(room_m, near.gap_m);
     });
   }
   return std::max(0.0, room_m);

@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "contact/proxy_sweep.hpp"
+#include "contact/proxy_near.hpp"
 #include "contact/proxy_wall.hpp"
 #include "contact/triangle_tree.hpp"
 
@@ -70,13 +70,19 @@ class ProxySurroundings {
   /// serves again as long as it shows half as far, or more, from the new place.
   /// @param anew  search the trees whatever is at hand
   double look_around(const Vec3& place, double reach_m, bool anew) noexcept;
+  /// As above, where a view that shows as far as `need_m` will do; a search is made from `ahead` of the
+  /// place, which is nearer than the reach. True where the trees were searched.
+  bool look_ahead(const Vec3& place, double need_m, double reach_m, const Vec3& ahead) noexcept;
   /// Whether the last look searched the trees, and whether it had to be cut short.
   bool is_fresh() const noexcept { return place_ == search_place_; }
   bool is_cut() const noexcept { return is_cut_; }
 
-  /// Where was looked around from, how far, and how many triangles are in view.
+  /// Where was looked around from, how far, where the trees were searched from, how far, and how many
+  /// triangles are in view.
   const Vec3& place() const noexcept { return place_; }
   double reach_m() const noexcept { return reach_m_; }
+  const Vec3& search_place() const noexcept { return search_place_; }
+  double search_reach_m() const noexcept { return search_reach_m_; }
   std::size_t view_count() const noexcept { return near_.size(); }
 
   /// The step that brings the ball as close to `goal` (relative to the place looked around from) as it can
@@ -84,36 +90,36 @@ class ProxySurroundings {
   /// none blocks it; a step to the projection onto walls that all have the start in front of them crosses
   /// nothing, whenever it is stopped.
   /// @param first  a wall to begin with, or none
-  ProxyStep step_towards(const Vec3& goal, const ProxyWall* first) const noexcept;
+  ProxyStep step_towards(const Vec3& goal, const ProxyWall* first) noexcept;
 
-  /// How far one can go from the place looked around from and, in front of this wall, meet no other [m].
-  double room_in_front_of(const ProxyWall& wall) const noexcept;
+  /// How far one can go from a centre in view and, in front of all these walls, meet no other [m].
+  /// @param walls  seen from the place looked around from
+  double room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre) noexcept;
 
   /// Whether the way by `z` is free, but for the triangles behind the given walls.
-  bool is_free(const Vec3& z, std::span<const ProxyWall> walls) const noexcept;
+  bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;
 
  private:
-  /// A triangle in view.
-  struct Near {
-    int triangle = -1;
-    double gap_m = 0;             ///< distance less clearance
-    Vec3 towards = Vec3::Zero();  ///< unit, from the triangle to the place, in the part's frame
-  };
   struct View {
     Vec3 at = Vec3::Zero();          ///< the place in the part's frame
-    std::size_t first = 0, end = 0;  ///< its triangles in near_
+    std::size_t first = 0, end = 0;  ///< its triangles in near_; the one that blocked last comes first
     bool within_reach = false;
   };
 
   bool box_within(int surface, const Vec3& q, double distance_m) const noexcept;
-  bool look_again(const Vec3& place, double reach_m) noexcept;
+  bool look_again(const Vec3& place, double need_m) noexcept;
+  void search_around(const Vec3& place, double reach_m) noexcept;
   void search(const Vec3& place, double reach_m) noexcept;
-  Near near(int surface, int triangle, const Vec3& q) const noexcept;
   template <class Visit>
-  void each_near(int surface, Visit visit) const noexcept;
+  void each_near(int surface, Visit visit) noexcept;
+  std::size_t part_walls(int surface, std::span<const ProxyWall> walls,
+                         std::array<PartWall, 3>& in_part) const noexcept;
+  struct Worst;
+  void offer_plane(int surface, const Vec3& z, Worst& worst) const noexcept;
+  void offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls, Worst& worst) noexcept;
   std::optional<ProxyWall> worst_wall(const Vec3& z, std::span<const ProxyWall> walls,
-                                      double breach_m) const noexcept;
-  double free_share(const Vec3& z) const noexcept;
+                                      double breach_m) noexcept;
+  double free_share(const Vec3& z) noexcept;
 
   std::vector<ProxySurface> surfaces_;
   double radius_m_;
@@ -126,7 +132,7 @@ class ProxySurroundings {
   Vec3 search_place_ = Vec3::Zero();  // where the trees were asked from, and how far
   double search_reach_m_ = -1;
   bool is_cut_ = false;
-  std::vector<Near> near_;
+  std::vector<NearTriangle> near_;
   std::vector<View> views_;
   std::vector<int> seeds_;
   bool overflow_ = false;  // near_ could not hold the view: every pass asks the trees again

@@ -11,79 +11,90 @@ namespace {
 constexpr double least_area_share = 1e-13;
 /// Newton's steps converge quadratically; a cap for what rounding might do.
 constexpr int newton_steps = 32;
+/// From so large a share on, the sides' order about a point is known to rounding, and only edges that the
+/// point is outside of are looked at.
+constexpr double regular_area_share = 1e-4;
 
-struct Corners {
-  Vec3 a, b, c;
+/// The closest point of an edge.
+struct EdgeFoot {
+  Vec3 point = Vec3::Zero();
+  double distance2_m2 = std::numeric_limits<double>::infinity();
+  double share = 0;  ///< 0 at its first corner, 1 at its second
+  int edge = 0;
 };
 
-Corners corners_of(const Part& part, int t) noexcept {
-  return {part.vertices.col(part.triangles(0, t)), part.vertices.col(part.triangles(1, t)),
-          part.vertices.col(part.triangles(2, t))};
-}
-
 /// Offers the closest point of the edge from corner k at `a` to the next at `b`.
-void offer_edge(const Vec3& a, const Vec3& b, int k, const Vec3& q, TrianglePoint& best) noexcept {
+void offer_edge(const Vec3& a, const Vec3& b, int k, const Vec3& q, EdgeFoot& best) noexcept {
   const Vec3 along = b - a;
   const double length2 = along.squaredNorm(), dot = (q - a).dot(along);
+  const double share = !(dot > 0) ? 0 : dot >= length2 ? 1 : dot / length2;
+  const Vec3 point = share < 1 ? Vec3(a + share * along) : b;
+  const double distance2_m2 = (q - point).squaredNorm();
+  if (distance2_m2 < best.distance2_m2) best = {point, distance2_m2, share, k};
+}
+
+TrianglePoint on_edge(const EdgeFoot& foot) noexcept {
   TrianglePoint p;
-  const int next = (k + 1) % 3;
-  if (!(dot > 0)) {
-    p.point = a;
-    p.feature = static_cast<Feature>(static_cast<int>(Feature::vertex0) + k);
-    p.barycentric[k] = 1;
-  } else if (dot >= length2) {
-    p.point = b;
-    p.feature = static_cast<Feature>(static_cast<int>(Feature::vertex0) + next);
-    p.barycentric[next] = 1;
+  const int next = (foot.edge + 1) % 3;
+  p.point = foot.point;
+  p.distance2_m2 = foot.distance2_m2;
+  p.barycentric[foot.edge] = 1 - foot.share;
+  p.barycentric[next] = foot.share;
+  if (foot.share > 0 && foot.share < 1) {
+    p.feature = static_cast<Feature>(static_cast<int>(Feature::edge0) + foot.edge);
   } else {
-    const double share = dot / length2;
-    p.point = a + share * along;
-    p.feature = static_cast<Feature>(static_cast<int>(Feature::edge0) + k);
-    p.barycentric[k] = 1 - share;
-    p.barycentric[next] = share;
+    p.feature =
+        static_cast<Feature>(static_cast<int>(Feature::vertex0) + (foot.share > 0 ? next : foot.edge));
   }
-  p.distance2_m2 = (q - p.point).squaredNorm();
-  if (p.distance2_m2 < best.distance2_m2) best = p;
+  return p;
 }
 
 }  // namespace
 
-TriangleApproach approach_triangle(const Part& part, int t, const Vec3& q) noexcept {
-  const Corners f = corners_of(part, t);
-  const Vec3 normal = part.facet_normals.col(t);
-  const Vec3 ab = f.b - f.a, bc = f.c - f.b, ca = f.a - f.c;
+TriangleCorners corners_of(const Part& part, int t) noexcept {
+  return {part.vertices.col(part.triangles(0, t)), part.vertices.col(part.triangles(1, t)),
+          part.vertices.col(part.triangles(2, t)), part.facet_normals.col(t)};
+}
+
+TriangleApproach approach_triangle(const TriangleCorners& f, const Vec3& q) noexcept {
+  const Vec3 &normal = f.normal, ab = f.b - f.a, bc = f.c - f.b, ca = f.a - f.c;
   const Vec3 aq = q - f.a, bq = q - f.b, cq = q - f.c;
   const double c_share = normal.dot(ab.cross(aq)), a_share = normal.dot(bc.cross(bq)),
                b_share = normal.dot(ca.cross(cq));
+  const double area = a_share + b_share + c_share,
+               sides2 = ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm();
   TriangleApproach result;
-  if (a_share > 0 && b_share > 0 && c_share > 0) {
-    const double area = a_share + b_share + c_share;
-    if (area > least_area_share * (ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm())) {
-      const double height = normal.dot(aq);
-      result.at.point = q - height * normal;
-      result.at.distance2_m2 = height * height;
-      result.at.barycentric = Vec3(a_share, b_share, c_share) / area;
-      result.distance_m = std::abs(height);
-      result.towards = height < 0 ? Vec3(-normal) : normal;
-      return result;
-    }
+  if (a_share > 0 && b_share > 0 && c_share > 0 && area > least_area_share * sides2) {
+    const double height = normal.dot(aq);
+    result.at.point = q - height * normal;
+    result.at.distance2_m2 = height * height;
+    result.at.barycentric = Vec3(a_share, b_share, c_share) / area;
+    result.distance_m = std::abs(height);
+    result.towards = height < 0 ? Vec3(-normal) : normal;
+    return result;
   }
-  result.at.distance2_m2 = std::numeric_limits<double>::infinity();
-  offer_edge(f.a, f.b, 0, q, result.at);
-  offer_edge(f.b, f.c, 1, q, result.at);
-  offer_edge(f.c, f.a, 2, q, result.at);
+  const bool every = !(area > regular_area_share * sides2);
+  EdgeFoot best;
+  if (every || !(c_share > 0)) offer_edge(f.a, f.b, 0, q, best);
+  if (every || !(a_share > 0)) offer_edge(f.b, f.c, 1, q, best);
+  if (every || !(b_share > 0)) offer_edge(f.c, f.a, 2, q, best);
+  result.at = on_edge(best);
   result.distance_m = std::sqrt(result.at.distance2_m2);
   result.towards = result.distance_m > 0 ? Vec3((q - result.at.point) / result.distance_m) : normal;
   return result;
 }
 
-TriangleSweep sweep_past_triangle(const Part& part, int t, const Vec3& from, const Vec3& to,
+TriangleApproach approach_triangle(const Part& part, int t, const Vec3& q) noexcept {
+  return approach_triangle(corners_of(part, t), q);
+}
+
+TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept {
   const Vec3 way = to - from;
   TriangleSweep sweep;
   sweep.reached = 0;
   for (int k = 0; k < newton_steps; ++k) {
-    const TriangleApproach here = approach_triangle(part, t, from + sweep.reached * way);
+    const TriangleApproach here = approach_triangle(f, from + sweep.reached * way);
     const double gap_m = here.distance_m - clearance_m, slope = here.towards.dot(way);
     sweep.normal = here.towards;
     sweep.offset_m = here.towards.dot(here.at.point) + clearance_m;
@@ -97,8 +108,7 @@ TriangleSweep sweep_past_triangle(const Part& part, int t, const Vec3& from, con
   }
   sweep.blocked = true;
 
-  const Corners f = corners_of(part, t);
-  const Vec3 normal = part.facet_normals.col(t), corner = f.a;
+  const Vec3 &normal = f.normal, corner = f.a;
   const double height_m = normal.dot(from - corner);
   if (std::abs(height_m) < clearance_m - tolerance_m) return sweep;
   // A triangle without area bears a neighbour's normal: it must lie in that plane.
@@ -112,6 +122,11 @@ TriangleSweep sweep_past_triangle(const Part& part, int t, const Vec3& from, con
   sweep.end_slack_m = slack_m;
   sweep.blocked = slack_m < -tolerance_m;
   return sweep;
+}
+
+TriangleSweep sweep_past_triangle(const Part& part, int t, const Vec3& from, const Vec3& to,
+                                  double clearance_m, double tolerance_m) noexcept {
+  return sweep_past_triangle(corners_of(part, t), from, to, clearance_m, tolerance_m);
 }
 
 }  // namespace fingerpad

@@ -12,9 +12,18 @@ struct TriangleApproach {
   double distance_m = 0;
 };
 
+/// A triangle at hand: what the sweeps read of a part.
+struct TriangleCorners {
+  Vec3 a, b, c;  ///< relative to the part's centre [m]
+  Vec3 normal;   ///< Part::facet_normals
+};
+
+TriangleCorners corners_of(const Part& part, int t) noexcept;
+
 /// The closest point of triangle t to q, relative to the part's centre, without the ties' bookkeeping of
 /// closest_on_triangle: exact to rounding. noexcept, allocates nothing.
 TriangleApproach approach_triangle(const Part& part, int t, const Vec3& q) noexcept;
+TriangleApproach approach_triangle(const TriangleCorners& triangle, const Vec3& q) noexcept;
 
 /// Whether a ball on its way meets a triangle, with a half space as the witness.
 struct TriangleSweep {
@@ -35,6 +44,8 @@ struct TriangleSweep {
 /// @param tolerance_m  by how much the clearance may be missed, > 0
 /// @pre from has the clearance, to within a few tolerances. noexcept, allocates nothing.
 TriangleSweep sweep_past_triangle(const Part& part, int t, const Vec3& from, const Vec3& to,
+                                  double clearance_m, double tolerance_m) noexcept;
+TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept;
 
 }  // namespace fingerpad
