@@ -18,7 +18,8 @@ Vec2 StickCentre::displacement(const Vec3& contact_W, const Mat3& frame_WC) cons
 }
 
 void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat3& frame_WC,
-                        const Vec2& from_centre_m, Normals normals, bool on_surface) noexcept {
+                        const Vec2& from_centre_m, Normals normals, bool on_surface,
+                        int contact_triangle) noexcept {
   is_set_ = true;
   normal_W_ = frame_WC.col(2);
   remainder_m_ = Vec2::Zero();
@@ -30,7 +31,7 @@ void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat
   // correct by what is missing. On a surface of radius R the error falls by about (distance/R)^2 a round.
   Vec2 guess = from_centre_m;
   double best_miss = 0.1 * distance;  // worse than this, the tangent plane's point is the better centre
-  int seed = -1;
+  int seed = contact_triangle;
   for (int round = 0; round < 5; ++round) {
     const Vec3 target = contact_W - frame_WC.leftCols<2>() * guess;
     const WorldPoint near = nearest_point(surface, target, normals, seed, 2 * distance);

@@ -141,7 +141,7 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3
   if (friction.centre_moved) {
     // Sought on the surface where stick begins; a centre that a law drags along tick by tick needs no search.
     centre_.place(surface, contact.at.point_W, frame_WC_, friction.from_centre_m, normals_,
-                  friction.phase == Phase::stick && !was_stuck);
+                  friction.phase == Phase::stick && !was_stuck, contact.at.triangle);
   }
 
   record.phase = friction.phase;
