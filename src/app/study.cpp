@@ -23,11 +23,13 @@ struct StudyOptions {
 /// that is told.
 std::string exact_folder(const StudyOptions& options) {
   const std::string table = options.exact_folder + "/meshes.csv";
-  if (options.exact_folder_given || std::filesystem::exists(table)) return options.exact_folder;
-  fmt::print(stderr,
-             "fingerpad: warning: {}: is not here, so the study goes without the CAD part's exact surface; "
-             "--exact DIR says where it is\n",
-             table);
+  std::error_code ignored;
+  if (options.exact_folder_given || std::filesystem::exists(table, ignored)) return options.exact_folder;
+  fmt::print(
+      stderr,
+      "fingerpad: warning: {}: there is no such file: the study goes without the CAD part's exact surface; "
+      "--exact DIR says where it is\n",
+      table);
   return "";
 }
 

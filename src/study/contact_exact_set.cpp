@@ -81,10 +81,13 @@ ExactPath load_path(const std::filesystem::path& file) {
 ExactSet load_exact_set(const std::string& folder) {
   ExactSet set{load_meshes(folder), load_samples(folder), {}};
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const std::string name = entry.path().filename().string();
-    if (name.starts_with("path-") && name.ends_with(".csv")) files.push_back(entry.path());
+  std::error_code error;
+  std::filesystem::directory_iterator entry(folder, error), end;
+  for (; !error && entry != end; entry.increment(error)) {
+    const std::string name = entry->path().filename().string();
+    if (name.starts_with("path-") && name.ends_with(".csv")) files.push_back(entry->path());
   }
+  if (error) throw refused(folder, "cannot be listed: " + error.message());
   if (files.empty()) throw refused(folder, "holds no path-*.csv");
   std::sort(files.begin(), files.end());
   for (const auto& file : files) set.paths.push_back(load_path(file));
