@@ -1,4 +1,5 @@
-// Closest points: fingerpad's tree beside one Embree primitive a triangle, CGAL's and VTK's, in one run.
+// Closest points: fingerpad's tree beside one Embree primitive a triangle, a hand-written tree over the same
+// packets, CGAL's and VTK's, in one run.
 //   build/bin/bench_contact --benchmark_out=contact.json --benchmark_out_format=json
 //   (on a busy machine: --benchmark_repetitions=9 --benchmark_enable_random_interleaving=true)
 // MESH/coherent: 0.1 m/s at 1 kHz within 2 mm of the surface; MESH/random: anywhere in the box; MESH/cold:
@@ -135,7 +136,7 @@ void run_cold(benchmark::State& state, Subject& subject, const Method& method) {
   state.SetItemsProcessed(state.iterations() * count);
 }
 
-/// fingerpad and one primitive a triangle in turn, a few thousand queries each: a ratio that holds on a busy
+/// fingerpad and another method in turn, a few thousand queries each: a ratio that holds on a busy
 /// machine.
 void run_paired(benchmark::State& state, Subject& subject, const Method& ours, const Method& other,
                 bool coherent) {
@@ -178,6 +179,7 @@ void register_all(std::vector<Subject>& subjects) {
   static const std::vector<Method> methods = {
       {"fingerpad", [](const auto& part) { return make_tree_locator(part); }},
       {"one_by_one", [](const auto& part) { return make_one_by_one_locator(part); }},
+      {"wide_tree", [](const auto& part) { return make_wide_tree_locator(part); }},
       {"cgal_hint", [](const auto& part) { return make_cgal_locator(*part); }},
 #ifdef FINGERPAD_BENCH_VTK
       {"vtk_static", [](const auto& part) { return make_vtk_locator(*part); }},

@@ -23,6 +23,8 @@ std::unique_ptr<Locator> make_tree_locator(
     std::shared_ptr<const Part> part);  ///< fingerpad's own TriangleTree
 /// One Embree user primitive a triangle, frames in double
 std::unique_ptr<Locator> make_one_by_one_locator(std::shared_ptr<const Part> part);
+/// A hand-written tree of eight boxes a node over fingerpad's packets
+std::unique_ptr<Locator> make_wide_tree_locator(std::shared_ptr<const Part> part);
 std::unique_ptr<Locator> make_cgal_locator(
     const Part& part);  ///< CGAL's AABB tree in double, with the last answer as hint
 std::unique_ptr<Locator> make_vtk_locator(const Part& part);  ///< vtkStaticCellLocator
