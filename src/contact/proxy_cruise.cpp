@@ -4,7 +4,8 @@
 
 #include "contact/proxy.hpp"
 
-// What the proxy may do without a look around: fly in a ball that is free, or slide along the walls that hold it.
+// What the proxy may do without a look around: fly in a ball that is free, or slide along the walls that
+// hold it.
 
 namespace fingerpad {
 

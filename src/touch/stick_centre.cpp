@@ -20,6 +20,8 @@ Vec2 StickCentre::displacement(const Vec3& contact_W, const Mat3& frame_WC) cons
 void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat3& frame_WC,
                         const Vec2& from_centre_m, Normals normals, bool on_surface,
                         int contact_triangle) noexcept {
+  // Where stick begins again soon after it broke, the search goes on from the last.
+  const bool is_near_last = (point_W_ - contact_W).norm() < 8 * from_centre_m.norm();
   is_set_ = true;
   normal_W_ = frame_WC.col(2);
   remainder_m_ = Vec2::Zero();
@@ -31,12 +33,12 @@ void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat
   // correct by what is missing. On a surface of radius R the error falls by about (distance/R)^2 a round.
   Vec2 guess = from_centre_m;
   double best_miss = 0.1 * distance;  // worse than this, the tangent plane's point is the better centre
-  int seed = contact_triangle;
   for (int round = 0; round < 5; ++round) {
     const Vec3 target = contact_W - frame_WC.leftCols<2>() * guess;
-    const WorldPoint near = nearest_point(surface, target, normals, seed, 2 * distance);
+    const WorldPoint near = round > 0 || is_near_last
+                                ? nearest_point(surface, target, normals, memory_, 2 * distance)
+                                : nearest_point(surface, target, normals, contact_triangle, 2 * distance);
     if (!near.found) return;
-    seed = near.triangle;
     const Vec3 along = surface_displacement(near.point_W, near.normal_W, contact_W, frame_WC.col(2));
     const Vec2 missing = from_centre_m - tangential(frame_WC, along);
     const double miss = missing.norm();

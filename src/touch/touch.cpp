@@ -35,7 +35,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
       normals_(settled_contact(scene, *world_).normals),
       radius_m_(scene.finger.radius_m),
       dt_s_(1 / scene.motion.rate_hz),
-      seeds_(world_->surfaces.size(), -1),
+      memories_(world_->surfaces.size()),
       velocity_(scene.hand ? scene.hand->encoder_m : 0, dt_s_) {
   const LawEntry* entry = find_law(scene.friction.law);
   if (entry == nullptr)
@@ -51,7 +51,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
 
 void Touch::reset() noexcept {
   velocity_.reset();
-  std::fill(seeds_.begin(), seeds_.end(), -1);
+  for (ClosestMemory& memory : memories_) memory.forget();
   if (proxy_) proxy_->reset();
   release();
 }
@@ -66,9 +66,8 @@ void Touch::release() noexcept {
 Touch::Contact Touch::deepest_contact(const Vec3& p_WQ) noexcept {
   Contact deepest;
   for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
-    const WorldPoint at = nearest_point(world_->surfaces[i], p_WQ, normals_, seeds_[i], radius_m_);
+    const WorldPoint at = nearest_point(world_->surfaces[i], p_WQ, normals_, memories_[i], radius_m_);
     if (!at.found) continue;
-    seeds_[i] = at.triangle;
     const double depth_m = radius_m_ - at.signed_distance_m;
     if (depth_m > deepest.depth_m) deepest = {static_cast<int>(i), at, depth_m};
   }

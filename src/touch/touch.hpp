@@ -53,7 +53,7 @@ class Touch {
   double radius_m_;
   double dt_s_;
 
-  std::vector<int> seeds_;      ///< per surface: the last triangle, where the next search starts
+  std::vector<ClosestMemory> memories_;  ///< per surface: what the next search starts from
   std::optional<Proxy> proxy_;  ///< where the scene asks for it; else each tick's closest point serves
   VelocityEstimator velocity_;
 
