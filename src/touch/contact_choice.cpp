@@ -134,10 +134,12 @@ Need<Normals> normals_for(const Scene& scene, const Surface& surface, const Part
       "its facets turn by {:.2g} degrees where they stand for a smooth surface", degrees * turn_rad);
   if (turn_rad / 2 <= tilt_rad) return {Normals::facet, turn + " and no more"};
   const double greatest_depth_m = contact.greatest_force_n / surface.properties.stiffness_n_per_m;
-  if (method == ContactMethod::proxy || part.largest_sag_m <= contact.force_tolerance * greatest_depth_m)
-    return {Normals::smooth, turn};
-  return {Normals::curved,
-          fmt::format("its facets cut {} into a smooth surface", millimetres(part.largest_sag_m))};
+  if (part.largest_sag_m <= contact.force_tolerance * greatest_depth_m) return {Normals::smooth, turn};
+  const std::string sag =
+      fmt::format("its facets cut {} into a smooth surface", millimetres(part.largest_sag_m));
+  if (method != ContactMethod::proxy) return {Normals::curved, sag};
+  return {Normals::smooth,
+          turn + "; " + sag + ", beyond the tolerance, and a proxy stands on them: use a finer mesh"};
 }
 
 std::string file_of(const Surface& surface) {

@@ -50,7 +50,8 @@ bool leaves_a_choice(const ContactSettings& contact) noexcept;
 /// coefficient of friction that is felt: it may be at most the force tolerance and the mu tolerance times
 /// mu_dynamic. facet where half the largest turn over a smooth edge is less; else smooth; curved where
 /// besides the facets cut into the surface by more than the force tolerance's share of the greatest depth,
-/// and the method is closest-point (a proxy stands on the facets, whatever its normals).
+/// and the method is closest-point (a proxy stands on the facets, whatever its normals: there the reason says
+/// that only a finer mesh would do).
 ///
 /// Creases are taken at the scene's word: an edge that turns by more than `crease_deg` is meant to be an
 /// edge. So a sphere of 20 facets, whose every edge turns by 42 degrees, is an icosahedron, with flat faces:

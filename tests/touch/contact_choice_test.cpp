@@ -287,7 +287,11 @@ TEST(ContactChoice, CurvedNormalsAreForFacetsThatCutDeepUnderAClosestPoint) {
   EXPECT_EQ(choice_for(scene, surfaces).normals, Normals::smooth);
   scene.contact.greatest_force_n /= 1.02;
   scene.contact.method = ContactMethod::proxy;
-  EXPECT_EQ(choice_for(scene, surfaces).normals, Normals::smooth) << "a proxy stands on the facets";
+  const ContactChoice proxy = choice_for(scene, surfaces);
+  EXPECT_EQ(proxy.normals, Normals::smooth) << "a proxy stands on the facets";
+  EXPECT_THAT(proxy.reasons, ElementsAre(HasSubstr("use a finer mesh")));
+  scene.contact.greatest_force_n *= 1.02;
+  EXPECT_THAT(choice_for(scene, surfaces).reasons, ElementsAre(Not(HasSubstr("finer mesh"))));
 }
 
 TEST(ContactChoice, WhatASceneSaysIsKept) {
