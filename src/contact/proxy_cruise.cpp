@@ -125,7 +125,11 @@ void Proxy::remember() noexcept {
   cruise_.wall_count = hold_.wall_count;
   cruise_.walls = hold_.walls;
   for (ProxyWall& wall : cruise_.walls) wall.least_m += wall.normal.dot(hold_place_);
-  if (!make_room(walls, around_.search_place(), place_) && !make_room(walls, hold_place_, place_)) return;
+  if (!make_room(walls, around_.search_place(), place_) && !make_room(walls, hold_place_, place_)) {
+    // Something stands close in front of the walls: no room to slide, but a neighbour may yet be nearer.
+    cruise_.centre = place_;
+    cruise_.room_m = 0;
+  }
   cruise_.kind = Cruise::Kind::slide;
   if (cruise_.wall_count > 1) return;
   remember_weights();
