@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace fingerpad {
 namespace {
@@ -16,11 +15,16 @@ Vec3 any_tangent(const Vec3& normal) noexcept {
   return (e - normal * normal.dot(e)).normalized();
 }
 
-/// asin(s)/s for 0 < s <= 1.
-double half_angle_over_sine(double s) noexcept {
-  // Below 0.02 the next term of the series is under 1e-15; contact moves by less than that from tick to tick.
-  if (s < 0.02) return 1 + s * s * (1.0 / 6 + s * s * (3.0 / 40 + s * s * 15.0 / 336));
-  return std::asin(std::min(1.0, s)) / s;
+/// surface_displacement for s2 = sin^2(phi/2) < 1e-4, as from tick to tick: every factor by its series in s2,
+/// whose next term is below rounding.
+Vec3 slightly_turned(const Vec3& chord, const Vec3& normal_c, const Vec3& normal_s, double s2) noexcept {
+  const double stretch = 1 + s2 * (1.0 / 6 + s2 * (3.0 / 40 + s2 * (5.0 / 112)));
+  const double shrink = 1.0 / 3 + s2 * (2.0 / 15 + s2 * (8.0 / 105));  // (1 - stretch cos(phi/2))/s2
+  const double half_secant = 0.5 + s2 * (1.0 / 4 + s2 * (3.0 / 16 + s2 * (5.0 / 32)));
+  const Vec3 turn = half_secant * normal_c.cross(normal_s);  // sin(phi/2) times the axis
+  const Vec3 displacement =
+      (1 - s2 * shrink) * chord + shrink * turn.dot(chord) * turn + stretch * turn.cross(chord);
+  return displacement - normal_s * normal_s.dot(displacement);
 }
 
 }  // namespace
@@ -36,36 +40,26 @@ Mat3 tangent_frame(const Vec3& normal, const Vec3& along) noexcept {
   return frame;
 }
 
-Mat3 smallest_rotation(const Vec3& from, const Vec3& to) noexcept {
-  const Vec3 axis = from.cross(to);
-  const double cosine = from.dot(to);
-  if (cosine < -1 + 1e-12) return Eigen::AngleAxisd(std::numbers::pi, any_tangent(from)).toRotationMatrix();
-  Mat3 cross;
-  cross << 0, -axis.z(), axis.y(), axis.z(), 0, -axis.x(), -axis.y(), axis.x(), 0;
-  return Mat3::Identity() + cross +
-         cross * cross / (1 + cosine);  // Rodrigues, with (1 - cos)/sin^2 = 1/(1 + cos)
-}
-
 Mat3 transported(const Mat3& frame, const Vec3& normal) noexcept {
   if (frame.col(2) == normal) return frame;
-  Vec3 y;
-  if (frame.col(2).dot(normal) < -1 + 1e-12) {
-    y = -frame.col(1);
-  } else {
-    y = smallest_rotation(frame.col(2), normal) * frame.col(1);
-  }
-  return tangent_frame(normal, y);  // orthonormal again: rounding does not build up over a long contact
+  const Vec3 from = frame.col(2), y = frame.col(1);
+  const double cosine = from.dot(normal);
+  if (cosine < -1 + 1e-12) return tangent_frame(normal, -y);
+  // The smallest rotation of a vector across `from`.
+  const Vec3 turned = y - (from + normal) * (normal.dot(y) / (1 + cosine));
+  return tangent_frame(normal, turned);  // orthonormal again: rounding does not build up over a long contact
 }
 
 Vec3 surface_displacement(const Vec3& c, const Vec3& normal_c, const Vec3& s, const Vec3& normal_s) noexcept {
   const Vec3 chord = s - c;
-  const double sin_half = 0.5 * (normal_s - normal_c).norm();  // of phi/2, exact to rounding however small
-  if (sin_half < 1e-9) return chord - normal_s * normal_s.dot(chord);  // stretch and turn are below rounding
+  const double s2 = 0.25 * (normal_s - normal_c).squaredNorm();  // sin^2(phi/2), exact however small
+  if (s2 < 1e-4) return slightly_turned(chord, normal_c, normal_s, s2);
+  const double sin_half = std::sqrt(s2);
   const double cos_half = 0.5 * (normal_s + normal_c).norm();
   const Vec3 axis = cos_half > 1e-9 ? Vec3(normal_c.cross(normal_s) / (2 * sin_half * cos_half))
                                     : Vec3(tangent_frame(normal_s, chord).col(0));
   const Vec3 along = axis * axis.dot(chord);
-  const Vec3 across = (chord - along) * half_angle_over_sine(sin_half);
+  const Vec3 across = (chord - along) * (std::asin(std::min(1.0, sin_half)) / sin_half);
   const Vec3 displacement = along + cos_half * across + sin_half * axis.cross(across);
   return displacement - normal_s * normal_s.dot(displacement);
 }

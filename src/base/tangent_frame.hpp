@@ -12,9 +12,6 @@ Mat3 tangent_frame(const Vec3& normal, const Vec3& along) noexcept;
 /// opposite normal the turn is by pi about Cx.
 Mat3 transported(const Mat3& frame, const Vec3& normal) noexcept;
 
-/// The smallest rotation that takes unit vector `from` onto unit vector `to`.
-Mat3 smallest_rotation(const Vec3& from, const Vec3& to) noexcept;
-
 /// Displacement along a curved surface from point c to point s [m], in the tangent plane at s.
 ///
 /// With chord r = s - c and phi the angle between the normals: the part of r along n_c x n_s keeps its

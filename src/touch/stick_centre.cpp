@@ -5,6 +5,10 @@
 namespace fingerpad {
 namespace {
 
+/// What the centre may miss of the way asked for: it is carried on as a remainder, so that nothing is lost but
+/// the centre's own place.
+constexpr double near_enough = 1e-3;
+
 Vec2 tangential(const Mat3& frame_WC, const Vec3& vector_W) noexcept {
   return {frame_WC.col(0).dot(vector_W), frame_WC.col(1).dot(vector_W)};
 }
@@ -48,7 +52,7 @@ void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat
       normal_W_ = near.normal_W;
       remainder_m_ = missing;
     }
-    if (miss < 1e-12 * distance || miss > distance) return;
+    if (miss < near_enough * distance || miss > distance) return;
     guess += missing;
   }
 }

@@ -100,13 +100,24 @@ TEST(SurfaceDisplacement, StaysFiniteForOppositeNormals) {
   EXPECT_TRUE(d.allFinite());
 }
 
-TEST(SmallestRotation, TakesOneVectorOntoTheOther) {
+TEST(SurfaceDisplacement, HasNoSeamWhereItsSeriesEnd) {
+  // A cylinder's helix; the series serve below sin(phi/2) = 0.01.
+  for (double angle = 1e-12; angle < 0.1; angle *= 1.07) {
+    const Vec3 c(1, 0, 0), s(std::cos(angle), std::sin(angle), 0.3 * angle);
+    const Vec3 normal_s(std::cos(angle), std::sin(angle), 0);
+    const Vec3 expected(-std::sin(angle) * angle, std::cos(angle) * angle, 0.3 * angle);
+    // The chord's own rounding is that of coordinates near 1.
+    EXPECT_LT((surface_displacement(c, Vec3::UnitX(), s, normal_s) - expected).norm(), 3e-16) << angle;
+  }
+}
+
+TEST(Transport, TurnsByTheSmallestRotation) {
   RandomStream random(3);
   for (int i = 0; i < 200; ++i) {
     const Vec3 a = random_unit(random), b = random_unit(random);
-    const Mat3 R = smallest_rotation(a, b);
-    EXPECT_LT((R * a - b).norm(), 1e-13);  // near-opposite pairs divide by 1 + cos
-    EXPECT_NEAR(R.determinant(), 1, 1e-13);
+    const Mat3 frame = tangent_frame(a, random_unit(random));
+    const Mat3 expected = Eigen::Quaterniond::FromTwoVectors(a, b).toRotationMatrix() * frame;
+    EXPECT_LT((transported(frame, b) - expected).norm(), 1e-13);  // near-opposite pairs divide by 1 + cos
   }
 }
 
