@@ -55,6 +55,18 @@ TEST(Program, HelpNamesEverySubcommandAndEachHasItsOwn) {
   EXPECT_NE(test::fingerpad("--version", folder).out.find("fingerpad "), std::string::npos);
 }
 
+#ifdef FINGERPAD_VIEW
+TEST(Program, ABrokenFolderOfExactSurfacesEndsThreeWithItsPlace) {
+  const fs::path folder = test::scratch_dir();
+  fs::create_directories(folder / "exact");
+  std::ofstream(folder / "exact" / "meshes.csv")
+      << "level,deflection_m,turn_rad,facet_m,triangles\n1,no,1,1,1\n";
+  expect_told(test::fingerpad("study contact --out out --exact exact", folder), 3, "exact/meshes.csv");
+  expect_told(test::fingerpad("study contact --out out --exact nowhere", folder), 3, "nowhere");
+  EXPECT_FALSE(fs::exists(folder / "out"));
+}
+#endif
+
 TEST(Program, WrongUseEndsTwo) {
   const fs::path folder = folder_with_cube();
   for (const char* call :
