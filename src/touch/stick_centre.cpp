@@ -5,8 +5,8 @@
 namespace fingerpad {
 namespace {
 
-/// What the centre may miss of the way asked for: it is carried on as a remainder, so that nothing is lost but
-/// the centre's own place.
+/// What the centre may miss of the way asked for: it is carried on as a remainder, so that nothing is lost
+/// but the centre's own place.
 constexpr double near_enough = 1e-3;
 
 Vec2 tangential(const Mat3& frame_WC, const Vec3& vector_W) noexcept {
