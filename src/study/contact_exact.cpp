@@ -259,9 +259,8 @@ void tell_costs(StudyReport& report, const ExactFindings& found) {
 
 }  // namespace
 
-void study_contact_exact(StudyReport& report, const std::string& folder, const StudyProgress& progress) {
+void study_contact_exact(StudyReport& report, const ExactSet& set, const StudyProgress& progress) {
   progress("a CAD part: its exact surface");
-  const ExactSet set = load_exact_set(folder);
   const ExactFindings found = exact_findings(set);
   tell_samples(report, found);
   tell_rubs(report, found);

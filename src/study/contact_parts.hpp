@@ -1,7 +1,6 @@
 #pragma once
 
-#include <string>
-
+#include "study/contact_exact_set.hpp"
 #include "study/report.hpp"
 #include "study/study.hpp"
 
@@ -9,8 +8,7 @@ namespace fingerpad {
 
 /// The parts of study_contact; each adds its tables and charts.
 void study_contact_accuracy(StudyReport& report, const StudyProgress& progress);
-/// @param folder  see load_exact_set, whose Error it throws
-void study_contact_exact(StudyReport& report, const std::string& folder, const StudyProgress& progress);
+void study_contact_exact(StudyReport& report, const ExactSet& set, const StudyProgress& progress);
 void study_contact_strikes(StudyReport& report);
 
 }  // namespace fingerpad
