@@ -21,8 +21,6 @@ class ClosestMemory {
     forget_packets();
   }
 
-  /// The last answer; -1 if there is none.
-  int triangle() const noexcept { return triangle_; }
   /// How many packets are kept; 0 where every query searches the tree.
   int packet_count() const noexcept { return count_; }
 
@@ -39,7 +37,7 @@ class ClosestMemory {
   }
 
   std::uint64_t tree_ = 0;  ///< the number of the tree that all this is about
-  int triangle_ = -1;
+  int triangle_ = -1;       ///< the last answer; -1 if there is none
   Vec3 last_ = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< last point asked for
 
   int count_ = 0;  ///< packets listed

@@ -121,7 +121,7 @@ class Builder {
 };
 
 #if defined(__x86_64__)
-[[gnu::target("avx2")]]
+[[gnu::target_clones("avx2", "default")]]
 #endif
 unsigned
 near_boxes(const PacketBoxes& boxes, const float* point, float radius2, float* squared) {
