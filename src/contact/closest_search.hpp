@@ -81,6 +81,13 @@ struct PacketView {
     const float limit = distance + margin;
     return limit * limit * (1 + 0x1p-21f);
   }
+
+  /// A rough distance whose square does not exceed this has a true one that is no larger than what
+  /// ScaledPoint::rough made `distance` of. Negative where there is none.
+  float surely_within2(float distance) const noexcept {
+    const float limit = distance * (1 - 0x1p-20f) - margin;
+    return limit > 0 ? limit * limit * (1 - 0x1p-21f) : -1;
+  }
 };
 
 /// A search for the closest triangle.

@@ -34,7 +34,15 @@ struct WithinSearch : ScaledPoint {
     RoughDistances distances;
     unsigned lanes = filter(packet, view.r, view.limit2(rough_reach), distances);
     lanes = (lanes | packet.always_exact) & packet.used;
-    for (; lanes != 0; lanes &= lanes - 1) look_at(packet, std::countr_zero(lanes));
+    const float surely_within2 = view.surely_within2(rough_reach);
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      if (distances.squared[lane] <= surely_within2) {
+        found(context, packet.exact[lane].triangle);
+      } else {
+        look_at(packet, static_cast<int>(lane));
+      }
+    }
   }
 
   void look_at(const TrianglePacket& packet, int lane) const noexcept {
