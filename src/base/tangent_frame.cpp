@@ -15,6 +15,13 @@ Vec3 any_tangent(const Vec3& normal) noexcept {
   return (e - normal * normal.dot(e)).normalized();
 }
 
+/// @param y  unit, across `normal`
+Mat3 frame_of(const Vec3& y, const Vec3& normal) noexcept {
+  Mat3 frame;
+  frame << y.cross(normal), y, normal;
+  return frame;
+}
+
 /// surface_displacement for s2 = sin^2(phi/2) < 1e-4, as from tick to tick: every factor by its series in s2,
 /// whose next term is below rounding.
 Vec3 slightly_turned(const Vec3& chord, const Vec3& normal_c, const Vec3& normal_s, double s2) noexcept {
@@ -34,10 +41,7 @@ Mat3 tangent_frame(const Vec3& normal, const Vec3& along) noexcept {
   const double length = y.norm();
   // Below this the projection's direction is rounding noise of `along` itself.
   const bool vanishes = !(length > 1e-9 * along.norm());
-  y = vanishes ? any_tangent(normal) : Vec3(y / length);
-  Mat3 frame;
-  frame << y.cross(normal), y, normal;
-  return frame;
+  return frame_of(vanishes ? any_tangent(normal) : Vec3(y / length), normal);
 }
 
 Mat3 transported(const Mat3& frame, const Vec3& normal) noexcept {
@@ -47,7 +51,8 @@ Mat3 transported(const Mat3& frame, const Vec3& normal) noexcept {
   if (cosine < -1 + 1e-12) return tangent_frame(normal, -y);
   // The smallest rotation of a vector across `from`.
   const Vec3 turned = y - (from + normal) * (normal.dot(y) / (1 + cosine));
-  return tangent_frame(normal, turned);  // orthonormal again: rounding does not build up over a long contact
+  // Orthonormal again: rounding does not build up over a long contact.
+  return frame_of((turned - normal * normal.dot(turned)).normalized(), normal);
 }
 
 Vec3 surface_displacement(const Vec3& c, const Vec3& normal_c, const Vec3& s, const Vec3& normal_s) noexcept {

@@ -42,6 +42,7 @@ class ContactArea final : public FrictionLaw {
     const double area_ratio = cubed_ratio * inverse_cube_root(cubed_ratio);
     return stick_rule(motion, CircleSpring{area_ratio, stiffness_per_m_}, rule_, state);
   }
+  bool reads_step() const noexcept override { return false; }
 
  private:
   double w_n_, per_one_newton_;

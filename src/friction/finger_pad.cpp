@@ -50,6 +50,7 @@ class FingerPad final : public FrictionLaw {
     spring.along = m.longitudinal();
     return stick_rule(motion, spring, rule_, state);
   }
+  bool reads_step() const noexcept override { return false; }
 
  private:
   /// a(alpha)/a45; positive for every profile that read_profile accepts.

@@ -38,6 +38,7 @@ class Karnopp final : public FrictionLaw {
     state.last_speed_m_per_s = v.length;
     return answer;
   }
+  bool reads_step() const noexcept override { return false; }
 
  private:
   double zero_band_m_per_s_;

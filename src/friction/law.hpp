@@ -55,6 +55,8 @@ class FrictionLaw {
   virtual ~FrictionLaw() = default;
   /// @pre inputs finite. Result finite, for any state and input. noexcept, O(1), allocates nothing.
   virtual Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept = 0;
+  /// Whether the law reads TangentialMotion::step_m; a caller need not work out what nothing reads.
+  virtual bool reads_step() const noexcept { return true; }
 };
 
 /// When slip gives way to stick (paper eq. 1, two readings). level: whenever |v| <= v_min. crossing: only

@@ -10,6 +10,7 @@ class None final : public FrictionLaw {
     state.phase = Phase::slip;
     return {};
   }
+  bool reads_step() const noexcept override { return false; }
 };
 
 }  // namespace

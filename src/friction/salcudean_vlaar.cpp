@@ -49,6 +49,7 @@ class SalcudeanVlaar final : public FrictionLaw {
     state.last_speed_m_per_s = v.length;
     return answer;
   }
+  bool reads_step() const noexcept override { return false; }
 
  private:
   double damping(const BoundedMotion& m) const noexcept {

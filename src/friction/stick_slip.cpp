@@ -18,6 +18,7 @@ class StickSlip final : public FrictionLaw {
     const double load_n = BoundedMotion(motion).normal_force_n();
     return stick_rule(motion, CircleSpring{load_n, stiffness_per_m_}, rule_, state);
   }
+  bool reads_step() const noexcept override { return false; }
 
  private:
   double stiffness_per_m_;

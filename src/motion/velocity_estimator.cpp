@@ -12,7 +12,6 @@ double VelocityEstimator::past(int axis, int ticks) const noexcept {
 double VelocityEstimator::axis_velocity(int axis) const noexcept {
   const double now = past(axis, 0);
   double velocity = (now - past(axis, 1)) / dt_s_;
-  if (!(quantum_m_ > 0)) return velocity;
   // Slopes that pass every position so far within the quantum; a little more, so that rounding does not close
   // the band on positions that lie exactly a quantum off.
   const double band_m = quantum_m_ * (1 + 1e-9);
@@ -29,10 +28,12 @@ double VelocityEstimator::axis_velocity(int axis) const noexcept {
 }
 
 Vec3 VelocityEstimator::next(const Vec3& position_m) noexcept {
+  const Vec3 last_m = ring_[static_cast<std::size_t>(newest_)];
   newest_ = (newest_ + 1) % (longest + 1);
   ring_[static_cast<std::size_t>(newest_)] = position_m;
   count_ = std::min(count_ + 1, longest + 1);
   if (count_ < 2) return Vec3::Zero();
+  if (!(quantum_m_ > 0)) return (position_m - last_m) / dt_s_;
   return {axis_velocity(0), axis_velocity(1), axis_velocity(2)};
 }
 

@@ -109,7 +109,7 @@ TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_
   motion.mu_dynamic = properties.mu_dynamic;
   motion.surface_stiffness_n_per_m = properties.stiffness_n_per_m;
   motion.velocity_m_per_s = in_plane(velocity_W);
-  if (in_contact_) {
+  if (in_contact_ && law_->reads_step()) {
     motion.step_m =
         in_plane(surface_displacement(last_contact_W_, last_frame_WC_.col(2), contact.at.point_W, normal_W));
   }

@@ -253,6 +253,25 @@ TEST_P(EveryLaw, TakesEnergyOverClosedPaths) {
   }
 }
 
+TEST_P(EveryLaw, SaysWhetherItReadsTheStep) {
+  const auto law = this->law();
+  const auto along = [&](bool with_steps) {
+    RandomStream path(8);
+    PlaneContact contact{*law, pressed(1, 1000)};
+    FrictionState state;
+    Vec2 sum(0, 0);
+    for (int k = 0; k < 2000; ++k) {
+      TangentialMotion m = contact.motion;
+      m.velocity_m_per_s = 0.2 * random_vector(path);
+      m.from_centre_m = 1e-4 * random_vector(path);
+      if (with_steps) m.step_m = m.velocity_m_per_s * m.dt_s;
+      sum += law->tick(m, state).force_n;
+    }
+    return sum;
+  };
+  EXPECT_EQ(along(true) != along(false), law->reads_step());
+}
+
 /// Mean resistance along a sine of `amplitude_m` at 3 Hz over the second period.
 double mean_resistance_n(const FrictionLaw& law, double rate_hz, double amplitude_m) {
   PlaneContact contact{law, pressed(1, rate_hz)};
