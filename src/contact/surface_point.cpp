@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "contact/curved_closest.hpp"
+#include "contact/proxy_sweep.hpp"
 
 namespace fingerpad {
 namespace {
@@ -144,6 +145,26 @@ Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Nor
   if (normals == Normals::facet || !is_smooth(part, t, at.feature)) return facet_normal_P;
   if (normals == Normals::smooth) return interpolated_normal(part, t, at.barycentric, facet_normal_P);
   return shown_normal(curved_patch({part, tree.curved_normals()}, t), at.barycentric, facet_normal_P);
+}
+
+SurfacePoint point_on_facet(const TriangleTree& tree, int t, const Vec3& p_P, Normals normals) noexcept {
+  SurfacePoint result;
+  if (normals == Normals::curved) return result;
+  const Part& part = tree.part();
+  const Vec3 q = p_P - part.centre_P;
+  TriangleApproach foot = approach_triangle(part, t, q);
+  if (is_edge(foot.at.feature)) {
+    t = part.neighbours(edge_of(foot.at.feature), t);
+    if (t < 0) return result;
+    foot = approach_triangle(part, t, q);
+  }
+  if (foot.at.feature != Feature::face) return result;
+  result.triangle = t;
+  result.point_P = part.centre_P + foot.at.point;
+  result.pseudonormal_P = part.facet_normals.col(t);
+  result.normal_P = shaded_normal(tree, t, foot.at, normals, result.pseudonormal_P);
+  result.signed_distance_m = result.pseudonormal_P.dot(q - foot.at.point);
+  return result;
 }
 
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,

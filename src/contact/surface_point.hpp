@@ -46,6 +46,12 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals,
                                    ClosestMemory& memory, double reach_m) noexcept;
 
+/// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that;
+/// `triangle` is -1 where neither has one, and for `curved`, whose surface is not the facets. No other
+/// triangle is looked at: one may be nearer.
+/// noexcept, allocates nothing.
+SurfacePoint point_on_facet(const TriangleTree& tree, int t, const Vec3& p_P, Normals normals) noexcept;
+
 /// The normal at a point of triangle t of the tree's part as `normals` says: the facet rule's where that is
 /// asked for, and at creases and sharp vertices.
 /// @param facet_normal_P  what the facet rule gives there, on the facets' outer side, unit

@@ -9,6 +9,21 @@ bool within_padded_box(const Part& part, const Vec3& p_P, double reach_m) noexce
   return beyond.maxCoeff() <= reach_m + 1e-12 * (part.size_m() + p_P.norm());
 }
 
+Vec3 in_part(const Surface& surface, const Vec3& p_WQ) noexcept {
+  return surface.R_WP.transpose() * (p_WQ - surface.p_WP);
+}
+
+WorldPoint in_world(const Surface& surface, const SurfacePoint& point) noexcept {
+  WorldPoint result;
+  if (point.triangle < 0) return result;
+  result.point_W = surface.R_WP * point.point_P + surface.p_WP;
+  result.normal_W = surface.R_WP * point.normal_P;
+  result.signed_distance_m = point.signed_distance_m;
+  result.triangle = point.triangle;
+  result.found = true;
+  return result;
+}
+
 /// @param hint  a seed, or a memory
 template <class Hint>
 WorldPoint nearest(const Surface& surface, const Vec3& p_WQ, Normals normals, Hint& hint,
@@ -22,17 +37,10 @@ WorldPoint nearest(const Surface& surface, const Vec3& p_WQ, Normals normals, Hi
     result.found = near.signed_distance_m <= reach_m;
     return result;
   }
-  const Vec3 p_PQ = surface.R_WP.transpose() * (p_WQ - surface.p_WP);
+  const Vec3 p_PQ = in_part(surface, p_WQ);
   // Curved patches stand out of the box; their search has a filter of its own.
   if (normals != Normals::curved && !within_padded_box(*surface.part, p_PQ, reach_m)) return result;
-  const SurfacePoint near = nearest_surface_point(*surface.tree, p_PQ, normals, hint, reach_m);
-  if (near.triangle < 0) return result;
-  result.point_W = surface.R_WP * near.point_P + surface.p_WP;
-  result.normal_W = surface.R_WP * near.normal_P;
-  result.signed_distance_m = near.signed_distance_m;
-  result.triangle = near.triangle;
-  result.found = true;
-  return result;
+  return in_world(surface, nearest_surface_point(*surface.tree, p_PQ, normals, hint, reach_m));
 }
 
 }  // namespace
@@ -45,6 +53,10 @@ WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals norma
 WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals normals, ClosestMemory& memory,
                          double reach_m) noexcept {
   return nearest(surface, p_WQ, normals, memory, reach_m);
+}
+
+WorldPoint nearest_on_facet(const Surface& surface, int t, const Vec3& p_WQ, Normals normals) noexcept {
+  return in_world(surface, point_on_facet(*surface.tree, t, in_part(surface, p_WQ), normals));
 }
 
 }  // namespace fingerpad

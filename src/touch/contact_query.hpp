@@ -24,4 +24,7 @@ WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals norma
 WorldPoint nearest_point(const Surface& surface, const Vec3& p_WQ, Normals normals, ClosestMemory& memory,
                          double reach_m) noexcept;
 
+/// The point under p_WQ of triangle t's facet or the next; see point_on_facet.
+WorldPoint nearest_on_facet(const Surface& surface, int t, const Vec3& p_WQ, Normals normals) noexcept;
+
 }  // namespace fingerpad

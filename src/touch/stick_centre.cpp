@@ -24,8 +24,6 @@ Vec2 StickCentre::displacement(const Vec3& contact_W, const Mat3& frame_WC) cons
 void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat3& frame_WC,
                         const Vec2& from_centre_m, Normals normals, bool on_surface,
                         int contact_triangle) noexcept {
-  // Where stick begins again soon after it broke, the search goes on from the last.
-  const bool is_near_last = (point_W_ - contact_W).norm() < 8 * from_centre_m.norm();
   is_set_ = true;
   normal_W_ = frame_WC.col(2);
   remainder_m_ = Vec2::Zero();
@@ -39,9 +37,10 @@ void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat
   double best_miss = 0.1 * distance;  // worse than this, the tangent plane's point is the better centre
   for (int round = 0; round < 5; ++round) {
     const Vec3 target = contact_W - frame_WC.leftCols<2>() * guess;
-    const WorldPoint near = round > 0 || is_near_last
-                                ? nearest_point(surface, target, normals, memory_, 2 * distance)
-                                : nearest_point(surface, target, normals, contact_triangle, 2 * distance);
+    // Mostly the centre comes to lie on the facet that S is on: then nothing need be searched.
+    WorldPoint near;
+    if (contact_triangle >= 0) near = nearest_on_facet(surface, contact_triangle, target, normals);
+    if (!near.found) near = nearest_point(surface, target, normals, contact_triangle, 2 * distance);
     if (!near.found) return;
     const Vec3 along = surface_displacement(near.point_W, near.normal_W, contact_W, frame_WC.col(2));
     const Vec2 missing = from_centre_m - tangential(frame_WC, along);

@@ -32,7 +32,6 @@ class StickCentre {
   Vec3 point_W_ = Vec3::Zero();
   Vec3 normal_W_ = Vec3::UnitZ();
   Vec2 remainder_m_ = Vec2::Zero();
-  ClosestMemory memory_;  ///< of the searches
 };
 
 }  // namespace fingerpad
