@@ -18,7 +18,7 @@ constexpr double release_s = 0.5;
 constexpr int most_steps = 64;
 constexpr int most_hops = 32;
 /// A view of about so many triangles pays: more are sorted out for nothing, fewer are soon left behind.
-constexpr std::size_t poor_view = 12, rich_view = 48;
+constexpr std::size_t poor_view = 8, rich_view = 32;
 /// Sine of the angle between a wall and the facet or edge that it stands for, once there is nothing to gain.
 constexpr double same_wall = 1e-8;
 
@@ -138,7 +138,7 @@ void Proxy::settle(const Vec3& goal, double budget_m) noexcept {
 
 void Proxy::follow(const Vec3& goal, double budget_m) noexcept {
   // Over smooth edges first: what a hop gains is the facets', not the finger's, and costs no budget.
-  if (!hop(goal) || hold_.truncated || !is_at_rest(hold_)) settle(goal, budget_m);
+  if (!(hop(goal) || roll(goal, budget_m)) || hold_.truncated || !is_at_rest(hold_)) settle(goal, budget_m);
   for (int k = 0; k < most_hops && contact_.settled; ++k) {
     remember();
     if (!hop(goal)) break;
@@ -158,32 +158,57 @@ void Proxy::look_towards(const Vec3& far, double way_m) noexcept {
   }
 }
 
-/// Goes over the smooth convex edge to the neighbour that is nearer to the finger, by way of where the ball
-/// lies on both. False where there is none, or the way is blocked or no gain.
+/// Goes over the smooth convex edge to the neighbour that is nearer to the finger. False where there is none,
+/// or the way is blocked or no gain.
 bool Proxy::hop(const Vec3& goal) noexcept {
   if (cruise_.kind != Cruise::Kind::slide || cruise_.wall_count != 1 || fan_.count == 0) return false;
   const ProxyWall* nearer = nearer_neighbour(goal);
   if (nearer == nullptr) return false;
-
-  const Vec3 old_place = place_;
   ProxyWall here = cruise_.walls[0], there = *nearer;
   here.least_m -= here.normal.dot(place_);
   there.least_m -= there.normal.dot(place_);
-  const Vec3 far = goal - place_ + (there.least_m - there.normal.dot(goal - place_)) * there.normal;
+  return go_over(here, there, goal, std::numeric_limits<double>::infinity());
+}
+
+/// Goes on around the one triangle that holds the proxy, to where the finger is now. False where another way
+/// of holding it has to be looked for.
+bool Proxy::roll(const Vec3& goal, double budget_m) noexcept {
+  if (hold_.wall_count != 1 || hold_.walls[0].triangle < 0 || hold_.stuck || !contact_.settled) return false;
+  const ProxyWall here =
+      around_.tangent_wall(hold_.walls[0].surface, hold_.walls[0].triangle, place_, place_);
+  if (std::abs(here.least_m) > 4 * around_.tolerance_m()) return false;
+  const ProxyWall there = around_.tangent_wall(here.surface, here.triangle, goal, place_);
+  constexpr double least_cosine = 0.5;
+  if (!(here.normal.dot(there.normal) > least_cosine)) return false;
+  return go_over(here, there, goal, budget_m);
+}
+
+/// Goes from one wall to another, by way of where the ball lies on both. False where the way is blocked, no
+/// gain, or longer than the budget.
+/// @param here, there  seen from the proxy's place
+bool Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const Vec3& goal,
+                    double budget_m) noexcept {
+  const double depth_m = there.least_m - there.normal.dot(goal - place_);
+  const Vec3 far = goal - place_ + depth_m * there.normal;
   const Vec3 middle = 0.5 * far;
   const std::optional<Vec3> over = on_both_walls(middle, here, there);
   if (!over) return false;
-  const double way_m = over->norm();
-  if (way_m > 1.5 * far.norm()) return false;  // over an edge that is near, not where the planes meet at all
+  const double way_m = over->norm(), rest_m = (far - *over).norm();
+  // Over an edge that is near, not where the planes meet at all.
+  if (way_m > 1.5 * far.norm() || way_m + rest_m > budget_m) return false;
   look_towards(far, way_m);
-  if (around_.reach_m() < way_m || !around_.is_free(*over, std::span(&here, 1))) return false;
   const Vec3 edge_place = place_ + *over;
-  there.least_m -= there.normal.dot(*over);
-  const double rest_m = (far - *over).norm();
+  if (!is_in_room(edge_place) && (around_.reach_m() < way_m || !around_.is_free(*over, std::span(&here, 1))))
+    return false;
+  const double gone_m = (goal - place_).norm() - around_.tolerance_m();
+  if (depth_m > 0 && depth_m < gone_m && land(there, edge_place, place_ + far)) return true;
+
+  ProxyWall first = there;
+  first.least_m -= first.normal.dot(*over);
   around_.look_ahead(edge_place, std::min(rest_m, 0.5 * reach_m_), std::max(reach_m_, rest_m), Vec3::Zero());
-  const ProxyStep step = around_.step_towards(goal - edge_place, &there);
+  const ProxyStep step = around_.step_towards(goal - edge_place, &first);
   const Vec3 new_place = edge_place + step.z;
-  if (!((goal - new_place).norm() < (goal - old_place).norm() - around_.tolerance_m())) return false;
+  if (!((goal - new_place).norm() < gone_m)) return false;
   contact_.settled = true;
   cruise_.kind = Cruise::Kind::none;
   place_ = new_place;

@@ -64,6 +64,13 @@ class Proxy {
   double clearance_m() const noexcept { return around_.clearance_m(); }
 
  private:
+  /// The weights of a facet's corners at the foot of a place.
+  struct FacetWeights {
+    Vec3 corner = Vec3::Zero();   ///< its first, where they are 1, 0, 0 ...
+    Mat3 weights = Mat3::Zero();  ///< ... and how they change with the place from there, a row each
+
+    Vec3 at(const Vec3& place) const noexcept { return weights * (place - corner) + Vec3::UnitX(); }
+  };
   /// What the last look around allows without another: to fly in a ball that is free, or to slide along the
   /// walls that hold the proxy within a ball where nothing else stands in front of them.
   struct Cruise {
@@ -72,8 +79,7 @@ class Proxy {
     double room_m = 0;
     int wall_count = 0;              ///< slide
     std::array<ProxyWall, 3> walls;  ///< seen from the world's centre
-    Vec3 corner = Vec3::Zero();      ///< the first of the one wall's triangle, and how from there the weights
-    Mat3 weights = Mat3::Zero();     ///< of its corners, a row each, change with the place
+    std::array<FacetWeights, 3> facets;
 
     bool has_room(const Vec3& place) const noexcept {
       return (place - centre).squaredNorm() <= room_m * room_m;
@@ -85,7 +91,10 @@ class Proxy {
     int surface = -1, triangle = -1;
     double side = 0;
     std::array<ProxyWall, 24> neighbours;
+    std::array<double, 24> per_slope;  ///< 1/|difference of a neighbour's and the wall's normal|
     int count = 0;
+    Vec3 clear_goal = Vec3::Zero();  ///< no neighbour is nearer than the wall to a finger ...
+    double clear_m = -1;             ///< ... that is within so much of here
   };
   /// Where the proxy slides on it looks around from so much of the view's reach ahead.
   static constexpr double lead = 0.4;
@@ -95,6 +104,8 @@ class Proxy {
   bool cruise(const Vec3& goal) noexcept;
   bool slide_on_one(const Vec3& goal) noexcept;
   bool slide_on_several(const Vec3& goal) noexcept;
+  bool is_in_room(const Vec3& place) const noexcept;
+  bool land(const ProxyWall& wall, const Vec3& from, const Vec3& to) noexcept;
   bool extend_slide(const Vec3& place) noexcept;
   bool make_room(std::span<const ProxyWall> walls, const Vec3& centre, const Vec3& place) noexcept;
   bool fly(const Vec3& goal) noexcept;
@@ -103,17 +114,21 @@ class Proxy {
   void follow(const Vec3& goal, double budget_m) noexcept;
   bool advance(const ProxyStep& step, const Vec3& goal, double& budget_m) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;
-  const ProxyWall* nearer_neighbour(const Vec3& goal) const noexcept;
+  const ProxyWall* nearer_neighbour(const Vec3& goal) noexcept;
   void look_towards(const Vec3& far, double way_m) noexcept;
   bool hop(const Vec3& goal) noexcept;
+  bool roll(const Vec3& goal, double budget_m) noexcept;
+  bool go_over(const ProxyWall& here, const ProxyWall& there, const Vec3& goal, double budget_m) noexcept;
   void remember() noexcept;
-  void remember_weights() noexcept;
+  FacetWeights weights_of(const ProxyWall& wall) const noexcept;
   void remember_neighbours() noexcept;
-  void remember_fan(int corner, double behind_m) noexcept;
+  void remember_fan(int corner) noexcept;
   void report(const Vec3& goal) noexcept;
-  void report_slide(const Vec3& goal, double depth_m, const Vec3& weights) noexcept;
+  void report_held(const Vec3& goal, const ProxyProjection& p) noexcept;
   void report_underway(const Vec3& goal) noexcept;
   ProxyHold hold_at(const ProxyWall& wall, double share_m) const noexcept;
+  ProxyHold hold_over(const ProxyWall& wall, double share_m, const Vec3& weights) const noexcept;
+  Vec3 shaded_W(const ProxyWall& wall, const TrianglePoint& at) const noexcept;
 
   ProxySurroundings around_;
   Normals normals_;

@@ -26,7 +26,7 @@ bool Proxy::slide_on_one(const Vec3& goal) noexcept {
   if (!around_.is_clear_of_planes(place, wall.surface)) return false;
   Vec3 weights = Vec3::Zero();
   if (lack_m > 0 && wall.triangle >= 0) {
-    weights = cruise_.weights * (place - cruise_.corner) + Vec3::UnitX();
+    weights = cruise_.facets[0].at(place);
     if (!(weights.minCoeff() > 0) || nearer_neighbour(goal) != nullptr) return false;
   }
   if (!cruise_.has_room(place) && !(lack_m > 0 && extend_slide(place))) return false;
@@ -37,37 +37,75 @@ bool Proxy::slide_on_one(const Vec3& goal) noexcept {
   hold_.wall_count = 1;
   hold_.walls[0] = wall;
   hold_.walls[0].least_m = 0;
-  if (wall.triangle < 0) {
-    report(goal);
-  } else {
-    report_slide(goal, lack_m - around_.skin_m(), weights);
-  }
+  ProxyProjection skinless;
+  skinless.active_count = 1;
+  skinless.share_m[0] = lack_m - around_.skin_m();
+  contact_.holds[0] =
+      wall.triangle < 0 ? hold_at(wall, skinless.share_m[0]) : hold_over(wall, skinless.share_m[0], weights);
+  report_held(goal, skinless);
   return true;
 }
 
-/// In the valley or corner of two or three walls, as long as all of them hold.
+/// In the valley or corner of two or three facets, as long as all of them hold.
 bool Proxy::slide_on_several(const Vec3& goal) noexcept {
-  ProxyStep step;
-  step.wall_count = cruise_.wall_count;
-  step.walls = cruise_.walls;
-  const std::span walls(step.walls.data(), static_cast<std::size_t>(step.wall_count));
-  for (ProxyWall& wall : walls) wall.least_m -= wall.normal.dot(place_);
-  const double rounding_m = 4e-16 * (goal - place_).cwiseAbs().maxCoeff();
-  const ProxyProjection p =
-      project_onto_walls(goal - place_, walls, std::ldexp(around_.tolerance_m(), -2) + rounding_m);
-  if (!p.found || p.active_count != step.wall_count) return false;
-  const Vec3 old_place = place_, place = place_ + p.z;
+  std::array<ProxyWall, 3> walls = cruise_.walls;
+  const std::span holding(walls.data(), static_cast<std::size_t>(cruise_.wall_count));
+  for (ProxyWall& wall : holding) wall.least_m -= wall.normal.dot(place_);
+  const ProxyProjection p = project_onto_every(goal - place_, holding);
+  if (!p.found) return false;
+  const Vec3 place = place_ + p.z;
   if (!cruise_.has_room(place) || !around_.is_clear_of_planes(place, -1)) return false;
-  for (ProxyWall& wall : walls) wall.least_m -= wall.normal.dot(p.z);
-  place_ = place;
-  if (!is_at_rest(step)) {
-    place_ = old_place;
-    return false;
+  std::array<Vec3, 3> weights;
+  for (std::size_t k = 0; k < holding.size(); ++k) {
+    weights[k] = cruise_.facets[k].at(place);
+    if (!(weights[k].minCoeff() > 0)) return false;
   }
-  step.share_m = p.share_m;
-  hold_place_ = place;
-  hold_ = step;
-  report(goal);
+  for (ProxyWall& wall : holding) wall.least_m -= around_.skin_m();
+  const ProxyProjection skinless = project_onto_every(goal - place_, holding);
+  if (!skinless.found) return false;
+  for (ProxyWall& wall : holding) wall.least_m += around_.skin_m() - wall.normal.dot(p.z);
+  hold_place_ = place_ = place;
+  hold_.wall_count = cruise_.wall_count;
+  hold_.walls = walls;
+  hold_.share_m = p.share_m;
+  for (std::size_t k = 0; k < holding.size(); ++k)
+    contact_.holds[k] = hold_over(walls[k], skinless.share_m[k], weights[k]);
+  report_held(goal, skinless);
+  return true;
+}
+
+/// Whether a place lies in the room in front of the one wall that holds the proxy.
+bool Proxy::is_in_room(const Vec3& place) const noexcept {
+  if (cruise_.kind != Cruise::Kind::slide || cruise_.wall_count != 1) return false;
+  const ProxyWall& wall = cruise_.walls[0];
+  return cruise_.has_room(place) && wall.normal.dot(place) >= wall.least_m - around_.tolerance_m() &&
+         around_.is_clear_of_planes(place, -1);
+}
+
+/// Goes from a place to another, both on a facet's wall, and slides on there, if the room in front of it
+/// holds both; nothing is changed where it does not.
+/// @param wall  seen from the proxy's place
+bool Proxy::land(const ProxyWall& wall, const Vec3& from, const Vec3& to) noexcept {
+  Cruise next;
+  next.kind = Cruise::Kind::slide;
+  next.wall_count = 1;
+  next.walls[0] = wall;
+  next.walls[0].least_m += wall.normal.dot(place_);
+  next.facets[0] = weights_of(wall);
+  if (!(next.facets[0].at(to).minCoeff() > 0)) return false;
+  ProxyWall seen = next.walls[0];
+  seen.least_m -= wall.normal.dot(around_.place());
+  next.centre = around_.search_place();
+  next.room_m = around_.room_in_front_of(std::span(&seen, 1), next.centre);
+  if (!next.has_room(from) || !next.has_room(to) || !around_.is_clear_of_planes(to, -1)) return false;
+  cruise_ = next;
+  remember_neighbours();
+  contact_.settled = true;
+  place_ = hold_place_ = to;
+  hold_ = {};
+  hold_.wall_count = 1;
+  hold_.walls[0] = wall;
+  hold_.walls[0].least_m = 0;
   return true;
 }
 
@@ -110,9 +148,9 @@ bool Proxy::fly(const Vec3& goal) noexcept {
   return false;
 }
 
-/// Notes how far the walls that hold the proxy let it slide.
+/// Notes how far the walls that hold the proxy let it slide, where it is not sliding yet.
 void Proxy::remember() noexcept {
-  cruise_.kind = Cruise::Kind::none;
+  if (cruise_.kind == Cruise::Kind::slide) return;  // it landed there
   if (hold_.wall_count == 0 || hold_.stuck || around_.place() != hold_place_) return;
   const std::span walls(hold_.walls.data(), static_cast<std::size_t>(hold_.wall_count));
   for (const ProxyWall& wall : walls) {
@@ -131,23 +169,22 @@ void Proxy::remember() noexcept {
     cruise_.room_m = 0;
   }
   cruise_.kind = Cruise::Kind::slide;
-  if (cruise_.wall_count > 1) return;
-  remember_weights();
-  remember_neighbours();
+  for (std::size_t k = 0; k < walls.size(); ++k) cruise_.facets[k] = weights_of(walls[k]);
+  if (cruise_.wall_count == 1) remember_neighbours();
 }
 
-/// How the weights of the corners of the wall's triangle change with the place; 1, 0, 0 at its first corner.
-void Proxy::remember_weights() noexcept {
-  const ProxyWall& wall = cruise_.walls[0];
-  if (wall.triangle < 0) return;
+Proxy::FacetWeights Proxy::weights_of(const ProxyWall& wall) const noexcept {
+  FacetWeights result;
+  if (wall.triangle < 0) return result;
   const ProxySurface& surface = around_.surfaces()[static_cast<std::size_t>(wall.surface)];
   const TriangleCorners f = corners_of(surface.tree->part(), wall.triangle);
   const Vec3 ab = f.b - f.a, ac = f.c - f.a;
   const double area = f.normal.dot(ab.cross(ac));
-  cruise_.corner = around_.from_part(wall.surface, f.a);
-  cruise_.weights.row(1) = surface.R_WP * (ac.cross(f.normal) / area);
-  cruise_.weights.row(2) = surface.R_WP * (f.normal.cross(ab) / area);
-  cruise_.weights.row(0) = -cruise_.weights.row(1) - cruise_.weights.row(2);
+  result.corner = around_.from_part(wall.surface, f.a);
+  result.weights.row(1) = surface.R_WP * (ac.cross(f.normal) / area);
+  result.weights.row(2) = surface.R_WP * (f.normal.cross(ab) / area);
+  result.weights.row(0) = -result.weights.row(1) - result.weights.row(2);
+  return result;
 }
 
 void Proxy::remember_neighbours() noexcept {
@@ -164,19 +201,20 @@ void Proxy::remember_neighbours() noexcept {
   fan_.triangle = wall.triangle;
   fan_.side = side;
   fan_.count = 0;
-  const double behind_m = wall.least_m - around_.clearance_m() + around_.tolerance_m() -
-                          wall.normal.dot(around_.from_part(wall.surface, Vec3::Zero()));
-  for (int corner = 0; corner < 3; ++corner) remember_fan(corner, behind_m);
+  fan_.clear_m = -1;
+  for (int corner = 0; corner < 3; ++corner) remember_fan(corner);
 }
 
 /// Goes around a corner of the wall's triangle, both ways as far as no crease is crossed.
-/// @param behind_m  the wall's plane, seen from the part's centre
-void Proxy::remember_fan(int corner, double behind_m) noexcept {
+void Proxy::remember_fan(int corner) noexcept {
   constexpr int most_turns = 64;
   const ProxyWall& wall = cruise_.walls[0];
   const ProxySurface& surface = around_.surfaces()[static_cast<std::size_t>(wall.surface)];
   const Part& part = surface.tree->part();
-  const PartWall behind{surface.R_WP.transpose() * wall.normal, behind_m};
+  const Vec3 centre_P = around_.in_part(wall.surface, Vec3::Zero());
+  PartWall behind{surface.R_WP.transpose() * wall.normal, 0};
+  behind.offset_m =
+      wall.least_m - around_.clearance_m() + around_.tolerance_m() + behind.normal.dot(centre_P);
   const int vertex = part.welded(corner, wall.triangle);
   for (const int first_edge : {corner, (corner + 2) % 3}) {
     int t = wall.triangle, edge = first_edge;
@@ -191,20 +229,28 @@ void Proxy::remember_fan(int corner, double behind_m) noexcept {
       t = next;
       NearTriangle near;
       near.corners = corners_of(part, t);
-      if (fan_.side * near.corners.normal.dot(behind.normal) > 0 && near.is_behind(behind))
-        fan_.neighbours[static_cast<std::size_t>(fan_.count++)] =
-            around_.facet_wall(wall.surface, t, fan_.side, Vec3::Zero());
+      const Vec3 normal_P = fan_.side * near.corners.normal;
+      if (!(normal_P.dot(behind.normal) > 0) || !near.is_behind(behind)) continue;
+      const auto k = static_cast<std::size_t>(fan_.count++);
+      fan_.neighbours[k] = {surface.R_WP * normal_P,
+                            around_.clearance_m() + normal_P.dot(near.corners.a - centre_P), wall.surface, t};
+      fan_.per_slope[k] = 1 / (normal_P - behind.normal).norm();
     }
   }
 }
 
 /// The neighbour with the finger's foot on it that is nearest to the finger, if it is nearer than the wall.
-const ProxyWall* Proxy::nearer_neighbour(const Vec3& goal) const noexcept {
+const ProxyWall* Proxy::nearer_neighbour(const Vec3& goal) noexcept {
+  if ((goal - fan_.clear_goal).squaredNorm() < fan_.clear_m * std::abs(fan_.clear_m)) return nullptr;
   const ProxyWall* nearest = nullptr;
-  double least_depth_m = cruise_.walls[0].least_m - cruise_.walls[0].normal.dot(goal) - around_.tolerance_m();
+  const double wall_depth_m =
+      cruise_.walls[0].least_m - cruise_.walls[0].normal.dot(goal) - around_.tolerance_m();
+  double least_depth_m = wall_depth_m, clear_m = std::numeric_limits<double>::infinity();
   for (int k = 0; k < fan_.count; ++k) {
     const ProxyWall& wall = fan_.neighbours[static_cast<std::size_t>(k)];
     const double depth_m = wall.least_m - wall.normal.dot(goal);
+    // Both depths change evenly with the goal.
+    clear_m = std::min(clear_m, (depth_m - wall_depth_m) * fan_.per_slope[static_cast<std::size_t>(k)]);
     if (!(depth_m < least_depth_m)) continue;
     const Part& part = around_.surfaces()[static_cast<std::size_t>(wall.surface)].tree->part();
     const auto foot = approach_triangle(part, wall.triangle, around_.in_part(wall.surface, goal));
@@ -213,6 +259,8 @@ const ProxyWall* Proxy::nearer_neighbour(const Vec3& goal) const noexcept {
     least_depth_m = depth_m;
     nearest = &wall;
   }
+  fan_.clear_goal = goal;
+  fan_.clear_m = clear_m;
   return nearest;
 }
 

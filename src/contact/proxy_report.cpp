@@ -19,31 +19,39 @@ void sort_by_share(ProxyContact& contact) noexcept {
 
 }  // namespace
 
+/// What holds the proxy where the place under it is looked for.
 ProxyHold Proxy::hold_at(const ProxyWall& wall, double share_m) const noexcept {
-  ProxyHold hold;
-  hold.surface = wall.surface;
-  hold.triangle = wall.triangle;
-  hold.share_m = share_m;
-  hold.normal_W = wall.normal;
   const ProxySurface& surface = around_.surfaces()[static_cast<std::size_t>(wall.surface)];
   if (wall.triangle < 0) {
-    hold.point_W = place_ + around_.plane_wall(wall.surface, place_).least_m * wall.normal -
-                   around_.clearance_m() * wall.normal + around_.centre_W();
-    return hold;
+    const Vec3 point =
+        place_ + (around_.plane_wall(wall.surface, place_).least_m - around_.clearance_m()) * wall.normal;
+    return {wall.surface, wall.triangle, point + around_.centre_W(), wall.normal, share_m};
   }
-  const Part& part = surface.tree->part();
-  const Vec3 q = around_.in_part(wall.surface, place_);
-  const TriangleApproach approach = approach_triangle(part, wall.triangle, q);
-  hold.point_W = around_.from_part(wall.surface, approach.at.point) + around_.centre_W();
+  const TriangleApproach approach =
+      approach_triangle(surface.tree->part(), wall.triangle, around_.in_part(wall.surface, place_));
+  return {wall.surface, wall.triangle,
+          around_.from_part(wall.surface, approach.at.point) + around_.centre_W(),
+          shaded_W(wall, approach.at), share_m};
+}
+
+/// What holds the proxy where it stands over a facet, with these weights of its corners.
+ProxyHold Proxy::hold_over(const ProxyWall& wall, double share_m, const Vec3& weights) const noexcept {
+  TrianglePoint at;
+  at.barycentric = weights;
+  return {wall.surface, wall.triangle, place_ - around_.clearance_m() * wall.normal + around_.centre_W(),
+          shaded_W(wall, at), share_m};
+}
+
+/// The normal of a wall as Normals says at a point of its triangle.
+Vec3 Proxy::shaded_W(const ProxyWall& wall, const TrianglePoint& at) const noexcept {
+  if (normals_ == Normals::facet) return wall.normal;
+  const ProxySurface& surface = around_.surfaces()[static_cast<std::size_t>(wall.surface)];
   const Vec3 normal_P = surface.R_WP.transpose() * wall.normal;
-  const double side = side_of(part.facet_normals.col(wall.triangle), normal_P);
-  hold.normal_W = surface.R_WP * (side * shaded_normal(*surface.tree, wall.triangle, approach.at, normals_,
-                                                       side * normal_P));
-  return hold;
+  const double side = side_of(surface.tree->part().facet_normals.col(wall.triangle), normal_P);
+  return surface.R_WP * (side * shaded_normal(*surface.tree, wall.triangle, at, normals_, side * normal_P));
 }
 
 void Proxy::report(const Vec3& goal) noexcept {
-  const bool started = contact_.started;
   if (!contact_.settled) {
     report_underway(goal);
     return;
@@ -53,8 +61,6 @@ void Proxy::report(const Vec3& goal) noexcept {
     if (goal != place_) report_underway(goal);
     return;
   }
-  contact_ = {};
-  contact_.started = started;
   // The ball without its skin: the walls stand nearer by that.
   std::array<ProxyWall, 3> walls = hold_.walls;
   for (ProxyWall& wall : walls) wall.least_m -= around_.skin_m();
@@ -62,54 +68,40 @@ void Proxy::report(const Vec3& goal) noexcept {
       goal - hold_place_, std::span(walls.data(), static_cast<std::size_t>(hold_.wall_count)),
       std::ldexp(around_.tolerance_m(), -2));
   if (!p.found) {
+    contact_.hold_count = 0;
     report_underway(goal);
     return;
   }
-  Vec3 push = Vec3::Zero(), shaded = Vec3::Zero();
-  for (int k = 0; k < p.active_count; ++k) {
-    const ProxyWall& wall = walls[static_cast<std::size_t>(p.active[k])];
-    ProxyHold& hold = contact_.holds[static_cast<std::size_t>(k)] = hold_at(wall, p.share_m[k]);
-    push += hold.share_m * wall.normal;
-    shaded += hold.share_m * hold.normal_W;
-  }
-  contact_.hold_count = p.active_count;
-  sort_by_share(contact_);
-  contact_.depth_m = push.norm();
-  contact_.touching = contact_.depth_m > 0;
-  if (!contact_.touching) return;
-  contact_.direction_W = p.active_count == 1 ? hold_.walls[static_cast<std::size_t>(p.active[0])].normal
-                                             : Vec3(push / contact_.depth_m);
-  const double shaded_m = shaded.norm();
-  contact_.normal_W = p.active_count == 1 ? contact_.holds[0].normal_W
-                      : shaded_m > 0      ? Vec3(shaded / shaded_m)
-                                          : contact_.direction_W;
-  contact_.proxy_W = goal + push + around_.centre_W();
-  contact_.point_W = p.active_count == 1 ? contact_.holds[0].point_W
-                                         : Vec3(contact_.proxy_W - around_.radius_m() * contact_.direction_W);
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k)
+    contact_.holds[k] = hold_at(hold_.walls[static_cast<std::size_t>(p.active[k])], p.share_m[k]);
+  report_held(goal, p);
 }
 
-/// One facet holds the proxy, and the place under it is known by the weights of the facet's corners.
-void Proxy::report_slide(const Vec3& goal, double depth_m, const Vec3& weights) noexcept {
-  const ProxyWall& wall = hold_.walls[0];
-  const ProxySurface& surface = around_.surfaces()[static_cast<std::size_t>(wall.surface)];
-  const Part& part = surface.tree->part();
-  contact_.touching = contact_.settled = true;
-  contact_.depth_m = depth_m;
-  contact_.direction_W = wall.normal;
-  contact_.proxy_W = goal + depth_m * wall.normal + around_.centre_W();
-  contact_.point_W = hold_place_ - around_.clearance_m() * wall.normal + around_.centre_W();
-  contact_.hold_count = 1;
-  ProxyHold& hold = contact_.holds[0];
-  hold = {wall.surface, wall.triangle, contact_.point_W, wall.normal, depth_m};
-  if (normals_ != Normals::facet) {
-    const Vec3 normal_P = surface.R_WP.transpose() * wall.normal;
-    const double side = side_of(part.facet_normals.col(wall.triangle), normal_P);
-    TrianglePoint at;
-    at.barycentric = weights;
-    hold.normal_W =
-        surface.R_WP * (side * shaded_normal(*surface.tree, wall.triangle, at, normals_, side * normal_P));
+/// @param p  onto the walls of hold_ that hold the ball without its skin
+void Proxy::report_held(const Vec3& goal, const ProxyProjection& p) noexcept {
+  Vec3 push = Vec3::Zero(), shaded = Vec3::Zero();
+  for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k) {
+    push += p.share_m[k] * hold_.walls[static_cast<std::size_t>(p.active[k])].normal;
+    shaded += p.share_m[k] * contact_.holds[k].normal_W;
   }
-  contact_.normal_W = hold.normal_W;
+  const bool is_single = p.active_count == 1;
+  contact_.settled = true;
+  contact_.hold_count = p.active_count;
+  contact_.depth_m = is_single ? p.share_m[0] : push.norm();
+  contact_.touching = contact_.depth_m > 0;
+  if (!contact_.touching) return;
+  contact_.proxy_W = goal + push + around_.centre_W();
+  if (is_single) {
+    contact_.direction_W = hold_.walls[static_cast<std::size_t>(p.active[0])].normal;
+    contact_.normal_W = contact_.holds[0].normal_W;
+    contact_.point_W = contact_.holds[0].point_W;
+    return;
+  }
+  sort_by_share(contact_);
+  contact_.direction_W = push / contact_.depth_m;
+  const double shaded_m = shaded.norm();
+  contact_.normal_W = shaded_m > 0 ? Vec3(shaded / shaded_m) : contact_.direction_W;
+  contact_.point_W = contact_.proxy_W - around_.radius_m() * contact_.direction_W;
 }
 
 /// The proxy has not come to rest: on its way it pushes as far as it still has to go.

@@ -71,13 +71,12 @@ ProxyWall ProxySurroundings::plane_wall(int surface, const Vec3& place) const no
   return {normal, clearance_m() - normal.dot(place - part_from_centre_[i]), surface, -1};
 }
 
-ProxyWall ProxySurroundings::facet_wall(int surface, int triangle, double side,
-                                        const Vec3& place) const noexcept {
-  const auto i = static_cast<std::size_t>(surface);
-  const Part& part = surfaces_[i].tree->part();
-  const Vec3 normal = side * part.facet_normals.col(triangle);
-  const Vec3 from_corner = in_part(surface, place) - part.vertices.col(part.triangles(0, triangle));
-  return {surfaces_[i].R_WP * normal, clearance_m() - normal.dot(from_corner), surface, triangle};
+ProxyWall ProxySurroundings::tangent_wall(int surface, int triangle, const Vec3& from,
+                                          const Vec3& place) const noexcept {
+  const ProxySurface& s = surfaces_[static_cast<std::size_t>(surface)];
+  const TriangleApproach approach = approach_triangle(s.tree->part(), triangle, in_part(surface, from));
+  const Vec3 normal = s.R_WP * approach.towards;
+  return {normal, clearance_m() - approach.distance_m + normal.dot(from - place), surface, triangle};
 }
 
 bool ProxySurroundings::is_clear_of_planes(const Vec3& place, int but) const noexcept {
@@ -256,14 +255,7 @@ void ProxySurroundings::offer_part(int surface, const Vec3& z, std::span<const P
   std::array<PartWall, 3> in_front;
   const std::span in_front_of(in_front.data(), part_walls(surface, walls, in_front));
   const NearTriangle* worst_near = nullptr;
-  each_near(surface, [&](NearTriangle& near) {
-    if (near.seen) {
-      const double here_m = near.least_gap_m(from), there_m = here_m + near.towards.dot(way);
-      // Both ends well in front of the half space that an earlier look left free (where the ball touches,
-      // what it sees from here decides), or, however steeply the way leads down from here, a smaller breach
-      // than one that is known.
-      if (std::min(here_m, there_m) >= 2 * tolerance_m_ || here_m - way_m > worst.slack_m) return;
-    }
+  const auto offer = [&](NearTriangle& near) {
     if (near.is_behind_any(in_front_of)) return;
     if (!near.seen || near.seen_from != from) near.look_from(from, clearance_m());
     // The breach only shrinks as the sweep goes on from its first tangent, which is this.
@@ -275,6 +267,16 @@ void ProxySurroundings::offer_part(int surface, const Vec3& z, std::span<const P
     worst.wall =
         ProxyWall{R_WP * sweep.normal, sweep.offset_m - sweep.normal.dot(from), surface, near.triangle};
     worst_near = &near;
+  };
+  each_near(surface, [&](NearTriangle& near) {
+    if (near.seen) {
+      const double here_m = near.least_gap_m(from), there_m = near.least_gap_m(to);
+      // Both ends well in front of the half space that an earlier look left free (where the ball touches,
+      // what it sees from here decides), or, however steeply the way leads down from here, a smaller breach
+      // than one that is known.
+      if (std::min(here_m, there_m) >= 2 * tolerance_m_ || here_m - way_m > worst.slack_m) return;
+    }
+    offer(near);
   });
   // It is likely the worst of the next way too, which then tells at once that others are not.
   if (worst_near != nullptr && !overflow_)

@@ -56,8 +56,9 @@ class ProxySurroundings {
 
   /// The half space that a plane leaves free, seen from a place.
   ProxyWall plane_wall(int surface, const Vec3& place) const noexcept;
-  /// The half space on the side of `side` (1: outer, -1) of a triangle's facet, seen from a place.
-  ProxyWall facet_wall(int surface, int triangle, double side, const Vec3& place) const noexcept;
+  /// The half space that a triangle leaves free of a ball at `from`: the way to there from its closest point
+  /// is the wall's normal. Seen from a place.
+  ProxyWall tangent_wall(int surface, int triangle, const Vec3& from, const Vec3& place) const noexcept;
   /// Whether a place keeps the clearance from every plane but one.
   bool is_clear_of_planes(const Vec3& place, int but) const noexcept;
 

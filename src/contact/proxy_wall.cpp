@@ -2,7 +2,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
 namespace fingerpad {
@@ -12,6 +11,18 @@ namespace {
 constexpr double parallel2 = 1e-16;
 /// Three normals of a smaller volume than this span no corner that rounding leaves in place.
 constexpr double flat_volume = 1e-12;
+
+/// At most three of at most four walls.
+struct Choice {
+  int count;
+  std::array<int, 3> walls;
+  int end;  ///< beyond the last of them
+};
+/// Fewer walls first, so that one that adds nothing is not named.
+constexpr Choice choices[] = {{0, {}, 0},        {1, {0}, 1},       {1, {1}, 2},      {1, {2}, 3},
+                              {1, {3}, 4},       {2, {0, 1}, 2},    {2, {0, 2}, 3},   {2, {1, 2}, 3},
+                              {2, {0, 3}, 4},    {2, {1, 3}, 4},    {2, {2, 3}, 4},   {3, {0, 1, 2}, 3},
+                              {3, {0, 1, 3}, 4}, {3, {0, 2, 3}, 4}, {3, {1, 2, 3}, 4}};
 
 /// The multipliers that put the point onto every chosen wall; false where the walls do not fix them.
 bool multipliers(const Vec3& goal, std::span<const ProxyWall> walls, const std::array<int, 3>& choice,
@@ -56,32 +67,42 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
                                    double tolerance_m) noexcept {
   ProxyProjection best;
   double best_distance_m = 0;
-  const auto count = static_cast<unsigned>(std::min<std::size_t>(walls.size(), 4));
-  // Fewer walls first, so that one that adds nothing is not named.
-  for (int size = 0; size <= 3; ++size) {
-    for (unsigned set = 0; set < 1u << count; ++set) {
-      if (std::popcount(set) != size) continue;
-      ProxyProjection p;
-      for (unsigned i = 0; i < count; ++i) {
-        if ((set >> i & 1) != 0) p.active[p.active_count++] = static_cast<int>(i);
-      }
-      if (!multipliers(goal, walls, p.active, p.active_count, p.share_m)) continue;
-      p.z = goal;
-      for (int i = 0; i < size; ++i)
-        p.z += p.share_m[i] * walls[static_cast<std::size_t>(p.active[i])].normal;
-      const bool free = std::all_of(walls.begin(), walls.begin() + count, [&](const ProxyWall& wall) {
-        return wall.normal.dot(p.z) >= wall.least_m - tolerance_m;
-      });
-      const double distance_m = (p.z - goal).norm();
-      if (!free || (best.found && !(distance_m < best_distance_m * (1 - 1e-12)))) continue;
-      p.found = true;
-      for (double& share : p.share_m) share = std::max(0.0, share);
-      best = p;
-      best_distance_m = distance_m;
-    }
-    if (size == 0 && best.found) return best;
+  const int count = static_cast<int>(std::min<std::size_t>(walls.size(), 4));
+  for (const Choice& choice : choices) {
+    if (best.found && choice.count > 0 && best.active_count == 0) return best;
+    if (choice.end > count) continue;
+    ProxyProjection p;
+    p.active = choice.walls;
+    p.active_count = choice.count;
+    if (!multipliers(goal, walls, p.active, p.active_count, p.share_m)) continue;
+    p.z = goal;
+    for (int i = 0; i < p.active_count; ++i)
+      p.z += p.share_m[i] * walls[static_cast<std::size_t>(p.active[i])].normal;
+    const bool free = std::all_of(walls.begin(), walls.begin() + count, [&](const ProxyWall& wall) {
+      return wall.normal.dot(p.z) >= wall.least_m - tolerance_m;
+    });
+    const double distance_m = (p.z - goal).norm();
+    if (!free || (best.found && !(distance_m < best_distance_m * (1 - 1e-12)))) continue;
+    p.found = true;
+    for (double& share : p.share_m) share = std::max(0.0, share);
+    best = p;
+    best_distance_m = distance_m;
   }
   return best;
+}
+
+ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls) noexcept {
+  ProxyProjection p;
+  p.active = {0, 1, 2};
+  p.active_count = static_cast<int>(walls.size());
+  if (!multipliers(goal, walls, p.active, p.active_count, p.share_m)) return p;
+  p.z = goal;
+  p.found = true;
+  for (std::size_t i = 0; i < walls.size(); ++i) {
+    p.z += p.share_m[i] * walls[i].normal;
+    p.found &= p.share_m[i] > 0;
+  }
+  return p;
 }
 
 }  // namespace fingerpad

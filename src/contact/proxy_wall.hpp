@@ -43,4 +43,8 @@ std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const Pr
 ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,
                                    double tolerance_m) noexcept;
 
+/// The same where every one of at most three walls is known to hold: found where all multipliers are
+/// positive, which makes the place where the planes meet the closest.
+ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls) noexcept;
+
 }  // namespace fingerpad
