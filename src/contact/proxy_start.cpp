@@ -1,8 +1,6 @@
 #include "contact/proxy_start.hpp"
 
-#include <Eigen/Geometry>
 #include <cmath>
-#include <numbers>
 
 #include "contact/surface_point.hpp"
 
@@ -12,28 +10,13 @@ namespace {
 /// Between walls that lean towards each other every push halves what is missing, or more.
 constexpr int most_pushes = 200;
 
-/// The generalized winding number (Jacobson, Kavan & Sorkine-Hornung 2013, eq. 5; solid angles after Van
-/// Oosterom & Strackee 1983) is above one half in size.
-bool is_enclosed(const Part& part, const Vec3& q) noexcept {
-  double half_angles = 0;
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    const Vec3 a = part.vertices.col(part.triangles(0, t)) - q,
-               b = part.vertices.col(part.triangles(1, t)) - q,
-               c = part.vertices.col(part.triangles(2, t)) - q;
-    const double la = a.norm(), lb = b.norm(), lc = c.norm();
-    half_angles +=
-        std::atan2(a.dot(b.cross(c)), la * lb * lc + a.dot(b) * lc + b.dot(c) * la + c.dot(a) * lb);
-  }
-  return std::abs(half_angles) > std::numbers::pi;
-}
-
 /// How much a place lacks of the clearance, and which way out is.
 struct Lack {
   double lack_m = 0;
   Vec3 outwards_W = Vec3::UnitZ();
 };
 
-Lack lack_at(const ProxySurroundings& around, int surface, const Vec3& place, bool may_be_inside) noexcept {
+Lack lack_at(const ProxySurroundings& around, int surface, const Vec3& place) noexcept {
   const ProxySurface& s = around.surfaces()[static_cast<std::size_t>(surface)];
   if (!s.tree) {
     const ProxyWall wall = around.plane_wall(surface, place);
@@ -45,7 +28,7 @@ Lack lack_at(const ProxySurroundings& around, int surface, const Vec3& place, bo
       nearest_surface_point(*s.tree, q + part.centre_P, Normals::facet, -1, around.clearance_m());
   if (near.triangle < 0) return {-1, Vec3::UnitZ()};
   const bool behind = near.signed_distance_m < 0;
-  const bool inside = behind && may_be_inside && is_enclosed(part, q);
+  const bool inside = behind && s.tree->encloses(q);
   if (behind && !inside) return {around.clearance_m() + near.signed_distance_m, s.R_WP * (-near.normal_P)};
   return {around.clearance_m() - near.signed_distance_m, s.R_WP * near.normal_P};
 }
@@ -58,9 +41,8 @@ std::optional<Vec3> proxy_start(const ProxySurroundings& around, const Vec3& goa
     Lack worst{around.tolerance_m(), Vec3::UnitZ()};
     bool found = false;
     for (int surface = 0; surface < static_cast<int>(around.surfaces().size()); ++surface) {
-      // Only the finger itself can be inside; the pushes go outwards from there, by less than a wall in one
-      // surface and, where they lead into another, out of that again.
-      const Lack lack = lack_at(around, surface, place, true);
+      // The pushes go outwards, and where they lead into another surface, out of that again.
+      const Lack lack = lack_at(around, surface, place);
       if (lack.lack_m > worst.lack_m) {
         worst = lack;
         found = true;

@@ -6,6 +6,7 @@
 #include "contact/closest_memory.hpp"
 #include "contact/closest_search.hpp"
 #include "contact/triangle_tree.hpp"
+#include "contact/winding_number.hpp"
 
 namespace fingerpad {
 
@@ -22,12 +23,13 @@ struct TriangleTree::Impl {
   PacketFilter filter;
   BoxFilter box_filter = fastest_box_filter();
   PacketScene scene;
+  WindingNumber winding;
   std::once_flag curved_once;
   Points curved_table;
   std::atomic<const Points*> curved_normals = nullptr;  ///< the table, once it is whole
 
   explicit Impl(std::shared_ptr<const Part> part)
-      : packed(pack(std::move(part))), filter(fastest_packet_filter()), scene(packed) {}
+      : packed(pack(std::move(part))), filter(fastest_packet_filter()), scene(packed), winding(packed) {}
 
   /// Whether a point is surely farther away than reach_m, or this is no number; `farthest_m` is the point's
   /// largest coordinate. Leaves room for rounding.

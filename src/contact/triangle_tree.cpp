@@ -90,7 +90,12 @@ const Points* TriangleTree::curved_normals() const noexcept {
 std::size_t TriangleTree::memory_bytes() const noexcept {
   const Points* curved = curved_normals();
   return sizeof(Impl) + impl_->packed.memory_bytes() + impl_->scene.memory_bytes() +
+         impl_->winding.memory_bytes() +
          (curved == nullptr ? 0 : static_cast<std::size_t>(curved->size()) * sizeof(double));
+}
+
+bool TriangleTree::encloses(const Vec3& q) const noexcept {
+  return impl_->winding.encloses(impl_->packed, q);
 }
 
 ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) const noexcept {

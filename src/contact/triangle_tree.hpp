@@ -79,6 +79,11 @@ class TriangleTree {
   /// noexcept, allocates nothing.
   RayExit first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept;
 
+  /// Whether the part lies around q: its generalized winding number there is above one half in size, so that
+  /// small holes, overlaps and shells wound inside out do not matter.
+  /// @param q  relative to the part's centre [m], finite. noexcept, allocates nothing.
+  bool encloses(const Vec3& q) const noexcept;
+
   const Part& part() const noexcept;
 
   /// Makes a table of the normals that curved patches have at corners (curved_normals.hpp), 72 bytes a

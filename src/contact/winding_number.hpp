@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "contact/packed_part.hpp"
+
+namespace fingerpad {
+
+/// Tells whether a part encloses a point, by the generalized winding number (Jacobson, Kavan &
+/// Sorkine-Hornung 2013, eq. 5), in a time that grows with the logarithm of the part: a cluster of triangles
+/// that is far away in its own size counts as one dipole (Barill et al. 2018, the first term).
+class WindingNumber {
+ public:
+  /// On all threads; some five bytes a triangle.
+  explicit WindingNumber(const PackedPart& packed);
+
+  /// The winding number about q, to within 0.05 where the part is closed: 0 outside, 1 or -1 inside.
+  /// @param q  relative to the part's centre [m], finite. noexcept, allocates nothing.
+  double about(const PackedPart& packed, const Vec3& q) const noexcept;
+  /// Whether it is above one half in size; summed up triangle by triangle where that is not clear.
+  bool encloses(const PackedPart& packed, const Vec3& q) const noexcept;
+
+  std::size_t memory_bytes() const noexcept { return clusters_.capacity() * sizeof(Cluster); }
+
+ private:
+  /// A packet, or clusters that follow one another. Lengths scaled, see PackedPart.
+  struct Cluster {
+    Eigen::Vector3f moment = Eigen::Vector3f::Zero();  ///< sum of area times normal
+    Eigen::Vector3f centre = Eigen::Vector3f::Zero();  ///< of gravity
+    float radius = 0;                                  ///< no corner is farther from there
+    float area = 0;
+  };
+
+  static Cluster cluster_of(const PackedPart& packed, std::size_t packet);
+  Cluster joined(std::size_t first, std::size_t end) const;
+  double half_angles(const PackedPart& packed, std::size_t level, std::size_t index,
+                     const Vec3& q) const noexcept;
+
+  std::vector<Cluster> clusters_;         // level by level, the packets' first
+  std::vector<std::size_t> level_start_;  // of each level in clusters_, and the end of the last
+};
+
+}  // namespace fingerpad
