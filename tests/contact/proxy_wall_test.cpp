@@ -44,6 +44,27 @@ TEST(ProxyWall, ProjectionMeetsTheConditionsOfTheOptimum) {
   for (const int count : seen) EXPECT_GT(count, 50);
 }
 
+TEST(ProxyWall, WhereEveryWallHoldsTheyAreProjectedOntoTogether) {
+  RandomStream random(5);
+  std::array<int, 4> seen{};
+  for (int trial = 0; trial < 20000; ++trial) {
+    std::vector<ProxyWall> walls(1 + static_cast<std::size_t>(3 * random.uniform()));
+    for (ProxyWall& wall : walls) {
+      wall.normal = random_vector(random).normalized();
+      wall.least_m = -random.uniform();
+    }
+    const Vec3 goal = 3 * random_vector(random);
+    const ProxyProjection p = project_onto_walls(goal, walls, 1e-12), every = project_onto_every(goal, walls);
+    const bool all_hold = p.active_count == static_cast<int>(walls.size());
+    ASSERT_EQ(every.found, all_hold);
+    if (!all_hold) continue;
+    ++seen[walls.size()];
+    ASSERT_EQ(every.z, p.z);
+    ASSERT_EQ(every.share_m, p.share_m);
+  }
+  for (const int count : {1, 2, 3}) EXPECT_GT(seen[static_cast<std::size_t>(count)], 100);
+}
+
 TEST(ProxyWall, WallsWithNothingInCommonAreToldSo) {
   const std::array<ProxyWall, 2> walls{ProxyWall{Vec3::UnitX(), 1, 0, 0}, ProxyWall{-Vec3::UnitX(), 1, 0, 1}};
   EXPECT_FALSE(project_onto_walls(Vec3(0, 1, 0), walls, 1e-12).found);

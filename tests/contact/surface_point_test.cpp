@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
@@ -233,6 +234,40 @@ TEST(NearestSurfacePoint, ATriangleWithoutAreaInAClosedPartHarmsNoSign) {
     ASSERT_EQ(s.signed_distance_m<0, inside_m> 0) << p.transpose();
     ASSERT_NEAR(s.normal_P.norm(), 1, rounding);
   }
+}
+
+TEST(PointOnFacet, IsTheFootOnTheTriangleOrAcrossTheEdge) {
+  const TriangleTree tree = tree_of(test::torus_soup(1, 0.4, 24, 16));
+  const Part& part = tree.part();
+  RandomStream random(9);
+  int own = 0, next = 0, none = 0;
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    for (int k = 0; k < 10; ++k) {
+      const Vec3 corner = part.vertices.col(part.triangles(k % 3, t));
+      const Vec3 q = corner + random_point(random, 0.2);
+      const SurfacePoint s = point_on_facet(tree, t, part.centre_P + q, Normals::smooth);
+      const TrianglePoint here = closest_on_triangle(part, t, q);
+      const bool is_beyond_edge = here.feature >= Feature::edge0 && here.feature <= Feature::edge2;
+      const int across =
+          is_beyond_edge
+              ? part.neighbours(static_cast<int>(here.feature) - static_cast<int>(Feature::edge0), t)
+              : -1;
+      const int expected = here.feature == Feature::face ? t
+                           : across >= 0 && closest_on_triangle(part, across, q).feature == Feature::face
+                               ? across
+                               : -1;
+      ASSERT_EQ(s.triangle, expected);
+      ++(expected == t ? own : expected >= 0 ? next : none);
+      if (expected < 0) continue;
+      const TrianglePoint foot = closest_on_triangle(part, expected, q);
+      const Vec3 facet = part.facet_normals.col(expected);
+      ASSERT_LE((s.point_P - part.centre_P - foot.point).norm(), rounding);
+      ASSERT_NEAR(s.signed_distance_m, facet.dot(q - foot.point), rounding);
+      ASSERT_LE((s.normal_P - shaded_normal(tree, expected, foot, Normals::smooth, facet)).norm(), 1e-12);
+      ASSERT_EQ(point_on_facet(tree, t, part.centre_P + q, Normals::curved).triangle, -1);
+    }
+  }
+  EXPECT_GT(std::min({own, next, none}), 300);
 }
 
 TEST(NearestPlanePoint, IsTheFootOfThePerpendicular) {

@@ -1,0 +1,65 @@
+#include "touch/stick_centre.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+
+#include "base/random_stream.hpp"
+#include "base/tangent_frame.hpp"
+#include "support/shapes.hpp"
+#include "support/worlds.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// A random contact with a part: of a finger just outside.
+WorldPoint random_contact(const Surface& surface, Normals normals, RandomStream& random) {
+  const Vec3 towards = Vec3(random.normal(), random.normal(), random.normal()).normalized();
+  return nearest_point(surface, 0.2 * towards, normals, -1, 1);
+}
+
+TEST(StickCentre, LiesOnTheSurfaceAsFarBehindAsTheLawSays) {
+  const auto world = test::world_of(test::sphere_soup(0.1, 5));
+  const Surface& surface = world->surfaces[0];
+  RandomStream random(2);
+  for (const Normals normals : {Normals::facet, Normals::smooth, Normals::curved}) {
+    for (int trial = 0; trial < 2000; ++trial) {
+      const WorldPoint at = random_contact(surface, normals, random);
+      const Mat3 frame_WC =
+          tangent_frame(at.normal_W, Vec3(random.normal(), random.normal(), random.normal()));
+      const double distance_m = 3e-3 * random.uniform();  // facets are 3 mm wide: on the same, or others
+      const Vec2 from_centre_m = distance_m * Vec2(random.normal(), random.normal()).normalized();
+      for (const int triangle : {at.triangle, -1}) {
+        StickCentre centre;
+        centre.place(surface, at.point_W, frame_WC, from_centre_m, normals, true, triangle);
+        ASSERT_TRUE(centre.is_set());
+        // Whatever the surface allows, the law gets back what it said.
+        ASSERT_LT((centre.displacement(at.point_W, frame_WC) - from_centre_m).norm(), 1e-15);
+        const WorldPoint there = nearest_point(surface, centre.point_W(), normals, -1, 1);
+        ASSERT_LT(std::abs(there.signed_distance_m), 1e-11) << trial;
+        ASSERT_NEAR((centre.point_W() - at.point_W).norm(), distance_m, 0.11 * distance_m);
+      }
+    }
+  }
+}
+
+TEST(StickCentre, GoesBeyondAnEdgeInTheTangentPlane) {
+  const auto world = test::world_of(test::square_soup(0.02, 2));
+  const Surface& surface = world->surfaces[0];
+  StickCentre centre;
+  const Mat3 frame_WC = tangent_frame(Vec3::UnitZ(), Vec3::UnitY());
+  // S lies 1 mm from the sheet's rim, its centre 3 mm behind.
+  const Vec3 contact_W(0.009, 0.001, 0);
+  centre.place(surface, contact_W, frame_WC, Vec2(-0.003, 0), Normals::smooth, true, -1);
+  EXPECT_LT((centre.point_W() - (contact_W - frame_WC.col(0) * -0.003)).norm(), 1e-15);
+  EXPECT_LT((centre.displacement(contact_W, frame_WC) - Vec2(-0.003, 0)).norm(), 1e-15);
+}
+
+TEST(StickCentre, NoneIsAtNoDistance) {
+  StickCentre centre;
+  EXPECT_FALSE(centre.is_set());
+  EXPECT_EQ(centre.displacement(Vec3(1, 2, 3), Mat3::Identity()), Vec2(0, 0));
+}
+
+}  // namespace
+}  // namespace fingerpad
