@@ -138,13 +138,18 @@ void Proxy::settle(const Vec3& goal, double budget_m) noexcept {
 
 void Proxy::follow(const Vec3& goal, double budget_m) noexcept {
   // Over smooth edges first: what a hop gains is the facets', not the finger's, and costs no budget.
-  if (!(hop(goal) || roll(goal, budget_m)) || hold_.truncated || !is_at_rest(hold_)) settle(goal, budget_m);
+  if (!(hop(goal) || roll(goal, budget_m)) || !has_come_to_rest()) settle(goal, budget_m);
   for (int k = 0; k < most_hops && contact_.settled; ++k) {
     remember();
     if (!hop(goal)) break;
-    if (hold_.truncated || !is_at_rest(hold_)) settle(goal, std::numeric_limits<double>::infinity());
+    if (!has_come_to_rest()) settle(goal, std::numeric_limits<double>::infinity());
   }
-  report(goal);
+  if (!cruise(goal)) report(goal);
+}
+
+/// After a hop: it landed and slides, or is held as it should be.
+bool Proxy::has_come_to_rest() const noexcept {
+  return cruise_.kind == Cruise::Kind::slide || (!hold_.truncated && is_at_rest(hold_));
 }
 
 /// Sees to a view that shows the way over an edge to `far`, and some more in this direction.

@@ -114,6 +114,7 @@ class Proxy {
   void follow(const Vec3& goal, double budget_m) noexcept;
   bool advance(const ProxyStep& step, const Vec3& goal, double& budget_m) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;
+  bool has_come_to_rest() const noexcept;
   const ProxyWall* nearer_neighbour(const Vec3& goal) noexcept;
   void look_towards(const Vec3& far, double way_m) noexcept;
   bool hop(const Vec3& goal) noexcept;
