@@ -19,6 +19,9 @@ constexpr int most_steps = 64;
 constexpr int most_hops = 32;
 /// A view of about so many triangles pays: more are sorted out for nothing, fewer are soon left behind.
 constexpr std::size_t poor_view = 8, rich_view = 32;
+/// However rich, it reaches as far as the finger goes in so many ticks, and by this share of the clearance:
+/// facets much smaller than either are many at any reach.
+constexpr double least_steps = 2, least_share = 1.0 / 32;
 /// Sine of the angle between a wall and the facet or edge that it stands for, once there is nothing to gain.
 constexpr double same_wall = 1e-8;
 
@@ -51,13 +54,13 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
   contact_.started = !placed_;
   if (!placed_) start(goal);
   if (!placed_) return contact_;
-  const double finger_m = (goal - last_goal_).norm();
+  finger_m_ = (goal - last_goal_).norm();
   last_goal_ = goal;
   if (cruise(goal)) return contact_;
   double budget_m = std::numeric_limits<double>::infinity();
   if (contact_.touching)
     budget_m =
-        std::max(proxy_per_finger * finger_m, (goal - place_).norm() * std::min(1.0, dt_s / release_s));
+        std::max(proxy_per_finger * finger_m_, (goal - place_).norm() * std::min(1.0, dt_s / release_s));
   if (!contact_.touching && fly(goal)) return contact_;
   follow(goal, budget_m);
   return contact_;
@@ -111,7 +114,8 @@ bool Proxy::advance(const ProxyStep& step, const Vec3& goal, double& budget_m) n
 void Proxy::suit_view() noexcept {
   const double seen_m = around_.search_reach_m();
   if (around_.is_cut()) reach_m_ = std::min(reach_m_, seen_m);
-  if (around_.view_count() > rich_view) reach_m_ = std::min(reach_m_, 0.7 * seen_m);
+  const double least_m = std::max(least_steps * finger_m_, least_share * around_.clearance_m());
+  if (around_.view_count() > rich_view) reach_m_ = std::min(reach_m_, std::max(0.7 * seen_m, least_m));
   if (around_.view_count() < poor_view && seen_m >= reach_m_)
     reach_m_ = std::min(1.2 * reach_m_, widest_view());
 }
