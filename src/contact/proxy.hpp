@@ -138,7 +138,7 @@ class Proxy {
   Vec3 place_ = Vec3::Zero();  ///< of the ball's centre, relative to the world's
   Vec3 last_goal_ = Vec3::Zero();
   double finger_m_ = 0;  ///< how far the finger went in this tick
-  double reach_m_ = 0;  ///< of a view; grows and shrinks with what there is to see
+  double reach_m_ = 0;   ///< of a view; grows and shrinks with what there is to see
   Vec3 hold_place_ = Vec3::Zero();
   ProxyStep hold_;  ///< the last step, from hold_place_, with the walls that stopped it
   Cruise cruise_;
