@@ -32,7 +32,7 @@ bool Proxy::slide_on_one(const Vec3& goal) noexcept {
   if (!cruise_.has_room(place) && !(lack_m > 0 && extend_slide(place))) return false;
   place_ = place;
   contact_.touching = false;
-  if (!(lack_m > around_.skin_m())) return true;
+  if (!(lack_m > around_.skin_m() + std::ldexp(around_.tolerance_m(), -2))) return true;  // as report sees it
   hold_place_ = place;
   hold_.wall_count = 1;
   hold_.walls[0] = wall;
