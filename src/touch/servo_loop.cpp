@@ -11,6 +11,7 @@ ServoLoop::ServoLoop(Touch touch, double rate_hz, Source source, Sink sink, doub
       source_(std::move(source)),
       sink_(std::move(sink)),
       history_ticks_(std::max<std::size_t>(1, static_cast<std::size_t>(history_s * rate_hz))) {
+  history_.resize(history_ticks_);
   unpublished_.reserve(history_ticks_);
   thread_ = std::thread([this] { run(); });
 }
@@ -24,15 +25,22 @@ void ServoLoop::stop() {
   if (thread_.joinable()) thread_.join();
 }
 
+const TickRecord& ServoLoop::kept(std::size_t age) const noexcept {
+  return history_[(newest_ + history_ticks_ - age) % history_ticks_];
+}
+
 TickRecord ServoLoop::latest() const {
   const std::lock_guard lock(mutex_);
-  return history_.empty() ? TickRecord{} : history_.back();
+  return kept_ == 0 ? TickRecord{} : kept(0);
 }
 
 std::vector<TickRecord> ServoLoop::recent(double seconds) const {
   const std::lock_guard lock(mutex_);
-  const auto wanted = std::min(history_.size(), static_cast<std::size_t>(std::max(0.0, seconds * rate_hz_)));
-  return {history_.end() - static_cast<std::ptrdiff_t>(wanted), history_.end()};
+  const auto wanted = std::min(kept_, static_cast<std::size_t>(std::max(0.0, seconds * rate_hz_)));
+  std::vector<TickRecord> rows;
+  rows.reserve(wanted);
+  for (std::size_t age = wanted; age-- > 0;) rows.push_back(kept(age));
+  return rows;
 }
 
 ServoLoop::Timing ServoLoop::timing() const {
@@ -40,13 +48,16 @@ ServoLoop::Timing ServoLoop::timing() const {
   return timing_;
 }
 
-void ServoLoop::publish(const TickRecord& record) {
+void ServoLoop::publish(const TickRecord& record) noexcept {
   if (unpublished_.size() < history_ticks_) unpublished_.push_back(record);
   const std::unique_lock lock(mutex_, std::try_to_lock);
   if (!lock.owns_lock()) return;  // a reader is copying: the next tick brings this one along
-  history_.insert(history_.end(), unpublished_.begin(), unpublished_.end());
+  for (const TickRecord& row : unpublished_) {
+    newest_ = (newest_ + 1) % history_ticks_;
+    history_[newest_] = row;
+  }
+  kept_ = std::min(kept_ + unpublished_.size(), history_ticks_);
   unpublished_.clear();
-  while (history_.size() > history_ticks_) history_.pop_front();
   timing_ = servo_timing_;
 }
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <atomic>
-#include <deque>
 #include <functional>
 #include <mutex>
 #include <thread>
@@ -13,12 +12,12 @@ namespace fingerpad {
 
 /// Runs the tick on a thread of its own at a fixed rate, on an absolute clock: a late tick is made up for, so
 /// time in the trace is time on the wall. What the ticks say can be read at any moment without holding the
-/// thread up.
+/// thread up. The loop itself allocates nothing from its first tick on.
 class ServoLoop {
  public:
   /// Where the finger is at tick time t_s since the start. Called on the servo thread, once a tick.
   using Source = std::function<FingerSample(double t_s)>;
-  /// Takes each tick's record, on the servo thread; must neither block nor throw.
+  /// Takes each tick's record, on the servo thread; must neither block, allocate nor throw.
   using Sink = std::function<void(const TickRecord&)>;
 
   struct Timing {
@@ -44,7 +43,9 @@ class ServoLoop {
 
  private:
   void run();
-  void publish(const TickRecord& record);
+  void publish(const TickRecord& record) noexcept;
+  /// The record that `age` ticks came after. @pre the lock is held, age < kept_
+  const TickRecord& kept(std::size_t age) const noexcept;
 
   Touch touch_;
   double rate_hz_;
@@ -52,8 +53,10 @@ class ServoLoop {
   Sink sink_;
   std::size_t history_ticks_;
 
-  mutable std::mutex mutex_;  // guards history_ and timing_; the servo thread only ever tries it
-  std::deque<TickRecord> history_;
+  // Guards history_, newest_, kept_ and timing_; the servo thread only ever tries it.
+  mutable std::mutex mutex_;
+  std::vector<TickRecord> history_;  // a ring of history_ticks_ records
+  std::size_t newest_ = 0, kept_ = 0;
   Timing timing_;
   std::vector<TickRecord> unpublished_;  // servo thread only: what a reader's lock kept back
   Timing servo_timing_;                  // servo thread only

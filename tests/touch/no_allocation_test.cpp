@@ -1,17 +1,47 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cerrno>
+#include <chrono>
 #include <cmath>
 #include <cstdlib>
 #include <new>
+#include <thread>
 
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
+#include "touch/servo_loop.hpp"
 #include "touch/touch.hpp"
 
 namespace {
 std::atomic<long> allocations{0};
 }
+
+#ifndef __SANITIZE_ADDRESS__  // whose own malloc this would hide
+// The C library's allocators too: Embree has its own way past operator new.
+extern "C" {
+void* __libc_malloc(std::size_t size);                           // NOLINT: glibc's names
+void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
+void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT
+void* calloc(std::size_t count, std::size_t size) {
+  ++allocations;
+  return __libc_calloc(count, size);
+}
+void* malloc(std::size_t size) {
+  ++allocations;
+  return __libc_malloc(size);
+}
+int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
+  ++allocations;
+  *out = __libc_memalign(alignment, size);
+  return *out == nullptr ? ENOMEM : 0;
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  ++allocations;
+  return __libc_memalign(alignment, size);
+}
+}
+#endif
 
 // Not inlined: where g++ 12 inlines only one of a pair, it warns of a mismatch that is none.
 [[gnu::noinline]] void* operator new(std::size_t size) {
@@ -58,6 +88,39 @@ TEST(Tick, AllocatesNothingWhereItSticksSlipsAndCrossesEdges) {
     EXPECT_EQ(allocations - before, 0);
     EXPECT_TRUE(stuck);
     EXPECT_TRUE(slipped);
+  }
+}
+
+/// Where the loop's own thread stood when it asked for its first sample, and when its last record was out.
+struct ServoCount {
+  std::atomic<long> first{-1}, last{-1};
+};
+
+TEST(ServoLoop, AllocatesNothingFromItsFirstTickOn) {
+  constexpr long ticks = 600;  // more than the history holds, so that old records leave it
+  const auto world = test::world_of(test::torus_soup(0.05, 0.02, 48, 24));
+  for (const ContactMethod method : {ContactMethod::closest_point, ContactMethod::proxy}) {
+    Scene scene = test::plane_scene("finger-pad");
+    scene.contact.method = method;
+    scene.motion.rate_hz = 2000;
+    ServoCount count;
+    ServoLoop loop(
+        Touch(world, scene), scene.motion.rate_hz,
+        [&count](double t_s) {
+          if (t_s == 0) count.first = allocations.load();
+          const double across = 1.5 * std::sin(4 * t_s);
+          return FingerSample{t_s, Vec3(0.05 + 0.0195 * std::cos(across), 0, 0.0195 * std::sin(across)),
+                              Vec3(0, 0.6, -0.8)};
+        },
+        [&count, &scene](const TickRecord& record) {
+          if (record.t_s >= ticks / scene.motion.rate_hz && count.last < 0) count.last = allocations.load();
+        },
+        0.1);
+    for (int i = 0; i < 1000 && count.last < 0; ++i)
+      std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    loop.stop();
+    ASSERT_GE(count.last, 0) << "the loop did not get that far";
+    EXPECT_EQ(count.last - count.first, 0);
   }
 }
 
