@@ -110,7 +110,11 @@ void Figures::observe(const TickRecord& record) noexcept {
   pop_throughs_.observe(record);
   nonfinite_ticks_ += record.force_W_n.allFinite() ? 0 : 1;
   if (ticks_ > 0) friction_work_j_ += record.friction_W_n.dot(record.p_WQ - last_p_WQ_);
-  if (ticks_ > 0) given_j_ += last_force_W_n_.dot(record.p_WQ - last_p_WQ_);
+  if (ticks_ > 0) {
+    given_j_ += last_force_W_n_.dot(record.p_WQ - last_p_WQ_);
+  } else {
+    given_j_ = -0.5 * record.normal_force_n * record.depth_m;
+  }
   energy_made_j_ = std::max(energy_made_j_, given_j_);
   last_force_W_n_ = record.force_W_n;
   last_p_WQ_ = record.p_WQ;

@@ -49,7 +49,8 @@ class Figures {
   double sum_slip_mu_ = 0, max_mu_ = 0, friction_work_j_ = 0;
   Vec3 last_p_WQ_ = Vec3::Zero();
   // Passivity observer (Hannaford & Ryu 2002): what the held forces have given to the finger so far, and its
-  // most. A loop that began out of contact stores nothing, so whatever it gives on balance it has made.
+  // most. A loop that began out of contact stores nothing, so whatever it gives on balance it has made; one
+  // whose first tick is in contact begins with what the surface's spring stores at that depth.
   Vec3 last_force_W_n_ = Vec3::Zero();
   double given_j_ = 0, energy_made_j_ = 0;
   long remedied_ticks_ = 0, inside_starts_ = 0, nonfinite_ticks_ = 0;
