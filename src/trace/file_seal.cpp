@@ -8,7 +8,10 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <optional>
 #include <vector>
+
+#include <unistd.h>
 
 #include "base/error.hpp"
 
@@ -60,24 +63,37 @@ class Checksum {
   std::array<std::uint64_t, 4> lanes_ = {1, 2, 3, 4};
 };
 
-/// The seal that the first `size` bytes deserve; nothing is said of what lies behind them.
-SealBytes seal_of(std::FILE* file, std::uint64_t size) {
+/// The seal that the first `size` bytes deserve; nothing is said of what lies behind them. None where the
+/// file cannot be read.
+std::optional<SealBytes> seal_of(std::FILE* file, std::uint64_t size) {
   std::vector<char> block(std::size_t{1} << 18);
   Checksum checksum;
   std::rewind(file);
   for (std::uint64_t left = size; left > 0;) {
     const std::size_t count = std::fread(
         block.data(), 1, static_cast<std::size_t>(std::min<std::uint64_t>(left, block.size())), file);
-    if (count == 0) break;
+    if (count == 0) return std::nullopt;
     checksum.add(block.data(), count);
     left -= count;
   }
-  return {mark, size, checksum.value(size)};
+  return SealBytes{mark, size, checksum.value(size)};
 }
 
-std::uint64_t size_of(std::FILE* file) {
-  std::fseek(file, 0, SEEK_END);
-  return static_cast<std::uint64_t>(std::max(0L, std::ftell(file)));
+/// None where that cannot be told.
+std::optional<std::uint64_t> size_of(std::FILE* file) {
+  const long end = std::fseek(file, 0, SEEK_END) == 0 ? std::ftell(file) : -1;
+  if (end < 0) return std::nullopt;
+  return static_cast<std::uint64_t>(end);
+}
+
+/// All of the seal behind the contents or none of it.
+bool append_seal(std::FILE* file, const SealBytes& seal) {
+  const bool written = std::fseek(file, 0, SEEK_END) == 0 && std::fwrite(&seal, sizeof(seal), 1, file) == 1 &&
+                       std::fflush(file) == 0;
+  if (written) return true;
+  const int failure = errno;
+  if (ftruncate(fileno(file), static_cast<off_t>(seal.size)) == 0) errno = failure;
+  return false;
 }
 
 }  // namespace
@@ -88,21 +104,21 @@ void seal_file(const std::string& path) {
   };
   File file(std::fopen(path.c_str(), "r+b"));
   if (!file) throw fail();
-  const SealBytes seal = seal_of(file.get(), size_of(file.get()));
-  std::fseek(file.get(), 0, SEEK_END);
-  if (std::fwrite(&seal, sizeof(seal), 1, file.get()) != 1 || std::fclose(file.release()) != 0) throw fail();
+  const auto size = size_of(file.get());
+  const auto seal = size ? seal_of(file.get(), *size) : std::nullopt;
+  if (!seal || !append_seal(file.get(), *seal) || std::fclose(file.release()) != 0) throw fail();
 }
 
 Seal check_seal(const std::string& path) {
   const File file(std::fopen(path.c_str(), "rb"));
-  if (!file) throw refused(path, "cannot be read");
-  const std::uint64_t size = size_of(file.get());
+  const auto size = file ? size_of(file.get()) : std::nullopt;
+  if (!size) throw refused(path, "cannot be read");
   SealBytes found{};
-  if (size < sizeof(found)) return Seal::none;
+  if (*size < sizeof(found)) return Seal::none;
   std::fseek(file.get(), -static_cast<long>(sizeof(found)), SEEK_END);
   if (std::fread(&found, sizeof(found), 1, file.get()) != 1 || found.mark != mark) return Seal::none;
-  const SealBytes due = seal_of(file.get(), size - sizeof(found));
-  return found.size == due.size && found.checksum == due.checksum ? Seal::whole : Seal::broken;
+  const auto due = seal_of(file.get(), *size - sizeof(found));
+  return due && found.size == due->size && found.checksum == due->checksum ? Seal::whole : Seal::broken;
 }
 
 }  // namespace fingerpad

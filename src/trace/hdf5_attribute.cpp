@@ -36,6 +36,7 @@ Handle open_attribute(const Handle& object, const std::string& name, std::size_t
 }  // namespace
 
 void write_text(const Handle& object, const std::string& name, const std::string& text) {
+  const Turn turn;
   const Handle type = text_type(object.path());
   const Handle space = made(H5Screate(H5S_SCALAR), H5Sclose, object.path());
   const char* value = text.c_str();
@@ -43,6 +44,7 @@ void write_text(const Handle& object, const std::string& name, const std::string
 }
 
 void write_texts(const Handle& object, const std::string& name, const std::vector<std::string>& texts) {
+  const Turn turn;
   if (texts.empty()) return;
   const Handle type = text_type(object.path());
   const hsize_t count = texts.size();
@@ -54,6 +56,7 @@ void write_texts(const Handle& object, const std::string& name, const std::vecto
 }
 
 void write_flag(const Handle& object, const std::string& name, bool flag) {
+  const Turn turn;
   const auto value = static_cast<std::uint8_t>(flag);
   if (!has_attribute(object, name)) {
     const Handle space = made(H5Screate(H5S_SCALAR), H5Sclose, object.path());
@@ -65,11 +68,13 @@ void write_flag(const Handle& object, const std::string& name, bool flag) {
 }
 
 void write_whole(const Handle& object, const std::string& name, std::uint64_t value) {
+  const Turn turn;
   const Handle space = made(H5Screate(H5S_SCALAR), H5Sclose, object.path());
   write_attribute(object, name, H5T_STD_U64LE, H5T_NATIVE_UINT64, space, &value);
 }
 
 void write_numbers(const Handle& object, const std::string& name, std::span<const double> values) {
+  const Turn turn;
   const hsize_t count = values.size();
   const Handle space = made(count == 1 ? H5Screate(H5S_SCALAR) : H5Screate_simple(1, &count, nullptr),
                             H5Sclose, object.path());
@@ -77,10 +82,12 @@ void write_numbers(const Handle& object, const std::string& name, std::span<cons
 }
 
 bool has_attribute(const Handle& object, const std::string& name) {
+  const Turn turn;
   return H5Aexists(object.id(), name.c_str()) > 0;
 }
 
 std::vector<std::string> read_texts(const Handle& object, const std::string& name) {
+  const Turn turn;
   constexpr hssize_t max_texts = 100000;
   if (!has_attribute(object, name)) return {};
   const Handle attribute = wrapped(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT), H5Aclose, "");
@@ -106,11 +113,13 @@ std::vector<std::string> read_texts(const Handle& object, const std::string& nam
 }
 
 std::string read_text(const Handle& object, const std::string& name) {
+  const Turn turn;
   const std::vector<std::string> texts = read_texts(object, name);
   return texts.size() == 1 ? texts.front() : "";
 }
 
 std::optional<std::uint64_t> read_whole(const Handle& object, const std::string& name) {
+  const Turn turn;
   if (!has_attribute(object, name)) return std::nullopt;
   const Handle attribute = open_attribute(object, name, 1);
   std::uint64_t value = 0;
@@ -119,6 +128,7 @@ std::optional<std::uint64_t> read_whole(const Handle& object, const std::string&
 }
 
 std::vector<double> read_numbers(const Handle& object, const std::string& name, std::size_t count) {
+  const Turn turn;
   const Handle attribute = open_attribute(object, name, count);
   std::vector<double> values(count);
   if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, values.data()) < 0) throw read_error(object.path(), name);

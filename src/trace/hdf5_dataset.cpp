@@ -54,6 +54,7 @@ void read_whole_dataset(const Handle& dataset, const std::string& name, hid_t me
 }  // namespace
 
 Handle create_column(const Handle& file, const std::string& name, NumberType type, const std::string& unit) {
+  const Turn turn;
   const hsize_t none = 0, unlimited = H5S_UNLIMITED;
   const Handle space = made(H5Screate_simple(1, &none, &unlimited), H5Sclose, file.path());
   const Handle creation = made(H5Pcreate(H5P_DATASET_CREATE), H5Pclose, file.path());
@@ -71,6 +72,7 @@ Handle create_column(const Handle& file, const std::string& name, NumberType typ
 }
 
 void append(const Handle& column, std::size_t rows, std::span<const double> values) {
+  const Turn turn;
   const hsize_t start = rows, count = values.size(), total = rows + values.size();
   if (H5Dset_extent(column.id(), &total) < 0) throw write_error(column.path(), "a column");
   const Handle file_space = made(H5Dget_space(column.id()), H5Sclose, column.path());
@@ -83,12 +85,14 @@ void append(const Handle& column, std::size_t rows, std::span<const double> valu
 }
 
 Handle open_dataset(const Handle& parent, const std::string& name) {
+  const Turn turn;
   Handle dataset = wrapped(H5Dopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Dclose, parent.path());
   if (!dataset.open()) throw read_error(parent.path(), name);
   return dataset;
 }
 
 std::vector<std::uint64_t> extents(const Handle& dataset) {
+  const Turn turn;
   const Handle type = wrapped(H5Dget_type(dataset.id()), H5Tclose, "");
   const Handle space = wrapped(H5Dget_space(dataset.id()), H5Sclose, "");
   const H5T_class_t kind = H5Tget_class(type.id());
@@ -100,6 +104,7 @@ std::vector<std::uint64_t> extents(const Handle& dataset) {
 }
 
 bool read_rows(const Handle& column, std::size_t first, std::span<double> out) {
+  const Turn turn;
   const hsize_t start = first, count = out.size();
   const Handle file_space = wrapped(H5Dget_space(column.id()), H5Sclose, "");
   const Handle memory_space = wrapped(H5Screate_simple(1, &count, nullptr), H5Sclose, "");
@@ -111,6 +116,7 @@ bool read_rows(const Handle& column, std::size_t first, std::span<double> out) {
 // Eigen's matrices are stored by column, so that 3 x n here is n x 3 there.
 void write_table(const Handle& parent, const std::string& name, const Points& points,
                  const std::string& unit) {
+  const Turn turn;
   const std::array<hsize_t, 2> size = {static_cast<hsize_t>(points.cols()), 3};
   const Handle table =
       write_whole_dataset(parent, name, NumberType::float64, H5T_NATIVE_DOUBLE, size, points.data());
@@ -118,16 +124,19 @@ void write_table(const Handle& parent, const std::string& name, const Points& po
 }
 
 void write_table(const Handle& parent, const std::string& name, const IndexTriples& triples) {
+  const Turn turn;
   const std::array<hsize_t, 2> size = {static_cast<hsize_t>(triples.cols()), 3};
   write_whole_dataset(parent, name, NumberType::int32, H5T_NATIVE_INT, size, triples.data());
 }
 
 void write_list(const Handle& parent, const std::string& name, std::span<const int> values) {
+  const Turn turn;
   const std::array<hsize_t, 1> size = {values.size()};
   write_whole_dataset(parent, name, NumberType::int32, H5T_NATIVE_INT, size, values.data());
 }
 
 Points read_points(const Handle& parent, const std::string& name, std::uint64_t max_columns) {
+  const Turn turn;
   const Handle table = open_dataset(parent, name);
   Points points(3, static_cast<Eigen::Index>(checked_rows(table, name, 2, max_columns)));
   read_whole_dataset(table, name, H5T_NATIVE_DOUBLE, points.data());
@@ -135,6 +144,7 @@ Points read_points(const Handle& parent, const std::string& name, std::uint64_t 
 }
 
 IndexTriples read_triples(const Handle& parent, const std::string& name, std::uint64_t max_columns) {
+  const Turn turn;
   const Handle table = open_dataset(parent, name);
   IndexTriples triples(3, static_cast<Eigen::Index>(checked_rows(table, name, 2, max_columns)));
   read_whole_dataset(table, name, H5T_NATIVE_INT, triples.data());
@@ -142,6 +152,7 @@ IndexTriples read_triples(const Handle& parent, const std::string& name, std::ui
 }
 
 std::vector<int> read_list(const Handle& parent, const std::string& name, std::uint64_t max_count) {
+  const Turn turn;
   const Handle list = open_dataset(parent, name);
   std::vector<int> values(checked_rows(list, name, 1, max_count));
   read_whole_dataset(list, name, H5T_NATIVE_INT, values.data());

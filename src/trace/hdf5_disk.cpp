@@ -27,7 +27,8 @@ struct Disk {
   struct stat identity {};
 };
 
-int open_failure = 0;  // errno of the last open; read and written in turns
+// errno of the last open and of the last close; read and written in turns.
+int open_failure = 0, close_failure = 0;
 
 Disk& disk_of(H5FD_t* file) {
   return *reinterpret_cast<Disk*>(file);
@@ -53,8 +54,10 @@ H5FD_t* disk_open(const char* name, unsigned flags, hid_t, haddr_t) {
 }
 
 herr_t disk_close(H5FD_t* file) {
-  ::close(disk_of(file).file);
-  delete &disk_of(file);
+  const Disk& disk = disk_of(file);
+  const bool closed = ::close(disk.file) == 0;  // some file systems tell only here that there was no room
+  close_failure = disk.failure != 0 || closed ? disk.failure : errno;
+  delete &disk;
   return 0;
 }
 
@@ -162,6 +165,10 @@ bool write_through_disk(const Handle& access) {
 
 int last_open_failure() {
   return std::exchange(open_failure, 0);
+}
+
+int last_close_failure() {
+  return std::exchange(close_failure, 0);
 }
 
 int write_failure(const Handle& file) {

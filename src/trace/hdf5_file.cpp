@@ -3,11 +3,16 @@
 #include <fmt/format.h>
 
 #include <cstring>
+#include <mutex>
 
 #include "trace/hdf5_internal.hpp"
 
 namespace fingerpad::hdf5 {
 namespace {
+
+// Not a recursive mutex: that one knows its owner by the thread's number, which is another in a forked child.
+std::mutex library_mutex;
+thread_local int turns_held = 0;
 
 /// How this project opens files: readable by every HDF5 since 1.8, and no locks, so that a trace can be
 /// watched while it grows and a killed writer leaves nothing to clear.
@@ -16,6 +21,10 @@ Handle access_properties(const std::string& path) {
   H5Pset_libver_bounds(access.id(), H5F_LIBVER_EARLIEST, H5F_LIBVER_V110);
   H5Pset_file_locking(access.id(), 0, 1);
   return access;
+}
+
+Error disk_error(const std::string& path, int failure) {
+  return {ErrorKind::fault, path, fmt::format("cannot be written: {}", std::strerror(failure))};
 }
 
 }  // namespace
@@ -33,11 +42,14 @@ Handle made(hid_t id, herr_t (*closer)(hid_t), const std::string& path) {
   return wrapped(id, closer, path);
 }
 
-Turn take_turn() {
-  static std::mutex mutex;
-  Turn turn(mutex);
+Turn::Turn() {
+  if (turns_held++ > 0) return;
+  library_mutex.lock();
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);  // failures are told by Error alone
-  return turn;
+}
+
+Turn::~Turn() {
+  if (--turns_held == 0) library_mutex.unlock();
 }
 
 Handle& Handle::operator=(Handle&& other) noexcept {
@@ -49,12 +61,14 @@ Handle& Handle::operator=(Handle&& other) noexcept {
   return *this;
 }
 
-bool Handle::close() noexcept {
-  if (id_ < 0) return true;
-  return closer_(std::exchange(id_, -1)) >= 0;
+void Handle::close() noexcept {
+  if (id_ < 0) return;
+  const Turn turn;
+  closer_(std::exchange(id_, -1));
 }
 
 Handle create_file(const std::string& path) {
+  const Turn turn;
   const Handle access = access_properties(path);
   const Handle creation = made(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path);
   H5Pset_obj_track_times(creation.id(), 0);
@@ -68,6 +82,7 @@ Handle create_file(const std::string& path) {
 }
 
 Handle open_file(const std::string& path) {
+  const Turn turn;
   const Handle access = access_properties(path);
   Handle file = wrapped(H5Fopen(path.c_str(), H5F_ACC_RDONLY, access.id()), H5Fclose, path);
   if (!file.open()) throw refused(path, "is no HDF5 file that can be read: cut short or damaged");
@@ -75,14 +90,21 @@ Handle open_file(const std::string& path) {
 }
 
 void flush(const Handle& file) {
+  const Turn turn;
   const bool flushed = H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0;
-  if (const int failure = write_failure(file)) {
-    throw Error(ErrorKind::fault, file.path(), fmt::format("cannot be written: {}", std::strerror(failure)));
-  }
+  if (const int failure = write_failure(file)) throw disk_error(file.path(), failure);
   if (!flushed) throw write_error(file.path(), "to the disk");
 }
 
+void close_file(Handle file) {
+  const Turn turn;
+  last_close_failure();
+  file.close();
+  if (const int failure = last_close_failure()) throw disk_error(file.path(), failure);
+}
+
 Handle create_group(const Handle& parent, const std::string& name) {
+  const Turn turn;
   const Handle creation = made(H5Pcreate(H5P_GROUP_CREATE), H5Pclose, parent.path());
   H5Pset_obj_track_times(creation.id(), 0);
   Handle group = wrapped(H5Gcreate2(parent.id(), name.c_str(), H5P_DEFAULT, creation.id(), H5P_DEFAULT),
@@ -92,10 +114,12 @@ Handle create_group(const Handle& parent, const std::string& name) {
 }
 
 bool has_link(const Handle& parent, const std::string& name) {
+  const Turn turn;
   return H5Lexists(parent.id(), name.c_str(), H5P_DEFAULT) > 0;
 }
 
 Handle open_group(const Handle& parent, const std::string& name) {
+  const Turn turn;
   Handle group = wrapped(H5Gopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Gclose, parent.path());
   if (!group.open()) throw read_error(parent.path(), name);
   return group;

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <mutex>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,14 +11,22 @@
 
 /// What the trace needs of HDF5, behind plain types, so that hdf5.h stays in one file. Functions that write
 /// throw Error (fault, with the file's path); functions that read throw Error (refused). All of them, and
-/// every Handle's end, need the caller to hold a Turn: Debian's HDF5 is not thread-safe.
+/// every Handle's end, may be called from any thread: each takes its own turn with the library.
 namespace fingerpad::hdf5 {
 
-/// One thread's turn with the library.
-using Turn = std::unique_lock<std::mutex>;
-Turn take_turn();
+/// One thread's turn with the library: Debian's HDF5 is not thread-safe. Turns of one thread may nest.
+/// Holding one over several calls keeps other threads out between them. In a child that a thread forks during
+/// its turn, that thread's copy still has it.
+class Turn {
+ public:
+  Turn();
+  ~Turn();
+  Turn(const Turn&) = delete;
+  Turn& operator=(const Turn&) = delete;
+};
 
-/// An open HDF5 object; closed at its end. Failures of closing are told by close() alone.
+/// An open HDF5 object; closed at its end, which takes its own turn: where an exception passes, a Handle may
+/// outlive the turn it was opened in.
 class Handle {
  public:
   using Id = std::int64_t;
@@ -32,8 +39,7 @@ class Handle {
 
   bool open() const noexcept { return id_ >= 0; }
   Id id() const noexcept { return id_; }
-  /// False if the library failed (a full disk); the handle is gone either way.
-  bool close() noexcept;
+  void close() noexcept;
   /// Of the file that the object is in, for messages.
   const std::string& path() const noexcept { return path_; }
 
@@ -48,7 +54,10 @@ enum class NumberType { float64, int32, uint8 };
 // Files and groups. No times are kept, so that equal contents are equal bytes.
 Handle create_file(const std::string& path);
 Handle open_file(const std::string& path);
+/// Throws Error (fault) if what was written so far, or any of it, has not reached the file.
 void flush(const Handle& file);
+/// Closes a file that was written, all of whose objects are closed. Throws Error (fault) as flush() does.
+void close_file(Handle file);
 Handle create_group(const Handle& parent, const std::string& name);
 bool has_link(const Handle& parent, const std::string& name);
 Handle open_group(const Handle& parent, const std::string& name);

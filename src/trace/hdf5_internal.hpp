@@ -8,7 +8,8 @@
 #include "base/error.hpp"
 #include "trace/hdf5_file.hpp"
 
-/// What the files that call HDF5 share.
+/// What the files that call HDF5 share. Every function of hdf5_file.hpp takes its turn first; what stands
+/// here is called in turns alone.
 namespace fingerpad::hdf5 {
 
 static_assert(std::is_same_v<hid_t, Handle::Id>);
@@ -18,6 +19,9 @@ static_assert(std::is_same_v<herr_t, int>);
 bool write_through_disk(const Handle& access);
 /// errno of the last file that could not be opened through that driver, once; 0 if all could.
 int last_open_failure();
+/// errno of the first failure of the last file that was closed there, its writes and its close; 0 if all is
+/// in the file. Once.
+int last_close_failure();
 /// errno of the first write of this file that failed; 0 if none has.
 int write_failure(const Handle& file);
 

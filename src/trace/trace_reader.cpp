@@ -125,7 +125,7 @@ Trace read_hdf5_trace(const std::string& path, TraceContents contents) {
   constexpr std::uint64_t bytes_per_second = std::uint64_t{50} << 20;  // far slower than any reading
   const Seal seal = check_seal(path);
   if (seal == Seal::broken) throw refused(path, "is damaged: its contents are not those that were written");
-  const hdf5::Turn turn = hdf5::take_turn();
+  const hdf5::Turn turn;
   if (seal == Seal::none) {
     const std::uint64_t bytes = std::filesystem::file_size(path);
     // A row takes twice as much in memory as in the file.

@@ -1,5 +1,6 @@
 #include "trace/trace_writer.hpp"
 
+#include <utility>
 #include <vector>
 
 #include "base/error.hpp"
@@ -41,7 +42,7 @@ hdf5::NumberType type_of_column(std::size_t column) {
 class Hdf5TraceWriter final : public TraceWriter {
  public:
   Hdf5TraceWriter(const std::string& path, const TraceInfo& info, const World& world) {
-    const hdf5::Turn turn = hdf5::take_turn();
+    const hdf5::Turn turn;
     file_ = hdf5::create_file(path);
     write_info(file_, info);
     write_surfaces(file_, world, info.scene_text);
@@ -54,11 +55,6 @@ class Hdf5TraceWriter final : public TraceWriter {
     pending_.reserve(block_rows);
   }
 
-  ~Hdf5TraceWriter() override {
-    const hdf5::Turn turn = hdf5::take_turn();
-    close();
-  }
-
   void append(std::span<const TickRecord> rows) override {
     for (const TickRecord& row : rows) {
       pending_.push_back(to_row(row));
@@ -68,7 +64,7 @@ class Hdf5TraceWriter final : public TraceWriter {
 
   void flush() override {
     if (pending_.empty()) return;
-    const hdf5::Turn turn = hdf5::take_turn();
+    const hdf5::Turn turn;
     write_pending();
     hdf5::flush(file_);
   }
@@ -76,12 +72,13 @@ class Hdf5TraceWriter final : public TraceWriter {
   void finish() override {
     const std::string path = file_.path();
     {
-      const hdf5::Turn turn = hdf5::take_turn();
+      const hdf5::Turn turn;
       write_pending();
       hdf5::flush(file_);  // the rows are safe before the file calls itself complete
       hdf5::write_flag(file_, "complete", true);
       hdf5::flush(file_);
-      if (!close()) throw Error(ErrorKind::fault, path, "cannot be written to its end");
+      columns_.clear();
+      hdf5::close_file(std::move(file_));
     }
     seal_file(path);
   }
@@ -96,13 +93,6 @@ class Hdf5TraceWriter final : public TraceWriter {
     }
     rows_ += pending_.size();
     pending_.clear();
-  }
-
-  bool close() noexcept {
-    bool closed = true;
-    for (hdf5::Handle& column : columns_) closed = column.close() && closed;
-    columns_.clear();
-    return file_.close() && closed;
   }
 
   hdf5::Handle file_;

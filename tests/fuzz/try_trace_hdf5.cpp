@@ -159,7 +159,7 @@ void write_surface(const Handle& group, Choices& choices) {
 }
 
 void write_trace(const std::string& path, Choices& choices) {
-  const hdf5::Turn turn = hdf5::take_turn();
+  const hdf5::Turn turn;
   const Handle file = hdf5::create_file(path);
   write_info(file, choices);
   write_columns(file, choices);

@@ -271,15 +271,22 @@ TEST(TraceWriter, ARecordingKilledAtAnyMomentIsReadable) {
   const auto rows = some_rows(20000);
   const std::string path = (folder / "t.h5").string();
   for (int round = 0; round < 12; ++round) {
+    int begun[2];
+    ASSERT_EQ(pipe(begun), 0);
     const pid_t child = fork();
     if (child == 0) {
       const auto writer = TraceWriter::create(path, TraceFormat::hdf5, test::some_info(), {});
+      close(begun[1]);
       for (std::size_t i = 0;; i = (i + 100) % rows.size()) {
         writer->append(std::span(rows).subspan(i, 100));
         writer->flush();
       }
     }
-    std::this_thread::sleep_for(std::chrono::milliseconds(60 + 7 * round));
+    char end = 0;
+    close(begun[1]);
+    EXPECT_EQ(read(begun[0], &end, 1), 0);  // until the child has closed its end too
+    close(begun[0]);
+    std::this_thread::sleep_for(std::chrono::milliseconds(7 * round));
     kill(child, SIGKILL);
     waitpid(child, nullptr, 0);
     const Trace trace = read_trace(path);
