@@ -60,10 +60,40 @@ void write_part(const hdf5::Handle& group, const Surface& surface, double crease
   hdf5::write_list(group, "file_triangle", part.file_triangle);
 }
 
+void read_part(const hdf5::Handle& group, EmbeddedSurface& surface) {
+  surface.mesh = hdf5::read_text(group, "mesh");
+  surface.mesh_hash = hdf5::read_text(group, "mesh_hash");
+  surface.position_m = read_vector(group, "position_m");
+  const auto rotation = hdf5::read_numbers(group, "rotation", 9);
+  surface.rotation = Eigen::Map<const Mat3>(rotation.data()).transpose();
+  surface.has_triangles = hdf5::has_link(group, "vertices_m");
+  if (!surface.has_triangles) return;
+  surface.crease_deg = read_number(group, "crease_deg");
+  surface.soup.vertices_P = hdf5::read_points(group, "vertices_m", max_embedded_vertices);
+  surface.soup.triangles = hdf5::read_triples(group, "triangles", max_embedded_triangles);
+  surface.soup.file_triangle = hdf5::read_list(group, "file_triangle", max_embedded_triangles);
+}
+
+EmbeddedSurface read_surface(const hdf5::Handle& group) {
+  EmbeddedSurface surface;
+  surface.properties.stiffness_n_per_m = read_number(group, "stiffness_n_per_m");
+  surface.properties.damping_n_s_per_m = read_number(group, "damping_n_s_per_m");
+  surface.properties.mu_static = read_number(group, "mu_static");
+  surface.properties.mu_dynamic = read_number(group, "mu_dynamic");
+  surface.is_part = hdf5::read_text(group, "kind") != "plane";
+  if (surface.is_part) {
+    read_part(group, surface);
+  } else {
+    surface.point_m = read_vector(group, "point_m");
+    surface.normal = read_vector(group, "normal");
+  }
+  return surface;
+}
+
 /// What make_part asks of a soup, checked: a damaged file must not reach it.
-void check_soup(const hdf5::Handle& group, const TriangleSoup& soup) {
-  const auto refuse = [&group](const char* what) {
-    return refused(group.path(), fmt::format("is damaged: an embedded surface has {}", what));
+void check_soup(const TriangleSoup& soup, const std::string& path) {
+  const auto refuse = [&path](const char* what) {
+    return refused(path, fmt::format("is damaged: an embedded surface has {}", what));
   };
   if (soup.triangles.cols() == 0) throw refuse("no triangles");
   if (soup.triangles.minCoeff() < 0 || soup.triangles.maxCoeff() >= soup.vertices_P.cols()) {
@@ -78,26 +108,30 @@ void check_soup(const hdf5::Handle& group, const TriangleSoup& soup) {
   }
 }
 
-/// False if the part was too large to be embedded.
-bool read_part(const hdf5::Handle& group, Surface& surface) {
-  surface.mesh = hdf5::read_text(group, "mesh");
-  surface.mesh_hash = hdf5::read_text(group, "mesh_hash");
-  surface.p_WP = read_vector(group, "position_m");
-  const auto rotation = hdf5::read_numbers(group, "rotation", 9);
-  surface.R_WP = Eigen::Map<const Mat3>(rotation.data()).transpose();
-  if (!hdf5::has_link(group, "vertices_m")) return false;
+Surface built_part(const EmbeddedSurface& embedded, const std::string& path) {
+  Surface surface;
+  surface.mesh = embedded.mesh;
+  surface.mesh_hash = embedded.mesh_hash;
+  surface.p_WP = embedded.position_m;
+  surface.R_WP = embedded.rotation;
   const bool rigid = surface.p_WP.allFinite() && (surface.R_WP.transpose() * surface.R_WP).isIdentity(1e-9);
-  const double crease_deg = read_number(group, "crease_deg");
-  if (!rigid || !(crease_deg >= 0 && crease_deg <= 180)) {
-    throw refused(group.path(), "is damaged: an embedded surface has no sane pose or crease angle");
+  if (!rigid || !(embedded.crease_deg >= 0 && embedded.crease_deg <= 180)) {
+    throw refused(path, "is damaged: an embedded surface has no sane pose or crease angle");
   }
-  TriangleSoup soup;
-  soup.vertices_P = hdf5::read_points(group, "vertices_m", max_embedded_vertices);
-  soup.triangles = hdf5::read_triples(group, "triangles", max_embedded_triangles);
-  soup.file_triangle = hdf5::read_list(group, "file_triangle", max_embedded_triangles);
-  check_soup(group, soup);
-  surface.part = std::make_shared<const Part>(make_part(soup, crease_deg * std::numbers::pi / 180));
-  return true;
+  check_soup(embedded.soup, path);
+  surface.part =
+      std::make_shared<const Part>(make_part(embedded.soup, embedded.crease_deg * std::numbers::pi / 180));
+  return surface;
+}
+
+Surface built_plane(const EmbeddedSurface& embedded, const std::string& path) {
+  Surface surface;
+  surface.plane_point_W = embedded.point_m;
+  surface.plane_normal_W = embedded.normal;
+  if (!surface.plane_point_W.allFinite() || !(std::abs(surface.plane_normal_W.norm() - 1) < 1e-9)) {
+    throw refused(path, "is damaged: an embedded plane has no point or normal");
+  }
+  return surface;
 }
 
 }  // namespace
@@ -120,38 +154,26 @@ void write_surfaces(const hdf5::Handle& file, const World& world, const std::str
   }
 }
 
-std::shared_ptr<const World> read_surfaces(const hdf5::Handle& file) {
-  if (!hdf5::has_link(file, "surfaces")) return nullptr;
+void read_surfaces(const hdf5::Handle& file, const std::function<void(const EmbeddedSurface&)>& take) {
+  if (!hdf5::has_link(file, "surfaces")) return;
   const hdf5::Handle all = hdf5::open_group(file, "surfaces");
   const std::uint64_t count = hdf5::read_whole(all, "count").value_or(0);
-  if (count == 0) return nullptr;
   if (count > max_surfaces) throw refused(file.path(), fmt::format("is damaged: it has {} surfaces", count));
-  auto world = std::make_shared<World>();
-  for (std::uint64_t i = 0; i < count; ++i) {
-    const hdf5::Handle group = hdf5::open_group(all, fmt::format("{}", i));
-    Surface surface;
-    surface.properties.stiffness_n_per_m = read_number(group, "stiffness_n_per_m");
-    surface.properties.damping_n_s_per_m = read_number(group, "damping_n_s_per_m");
-    surface.properties.mu_static = read_number(group, "mu_static");
-    surface.properties.mu_dynamic = read_number(group, "mu_dynamic");
-    if (hdf5::read_text(group, "kind") == "plane") {
-      surface.plane_point_W = read_vector(group, "point_m");
-      surface.plane_normal_W = read_vector(group, "normal");
-      if (!surface.plane_point_W.allFinite() || !(std::abs(surface.plane_normal_W.norm() - 1) < 1e-9)) {
-        throw refused(file.path(), "is damaged: an embedded plane has no point or normal");
-      }
-    } else {
-      if (!read_part(group, surface)) return nullptr;
-      Verdict verdict;
-      verdict.file = surface.mesh;
-      verdict.touchable = true;
-      verdict.triangles = verdict.kept = surface.part->triangle_count();
-      verdict.bounds_m = bounds_P(*surface.part);
-      world->verdicts.push_back(std::move(verdict));
-    }
-    world->surfaces.push_back(std::move(surface));
+  for (std::uint64_t i = 0; i < count; ++i) take(read_surface(hdf5::open_group(all, fmt::format("{}", i))));
+}
+
+void add_surface(World& world, const EmbeddedSurface& embedded, const std::string& path) {
+  Surface surface = embedded.is_part ? built_part(embedded, path) : built_plane(embedded, path);
+  surface.properties = embedded.properties;
+  if (surface.part) {
+    Verdict verdict;
+    verdict.file = surface.mesh;
+    verdict.touchable = true;
+    verdict.triangles = verdict.kept = surface.part->triangle_count();
+    verdict.bounds_m = bounds_P(*surface.part);
+    world.verdicts.push_back(std::move(verdict));
   }
-  return world;
+  world.surfaces.push_back(std::move(surface));
 }
 
 }  // namespace fingerpad

@@ -27,7 +27,7 @@ Handle open_attribute(const Handle& object, const std::string& name, std::size_t
   const Handle type = wrapped(H5Aget_type(attribute.id()), H5Tclose, "");
   const H5T_class_t kind = H5Tget_class(type.id());
   if (H5Sget_simple_extent_npoints(space.id()) != static_cast<hssize_t>(count) ||
-      (kind != H5T_INTEGER && kind != H5T_FLOAT)) {
+      (kind != H5T_INTEGER && kind != H5T_FLOAT) || H5Tget_size(type.id()) > sizeof(double)) {
     throw read_error(object.path(), name);
   }
   return attribute;

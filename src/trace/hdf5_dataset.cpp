@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <array>
 
 #include "trace/hdf5_internal.hpp"
@@ -42,6 +44,11 @@ std::uint64_t checked_rows(const Handle& dataset, const std::string& name, std::
   if (size.size() != rank || size[0] > max_rows || (rank == 2 && size[1] != 3)) {
     throw read_error(dataset.path(), name);
   }
+  const std::uint64_t stored = stored_values(dataset);
+  if (size[0] * (rank == 2 ? 3 : 1) > stored) {
+    throw refused(dataset.path(), fmt::format("is damaged: table '{}' has {} rows, but bytes for {} numbers",
+                                              name, size[0], stored));
+  }
   return size[0];
 }
 
@@ -84,10 +91,12 @@ void append(const Handle& column, std::size_t rows, std::span<const double> valu
   }
 }
 
-Handle open_dataset(const Handle& parent, const std::string& name) {
+Handle open_dataset(const Handle& parent, const std::string& name, const std::string& what) {
   const Turn turn;
+  check_link(parent, name, what, H5O_TYPE_DATASET);
   Handle dataset = wrapped(H5Dopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Dclose, parent.path());
   if (!dataset.open()) throw read_error(parent.path(), name);
+  check_storage(dataset, name, what);
   return dataset;
 }
 
@@ -96,11 +105,19 @@ std::vector<std::uint64_t> extents(const Handle& dataset) {
   const Handle type = wrapped(H5Dget_type(dataset.id()), H5Tclose, "");
   const Handle space = wrapped(H5Dget_space(dataset.id()), H5Sclose, "");
   const H5T_class_t kind = H5Tget_class(type.id());
+  const std::size_t bytes = H5Tget_size(type.id());
   const int rank = H5Sget_simple_extent_ndims(space.id());
-  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || rank < 1 || rank > 2) return {};
+  if ((kind != H5T_INTEGER && kind != H5T_FLOAT) || bytes > sizeof(double) || rank < 1 || rank > 2) return {};
   std::array<hsize_t, 2> size{};
   if (H5Sget_simple_extent_dims(space.id(), size.data(), nullptr) != rank) return {};
   return {size.begin(), size.begin() + rank};
+}
+
+std::uint64_t stored_values(const Handle& dataset) {
+  const Turn turn;
+  const Handle type = wrapped(H5Dget_type(dataset.id()), H5Tclose, "");
+  const std::size_t bytes = H5Tget_size(type.id());
+  return bytes == 0 ? 0 : H5Dget_storage_size(dataset.id()) / bytes;
 }
 
 bool read_rows(const Handle& column, std::size_t first, std::span<double> out) {
@@ -137,7 +154,7 @@ void write_list(const Handle& parent, const std::string& name, std::span<const i
 
 Points read_points(const Handle& parent, const std::string& name, std::uint64_t max_columns) {
   const Turn turn;
-  const Handle table = open_dataset(parent, name);
+  const Handle table = open_dataset(parent, name, "table");
   Points points(3, static_cast<Eigen::Index>(checked_rows(table, name, 2, max_columns)));
   read_whole_dataset(table, name, H5T_NATIVE_DOUBLE, points.data());
   return points;
@@ -145,7 +162,7 @@ Points read_points(const Handle& parent, const std::string& name, std::uint64_t 
 
 IndexTriples read_triples(const Handle& parent, const std::string& name, std::uint64_t max_columns) {
   const Turn turn;
-  const Handle table = open_dataset(parent, name);
+  const Handle table = open_dataset(parent, name, "table");
   IndexTriples triples(3, static_cast<Eigen::Index>(checked_rows(table, name, 2, max_columns)));
   read_whole_dataset(table, name, H5T_NATIVE_INT, triples.data());
   return triples;
@@ -153,7 +170,7 @@ IndexTriples read_triples(const Handle& parent, const std::string& name, std::ui
 
 std::vector<int> read_list(const Handle& parent, const std::string& name, std::uint64_t max_count) {
   const Turn turn;
-  const Handle list = open_dataset(parent, name);
+  const Handle list = open_dataset(parent, name, "table");
   std::vector<int> values(checked_rows(list, name, 1, max_count));
   read_whole_dataset(list, name, H5T_NATIVE_INT, values.data());
   return values;

@@ -120,6 +120,7 @@ bool has_link(const Handle& parent, const std::string& name) {
 
 Handle open_group(const Handle& parent, const std::string& name) {
   const Turn turn;
+  check_link(parent, name, "group", H5O_TYPE_GROUP);
   Handle group = wrapped(H5Gopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Gclose, parent.path());
   if (!group.open()) throw read_error(parent.path(), name);
   return group;

@@ -60,6 +60,7 @@ void flush(const Handle& file);
 void close_file(Handle file);
 Handle create_group(const Handle& parent, const std::string& name);
 bool has_link(const Handle& parent, const std::string& name);
+/// Refuses a link that may lead out of the file, and what is no group.
 Handle open_group(const Handle& parent, const std::string& name);
 
 // Attributes.
@@ -81,9 +82,14 @@ std::vector<double> read_numbers(const Handle& object, const std::string& name, 
 Handle create_column(const Handle& file, const std::string& name, NumberType type, const std::string& unit);
 /// Adds values behind the first `rows`.
 void append(const Handle& column, std::size_t rows, std::span<const double> values);
-Handle open_dataset(const Handle& parent, const std::string& name);
-/// The extents of a dataset of numbers.
+/// Refuses a link that may lead out of the file, what is no dataset, and a dataset whose numbers are not
+/// plain bytes of the file's own: no external storage, no virtual dataset, no filter.
+/// @param what  what it is called in messages ("column")
+Handle open_dataset(const Handle& parent, const std::string& name, const std::string& what);
+/// The extents of a dataset of numbers; none if it is something else.
 std::vector<std::uint64_t> extents(const Handle& dataset);
+/// How many values the file has bytes for. (HDF5 reads zeros where it has none.)
+std::uint64_t stored_values(const Handle& dataset);
 /// Rows first .. first + out.size() of a column, as doubles; false if they cannot be read.
 bool read_rows(const Handle& column, std::size_t first, std::span<double> out);
 

@@ -34,6 +34,11 @@ inline Handle wrapped(hid_t id, herr_t (*closer)(hid_t), const std::string& path
   return {id, closer, path};
 }
 
+// What may stand in a file that somebody else made. Each throws Error (refused), in the words of a person,
+// for anything but an object of the file's own; nothing is followed or opened to find out.
+void check_link(const Handle& parent, const std::string& name, const std::string& what, H5O_type_t wanted);
+void check_storage(const Handle& dataset, const std::string& name, const std::string& what);
+
 /// For the small objects that describe others; these fail only for want of memory. Throws Error (fault).
 Handle made(hid_t id, herr_t (*closer)(hid_t), const std::string& path);
 

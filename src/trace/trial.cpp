@@ -16,6 +16,10 @@
 namespace fingerpad {
 namespace {
 
+constexpr char returned_letter = 'r', threw_letter = 't';
+constexpr std::size_t max_message_bytes = 4000;  // less than any pipe holds, so that the child never waits
+constexpr int words_capacity_bytes = 1 << 20;
+
 void limit(int resource, rlim_t value) {
   rlimit now{};
   if (getrlimit(resource, &now) != 0) return;
@@ -32,52 +36,135 @@ rlim_t held_bytes() {
   return statm ? field * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
-constexpr int threw_status = 3;
-constexpr std::size_t max_message_bytes = 4000;  // less than any pipe holds, so that the child never waits
-
-[[noreturn]] void run_in_child(const std::function<void()>& work, std::uint64_t seconds,
-                               std::uint64_t memory_bytes, int message_pipe) {
-  for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU, SIGALRM}) {
+/// A crash ends the child with no words of anybody's handlers. What asks the whole group of processes to end
+/// is for the parent to answer: the child ends when nobody hears it any more.
+void settle_signals() {
+  for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU, SIGALRM, SIGPIPE}) {
     std::signal(number, SIG_DFL);
   }
-  limit(RLIMIT_CORE, 0);
-  limit(RLIMIT_CPU, seconds);
-  if (const rlim_t held = held_bytes()) limit(RLIMIT_DATA, held + memory_bytes);
-  alarm(static_cast<unsigned>(3 * seconds));  // a wait that takes no time of the processor
-  // The C library says "free(): invalid pointer" before it aborts: that is for nobody's eyes.
-  close(STDERR_FILENO);
-  try {
-    work();
-  } catch (const std::exception& error) {
-    const std::size_t size = std::min(std::strlen(error.what()), max_message_bytes);
-    const bool sent = write(message_pipe, error.what(), size) == static_cast<ssize_t>(size);
-    _exit(sent ? threw_status : 1);
+  for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(number, SIG_IGN);
+}
+
+bool write_all(int file, std::string_view bytes) {
+  while (!bytes.empty()) {
+    const ssize_t count = write(file, bytes.data(), bytes.size());
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) return false;
+    bytes.remove_prefix(static_cast<std::size_t>(count));
   }
-  _exit(0);
+  return true;
+}
+
+[[noreturn]] void run_in_child(const std::function<void(const Trial::Say&)>& work, const TrialLimits& limits,
+                               int words, int ending) {
+  settle_signals();
+  limit(RLIMIT_CORE, 0);
+  limit(RLIMIT_CPU, limits.seconds);
+  if (const rlim_t held = held_bytes()) limit(RLIMIT_DATA, held + limits.memory_bytes);
+  alarm(static_cast<unsigned>(60 + 10 * limits.seconds));  // a wait that takes no time of the processor
+  // The C library says "free(): invalid pointer" before it aborts: that is for nobody's eyes.
+  if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) dup2(nowhere, STDERR_FILENO);
+  std::string end(1, returned_letter);
+  try {
+    work([words](std::string_view bytes) {
+      if (!write_all(words, bytes)) _exit(1);
+    });
+  } catch (const Error& error) {
+    end = threw_letter + std::string(error.what()).substr(0, max_message_bytes);
+  } catch (...) {
+    _exit(1);
+  }
+  _exit(write_all(ending, end) ? 0 : 1);
+}
+
+struct Pipe {
+  int out = -1, in = -1;
+};
+
+/// Above the three standard files, which may be closed here and are opened anew in the child.
+Pipe make_pipe() {
+  int ends[2] = {-1, -1};
+  if (pipe2(ends, O_CLOEXEC) != 0) return {};
+  Pipe made{fcntl(ends[0], F_DUPFD_CLOEXEC, 3), fcntl(ends[1], F_DUPFD_CLOEXEC, 3)};
+  close(ends[0]);
+  close(ends[1]);
+  return made;
+}
+
+ssize_t read_some(int file, std::span<char> out) {
+  while (true) {
+    const ssize_t count = read(file, out.data(), out.size());
+    if (count >= 0 || errno != EINTR) return count;
+  }
 }
 
 }  // namespace
 
-TrialOutcome trial(const std::function<void()>& work, std::uint64_t seconds, std::uint64_t memory_bytes) {
-  int ends[2] = {-1, -1};
-  const pid_t child = pipe2(ends, O_CLOEXEC) == 0 ? fork() : -1;
-  if (child < 0)
-    throw Error(ErrorKind::fault, "", std::string("no process can be started: ") + std::strerror(errno));
-  if (child == 0) run_in_child(work, seconds, memory_bytes, ends[1]);
-  close(ends[1]);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
+Trial::Trial(const std::function<void(const Say&)>& work, const TrialLimits& limits) {
+  const Pipe words = make_pipe(), ending = make_pipe();
+  fcntl(words.in, F_SETPIPE_SZ, words_capacity_bytes);  // fewer waits; refused where it is too much
+  child_ = ending.in >= 0 && words.in >= 0 ? fork() : -1;
+  const int failure = errno;
+  if (child_ == 0) {
+    close(words.out);
+    close(ending.out);
+    run_in_child(work, limits, words.in, ending.in);
   }
-  TrialOutcome outcome;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == 0) outcome.end = TrialOutcome::End::returned;
-  if (WIFEXITED(status) && WEXITSTATUS(status) == threw_status) {
-    outcome.end = TrialOutcome::End::threw;
-    outcome.message.resize(max_message_bytes);
-    const ssize_t size = read(ends[0], outcome.message.data(), outcome.message.size());
-    outcome.message.resize(size > 0 ? static_cast<std::size_t>(size) : 0);
+  close(words.in);
+  close(ending.in);
+  words_ = words.out;
+  ending_ = ending.out;
+  if (child_ > 0) return;
+  close(words_);
+  close(ending_);
+  throw Error(ErrorKind::fault, "", std::string("no process can be started: ") + std::strerror(failure));
+}
+
+Trial::~Trial() {
+  if (child_ <= 0) return;
+  kill(child_, SIGKILL);
+  release();
+}
+
+void Trial::release() {
+  close(words_);
+  close(ending_);
+  while (waitpid(child_, nullptr, 0) < 0 && errno == EINTR) {
   }
-  close(ends[0]);
-  return outcome;
+  child_ = -1;
+}
+
+bool Trial::fill() {
+  heard_.resize(std::size_t{1} << 18);
+  used_ = 0;
+  const ssize_t count = read_some(words_, heard_);
+  heard_.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  return count > 0;
+}
+
+bool Trial::hear(std::span<char> out) {
+  while (!out.empty()) {
+    if (used_ == heard_.size() && !fill()) return false;
+    const std::size_t count = std::min(out.size(), heard_.size() - used_);
+    std::memcpy(out.data(), heard_.data() + used_, count);
+    used_ += count;
+    out = out.subspan(count);
+  }
+  return true;
+}
+
+/// The letter and the message tell, not the child's status: where SIGCHLD is ignored there is none.
+TrialOutcome Trial::end() {
+  if (child_ <= 0) return {};
+  while (fill()) {
+  }
+  std::string told(max_message_bytes + 1, '\0');
+  const ssize_t count = read_some(ending_, told);
+  told.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  release();
+  if (told.empty()) return {};
+  if (told.front() == returned_letter) return {TrialOutcome::End::returned, ""};
+  return {TrialOutcome::End::threw, told.substr(1)};
 }
 
 }  // namespace fingerpad
