@@ -27,8 +27,13 @@ void fuzz_scene(std::string_view bytes);
 void fuzz_motion(std::string_view bytes);
 void fuzz_profile(std::string_view bytes);
 void fuzz_trace_csv(std::string_view bytes);
-/// The bytes are choices: what stands in the attributes and datasets of a well-formed, sealed HDF5 file.
-/// Bytes that libhdf5 itself stumbles over are not its matter: see trial.hpp.
+/// The bytes are choices: what stands in the attributes and datasets of a well-formed HDF5 file, which is
+/// read in this process: what stumbles there is ours.
 void fuzz_trace_hdf5(std::string_view bytes);
+/// The bytes are changes to the bytes of a whole trace, under a right seal. HDF5 itself stumbles over such
+/// files: that must end in a refusal.
+void fuzz_trace_hdf5_bytes(std::string_view bytes);
+/// The bytes are what the child that reads an HDF5 trace tells its parent; it may have lost its mind.
+void fuzz_trace_told(std::string_view bytes);
 
 }  // namespace fingerpad::test
