@@ -22,7 +22,9 @@ Trace read_hdf5_trace(const std::string& path, TraceContents contents) {
   constexpr std::uint64_t bytes_per_second = std::uint64_t{50} << 20;  // far slower than any reading
   if (check_seal(path) == Seal::broken)
     throw refused(path, "is damaged: its contents are not those that were written");
-  const std::uint64_t bytes = std::filesystem::file_size(path);
+  std::error_code vanished;
+  const std::uint64_t bytes = std::filesystem::file_size(path, vanished);
+  if (vanished) throw refused(path, "cannot be read: " + vanished.message());
   // A row takes little more in memory than in the file, and so does all else.
   const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + 4 * bytes;
   const TrialLimits limits{.seconds = 2 + bytes / bytes_per_second,

@@ -85,10 +85,14 @@ struct Pipe {
 Pipe make_pipe() {
   int ends[2] = {-1, -1};
   if (pipe2(ends, O_CLOEXEC) != 0) return {};
-  Pipe made{fcntl(ends[0], F_DUPFD_CLOEXEC, 3), fcntl(ends[1], F_DUPFD_CLOEXEC, 3)};
-  close(ends[0]);
-  close(ends[1]);
-  return made;
+  for (int& end : ends) {
+    const int low = end;
+    end = fcntl(low, F_DUPFD_CLOEXEC, 3);
+    const int failure = errno;
+    close(low);
+    errno = failure;
+  }
+  return {ends[0], ends[1]};
 }
 
 ssize_t read_some(int file, std::span<char> out) {
@@ -102,9 +106,9 @@ ssize_t read_some(int file, std::span<char> out) {
 
 Trial::Trial(const std::function<void(const Say&)>& work, const TrialLimits& limits) {
   const Pipe words = make_pipe(), ending = make_pipe();
-  fcntl(words.in, F_SETPIPE_SZ, words_capacity_bytes);  // fewer waits; refused where it is too much
   child_ = ending.in >= 0 && words.in >= 0 ? fork() : -1;
   const int failure = errno;
+  if (child_ >= 0) fcntl(words.in, F_SETPIPE_SZ, words_capacity_bytes);  // fewer waits; refused if too much
   if (child_ == 0) {
     close(words.out);
     close(ending.out);

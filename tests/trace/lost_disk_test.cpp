@@ -184,12 +184,13 @@ TEST(LostDisk, AReadOnlyFolderIsAFault) {
   std::filesystem::permissions(folder, std::filesystem::perms(0555));
   for (const TraceFormat format : {TraceFormat::hdf5, TraceFormat::csv}) {
     const std::string path = folder / "t";
-    EXPECT_EQ(status_of([&] {
-                if (geteuid() == 0 && setuid(65534) != 0) return cannot_try;  // root may write anywhere
-                const std::string said = fault_of(path, format, some_rows(10));
-                return said == path + ": cannot be created: Permission denied" ? 0 : 1;
-              }),
-              0);
+    const int status = status_of([&] {
+      if (geteuid() == 0 && setuid(65534) != 0) return cannot_try;
+      const std::string said = fault_of(path, format, some_rows(10));
+      return said == path + ": cannot be created: Permission denied" ? 0 : 1;
+    });
+    if (status == cannot_try) GTEST_SKIP() << "root may write anywhere, and may be nobody else here";
+    EXPECT_EQ(status, 0);
   }
 }
 
