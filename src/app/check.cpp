@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/progress_bar.hpp"
+#include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
 #include "contact/thinnest_wall.hpp"
 #include "part/import.hpp"
@@ -77,15 +78,15 @@ int check(const CheckOptions& options) {
     if (options.json) {
       report.push_back(verdict_json(imported.verdict, wall_m));
     } else {
-      fmt::print("{}", verdict_text(imported.verdict));
-      if (std::isfinite(wall_m)) fmt::print("  thinnest wall  {:.4g} mm\n", 1e3 * wall_m);
+      print_out("{}", verdict_text(imported.verdict));
+      if (std::isfinite(wall_m)) print_out("  thinnest wall  {:.4g} mm\n", 1e3 * wall_m);
     }
     if (!imported.verdict.touchable) {
       all_touchable = false;
-      fmt::print(stderr, "fingerpad: error: {}\n", refusal_text(imported.verdict));
+      print_err("fingerpad: error: {}\n", refusal_text(imported.verdict));
     }
   }
-  if (options.json) fmt::print("{}\n", report.dump(2, ' ', false, Json::error_handler_t::replace));
+  if (options.json) print_out("{}\n", report.dump(2, ' ', false, Json::error_handler_t::replace));
   return all_touchable ? 0 : 3;
 }
 

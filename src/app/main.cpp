@@ -2,9 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <clocale>
-#include <cstdio>
+#include <sstream>
 
 #include "app/commands.hpp"
+#include "app/standard_streams.hpp"
 #include "base/error.hpp"
 
 namespace {
@@ -28,7 +29,7 @@ constexpr const char* footer =
     "`fingerpad SUBCOMMAND --help` tells each subcommand's options, defaults and units.";
 
 int report(const char* what, int code) {
-  fmt::print(stderr, "fingerpad: error: {}\n", what);
+  fingerpad::print_err("fingerpad: error: {}\n", what);
   return code;
 }
 
@@ -43,17 +44,20 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    if (error.get_exit_code() == 0) return program.exit(error);  // --help and --version
+    if (error.get_exit_code() == 0) {  // --help and --version
+      std::ostringstream out;
+      const int code = program.exit(error, out, out);
+      fingerpad::print_out("{}", out.str());
+      return code;
+    }
     return report(fmt::format("{}\nRun with --help for the options.", error.what()).c_str(),
                   static_cast<int>(fingerpad::ErrorKind::usage));
   }
   return action();
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
-  std::setlocale(LC_ALL, "C");  // decimal points, whatever the desktop speaks
+/// run(), with whatever it throws told.
+int told_run(int argc, char** argv) {
   try {
     return run(argc, argv);
   } catch (const fingerpad::Error& error) {
@@ -63,4 +67,12 @@ int main(int argc, char** argv) {
   } catch (const std::exception& error) {
     return report(error.what(), static_cast<int>(fingerpad::ErrorKind::fault));
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  fingerpad::guard_standard_streams();
+  std::setlocale(LC_ALL, "C");  // decimal points, whatever the desktop speaks
+  return fingerpad::close_standard_streams(told_run(argc, argv));
 }

@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <utility>
 
+#include "app/standard_streams.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -44,9 +46,9 @@ void ProgressBar::finish() {
   drawer_.join();
   if (end_ == End::kept && state_) {
     draw(*state_);
-    fmt::print(stderr, "\n");
+    print_err("\n");
   } else if (is_drawn_) {
-    fmt::print(stderr, "\r{:{}}\r", "", bar_width + text_width + 8);
+    print_err("\r{:{}}\r", "", bar_width + text_width + 8);
   }
   std::fflush(stderr);
 }
@@ -63,8 +65,8 @@ void ProgressBar::draw_now_and_then(std::chrono::milliseconds patience) {
 
 void ProgressBar::draw(const State& state) {
   const int filled = static_cast<int>(std::floor(bar_width * state.share_done));
-  fmt::print(stderr, "\r[{:=<{}}{: <{}}] {:3.0f}% {:<{}.{}}", "", filled, "", bar_width - filled,
-             std::floor(100 * state.share_done), state.what, text_width, text_width);
+  print_err("\r[{:=<{}}{: <{}}] {:3.0f}% {:<{}.{}}", "", filled, "", bar_width - filled,
+            std::floor(100 * state.share_done), state.what, text_width, text_width);
   std::fflush(stderr);
   is_drawn_ = true;
 }

@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/progress_bar.hpp"
+#include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
@@ -58,11 +59,11 @@ int query(const QueryOptions& options) {
   const TriangleTree tree(imported.part);
   bar.finish();
   for (const std::string& warning : imported.verdict.warnings) {
-    fmt::print(stderr, "fingerpad: warning: {}: {}\n", options.mesh, warning);
+    print_err("fingerpad: warning: {}: {}\n", options.mesh, warning);
   }
   const std::string text = answers(tree, points);
   if (options.out.empty()) {
-    fmt::print("{}", text);
+    print_out("{}", text);
     return 0;
   }
   std::ofstream file(options.out, std::ios::binary);

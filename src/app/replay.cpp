@@ -9,6 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/progress_bar.hpp"
+#include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "replay/batch.hpp"
 
@@ -51,7 +52,7 @@ void tell(const std::vector<BatchJob>& jobs) {
   for (const BatchJob& job : jobs) {
     if (job.status.empty()) continue;
     if (job.status != "ok") {
-      fmt::print(stderr, "fingerpad: error: {}\n", job.status);
+      print_err("fingerpad: error: {}\n", job.status);
       continue;
     }
     const double coarse = figure(job, "coarse_teeth");
@@ -61,21 +62,19 @@ void tell(const std::vector<BatchJob>& jobs) {
     inside_starts += figure(job, "inside_starts");
   }
   if (remedied_ticks > 0) {
-    fmt::print(stderr,
-               "fingerpad: warning: the stick spring was too stiff for the loop on {} ticks, and "
-               "friction.remedy acted (remedied_ticks in summary.csv)\n",
-               remedied_ticks);
+    print_err(
+        "fingerpad: warning: the stick spring was too stiff for the loop on {} ticks, and "
+        "friction.remedy acted (remedied_ticks in summary.csv)\n",
+        remedied_ticks);
   }
   if (inside_starts > 0) {
-    fmt::print(
-        stderr,
+    print_err(
         "fingerpad: warning: {} of the motions start inside of a part; the proxy was put at the nearest "
         "place outside (inside_starts in summary.csv)\n",
         inside_starts);
   }
   if (coarse_jobs == 0) return;
-  fmt::print(
-      stderr,
+  print_err(
       "fingerpad: warning: {} stick-slip teeth in {} {} lasted under ten ticks, too coarse to show their "
       "true period (coarse_teeth in summary.csv); raise motion.rate_hz or soften the pad\n",
       coarse_teeth, coarse_jobs, coarse_jobs == 1 ? "trace" : "traces");
@@ -86,7 +85,7 @@ void tell_choices(const std::vector<BatchJob>& jobs) {
   std::set<std::string_view> told;
   for (const BatchJob& job : jobs) {
     for (const std::string& reason : job.contact_reasons) {
-      if (told.insert(reason).second) fmt::print(stderr, "fingerpad: {}\n", reason);
+      if (told.insert(reason).second) print_err("fingerpad: {}\n", reason);
     }
   }
 }
@@ -143,8 +142,8 @@ int replay(ReplayOptions options) {
   const auto good =
       std::count_if(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.status == "ok"; });
   if (!options.quiet) {
-    fmt::print("{} of {} {} done, traces and summary.csv in {}\n", good, ran, ran == 1 ? "job" : "jobs",
-               options.batch.out_dir);
+    print_out("{} of {} {} done, traces and summary.csv in {}\n", good, ran, ran == 1 ? "job" : "jobs",
+              options.batch.out_dir);
   }
   return exit_code(jobs);
 }

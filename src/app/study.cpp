@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/standard_streams.hpp"
 #include "app/study_pictures.hpp"
 #include "base/error.hpp"
 #include "study/study.hpp"
@@ -25,8 +26,7 @@ std::string exact_folder(const StudyOptions& options) {
   const std::string table = options.exact_folder + "/meshes.csv";
   std::error_code ignored;
   if (options.exact_folder_given || std::filesystem::exists(table, ignored)) return options.exact_folder;
-  fmt::print(
-      stderr,
+  print_err(
       "fingerpad: warning: {}: there is no such file: the study goes without the CAD part's exact surface; "
       "--exact DIR says where it is\n",
       table);
@@ -37,7 +37,7 @@ StudyReport studied(const StudyOptions& options) {
   const std::string& subject = options.subject;
   const bool on_terminal = isatty(STDERR_FILENO) != 0;
   const StudyProgress progress = [&](const std::string& next) {
-    if (on_terminal) fmt::print(stderr, "{}: {} ...\n", subject, next);
+    if (on_terminal) print_err("{}: {} ...\n", subject, next);
   };
   if (subject == "stability") return study_stability(progress);
   if (subject == "friction") return study_friction(progress);
@@ -60,11 +60,11 @@ int study(const StudyOptions& options) {
       draw_study_chart(chart, options.out_dir + "/" + chart.name + ending);
     }
   }
-  fmt::print("{} tables and {} charts (PNG and SVG) in {}\n", report.tables.size(), report.charts.size(),
-             options.out_dir);
+  print_out("{} tables and {} charts (PNG and SVG) in {}\n", report.tables.size(), report.charts.size(),
+            options.out_dir);
 #else
-  fmt::print("{} tables in {}; charts need a build with FINGERPAD_VIEW=ON\n", report.tables.size(),
-             options.out_dir);
+  print_out("{} tables in {}; charts need a build with FINGERPAD_VIEW=ON\n", report.tables.size(),
+            options.out_dir);
 #endif
   return 0;
 }

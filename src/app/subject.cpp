@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/closed_loop.hpp"
@@ -72,13 +73,13 @@ ViewInput load_subject(const std::string& path, double metres_per_unit, LoadBar&
 
 void tell_choice(const World& world) {
   if (!world.contact) return;
-  for (const std::string& reason : world.contact->reasons) fmt::print(stderr, "fingerpad: {}\n", reason);
+  for (const std::string& reason : world.contact->reasons) print_err("fingerpad: {}\n", reason);
 }
 
 void tell_warnings(const World& world) {
   for (const Verdict& verdict : world.verdicts) {
     for (const std::string& warning : verdict.warnings) {
-      fmt::print(stderr, "fingerpad: warning: {}: {}\n", verdict.file, warning);
+      print_err("fingerpad: warning: {}: {}\n", verdict.file, warning);
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "app/commands.hpp"
 #include "app/progress_bar.hpp"
+#include "app/standard_streams.hpp"
 #include "app/subject.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
@@ -83,14 +84,14 @@ int touch(const TouchOptions& options) {
 
   servo.stop();
   const ServoLoop::Timing timing = servo.timing();
-  fmt::print("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks,
-             scene.motion.rate_hz, timing.late_ticks, 1e3 * timing.worst_late_s);
+  print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks,
+            scene.motion.rate_hz, timing.late_ticks, 1e3 * timing.worst_late_s);
   if (!recorder) return 0;
   recorder->finish();
-  fmt::print("{} ticks recorded in {}\n", recorder->recorded(), options.record);
+  print_out("{} ticks recorded in {}\n", recorder->recorded(), options.record);
   if (recorder->dropped() > 0) {
-    fmt::print(stderr, "fingerpad: warning: {}: {} ticks were lost because the disk was too slow\n",
-               options.record, recorder->dropped());
+    print_err("fingerpad: warning: {}: {} ticks were lost because the disk was too slow\n", options.record,
+              recorder->dropped());
   }
   return 0;
 }
