@@ -2,6 +2,7 @@
 
 #include "app/commands.hpp"
 #include "base/error.hpp"
+#include "base/file_identity.hpp"
 #include "trace/export.hpp"
 
 namespace fingerpad {
@@ -16,6 +17,7 @@ int export_trace(const ExportOptions& options) {
   if (!csv && !options.out.ends_with(".vtp")) {
     throw Error(ErrorKind::usage, options.out, "export writes .csv or .vtp files");
   }
+  refuse_overwriting(options.out, {options.trace});
   const Trace trace = read_trace(options.trace);
   csv ? export_csv(trace, options.out) : export_vtp(trace, options.out);
   return 0;

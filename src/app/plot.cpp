@@ -8,6 +8,7 @@
 #include "app/pad_charts.hpp"
 #include "app/study_pictures.hpp"
 #include "base/error.hpp"
+#include "base/file_identity.hpp"
 
 namespace fingerpad {
 namespace {
@@ -22,6 +23,7 @@ int plot(const PlotOptions& options) {
   if (!options.out.ends_with(".png") && !options.out.ends_with(".svg")) {
     throw Error(ErrorKind::usage, options.out, "plot writes .png or .svg files");
   }
+  refuse_overwriting(options.out, {options.trace});
   ViewInput input = view_of_trace(read_trace(options.trace), options.trace);
   std::erase_if(input.rows,
                 [&](const TickRecord& row) { return row.t_s < options.from_s || row.t_s > options.to_s; });

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <fstream>
 #include <limits>
 
 #include "app/commands.hpp"
@@ -9,10 +8,11 @@
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
 #include "base/csv_columns.hpp"
-#include "base/error.hpp"
+#include "base/file_identity.hpp"
 #include "base/number_text.hpp"
 #include "contact/surface_point.hpp"
 #include "part/import.hpp"
+#include "trace/output_file.hpp"
 
 namespace fingerpad {
 namespace {
@@ -48,6 +48,7 @@ std::string answers(const TriangleTree& tree, const CsvColumns& points) {
 }
 
 int query(const QueryOptions& options) {
+  if (!options.out.empty()) refuse_overwriting(options.out, {options.mesh, options.points});
   const CsvColumns points = read_csv_columns(options.points, {"x_m", "y_m", "z_m"});
   LoadBar bar(stderr_is_terminal());
   const LoadProgress progress = bar.progress(options.mesh);
@@ -66,10 +67,9 @@ int query(const QueryOptions& options) {
     print_out("{}", text);
     return 0;
   }
-  std::ofstream file(options.out, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw Error(ErrorKind::fault, options.out, "cannot be written");
+  OutputFile file(options.out);
+  file.write(text);
+  file.commit();
   return 0;
 }
 

@@ -122,30 +122,49 @@ class JobBar {
   ProgressBar bar_;
 };
 
+/// The tables that could not be written, and the code for it where the jobs themselves are good.
+int tell_lost(const std::vector<Error>& lost) {
+  for (const Error& error : lost) print_err("fingerpad: error: {}\n", error.what());
+  return lost.empty() ? 0 : static_cast<int>(ErrorKind::fault);
+}
+
+void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const std::string& out_dir) {
+  const auto count = [&jobs](auto which) { return std::count_if(jobs.begin(), jobs.end(), which); };
+  const auto ran = count([](const BatchJob& job) { return !job.status.empty(); });
+  const auto good = count([](const BatchJob& job) { return job.status == "ok"; });
+  print_out("{} of {} {} done, traces{} in {}\n", good, ran, ran == 1 ? "job" : "jobs",
+            any_table_lost ? "" : " and summary.csv", out_dir);
+}
+
+int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ranks) {
+  std::vector<BatchJob> jobs = batch_jobs(options.scenes);
+  const auto share = static_cast<std::size_t>(ranks.count()) * static_cast<std::size_t>(batch.shard_count);
+  JobBar bar((jobs.size() + share - 1) / share, !options.quiet && ranks.is_root() && stderr_is_terminal());
+  batch.on_load = [&](std::string_view stage, double done) { bar.load(stage, done); };
+  batch.on_unfinished = [](const std::string& what) { print_err("fingerpad: warning: {}\n", what); };
+  const std::vector<Error> lost =
+      run_batch(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job.job.scene.name); });
+  bar.finish();
+  if (!ranks.is_root()) return 0;
+  if (!options.quiet) tell_choices(jobs);
+  tell(jobs);
+  const int lost_code = tell_lost(lost);
+  if (!options.quiet) tell_end(jobs, !lost.empty(), batch.out_dir);
+  const int code = exit_code(jobs);
+  return code != 0 ? code : lost_code;
+}
+
 int replay(ReplayOptions options) {
   read_shard(options.shard, options.batch);
   options.batch.format = options.format == "csv" ? TraceFormat::csv : TraceFormat::hdf5;
   options.batch.version = program_version;
   const Ranks ranks;
-  std::vector<BatchJob> jobs = batch_jobs(options.scenes);
-  const auto share =
-      static_cast<std::size_t>(ranks.count()) * static_cast<std::size_t>(options.batch.shard_count);
-  JobBar bar((jobs.size() + share - 1) / share, !options.quiet && ranks.is_root() && stderr_is_terminal());
-  options.batch.on_load = [&](std::string_view stage, double done) { bar.load(stage, done); };
-  run_batch(jobs, options.batch, ranks, [&](const BatchJob& job) { bar.advance(job.job.scene.name); });
-  bar.finish();
-  if (!ranks.is_root()) return 0;
-  if (!options.quiet) tell_choices(jobs);
-  tell(jobs);
-  const auto ran =
-      std::count_if(jobs.begin(), jobs.end(), [](const BatchJob& job) { return !job.status.empty(); });
-  const auto good =
-      std::count_if(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.status == "ok"; });
-  if (!options.quiet) {
-    print_out("{} of {} {} done, traces and summary.csv in {}\n", good, ran, ran == 1 ? "job" : "jobs",
-              options.batch.out_dir);
+  try {
+    return run_replay(options, options.batch, ranks);
+  } catch (const Error& error) {
+    if (ranks.is_root()) throw;
+    return static_cast<int>(error.kind());  // every rank hears of it; one tells
   }
-  return exit_code(jobs);
 }
 
 }  // namespace
@@ -184,7 +203,7 @@ void add_replay(CLI::App& program, Action& action) {
       ->check(CLI::IsMember({"h5", "csv"}))
       ->capture_default_str();
   command->add_flag("--resume", options->batch.resume,
-                    "Keep complete traces of the same runs instead of making them again");
+                    "Keep complete traces of the very same runs instead of making them again");
   command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")
       ->type_name("K/N")
       ->capture_default_str();

@@ -6,6 +6,7 @@
 
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
+#include "replay/batch_files.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/closed_loop.hpp"
 #include "trace/motion_source.hpp"
@@ -69,6 +70,11 @@ ViewInput load_subject(const std::string& path, double metres_per_unit, LoadBar&
       break;
   }
   return mesh_subject(path, metres_per_unit, bar);
+}
+
+std::vector<std::string> subject_files(const std::string& path) {
+  if (subject_kind(path) != SubjectKind::scene) return {path};
+  return input_files(single_scene(path));
 }
 
 void tell_choice(const World& world) {

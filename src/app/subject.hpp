@@ -22,6 +22,9 @@ ViewInput load_subject(const std::string& path, double metres_per_unit, LoadBar&
 /// A scene file's scene; of a set, its first job's. Throws Error (refused).
 Scene single_scene(const std::string& path);
 
+/// The files that showing a subject reads: itself, and what a scene names.
+std::vector<std::string> subject_files(const std::string& path);
+
 /// Prints the verdicts' warnings to standard error, as `fingerpad: warning: FILE: WHAT`.
 void tell_warnings(const World& world);
 

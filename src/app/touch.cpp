@@ -11,7 +11,9 @@
 #include "app/subject.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
+#include "base/file_identity.hpp"
 #include "device/pointer_finger.hpp"
+#include "replay/batch_files.hpp"
 #include "replay/run_job.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/servo_loop.hpp"
@@ -48,6 +50,7 @@ std::unique_ptr<LiveRecorder> recorder_for(const TouchOptions& options, const Sc
                                            const World& world) {
   if (options.record.empty()) return nullptr;
   const TraceFormat format = options.record.ends_with(".csv") ? TraceFormat::csv : TraceFormat::hdf5;
+  refuse_overwriting(options.record, input_files(scene));
   TraceInfo info = trace_info(scene, world, std::string(program_version));
   info.motion_file.clear();  // the person's, not the scene's
   info.motion_hash.clear();

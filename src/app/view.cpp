@@ -7,6 +7,7 @@
 #include "app/subject.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
+#include "base/file_identity.hpp"
 #include "view/picture.hpp"
 #include "view/screen.hpp"
 #include "view/window.hpp"
@@ -37,6 +38,7 @@ Size read_size(const std::string& text) {
 int view(const ViewOptions& options) {
   const Size size = read_size(options.size);
   if (options.png.empty()) need_display();  // before a long import
+  if (!options.png.empty()) refuse_overwriting(options.png, subject_files(options.subject));
   LoadBar bar(stderr_is_terminal());
   const ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);
   bar.finish();

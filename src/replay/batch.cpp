@@ -4,6 +4,7 @@
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <bit>
 #include <chrono>
 #include <filesystem>
 #include <mutex>
@@ -11,7 +12,9 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "replay/batch_files.hpp"
 #include "replay/run_job.hpp"
+#include "replay/run_lock.hpp"
 #include "replay/summary.hpp"
 
 namespace fingerpad {
@@ -45,7 +48,10 @@ std::string outcomes_text(const std::vector<BatchJob>& jobs, const std::vector<s
   nlohmann::json outcomes = nlohmann::json::array();
   for (const std::size_t i : ours) {
     const BatchJob& job = jobs[i];
-    outcomes.push_back({i, job.status, job.exit_code, job.seconds, job.figures, job.contact_method,
+    // Figures as bits: JSON has no numbers that are not finite.
+    std::vector<std::uint64_t> figures;
+    for (const double figure : job.figures) figures.push_back(std::bit_cast<std::uint64_t>(figure));
+    outcomes.push_back({i, job.status, job.exit_code, job.seconds, figures, job.contact_method,
                         job.contact_normals, job.contact_reasons});
   }
   return outcomes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
@@ -57,7 +63,8 @@ void take_outcomes(std::vector<BatchJob>& jobs, const std::string& text) {
     job.status = outcome[1];
     job.exit_code = outcome[2];
     job.seconds = outcome[3];
-    job.figures = outcome[4].get<std::vector<double>>();
+    job.figures.clear();
+    for (const std::uint64_t bits : outcome[4]) job.figures.push_back(std::bit_cast<double>(bits));
     job.contact_method = outcome[5];
     job.contact_normals = outcome[6];
     job.contact_reasons = outcome[7].get<std::vector<std::string>>();
@@ -67,9 +74,8 @@ void take_outcomes(std::vector<BatchJob>& jobs, const std::string& text) {
 /// The jobs of this shard, and of them every count-th for this rank.
 std::vector<std::size_t> share(std::size_t job_count, const BatchOptions& options, const Ranks& ranks) {
   std::vector<std::size_t> shard;
-  for (auto i = static_cast<std::size_t>(options.shard - 1); i < job_count;
-       i += static_cast<std::size_t>(options.shard_count)) {
-    shard.push_back(i);
+  for (std::size_t i = 0; i < job_count; ++i) {
+    if (is_of_shard(i, options)) shard.push_back(i);
   }
   std::vector<std::size_t> ours;
   for (auto i = static_cast<std::size_t>(ranks.rank()); i < shard.size();
@@ -79,13 +85,44 @@ std::vector<std::size_t> share(std::size_t job_count, const BatchOptions& option
   return ours;
 }
 
-}  // namespace
-
-std::string trace_name(const SceneJob& job, TraceFormat format) {
-  const char* ending = format == TraceFormat::hdf5 ? "h5" : "csv";
-  if (job.number == 0) return fmt::format("{}.{}", job.scene.name, ending);
-  return fmt::format("{}-{:04}.{}", job.scene.name, job.number, ending);
+/// On the root: looks for collisions, makes the output folder and registers the run in it.
+std::shared_ptr<RunLock> root_claim(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  refuse_collisions(jobs, options);
+  std::error_code failure;
+  std::filesystem::create_directories(options.out_dir, failure);
+  if (failure) throw Error(ErrorKind::fault, options.out_dir, "cannot be made: " + failure.message());
+  auto lock = std::make_shared<RunLock>(options.out_dir, output_names(jobs, options));
+  for (const std::string& run : lock->unfinished()) {
+    if (options.on_unfinished)
+      options.on_unfinished(
+          fmt::format("{}: {} ended before it was done; this run takes its place", options.out_dir, run));
+  }
+  return lock;
 }
+
+/// What must be done once for all ranks before any of them writes. What the root refuses, every rank throws.
+/// @returns what holds the run's place in the folder
+std::shared_ptr<void> claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
+                                     const Ranks& ranks) {
+  std::shared_ptr<void> claim;
+  std::string said;  // '0' and the lock's path, or the kind of an error and its text
+  if (ranks.is_root()) {
+    try {
+      const std::shared_ptr<RunLock> lock = root_claim(jobs, options);
+      said = "0" + lock->path();
+      claim = lock;
+    } catch (const Error& error) {
+      said = fmt::format("{}{}", static_cast<int>(error.kind()), error.what());
+    } catch (const std::exception& error) {
+      said = fmt::format("{}{}: {}", static_cast<int>(ErrorKind::fault), options.out_dir, error.what());
+    }
+  }
+  said = ranks.broadcast(said);
+  if (said[0] != '0') throw Error(static_cast<ErrorKind>(said[0] - '0'), "", said.substr(1));
+  return ranks.is_root() ? claim : RunLock::join(said.substr(1));
+}
+
+}  // namespace
 
 std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths) {
   std::vector<BatchJob> jobs;
@@ -116,12 +153,9 @@ std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths) {
   return jobs;
 }
 
-void run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
-               const std::function<void(const BatchJob&)>& on_done) {
-  std::error_code failure;
-  std::filesystem::create_directories(options.out_dir, failure);
-  if (failure) throw Error(ErrorKind::fault, options.out_dir, "cannot be made: " + failure.message());
-
+std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
+                             const std::function<void(const BatchJob&)>& on_done) {
+  const std::shared_ptr<void> claim = claimed_folder(jobs, options, ranks);
   const std::vector<std::size_t> ours = share(jobs.size(), options, ranks);
   MeshStore meshes(static_cast<std::size_t>(options.threads) + 1, options.on_load);
   std::mutex done_mutex;
@@ -141,7 +175,8 @@ void run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const R
         tbb::simple_partitioner());
   });
   for (const std::string& text : ranks.gather(outcomes_text(jobs, ours))) take_outcomes(jobs, text);
-  if (ranks.is_root()) write_summary(jobs, options);
+  if (!ranks.is_root()) return {};
+  return write_summary(jobs, options);
 }
 
 }  // namespace fingerpad

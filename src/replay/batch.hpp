@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "base/error.hpp"
 #include "replay/figures.hpp"
 #include "replay/ranks.hpp"
 #include "scene/scene_file.hpp"
@@ -21,6 +22,9 @@ struct BatchOptions {
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1
   std::string version;
   LoadProgress on_load;  ///< as MeshStore's
+  /// Told, on the root, of runs that had begun to write the same folder and ended before they were done:
+  /// "OUT: process 12 on HOST (COMMAND) ...". May be empty.
+  std::function<void(const std::string&)> on_unfinished;
 };
 
 /// One job of a batch, and how it ended.
@@ -43,11 +47,11 @@ std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths);
 /// jobs alone, not on threads, ranks or their timing. On the root every job of the shard has its status
 /// afterwards, elsewhere the rank's own.
 /// @param on_done  called after each of this rank's jobs, one call at a time, from any thread
-/// Throws Error (fault) if the output folder cannot be written.
-void run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
-               const std::function<void(const BatchJob&)>& on_done);
-
-/// The trace's file name: `<scene>.h5`, or `<scene>-0001.h5` for a job of a set.
-std::string trace_name(const SceneJob& job, TraceFormat format);
+/// @returns on the root, the tables that could not be written, with the reason; the traces are there
+/// Throws Error on every rank, before anything is written: refused where two files of the batch would be one,
+/// where a file that the batch reads would be overwritten, or where a running process writes the same files;
+/// fault if the output folder cannot be written.
+std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
+                             const std::function<void(const BatchJob&)>& on_done);
 
 }  // namespace fingerpad

@@ -54,11 +54,23 @@ std::vector<std::string> Ranks::gather(const std::string& text) const {
   }
   return texts;
 }
+
+std::string Ranks::broadcast(std::string text) const {
+  if (count_ == 1) return text;
+  int length = static_cast<int>(text.size());
+  MPI_Bcast(&length, 1, MPI_INT, 0, MPI_COMM_WORLD);
+  text.resize(static_cast<std::size_t>(length));
+  MPI_Bcast(text.data(), length, MPI_CHAR, 0, MPI_COMM_WORLD);
+  return text;
+}
 #else
 Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
 std::vector<std::string> Ranks::gather(const std::string& text) const {
   return {text};
+}
+std::string Ranks::broadcast(std::string text) const {
+  return text;
 }
 #endif
 

@@ -21,6 +21,8 @@ class Ranks {
 
   /// Every rank's text, in rank order, on the root; empty elsewhere. All ranks must call it.
   std::vector<std::string> gather(const std::string& text) const;
+  /// The root's text, on every rank; the others' own is not read. All ranks must call it.
+  std::string broadcast(std::string text) const;
 
  private:
   int rank_ = 0;

@@ -4,11 +4,11 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <string_view>
 
-#include "base/error.hpp"
 #include "base/number_text.hpp"
+#include "replay/batch_files.hpp"
+#include "trace/output_file.hpp"
 
 namespace fingerpad {
 namespace {
@@ -71,21 +71,28 @@ std::string timing_text(const std::vector<BatchJob>& jobs) {
   return text;
 }
 
-void write_text(const std::filesystem::path& path, const std::string& text) {
-  std::ofstream file(path, std::ios::binary);
-  file << text;
-  file.close();
-  if (!file) throw Error(ErrorKind::fault, path.string(), "cannot be written");
+/// Adds the reason to `lost` where the file cannot be written whole; then an older one stays as it was.
+void write_table(const std::filesystem::path& path, const std::string& text, std::vector<Error>& lost) {
+  try {
+    OutputFile file(path.string());
+    file.write(text);
+    file.commit();
+  } catch (const Error& error) {
+    std::error_code ignored;
+    std::filesystem::remove(path.string() + ".part", ignored);
+    lost.push_back(error);
+  }
 }
 
 }  // namespace
 
-void write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
-  const std::string shard =
-      options.shard_count > 1 ? fmt::format("-{}of{}", options.shard, options.shard_count) : std::string();
+std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  const TableNames names = table_names(options.shard, options.shard_count);
   const std::filesystem::path folder(options.out_dir);
-  write_text(folder / ("summary" + shard + ".csv"), summary_text(jobs));
-  write_text(folder / ("timing" + shard + ".csv"), timing_text(jobs));
+  std::vector<Error> lost;
+  write_table(folder / names.summary, summary_text(jobs), lost);
+  write_table(folder / names.timing, timing_text(jobs), lost);
+  return lost;
 }
 
 }  // namespace fingerpad

@@ -2,13 +2,15 @@
 
 #include <vector>
 
+#include "base/error.hpp"
 #include "replay/batch.hpp"
 
 namespace fingerpad {
 
 /// Writes `summary.csv` (scene, job, every set key as written, status, figures, contact method and normals:
 /// no times) and `timing.csv` (scene, job, seconds) into the output folder: a row for each job that this call
-/// ran. With several shards the names carry the shard: `summary-2of8.csv`. Throws Error (fault).
-void write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
+/// ran. With several shards the names carry the shard: `summary-2of8.csv`.
+/// @returns why, for each of the two that could not be written
+std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
 
 }  // namespace fingerpad

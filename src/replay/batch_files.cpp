@@ -1,0 +1,134 @@
+#include "replay/batch_files.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "base/error.hpp"
+#include "base/file_identity.hpp"
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string words_for(const SceneJob& job) {
+  if (job.number == 0) return fmt::format("scene '{}'", job.scene.name);
+  return fmt::format("job {} of set '{}'", job.number, job.scene.name);
+}
+
+fs::path canonical_path(const fs::path& path) {
+  std::error_code ignored;
+  return fs::weakly_canonical(fs::absolute(path, ignored), ignored);
+}
+
+/// Who writes each file: a table, or a job.
+using Writers = std::map<std::string, std::string>;
+
+Writers table_writers(const BatchOptions& options) {
+  Writers writers;
+  for (int shard = 1; shard <= options.shard_count; ++shard) {
+    const TableNames names = table_names(shard, options.shard_count);
+    for (const std::string& name : {names.summary, names.timing})
+      writers.emplace(name, "the batch's own table");
+  }
+  return writers;
+}
+
+/// Every file of the batch with who writes it.
+Writers writers_of(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  Writers writers = table_writers(options);
+  for (const BatchJob& batch_job : jobs) {
+    const SceneJob& job = batch_job.job;
+    if (!job.error.empty()) continue;
+    const std::string name = trace_name(job, options.format);
+    const auto [other, is_new] = writers.emplace(name, words_for(job));
+    if (is_new) continue;
+    throw refused(
+        job.scene.path,
+        fmt::format("{} would write {}, which {} is to be; give the scene another `name`", words_for(job),
+                    name,
+                    other->second.starts_with("the ") ? other->second : "the trace of " + other->second));
+  }
+  return writers;
+}
+
+/// The inputs of the whole batch, each path once.
+std::set<std::string> inputs_of(const std::vector<BatchJob>& jobs) {
+  std::set<std::string> inputs;
+  for (const BatchJob& job : jobs) {
+    for (std::string& path : input_files(job.job.scene)) inputs.insert(std::move(path));
+  }
+  return inputs;
+}
+
+}  // namespace
+
+std::string trace_name(const SceneJob& job, TraceFormat format) {
+  const char* ending = format == TraceFormat::hdf5 ? "h5" : "csv";
+  if (job.number == 0) return fmt::format("{}.{}", job.scene.name, ending);
+  return fmt::format("{}-{:04}.{}", job.scene.name, job.number, ending);
+}
+
+TableNames table_names(int shard, int shard_count) {
+  const std::string which = shard_count > 1 ? fmt::format("-{}of{}", shard, shard_count) : std::string();
+  return {"summary" + which + ".csv", "timing" + which + ".csv"};
+}
+
+bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept {
+  return i % static_cast<std::size_t>(options.shard_count) == static_cast<std::size_t>(options.shard - 1);
+}
+
+std::vector<std::string> input_files(const Scene& scene) {
+  std::vector<std::string> files;
+  const auto add = [&files](const std::string& path) {
+    if (!path.empty()) files.push_back(path);
+  };
+  add(scene.path);
+  for (const PartEntry& part : scene.parts) add(part.mesh_path);
+  add(scene.motion.file_path);
+  add(scene.finger.profile_path);
+  return files;
+}
+
+std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  const TableNames tables = table_names(options.shard, options.shard_count);
+  std::vector<std::string> names = {tables.summary, tables.timing};
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (is_of_shard(i, options) && jobs[i].job.error.empty())
+      names.push_back(trace_name(jobs[i].job, options.format));
+  }
+  return names;
+}
+
+void refuse_collisions(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  const Writers writers = writers_of(jobs, options);
+  const fs::path folder = canonical_path(options.out_dir);
+  // An input may also be what another job is only about to write: such a file is known by its path.
+  std::map<std::string, std::string> inputs;
+  for (const std::string& path : inputs_of(jobs)) {
+    inputs.emplace(file_identity(path).value_or(canonical_path(path).string()), path);
+  }
+  std::map<std::string, std::string> outputs;  // identity -> name, of those that are there already
+  for (const auto& [name, writer] : writers) {
+    for (const std::string& written : {name, name + ".part"}) {
+      const std::string path = (folder / written).string();
+      const auto identity = file_identity(path);
+      const std::string shown = (fs::path(options.out_dir) / written).string();
+      if (const auto input = inputs.find(identity.value_or(path)); input != inputs.end()) {
+        throw refused(shown,
+                      fmt::format("would be overwritten by {}, but this batch reads it (as {}); write into "
+                                  "another folder, or give the scene another `name`",
+                                  writer, input->second));
+      }
+      if (!identity) continue;
+      const auto [other, is_new] = outputs.emplace(*identity, shown);
+      if (!is_new)
+        throw refused(shown, fmt::format("is a link to the same file as {}; remove one", other->second));
+    }
+  }
+}
+
+}  // namespace fingerpad

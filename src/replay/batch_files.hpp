@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "replay/batch.hpp"
+
+namespace fingerpad {
+
+/// The trace's file name: `<scene>.h5`, or `<scene>-0001.h5` for a job of a set.
+std::string trace_name(const SceneJob& job, TraceFormat format);
+
+/// The file names of the two tables of a batch, or of a shard's own: `summary-2of8.csv`.
+struct TableNames {
+  std::string summary, timing;
+};
+TableNames table_names(int shard, int shard_count);
+
+/// Whether this call runs job i (from 0) of its batch.
+bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept;
+
+/// The files that a scene's run reads: the scene itself, meshes, motion and profile.
+std::vector<std::string> input_files(const Scene& scene);
+
+/// What this call will write in its folder: traces and tables.
+std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const BatchOptions& options);
+
+/// Throws Error (refused) where two jobs of the batch, in whatever shards, would write one file, where a
+/// trace would have the name of a table, and where an output is a file that the batch reads. Writes nothing.
+void refuse_collisions(const std::vector<BatchJob>& jobs, const BatchOptions& options);
+
+}  // namespace fingerpad

@@ -1,0 +1,244 @@
+#include "replay/run_lock.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <chrono>
+#include <csignal>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <optional>
+#include <set>
+#include <thread>
+#include <utility>
+
+#include "base/error.hpp"
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+using std::chrono::steady_clock;
+
+constexpr const char* guard_name = "guard";
+constexpr const char* lock_ending = ".lock";
+/// For a guard, which is held for milliseconds; and for the last processes of a run whose first is gone.
+constexpr std::chrono::seconds patience{10};
+constexpr std::chrono::milliseconds between_tries{20};
+
+/// An open file, closed at its end; its locks go with it.
+class OpenFile {
+ public:
+  explicit OpenFile(int file) : file_(file) {}
+  OpenFile(OpenFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
+  OpenFile& operator=(OpenFile&&) = delete;
+  ~OpenFile() {
+    if (file_ >= 0) close(file_);
+  }
+  int number() const noexcept { return file_; }
+  int release() noexcept { return std::exchange(file_, -1); }
+
+ private:
+  int file_;
+};
+
+Error cannot_write(const std::string& folder) {
+  return {ErrorKind::fault, folder, fmt::format("cannot be written: {}", std::strerror(errno))};
+}
+
+enum class Locking { got, busy, impossible };
+
+Locking try_lock(int file, int how) noexcept {
+  while (flock(file, how | LOCK_NB) != 0) {
+    if (errno == EINTR) continue;
+    return errno == EWOULDBLOCK ? Locking::busy : Locking::impossible;
+  }
+  return Locking::got;
+}
+
+bool is_at(int file, const std::string& path) noexcept {
+  struct stat opened {
+  }, named{};
+  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
+         opened.st_dev == named.st_dev;
+}
+
+/// The guard of a state folder, held by whoever reads or changes the registrations. Whoever finds the folder
+/// without registrations removes it with its guard; then it is made anew.
+std::optional<OpenFile> take_guard(const std::string& state, const std::string& folder) {
+  const std::string path = state + "/" + guard_name;
+  for (const auto end = steady_clock::now() + patience; steady_clock::now() < end;) {
+    if (mkdir(state.c_str(), 0777) != 0 && errno != EEXIST) throw cannot_write(folder);
+    OpenFile guard(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
+    if (guard.number() < 0 && errno == ENOENT) continue;
+    if (guard.number() < 0) throw cannot_write(folder);
+    const Locking locking = try_lock(guard.number(), LOCK_EX);
+    if (locking == Locking::impossible) return std::nullopt;
+    if (locking == Locking::got && is_at(guard.number(), path)) return guard;
+    if (locking == Locking::busy) std::this_thread::sleep_for(between_tries);
+  }
+  throw refused(folder, fmt::format("another run holds {} and does not let go", path));
+}
+
+/// What a registration says: who and where it is, and the names.
+struct Registration {
+  long process = 0;
+  std::string host, command;
+  std::set<std::string> names;
+
+  std::string words() const {
+    return fmt::format("process {} on {}{}", process, host, command.empty() ? "" : " (" + command + ")");
+  }
+};
+
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof(name) - 1) == 0 ? name : "?";
+}
+
+/// How this process was started, on one line.
+std::string own_command() {
+  constexpr std::size_t most = 200;
+  std::ifstream file("/proc/self/cmdline", std::ios::binary);
+  std::string command{std::istreambuf_iterator<char>(file), {}};
+  while (!command.empty() && command.back() == '\0') command.pop_back();
+  for (char& c : command) {
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  }
+  if (command.size() > most) command = command.substr(0, most) + " ...";
+  return command;
+}
+
+std::string registration_text(const std::vector<std::string>& names) {
+  std::string text = fmt::format("{}\n{}\n{}\n", getpid(), host_name(), own_command());
+  for (const std::string& name : names) text += name + "\n";
+  return text;
+}
+
+Registration read_registration(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  Registration found;
+  std::string line;
+  if (std::getline(file, line)) found.process = std::atol(line.c_str());
+  std::getline(file, found.host);
+  std::getline(file, found.command);
+  while (std::getline(file, line)) found.names.insert(line);
+  return found;
+}
+
+/// Whether the run of a registration is under way. Where its first process is gone, the others of it (ranks)
+/// are about to end, and are waited for.
+bool is_held(const std::string& path, const Registration& registration) {
+  const OpenFile file(open(path.c_str(), O_RDWR | O_CLOEXEC));
+  if (file.number() < 0) return false;
+  const bool here = registration.process > 0 && registration.host == host_name();
+  for (const auto end = steady_clock::now() + patience;;) {
+    if (try_lock(file.number(), LOCK_EX) != Locking::busy) return false;
+    const bool gone = here && kill(static_cast<pid_t>(registration.process), 0) != 0 && errno == ESRCH;
+    if (!gone || steady_clock::now() > end) return true;
+    std::this_thread::sleep_for(between_tries);
+  }
+}
+
+std::vector<std::string> registrations_in(const std::string& state) {
+  std::vector<std::string> paths;
+  std::error_code failure;
+  for (const auto& entry : fs::directory_iterator(state, failure)) {
+    if (entry.path().extension() == lock_ending) paths.push_back(entry.path().string());
+  }
+  std::sort(paths.begin(), paths.end());
+  return paths;
+}
+
+/// A new file with this text, locked; nothing half written is left.
+OpenFile write_registration(const std::string& path, const std::string& text, const std::string& folder) {
+  OpenFile file(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
+  if (file.number() < 0) throw cannot_write(folder);
+  for (std::size_t done = 0; done < text.size();) {
+    const ssize_t count = write(file.number(), text.data() + done, text.size() - done);
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      const Error error = cannot_write(folder);
+      unlink(path.c_str());
+      throw error;
+    }
+    done += static_cast<std::size_t>(count);
+  }
+  try_lock(file.number(), LOCK_SH);
+  return file;
+}
+
+/// Removes the registrations of runs that have ended, and lists them.
+void end_unfinished(const std::string& state, std::vector<std::string>& unfinished) {
+  for (const std::string& path : registrations_in(state)) {
+    const Registration other = read_registration(path);
+    if (is_held(path, other)) continue;
+    if (other.process > 0) unfinished.push_back(other.words());
+    unlink(path.c_str());
+  }
+}
+
+void refuse_overlap(const std::string& registration, const std::string& folder,
+                    const std::vector<std::string>& names) {
+  const Registration other = read_registration(registration);
+  for (const std::string& name : names) {
+    if (!other.names.contains(name)) continue;
+    throw refused(folder, fmt::format("{} is being written by {}; wait for it, or write into another folder",
+                                      name, other.words()));
+  }
+}
+
+/// @pre the guard is held
+void remove_if_unused(const std::string& state) {
+  std::error_code failure;
+  const fs::directory_iterator files(state, failure);
+  if (failure || std::distance(files, fs::directory_iterator()) != 1) return;
+  unlink((state + "/" + guard_name).c_str());
+  rmdir(state.c_str());
+}
+
+}  // namespace
+
+RunLock::RunLock(const std::string& folder, const std::vector<std::string>& names)
+    : folder_(folder + "/" + state_folder) {
+  const auto guard = take_guard(folder_, folder);
+  if (!guard) return;  // a file system without locks
+  try {
+    end_unfinished(folder_, unfinished_);
+    for (const std::string& path : registrations_in(folder_)) refuse_overlap(path, folder, names);
+    int number = 1;
+    do path_ = fmt::format("{}/run-{}{}", folder_, number++, lock_ending);
+    while (access(path_.c_str(), F_OK) == 0);
+    file_ = write_registration(path_, registration_text(names), folder).release();
+  } catch (const Error&) {
+    remove_if_unused(folder_);
+    throw;
+  }
+}
+
+RunLock::~RunLock() {
+  if (file_ < 0) return;
+  try {
+    const auto guard = take_guard(folder_, folder_);
+    unlink(path_.c_str());
+    remove_if_unused(folder_);
+  } catch (const std::exception&) {
+    unlink(path_.c_str());  // the folder is gone, or nobody may write there any more
+  }
+  close(file_);
+}
+
+std::shared_ptr<void> RunLock::join(const std::string& path) {
+  auto file = std::make_shared<OpenFile>(path.empty() ? -1 : open(path.c_str(), O_RDWR | O_CLOEXEC));
+  if (file->number() >= 0) try_lock(file->number(), LOCK_SH);
+  return file;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,77 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// A disk that is full, and folders and files that cannot be written: a line a job, and the reason.
+
+namespace fingerpad {
+namespace {
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::ShellResult;
+using testing::HasSubstr;
+
+/// A scene that has nothing to warn of.
+std::string calm_scene(const std::string& name) {
+  return "name = \"" + name +
+         "\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = \"none\"\n"
+         "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = "
+         "0.02\n";
+}
+
+fs::path folder_with_scene() {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "calm.toml") << calm_scene("calm");
+  return folder;
+}
+
+int lines_of(const std::string& text) {
+  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
+}
+
+TEST(FullDisk, AFileTooLargeForTheLimitIsAFailedJobWithItsReason) {
+  const fs::path folder = folder_with_scene();
+  const std::string limit = "ulimit -f 8; ";
+  const std::string call = limit + "'" + test::program().string() + "' replay --format csv ";
+  const ShellResult one = test::shell(call + "calm.toml --out one", folder);
+  EXPECT_EQ(one.exit_code, 1) << one.err;
+  EXPECT_THAT(one.err, HasSubstr("fingerpad: error: one/calm.csv: cannot be written: File too large\n"));
+  EXPECT_THAT(bytes_of(folder / "one" / "summary.csv"), HasSubstr("File too large"));
+  std::ofstream(folder / "set.toml") << calm_scene("set") << "[[set]]\nseed = [1, 2, 3]\n";
+  const ShellResult set = test::shell(call + "set.toml --out set --jobs 2", folder);
+  EXPECT_EQ(set.exit_code, 4) << set.err;
+  EXPECT_EQ(lines_of(set.err), 3) << "a line a job: " << set.err;
+}
+
+TEST(FullDisk, ASummaryThatCannotBeWrittenIsToldBesideTheFailedJobs) {
+  const fs::path folder = folder_with_scene();
+  fs::create_directories(folder / "o" / "summary.csv");
+  const ShellResult good = test::fingerpad("replay calm.toml --out o", folder);
+  EXPECT_EQ(good.exit_code, 1);
+  EXPECT_EQ(good.err, "fingerpad: error: o/summary.csv: cannot be created: Is a directory\n");
+  EXPECT_TRUE(fs::exists(folder / "o" / "timing.csv")) << "the other table is written all the same";
+  EXPECT_EQ(good.out, "1 of 1 job done, traces in o\n");
+  const ShellResult bad = test::fingerpad("replay calm.toml absent.toml --out o", folder);
+  EXPECT_EQ(bad.exit_code, 4);
+  EXPECT_THAT(bad.err, HasSubstr("absent.toml: "));
+  EXPECT_THAT(bad.err, HasSubstr("o/summary.csv: cannot be created: Is a directory\n"));
+  EXPECT_EQ(lines_of(bad.err), 2) << bad.err;
+}
+
+TEST(FullDisk, AnOutputFolderThatIsAFileIsSaidSo) {
+  const fs::path folder = folder_with_scene();
+  std::ofstream(folder / "file") << "x";
+  for (const char* out : {"file", "file/out"}) {
+    const ShellResult result = test::fingerpad(std::string("replay calm.toml --out ") + out, folder);
+    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(result.err, std::string("fingerpad: error: ") + out + ": cannot be made: Not a directory\n");
+  }
+  EXPECT_EQ(bytes_of(folder / "file"), "x");
+}
+
+}  // namespace
+}  // namespace fingerpad
