@@ -132,7 +132,9 @@ void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const std:
   const auto count = [&jobs](auto which) { return std::count_if(jobs.begin(), jobs.end(), which); };
   const auto ran = count([](const BatchJob& job) { return !job.status.empty(); });
   const auto good = count([](const BatchJob& job) { return job.status == "ok"; });
-  print_out("{} of {} {} done, traces{} in {}\n", good, ran, ran == 1 ? "job" : "jobs",
+  const auto kept = count([](const BatchJob& job) { return job.kept; });
+  print_out("{} of {} {} done{}, traces{} in {}\n", good, ran, ran == 1 ? "job" : "jobs",
+            kept > 0 ? fmt::format(" ({} kept from before)", kept) : "",
             any_table_lost ? "" : " and summary.csv", out_dir);
 }
 

@@ -28,7 +28,8 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
     const auto path = std::filesystem::path(options.out_dir) / trace_name(job, options.format);
     const JobResult result =
         run_job(job.scene, meshes, {path.string(), options.format, options.version, options.resume});
-    batch_job.figures = result.figures.values();
+    batch_job.figures = result.figures;
+    batch_job.kept = result.kept;
     batch_job.contact_method = result.contact_method;
     batch_job.contact_normals = result.contact_normals;
     batch_job.contact_reasons = result.contact_reasons;
@@ -52,7 +53,7 @@ std::string outcomes_text(const std::vector<BatchJob>& jobs, const std::vector<s
     std::vector<std::uint64_t> figures;
     for (const double figure : job.figures) figures.push_back(std::bit_cast<std::uint64_t>(figure));
     outcomes.push_back({i, job.status, job.exit_code, job.seconds, figures, job.contact_method,
-                        job.contact_normals, job.contact_reasons});
+                        job.contact_normals, job.contact_reasons, job.kept});
   }
   return outcomes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -68,6 +69,7 @@ void take_outcomes(std::vector<BatchJob>& jobs, const std::string& text) {
     job.contact_method = outcome[5];
     job.contact_normals = outcome[6];
     job.contact_reasons = outcome[7].get<std::vector<std::string>>();
+    job.kept = outcome[8];
   }
 }
 

@@ -36,6 +36,7 @@ struct BatchJob {
   std::vector<std::string> contact_reasons;     ///< of what its scene left open
   double seconds = 0;
   int exit_code = 0;  ///< of this job alone
+  bool kept = false;  ///< an earlier run's trace was kept (BatchOptions::resume)
 };
 
 /// Every job of the given scene files. Scenes that cannot be loaded become failed jobs.

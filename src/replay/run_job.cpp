@@ -8,8 +8,10 @@
 
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
+#include "replay/run_proof.hpp"
 #include "touch/closed_loop.hpp"
 #include "touch/proxy_contact.hpp"
+#include "trace/file_seal.hpp"
 #include "trace/motion_source.hpp"
 
 namespace fingerpad {
@@ -24,29 +26,28 @@ std::string whole_text(const std::string& path) {
 }
 
 bool same_run(const TraceInfo& a, const TraceInfo& b) {
-  return a.scene_text == b.scene_text && a.seed == b.seed && a.rate_hz == b.rate_hz &&
-         a.version == b.version && a.mesh_hashes == b.mesh_hashes && a.motion_hash == b.motion_hash &&
-         a.profile_text == b.profile_text;
+  return run_digest(a, TraceFormat::hdf5) == run_digest(b, TraceFormat::hdf5);
 }
 
-/// The figures of a trace that an earlier command finished, if it records this very run. A CSV trace carries
-/// no description of its run: there the name and the number of rows must do.
-std::optional<Figures> finished_before(const JobOutput& output, const TraceInfo& info, long ticks,
-                                       const Scene& scene, const std::shared_ptr<const World>& world) {
-  if (!output.resume || !std::filesystem::exists(output.path)) return std::nullopt;
+/// The figures of a whole HDF5 trace of this very run, counted again from its rows.
+std::optional<std::vector<double>> recounted(const std::string& path, const TraceInfo& info, long ticks,
+                                             const Scene& scene, const std::shared_ptr<const World>& world) {
+  if (!std::filesystem::is_regular_file(path) || scene.friction.settings.remedy != Remedy::none)
+    return std::nullopt;
   Trace trace;
   try {
-    trace = read_trace(output.path);
+    if (check_seal(path) != Seal::whole) return std::nullopt;
+    trace = read_trace(path);
   } catch (const Error&) {
     return std::nullopt;  // whatever stands there is no trace of ours: it is made again
   }
-  if (!trace.complete || static_cast<long>(trace.rows.size()) != ticks) return std::nullopt;
-  if (output.format == TraceFormat::hdf5 && !same_run(trace.info, info)) return std::nullopt;
+  if (!trace.complete || static_cast<long>(trace.rows.size()) != ticks || !same_run(trace.info, info))
+    return std::nullopt;
   if (settled_contact(scene, *world).method == ContactMethod::proxy && !trace.rows.empty())
     trace.rows.front().started_inside = is_inside_part(trace.rows.front(), *world);
   Figures figures(world);
   for (const TickRecord& row : trace.rows) figures.observe(row);
-  return figures;
+  return figures.values();
 }
 
 }  // namespace
@@ -77,15 +78,23 @@ JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output
   FingerPath path = load_finger_path(scene);
   const auto world = load_world(scene, meshes);
   const TraceInfo info = trace_info(scene, *world, output.version);
-  JobResult result{Figures(world), info.contact_method, info.contact_normals, info.contact_reasons};
-  // A trace does not tell on which ticks a remedy acted: such a run is made again.
-  if (scene.friction.settings.remedy == Remedy::none) {
-    if (const auto figures = finished_before(output, info, path.tick_count(), scene, world)) {
+  JobResult result{{}, info.contact_method, info.contact_normals, info.contact_reasons};
+  const std::string digest = run_digest(info, output.format);
+  if (output.resume) {
+    auto figures = proven_figures(output.path, digest);
+    if (!figures && output.format == TraceFormat::hdf5) {
+      figures = recounted(output.path, info, path.tick_count(), scene, world);
+      if (figures) write_proof(output.path, digest, *figures);
+    }
+    if (figures) {
+      remove_unfinished(output.path);
       result.figures = *figures;
+      result.kept = true;
       return result;
     }
   }
 
+  Figures figures(world);
   ClosedLoop loop(world, scene, std::move(path));
   const auto writer = TraceWriter::create(output.path, output.format, info, *world);
   constexpr long block_ticks = 4096;
@@ -95,11 +104,13 @@ JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output
     block.clear();
     for (long k = first; k < std::min(first + block_ticks, loop.tick_count()); ++k) {
       block.push_back(loop.next());
-      result.figures.observe(block.back());
+      figures.observe(block.back());
     }
     writer->append(block);
   }
   writer->finish();
+  result.figures = figures.values();
+  write_proof(output.path, digest, result.figures);
   return result;
 }
 

@@ -20,14 +20,17 @@ struct JobOutput {
 
 /// What a run came to.
 struct JobResult {
-  Figures figures;
+  std::vector<double> figures;                  ///< Figures::values()
   std::string contact_method, contact_normals;  ///< see TraceInfo
   std::vector<std::string> contact_reasons;
+  bool kept = false;  ///< the trace of an earlier run was kept
 };
 
 /// Follows a scene's motion through its world, tick by tick, and writes the trace.
 /// Throws Error (refused) for inputs, Error (fault) for the disk; an unfinished trace then stays behind,
-/// marked so.
+/// marked so. To resume, an earlier trace is kept if its proof (run_proof.hpp) says that it is this run's; a
+/// sealed HDF5 trace without a proof also if what it says about itself is this run, tick for tick, and no
+/// remedy could act in it, which a trace does not tell.
 JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output);
 
 /// What a trace of this scene says about itself.

@@ -148,63 +148,59 @@ TEST(Collisions, OfOutAndAnInputAreRefusedByEverySubcommand) {
 #endif
 }
 
-/// Starts a run of `call` that stops half-way, does `meanwhile`, and ends it with the signal. The run is at
-/// work on jobs that take seconds together, and is caught as soon as its registration is there.
-std::string during(const std::string& call, const std::string& out, const std::string& meanwhile,
-                   const std::string& signal) {
-  return "'" + test::program().string() + "' " + call + " >run.out 2>run.err & run=$!\n" +
-         "for i in $(seq 2000); do [ -s " + out + "/.fingerpad/run-1.lock ] && break; sleep 0.005; done\n" +
-         "kill -STOP $run\n" + meanwhile + "\nkill " + signal +
-         " $run; kill -CONT $run; wait $run; echo $? >code\n";
+/// Starts a run that writes its first trace into a pipe, so that it stands there until somebody reads it;
+/// does `meanwhile`, and then `end`, with the run's number in $run.
+std::string during(const std::string& call, const std::string& meanwhile, const std::string& end) {
+  return "mkdir -p o && mkfifo o/long-0001.csv\n'" + test::program().string() + "' " + call +
+         " >run.out 2>run.err & run=$!\n" +
+         "for i in $(seq 3000); do [ -s o/.fingerpad/run-1.lock ] && break; sleep 0.02; done\n" + meanwhile +
+         "\n" + end + "; wait $run; echo $? >code\nrm o/long-0001.csv\n";
 }
-
-const std::string long_motion =
-    "[motion]\nkind = \"sine\"\ncentre_m = [0, 0, -0.001]\ndirection = [1, 0, 0]\namplitude_m = 0.05\n"
-    "frequency_hz = 1\nduration_s = 20\nrate_hz = 2000\n[friction]\nlaw = \"none\"\n";
 
 class TwoRuns : public testing::Test {
  protected:
   const fs::path folder = test::scratch_dir();
   const std::string program = "'" + test::program().string() + "' ";
+  const std::string replay_long = "replay long.toml --out o --format csv --quiet";
   void SetUp() override {
-    write_scene(folder / "long.toml", "long", long_motion + "[[set]]\nseed = [1, 2, 3, 4]\n");
+    write_scene(folder / "long.toml", "long",
+                std::string(line) + "[friction]\nlaw = \"none\"\n[[set]]\nseed = [1, 2, 3, 4]\n");
     write_scene(folder / "short.toml", "short");
   }
-  std::string said() const { return bytes_of(folder / "second.err"); }
 };
 
 TEST_F(TwoRuns, OfOneFolderAreRefusedWithTheProcessNamed) {
   const std::string second = program + "replay short.toml --out o 2>second.err; echo $? >second.code";
-  test::shell(during("replay long.toml --out o --quiet", "o", second, "-KILL"), folder);
+  test::shell(during(replay_long, second, "kill -KILL $run"), folder);
   EXPECT_EQ(bytes_of(folder / "second.code"), "3\n");
-  EXPECT_THAT(said(), AllOf(HasSubstr("fingerpad: error: o: summary.csv is being written by process "),
-                            HasSubstr("replay long.toml --out o --quiet"), HasSubstr("another folder")));
+  EXPECT_THAT(bytes_of(folder / "second.err"),
+              AllOf(HasSubstr("fingerpad: error: o: summary.csv is being written by process "),
+                    HasSubstr(replay_long), HasSubstr("another folder")));
   EXPECT_FALSE(fs::exists(folder / "o" / "short.h5"));
 }
 
 TEST_F(TwoRuns, ThatWereKilledAreToldAndTakenOver) {
-  test::shell(during("replay long.toml --out o --quiet", "o", "", "-KILL"), folder);
+  test::shell(during(replay_long, "", "kill -KILL $run"), folder);
   EXPECT_EQ(bytes_of(folder / "code"), "137\n");
-  const ShellResult next = test::fingerpad("replay long.toml --out o --resume --quiet", folder);
+  const ShellResult next = test::fingerpad(replay_long + " --resume", folder);
   EXPECT_EQ(next.exit_code, 0);
-  EXPECT_THAT(next.err, AllOf(HasSubstr("fingerpad: warning: o: process "), HasSubstr("replay long.toml"),
+  EXPECT_THAT(next.err, AllOf(HasSubstr("fingerpad: warning: o: process "), HasSubstr(replay_long),
                               HasSubstr("takes its place\n")));
-  EXPECT_EQ(test::fingerpad("replay long.toml --out o --resume --quiet", folder).err, "") << "told once";
+  EXPECT_EQ(test::fingerpad(replay_long + " --resume", folder).err, "") << "told once";
 }
 
 TEST_F(TwoRuns, OfTwoShardsGoOnTogetherButNotOfOne) {
-  const std::string shard = "replay long.toml --out o --quiet --shard ";
-  const std::string meanwhile = program + shard + "2/2; echo $? >other.code\n" + program + shard +
-                                "1/2 2>second.err; echo $? >same.code\n" + program +
-                                "replay long.toml --out o --quiet 2>whole.err; echo $? >whole.code";
-  test::shell(during(shard + "1/2", "o", meanwhile, "-CONT"), folder);
+  const std::string meanwhile = program + replay_long + " --shard 2/2; echo $? >other.code\n" + program +
+                                replay_long + " --shard 1/2 2>same.err; echo $? >same.code\n" + program +
+                                replay_long + " 2>whole.err; echo $? >whole.code";
+  test::shell(during(replay_long + " --shard 1/2", meanwhile, "cat o/long-0001.csv >first.csv"), folder);
   EXPECT_EQ(bytes_of(folder / "code"), "0\n") << bytes_of(folder / "run.err");
   EXPECT_EQ(bytes_of(folder / "other.code"), "0\n");
   EXPECT_EQ(bytes_of(folder / "same.code"), "3\n");
-  EXPECT_THAT(said(), HasSubstr("is being written by process "));
+  EXPECT_THAT(bytes_of(folder / "same.err"), HasSubstr("is being written by process "));
   EXPECT_EQ(bytes_of(folder / "whole.code"), "3\n");
-  for (int job = 1; job <= 4; ++job)
-    EXPECT_TRUE(fs::exists(folder / "o" / ("long-000" + std::to_string(job) + ".h5")));
+  for (const char* trace : {"first.csv", "o/long-0002.csv", "o/long-0003.csv", "o/long-0004.csv"})
+    EXPECT_THAT(bytes_of(folder / trace), HasSubstr("t_s,")) << trace;
   EXPECT_FALSE(fs::exists(folder / "o" / ".fingerpad" / "run-1.lock"));
 }
 

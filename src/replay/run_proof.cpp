@@ -1,0 +1,120 @@
+#include "replay/run_proof.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <span>
+
+#include "base/content_hash.hpp"
+#include "base/error.hpp"
+#include "base/number_text.hpp"
+#include "replay/figures.hpp"
+#include "replay/run_lock.hpp"
+#include "trace/output_file.hpp"
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+
+constexpr std::string_view first_line = "fingerpad proof 1";
+
+std::string proof_path(const std::string& trace_path) {
+  const fs::path trace(trace_path);
+  return (trace.parent_path() / state_folder / trace.filename()).string() + ".proof";
+}
+
+/// Size and checksum of a file; nothing if it cannot be read or is none (a trace may go into a pipe). Eight
+/// bytes at a step: as fast as the disk.
+std::optional<std::string> fingerprint(const std::string& path) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(path, ignored)) return std::nullopt;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) return std::nullopt;
+  std::array<char, 1 << 16> block{};
+  std::uint64_t size = 0, hash = 14695981039346656037ull;
+  while (file) {
+    file.read(block.data(), block.size());
+    const auto count = static_cast<std::size_t>(file.gcount());
+    for (std::size_t i = 0; i < count; i += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, block.data() + i, std::min<std::size_t>(8, count - i));
+      hash = (hash ^ word) * 0x9E3779B97F4A7C15u;
+      hash ^= hash >> 29;
+    }
+    size += count;
+  }
+  if (file.bad()) return std::nullopt;
+  return fmt::format("{} {:016x}", size, hash);
+}
+
+}  // namespace
+
+std::string run_digest(const TraceInfo& info, TraceFormat format) {
+  std::string text;
+  const auto add = [&text](std::string_view field) { text += fmt::format("{}:{};", field.size(), field); };
+  const auto add_all = [&add](const std::vector<std::string>& fields) {
+    add(std::to_string(fields.size()));
+    for (const std::string& field : fields) add(field);
+  };
+  add(format == TraceFormat::csv ? "csv" : "h5");
+  for (const std::string* field :
+       {&info.version, &info.scene_name, &info.scene_text, &info.motion_file, &info.motion_hash,
+        &info.profile_text, &info.contact_method, &info.contact_normals})
+    add(*field);
+  add(std::to_string(info.seed));
+  add(number_text(info.rate_hz));
+  add_all(info.mesh_files);
+  add_all(info.mesh_hashes);
+  add_all(info.contact_reasons);
+  return fmt::format("{:016x}", content_hash(std::as_bytes(std::span(text))));
+}
+
+void write_proof(const std::string& trace_path, const std::string& digest,
+                 const std::vector<double>& figures) {
+  const auto trace = fingerprint(trace_path);
+  if (!trace) return;
+  std::string text = fmt::format("{}\nrun {}\ntrace {}\n", first_line, digest, *trace);
+  for (std::size_t i = 0; i < figures.size(); ++i)
+    text += fmt::format("{} {}\n", Figures::names()[i], number_text(figures[i]));
+  const std::string path = proof_path(trace_path);
+  std::error_code ignored;
+  // Not the folder above it: where that has just been removed, it must not come back with a proof alone.
+  fs::create_directory(fs::path(path).parent_path(), ignored);
+  try {
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+  } catch (const Error&) {
+    fs::remove(path + ".part", ignored);
+  }
+}
+
+std::optional<std::vector<double>> proven_figures(const std::string& trace_path, const std::string& digest) {
+  std::ifstream proof(proof_path(trace_path), std::ios::binary);
+  std::string line;
+  if (!std::getline(proof, line) || line != first_line) return std::nullopt;
+  if (!std::getline(proof, line) || line != "run " + digest) return std::nullopt;
+  const auto trace = fingerprint(trace_path);
+  if (!trace || !std::getline(proof, line) || line != "trace " + *trace) return std::nullopt;
+  std::vector<double> figures;
+  for (const std::string_view name : Figures::names()) {
+    if (!std::getline(proof, line) || !line.starts_with(fmt::format("{} ", name))) return std::nullopt;
+    const auto value = parse_number(std::string_view(line).substr(name.size() + 1));
+    if (!value) return std::nullopt;
+    figures.push_back(*value);
+  }
+  return figures;
+}
+
+void remove_unfinished(const std::string& trace_path) {
+  std::error_code ignored;
+  fs::remove(trace_path + ".part", ignored);
+  fs::remove(proof_path(trace_path) + ".part", ignored);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,29 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "trace/trace.hpp"
+#include "trace/trace_writer.hpp"
+
+namespace fingerpad {
+
+/// Everything that decides a trace's bytes, as 16 hex digits.
+std::string run_digest(const TraceInfo& info, TraceFormat format);
+
+/// Keeps beside a finished trace, in the state folder, which run made it, what its bytes are and what the run
+/// came to: a CSV trace tells nothing of its run, and no trace tells all figures. Nothing of it depends on
+/// when or how often the run was started. A proof that cannot be written is none: then the next `--resume`
+/// makes the trace again.
+void write_proof(const std::string& trace_path, const std::string& digest,
+                 const std::vector<double>& figures);
+
+/// The figures of the trace at that path, if its proof says that it is of the run with this digest and the
+/// file is, byte for byte, what that run wrote.
+std::optional<std::vector<double>> proven_figures(const std::string& trace_path, const std::string& digest);
+
+/// Removes what a killed run may have left beside a trace that is kept: files that were under way.
+void remove_unfinished(const std::string& trace_path);
+
+}  // namespace fingerpad

@@ -1,0 +1,187 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <functional>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// `replay --resume`: keeps what an earlier run finished of the very same batch, and nothing else.
+
+namespace fingerpad {
+namespace {
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::ShellResult;
+using testing::HasSubstr;
+
+std::string box_off(double size_mm) {
+  const std::string s = std::to_string(size_mm);
+  return "OFF\n8 12 0\n0 0 0\n" + s + " 0 0\n" + s + " " + s + " 0\n0 " + s + " 0\n0 0 10\n" + s + " 0 10\n" +
+         s + " " + s + " 10\n0 " + s +
+         " 10\n3 0 3 2\n3 0 2 1\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 "
+         "0 4\n"
+         "3 3 4 7\n";
+}
+
+std::string rub_csv(double depth_m) {
+  std::string text = "t_s,x_m,y_m,z_m\n";
+  for (int i = 0; i <= 100; ++i) {
+    text += std::to_string(i * 0.002) + "," + std::to_string(0.002 + 5e-5 * i) + ",0.005," +
+            std::to_string(0.01 - depth_m) + "\n";
+  }
+  return text;
+}
+
+std::string profile_toml(double axis_m) {
+  return "lateral_axis_m = " + std::to_string(axis_m) +
+         "\nlongitudinal_axis_m = 0.002\nlateral_slope_per_deg = 0.005\nlongitudinal_slope_per_deg = 0.005\n"
+         "source = \"made for this test\"\n";
+}
+
+/// What a scene's author can change.
+struct Choices {
+  std::string law = "finger-pad", method = "proxy", normals = "smooth";
+  double stiffness = 1000;
+};
+
+void write_scene(const fs::path& folder, const Choices& choices) {
+  std::ofstream(folder / "s.toml") << "name = \"s\"\n[[part]]\nmesh = \"box.off\"\nstiffness_n_per_m = "
+                                   << choices.stiffness << "\n[contact]\nmethod = \"" << choices.method
+                                   << "\"\nnormals = \"" << choices.normals << "\"\n[friction]\nlaw = \""
+                                   << choices.law
+                                   << "\"\n[finger]\nprofile = \"pad.toml\"\n[motion]\nfile = \"rub.csv\"\n";
+}
+
+fs::path folder_with_scene(const Choices& choices) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "box.off") << box_off(10);
+  std::ofstream(folder / "rub.csv") << rub_csv(0.0005);
+  std::ofstream(folder / "pad.toml") << profile_toml(0.002);
+  write_scene(folder, choices);
+  return folder;
+}
+
+ShellResult replay(const fs::path& folder, const std::string& rest) {
+  ShellResult result = test::fingerpad("replay s.toml " + rest, folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return result;
+}
+
+class Resume : public testing::TestWithParam<const char*> {
+ protected:
+  const std::string format = std::string(" --format ") + GetParam();
+  const std::string trace = std::string("s.") + GetParam();
+};
+
+TEST_P(Resume, KeepsNothingOldAfterAnyChange) {
+  struct Change {
+    const char* what;
+    std::function<void(const fs::path&)> make;
+  };
+  const std::vector<Change> changes = {
+      {"law", [](const fs::path& f) { write_scene(f, {.law = "coulomb"}); }},
+      {"contact", [](const fs::path& f) { write_scene(f, {.method = "closest-point", .normals = "facet"}); }},
+      {"stiffness", [](const fs::path& f) { write_scene(f, {.stiffness = 700}); }},
+      {"mesh", [](const fs::path& f) { std::ofstream(f / "box.off") << box_off(4); }},
+      {"motion", [](const fs::path& f) { std::ofstream(f / "rub.csv") << rub_csv(0.0007); }},
+      {"profile", [](const fs::path& f) { std::ofstream(f / "pad.toml") << profile_toml(0.0012); }},
+  };
+  for (const Change& change : changes) {
+    const fs::path folder = folder_with_scene({});
+    replay(folder, "--out out" + format);
+    const std::string before = bytes_of(folder / "out" / trace);
+    change.make(folder);
+    replay(folder, "--out out --resume" + format);
+    replay(folder, "--out fresh" + format);
+    EXPECT_NE(bytes_of(folder / "fresh" / trace), before) << change.what << ": shows in the trace";
+    EXPECT_TRUE(bytes_of(folder / "fresh" / trace) == bytes_of(folder / "out" / trace)) << change.what;
+    EXPECT_EQ(bytes_of(folder / "fresh" / "summary.csv"), bytes_of(folder / "out" / "summary.csv"))
+        << change.what;
+  }
+}
+
+TEST_P(Resume, KeepsAFinishedTraceAndItsFigures) {
+  const fs::path folder = folder_with_scene({});
+  replay(folder, "--out out" + format);
+  const auto made = fs::last_write_time(folder / "out" / trace);
+  const std::string summary = bytes_of(folder / "out" / "summary.csv");
+  const ShellResult again = replay(folder, "--out out --resume" + format);
+  EXPECT_EQ(again.out, "1 of 1 job done (1 kept from before), traces and summary.csv in out\n");
+  EXPECT_EQ(fs::last_write_time(folder / "out" / trace), made);
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
+}
+
+TEST_P(Resume, KeepsAFinishedTraceInWhichARemedyActed) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = "
+         "\"stick-slip\"\n"
+         "stick_stiffness_per_m = 1e5\nremedy = \"cap\"\n[hand]\nmass_kg = 0.01\n[motion]\nkind = \"sine\"\n"
+         "centre_m = [0, 0, -0.001]\ndirection = [1, 0, 0]\namplitude_m = 0.001\nfrequency_hz = 1\n"
+         "duration_s = 0.3\n";
+  EXPECT_THAT(replay(folder, "--out out" + format).err, HasSubstr("friction.remedy acted"));
+  const std::string summary = bytes_of(folder / "out" / "summary.csv");
+  const auto again = replay(folder, "--out out --resume" + format);
+  EXPECT_THAT(again.out, HasSubstr("1 kept from before"));
+  EXPECT_THAT(again.err, HasSubstr("friction.remedy acted"));
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary) << "remedied_ticks among the figures";
+}
+
+TEST_P(Resume, MakesATraceAgainThatIsNotWhatWasWritten) {
+  const fs::path folder = folder_with_scene({});
+  replay(folder, "--out out" + format);
+  const fs::path path = folder / "out" / trace;
+  const std::string whole = bytes_of(path);
+  const auto expect_whole_again = [&](const char* what) {
+    replay(folder, "--out out --resume" + format);
+    EXPECT_TRUE(bytes_of(path) == whole) << what;
+  };
+  // An HDF5 trace ends with a seal of 32 bytes; a run may be killed just before it is written.
+  fs::resize_file(path, whole.size() - 32);
+  expect_whole_again("cut short");
+  std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(5000) << '7';
+  expect_whole_again("a byte changed");
+  fs::resize_file(path, 0);
+  expect_whole_again("empty");
+  fs::remove(path);
+  expect_whole_again("gone");
+}
+
+TEST_P(Resume, CleansUpWhatAKilledRunLeft) {
+  const fs::path folder = folder_with_scene({});
+  replay(folder, "--out out" + format);
+  const fs::path proof = folder / "out" / ".fingerpad" / (trace + ".proof");
+  ASSERT_TRUE(fs::exists(proof));
+  const std::string proven = bytes_of(proof);
+  for (const bool proof_too : {false, true}) {
+    for (const std::string& left : {trace, std::string("summary.csv"), std::string("timing.csv")})
+      std::ofstream(folder / "out" / (left + ".part")) << "half";
+    std::ofstream(proof.string() + ".part") << "half";
+    if (proof_too) std::ofstream(proof) << proven.substr(0, proven.size() / 2);
+    replay(folder, "--out out --resume" + format);
+    for (const auto& entry : fs::recursive_directory_iterator(folder / "out"))
+      EXPECT_NE(entry.path().extension(), ".part") << entry.path();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Hdf5, Resume, testing::Values("h5"));
+INSTANTIATE_TEST_SUITE_P(Csv, Resume, testing::Values("csv"));
+
+TEST(ResumeWithoutProof, TakesAnHdf5TraceAtItsWordAndMakesACsvAgain) {
+  const fs::path folder = folder_with_scene({});
+  for (const std::string& format : std::vector<std::string>{"h5", "csv"}) {
+    replay(folder, "--out out --format " + format);
+    const std::string summary = bytes_of(folder / "out" / "summary.csv");
+    const std::string proof = bytes_of(folder / "out" / ".fingerpad" / ("s." + format + ".proof"));
+    fs::remove_all(folder / "out" / ".fingerpad");
+    const auto again = replay(folder, "--out out --resume --format " + format);
+    EXPECT_EQ(again.out.find("kept") != std::string::npos, format == "h5") << again.out;
+    EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary) << "counted again";
+    EXPECT_EQ(bytes_of(folder / "out" / ".fingerpad" / ("s." + format + ".proof")), proof);
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad
