@@ -53,7 +53,8 @@ struct ScaledPoint {
 
   /// A distance that is looked for, as a float no smaller.
   float rough(double distance_m) const noexcept {
-    return static_cast<float>(distance_m * packed->scale) * (1 + 0x1p-22f);
+    constexpr double largest = std::numeric_limits<float>::max();
+    return static_cast<float>(std::min(distance_m * packed->scale, largest)) * (1 + 0x1p-22f);
   }
 
   FramePoint exact(const TrianglePacket& packet, int lane) const noexcept {

@@ -19,7 +19,9 @@ PackedPart pack(std::shared_ptr<const Part> part) {
   PackedPart packed;
   packed.part = std::move(part);
   packed.extent_m = packed.part->half_extent.maxCoeff();
-  if (packed.extent_m > 0) packed.scale = std::ldexp(1.0, -std::ilogb(packed.extent_m) - 1);
+  constexpr int largest_power = 1000;  // of two: of parts whose size is not even an ordinary double
+  if (packed.extent_m > 0)
+    packed.scale = std::ldexp(1.0, std::min(-std::ilogb(packed.extent_m) - 1, largest_power));
   const std::vector<std::int32_t> order = packet_order(*packed.part);
   packed.packets.resize((order.size() + packet_width - 1) / packet_width);
   packed.slot_of.resize(order.size());

@@ -118,6 +118,7 @@ SurfacePoint nearest(const TriangleTree& tree, const Vec3& p_P, Normals normals,
   const Vec3 offset = q - found.at.point;
   const double distance_m =
       std::isfinite(found.at.distance2_m2) ? std::sqrt(found.at.distance2_m2) : offset.stableNorm();
+  if (!std::isfinite(distance_m)) return result;  // no double can tell how far
   const Vec3 pseudo = pseudonormal(part, t, found.at.feature);
   const bool inside = offset.dot(pseudo) < 0;
   if (normals == Normals::curved) {

@@ -34,7 +34,7 @@ struct SurfacePoint {
 /// itself or whole shells overlap, a point has the sign of the sheet that is nearest.
 /// `curved`: `triangle` is the one whose patch the point lies on, and the sign is the facets' wherever they
 /// are farther off than the patch strays from them; between the two it is the side of the patch.
-/// @param p_P      where [m], frame P, finite
+/// @param p_P      where [m], frame P; one whose distance no double can hold has no nearest point
 /// @param seed     see TriangleTree::closest
 /// @param reach_m  where the distance is larger than this, `triangle` is -1 and the distance infinite; points
 ///                 inside are always answered

@@ -40,6 +40,9 @@ struct TriangleTree::Impl {
   void search_tree(ClosestSearch& search, double within_m) const noexcept;
   void remember_packets(const ClosestSearch& search, double step_m, ClosestMemory& memory) const noexcept;
   ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
+  void far_each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
+                       void* context) const noexcept;
+  SegmentHit far_crossing(const TriangleTree& tree, const Vec3& from, const Vec3& to) const noexcept;
 };
 
 }  // namespace fingerpad

@@ -83,6 +83,10 @@ void look_at_crossing(RayQuery& query, const TrianglePacket& packet, float& far)
   }
 }
 
+/// Ends of a segment farther away than so many half extents are brought nearer: Embree's floats, and the
+/// differences between corners and an end, would hold nothing of the part.
+constexpr double segment_range = 1e8;
+
 /// The piece [begin, end] of a segment (0 .. 1) that lies in the box of +- half; empty where begin > end.
 struct Piece {
   double begin = 0, end = 1;
@@ -102,10 +106,18 @@ Piece piece_in_box(const Vec3& from, const Vec3& way, const Vec3& half) noexcept
   return piece;
 }
 
+/// Whether a ray can be told to Embree: it starts near the part and its direction is unit, more or less.
+bool is_ray_at(const PackedPart& packed, const Vec3& origin, const Vec3& direction) noexcept {
+  return !packed.packets.empty() && origin.allFinite() &&
+         origin.cwiseAbs().maxCoeff() <= tree_range * packed.extent_m &&
+         std::abs(direction.squaredNorm() - 1) < 1e-3;
+}
+
 }  // namespace
 
 RayExit TriangleTree::first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept {
   const PackedPart& packed = impl_->packed;
+  if (!is_ray_at(packed, origin, direction)) return {};
   ExitQuery search{{look_at_exit}, packed.part.get(), start, origin, direction, packed.scale, {}};
   impl_->scene.cast(search, origin * packed.scale, direction, std::numeric_limits<double>::infinity());
   return search.exit;
@@ -113,9 +125,12 @@ RayExit TriangleTree::first_exit(int start, const Vec3& origin, const Vec3& dire
 
 SegmentHit TriangleTree::first_crossing(const Vec3& from, const Vec3& to) const noexcept {
   const PackedPart& packed = impl_->packed;
+  if (!from.allFinite() || !to.allFinite()) return {};
+  const double farthest = std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
+  if (farthest > segment_range * packed.extent_m) return impl_->far_crossing(*this, from, to);
   const Vec3 way = to - from;
   const double length_m = way.stableNorm();
-  if (packed.packets.empty() || !(length_m > 0) || !std::isfinite(length_m) || !from.allFinite()) return {};
+  if (packed.packets.empty() || !(length_m > 0)) return {};
   // Embree gets the piece within the part's box, with room for rounding of the ends.
   const Vec3 half =
       packed.part->half_extent.array() + 1e-6 * packed.extent_m + tie_distance_m(*packed.part, from);
@@ -132,6 +147,28 @@ SegmentHit TriangleTree::first_crossing(const Vec3& from, const Vec3& to) const 
   impl_->scene.cast(search, (from + piece.begin * way) * packed.scale, way / length_m,
                     reach_m * packed.scale + ray_slack);
   return search.hit;
+}
+
+/// The piece of the segment around the part, with ends that are near enough.
+SegmentHit TriangleTree::Impl::far_crossing(const TriangleTree& tree, const Vec3& from,
+                                            const Vec3& to) const noexcept {
+  const double limit_m = segment_range / 4 * packed.extent_m;
+  // In units in which squares are numbers.
+  const double unit_m = std::max(from.cwiseAbs().maxCoeff(), to.cwiseAbs().maxCoeff());
+  const Vec3 begin = from / unit_m, way = to / unit_m - begin;
+  const double length = way.norm();
+  if (!(length > 0)) return {};
+  const Vec3 direction = way / length;
+  const double nearest = std::clamp(-begin.dot(direction), 0.0, length);  // along it, to the part's centre
+  const Vec3 middle_m = (begin + nearest * direction) * unit_m;
+  if (!(middle_m.cwiseAbs().maxCoeff() <= limit_m)) return {};
+  const double before_m = std::min(nearest * unit_m, limit_m),
+               after_m = std::min((length - nearest) * unit_m, limit_m);
+  SegmentHit hit = tree.first_crossing(middle_m - before_m * direction, middle_m + after_m * direction);
+  if (hit.triangle < 0) return {};
+  const double past_middle_m = hit.along * (before_m + after_m) - before_m;
+  hit.along = std::clamp((nearest + past_middle_m / unit_m) / length, 0.0, 1.0);
+  return hit;
 }
 
 }  // namespace fingerpad

@@ -15,6 +15,12 @@ namespace {
 /// Beyond so many half extents only the direction of a point matters.
 constexpr double direction_range = 1 << 20;
 
+/// A point, or where it stands for one that far away.
+Vec3 within_direction_range(const Vec3& q, double extent_m) noexcept {
+  const double farthest = q.cwiseAbs().maxCoeff(), limit = direction_range * extent_m;
+  return farthest > limit ? Vec3(q / farthest * limit) : q;
+}
+
 float visit_closest(void* any_search, unsigned index, float radius) noexcept {
   ClosestSearch& search = *static_cast<ClosestSearch*>(any_search);
   const TrianglePacket& packet = search.packed->packets[index];
@@ -46,10 +52,8 @@ struct WithinSearch : ScaledPoint {
   }
 
   void look_at(const TrianglePacket& packet, int lane) const noexcept {
-    const FramePoint p = exact(packet, lane);
-    const bool within = std::isfinite(p.distance2_m2) ? p.distance2_m2 <= reach_m * reach_m
-                                                      : (q - p.point).stableNorm() <= reach_m;
-    if (within) found(context, packet.exact[static_cast<std::size_t>(lane)].triangle);
+    if (exact(packet, lane).distance2_m2 <= reach_m * reach_m)
+      found(context, packet.exact[static_cast<std::size_t>(lane)].triangle);
   }
 };
 
@@ -95,7 +99,9 @@ std::size_t TriangleTree::memory_bytes() const noexcept {
 }
 
 bool TriangleTree::encloses(const Vec3& q) const noexcept {
-  return impl_->winding.encloses(impl_->packed, q);
+  const PackedPart& packed = impl_->packed;
+  if (!q.allFinite() || q.cwiseAbs().maxCoeff() > tree_range * packed.extent_m) return false;
+  return impl_->winding.encloses(packed, q);
 }
 
 ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) const noexcept {
@@ -123,7 +129,7 @@ ClosestTriangle TriangleTree::Impl::far_closest(const Vec3& q, double reach_m) c
   const Part& part = *packed.part;
   const double farthest = q.cwiseAbs().maxCoeff();
   const double limit = direction_range * packed.extent_m;
-  const Vec3 nearer = farthest > limit ? Vec3(q / farthest * limit) : q;
+  const Vec3 nearer = within_direction_range(q, packed.extent_m);
   const double tie_m = tie_distance_m(part, nearer);
   Winner winner;
   winner.at.distance2_m2 = std::numeric_limits<double>::infinity();
@@ -149,18 +155,31 @@ void TriangleTree::each_within(const Vec3& q, double reach_m, void (*visit)(void
   if (packed.packets.empty() || !q.allFinite() || !(reach_m >= 0)) return;
   if (impl.out_of_reach(farthest, reach_m)) return;
 
-  WithinSearch search{{packed, impl.filter, q}, reach_m, 0, visit, context};
-  const double bound_m = std::min(reach_m, q.norm() + 2 * packed.extent_m);
-  search.rough_reach = search.rough(bound_m);
   if (farthest > tree_range * packed.extent_m) {
-    for (const TrianglePacket& packet : packed.packets) {
-      for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
-        search.look_at(packet, lane);
-      }
-    }
+    impl.far_each_within(q, reach_m, visit, context);
     return;
   }
+  const double bound_m = std::min(reach_m, q.norm() + 2 * packed.extent_m);
+  WithinSearch search{{packed, impl.filter, q}, reach_m, 0, visit, context};
+  search.rough_reach = search.rough(bound_m);
   impl.scene.each_near(search.embree, search.radius(bound_m), visit_within, &search);
+}
+
+/// Every triangle in turn, as far_closest.
+void TriangleTree::Impl::far_each_within(const Vec3& q, double reach_m,
+                                         void (*visit)(void* context, int triangle),
+                                         void* context) const noexcept {
+  const Part& part = *packed.part;
+  const Vec3 nearer = within_direction_range(q, packed.extent_m);
+  const double tie_m = tie_distance_m(part, nearer);
+  for (const TrianglePacket& packet : packed.packets) {
+    for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
+      const FramePoint p = closest_in(exact_frame(part, packet, lane), nearer, tie_m);
+      const bool moved = nearer != q;
+      const bool within = moved ? (q - p.point).stableNorm() <= reach_m : p.distance2_m2 <= reach_m * reach_m;
+      if (within) visit(context, packet.exact[static_cast<std::size_t>(lane)].triangle);
+    }
+  }
 }
 
 }  // namespace fingerpad

@@ -67,21 +67,24 @@ class TriangleTree {
   /// against the facet's normal; both ends count. Watertight (Woop, Benthin & Wald 2013, in double): no
   /// segment slips between triangles that share an edge's bits. Ties go to the lowest triangle. A facet seen
   /// edge-on is not crossed: its neighbours are.
-  /// @param from, to  relative to the part's centre [m]; ends that are not finite or coincide cross nothing
+  /// @param from, to  relative to the part's centre [m]; ends that are not finite or coincide cross nothing;
+  /// of a segment with an end beyond 1e8 sizes the piece around the part is looked at, whose place is as
+  /// exact as that end
   /// noexcept, allocates nothing.
   SegmentHit first_crossing(const Vec3& from, const Vec3& to) const noexcept;
 
   /// The first triangle through which a ray that starts on triangle `start` passes from the inside to the
   /// outside. Triangles that share a (welded) vertex with `start` are passed through, as are those met from
   /// the outside.
-  /// @param origin  relative to the part's centre [m]
-  /// @param direction  unit
+  /// @param origin  relative to the part's centre [m]; one beyond 1e4 sizes leaves nowhere
+  /// @param direction  unit; one that is not leaves nowhere
   /// noexcept, allocates nothing.
   RayExit first_exit(int start, const Vec3& origin, const Vec3& direction) const noexcept;
 
   /// Whether the part lies around q: its generalized winding number there is above one half in size, so that
   /// small holes, overlaps and shells wound inside out do not matter.
-  /// @param q  relative to the part's centre [m], finite. noexcept, allocates nothing.
+  /// @param q  relative to the part's centre [m]; nothing lies around a point beyond 1e4 sizes, nor around
+  /// one that is not finite. noexcept, allocates nothing.
   bool encloses(const Vec3& q) const noexcept;
 
   const Part& part() const noexcept;
