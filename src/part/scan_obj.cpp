@@ -31,8 +31,9 @@ class ObjText {
         continue;
       }
       cursor_.rest_of_line();
-      const std::size_t comment = bytes_.find('#', from);
-      if (comment < cursor_.offset()) blank(comment);
+      // Within the line: a file without comments must not be searched to its end on every line.
+      const std::size_t comment = std::string_view(bytes_).substr(from, cursor_.offset() - from).find('#');
+      if (comment != std::string_view::npos) blank(from + comment);
     }
     const int count = static_cast<int>(mesh_.vertices.size());
     for (int& corner : mesh_.corners) {
