@@ -17,7 +17,6 @@ namespace {
 
 // Far above any scene, far below what would fill the memory.
 constexpr std::size_t max_text_bytes = std::size_t{4} << 20;
-constexpr std::size_t max_jobs = 100000;
 constexpr std::size_t max_job_text_bytes = std::size_t{512} << 20;
 
 std::string read_whole(const std::string& path) {

@@ -104,7 +104,10 @@ SetAxis read_axis(const Leaf& leaf, const std::string& path) {
     add_value(axis, value, path);
     return axis;
   }
-  for (const TomlNode& item : value.items) add_value(axis, item, path);
+  for (const TomlNode& item : value.items) {
+    if (axis.values.size() > max_jobs) break;
+    add_value(axis, item, path);
+  }
   if (axis.values.empty()) {
     throw refused(
         place_text(path, leaf.place),

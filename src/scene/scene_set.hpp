@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <utility>
 #include <vector>
@@ -14,11 +15,14 @@ struct SetValue {
   std::string written;  ///< as the file writes it: a text without its quotes; for a glob, the file found
 };
 
+/// At most so many jobs are run from one file.
+inline constexpr std::size_t max_jobs = 100000;
+
 /// One key of a [[set]] entry with its values.
 struct SetAxis {
-  std::string key;     ///< as written, dotted
-  std::string target;  ///< full dotted name in the scene
-  std::vector<SetValue> values;
+  std::string key;               ///< as written, dotted
+  std::string target;            ///< full dotted name in the scene
+  std::vector<SetValue> values;  ///< no more than max_jobs + 1: that many are too many whatever they are
 };
 
 /// One [[set]] entry: its keys in the order written. Its jobs are their product, last key fastest.

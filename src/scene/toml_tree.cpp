@@ -61,13 +61,44 @@ Place place_of(const toml::source_region& region) {
   return {static_cast<int>(region.begin.line), static_cast<int>(region.begin.column)};
 }
 
+/// A line of the file. Its columns count code points.
+class Line {
+ public:
+  explicit Line(std::string_view text) : text_(text) {
+    const auto goes_on = [](char c) { return (static_cast<unsigned char>(c) & 0xC0u) == 0x80u; };
+    if (std::all_of(text.begin(), text.end(), [](char c) { return static_cast<unsigned char>(c) < 0x80u; }))
+      return;
+    for (std::size_t i = 0; i < text.size(); ++i) {
+      if (!goes_on(text[i])) starts_.push_back(i);
+    }
+  }
+
+  /// From one column up to another, from 1; without blanks at the end.
+  std::string between(std::size_t begin, std::size_t end) const {
+    const std::size_t from = start(begin), to = std::max(from, start(end));
+    std::string_view out = text_.substr(from, to - from);
+    while (!out.empty() && (out.back() == ' ' || out.back() == '\t' || out.back() == '\r'))
+      out.remove_suffix(1);
+    return std::string(out);
+  }
+
+ private:
+  std::size_t start(std::size_t column) const {
+    if (starts_.empty()) return std::min(column - 1, text_.size());
+    return column <= starts_.size() ? starts_[column - 1] : text_.size();
+  }
+
+  std::string_view text_;
+  std::vector<std::size_t> starts_;  // of each column; empty where every byte is one
+};
+
 /// Turns toml++ nodes into ours, with the file at hand to quote numbers as written.
 class Converter {
  public:
   explicit Converter(std::string_view text) {
     for (std::size_t start = 0; start <= text.size();) {
       const std::size_t end = std::min(text.find('\n', start), text.size());
-      lines_.push_back(text.substr(start, end - start));
+      lines_.emplace_back(text.substr(start, end - start));
       start = end + 1;
     }
   }
@@ -120,23 +151,14 @@ class Converter {
   }
 
  private:
-  /// The text of a region within one line. Columns count code points.
+  /// The text of a region within one line.
   std::string quoted(const toml::source_region& region) const {
-    if (region.begin.line == 0 || region.begin.line != region.end.line || region.begin.line > lines_.size())
-      return {};
-    const std::string_view line = lines_[region.begin.line - 1];
-    std::string out;
-    toml::source_index column = 0;
-    for (const char c : line) {
-      if ((static_cast<unsigned char>(c) & 0xC0u) != 0x80u) ++column;
-      if (column >= region.end.column) break;
-      if (column >= region.begin.column) out += c;
-    }
-    while (!out.empty() && (out.back() == ' ' || out.back() == '\t' || out.back() == '\r')) out.pop_back();
-    return out;
+    const bool in_one_line = region.begin.line > 0 && region.begin.line == region.end.line;
+    if (!in_one_line || region.begin.line > lines_.size() || region.begin.column == 0) return {};
+    return lines_[region.begin.line - 1].between(region.begin.column, region.end.column);
   }
 
-  std::vector<std::string_view> lines_;
+  std::vector<Line> lines_;
 };
 
 }  // namespace
