@@ -13,9 +13,11 @@ namespace {
 long ticks_between(double start_s, double end_s, double rate_hz) {
   // The last tick may lie a rounding error beyond the end: a motion of 1 s at 1 kHz has 1001 ticks.
   const double ticks = std::floor((end_s - start_s) * rate_hz + 1e-6) + 1;
-  if (!(ticks <= 2147483648.0)) {
-    throw refused("motion", fmt::format("lasts {} s, which is {:.3g} ticks at {} Hz; at most 2^31 are run",
-                                        end_s - start_s, ticks, rate_hz));
+  if (!(ticks <= most_ticks)) {
+    throw refused("motion",
+                  fmt::format("lasts {} s, which is {:.3g} ticks at {} Hz; at most {:.0f} are run: make "
+                              "it shorter or lower rate_hz (is its time in seconds?)",
+                              end_s - start_s, ticks, rate_hz, most_ticks));
   }
   return static_cast<long>(ticks);
 }
@@ -57,6 +59,15 @@ FingerPath::FingerPath(const ScriptedMotion& motion, double rate_hz, const Vec3&
       rate_hz_(rate_hz),
       direction_W_(direction_W),
       tick_count_(ticks_between(0, motion.duration_s, rate_hz)) {}
+
+double FingerPath::farthest_m() const noexcept {
+  const auto largest = [](const auto& p) { return p.cwiseAbs().maxCoeff(); };
+  if (const auto* recorded = std::get_if<Motion>(&motion_)) return largest(recorded->p_WQ);
+  const ScriptedMotion& scripted = std::get<ScriptedMotion>(motion_);
+  if (scripted.kind == ScriptedMotion::Kind::line)
+    return std::max(largest(scripted.from_m), largest(scripted.to_m));
+  return largest(scripted.centre_m) + scripted.amplitude_m;
+}
 
 FingerSample FingerPath::at(long k) const noexcept {
   const double t_s = t0_s_ + static_cast<double>(k) / rate_hz_;

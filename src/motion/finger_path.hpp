@@ -16,6 +16,9 @@ struct FingerSample {
   Vec3 push_W_n = Vec3::Zero();          ///< what pushes the finger, where a hand is simulated [N]
 };
 
+/// More ticks are not run: at 1 kHz they last 24 days and fill 400 GB of trace.
+inline constexpr double most_ticks = 2147483648.0;
+
 /// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6);
 /// recorded positions are interpolated linearly, directions linearly and made unit again.
 class FingerPath {
@@ -27,6 +30,8 @@ class FingerPath {
 
   long tick_count() const noexcept { return tick_count_; }
   double rate_hz() const noexcept { return rate_hz_; }
+  /// No coordinate of the path is larger [m].
+  double farthest_m() const noexcept;
   /// @pre 0 <= k < tick_count()
   FingerSample at(long k) const noexcept;
 

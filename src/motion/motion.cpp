@@ -2,11 +2,18 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
 
 namespace fingerpad {
 namespace {
+
+/// The components of a scene's vectors are bounded alike.
+constexpr double farthest_m = 1e9;
+/// Beyond the clocks that count from 1970, within what a double still resolves to microseconds.
+constexpr double latest_s = 1e10;
 
 Eigen::Map<const Eigen::RowVectorXd> row_of(const std::vector<double>& column) {
   return {column.data(), static_cast<Eigen::Index>(column.size())};
@@ -22,7 +29,26 @@ void check_times(const std::string& path, const CsvColumns& table) {
   }
 }
 
+void check_samples(const std::string& path, const CsvColumns& table, const Motion& motion) {
+  for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
+    const std::string fault = sample_fault(motion.t_s[i], motion.p_WQ.col(static_cast<Eigen::Index>(i)));
+    if (!fault.empty()) throw refused(fmt::format("{}:{}", path, table.lines[i]), fault);
+  }
+}
+
 }  // namespace
+
+std::string sample_fault(double t_s, const Vec3& p_W) {
+  if (!(std::abs(t_s) <= latest_s))
+    return fmt::format("time {} s is beyond {} s (is it in another unit than seconds?)", t_s, latest_s);
+  for (int i = 0; i < 3; ++i) {
+    if (!(std::abs(p_W[i]) <= farthest_m))
+      return fmt::format(
+          "{}_m is {} m; a finger is at most {} m from the origin (is it in another unit than metres?)",
+          "xyz"[i], p_W[i], farthest_m);
+  }
+  return {};
+}
 
 Motion read_motion_csv(const std::string& path) {
   const CsvColumns table = read_csv_columns(path, {"t_s", "x_m", "y_m", "z_m"}, {"dx", "dy", "dz"});
@@ -33,6 +59,7 @@ Motion read_motion_csv(const std::string& path) {
   motion.p_WQ.resize(3, n);
   for (int axis = 0; axis < 3; ++axis)
     motion.p_WQ.row(axis) = row_of(table.columns[1 + static_cast<std::size_t>(axis)]);
+  check_samples(path, table, motion);
 
   const int directions = table.present[4] + table.present[5] + table.present[6];
   if (directions == 0) return motion;
@@ -43,7 +70,7 @@ Motion read_motion_csv(const std::string& path) {
   }
   for (Eigen::Index i = 0; i < n; ++i) {
     const double length = motion.direction_W.col(i).stableNorm();
-    if (!(length > 1e-6)) {
+    if (!(length > 1e-6) || !std::isfinite(length)) {
       throw refused(fmt::format("{}:{}", path, table.lines[static_cast<std::size_t>(i)]),
                     "dx,dy,dz name no direction");
     }

@@ -4,16 +4,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.hpp"
+#include "motion/finger_path.hpp"
+#include "scene/key_ranges.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/toml_table.hpp"
 
 namespace fingerpad {
 namespace {
-
-constexpr double max_length_m = 1e9;
-const NumberRange positive{0, max_length_m, true};
-const NumberRange not_negative{0, max_length_m, false};
 
 const std::vector<std::string> kinds = {"line", "sine", "circle"};
 
@@ -45,7 +44,7 @@ ScriptedMotion read_line(const TomlTable& table) {
   motion.kind = ScriptedMotion::Kind::line;
   motion.from_m = table.vector("from_m", motion.from_m);
   motion.to_m = table.vector("to_m", motion.to_m);
-  motion.speed_m_per_s = table.number("speed_m_per_s", 0, positive);
+  motion.speed_m_per_s = table.number("speed_m_per_s", 0, key_range("motion.speed_m_per_s"));
   motion.duration_s = (motion.to_m - motion.from_m).norm() / motion.speed_m_per_s;
   return motion;
 }
@@ -56,9 +55,9 @@ ScriptedMotion read_sine(const TomlTable& table) {
   motion.kind = ScriptedMotion::Kind::sine;
   motion.centre_m = table.vector("centre_m", motion.centre_m);
   motion.direction = table.direction("direction", motion.direction);
-  motion.amplitude_m = table.number("amplitude_m", 0, not_negative);
-  motion.frequency_hz = table.number("frequency_hz", 0, not_negative);
-  motion.duration_s = table.number("duration_s", 0, positive);
+  motion.amplitude_m = table.number("amplitude_m", 0, key_range("motion.amplitude_m"));
+  motion.frequency_hz = table.number("frequency_hz", 0, key_range("motion.frequency_hz"));
+  motion.duration_s = table.number("duration_s", 0, key_range("motion.duration_s"));
   return motion;
 }
 
@@ -78,10 +77,21 @@ ScriptedMotion read_circle(const TomlTable& table) {
                       table.name("direction") + " is along 'normal'; the circle starts across it");
   }
   motion.direction = across.normalized();
-  motion.amplitude_m = table.number("radius_m", 0, not_negative);
-  motion.frequency_hz = table.number("frequency_hz", 0, not_negative);
-  motion.duration_s = table.number("duration_s", 0, positive);
+  motion.amplitude_m = table.number("radius_m", 0, key_range("motion.radius_m"));
+  motion.frequency_hz = table.number("frequency_hz", 0, key_range("motion.frequency_hz"));
+  motion.duration_s = table.number("duration_s", 0, key_range("motion.duration_s"));
   return motion;
+}
+
+/// So long a motion would fill every disk.
+void refuse_too_many_ticks(const TomlTable& table, const ScriptedMotion& motion, double rate_hz) {
+  const double ticks = motion.duration_s * rate_hz;
+  if (ticks <= most_ticks) return;
+  const char* key = motion.kind == ScriptedMotion::Kind::line ? "speed_m_per_s" : "duration_s";
+  throw table.error(key,
+                    fmt::format("the motion lasts {} s, which is {:.3g} ticks at {} Hz; at most {:.0f} are "
+                                "run: make it shorter or lower rate_hz",
+                                number_text(motion.duration_s), ticks, number_text(rate_hz), most_ticks));
 }
 
 }  // namespace
@@ -89,7 +99,7 @@ ScriptedMotion read_circle(const TomlTable& table) {
 MotionSettings read_motion_settings(const TomlNode& node, const std::string& path) {
   const TomlTable table(node, path, "[motion]", scene_keys("motion"));
   MotionSettings motion;
-  motion.rate_hz = table.number("rate_hz", motion.rate_hz, {1, 1e6, false});
+  motion.rate_hz = table.number("rate_hz", motion.rate_hz, key_range("motion.rate_hz"));
   if (table.has("file") && table.has("kind")) {
     throw table.error("kind", "[motion] has both 'file' and 'kind'; it takes one of them");
   }
@@ -99,6 +109,7 @@ MotionSettings read_motion_settings(const TomlNode& node, const std::string& pat
     motion.scripted = kind == "line"   ? read_line(table)
                       : kind == "sine" ? read_sine(table)
                                        : read_circle(table);
+    refuse_too_many_ticks(table, *motion.scripted, motion.rate_hz);
     return motion;
   }
   refuse_foreign_keys(table, "");

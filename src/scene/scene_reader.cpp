@@ -10,6 +10,7 @@
 
 #include "base/number_text.hpp"
 #include "base/unit.hpp"
+#include "scene/key_ranges.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/toml_table.hpp"
 
@@ -17,9 +18,6 @@ namespace fingerpad {
 namespace {
 
 namespace fs = std::filesystem;
-
-const NumberRange positive{0, 1e9, true};
-const NumberRange not_negative{0, 1e9, false};
 
 /// A table named `key` at the top of the file; nullptr if there is none.
 const TomlNode* find_table(const TomlNode& root, std::string_view key, const std::string& path) {
@@ -53,10 +51,12 @@ std::vector<const TomlNode*> find_tables(const TomlNode& root, std::string_view 
 
 SurfaceProperties read_surface(const TomlTable& table) {
   SurfaceProperties surface;
-  surface.stiffness_n_per_m = table.number("stiffness_n_per_m", surface.stiffness_n_per_m, positive);
-  surface.damping_n_s_per_m = table.number("damping_n_s_per_m", surface.damping_n_s_per_m, not_negative);
-  surface.mu_static = table.number("mu_static", surface.mu_static, {0, 1000, false});
-  surface.mu_dynamic = table.number("mu_dynamic", surface.mu_dynamic, {0, 1000, false});
+  surface.stiffness_n_per_m =
+      table.number("stiffness_n_per_m", surface.stiffness_n_per_m, key_range("part.stiffness_n_per_m"));
+  surface.damping_n_s_per_m =
+      table.number("damping_n_s_per_m", surface.damping_n_s_per_m, key_range("part.damping_n_s_per_m"));
+  surface.mu_static = table.number("mu_static", surface.mu_static, key_range("part.mu_static"));
+  surface.mu_dynamic = table.number("mu_dynamic", surface.mu_dynamic, key_range("part.mu_dynamic"));
   if (surface.mu_dynamic > surface.mu_static) {
     const char* key = table.has("mu_dynamic") ? "mu_dynamic" : "mu_static";
     throw table.error(key, fmt::format("mu_dynamic {} is above mu_static {}{}",
@@ -79,7 +79,7 @@ Mat3 read_rotation(const TomlTable& part) {
   table.require("axis");
   table.require("angle_deg");
   const Vec3 axis = table.direction("axis", Vec3::UnitZ());
-  const double angle_deg = table.number("angle_deg", 0, {-3600, 3600, false});
+  const double angle_deg = table.number("angle_deg", 0, key_range("part.rotation.angle_deg"));
   return Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();
 }
 
@@ -97,7 +97,7 @@ PartEntry read_part(const TomlNode& node, const std::string& path, Missing missi
   part.metres_per_unit = *metres;
   part.position_m = table.vector("position_m", part.position_m);
   part.rotation = read_rotation(table);
-  part.crease_deg = table.number("crease_deg", part.crease_deg, {0, 180, false});
+  part.crease_deg = table.number("crease_deg", part.crease_deg, key_range("part.crease_deg"));
   part.repair = table.flag("repair", part.repair);
   part.surface = read_surface(table);
   return part;
@@ -120,9 +120,12 @@ ContactSettings read_contact(const TomlNode& node, const std::string& path) {
   constexpr ContactMethod methods[] = {ContactMethod::automatic, ContactMethod::closest_point,
                                        ContactMethod::proxy};
   contact.method = methods[table.choice("method", 0, {"auto", "closest-point", "proxy"})];
-  contact.force_tolerance = table.number("force_tolerance", contact.force_tolerance, {0, 1, true});
-  contact.mu_tolerance = table.number("mu_tolerance", contact.mu_tolerance, {0, 1, true});
-  contact.greatest_force_n = table.number("greatest_force_n", contact.greatest_force_n, {0, 1e6, true});
+  contact.force_tolerance =
+      table.number("force_tolerance", contact.force_tolerance, key_range("contact.force_tolerance"));
+  contact.mu_tolerance =
+      table.number("mu_tolerance", contact.mu_tolerance, key_range("contact.mu_tolerance"));
+  contact.greatest_force_n =
+      table.number("greatest_force_n", contact.greatest_force_n, key_range("contact.greatest_force_n"));
   constexpr Normals normals[] = {Normals::facet, Normals::smooth, Normals::curved};
   const std::size_t word = table.choice("normals", 1, {"facet", "smooth", "curved", "auto"});
   contact.automatic_normals = word == std::size(normals);
@@ -154,10 +157,14 @@ std::optional<VibrationSettings> read_vibration(const TomlTable& friction) {
   }
   const TomlTable table(*value, friction.file(), "vibration of [friction]", scene_keys("friction.vibration"));
   VibrationSettings vibration;
-  vibration.frequency_hz = table.number("frequency_hz", vibration.frequency_hz, {0, 1e6, true});
-  vibration.bandwidth_hz = table.number("bandwidth_hz", vibration.bandwidth_hz, {0, 1e6, true});
-  vibration.amplitude = table.number("amplitude", vibration.amplitude, {0, 1, false});
-  vibration.normal_amplitude = table.number("normal_amplitude", vibration.normal_amplitude, {0, 1, false});
+  vibration.frequency_hz =
+      table.number("frequency_hz", vibration.frequency_hz, key_range("friction.vibration.frequency_hz"));
+  vibration.bandwidth_hz =
+      table.number("bandwidth_hz", vibration.bandwidth_hz, key_range("friction.vibration.bandwidth_hz"));
+  vibration.amplitude =
+      table.number("amplitude", vibration.amplitude, key_range("friction.vibration.amplitude"));
+  vibration.normal_amplitude = table.number("normal_amplitude", vibration.normal_amplitude,
+                                            key_range("friction.vibration.normal_amplitude"));
   return vibration;
 }
 
@@ -174,10 +181,9 @@ FrictionSettings read_friction(const TomlNode& node, const std::string& path) {
     if (!table.has(key) || key == "law" || key == "restick" || key == "remedy" || key == "vibration")
       continue;
     const LawParameter* parameter = find_parameter(*chosen, key);
-    const NumberRange range =
-        parameter != nullptr
-            ? NumberRange{parameter->min, std::min(1e12, parameter->max), !parameter->min_allowed}
-            : positive;
+    const NumberRange range = parameter != nullptr
+                                  ? law_range(parameter->min, !parameter->min_allowed, parameter->max)
+                                  : law_range(0, true, 1e9);
     friction.settings.numbers[key] = table.number(key, 0, range);
   }
   friction.settings.restick =
@@ -191,7 +197,7 @@ FrictionSettings read_friction(const TomlNode& node, const std::string& path) {
 FingerSettings read_finger(const TomlNode& node, const std::string& path, FrictionSettings& friction) {
   const TomlTable table(node, path, "[finger]", scene_keys("finger"));
   FingerSettings finger;
-  finger.radius_m = table.number("radius_m", finger.radius_m, {0, 1000, false});
+  finger.radius_m = table.number("radius_m", finger.radius_m, key_range("finger.radius_m"));
   finger.direction = table.direction("direction", finger.direction);
   finger.profile = table.text("profile", "");
   if (finger.profile.empty()) return finger;
@@ -207,12 +213,14 @@ FingerSettings read_finger(const TomlNode& node, const std::string& path, Fricti
 HandSettings read_hand(const TomlNode& node, const std::string& path) {
   const TomlTable table(node, path, "[hand]", scene_keys("hand"));
   HandSettings hand;
-  hand.mass_kg = table.number("mass_kg", hand.mass_kg, positive);
-  hand.damping_n_s_per_m = table.number("damping_n_s_per_m", hand.damping_n_s_per_m, not_negative);
-  hand.stiffness_n_per_m = table.number("stiffness_n_per_m", hand.stiffness_n_per_m, not_negative);
-  hand.encoder_m = table.number("encoder_m", hand.encoder_m, {0, 1, false});
+  hand.mass_kg = table.number("mass_kg", hand.mass_kg, key_range("hand.mass_kg"));
+  hand.damping_n_s_per_m =
+      table.number("damping_n_s_per_m", hand.damping_n_s_per_m, key_range("hand.damping_n_s_per_m"));
+  hand.stiffness_n_per_m =
+      table.number("stiffness_n_per_m", hand.stiffness_n_per_m, key_range("hand.stiffness_n_per_m"));
+  hand.encoder_m = table.number("encoder_m", hand.encoder_m, key_range("hand.encoder_m"));
   hand.delay_ticks = static_cast<int>(table.whole("delay_ticks", hand.delay_ticks, 0, 10000));
-  hand.coulomb_n = table.number("coulomb_n", hand.coulomb_n, not_negative);
+  hand.coulomb_n = table.number("coulomb_n", hand.coulomb_n, key_range("hand.coulomb_n"));
   const std::string axes = table.text("axes", "xyz");
   for (int i = 0; i < 3; ++i) hand.free_axis[i] = axes.find("xyz"[i]) != std::string::npos;
   const auto given = static_cast<std::size_t>(hand.free_axis[0] + hand.free_axis[1] + hand.free_axis[2]);
@@ -221,6 +229,20 @@ HandSettings read_hand(const TomlNode& node, const std::string& path) {
                       table.name("axes") + " must name some of x, y and z, each once, such as \"xy\"");
   }
   return hand;
+}
+
+/// A hand so light, or with a spring or damper so strong, that it does a great many turns in a tick: what its
+/// matrix exponential loses by rounding grows with their number.
+void refuse_hand_too_quick(const HandSettings& hand, double rate_hz, const std::string& place) {
+  constexpr double most = 1e9;
+  const double quickness = std::max(hand.stiffness_n_per_m, hand.damping_n_s_per_m) / hand.mass_kg / rate_hz;
+  if (quickness <= most) return;
+  throw refused(place,
+                fmt::format("a [hand] of {} kg with {} N/m and {} N s/m moves too quickly for ticks at {} "
+                            "Hz: stiffness_n_per_m and damping_n_s_per_m may be at most 1e9 times mass_kg "
+                            "times rate_hz",
+                            number_text(hand.mass_kg), number_text(hand.stiffness_n_per_m),
+                            number_text(hand.damping_n_s_per_m), number_text(rate_hz)));
 }
 
 /// The scene's name becomes a file name, so that it must be one.
@@ -278,7 +300,10 @@ Scene read_scene(const TomlNode& root, const std::string& path, Missing missing)
   }
   if (const TomlNode* node = find_table(root, "motion", path))
     scene.motion = read_motion_settings(*node, path);
-  if (const TomlNode* node = find_table(root, "hand", path)) scene.hand = read_hand(*node, path);
+  if (const TomlNode* node = find_table(root, "hand", path)) {
+    scene.hand = read_hand(*node, path);
+    refuse_hand_too_quick(*scene.hand, scene.motion.rate_hz, place_text(path, node->place));
+  }
   return scene;
 }
 

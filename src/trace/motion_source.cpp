@@ -20,6 +20,8 @@ Motion motion_of_trace(const std::string& path) {
       throw refused(
           path, fmt::format("row {}: time {} s does not come after {} s", i + 1, row.t_s, motion.t_s.back()));
     }
+    const std::string fault = sample_fault(row.t_s, row.p_WQ);
+    if (!fault.empty()) throw refused(path, fmt::format("row {}: {}", i + 1, fault));
     motion.t_s.push_back(row.t_s);
     motion.p_WQ.col(static_cast<Eigen::Index>(i)) = row.p_WQ;
   }
