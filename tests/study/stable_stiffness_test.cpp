@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <cmath>
-
 namespace fingerpad {
 namespace {
 
@@ -22,13 +20,6 @@ const Row rows[] = {
     {{.wall_damping_n_s_per_m = 20, .tick_s = 1e-3}, 31068},
 };
 
-TEST(StableStiffness, EigenvaluesGiveEveryPublishedLimit) {
-  for (const Row& row : rows) {
-    // The table's last digit is a unit, or a tenth of one.
-    EXPECT_NEAR(exact_stable_stiffness(row.wall), row.stiffness_n_per_m, 6e-4 * row.stiffness_n_per_m);
-  }
-}
-
 TEST(StableStiffness, TheSimulatedHandFindsEveryPublishedLimit) {
   for (const Row& row : rows) {
     // 2 % is what the issue asks; the bisection stops at 0.2 %, and ten seconds tell decay from growth to
@@ -36,36 +27,6 @@ TEST(StableStiffness, TheSimulatedHandFindsEveryPublishedLimit) {
     EXPECT_NEAR(measured_stable_stiffness(row.wall), row.stiffness_n_per_m, 0.02 * row.stiffness_n_per_m)
         << "B " << row.wall.wall_damping_n_s_per_m << " d " << row.wall.delay_ticks;
   }
-}
-
-TEST(StableStiffness, PublishedConditionsStandAtOrBelowTheExactValue) {
-  for (const Row& row : rows) {
-    if (row.wall.delay_ticks > 0) continue;  // they are for a loop without delay
-    // Passivity is stricter than stability; the finger's inertia leaves a thousandth between them where B =
-    // 0.
-    EXPECT_LE(colgate_schenkel_stiffness(row.wall), row.stiffness_n_per_m);
-    if (row.wall.wall_damping_n_s_per_m > 0) continue;
-    EXPECT_LE(abbott_okamura_stiffness(row.wall), row.stiffness_n_per_m);
-    EXPECT_NEAR(colgate_schenkel_stiffness(row.wall), row.stiffness_n_per_m, 2e-3 * row.stiffness_n_per_m);
-  }
-}
-
-TEST(StableStiffness, TheRuleOfThumbIsTheTablesLastColumn) {
-  const double thumb[] = {1000, 1000.0 / 3, 200, 10000, 5000, 41000};
-  for (std::size_t i = 0; i < std::size(rows); ++i)
-    EXPECT_NEAR(thumb_stiffness(rows[i].wall), thumb[i], 1e-6);
-}
-
-TEST(StableStiffness, ConditionsOfTheLiterature) {
-  HeldWall wall;
-  EXPECT_DOUBLE_EQ(colgate_schenkel_stiffness(wall), 1000);
-  wall.wall_damping_n_s_per_m = 0.2;
-  EXPECT_DOUBLE_EQ(colgate_schenkel_stiffness(wall), 600);
-  EXPECT_TRUE(std::isnan(abbott_okamura_stiffness(wall)));
-  wall = {.encoder_m = 3e-5, .coulomb_n = 0.006};
-  EXPECT_DOUBLE_EQ(abbott_okamura_stiffness(wall), 400);
-  wall.delay_ticks = 1;
-  EXPECT_TRUE(std::isnan(colgate_schenkel_stiffness(wall)));
 }
 
 }  // namespace

@@ -1,0 +1,35 @@
+#pragma once
+
+namespace fingerpad {
+
+/// A finger held by a device against a sampled wall: mass and damper, a spring and a backward-difference
+/// damper computed once a tick and held over it (SCIENCE 4).
+struct HeldWall {
+  double mass_kg = 0.072;
+  double damping_n_s_per_m = 0.5;     ///< b, of hand and device against the world
+  double wall_damping_n_s_per_m = 0;  ///< B, of the wall
+  double tick_s = 1e-3;               ///< T
+  int delay_ticks = 0;                ///< d, from a force's computation to its display
+  double encoder_m = 0;               ///< Delta, position quantum
+  double coulomb_n = 0;               ///< f_c, dry friction of the device
+};
+
+/// Largest stiffness [N/m] at which the loop is stable: the eigenvalues of the exactly discretised linear
+/// loop, without quantum and dry friction. Zero where even the softest wall is unstable.
+double exact_stable_stiffness(const HeldWall& wall);
+
+/// The exact one, or thumb_stiffness for a delay so long that the exact one would take minutes.
+double stable_stiffness(const HeldWall& wall);
+
+/// Colgate & Schenkel 1997, passivity of the wall: b > K T/2 + |B|, so K < 2 (b - |B|)/T. For a loop without
+/// delay; nan with one.
+double colgate_schenkel_stiffness(const HeldWall& wall);
+
+/// Abbott & Okamura 2005: K <= min(2 b/T, 2 f_c/Delta) for a quantum Delta and dry friction f_c. For a loop
+/// without delay and wall damping; nan with either.
+double abbott_okamura_stiffness(const HeldWall& wall);
+
+/// The rule of thumb (b + B)/((d + 1/2) T).
+double thumb_stiffness(const HeldWall& wall);
+
+}  // namespace fingerpad
