@@ -32,7 +32,11 @@ void SimulatedHand::start(const Vec3& p_W) {
 Vec3 SimulatedHand::encoded_W() const noexcept {
   const double quantum = settings_.encoder_m;
   if (!(quantum > 0)) return position_W_;
-  return (position_W_ / quantum).array().round().matrix() * quantum;
+  const Vec3 steps = position_W_ / quantum;
+  // So small a quantum is none: a double has no room for it.
+  constexpr double countable = 0x1p52;
+  if (!(steps.cwiseAbs().maxCoeff() < countable)) return position_W_;
+  return steps.array().round().matrix() * quantum;
 }
 
 Vec3 SimulatedHand::push_W_n(const Vec3& intended_W) const noexcept {

@@ -1,12 +1,20 @@
 #include "touch/closed_loop.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+
+#include "motion/stable_stiffness.hpp"
 
 namespace fingerpad {
 
 ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path)
-    : touch_(std::move(world), scene), path_(std::move(path)) {
+    : world_(world), touch_(std::move(world), scene), path_(std::move(path)) {
   if (!scene.hand) return;
+  hand_settings_ = *scene.hand;
+  double scene_m = 1 + path_.farthest_m();
+  for (const Surface& surface : world_->surfaces) scene_m += surface.part ? surface.part->size_m() : 0;
+  leash_m_ = 1e3 * scene_m;
   hand_.emplace(*scene.hand, 1 / scene.motion.rate_hz);
   hand_->start(path_.at(0).p_WQ);
 }
@@ -26,7 +34,39 @@ TickRecord ClosedLoop::next_in_hand(const FingerSample& intended) noexcept {
   record.p_WQ = hand_->position_W();
   const Vec3 next = path_.at(std::min(tick_ + 1, path_.tick_count() - 1)).p_WQ;
   hand_->advance(intended.p_WQ, next, record.force_W_n);
+  if (record.surface >= 0) last_surface_ = record.surface;
+  const Vec3 stray_m = hand_->position_W() - next;
+  diverged_ |= !stray_m.allFinite() || stray_m.cwiseAbs().maxCoeff() > leash_m_;
   return record;
+}
+
+std::string ClosedLoop::divergence() const {
+  const std::string start = fmt::format(
+      "the hand's loop diverged at t = {:.4g} s, where it threw the finger over {:.3g} m off its motion",
+      path_.at(tick_ - 1).t_s, leash_m_);
+  if (last_surface_ < 0)
+    return start + ", though it touched nothing: raise rate_hz or mass_kg, or lower [hand] stiffness_n_per_m";
+  const SurfaceProperties& surface = world_->surfaces[static_cast<std::size_t>(last_surface_)].properties;
+  const HeldWall wall{.mass_kg = hand_settings_.mass_kg,
+                      .damping_n_s_per_m = hand_settings_.damping_n_s_per_m,
+                      .wall_damping_n_s_per_m = surface.damping_n_s_per_m,
+                      .tick_s = 1 / path_.rate_hz(),
+                      .delay_ticks = hand_settings_.delay_ticks};
+  const double limit = stable_stiffness(wall);
+  const std::string hand = fmt::format(
+      "that a hand of {:.4g} kg and {:.4g} N s/m holds stable on one wall{} at {:.6g} Hz{}", wall.mass_kg,
+      wall.damping_n_s_per_m,
+      wall.wall_damping_n_s_per_m > 0 ? fmt::format(" of {:.4g} N s/m", wall.wall_damping_n_s_per_m) : "",
+      path_.rate_hz(),
+      wall.delay_ticks > 0 ? fmt::format(" with a delay of {} ticks", wall.delay_ticks) : "");
+  const bool is_above = surface.stiffness_n_per_m > limit;
+  return fmt::format(
+      "{}: stiffness_n_per_m {:.6g} is {} {:.4g} N/m, the largest {}; {}soften the surface, raise "
+      "rate_hz or give [hand] more damping_n_s_per_m",
+      start, surface.stiffness_n_per_m, is_above ? "above" : "below", limit, hand,
+      is_above ? ""
+               : "yet several walls at once, or a stiff spring of the sticking friction, count "
+                 "together: ");
 }
 
 }  // namespace fingerpad

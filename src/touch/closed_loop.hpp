@@ -1,6 +1,8 @@
 #pragma once
 
+#include <memory>
 #include <optional>
+#include <string>
 
 #include "motion/finger_path.hpp"
 #include "touch/touch.hpp"
@@ -18,13 +20,26 @@ class ClosedLoop {
   /// @pre called at most tick_count() times
   TickRecord next() noexcept;
 
+  /// Whether a hand has been thrown so far from its motion, a thousand times the scene's own size, that no
+  /// spring of a hand explains it: the loop gains energy on every tick. What next() gives from then on is
+  /// finite still, but says nothing.
+  bool has_diverged() const noexcept { return diverged_; }
+  /// Why, for people, with the largest stiffness that the hand would have held stable (SCIENCE 4).
+  /// @pre has_diverged()
+  std::string divergence() const;
+
  private:
   TickRecord next_in_hand(const FingerSample& intended) noexcept;
 
+  std::shared_ptr<const World> world_;
   Touch touch_;
   FingerPath path_;
   std::optional<SimulatedHand> hand_;
+  HandSettings hand_settings_;
   long tick_ = 0;
+  double leash_m_ = 0;     ///< farther from its motion no hand goes by itself
+  int last_surface_ = -1;  ///< touched
+  bool diverged_ = false;
 };
 
 }  // namespace fingerpad
