@@ -102,11 +102,14 @@ JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output
   block.reserve(block_ticks);
   for (long first = 0; first < loop.tick_count(); first += block_ticks) {
     block.clear();
-    for (long k = first; k < std::min(first + block_ticks, loop.tick_count()); ++k) {
+    for (long k = first; k < std::min(first + block_ticks, loop.tick_count()) && !loop.has_diverged(); ++k) {
       block.push_back(loop.next());
       figures.observe(block.back());
     }
     writer->append(block);
+    if (!loop.has_diverged()) continue;
+    writer->flush();  // what there was until then stays behind
+    throw refused(scene.path, loop.divergence());
   }
   writer->finish();
   result.figures = figures.values();
