@@ -6,6 +6,7 @@
 
 #include <bit>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -20,6 +21,16 @@
 namespace fingerpad {
 namespace {
 
+/// Throws where a figure of a run is no number: the run says nothing then, and its row says why.
+void refuse_nonfinite(const std::vector<double>& figures, const std::string& scene_path) {
+  for (std::size_t i = 0; i < figures.size(); ++i) {
+    if (std::isfinite(figures[i])) continue;
+    throw refused(scene_path,
+                  fmt::format("the run's {} is not finite: its numbers left what a double can hold",
+                              Figures::names()[i]));
+  }
+}
+
 void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const SceneJob& job = batch_job.job;
@@ -28,6 +39,7 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
     const auto path = std::filesystem::path(options.out_dir) / trace_name(job, options.format);
     const JobResult result =
         run_job(job.scene, meshes, {path.string(), options.format, options.version, options.resume});
+    refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;
     batch_job.kept = result.kept;
     batch_job.contact_method = result.contact_method;
