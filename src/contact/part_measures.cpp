@@ -12,6 +12,8 @@
 #include <numeric>
 #include <vector>
 
+#include "contact/ray_budget.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -190,8 +192,10 @@ class WallSamples {
   WallSamples(const Part& part, const TriangleTree& tree, double trusted_height_m)
       : part_(part), tree_(tree), trusted_height_m_(trusted_height_m) {
     const int count = part.triangle_count();
-    while (m_ < most_cuts && static_cast<long>(m_ + 1) * (m_ + 1) * count <= most_rays) ++m_;
-    stride_ = count > most_rays ? (count + most_starts - 1) / most_starts : 1;
+    const int affordable = affordable_rays(part), rays = std::min(most_rays, affordable),
+              most = std::min(most_starts, affordable);
+    while (m_ < most_cuts && static_cast<long>(m_ + 1) * (m_ + 1) * count <= rays) ++m_;
+    stride_ = count > rays ? (count + most - 1) / most : 1;
     starts_ = (count + stride_ - 1) / stride_;
     walls_.resize(static_cast<std::size_t>(starts_) * static_cast<std::size_t>(m_ * m_));
     overlap_stride_ = (static_cast<int>(walls_.size()) + most_overlap_rays - 1) / most_overlap_rays;

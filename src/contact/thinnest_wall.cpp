@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "contact/ray_budget.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -46,9 +48,10 @@ double thinnest_wall_m(const Part& part, const TriangleTree& tree) {
     return std::numeric_limits<double>::quiet_NaN();
   }
   const int count = part.triangle_count();
+  const int rays = std::min(most_rays, affordable_rays(part));
   int m = 1;
-  while (m < most_cuts && static_cast<long>(m + 1) * (m + 1) * count <= most_rays) ++m;
-  const int stride = (count + most_rays - 1) / most_rays;
+  while (m < most_cuts && static_cast<long>(m + 1) * (m + 1) * count <= rays) ++m;
+  const int stride = (count + rays - 1) / rays;
   const int starts = (count + stride - 1) / stride;
   return tbb::parallel_reduce(
       tbb::blocked_range<int>(0, starts, 64), std::numeric_limits<double>::infinity(),

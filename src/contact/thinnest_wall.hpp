@@ -11,7 +11,8 @@ namespace fingerpad {
 ///
 /// Samples: every facet is cut into m x m like parts and a ray starts from the centre of each, m the largest
 /// of 1 .. 8 that keeps the rays under 200,000; a mesh with more facets than that sends one ray from every
-/// k-th facet. So a wall thinner than its surroundings over less than a sample's width can be missed; the
+/// k-th facet. (Fewer rays are sent where affordable_rays says so: through needles that fan out by
+/// thousands.) So a wall thinner than its surroundings over less than a sample's width can be missed; the
 /// same part gives the same answer.
 ///
 /// Not a number for an open part; infinite where no wall was met (a tetrahedron).
