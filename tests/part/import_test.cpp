@@ -376,5 +376,13 @@ TEST(Verdict, TextNamesTheFileTheDamageAndTheNumbers) {
   EXPECT_EQ(text.back(), '\n');
 }
 
+/// Looking for a comment to the file's end on every line would take some ten minutes here, and a watchdog
+/// ends the test.
+TEST(Import, ALongObjWithoutCommentsIsReadInOnePass) {
+  std::string text;
+  for (int i = 0; i < 1500000; ++i) text += "v 0 0 0\n";
+  expect_refused(import_bytes("long.obj", text), "holds no triangle");
+}
+
 }  // namespace
 }  // namespace fingerpad
