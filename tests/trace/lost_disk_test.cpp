@@ -95,14 +95,23 @@ TEST(LostDisk, ManyWritersMayFindNoFolder) {
             100);
 }
 
+/// Puts a file system of 2 MB on the folder, for this process alone; false if it may not.
+bool mount_small_disk(const std::string& folder) {
+  const uid_t user = geteuid(), group = getegid();
+  if (unshare(user == 0 ? CLONE_NEWNS : CLONE_NEWNS | CLONE_NEWUSER) != 0) return false;
+  if (user != 0) {
+    std::ofstream("/proc/self/setgroups") << "deny";
+    std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+    std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+  }
+  return mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) == 0 &&
+         mount("none", folder.c_str(), "tmpfs", 0, "size=2m") == 0;
+}
+
 TEST(LostDisk, ASmallFullDiskIsOneLineAWriter) {
   const std::string folder = test::scratch_dir();
   const int status = status_of([&] {
-    const int spaces = geteuid() == 0 ? CLONE_NEWNS : CLONE_NEWNS | CLONE_NEWUSER;
-    if (unshare(spaces) != 0 || mount("none", "/", nullptr, MS_REC | MS_PRIVATE, nullptr) != 0 ||
-        mount("none", folder.c_str(), "tmpfs", 0, "size=2m") != 0) {
-      return cannot_try;
-    }
+    if (!mount_small_disk(folder)) return cannot_try;
     std::ofstream(folder + "/ballast") << std::string(2'000'000, 'x');
     return failures_in_threads(folder, 5, "No space left on device");
   });
