@@ -53,8 +53,10 @@ enum class TraceContents { all, rows };
 
 /// Reads a trace, HDF5 or CSV, by content. Throws Error (refused) for a file that is neither, lacks a column,
 /// or whose columns differ in length by more than an unfinished flush explains (then the shortest counts). A
-/// CSV named
-/// `*.part` is one that was cut short.
+/// CSV named `*.part` is one that was cut short.
+///
+/// Traces may come from anyone: an HDF5 file is read by a child process (fork), where HDF5 may crash, and one
+/// that keeps anything outside of itself (external storage, links, virtual datasets) is refused.
 Trace read_trace(const std::string& path);
 Trace read_trace(const std::string& path, TraceContents contents);
 
