@@ -81,6 +81,16 @@ void refuse_nonfinite(const RawMesh& mesh, const std::vector<bool>& used) {
                   first, p.x(), p.y(), p.z(), count, count == 1 ? "vertex" : "vertices"));
 }
 
+/// OpenMesh compares every corner of a face with every other.
+void refuse_huge_faces(const RawMesh& mesh) {
+  constexpr int most_corners = 20000;
+  for (int i = 0; i < mesh.polygon_count(); ++i) {
+    if (mesh.corner_count(i) <= most_corners) continue;
+    throw refused("", fmt::format("face {} has {} corners; at most {} are read: export it as triangles", i,
+                                  mesh.corner_count(i), most_corners));
+  }
+}
+
 /// Lets OpenMesh read what was scanned, and measures what that does to the coordinates.
 void deliver(RawMesh& mesh, const std::string& bytes, MeshFormat format, const std::vector<bool>& used,
              const ImportOptions& options, Verdict& verdict) {
@@ -134,6 +144,7 @@ std::shared_ptr<const Part> read(const std::string& path, const ImportOptions& o
   const std::vector<bool> used = used_vertices(mesh);
   for (int i = 0; i < mesh.polygon_count(); ++i) verdict.triangles += mesh.corner_count(i) - 2;
   refuse_nonfinite(mesh, used);
+  refuse_huge_faces(mesh);
   if (mesh.polygon_count() > 0) deliver(mesh, bytes, format, used, options, verdict);
   bytes = std::string();
   const Fan fan = fan_polygons(mesh, options.metres_per_unit);

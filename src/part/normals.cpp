@@ -20,22 +20,32 @@ std::size_t at(int i) {
 /// A sum of unit normals shorter than this points nowhere: its direction is rounding.
 constexpr double vanishing = 1e-12;
 
-/// The facets across the edges of the mesh's triangles, whatever their number.
+/// Which edge each half-edge is on; -1 where on none.
+std::vector<int> edge_of_half_edges(const EdgeTable& edges, int triangle_count) {
+  std::vector<int> edge_of(at(3 * triangle_count), -1);
+  for (int e = 0; e < edges.edge_count(); ++e) {
+    for (const int h : edges.on_edge(e)) edge_of[at(h)] = e;
+  }
+  return edge_of;
+}
+
+/// The facets across the edges of the mesh's triangles.
 class Across {
  public:
   /// @param triangle_count  0: nothing will be asked
-  Across(const EdgeTable& edges, int triangle_count) : edges_(edges), edge_of_(at(3 * triangle_count), -1) {
-    if (triangle_count == 0) return;
-    for (int e = 0; e < edges.edge_count(); ++e) {
-      for (const int h : edges.on_edge(e)) edge_of_[at(h)] = e;
-    }
+  Across(const EdgeTable& edges, int triangle_count) : edges_(edges) {
+    if (triangle_count > 0) edge_of_ = edge_of_half_edges(edges, triangle_count);
   }
 
-  /// Visits the other triangles at half-edge h.
+  /// Visits the other triangles at half-edge h; none where more meet than a solid's sheets ever do, or
+  /// thousands that all share one edge would each visit all others.
   template <typename Visit>
   void visit(int h, Visit&& visit) const {
+    constexpr std::size_t crowded = 100;
     if (edge_of_[at(h)] < 0) return;
-    for (const int other : edges_.on_edge(edge_of_[at(h)])) {
+    const auto on = edges_.on_edge(edge_of_[at(h)]);
+    if (on.size() > crowded) return;
+    for (const int other : on) {
       if (other != h) visit(other / 3);
     }
   }
@@ -45,29 +55,49 @@ class Across {
   std::vector<int> edge_of_;
 };
 
-/// Triangles whose flat ones are given a normal by others.
-struct Receivers {
-  const Points& vertices;
-  const IndexTriples& triangles;
-  const Across& across;
-};
+/// Of each edge the largest triangle that has a normal, the lowest of equals: who gives its normal to those
+/// without.
+class Givers {
+ public:
+  Givers(const Points& vertices, const IndexTriples& triangles, const EdgeTable& edges)
+      : vertices_(vertices),
+        triangles_(triangles),
+        edge_of_(edge_of_half_edges(edges, static_cast<int>(triangles.cols()))),
+        of_edge_(at(edges.edge_count())) {}
 
-/// The largest triangle with a normal across these edges of t, or -1.
-int largest_across(const Receivers& mesh, const Points& normals, int t, bool only_longest) {
-  int best = -1;
-  double best_area = -1;
-  const int longest = shape_of(mesh.vertices, mesh.triangles, t).longest_edge;
-  for (int k = 0; k < 3; ++k) {
-    if (only_longest && k != longest) continue;
-    mesh.across.visit(3 * t + k, [&](int other) {
-      const double area = shape_of(mesh.vertices, mesh.triangles, other).area.norm();
-      if (normals.col(other).isZero(0) || area <= best_area) return;
-      best = other;
-      best_area = area;
-    });
+  /// Triangle t has a normal to give.
+  void add(int t) {
+    const double area = shape_of(vertices_, triangles_, t).area.norm();
+    for (int h = 3 * t; h < 3 * t + 3; ++h) {
+      if (edge_of_[at(h)] < 0) continue;
+      Giver& giver = of_edge_[at(edge_of_[at(h)])];
+      if (area > giver.area || (area == giver.area && t < giver.triangle)) giver = {t, area};
+    }
   }
-  return best;
-}
+
+  /// The largest triangle with a normal across these edges of t, which has none; or -1.
+  int largest_across(int t, bool only_longest) const {
+    Giver best;
+    const int longest = shape_of(vertices_, triangles_, t).longest_edge;
+    for (int k = 0; k < 3; ++k) {
+      const int edge = edge_of_[at(3 * t + k)];
+      if (edge < 0 || (only_longest && k != longest)) continue;
+      if (of_edge_[at(edge)].area > best.area) best = of_edge_[at(edge)];
+    }
+    return best.triangle;
+  }
+
+ private:
+  struct Giver {
+    int triangle = -1;
+    double area = -1;
+  };
+
+  const Points& vertices_;
+  const IndexTriples& triangles_;
+  std::vector<int> edge_of_;
+  std::vector<Giver> of_edge_;
+};
 
 }  // namespace
 
@@ -103,18 +133,22 @@ Points facet_normals(const Points& vertices, const IndexTriples& triangles, cons
     if (flat[at(t)]) waiting.push_back(t);
   }
   if (waiting.empty()) return normals;
-  const Across across(edges, n);
+  Givers givers(vertices, triangles, edges);
+  for (int t = 0; t < n; ++t) {
+    if (!normals.col(t).isZero(0)) givers.add(t);
+  }
   // First across longest edges as far as that reaches, then one step across any edge, and again.
   bool only_longest = true;
   constexpr int many_rounds = 200;  // a strip of seams is done in a few, as every round turns back
   for (int round = 0; round < many_rounds && !waiting.empty(); ++round) {
     std::vector<int> still;
     for (const int t : waiting) {
-      const int giver = largest_across({vertices, triangles, across}, normals, t, only_longest);
+      const int giver = givers.largest_across(t, only_longest);
       if (giver < 0) {
         still.push_back(t);
       } else {
         normals.col(t) = normals.col(giver);
+        givers.add(t);
       }
     }
     const bool stuck = still.size() == waiting.size();

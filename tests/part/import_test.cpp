@@ -384,5 +384,15 @@ TEST(Import, ALongObjWithoutCommentsIsReadInOnePass) {
   expect_refused(import_bytes("long.obj", text), "holds no triangle");
 }
 
+TEST(Import, AFaceOfMoreCornersThanAnyModelerDrawsIsRefused) {
+  std::string text, face = "f";
+  for (int i = 0; i < 400000; ++i) {
+    text += "v " + std::to_string(i) + " " + std::to_string(i % 7) + " 0\n";
+    face += " " + std::to_string(i + 1);
+  }
+  expect_refused(import_bytes("huge_face.obj", text + face + "\n"),
+                 "face 0 has 400000 corners; at most 20000");
+}
+
 }  // namespace
 }  // namespace fingerpad

@@ -312,5 +312,25 @@ TEST(MakePart, AFarOffPartIsThePartItselfMoved) {
   EXPECT_EQ(near.vertex_pseudonormals, far.vertex_pseudonormals);
 }
 
+/// Were each to look at all others this would take an hour, and a watchdog ends the test.
+TEST(MakePart, SeamsThatAllShareOneEdgeTakeTheNormalOfTheFacetThere) {
+  constexpr int seams = 300000;
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, seams + 3);
+  soup.triangles.resize(3, seams + 1);
+  soup.vertices_P.col(0) = Vec3(0, 0, 0);
+  soup.vertices_P.col(1) = Vec3(0, 0, 1);
+  soup.vertices_P.col(2) = Vec3(1, 0, 0);
+  soup.triangles.col(0) << 0, 1, 2;
+  for (int i = 0; i < seams; ++i) {
+    soup.vertices_P.col(3 + i) = Vec3(0, 0, 2 + i);
+    soup.triangles.col(1 + i) << 0, 1, 3 + i;
+  }
+  const Part part = make_part(soup, 0.5);
+  ASSERT_EQ(part.triangle_count(), seams + 1);
+  for (int t = 0; t < part.triangle_count(); t += 1000)
+    EXPECT_EQ(part.facet_normals.col(t), Vec3(0, 1, 0)) << t;
+}
+
 }  // namespace
 }  // namespace fingerpad
