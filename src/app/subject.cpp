@@ -16,9 +16,17 @@ namespace {
 
 std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const World>& world) {
   ClosedLoop loop(world, scene, load_finger_path(scene));
+  constexpr long most_rows = 20'000'000;  // some 6 GB
+  if (loop.tick_count() > most_rows) {
+    throw refused(scene.path,
+                  fmt::format("its motion has {} ticks; at most {} are shown: make it shorter or lower "
+                              "rate_hz",
+                              loop.tick_count(), most_rows));
+  }
   std::vector<TickRecord> rows;
   rows.reserve(static_cast<std::size_t>(loop.tick_count()));
-  for (long k = 0; k < loop.tick_count(); ++k) rows.push_back(loop.next());
+  for (long k = 0; k < loop.tick_count() && !loop.has_diverged(); ++k) rows.push_back(loop.next());
+  if (loop.has_diverged()) throw refused(scene.path, loop.divergence());
   return rows;
 }
 
