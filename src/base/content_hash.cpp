@@ -3,9 +3,9 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <fstream>
+#include <limits>
 
-#include "base/error.hpp"
+#include "base/input_file.hpp"
 
 namespace fingerpad {
 
@@ -16,14 +16,11 @@ std::uint64_t content_hash(std::span<const std::byte> bytes, std::uint64_t seed)
 }
 
 std::string file_hash(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw refused(path, "cannot be read");
+  InputFile file(path, {"what is hashed", std::numeric_limits<std::uint64_t>::max()});
   std::array<char, 1 << 16> block{};
   std::uint64_t hash = content_hash({});
-  while (file) {
-    file.read(block.data(), block.size());
-    hash =
-        content_hash(std::as_bytes(std::span(block.data(), static_cast<std::size_t>(file.gcount()))), hash);
+  while (const std::size_t count = file.read(block.data(), block.size())) {
+    hash = content_hash(std::as_bytes(std::span(block.data(), count)), hash);
   }
   return fmt::format("{:016x}", hash);
 }

@@ -4,11 +4,11 @@
 #include <fmt/ranges.h>
 
 #include <cmath>
-#include <fstream>
 #include <optional>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
+#include "base/text_lines.hpp"
 
 namespace fingerpad {
 namespace {
@@ -30,6 +30,17 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
+/// A row of more cells than the header names is some other row: a form feed that ends rows, a comma within
+/// quotes. Blank ones at its end are a trailing comma.
+void refuse_extra_cells(const TextLines& lines, const std::vector<std::string_view>& cells,
+                        std::size_t header_cells) {
+  for (std::size_t i = header_cells; i < cells.size(); ++i) {
+    if (trimmed(cells[i]).empty()) continue;
+    throw refused(lines.place(),
+                  fmt::format("has {} cells, but the header has {}", cells.size(), header_cells));
+  }
+}
+
 std::optional<std::size_t> column_of(const std::vector<std::string_view>& header, std::string_view name) {
   for (std::size_t i = 0; i < header.size(); ++i) {
     if (trimmed(header[i]) == name) return i;
@@ -37,30 +48,42 @@ std::optional<std::size_t> column_of(const std::vector<std::string_view>& header
   return std::nullopt;
 }
 
-double number_in(const std::string& where, const std::vector<std::string_view>& cells, std::size_t column,
+double number_in(const TextLines& lines, const std::vector<std::string_view>& cells, std::size_t column,
                  std::string_view name) {
   if (column >= cells.size()) {
-    throw refused(where,
+    throw refused(lines.place(),
                   fmt::format("has {} cells, but column '{}' is number {}", cells.size(), name, column + 1));
   }
   const auto value = parse_number(cells[column]);
   if (!value)
-    throw refused(where, fmt::format("'{}' in column '{}' is no number", trimmed(cells[column]), name));
-  if (!std::isfinite(*value)) throw refused(where, fmt::format("column '{}' is not finite", name));
+    throw refused(lines.place(), fmt::format("'{}' in column '{}' is no number",
+                                             trimmed(cells[column]).substr(0, 40), name));
+  if (!std::isfinite(*value)) throw refused(lines.place(), fmt::format("column '{}' is not finite", name));
   return *value;
+}
+
+/// The first line that is not blank: the header's cells. The line must outlive them.
+std::vector<std::string_view> header_of(TextLines& lines, std::string& line) {
+  std::string_view text;
+  while (lines.next(text)) {
+    if (trimmed(text).empty()) continue;
+    if (text.find('\0') != std::string_view::npos) {
+      throw refused(lines.where(), "is no text: it holds a zero byte");
+    }
+    line = std::string(text);
+    return cells_of(line);
+  }
+  throw refused(lines.where(), "is empty");
 }
 
 }  // namespace
 
 CsvColumns read_csv_columns(const std::string& path, const std::vector<std::string_view>& required,
-                            const std::vector<std::string_view>& optional) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw refused(path, "cannot be read");
-  std::string line;
-  if (!std::getline(file, line)) throw refused(path, "is empty");
-  std::string_view header_line = line;
-  if (header_line.starts_with("\xef\xbb\xbf")) header_line.remove_prefix(3);
-  const auto header = cells_of(header_line);
+                            const std::vector<std::string_view>& optional, TableSource source) {
+  constexpr std::size_t most_rows = 50'000'000;
+  TextLines lines(path, {"a table", std::uint64_t{2} << 30, source == TableSource::file_or_stream});
+  std::string header_line;
+  const auto header = header_of(lines, header_line);
 
   std::vector<std::string_view> names = required;
   names.insert(names.end(), optional.begin(), optional.end());
@@ -70,21 +93,23 @@ CsvColumns read_csv_columns(const std::string& path, const std::vector<std::stri
     places.push_back(column_of(header, names[k]));
     table.present.push_back(places[k].has_value());
     if (!places[k] && k < required.size()) {
-      throw refused(path + ":1", fmt::format("no column '{}'; the first line must name the columns {}",
-                                             names[k], fmt::join(required, ",")));
+      throw refused(lines.place(), fmt::format("no column '{}'; the first line must name the columns {}",
+                                               names[k], fmt::join(required, ",")));
     }
   }
   table.columns.resize(names.size());
-  for (long number = 2; std::getline(file, line); ++number) {
+  for (std::string_view line; lines.next(line);) {
     if (trimmed(line).empty()) continue;
-    const std::string where = fmt::format("{}:{}", path, number);
-    const auto cells = cells_of(line);
-    for (std::size_t k = 0; k < names.size(); ++k) {
-      if (places[k]) table.columns[k].push_back(number_in(where, cells, *places[k], names[k]));
+    if (table.lines.size() == most_rows) {
+      throw refused(lines.place(), fmt::format("more than {} rows are not read", most_rows));
     }
-    table.lines.push_back(number);
+    const auto cells = cells_of(line);
+    refuse_extra_cells(lines, cells, header.size());
+    for (std::size_t k = 0; k < names.size(); ++k) {
+      if (places[k]) table.columns[k].push_back(number_in(lines, cells, *places[k], names[k]));
+    }
+    table.lines.push_back(lines.number());
   }
-  if (file.bad()) throw refused(path, "cannot be read to its end");
   return table;
 }
 

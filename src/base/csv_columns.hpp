@@ -13,14 +13,19 @@ struct CsvColumns {
   std::vector<long> lines;                   ///< per row: its line in the file, from 1
 };
 
+/// Where a table may come from: a stream is read once and cannot be looked at again.
+enum class TableSource { file, file_or_stream };
+
 /// Reads named columns of a CSV file whose first line is a header; other columns and blank lines are passed
 /// over.
 ///
 /// @param required  names that must be there
 /// @param optional  names that may be there
 /// Throws Error (refused, at `file:line`) for a file that cannot be read or is empty, a missing column, a
-/// short row, a word that is no number, and a number that is not finite.
+/// row that is short or has more cells than the header, a word that is no number, a number that is not
+/// finite, and over 50 million rows.
 CsvColumns read_csv_columns(const std::string& path, const std::vector<std::string_view>& required,
-                            const std::vector<std::string_view>& optional = {});
+                            const std::vector<std::string_view>& optional = {},
+                            TableSource source = TableSource::file);
 
 }  // namespace fingerpad

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 #include <numbers>
 #include <string_view>
 
@@ -36,19 +35,6 @@ constexpr NumberKey number_keys[] = {
 
 std::string place(const std::string& path, const toml::source_region& source) {
   return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
-}
-
-/// The file's text; a profile is a few lines, so a large file is some other file.
-std::string read_text(const std::string& path) {
-  constexpr std::size_t most_bytes = 1 << 20;
-  std::ifstream file(path, std::ios::binary);
-  std::string text(most_bytes + 1, '\0');
-  if (!file) throw refused(path, "cannot be opened; name a finger-pad profile (TOML)");
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (file.bad() || (file.gcount() == 0 && !file.eof())) throw refused(path, "cannot be read");
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (text.size() > most_bytes) throw refused(path, "larger than 1 MiB: not a finger-pad profile");
-  return text;
 }
 
 toml::table parse(const std::string& text, const std::string& path) {
@@ -117,7 +103,7 @@ PadProfile assumed_profile(double mu_static, double stick_stiffness_per_m) {
 }
 
 PadProfile read_profile(const std::string& path) {
-  return read_profile_text(read_text(path), path);
+  return read_profile_text(read_whole_file(path, profile_file), path);
 }
 
 PadProfile read_profile_text(const std::string& text, const std::string& path) {

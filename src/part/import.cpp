@@ -4,13 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 #include <limits>
 #include <new>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "part/build_part.hpp"
 #include "part/fan.hpp"
 #include "part/openmesh_reader.hpp"
@@ -21,24 +20,6 @@
 
 namespace fingerpad {
 namespace {
-
-std::string file_bytes(const std::string& path) {
-  constexpr std::uintmax_t largest = std::uintmax_t(2) << 30;
-  std::error_code problem;
-  const auto status = std::filesystem::status(path, problem);
-  if (status.type() == std::filesystem::file_type::not_found) throw refused("", "there is no such file");
-  if (std::filesystem::is_directory(status)) throw refused("", "is a folder, not a file");
-  if (!std::filesystem::is_regular_file(status)) throw refused("", "is not a regular file");
-  const std::uintmax_t size = std::filesystem::file_size(path, problem);
-  if (problem) throw refused("", "cannot be read: " + problem.message());
-  if (size > largest) throw refused("", fmt::format("has {} bytes; more than 2 GiB are not read", size));
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw refused("", "cannot be opened for reading");
-  std::string bytes(size, '\0');
-  file.read(bytes.data(), static_cast<std::streamsize>(size));
-  if (static_cast<std::uintmax_t>(file.gcount()) != size) throw refused("", "cannot be read to its end");
-  return bytes;
-}
 
 RawMesh scan(MeshFormat format, std::string& bytes) {
   switch (format) {
@@ -135,7 +116,7 @@ std::string why_no_triangle(const RawMesh& mesh, const Fan& fan) {
 
 std::shared_ptr<const Part> read(const std::string& path, const ImportOptions& options, Verdict& verdict) {
   tell(options.progress, "reading", 0);
-  std::string bytes = file_bytes(path);
+  std::string bytes = read_whole_file(path, {"a mesh", std::uint64_t{2} << 30, options.stream}, "");
   const MeshFormat format = mesh_format(path, bytes);
   RawMesh mesh = scan(format, bytes);
   verdict.format = mesh.format;
@@ -183,7 +164,7 @@ ImportedPart import_part(const std::string& path, const ImportOptions& options) 
 }
 
 ImportedPart import_part(const std::string& path, double metres_per_unit, double crease_rad) {
-  return import_part(path, {metres_per_unit, crease_rad, false, {}});
+  return import_part(path, {metres_per_unit, crease_rad, false, false, {}});
 }
 
 ImportedPart import_touchable(const std::string& path, const ImportOptions& options) {
@@ -193,7 +174,7 @@ ImportedPart import_touchable(const std::string& path, const ImportOptions& opti
 }
 
 ImportedPart import_touchable(const std::string& path, double metres_per_unit, double crease_rad) {
-  return import_touchable(path, {metres_per_unit, crease_rad, false, {}});
+  return import_touchable(path, {metres_per_unit, crease_rad, false, false, {}});
 }
 
 }  // namespace fingerpad

@@ -21,6 +21,7 @@ struct ImportOptions {
   double metres_per_unit = 1e-3;                    ///< what one file unit is, > 0
   double crease_rad = 30 * std::numbers::pi / 180;  ///< see make_part
   bool repair = false;    ///< see build_repaired_part; the verdict tells what was done
+  bool stream = false;    ///< `-` and /dev/fd/N will do: the caller reads the mesh this once
   LoadProgress progress;  ///< told as it goes
 };
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "part/text_cursor.hpp"
 
 namespace fingerpad {
@@ -72,6 +73,22 @@ std::optional<MeshFormat> format_of_content(std::string_view bytes) {
   return std::nullopt;
 }
 
+/// The format of a stream, which has no name that says it, by its first word.
+std::optional<MeshFormat> format_of_stream(std::string_view bytes) {
+  TextCursor cursor(bytes);
+  std::string_view word = cursor.word();
+  while (word.starts_with('#')) {
+    cursor.rest_of_line();
+    word = cursor.word();
+  }
+  if (same_word(word, "solid")) return MeshFormat::stl;
+  if (word.ends_with("OFF")) return MeshFormat::off;
+  for (const std::string_view keyword : {"v", "vn", "vt", "vp", "o", "g", "s", "mtllib", "usemtl"}) {
+    if (word == keyword) return MeshFormat::obj;
+  }
+  return std::nullopt;
+}
+
 std::string_view name_of(MeshFormat format) {
   static constexpr std::array<std::string_view, 4> names{"STL", "OBJ", "PLY", "OFF"};
   return names[static_cast<std::size_t>(format)];
@@ -97,8 +114,9 @@ MeshFormat mesh_format(const std::string& path, std::string_view bytes) {
   if (bytes.empty()) throw refused("", "is empty (0 bytes)");
   const std::string ending = std::filesystem::path(path).extension().string();
   refuse_step(ending, bytes);
-  const auto named = format_of_name(ending);
   const auto content = format_of_content(bytes);
+  const bool stream = stream_descriptor(path).has_value();
+  const auto named = !stream ? format_of_name(ending) : content ? content : format_of_stream(bytes);
   if (content && named && *content != *named) {
     throw refused("", "is named as " + std::string(name_of(*named)) + ", but its bytes are those of " +
                           std::string(name_of(*content)) + ": rename it");
@@ -108,6 +126,7 @@ MeshFormat mesh_format(const std::string& path, std::string_view bytes) {
     if (!stranger.empty()) throw refused("", "is " + std::string(stranger) + ", not a mesh");
     if (is_utf16(bytes)) throw refused("", "is a UTF-16 text: save it as UTF-8 or ASCII");
   }
+  if (!named && stream) throw refused("", "is no mesh that its first words tell: " + std::string(formats));
   if (!named) {
     throw refused("", "its name ends in '" + shown(ending) + "': " + std::string(formats));
   }

@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <optional>
-#include <sstream>
 
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
@@ -16,14 +14,6 @@
 
 namespace fingerpad {
 namespace {
-
-std::string whole_text(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw refused(path, "cannot be read");
-  std::ostringstream text;
-  text << file.rdbuf();
-  return text.str();
-}
 
 bool same_run(const TraceInfo& a, const TraceInfo& b) {
   return run_digest(a, TraceFormat::hdf5) == run_digest(b, TraceFormat::hdf5);
@@ -66,7 +56,8 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
   }
   info.motion_file = scene.motion.file;
   if (!scene.motion.file_path.empty()) info.motion_hash = file_hash(scene.motion.file_path);
-  if (!scene.finger.profile_path.empty()) info.profile_text = whole_text(scene.finger.profile_path);
+  if (!scene.finger.profile_path.empty())
+    info.profile_text = read_whole_file(scene.finger.profile_path, profile_file);
   const ContactChoice contact = settled_contact(scene, world);
   info.contact_method = method_in(world, contact.method);
   info.contact_normals = normals_name(contact.normals);

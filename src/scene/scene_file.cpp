@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "base/unit.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/scene_set.hpp"
@@ -18,18 +18,6 @@ namespace {
 // Far above any scene, far below what would fill the memory.
 constexpr std::size_t max_text_bytes = std::size_t{4} << 20;
 constexpr std::size_t max_job_text_bytes = std::size_t{512} << 20;
-
-std::string read_whole(const std::string& path) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw refused(path, "is a folder, not a scene file");
-  std::ifstream file(path, std::ios::binary);
-  if (!file) throw refused(path, "cannot be read");
-  std::string text(max_text_bytes + 1, '\0');
-  file.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(file.gcount()));
-  if (file.bad()) throw refused(path, "cannot be read");
-  return text;
-}
 
 std::size_t job_count(const std::vector<SetEntry>& entries, const std::string& path, std::size_t text_bytes) {
   std::size_t total = 0;
@@ -89,7 +77,7 @@ void add_jobs(SceneFile& file, const TomlNode& root, const std::string& path, co
 }  // namespace
 
 SceneFile read_scene_file(const std::string& path) {
-  return read_scene_text(read_whole(path), path);
+  return read_scene_text(read_whole_file(path, {"a scene file", max_text_bytes, true}), path);
 }
 
 SceneFile read_scene_text(const std::string& text, const std::string& path) {

@@ -5,10 +5,11 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <filesystem>
-#include <fstream>
 #include <numbers>
 
+#include "base/input_file.hpp"
 #include "base/number_text.hpp"
+#include "base/printable_text.hpp"
 #include "base/unit.hpp"
 #include "scene/key_ranges.hpp"
 #include "scene/scene_keys.hpp"
@@ -202,9 +203,8 @@ FingerSettings read_finger(const TomlNode& node, const std::string& path, Fricti
   finger.profile = table.text("profile", "");
   if (finger.profile.empty()) return finger;
   finger.profile_path = resolved_path(path, finger.profile);
-  std::error_code ignored;
-  if (!fs::is_regular_file(finger.profile_path, ignored) || !std::ifstream(finger.profile_path)) {
-    throw table.error("profile", fmt::format("the profile {} cannot be read", finger.profile_path));
+  if (const auto why = why_unreadable(finger.profile_path, profile_file)) {
+    throw table.error("profile", fmt::format("the profile {} {}", finger.profile_path, *why));
   }
   friction.settings.profile = read_profile(finger.profile_path);
   return finger;
@@ -245,6 +245,10 @@ void refuse_hand_too_quick(const HandSettings& hand, double rate_hz, const std::
                             number_text(hand.damping_n_s_per_m), number_text(rate_hz)));
 }
 
+bool is_beyond_ascii(char c) {
+  return static_cast<unsigned char>(c) >= 0x80;
+}
+
 /// The scene's name becomes a file name, so that it must be one.
 std::string read_name(const TomlTable& top, const std::string& path) {
   const auto bad = [](char c) {
@@ -252,15 +256,18 @@ std::string read_name(const TomlTable& top, const std::string& path) {
   };
   std::string name = top.text("name", "");
   if (!top.has("name")) {
-    name = fs::path(path).stem().string();
+    if (!stream_descriptor(path)) name = fs::path(path).stem().string();
     std::replace_if(name.begin(), name.end(), bad, '_');
+    if (name.starts_with('-')) name.front() = '_';
+    if (printable(name) != name) std::replace_if(name.begin(), name.end(), is_beyond_ascii, '_');
     return name.empty() ? "scene" : name;
   }
-  if (name.empty() || name.size() > 200 || name == "." || name == ".." ||
-      std::any_of(name.begin(), name.end(), bad)) {
-    throw top.error("name",
-                    "'name' names the files that replay writes: 1 to 200 bytes, no '/', no '\\', no control"
-                    " characters");
+  if (name.empty() || name.size() > 200 || name == "." || name == ".." || name.starts_with('-') ||
+      printable(name) != name || std::any_of(name.begin(), name.end(), bad)) {
+    throw top.error(
+        "name",
+        "'name' names the files that replay writes: 1 to 200 bytes, no '/', no '\\', no '-' at its"
+        " beginning, no control characters");
   }
   return name;
 }
@@ -269,6 +276,8 @@ std::string read_name(const TomlTable& top, const std::string& path) {
 
 std::string resolved_path(const std::string& scene_path, const std::string& written) {
   if (written.empty()) return {};
+  // A scene that comes as a stream has no folder: its paths start where the program was called.
+  if (stream_descriptor(scene_path)) return written;
   return (fs::path(scene_path).parent_path() / written).string();
 }
 

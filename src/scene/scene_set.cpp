@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "base/error.hpp"
+#include "base/printable_text.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/toml_table.hpp"
@@ -79,6 +80,12 @@ void add_value(SetAxis& axis, const TomlNode& value, const std::string& path) {
     throw refused(place_text(path, value.place), fmt::format("no file matches '{}'", value.text));
   }
   for (const std::string& file : files) {
+    if (!is_utf8(file)) {
+      throw refused(place_text(path, value.place),
+                    fmt::format("'{}' matches {}, whose name is not UTF-8, as a scene and its trace must be: "
+                                "rename it",
+                                value.text, printable(file)));
+    }
     TomlNode name = toml_text(file);
     name.place = value.place;
     axis.values.push_back({std::move(name), file});

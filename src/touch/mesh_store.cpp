@@ -24,7 +24,7 @@ std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry, const LoadPr
   auto mesh = std::make_shared<LoadedMesh>();
   ImportedPart imported =
       import_touchable(entry.mesh_path, {entry.metres_per_unit, entry.crease_deg * std::numbers::pi / 180,
-                                         entry.repair, step_of(progress, 0, imported_at)});
+                                         entry.repair, false, step_of(progress, 0, imported_at)});
   mesh->part = imported.part;
   mesh->verdict = std::move(imported.verdict);
   tell(progress, "hashing", imported_at);

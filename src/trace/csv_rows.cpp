@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
+#include "base/text_lines.hpp"
 #include "trace/trace_row.hpp"
 
 namespace fingerpad {
@@ -24,15 +24,14 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 }
 
 /// Where each column of a trace stands in the file.
-std::array<std::size_t, trace_column_count> find_columns(const std::string& path, std::string_view header) {
-  if (header.starts_with("\xef\xbb\xbf")) header.remove_prefix(3);
+std::array<std::size_t, trace_column_count> find_columns(const std::string& where, std::string_view header) {
   const auto names = cells_of(header);
   std::array<std::size_t, trace_column_count> places{};
   for (std::size_t k = 0; k < trace_column_count; ++k) {
     const std::string_view wanted = trace_columns()[k].name;
     while (places[k] < names.size() && names[places[k]] != wanted) ++places[k];
     if (places[k] == names.size()) {
-      throw refused(path + ":1", fmt::format("is no trace: it has no column '{}'", wanted));
+      throw refused(where, fmt::format("is no trace: it has no column '{}'", wanted));
     }
   }
   return places;
@@ -45,25 +44,30 @@ std::optional<double> phase_number(std::string_view name) {
   return std::nullopt;
 }
 
-TickRecord read_row(const std::string& where, std::string_view line,
+bool is_blank(std::string_view line) {
+  return line.find_first_not_of(" \t\r") == std::string_view::npos;
+}
+
+TickRecord read_row(const TextLines& lines, std::string_view line,
                     const std::array<std::size_t, trace_column_count>& places, std::size_t cell_count) {
   const auto cells = cells_of(line);
   if (cells.size() != cell_count) {
-    throw refused(where, fmt::format("has {} cells, but the header has {}", cells.size(), cell_count));
+    throw refused(lines.place(),
+                  fmt::format("has {} cells, but the header has {}", cells.size(), cell_count));
   }
   TraceRow row{};
   for (std::size_t k = 0; k < trace_column_count; ++k) {
     const std::string_view cell = cells[places[k]];
     const auto value = k == phase_column ? phase_number(cell) : parse_number(cell);
     if (!value) {
-      throw refused(where,
+      throw refused(lines.place(),
                     fmt::format("'{}' in column '{}' is no {}", cell.substr(0, 40), trace_columns()[k].name,
                                 k == phase_column ? "phase (free, stick, slip)" : "number"));
     }
     row[k] = *value;
   }
   if (const std::string_view damage = row_damage(row); !damage.empty())
-    throw refused(where, std::string(damage));
+    throw refused(lines.place(), std::string(damage));
   return to_record(row);
 }
 
@@ -92,19 +96,24 @@ void append_csv_row(std::string& out, const TickRecord& record) {
 }
 
 Trace read_csv_trace(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  std::string line;
-  if (!std::getline(file, line)) throw refused(path, "is empty or cannot be read");
-  const auto places = find_columns(path, line);
+  TextLines lines(path, {"a trace as CSV", std::uint64_t{2} << 30, true});
+  std::string_view line;
+  do {
+    if (!lines.next(line)) throw refused(lines.where(), "is empty");
+  } while (is_blank(line));
+  if (line.starts_with("\x89HDF")) {
+    throw refused(lines.where(),
+                  "is an HDF5 trace, which cannot be read from a stream: name the file itself");
+  }
+  const auto places = find_columns(lines.place(), line);
   const std::size_t cell_count = cells_of(line).size();
   Trace trace;
   trace.complete = !path.ends_with(".part");
-  for (long number = 2; std::getline(file, line); ++number) {
-    if (file.eof() && !trace.complete) break;  // the row that was under way
-    if (line.empty() || line == "\r") continue;
-    trace.rows.push_back(read_row(fmt::format("{}:{}", path, number), line, places, cell_count));
+  while (lines.next(line)) {
+    if (!lines.ended() && !trace.complete) break;  // the row that was under way
+    if (is_blank(line)) continue;
+    trace.rows.push_back(read_row(lines, line, places, cell_count));
   }
-  if (file.bad()) throw refused(path, "cannot be read to its end");
   return trace;
 }
 

@@ -1,10 +1,11 @@
 #include <fmt/format.h>
 
 #include <filesystem>
-#include <fstream>
+#include <limits>
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/file_seal.hpp"
 #include "trace/hdf5_file.hpp"
@@ -14,6 +15,8 @@
 
 namespace fingerpad {
 namespace {
+
+constexpr InputKind trace_file{"a trace", std::numeric_limits<std::uint64_t>::max()};
 
 /// HDF5 1.10 trusts what it reads: of files with a few bytes changed among its own records, one in thirty
 /// crashed it and one in ninety hung it; and anyone can put a right seal under such a file. So a child
@@ -55,15 +58,15 @@ Trace read_hdf5_trace(const std::string& path, TraceContents contents) {
 }  // namespace
 
 bool is_hdf5(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+  // Bytes taken from a stream are gone: a stream is read as a text. What cannot be opened is for the reader
+  // to tell.
+  if (stream_descriptor(path) || why_unreadable(path, trace_file)) return false;
+  InputFile file(path, trace_file);
   std::string start(8, '\0');
-  return file.read(start.data(), 8) && start == "\x89HDF\r\n\x1a\n";
+  return file.read(start.data(), 8) == 8 && start == "\x89HDF\r\n\x1a\n";
 }
 
 Trace read_trace(const std::string& path, TraceContents contents) {
-  std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored)) throw refused(path, "is a folder, not a trace");
-  if (!std::ifstream(path, std::ios::binary)) throw refused(path, "cannot be read");
   return is_hdf5(path) ? read_hdf5_trace(path, contents) : read_csv_trace(path);
 }
 

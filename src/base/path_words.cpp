@@ -1,0 +1,76 @@
+#include "base/path_words.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The longest beginning of a path that is there; empty if none is.
+fs::path nearest_there(fs::path path) {
+  std::error_code ignored;
+  while (!path.empty() && !fs::exists(path, ignored)) {
+    const fs::path above = path.parent_path();
+    if (above == path) return {};
+    path = above;
+  }
+  return path;
+}
+
+std::string missing_words(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_symlink(fs::symlink_status(path, ignored))) {
+    return fmt::format("is a link to {}, which is not there", fs::read_symlink(path, ignored).string());
+  }
+  const fs::path folder = path.parent_path();
+  if (folder.empty() || fs::exists(folder, ignored)) return "there is no such file";
+  const fs::path there = nearest_there(folder);
+  return fmt::format("there is no such file: its folder {} is not there{}", folder.string(),
+                     there.empty() ? "" : fmt::format(" (only {} is)", there.string()));
+}
+
+std::string not_a_folder_words(const fs::path& path) {
+  const fs::path there = nearest_there(path.parent_path());
+  std::error_code ignored;
+  if (fs::is_directory(there, ignored)) return "a link on the way leads through a file, not a folder";
+  return fmt::format("{} is a file, not a folder", there.string());
+}
+
+std::string forbidden_words(const fs::path& path) {
+  const fs::path folder = path.parent_path();
+  if (!folder.empty() && faccessat(AT_FDCWD, folder.c_str(), X_OK, AT_EACCESS) != 0) {
+    return fmt::format("permission denied: you may not look into its folder {}", folder.string());
+  }
+  return "permission denied: you have no right to it (chmod gives it)";
+}
+
+}  // namespace
+
+std::string path_words(const std::string& path, int problem) {
+  switch (problem) {
+    case ENOENT:
+      return missing_words(path);
+    case EACCES:
+    case EPERM:
+      return forbidden_words(path);
+    case ELOOP:
+      return "is a link that leads back to itself: point it at a file";
+    case ENOTDIR:
+      return not_a_folder_words(path);
+    case ENAMETOOLONG:
+      return "the name is longer than the file system takes";
+    case EISDIR:
+      return "is a folder";
+    default:
+      return std::strerror(problem);
+  }
+}
+
+}  // namespace fingerpad
