@@ -13,6 +13,7 @@
 #include "part/build_part.hpp"
 #include "part/fan.hpp"
 #include "part/openmesh_reader.hpp"
+#include "part/plain_text.hpp"
 #include "part/raw_mesh.hpp"
 #include "part/reconcile.hpp"
 #include "part/sniff.hpp"
@@ -117,6 +118,7 @@ std::string why_no_triangle(const RawMesh& mesh, const Fan& fan) {
 std::shared_ptr<const Part> read(const std::string& path, const ImportOptions& options, Verdict& verdict) {
   tell(options.progress, "reading", 0);
   std::string bytes = read_whole_file(path, {"a mesh", std::uint64_t{2} << 30, options.stream}, "");
+  make_text_plain(bytes);
   const MeshFormat format = mesh_format(path, bytes);
   RawMesh mesh = scan(format, bytes);
   verdict.format = mesh.format;

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "base/error.hpp"
 #include "part/raw_mesh.hpp"
@@ -25,7 +26,7 @@ class ObjText {
       } else if (keyword == "f" || keyword == "fo") {
         face();
       } else {
-        if (keyword == "curv2" || keyword == "surf") free_form_ = true;
+        other(keyword);
         cursor_.rest_of_line();
         blank(from);
         continue;
@@ -39,18 +40,30 @@ class ObjText {
     for (int& corner : mesh_.corners) {
       if (corner >= count) corner = -1;
     }
+    if (strange_ > 0) {
+      mesh_.warnings.push_back(
+          fmt::format("{} lines begin with a word that is none of OBJ's ('{}' on line {}): "
+                      "they are passed over",
+                      strange_, first_strange_, first_strange_line_));
+    }
     if (free_form_)
       mesh_.warnings.emplace_back("free-form curves and surfaces are passed over: only faces are touched");
     return std::move(mesh_);
   }
 
  private:
-  /// A backslash at a line's end: the next line belongs to this one. OpenMesh does not know that.
+  /// A backslash at a line's end: the next line belongs to this one. OpenMesh does not know that. A comment
+  /// that ends so (`# C:\models\`) does not swallow the next line: there may be a vertex on it.
   void join_continued_lines() {
+    std::size_t searched = 0;  // behind the last line joined
     for (std::size_t at = bytes_.find('\\'); at != std::string::npos; at = bytes_.find('\\', at + 1)) {
       std::size_t end = at + 1;
       if (end < bytes_.size() && bytes_[end] == '\r') ++end;
       if (end < bytes_.size() && bytes_[end] != '\n') continue;
+      const std::string_view before = std::string_view(bytes_).substr(searched, at - searched);
+      const std::size_t start = before.rfind('\n') + 1;  // npos + 1 is 0
+      searched = std::min(end + 1, bytes_.size());
+      if (before.find('#', start) != std::string_view::npos) continue;
       std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(at), std::min(end + 1, bytes_.size()) - at,
                   ' ');
       joined_ = true;
@@ -66,6 +79,36 @@ class ObjText {
     }
   }
 
+  /// A statement that is passed over. What cannot be one of any writer's is refused, for it may be a vertex
+  /// or a face that something in front of it hides.
+  void other(std::string_view keyword) {
+    if (keyword.empty() || keyword[0] == '#' || is_statement(keyword)) {
+      if (keyword == "curv2" || keyword == "surf") free_form_ = true;
+      return;
+    }
+    const auto is_plain = [](char c) { return c > ' ' && c <= '~'; };
+    const bool letter = (keyword[0] | 0x20) >= 'a' && (keyword[0] | 0x20) <= 'z';
+    if ((!letter && keyword[0] != '/' && keyword[0] != '!' && keyword[0] != ';') ||
+        !std::all_of(keyword.begin(), keyword.end(), is_plain)) {
+      throw refused(place(), "'" + shown(keyword) + "' begins no line of an OBJ");
+    }
+    if (strange_++ > 0) return;
+    first_strange_ = shown(keyword);
+    first_strange_line_ = cursor_.line();
+  }
+
+  /// Every statement of the format but vertices and faces.
+  static bool is_statement(std::string_view word) {
+    static constexpr std::array<std::string_view, 47> statements{
+        "vn",        "vt",       "g",     "s",      "o",           "usemtl", "mtllib", "vp",
+        "l",         "p",        "mg",    "cstype", "deg",         "bmat",   "step",   "curv",
+        "curv2",     "surf",     "parm",  "trim",   "hole",        "scrv",   "sp",     "end",
+        "con",       "bevel",    "lod",   "usemap", "maplib",      "call",   "csh",    "shadow_obj",
+        "trace_obj", "ctech",    "stech", "bsp",    "bzp",         "cdc",    "cdp",    "res",
+        "c_interp",  "d_interp", "vc",    "mtl",    "subdivision", "e",      "t"};
+    return std::find(statements.begin(), statements.end(), word) != statements.end();
+  }
+
   void vertex() {
     Vec3 numbers;
     for (int i = 0; i < 3; ++i) {
@@ -75,6 +118,11 @@ class ObjText {
       numbers[i] = *number;
     }
     mesh_.add_vertex(numbers, static_cast<std::size_t>(cursor_.line()));
+    // A weight or a colour may follow; any other word is of a line whose end something hides.
+    for (std::string_view word = cursor_.word_in_line(); !word.empty() && word[0] != '#';
+         word = cursor_.word_in_line()) {
+      if (!coordinate_of(word)) throw refused(place(), not_a_number(word) + " behind a vertex");
+    }
   }
 
   void face() {
@@ -98,6 +146,8 @@ class ObjText {
   TextCursor cursor_;
   RawMesh mesh_;
   bool joined_ = false, free_form_ = false;
+  long strange_ = 0, first_strange_line_ = 0;
+  std::string first_strange_;
 };
 
 }  // namespace

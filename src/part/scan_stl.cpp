@@ -106,7 +106,7 @@ class StlText {
       } else if (!same_word(word, "color")) {
         throw refused(cursor_.place(), "'" + shown(word) + "' where 'facet' or 'endsolid' should stand");
       } else {
-        cursor_.rest_of_line();
+        colour();
       }
     }
     if (in_solid) {
@@ -117,10 +117,23 @@ class StlText {
   }
 
  private:
+  /// A name goes to the end of its line. A facet within it would be lost with it.
   void blank_name() {
     const std::size_t from = cursor_.offset();
-    const std::size_t length = cursor_.rest_of_line().size();
-    std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(from), length, ' ');
+    const std::string place = cursor_.place();
+    const std::string_view name = cursor_.rest_of_line();
+    TextCursor words(name);
+    for (std::string_view word = words.word(); !word.empty(); word = words.word()) {
+      if (!same_word(word, "endfacet")) continue;
+      throw refused(place, "a facet on the line of the solid's name: begin a new line behind the name");
+    }
+    std::fill_n(bytes_.begin() + static_cast<std::ptrdiff_t>(from), name.size(), ' ');
+  }
+
+  void colour() {
+    for (std::string_view word = cursor_.word_in_line(); !word.empty(); word = cursor_.word_in_line()) {
+      if (!coordinate_of(word)) throw refused(cursor_.place(), not_a_number(word) + " in a colour");
+    }
   }
 
   void expect(std::string_view wanted) {
