@@ -53,6 +53,11 @@ Json verdict_json(const Verdict& verdict, double thinnest_wall_m) {
           {"thinnest_wall_m", number_or_null(thinnest_wall_m)}};
 }
 
+/// In ASCII, so that no word of a file reaches a terminal's controls.
+std::string json_text(const Json& report) {
+  return report.dump(2, ' ', true, Json::error_handler_t::replace) + '\n';
+}
+
 /// A mesh's import and its thinnest wall.
 std::pair<ImportedPart, double> checked(const std::string& path, const CheckOptions& options) {
   LoadBar bar(stderr_is_terminal());
@@ -60,6 +65,7 @@ std::pair<ImportedPart, double> checked(const std::string& path, const CheckOpti
   ImportOptions how;
   how.metres_per_unit = metres_of(options.unit);
   how.repair = options.repair;
+  how.stream = true;
   how.progress = step_of(progress, 0, 0.5);
   ImportedPart imported = import_part(path, how);
   if (!imported.part) return {std::move(imported), std::nan("")};
@@ -78,7 +84,7 @@ int check(const CheckOptions& options) {
     if (options.json) {
       report.push_back(verdict_json(imported.verdict, wall_m));
     } else {
-      print_out("{}", verdict_text(imported.verdict));
+      write_stream(stdout, verdict_text(imported.verdict));
       if (std::isfinite(wall_m)) print_out("  thinnest wall  {:.4g} mm\n", 1e3 * wall_m);
     }
     if (!imported.verdict.touchable) {
@@ -86,7 +92,7 @@ int check(const CheckOptions& options) {
       print_err("fingerpad: error: {}\n", refusal_text(imported.verdict));
     }
   }
-  if (options.json) print_out("{}\n", report.dump(2, ' ', false, Json::error_handler_t::replace));
+  if (options.json) write_stream(stdout, json_text(report));
   return all_touchable ? 0 : 3;
 }
 
@@ -96,7 +102,7 @@ void add_check(CLI::App& program, Action& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       program.add_subcommand("check", "The verdict on each mesh: can it be touched, and what is damaged");
-  command->add_option("MESH", options->meshes, "STL, OBJ, PLY or OFF files")->required();
+  command->add_option("MESH", options->meshes, "STL, OBJ, PLY or OFF files; - is standard input")->required();
   add_unit_option(*command, options->unit);
   command->add_flag("--json", options->json, "Print an array with an object for each mesh (lengths in m)");
   command->add_flag(

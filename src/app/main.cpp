@@ -47,11 +47,12 @@ int run(int argc, char** argv) {
     if (error.get_exit_code() == 0) {  // --help and --version
       std::ostringstream out;
       const int code = program.exit(error, out, out);
-      fingerpad::print_out("{}", out.str());
+      fingerpad::write_stream(stdout, out.str());
       return code;
     }
-    return report(fmt::format("{}\nRun with --help for the options.", error.what()).c_str(),
-                  static_cast<int>(fingerpad::ErrorKind::usage));
+    report(error.what(), 0);
+    fingerpad::print_err("Run with --help for the options.\n");
+    return static_cast<int>(fingerpad::ErrorKind::usage);
   }
   return action();
 }

@@ -4,7 +4,10 @@
 
 #include <cstdio>
 #include <string_view>
+#include <type_traits>
 #include <utility>
+
+#include "base/printable_text.hpp"
 
 namespace fingerpad {
 
@@ -23,16 +26,29 @@ int close_standard_streams(int code) noexcept;
 /// nobody listens.
 void write_stream(std::FILE* stream, std::string_view text) noexcept;
 
-/// To standard output.
-template <typename... Values>
-void print_out(fmt::format_string<Values...> text, Values&&... values) {
-  write_stream(stdout, fmt::format(text, std::forward<Values>(values)...));
+/// A value as the program tells it: texts, which may hold a file's own words, as printable() has them.
+template <typename Value>
+auto as_told(const Value& value) {
+  if constexpr (std::is_convertible_v<const Value&, std::string_view>) {
+    return printable(value);
+  } else {
+    return value;
+  }
 }
 
-/// To standard error.
+/// To standard output. Texts among the values cannot end the line or reach the terminal's controls: what
+/// has lines of its own goes to write_stream().
 template <typename... Values>
-void print_err(fmt::format_string<Values...> text, Values&&... values) {
-  write_stream(stderr, fmt::format(text, std::forward<Values>(values)...));
+void print_out(fmt::format_string<std::decay_t<decltype(as_told(std::declval<Values>()))>...> text,
+               const Values&... values) {
+  write_stream(stdout, fmt::format(text, as_told(values)...));
+}
+
+/// To standard error, in the same way.
+template <typename... Values>
+void print_err(fmt::format_string<std::decay_t<decltype(as_told(std::declval<Values>()))>...> text,
+               const Values&... values) {
+  write_stream(stderr, fmt::format(text, as_told(values)...));
 }
 
 }  // namespace fingerpad

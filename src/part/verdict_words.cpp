@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "base/printable_text.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -139,12 +141,13 @@ std::string refusal_text(const Verdict& verdict) {
 }
 
 std::string verdict_text(const Verdict& verdict) {
-  std::string text = fmt::format("{}: {}\n", verdict.file,
+  std::string text = fmt::format("{}: {}\n", printable(verdict.file),
                                  !verdict.touchable         ? "refused"
                                  : verdict.warnings.empty() ? "can be touched"
                                                             : "can be touched, with care");
-  if (!verdict.error.empty()) text += fmt::format("  refused        {}\n", verdict.error);
-  for (const std::string& warning : verdict.warnings) text += fmt::format("  warning        {}\n", warning);
+  if (!verdict.error.empty()) text += fmt::format("  refused        {}\n", printable(verdict.error));
+  for (const std::string& warning : verdict.warnings)
+    text += fmt::format("  warning        {}\n", printable(warning));
   if (!verdict.format.empty()) {
     text += fmt::format("  {:<14} {}, {}, {} kept\n", verdict.format,
                         verdict.vertices == 1 ? "1 vertex" : many(verdict.vertices, "vertice"),

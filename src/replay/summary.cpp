@@ -7,15 +7,17 @@
 #include <string_view>
 
 #include "base/number_text.hpp"
+#include "base/printable_text.hpp"
 #include "replay/batch_files.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// A CSV cell: quoted where it must be (RFC 4180).
-std::string cell(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return std::string(text);
+/// A CSV cell: printable, and quoted where it must be (RFC 4180).
+std::string cell(std::string_view words) {
+  const std::string text = printable(words);
+  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {
     if (c == '"') quoted += '"';

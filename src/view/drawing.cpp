@@ -3,6 +3,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/printable_text.hpp"
+
 namespace fingerpad {
 
 void Drawing::line(std::vector<Vec2> points, const Stroke& stroke) {
@@ -36,8 +38,8 @@ void Drawing::disc(const Vec2& centre, double radius, const Colour& fill) {
   area(std::move(points), fill);
 }
 
-void Drawing::text(const Vec2& at, std::string words, const TextStyle& style) {
-  if (!words.empty()) marks_.emplace_back(Text{at, std::move(words), style});
+void Drawing::text(const Vec2& at, const std::string& words, const TextStyle& style) {
+  if (!words.empty()) marks_.emplace_back(Text{at, printable(words), style});
 }
 
 double text_width(const std::string& words, double size, bool bold) {

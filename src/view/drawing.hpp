@@ -62,7 +62,8 @@ class Drawing {
   void box(const Box& box, const Colour& fill);
   void frame(const Box& box, const Stroke& stroke);
   void disc(const Vec2& centre, double radius, const Colour& fill);
-  void text(const Vec2& at, std::string words, const TextStyle& style);
+  /// What a file says stands as printable() has it.
+  void text(const Vec2& at, const std::string& words, const TextStyle& style);
 
   const std::vector<Mark>& marks() const noexcept { return marks_; }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "base/printable_text.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
@@ -127,7 +128,7 @@ std::string svg_page(const Drawing& drawing, int width, int height, const std::s
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
       "font-family=\"Arial, Helvetica, sans-serif\">\n<title>{2}</title>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
-      width, height, escaped(title));
+      width, height, escaped(printable(title)));
   ElementWriter writer{out, static_cast<double>(height)};
   for (const auto& mark : drawing.marks()) std::visit(writer, mark);
   out += "</svg>\n";

@@ -1,0 +1,129 @@
+// Words of files and their names, which a terminal must not obey.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "support/shell.hpp"
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::ShellResult;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::string plane = "[[plane]]\npoint_m = [0, 0, 0.01]\nnormal = [0, 0, 1]\n";
+const std::string points = "x_m,y_m,z_m\n0,0,0.012\n0.02,0,0\n";
+constexpr const char* motion = "t_s,x_m,y_m,z_m\n0,0,0,0.009\n0.01,0.001,0,0.009\n0.02,0.002,0,0.009\n";
+
+fs::path folder_with_inputs() {
+  const fs::path folder = test::scratch_dir();
+  const TriangleSoup box = test::box_soup({10, 20, 30});
+  std::ofstream(folder / "box.stl") << test::text_stl(box);
+  std::ofstream(folder / "m.csv") << motion;
+  return folder;
+}
+
+/// `fingerpad ARGUMENTS`, ended with 124 if it takes a minute.
+ShellResult run(const std::string& arguments, const fs::path& folder) {
+  return test::shell("timeout 60 '" + test::program().string() + "' " + arguments, folder);
+}
+
+void expect_told(const ShellResult& result, int code, const std::string& words) {
+  EXPECT_EQ(result.exit_code, code) << result.err;
+  EXPECT_THAT(result.err, HasSubstr("fingerpad: error: "));
+  EXPECT_THAT(result.err, HasSubstr(words));
+}
+
+const std::string nasty_name =
+    "a\x1b[2Jb\nfingerpad: \xe2\x80\xae"
+    "c";
+
+/// Neither ESC nor any other control character but line ends, no marks of direction, nothing that is no
+/// UTF-8.
+void expect_plain(const std::string& told) {
+  for (const char c : told)
+    EXPECT_TRUE(c == '\n' || (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f)) << told;
+  EXPECT_THAT(told, Not(HasSubstr("\xe2\x80\xae")));
+  EXPECT_THAT(told, Not(HasSubstr("\xe9")));
+}
+
+TEST(Words, OfFileNamesNeverReachATerminalRaw) {
+  const fs::path folder = folder_with_inputs();
+  for (const std::string& name : {nasty_name, std::string("caf\xe9")}) {
+    const std::string shown = name == nasty_name ? "a\\x1b[2Jb\\nfingerpad: \\u202ec" : "caf\\xe9";
+    std::ofstream(folder / (name + ".stl")) << test::text_stl(test::box_soup({10, 20, 30}));
+    std::ofstream(folder / (name + ".csv")) << points << "\x1b,\xc2\x9b,\n";
+    std::ofstream(folder / (name + ".toml")) << plane << "[motion]\nfile = \"m.csv\"\n";
+    std::ofstream(folder / (name + ".off")) << "OFF\n1 1 1\n\x1b[31m\n";
+    const std::string quoted = "'" + name;
+    const ShellResult check = run("check " + quoted + ".stl' " + quoted + ".off' " + quoted + ".no'", folder);
+    EXPECT_EQ(check.exit_code, 3);
+    EXPECT_THAT(check.out, HasSubstr(shown + ".stl: can be touched"));
+    EXPECT_THAT(check.err, HasSubstr("fingerpad: error: " + shown + ".off: line 3"));
+    const ShellResult json = run("check --json " + quoted + ".stl'", folder);
+    EXPECT_EQ(json.exit_code, 0);
+    EXPECT_EQ(nlohmann::json::parse(json.out).size(), 1u);
+    const ShellResult query = run("query box.stl " + quoted + ".csv'", folder);
+    EXPECT_EQ(query.exit_code, 3);
+    EXPECT_THAT(query.err, HasSubstr(shown + ".csv:4: '\\x1b' in column 'x_m'"));
+    const ShellResult replay =
+        run("replay " + quoted + ".toml' " + quoted + ".no.toml' --out " + quoted + "-out'", folder);
+    EXPECT_EQ(replay.exit_code, 4) << replay.err;
+    EXPECT_THAT(replay.out, HasSubstr("in " + shown + "-out\n"));
+    const std::string summary = bytes_of(folder / (name + "-out") / "summary.csv");
+    EXPECT_EQ(std::count(summary.begin(), summary.end(), '\n'), 3) << summary;
+    const ShellResult exported = run("export " + quoted + "-out'/*.h5 --out " + quoted + "-e.csv'", folder);
+    EXPECT_EQ(exported.exit_code, 0) << exported.err;
+    const ShellResult usage = run("export x --out " + quoted + "'", folder);
+    EXPECT_EQ(usage.exit_code, 2);
+    for (const ShellResult* result : {&check, &json, &query, &replay, &exported, &usage}) {
+      expect_plain(result->out);
+      expect_plain(result->err);
+    }
+    expect_plain(summary);
+  }
+}
+
+TEST(Words, OfAFileAreOneLineOfAMessage) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "key.toml") << plane << "[motion]\n\"a\\u001b[31m\\nfingerpad: error: no\" = 1\n";
+  std::ofstream(folder / "mesh.toml")
+      << "[[part]]\nmesh = \"no\\nfingerpad: error: \\u009b\\u202e.stl\"\n[motion]\nfile = \"m.csv\"\n";
+  for (const char* scene : {"key.toml", "mesh.toml"}) {
+    const ShellResult result = run(std::string("replay ") + scene + " --out o", folder);
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_EQ(result.err.find("fingerpad: error:"), result.err.rfind("\nfingerpad: error:") + 1)
+        << result.err;
+    EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << result.err;
+    expect_plain(result.err);
+  }
+}
+
+TEST(Words, ASetsGlobThatFindsANameThatIsNotUtf8SaysSo) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "caf\xe9.stl") << test::text_stl(test::box_soup({10, 20, 30}));
+  std::ofstream(folder / "set.toml") << "[[part]]\n[motion]\nfile = \"m.csv\"\n[[set]]\nmesh = \"*.stl\"\n";
+  expect_told(run("replay set.toml --out o", folder), 3,
+              "set.toml:5:8: '*.stl' matches caf\\xe9.stl, whose name is not UTF-8");
+}
+
+TEST(Words, ASceneCannotBeNamedLikeAnOptionOrAControl) {
+  const fs::path folder = folder_with_inputs();
+  for (const char* name : {"-rf", "a/b", "..", "a\\nb", "a\\u202eb", "a\\u009b"}) {
+    SCOPED_TRACE(name);
+    std::ofstream(folder / "n.toml") << "name = \"" << name << "\"\n"
+                                     << plane << "[motion]\nfile = \"m.csv\"\n";
+    expect_told(run("replay n.toml --out o", folder), 3, "n.toml:1:8: 'name' names the files");
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad
