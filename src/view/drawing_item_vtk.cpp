@@ -20,8 +20,8 @@ unsigned char alpha_of(const Colour& colour) {
 
 /// A line cut into dashes: pairs of end points with the corners between them lost, which is as good for
 /// dashes a few pixels long.
-std::vector<float> dashes_of(const Drawing::Line& line) {
-  std::vector<float> ends;
+std::vector<Vec2> dashes_of(const Drawing::Line& line) {
+  std::vector<Vec2> ends;
   const double period = line.stroke.dash + line.stroke.gap;
   double along = 0;  // since the start of the present dash
   for (std::size_t i = 1; i < line.points.size(); ++i) {
@@ -33,9 +33,7 @@ std::vector<float> dashes_of(const Drawing::Line& line) {
       const double here = std::min(length - done, (drawn ? line.stroke.dash : period) - along);
       if (drawn) {
         for (const double at : {done, done + here}) {
-          const Vec2 p = line.points[i - 1] + step * (at / length);
-          ends.push_back(static_cast<float>(p.x()));
-          ends.push_back(static_cast<float>(p.y()));
+          ends.emplace_back(line.points[i - 1] + step * (at / length));
         }
       }
       done += here;
@@ -47,9 +45,22 @@ std::vector<float> dashes_of(const Drawing::Line& line) {
   return ends;
 }
 
+/// VTK maps 0.5 .. height - 0.5 to the viewport. A strip of a page maps its part of the page's 0.5 ..
+/// page height - 0.5, so that strips meet without a step.
+struct Strip {
+  double bottom = 0, height = 0, page_height = 0;  ///< [px]
+
+  double y_of(double page_y) const {
+    if (height == page_height) return page_y;
+    const double pixel = (page_y - 0.5) * page_height / (page_height - 1) - bottom;
+    return 0.5 + pixel * (height - 1) / height;
+  }
+};
+
 struct Painter {
   vtkContext2D* context;
-  double width, height;  ///< of the viewport [px]
+  double width;  ///< of the viewport [px]
+  Strip strip;
 
   void operator()(const Drawing::Line& line) const {
     const Colour& colour = line.stroke.colour;
@@ -57,7 +68,7 @@ struct Painter {
     context->GetPen()->SetColor(colour.red, colour.green, colour.blue, alpha_of(colour));
     context->GetPen()->SetWidth(static_cast<float>(line.stroke.width));
     if (line.stroke.dash > 0) {
-      std::vector<float> ends = dashes_of(line);
+      std::vector<float> ends = flat(dashes_of(line));
       if (!ends.empty()) context->DrawLines(ends.data(), static_cast<int>(ends.size() / 2));
       return;
     }
@@ -89,19 +100,19 @@ struct Painter {
     // wraps round at its edges. A shift of its own puts each text on the grid.
     vtkNew<vtkTransform2D> onto_grid;
     onto_grid->Translate(std::lround(text.at.x()) * (width - 1) / width + 0.5,
-                         std::lround(text.at.y()) * (height - 1) / height + 0.5);
+                         (std::lround(text.at.y()) - strip.bottom) * (strip.height - 1) / strip.height + 0.5);
     context->PushMatrix();
     context->AppendTransform(onto_grid);
     context->DrawString(0.0F, 0.0F, text.words.c_str());
     context->PopMatrix();
   }
 
-  static std::vector<float> flat(const std::vector<Vec2>& points) {
+  std::vector<float> flat(const std::vector<Vec2>& points) const {
     std::vector<float> values;
     values.reserve(2 * points.size());
     for (const Vec2& p : points) {
       values.push_back(static_cast<float>(p.x()));
-      values.push_back(static_cast<float>(p.y()));
+      values.push_back(static_cast<float>(strip.y_of(p.y())));
     }
     return values;
   }
@@ -116,9 +127,18 @@ void DrawingItem::show(std::vector<std::shared_ptr<const Drawing>> drawings) {
   this->Modified();
 }
 
+void DrawingItem::show_strip(int bottom_px, int page_height_px) {
+  strip_bottom_px_ = bottom_px;
+  page_height_px_ = page_height_px;
+  this->Modified();
+}
+
 bool DrawingItem::Paint(vtkContext2D* painter) {
-  const Painter onto{painter, static_cast<double>(this->GetScene()->GetSceneWidth()),
-                     static_cast<double>(this->GetScene()->GetSceneHeight())};
+  const double height = this->GetScene()->GetSceneHeight();
+  const Painter onto{
+      painter,
+      static_cast<double>(this->GetScene()->GetSceneWidth()),
+      {static_cast<double>(strip_bottom_px_), height, page_height_px_ > 0 ? page_height_px_ : height}};
   for (const auto& drawing : drawings_) {
     for (const auto& mark : drawing->marks()) std::visit(onto, mark);
   }

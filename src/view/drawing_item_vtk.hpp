@@ -17,10 +17,14 @@ class DrawingItem : public vtkContextItem {
   vtkTypeMacro(DrawingItem, vtkContextItem);
 
   void show(std::vector<std::shared_ptr<const Drawing>> drawings);
+  /// Of a page that is painted in strips: the strip from `bottom_px` up, of a page of this height. Without it
+  /// the scene is the page.
+  void show_strip(int bottom_px, int page_height_px);
   bool Paint(vtkContext2D* painter) override;
 
  private:
   std::vector<std::shared_ptr<const Drawing>> drawings_;
+  int strip_bottom_px_ = 0, page_height_px_ = 0;
 };
 
 }  // namespace fingerpad

@@ -14,10 +14,13 @@ namespace fingerpad {
 ///
 /// Starts a virtual screen where there is none.
 /// @param at_s  the moment shown; without it the tick that telling_row picks. Clamped to the rows' times.
-/// Throws Error: usage for a size outside 200 .. 8192 or no screen to be had, fault where the file cannot be
-/// written.
+/// Throws Error: usage as refuse_picture_size does or where no screen is to be had, fault where the file
+/// cannot be written.
 void write_view_png(const ViewInput& input, const std::string& path, int width, int height,
                     std::optional<double> at_s, const ViewState& state);
+
+/// Throws Error (usage) for a width or height outside 200 .. 8192, and for over 10 million pixels.
+void refuse_picture_size(int width, int height);
 
 /// As write_view_png, without a file.
 Pixels view_pixels(const ViewInput& input, int width, int height, std::optional<double> at_s,

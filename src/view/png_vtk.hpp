@@ -13,5 +13,6 @@ Pixels pixels_of(vtkRenderWindow* window);
 
 /// Writes what a window shows as PNG: first as `path`.part, renamed when whole. Throws Error (fault).
 void write_png(vtkRenderWindow* window, const std::string& path);
+void write_png(const Pixels& picture, const std::string& path);
 
 }  // namespace fingerpad
