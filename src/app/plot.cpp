@@ -9,6 +9,7 @@
 #include "app/study_pictures.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/output_place.hpp"
 
 namespace fingerpad {
 namespace {
@@ -24,6 +25,7 @@ int plot(const PlotOptions& options) {
     throw Error(ErrorKind::usage, options.out, "plot writes .png or .svg files");
   }
   refuse_overwriting(options.out, {options.trace});
+  refuse_unwritable(options.out);
   ViewInput input = view_of_trace(read_trace(options.trace), options.trace);
   std::erase_if(input.rows,
                 [&](const TickRecord& row) { return row.t_s < options.from_s || row.t_s > options.to_s; });
@@ -43,7 +45,10 @@ int plot(const PlotOptions& options) {
 void add_plot(CLI::App& program, Action& action) {
   auto options = std::make_shared<PlotOptions>();
   CLI::App* command = program.add_subcommand("plot", "Plot a trace as the paper lays out its figures");
-  command->add_option("TRACE", options->trace, "Trace (HDF5 or CSV)")->required();
+  command
+      ->add_option("TRACE", options->trace,
+                   "Trace (HDF5, or CSV up to 2 GiB); - is a CSV trace on standard input")
+      ->required();
   command->add_option("--out", options->out, "Picture to write, .png or .svg")->required();
   command
       ->add_option(
@@ -54,7 +59,9 @@ void add_plot(CLI::App& program, Action& action) {
       ->capture_default_str();
   command->add_option("--from", options->from_s, "Leave out what is earlier [s]")->default_str("start");
   command->add_option("--to", options->to_s, "Leave out what is later [s]")->default_str("end");
-  command->add_option("--width", options->width, "Width of a history or spectrum in pixels")
+  command
+      ->add_option("--width", options->width,
+                   "Width of a history or spectrum in pixels; 10000 take a gigabyte of memory")
       ->check(CLI::Range(300, 10000))
       ->capture_default_str();
   command->footer(

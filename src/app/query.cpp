@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <limits>
 
 #include "app/commands.hpp"
@@ -8,8 +9,11 @@
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
 #include "base/csv_columns.hpp"
+#include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/input_file.hpp"
 #include "base/number_text.hpp"
+#include "base/output_place.hpp"
 #include "contact/surface_point.hpp"
 #include "part/import.hpp"
 #include "trace/output_file.hpp"
@@ -18,7 +22,7 @@ namespace fingerpad {
 namespace {
 
 struct QueryOptions {
-  std::string mesh, points, out;
+  std::string mesh, points, out = "-";
   std::string unit = "mm";
 };
 
@@ -34,7 +38,10 @@ void append_row(std::string& text, const SurfacePoint& near, const Part& part) {
   text += fmt::format("{}\n", part.file_triangle[static_cast<std::size_t>(near.triangle)]);
 }
 
-std::string answers(const TriangleTree& tree, const CsvColumns& points) {
+/// Writes the table in pieces, since it can be ten times as large as the points.
+void write_answers(const TriangleTree& tree, const CsvColumns& points,
+                   const std::function<void(std::string_view)>& write) {
+  constexpr std::size_t piece_bytes = std::size_t{1} << 20;
   std::string text = header;
   int seed = -1;
   for (std::size_t i = 0; i < points.lines.size(); ++i) {
@@ -43,17 +50,27 @@ std::string answers(const TriangleTree& tree, const CsvColumns& points) {
         nearest_surface_point(tree, p, Normals::facet, seed, std::numeric_limits<double>::infinity());
     seed = near.triangle;
     append_row(text, near, tree.part());
+    if (text.size() < piece_bytes) continue;
+    write(text);
+    text.clear();
   }
-  return text;
+  write(text);
 }
 
 int query(const QueryOptions& options) {
+  if (stream_descriptor(options.mesh) &&
+      stream_descriptor(options.mesh) == stream_descriptor(options.points)) {
+    throw Error(ErrorKind::usage, options.mesh, "cannot be both the mesh and the points");
+  }
   if (!options.out.empty()) refuse_overwriting(options.out, {options.mesh, options.points});
-  const CsvColumns points = read_csv_columns(options.points, {"x_m", "y_m", "z_m"});
+  refuse_unwritable(options.out);
+  const CsvColumns points =
+      read_csv_columns(options.points, {"x_m", "y_m", "z_m"}, {}, TableSource::file_or_stream);
   LoadBar bar(stderr_is_terminal());
   const LoadProgress progress = bar.progress(options.mesh);
   ImportOptions how;
   how.metres_per_unit = metres_of(options.unit);
+  how.stream = true;
   how.progress = step_of(progress, 0, 0.6);
   const ImportedPart imported = import_touchable(options.mesh, how);
   tell(progress, "building the search tree", 0.6);
@@ -62,13 +79,12 @@ int query(const QueryOptions& options) {
   for (const std::string& warning : imported.verdict.warnings) {
     print_err("fingerpad: warning: {}: {}\n", options.mesh, warning);
   }
-  const std::string text = answers(tree, points);
-  if (options.out.empty()) {
-    print_out("{}", text);
+  if (options.out == "-") {
+    write_answers(tree, points, [](std::string_view text) { write_stream(stdout, text); });
     return 0;
   }
   OutputFile file(options.out);
-  file.write(text);
+  write_answers(tree, points, [&file](std::string_view text) { file.write(text); });
   file.commit();
   return 0;
 }
@@ -78,14 +94,15 @@ int query(const QueryOptions& options) {
 void add_query(CLI::App& program, Action& action) {
   auto options = std::make_shared<QueryOptions>();
   CLI::App* command = program.add_subcommand("query", "The closest surface point of each point in a table");
-  command->add_option("MESH", options->mesh, "STL, OBJ, PLY or OFF file")->required();
+  command->add_option("MESH", options->mesh, "STL, OBJ, PLY or OFF file; - is standard input")->required();
   command
       ->add_option("POINTS", options->points,
-                   "CSV with columns x_m,y_m,z_m, in metres, in the file's own frame")
+                   "CSV with columns x_m,y_m,z_m, in metres, in the file's own frame, up to 2 GiB and 50 "
+                   "million rows; - is standard input")
       ->required();
   add_unit_option(*command, options->unit);
   command->add_option("--out", options->out,
-                      "CSV file to write; without it the table goes to standard output");
+                      "CSV file to write; without it, or as -, the table goes to standard output");
   command->footer(
       "Writes distance_m,px_m,py_m,pz_m,nx,ny,nz,triangle: the signed distance (negative inside), the "
       "surface point,\n"

@@ -11,6 +11,7 @@
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "replay/batch.hpp"
 
 namespace fingerpad {
@@ -122,6 +123,14 @@ class JobBar {
   ProgressBar bar_;
 };
 
+/// Of the ranks only the first has the standard input; the others would run nothing.
+void refuse_streams_for_ranks(const std::vector<std::string>& scenes, const Ranks& ranks) {
+  for (const std::string& scene : scenes) {
+    if (ranks.count() < 2 || !stream_descriptor(scene)) continue;
+    throw Error(ErrorKind::usage, scene, "under mpirun a scene must be a file, which every rank can read");
+  }
+}
+
 /// The tables that could not be written, and the code for it where the jobs themselves are good.
 int tell_lost(const std::vector<Error>& lost) {
   for (const Error& error : lost) print_err("fingerpad: error: {}\n", error.what());
@@ -162,6 +171,7 @@ int replay(ReplayOptions options) {
   options.batch.version = program_version;
   const Ranks ranks;
   try {
+    refuse_streams_for_ranks(options.scenes, ranks);
     return run_replay(options, options.batch, ranks);
   } catch (const Error& error) {
     if (ranks.is_root()) throw;
@@ -192,7 +202,10 @@ void add_replay(CLI::App& program, Action& action) {
   options->batch.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
   CLI::App* command =
       program.add_subcommand("replay", "Follow each scene's motion over its parts and write the traces");
-  command->add_option("SCENE", options->scenes, "Scene files (TOML); a scene with [[set]] is many jobs")
+  command
+      ->add_option("SCENE", options->scenes,
+                   "Scene files (TOML); a scene with [[set]] is many jobs; - is a scene on standard input, "
+                   "whose paths start in the current folder")
       ->required();
   command->add_option("--out", options->batch.out_dir, "Folder for the traces, summary.csv and timing.csv")
       ->required();

@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/output_folder.hpp"
 #include "app/standard_streams.hpp"
 #include "app/study_pictures.hpp"
 #include "base/error.hpp"
@@ -45,10 +46,10 @@ StudyReport studied(const StudyOptions& options) {
 }
 
 int study(const StudyOptions& options) {
+  if (options.out_dir == "-")
+    throw Error(ErrorKind::usage, "--out", "a study needs a folder, not standard output");
+  const OutputFolder folder(options.out_dir);  // before the work, which would be lost without it
   const StudyReport report = studied(options);
-  std::error_code error;
-  std::filesystem::create_directories(options.out_dir, error);
-  if (error) throw Error(ErrorKind::fault, options.out_dir, "cannot be created: " + error.message());
   for (const StudyTable& table : report.tables) {
     OutputFile file(options.out_dir + "/" + table.name + ".csv");
     file.write(table.csv());

@@ -56,7 +56,7 @@ ViewInput mesh_subject(const std::string& path, double metres_per_unit, LoadBar&
 }  // namespace
 
 SubjectKind subject_kind(const std::string& path) {
-  if (path.ends_with(".toml")) return SubjectKind::scene;
+  if (path.ends_with(".toml") || path == "-") return SubjectKind::scene;
   if (path.ends_with(".csv") || is_hdf5(path)) return SubjectKind::trace;
   return SubjectKind::mesh;
 }

@@ -7,8 +7,8 @@
 
 namespace fingerpad {
 
-/// What a path on the command line names, told by ending and content: *.toml is a scene; HDF5, or CSV with a
-/// trace's columns, is a trace; all else is a mesh.
+/// What a path on the command line names, told by ending and content: *.toml is a scene, and so is `-`; HDF5,
+/// or CSV with a trace's columns, is a trace; all else is a mesh.
 enum class SubjectKind { scene, mesh, trace };
 SubjectKind subject_kind(const std::string& path);
 

@@ -12,6 +12,8 @@
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/output_place.hpp"
+#include "base/printable_text.hpp"
 #include "device/pointer_finger.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_job.hpp"
@@ -57,9 +59,18 @@ std::unique_ptr<LiveRecorder> recorder_for(const TouchOptions& options, const Sc
   return std::make_unique<LiveRecorder>(TraceWriter::create(options.record, format, info, world));
 }
 
+/// Before the touch, whose record could not be made again.
+void refuse_unrecordable(const std::string& path, const Scene& scene) {
+  if (path == "-") throw Error(ErrorKind::usage, "--record", "a trace needs a file, not standard output");
+  if (!is_utf8(scene.text))
+    throw Error(ErrorKind::usage, scene.name, "its name is not UTF-8, as a trace's must be: rename it");
+  refuse_unwritable(path);
+}
+
 int touch(const TouchOptions& options) {
   need_display();  // before a long import
   Scene scene = touched_scene(options);
+  if (!options.record.empty()) refuse_unrecordable(options.record, scene);
   LoadBar bar(stderr_is_terminal());
   const auto world = load_world(scene, bar.progress());
   bar.finish();
@@ -105,7 +116,8 @@ void add_touch(CLI::App& program, Action& action) {
   auto options = std::make_shared<TouchOptions>();
   CLI::App* command =
       program.add_subcommand("touch", "Touch a scene or a mesh live, with the finger under the mouse");
-  command->add_option("SUBJECT", options->subject, "Scene (TOML) or mesh")->required();
+  command->add_option("SUBJECT", options->subject, "Scene (TOML) or mesh; - is a scene on standard input")
+      ->required();
   command
       ->add_option("--device", options->device,
                    "What moves the finger; pointer is the mouse and the keyboard")

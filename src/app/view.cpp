@@ -8,6 +8,7 @@
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/output_place.hpp"
 #include "view/picture.hpp"
 #include "view/screen.hpp"
 #include "view/window.hpp"
@@ -29,7 +30,8 @@ struct Size {
 Size read_size(const std::string& text) {
   Size size;
   char extra = 0;
-  if (std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &extra) != 2) {
+  // Five digits, since more do not fit into an int and are too many in any case.
+  if (std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &extra) != 2) {
     throw Error(ErrorKind::usage, "--size", "'" + text + "' is not WxH in pixels, as 1280x800");
   }
   return size;
@@ -37,7 +39,11 @@ Size read_size(const std::string& text) {
 
 int view(const ViewOptions& options) {
   const Size size = read_size(options.size);
-  if (options.png.empty()) need_display();  // before a long import
+  refuse_picture_size(size.width, size.height);
+  // Before a long import.
+  if (options.png == "-")
+    throw Error(ErrorKind::usage, "--png", "a picture needs a file, not standard output");
+  options.png.empty() ? need_display() : refuse_unwritable(options.png);
   if (!options.png.empty()) refuse_overwriting(options.png, subject_files(options.subject));
   LoadBar bar(stderr_is_terminal());
   const ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);
@@ -60,10 +66,14 @@ void add_view(CLI::App& program, Action& action) {
   CLI::App* command =
       program.add_subcommand("view", "Show a scene, a mesh or a trace in a window or as a picture");
   command
-      ->add_option("SUBJECT", options->subject, "Scene (TOML; replayed first), mesh, or trace (HDF5 or CSV)")
+      ->add_option("SUBJECT", options->subject,
+                   "Scene (TOML; replayed first), mesh, or trace (HDF5 or CSV); - is a scene on standard "
+                   "input, whose paths start in the current folder")
       ->required();
   command->add_option("--png", options->png, "Write a picture instead; needs no screen");
-  command->add_option("--size", options->size, "Size of the window or picture in pixels")
+  command
+      ->add_option("--size", options->size,
+                   "Size of the window or picture in pixels: 200 to 8192 each way, 10 million in all (1 GB)")
       ->type_name("WxH")
       ->capture_default_str();
   command->add_option("--at", options->at_s,

@@ -7,8 +7,9 @@
 namespace fingerpad {
 
 /// A text file under way: written as `path`.part and renamed when it is whole, so that half a file is never
-/// taken for one. A path that is no regular file (a terminal, a pipe) is written directly. Throws Error
-/// (fault, with the path).
+/// taken for one. A path that is no regular file (a terminal, a pipe) is written directly, and `-` is
+/// standard output. Throws Error (fault, with the path) as refuse_unwritable does, for a pipe that nobody
+/// reads, and where the writing fails.
 class OutputFile {
  public:
   explicit OutputFile(const std::string& path);

@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "scene/scene_file.hpp"
 
 namespace fingerpad {
@@ -20,8 +21,9 @@ std::shared_ptr<const World> with_trees(World world) {
 
 ViewInput view_of_trace(Trace trace, const std::string& path) {
   ViewInput input;
-  input.title =
-      trace.info.scene_name.empty() ? std::filesystem::path(path).stem().string() : trace.info.scene_name;
+  input.title = !trace.info.scene_name.empty() ? trace.info.scene_name
+                : path == "-"                  ? input_name(path)
+                                               : std::filesystem::path(path).stem().string();
   input.world = std::move(trace.world);
   input.rows = std::move(trace.rows);
   if (input.world) input.world = with_trees(*input.world);
