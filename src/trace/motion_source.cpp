@@ -38,7 +38,11 @@ FingerPath load_finger_path(const Scene& scene) {
   if (motion.scripted) return {*motion.scripted, motion.rate_hz, scene.finger.direction};
   Motion recorded =
       is_hdf5(motion.file_path) ? motion_of_trace(motion.file_path) : read_motion_csv(motion.file_path);
-  return {std::move(recorded), motion.rate_hz, scene.finger.direction};
+  try {
+    return {std::move(recorded), motion.rate_hz, scene.finger.direction};
+  } catch (const Error& too_long) {
+    throw refused(motion.file_path, too_long.what());
+  }
 }
 
 }  // namespace fingerpad

@@ -72,6 +72,13 @@ TEST(MotionSource, RefusesScenesWithoutAMotionAndFilesThatAreNone) {
   test::write_trace(folder / "still.h5", TraceFormat::hdf5, rows);
   EXPECT_THAT(told("file = \"still.h5\"\n"),
               HasSubstr("still.h5: row 4: time 0.002 s does not come after 0.002 s"));
+  rows = test::some_rows(5);
+  rows[2].p_WQ.y() = 1e35;
+  test::write_trace(folder / "wild.h5", TraceFormat::hdf5, rows);
+  EXPECT_THAT(told("file = \"wild.h5\"\n"), HasSubstr("wild.h5: row 3: y_m is 1e+35 m; a finger is at most"));
+  std::ofstream(folder / "long.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0\n1e9,1,0,0\n";
+  EXPECT_THAT(told("file = \"long.csv\"\nrate_hz = 1e6\n"),
+              HasSubstr("long.csv: the motion lasts 1000000000 s, which is 1e+15 ticks at 1000000 Hz"));
 }
 
 }  // namespace
