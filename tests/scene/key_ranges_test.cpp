@@ -54,6 +54,32 @@ TEST(KeyRanges, NumbersThatNoFingerHasAreRefusedWithTheirRange) {
   }
 }
 
+TEST(KeyRanges, AScenePastEveryRangeTellsEachOfThem) {
+  const std::string circle = "[motion]\nkind = \"circle\"\ncentre_m = [0,0,0]\nradius_m = ";
+  const struct {
+    std::string lines, message;
+  } cases[] = {
+      {part + "rotation = { axis = [0,0,1], angle_deg = 1e9 }", "at least -3600 and at most 3600"},
+      {"[friction]\nvibration = { frequency_hz = 1e9 }", "at least 0.001 and at most 1000000"},
+      {"[friction]\nvibration = { amplitude = 2 }", "at least 0 and at most 1"},
+      {"[friction]\nvibration = { normal_amplitude = 2 }", "at least 0 and at most 1"},
+      {"[motion]\nkind = \"line\"\nfrom_m = [0,0,0]\nto_m = [1,0,0]\nspeed_m_per_s = 1e-300",
+       "at least 1e-09"},
+      {"[motion]\nkind = \"sine\"\ncentre_m = [0,0,0]\nfrequency_hz = 1\nduration_s = 1\namplitude_m = 1e300",
+       "at least 0 and at most 1000000000"},
+      {circle + "1e300\nfrequency_hz = 1\nduration_s = 1", "'radius_m' in [motion] is 1e+300"},
+      {circle + "1\nfrequency_hz = 1e300\nduration_s = 1", "'frequency_hz' in [motion] is 1e+300"},
+      {circle + "1\nfrequency_hz = 1\nduration_s = 1e300", "'duration_s' in [motion] is 1e+300"},
+      {"[hand]\ndamping_n_s_per_m = 1e300", "at least 0 and at most 1000000000"},
+      {"[hand]\nstiffness_n_per_m = 1e300", "at least 0 and at most 1000000000"},
+      {"[[plane]]\npoint_m = [1e300, 0, 0]\nnormal = [0,0,1]", "it must lie between -1e9 and 1e9"},
+      {part + "position_m = [1e300, 0, 0]", "it must lie between -1e9 and 1e9"},
+  };
+  for (const auto& c : cases)
+    EXPECT_THAT(refusal(plane_scene + c.lines + "\n"), AllOf(StartsWith("s.toml:"), HasSubstr(c.message)))
+        << c.lines;
+}
+
 TEST(KeyRanges, AVibrationIsSlowestAtAThousandthOfAHertz) {
   EXPECT_EQ(refusal(plane_scene + "[friction]\nvibration = { bandwidth_hz = 1e-3 }\n"), "");
   EXPECT_THAT(
