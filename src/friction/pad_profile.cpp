@@ -51,6 +51,12 @@ double number_of(const std::string& path, const NumberKey& key, const toml::node
   const double value = *node.value<double>();
   if (!std::isfinite(value)) throw refused(where, fmt::format("{} must be finite", key.key));
   if (key.positive && !(value > 0)) throw refused(where, fmt::format("{} must be larger than 0", key.key));
+  // Wide for any finger, and narrow enough that products of a few such numbers stay numbers.
+  constexpr double least = 1e-12, most = 1e12;
+  if (std::abs(value) > most || (key.positive && value < least)) {
+    throw refused(where, fmt::format("{} is {}; it must be at least {} and at most {}", key.key, value,
+                                     key.positive ? least : -most, most));
+  }
   return value;
 }
 

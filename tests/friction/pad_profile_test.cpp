@@ -82,6 +82,14 @@ TEST(PadProfile, RefusesWithThePlaceOfTheFault) {
   EXPECT_THAT(refusal_of("[[x]]\n"), HasSubstr("unknown key 'x'"));
 }
 
+TEST(PadProfile, RefusesNumbersThatNoFingerHas) {
+  EXPECT_THAT(
+      refusal_of("lateral_axis_m = 1e-300\nlongitudinal_axis_m = 1\n"),
+      StartsWith(
+          "pad.toml:1:18: lateral_axis_m is 1e-300; it must be at least 1e-12 and at most 1000000000000"));
+  EXPECT_THAT(refusal_of(axes + "mu_static = 1e300\n"), HasSubstr("mu_static is 1e+300; it must be"));
+}
+
 TEST(PadProfile, RefusesAxesThatVanishForSomeAngle) {
   EXPECT_THAT(refusal_of(axes + "lateral_slope_per_deg = 0.0223\n"), HasSubstr("vanish"));
   EXPECT_THAT(refusal_of(axes + "longitudinal_slope_per_deg = -0.0223\n"),
