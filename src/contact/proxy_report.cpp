@@ -9,6 +9,19 @@
 namespace fingerpad {
 namespace {
 
+/// The smallest rotation from one unit vector to another, as axis times the tangent of half the angle
+/// (Rodrigues); none where they are opposite. A mean of such turns is no wider than the widest.
+Vec3 turn_between(const Vec3& from, const Vec3& to) noexcept {
+  const double sum = 1 + from.dot(to);
+  return sum > 1e-6 ? Vec3(from.cross(to) / sum) : Vec3::Zero();
+}
+
+/// A unit vector after a turn.
+Vec3 turned(const Vec3& v, const Vec3& turn) noexcept {
+  const Vec3 across = turn.cross(v);
+  return v + 2 / (1 + turn.squaredNorm()) * (across + turn.cross(across));
+}
+
 /// Greatest first; std::stable_sort would allocate.
 void sort_by_share(ProxyContact& contact) noexcept {
   for (std::size_t k = 1; k < static_cast<std::size_t>(contact.hold_count); ++k) {
@@ -77,12 +90,45 @@ void Proxy::report(const Vec3& goal) noexcept {
   report_held(goal, p);
 }
 
+/// The turn from the walls' normals to the holds' shaded ones: the mean, each weighted with its share.
+/// @param walls  of the holds, in their order
+Vec3 Proxy::turn_of_holds(std::span<const ProxyWall> walls) const noexcept {
+  Vec3 turn = Vec3::Zero();
+  double share_m = 0;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    const ProxyHold& hold = contact_.holds[k];
+    turn += hold.share_m * turn_between(walls[k].normal, hold.normal_W);
+    share_m += hold.share_m;
+  }
+  return share_m > 0 ? Vec3(turn / share_m) : Vec3::Zero();
+}
+
+/// Shows a normal, or, where the push would change too much by it, one on the way there from the last tick's.
+void Proxy::show(const Vec3& shaded) noexcept {
+  contact_.normal_W = shaded;
+  const double depth_m = contact_.depth_m, step2_m2 = (depth_m * shaded - last_push_).squaredNorm();
+  if (normals_ == Normals::facet || step2_m2 <= finger_m_ * finger_m_ || last_push_.isZero(0)) return;
+  const double most_m = most_step_m() + (hopped_ ? unfelt_share * depth_m : 0.0);
+  if (step2_m2 <= most_m * most_m) return;
+  // The last turn, kept, changes the push by no more than the way to the proxy changes.
+  const Vec3& direction = contact_.direction_W;
+  const Vec3 last = turn_between(last_direction_, last_push_.normalized());
+  const Vec3 left = turn_between(direction, shaded) - last;
+  const Vec3 kept = turned(direction, last);
+  const double kept_step_m = (depth_m * kept - last_push_).norm();
+  if (kept_step_m * kept_step_m > step2_m2) return;
+  // A unit vector goes by no more than twice what its turn changes by.
+  const double share = std::max(0.0, most_m - kept_step_m) / (2 * depth_m * left.norm());
+  if (share < 1) contact_.normal_W = turned(direction, last + share * left);
+}
+
 /// @param p  onto the walls of hold_ that hold the ball without its skin
 void Proxy::report_held(const Vec3& goal, const ProxyProjection& p) noexcept {
-  Vec3 push = Vec3::Zero(), shaded = Vec3::Zero();
+  std::array<ProxyWall, 3> walls;
+  Vec3 push = Vec3::Zero();
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k) {
-    push += p.share_m[k] * hold_.walls[static_cast<std::size_t>(p.active[k])].normal;
-    shaded += p.share_m[k] * contact_.holds[k].normal_W;
+    walls[k] = hold_.walls[static_cast<std::size_t>(p.active[k])];
+    push += p.share_m[k] * walls[k].normal;
   }
   const bool is_single = p.active_count == 1;
   contact_.settled = true;
@@ -92,16 +138,17 @@ void Proxy::report_held(const Vec3& goal, const ProxyProjection& p) noexcept {
   if (!contact_.touching) return;
   contact_.proxy_W = goal + push + around_.centre_W();
   if (is_single) {
-    contact_.direction_W = hold_.walls[static_cast<std::size_t>(p.active[0])].normal;
-    contact_.normal_W = contact_.holds[0].normal_W;
+    contact_.direction_W = walls[0].normal;
     contact_.point_W = contact_.holds[0].point_W;
+    show(contact_.holds[0].normal_W);
     return;
   }
-  sort_by_share(contact_);
   contact_.direction_W = push / contact_.depth_m;
-  const double shaded_m = shaded.norm();
-  contact_.normal_W = shaded_m > 0 ? Vec3(shaded / shaded_m) : contact_.direction_W;
   contact_.point_W = contact_.proxy_W - around_.radius_m() * contact_.direction_W;
+  const std::span holding(walls.data(), static_cast<std::size_t>(p.active_count));
+  show(normals_ == Normals::facet ? contact_.direction_W
+                                  : turned(contact_.direction_W, turn_of_holds(holding)));
+  sort_by_share(contact_);
 }
 
 /// The proxy has not come to rest: on its way it pushes as far as it still has to go.
@@ -119,9 +166,10 @@ void Proxy::report_underway(const Vec3& goal) noexcept {
   contact_.touching = contact_.depth_m > 0 && contact_.hold_count > 0;
   if (!contact_.touching) return;
   contact_.settled = false;
-  contact_.direction_W = contact_.normal_W = push / length_m;
+  contact_.direction_W = push / length_m;
   contact_.proxy_W = place_ + around_.centre_W();
   contact_.point_W = contact_.proxy_W - around_.radius_m() * contact_.direction_W;
+  show(contact_.direction_W);
 }
 
 }  // namespace fingerpad

@@ -32,6 +32,23 @@ bool has_crease(const Part& part, int t, int edge) noexcept {
   return (part.creases[t] >> edge & 1) != 0;
 }
 
+/// Whether the triangles around a corner close a ring: not at the border of an open part. Fans of more than
+/// 64 count as closed.
+bool is_ringed(const Part& part, int t, int corner) noexcept {
+  const int vertex = part.welded(corner, t);
+  int edge = corner, at = t;
+  for (int turn = 0; turn < 64; ++turn) {
+    const int next = part.neighbours(edge, at);
+    if (next < 0 || next == t) return next == t;
+    int k = 0;
+    while (k < 2 && part.welded(k, next) != vertex) ++k;
+    // Of the two edges at the vertex, the one not come by.
+    edge = part.neighbours(k, next) == at ? (k + 2) % 3 : k;
+    at = next;
+  }
+  return true;
+}
+
 /// Whether the surface is smooth at a feature, so that interpolated normals may be used there.
 bool is_smooth(const Part& part, int t, Feature feature) noexcept {
   if (feature == Feature::face) return true;
@@ -39,7 +56,8 @@ bool is_smooth(const Part& part, int t, Feature feature) noexcept {
   const int corner = corner_of(feature);
   if (has_crease(part, t, corner) || has_crease(part, t, (corner + 2) % 3)) return false;
   const Vec3 all_round = part.vertex_pseudonormals.col(part.welded(corner, t));
-  return (part.corner_normals.col(3 * t + corner) - all_round).squaredNorm() <= same_normal2;
+  return (part.corner_normals.col(3 * t + corner) - all_round).squaredNorm() <= same_normal2 &&
+         is_ringed(part, t, corner);
 }
 
 /// Whether both facets at an edge lie in one plane.
