@@ -1,11 +1,16 @@
 #include "replay/pop_throughs.hpp"
 
+#include <new>
+
 namespace fingerpad {
 namespace {
 
 /// Cosines of 60 and of 120 degrees.
 constexpr double push_along_motion = 0.5, turned_round = -0.5;
 constexpr double most_depth_per_motion = 3;
+/// The guide's steps along a way, each with all the time it needs to come to rest [s].
+constexpr int guide_steps = 64;
+constexpr double guide_step_s = 1;
 constexpr double rounding = 1e-12;  // of a position, as a fraction of the numbers it came from
 
 bool is_inside(const TickRecord& record) noexcept {
@@ -32,11 +37,30 @@ bool PopThroughs::way_enters_a_part(const Vec3& to_W) const noexcept {
   return false;
 }
 
-bool PopThroughs::popped(const TickRecord& now) const noexcept {
+bool PopThroughs::is_guide_held_back(const Vec3& to_W) noexcept {
+  try {
+    if (!guide_) guide_.emplace(world_proxy(*world_, 0, Normals::facet));
+  } catch (const std::bad_alloc&) {
+    return true;  // rather a graze too many than a crossing too few
+  }
+  guide_->reset();
+  const Vec3 from_W = last_.p_WQ;
+  // A finger that was inside all along is not outside after all.
+  if (guide_->move(from_W, guide_step_s).touching) return true;
+  for (int k = 1; k < guide_steps; ++k)
+    guide_->move(from_W + (to_W - from_W) * (static_cast<double>(k) / guide_steps), guide_step_s);
+  for (int k = 0; k < guide_steps; ++k) {
+    const ProxyContact& end = guide_->move(to_W, guide_step_s);
+    if (!end.touching || end.settled) return end.touching;
+  }
+  return true;
+}
+
+bool PopThroughs::popped(const TickRecord& now) noexcept {
   const Vec3 motion_W = now.p_WQ - last_.p_WQ;
   const double moved_m = motion_W.norm();
   const bool was_free = last_.phase == Phase::free, is_free = now.phase == Phase::free;
-  if (was_free && is_free) return moved_m > 0 && way_enters_a_part(now.p_WQ);
+  if (was_free && is_free) return moved_m > 0 && way_enters_a_part(now.p_WQ) && is_guide_held_back(now.p_WQ);
   if (is_free) return most_depth_per_motion * moved_m < last_.depth_m;
   if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m;
   if (now.normal_W.dot(last_.normal_W) > turned_round) return false;

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 
+#include "touch/proxy_contact.hpp"
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
 
@@ -9,28 +11,37 @@ namespace fingerpad {
 
 /// Counts the ticks on which a surface stops holding the finger on the side that it came from. From the last
 /// tick to this one
-///   - the finger's way enters a part, but there is contact at neither end: nothing was felt at all; or
+///   - the finger's way crosses a wall, but there is contact at neither end: nothing was felt at all; or
 ///   - a first touch pushes it on in the direction of its motion (within 60 degrees); or
 ///   - in unbroken contact the normal turns by more than 120 degrees although the finger cannot have left one
 ///     surface for another: it moved by less than the depths before and after together, or its way stays
 ///     inside the part; or
 ///   - contact is lost although it moved by less than a third of its depth (a proxy lets go within a motion).
 /// The same for every contact method: all is seen from the finger's way, the parts and what was felt.
+///
+/// What crosses a wall and what only grazes a convex corner, whose faces are one side, is told by a guide: a
+/// point proxy, with facets as they are, that is taken along the straight way from outside in small steps. If
+/// it is still held back at the way's end, the finger has got to where a surface would not have let it. So a
+/// plate counts however thin it is and however near to its rim, unless the way leads out over the rim; and a
+/// blade clipped near its edge counts where the finger stops so close behind it that it would still be held.
 class PopThroughs {
  public:
   /// Without a world, ways are not held against parts.
   PopThroughs() = default;
   explicit PopThroughs(std::shared_ptr<const World> world) : world_(std::move(world)) {}
 
-  /// noexcept; one segment query a part on a tick that is free like the last.
+  /// noexcept; one segment query a part on a tick that is free like the last, and where a part is in the way
+  /// the guide's steps (the first time, memory for it).
   void observe(const TickRecord& record) noexcept;
   long count() const noexcept { return count_; }
 
  private:
   bool way_enters_a_part(const Vec3& to_W) const noexcept;
-  bool popped(const TickRecord& now) const noexcept;
+  bool is_guide_held_back(const Vec3& to_W) noexcept;
+  bool popped(const TickRecord& now) noexcept;
 
   std::shared_ptr<const World> world_;
+  std::optional<Proxy> guide_;
   TickRecord last_;
   bool any_ = false;
   long count_ = 0;

@@ -1,0 +1,117 @@
+// Ways between two free ticks: which cross a wall, and which only graze a corner.
+#include "replay/pop_throughs.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+#include "base/random_stream.hpp"
+#include "support/shapes.hpp"
+#include "support/worlds.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+
+bool counts(const std::shared_ptr<const World>& world, const Vec3& from, const Vec3& to) {
+  PopThroughs pops(world);
+  for (const Vec3& at : {from, to}) {
+    TickRecord row;
+    row.p_WQ = at;
+    pops.observe(row);
+  }
+  return pops.count() > 0;
+}
+
+/// A bar along y of 40 mm, its cross-section a triangle with this angle at the top, where z = 0.
+TriangleSoup bar(double angle_rad) {
+  const double h = 0.03, w = h * std::tan(angle_rad / 2), l = 0.02;
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, 6);
+  soup.vertices_P << 0, 0, -w, -w, w, w, -l, l, -l, l, -l, l, 0, 0, -h, -h, -h, -h;
+  soup.triangles.resize(3, 8);
+  soup.triangles << 0, 0, 0, 0, 2, 2, 0, 1, 1, 3, 4, 5, 3, 5, 2, 3, 3, 2, 5, 1, 5, 4, 4, 5;
+  return soup;
+}
+
+TEST(PopThroughs, DoNotCountEdgesThatAreGrazed) {
+  for (const double angle : {60 * degree, 90 * degree, 120 * degree}) {
+    const auto world = test::world_of(bar(angle));
+    for (const double depth_m : {1e-6, 1.3e-5, 1e-4, 1e-3}) {
+      for (const double tilt : {-0.3, 0.0, 0.3}) {
+        // Across the edge, so far below it, and on for two and a half times the chord at least.
+        const double far_m = 6 * depth_m + 1e-4;
+        const Vec3 middle(0, 1e-3, -depth_m), half(far_m, 0.4 * far_m, tilt * far_m);
+        EXPECT_FALSE(counts(world, middle - half, middle + half))
+            << angle / degree << " degrees, " << depth_m << " m deep, tilted by " << tilt;
+      }
+    }
+  }
+}
+
+TEST(PopThroughs, DoNotCountCornersThatAreGrazed) {
+  const auto world = test::world_of(test::box_soup(Vec3(0.02, 0.02, 0.02)));
+  const Vec3 corner(0.01, 0.01, 0.01);
+  RandomStream random(4);
+  int clipped = 0;
+  for (int k = 0; k < 300; ++k) {
+    // Past the corner at right angles to its diagonal, a little below it.
+    const Vec3 across =
+        Vec3(random.normal(), random.normal(), random.normal()).cross(Vec3::Ones()).normalized();
+    const double depth_m = 1e-6 * std::pow(10, 3 * random.uniform());
+    const Vec3 middle = corner - depth_m * Vec3::Ones(), half = (5 * depth_m + 1e-5) * across;
+    EXPECT_FALSE(counts(world, middle - half, middle + half)) << k << ", " << depth_m << " m deep";
+    ++clipped;
+  }
+  EXPECT_EQ(clipped, 300);
+}
+
+TEST(PopThroughs, CountPlatesOfAnyThicknessCrossedAnywhere) {
+  RandomStream random(9);
+  for (const double thickness_m : {5e-5, 2e-4, 1e-3}) {
+    const auto world = test::world_of(test::box_soup(Vec3(0.04, 0.04, thickness_m)));
+    for (int k = 0; k < 200; ++k) {
+      // 5 mm, a tick at 5 m/s, up to 30 degrees off the straight; every fourth close to the rim.
+      const double at_m = k % 4 == 0 ? 0.02 - thickness_m : 0.016 * random.uniform();
+      const Vec3 lean(k % 4 == 0 ? 0 : 0.5 * (2 * random.uniform() - 1), 0.5 * (2 * random.uniform() - 1),
+                      -1);
+      const Vec3 middle(at_m, 0.01 * random.uniform(), 0), half = 2.5e-3 * lean.normalized();
+      EXPECT_TRUE(counts(world, middle - half, middle + half)) << thickness_m << " m thick, at " << at_m;
+      EXPECT_TRUE(counts(world, middle + half, middle - half)) << "from behind";
+    }
+    // In at the face and out at the rim.
+    const double t = thickness_m / 4;
+    const Vec3 rim(0.02 - t, 1e-3, thickness_m / 2 - t), out(1e-3 + 3 * t, 0, -1e-3 - 3 * t);
+    EXPECT_FALSE(counts(world, rim - out, rim + out)) << thickness_m;
+  }
+}
+
+TEST(PopThroughs, CountAPlateBehindAGrazedCornerOfAnotherPart) {
+  auto world = std::make_shared<World>(*test::world_of(test::box_soup(Vec3(0.02, 0.02, 0.02))));
+  world->surfaces.push_back(test::world_of(test::box_soup(Vec3(2e-4, 0.02, 0.02)))->surfaces[0]);
+  world->surfaces[1].p_WP = Vec3(0.013, 0, 0.013);
+  const Vec3 before(0.0085, 1e-3, 0.0113), between(0.0115, 1e-3, 0.0083);  // over the box's edge, 0.2 mm deep
+  EXPECT_FALSE(counts(world, before, between));
+  EXPECT_TRUE(counts(world, between, between + Vec3(0.004, 0, 0)));
+  const Vec3 low(0.0085, 1e-3, 0.0101), beyond(0.0145, 1e-3, 0.0095);
+  EXPECT_TRUE(counts(world, low, beyond)) << "over the edge and through the plate";
+}
+
+TEST(PopThroughs, CountABladeWhoseFlankWouldStillHoldTheFinger) {
+  const auto world = test::world_of(bar(10 * degree));
+  for (const double depth_m : {1e-5, 1e-4, 1e-3}) {
+    const Vec3 middle(0, 1e-3, -depth_m), half(0.5 * depth_m, 0, 0);
+    EXPECT_TRUE(counts(world, middle - half, middle + half)) << depth_m;
+  }
+}
+
+TEST(PopThroughs, CountAWayThatEndsInsideUnfelt) {
+  const auto world = test::world_of(test::box_soup(Vec3(0.02, 0.02, 0.02)));
+  EXPECT_TRUE(counts(world, Vec3(1e-3, 2e-3, 0.012), Vec3(1e-3, 2e-3, 0.008)));
+}
+
+}  // namespace
+}  // namespace fingerpad
