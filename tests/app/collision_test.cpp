@@ -21,6 +21,10 @@ constexpr const char* plane = "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1
 constexpr const char* line =
     "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = 0.1\n";
 
+/// Ten thousand ticks: more than a pipe holds.
+constexpr const char* slow_line =
+    "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = 0.001\n";
+
 void write_scene(const fs::path& path, const std::string& name, const std::string& rest = line) {
   std::ofstream(path) << "name = \"" << name << "\"\n" << plane << rest;
 }
@@ -148,13 +152,15 @@ TEST(Collisions, OfOutAndAnInputAreRefusedByEverySubcommand) {
 #endif
 }
 
-/// Starts a run that writes its first trace into a pipe, so that it stands there until somebody reads it;
-/// does `meanwhile`, and then `end`, with the run's number in $run.
+/// Starts a run whose first trace is a pipe that is open but not read, so that the run stands there as soon
+/// as the pipe is full; does `meanwhile`, and then `end`, with the run's number in $run and the pipe's whole
+/// text to be read from descriptor 3.
 std::string during(const std::string& call, const std::string& meanwhile, const std::string& end) {
-  return "mkdir -p o && mkfifo o/long-0001.csv\n'" + test::program().string() + "' " + call +
-         " >run.out 2>run.err & run=$!\n" +
+  return "mkdir -p o && mkfifo o/long-0001.csv\nsleep 300 <>o/long-0001.csv & holder=$!\n'" +
+         test::program().string() + "' " + call + " >run.out 2>run.err & run=$!\n" +
          "for i in $(seq 3000); do [ -s o/.fingerpad/run-1.lock ] && break; sleep 0.02; done\n" + meanwhile +
-         "\n" + end + "; wait $run; echo $? >code\nrm o/long-0001.csv\n";
+         "\nexec 3<o/long-0001.csv; kill $holder\n" + end +
+         "; wait $run; echo $? >code\nrm o/long-0001.csv\n";
 }
 
 class TwoRuns : public testing::Test {
@@ -164,7 +170,7 @@ class TwoRuns : public testing::Test {
   const std::string replay_long = "replay long.toml --out o --format csv --quiet";
   void SetUp() override {
     write_scene(folder / "long.toml", "long",
-                std::string(line) + "[friction]\nlaw = \"none\"\n[[set]]\nseed = [1, 2, 3, 4]\n");
+                std::string(slow_line) + "[friction]\nlaw = \"none\"\n[[set]]\nseed = [1, 2, 3, 4]\n");
     write_scene(folder / "short.toml", "short");
   }
 };
@@ -193,7 +199,7 @@ TEST_F(TwoRuns, OfTwoShardsGoOnTogetherButNotOfOne) {
   const std::string meanwhile = program + replay_long + " --shard 2/2; echo $? >other.code\n" + program +
                                 replay_long + " --shard 1/2 2>same.err; echo $? >same.code\n" + program +
                                 replay_long + " 2>whole.err; echo $? >whole.code";
-  test::shell(during(replay_long + " --shard 1/2", meanwhile, "cat o/long-0001.csv >first.csv"), folder);
+  test::shell(during(replay_long + " --shard 1/2", meanwhile, "cat <&3 >first.csv"), folder);
   EXPECT_EQ(bytes_of(folder / "code"), "0\n") << bytes_of(folder / "run.err");
   EXPECT_EQ(bytes_of(folder / "other.code"), "0\n");
   EXPECT_EQ(bytes_of(folder / "same.code"), "3\n");

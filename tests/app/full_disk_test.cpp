@@ -52,13 +52,13 @@ TEST(FullDisk, ASummaryThatCannotBeWrittenIsToldBesideTheFailedJobs) {
   fs::create_directories(folder / "o" / "summary.csv");
   const ShellResult good = test::fingerpad("replay calm.toml --out o", folder);
   EXPECT_EQ(good.exit_code, 1);
-  EXPECT_EQ(good.err, "fingerpad: error: o/summary.csv: cannot be created: Is a directory\n");
+  EXPECT_EQ(good.err, "fingerpad: error: o/summary.csv: cannot be created: is a folder: name a file in it\n");
   EXPECT_TRUE(fs::exists(folder / "o" / "timing.csv")) << "the other table is written all the same";
   EXPECT_EQ(good.out, "1 of 1 job done, traces in o\n");
   const ShellResult bad = test::fingerpad("replay calm.toml absent.toml --out o", folder);
   EXPECT_EQ(bad.exit_code, 4);
   EXPECT_THAT(bad.err, HasSubstr("absent.toml: "));
-  EXPECT_THAT(bad.err, HasSubstr("o/summary.csv: cannot be created: Is a directory\n"));
+  EXPECT_THAT(bad.err, HasSubstr("o/summary.csv: cannot be created: is a folder: name a file in it\n"));
   EXPECT_EQ(lines_of(bad.err), 2) << bad.err;
 }
 
