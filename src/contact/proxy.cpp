@@ -25,11 +25,6 @@ constexpr double least_steps = 2, least_share = 1.0 / 32;
 /// Sine of the angle between a wall and the facet or edge that it stands for, once there is nothing to gain.
 constexpr double same_wall = 1e-8;
 
-bool is_held_by(const ProxyStep& step, const ProxyWall& wall) noexcept {
-  return step.wall_count == 1 && !step.truncated && step.walls[0].surface == wall.surface &&
-         step.walls[0].triangle == wall.triangle;
-}
-
 }  // namespace
 
 Proxy::Proxy(std::vector<ProxySurface> surfaces, double radius_m, Normals normals)
@@ -44,6 +39,7 @@ double Proxy::widest_view() const noexcept {
 
 void Proxy::reset() noexcept {
   placed_ = false;
+  lags_ = false;
   cruise_.kind = Cruise::Kind::none;
   reach_m_ = 0.01 * widest_view();
   contact_ = {};
@@ -150,9 +146,9 @@ void Proxy::settle(const Vec3& goal, double& budget_m) noexcept {
 
 void Proxy::follow(const Vec3& goal, double budget_m) noexcept {
   // Over smooth edges first: what a hop gains is the facets', not the finger's, and costs no budget. What
-  // the proxy slides after it does.
+  // the proxy slides after it does. One hop that is felt is enough for a tick.
   if (!(hop(goal) || roll(goal, budget_m)) || !has_come_to_rest()) settle(goal, budget_m);
-  for (int k = 0; k < most_hops && contact_.settled; ++k) {
+  for (int k = 0; k < most_hops && contact_.settled && !is_felt(goal); ++k) {
     remember();
     if (!hop(goal)) break;
     if (!has_come_to_rest()) settle(goal, budget_m);
@@ -181,34 +177,24 @@ double Proxy::most_step_m() const noexcept {
   return finger_m_ + std::max(proxy_per_finger * finger_m_, last_push_.norm() * rest_share_);
 }
 
-/// Whether a hop to where the proxy is would change the push by more than hops may, however it is shaded and
-/// wherever the proxy then goes on to. A first touch may be anything.
-bool Proxy::is_felt_way(const Vec3& goal) const noexcept {
-  if (last_push_.isZero(0)) return false;
+/// Whether the hops of this tick change the push by more than hops may. A first touch may be anything.
+bool Proxy::is_felt(const Vec3& goal) const noexcept {
+  if (!hopped_ || last_push_.isZero(0)) return false;
   const Vec3 way = place_ - goal, last_way = last_push_.norm() * last_direction_;
-  return (way - last_way).norm() > finger_m_ + unfelt_share * way.norm();
-}
-
-/// Whether a hop to this wall (seen from the world's centre) would change the push by more than hops may.
-bool Proxy::is_felt(const ProxyWall& next, const Vec3& goal) const noexcept {
-  if (last_push_.isZero(0)) return false;
-  const double depth_m = next.least_m - next.normal.dot(goal);
-  TrianglePoint foot;
-  foot.barycentric = weights_of(next).at(goal + depth_m * next.normal);
-  const Vec3 push = (depth_m - around_.skin_m()) * shaded_W(next, foot);
-  return (push - last_push_).norm() > most_step_m() + unfelt_share * depth_m;
+  return (way - last_way).norm() > most_step_m() + unfelt_share * way.norm();
 }
 
 /// Goes over the smooth convex edge to the neighbour that is nearer to the finger. False where there is none,
-/// or the way is blocked or no gain.
+/// or the way is blocked or no gain, and while an earlier hop is still on its way to be shown.
 bool Proxy::hop(const Vec3& goal) noexcept {
-  if (cruise_.kind != Cruise::Kind::slide || cruise_.wall_count != 1 || fan_.count == 0) return false;
+  if (cruise_.kind != Cruise::Kind::slide || cruise_.wall_count != 1 || fan_.count == 0 || lags_)
+    return false;
   const ProxyWall* nearer = nearer_neighbour(goal);
-  if (nearer == nullptr || is_felt(*nearer, goal)) return false;
+  if (nearer == nullptr) return false;
   ProxyWall here = cruise_.walls[0], there = *nearer;
   here.least_m -= here.normal.dot(place_);
   there.least_m -= there.normal.dot(place_);
-  if (!go_over(here, there, goal, std::numeric_limits<double>::infinity(), true)) return false;
+  if (!go_over(here, there, goal, std::numeric_limits<double>::infinity())) return false;
   hopped_ = true;
   return true;
 }
@@ -223,14 +209,14 @@ bool Proxy::roll(const Vec3& goal, double budget_m) noexcept {
   const ProxyWall there = around_.tangent_wall(here.surface, here.triangle, goal, place_);
   constexpr double least_cosine = 0.5;
   if (!(here.normal.dot(there.normal) > least_cosine)) return false;
-  return go_over(here, there, goal, budget_m, false);
+  return go_over(here, there, goal, budget_m);
 }
 
 /// Goes from one wall to another, by way of where the ball lies on both. False where the way is blocked, no
 /// gain, or longer than the budget.
 /// @param here, there  seen from the proxy's place
-bool Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const Vec3& goal, double budget_m,
-                    bool is_hop) noexcept {
+bool Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const Vec3& goal,
+                    double budget_m) noexcept {
   const double depth_m = there.least_m - there.normal.dot(goal - place_);
   const Vec3 far = goal - place_ + depth_m * there.normal;
   const Vec3 middle = 0.5 * far;
@@ -250,15 +236,11 @@ bool Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const Vec3& g
   first.least_m -= first.normal.dot(*over);
   around_.look_ahead(edge_place, std::min(rest_m, 0.5 * reach_m_), std::max(reach_m_, rest_m), Vec3::Zero());
   const ProxyStep step = around_.step_towards(goal - edge_place, &first);
-  const Vec3 old_place = place_, new_place = edge_place + step.z;
+  const Vec3 new_place = edge_place + step.z;
   if (!((goal - new_place).norm() < gone_m)) return false;
-  place_ = new_place;
-  if (is_hop && !(is_held_by(step, there) && is_at_rest(step)) && is_felt_way(goal)) {
-    place_ = old_place;
-    return false;
-  }
   contact_.settled = true;
   cruise_.kind = Cruise::Kind::none;
+  place_ = new_place;
   hold_place_ = edge_place;
   hold_ = step;
   return true;

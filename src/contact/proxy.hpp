@@ -49,7 +49,7 @@ struct ProxyContact {
 /// motion and the proxy's, which is twice as much or a share of the depth: see move(). With shaded normals it
 /// changes by no more: a turn that jumps, as walls come and go, follows as fast as this leaves room for, and
 /// until then is at most as wide as it was. A hop over a smooth edge adds 7 % of the depth, which nobody
-/// feels, and is not made where it would add more.
+/// feels; one that would add more is shown over as many ticks as that takes, and the next hop waits for it.
 class Proxy {
  public:
   /// @param smooth  over edges that are no creases the proxy goes on to the neighbour that is nearer to the
@@ -132,11 +132,9 @@ class Proxy {
   const ProxyWall* nearer_neighbour(const Vec3& goal) noexcept;
   void look_towards(const Vec3& far, double way_m) noexcept;
   bool hop(const Vec3& goal) noexcept;
-  bool is_felt_way(const Vec3& goal) const noexcept;
-  bool is_felt(const ProxyWall& next, const Vec3& goal) const noexcept;
+  bool is_felt(const Vec3& goal) const noexcept;
   bool roll(const Vec3& goal, double budget_m) noexcept;
-  bool go_over(const ProxyWall& here, const ProxyWall& there, const Vec3& goal, double budget_m,
-               bool is_hop) noexcept;
+  bool go_over(const ProxyWall& here, const ProxyWall& there, const Vec3& goal, double budget_m) noexcept;
   void remember() noexcept;
   FacetWeights weights_of(const ProxyWall& wall) const noexcept;
   void remember_neighbours() noexcept;
@@ -146,6 +144,7 @@ class Proxy {
   void report_underway(const Vec3& goal) noexcept;
   Vec3 turn_of_holds(std::span<const ProxyWall> walls) const noexcept;
   void show(const Vec3& shaded) noexcept;
+  Vec3 normal_towards(const Vec3& shaded, double most_m) const noexcept;
   double most_step_m() const noexcept;
   ProxyHold hold_at(const ProxyWall& wall, double share_m) const noexcept;
   ProxyHold hold_over(const ProxyWall& wall, double share_m, const Vec3& weights) const noexcept;
@@ -160,6 +159,7 @@ class Proxy {
   double finger_m_ = 0;    ///< how far the finger went in this tick
   double rest_share_ = 0;  ///< of the depth, by which a resting finger's proxy goes on in this tick
   bool hopped_ = false;    ///< over a smooth edge, in this tick
+  bool lags_ = false;      ///< a hop is still on its way to be shown
   Vec3 last_push_ = Vec3::Zero(), last_direction_ = Vec3::UnitZ();  ///< what the last tick showed
   double reach_m_ = 0;  ///< of a view; grows and shrinks with what there is to see
   Vec3 hold_place_ = Vec3::Zero();

@@ -103,13 +103,33 @@ Vec3 Proxy::turn_of_holds(std::span<const ProxyWall> walls) const noexcept {
   return share_m > 0 ? Vec3(turn / share_m) : Vec3::Zero();
 }
 
+/// As far on the way from the last tick's normal to another as changes the push by at most so much.
+/// @pre the other changes it by more
+Vec3 Proxy::normal_towards(const Vec3& shaded, double most_m) const noexcept {
+  const double depth_m = contact_.depth_m, last_m = last_push_.norm();
+  const Vec3 last = last_push_ / last_m, across = shaded - shaded.dot(last) * last;
+  const double across_m = across.norm();
+  if (!(across_m > 1e-9)) return shaded;  // the same, or the opposite, to which no way is the shortest
+  // The law of cosines in the triangle of both pushes and their difference.
+  const double cosine =
+      std::min(1.0, (depth_m * depth_m + last_m * last_m - most_m * most_m) / (2 * depth_m * last_m));
+  return cosine * last + std::sqrt(std::max(0.0, 1 - cosine * cosine)) / across_m * across;
+}
+
 /// Shows a normal, or, where the push would change too much by it, one on the way there from the last tick's.
 void Proxy::show(const Vec3& shaded) noexcept {
   contact_.normal_W = shaded;
+  const bool after_hop = hopped_ || lags_;
+  lags_ = false;
   const double depth_m = contact_.depth_m, step2_m2 = (depth_m * shaded - last_push_).squaredNorm();
   if (normals_ == Normals::facet || step2_m2 <= finger_m_ * finger_m_ || last_push_.isZero(0)) return;
-  const double most_m = most_step_m() + (hopped_ ? unfelt_share * depth_m : 0.0);
+  const double most_m = most_step_m() + (after_hop ? unfelt_share * depth_m : 0.0);
   if (step2_m2 <= most_m * most_m) return;
+  if (after_hop) {
+    lags_ = true;
+    contact_.normal_W = normal_towards(shaded, most_m);
+    return;
+  }
   // The last turn, kept, changes the push by no more than the way to the proxy changes.
   const Vec3& direction = contact_.direction_W;
   const Vec3 last = turn_between(last_direction_, last_push_.normalized());
@@ -118,8 +138,8 @@ void Proxy::show(const Vec3& shaded) noexcept {
   const double kept_step_m = (depth_m * kept - last_push_).norm();
   if (kept_step_m * kept_step_m > step2_m2) return;
   // A unit vector goes by no more than twice what its turn changes by.
-  const double share = std::max(0.0, most_m - kept_step_m) / (2 * depth_m * left.norm());
-  if (share < 1) contact_.normal_W = turned(direction, last + share * left);
+  const double left_m = 2 * depth_m * left.norm(), room_m = std::max(0.0, most_m - kept_step_m);
+  if (room_m < left_m) contact_.normal_W = turned(direction, last + room_m / left_m * left);
 }
 
 /// @param p  onto the walls of hold_ that hold the ball without its skin
