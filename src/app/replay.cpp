@@ -123,10 +123,15 @@ class JobBar {
   ProgressBar bar_;
 };
 
-/// Of the ranks only the first has the standard input; the others would run nothing.
-void refuse_streams_for_ranks(const std::vector<std::string>& scenes, const Ranks& ranks) {
+/// A stream is read once, and of the ranks only the first has the standard input.
+void refuse_streams(const std::vector<std::string>& scenes, const Ranks& ranks) {
+  std::set<int> streams;
   for (const std::string& scene : scenes) {
-    if (ranks.count() < 2 || !stream_descriptor(scene)) continue;
+    const auto stream = stream_descriptor(scene);
+    if (!stream) continue;
+    if (!streams.insert(*stream).second)
+      throw Error(ErrorKind::usage, scene, "is named twice, and can be read only once");
+    if (ranks.count() < 2) continue;
     throw Error(ErrorKind::usage, scene, "under mpirun a scene must be a file, which every rank can read");
   }
 }
@@ -171,11 +176,11 @@ int replay(ReplayOptions options) {
   options.batch.version = program_version;
   const Ranks ranks;
   try {
-    refuse_streams_for_ranks(options.scenes, ranks);
+    refuse_streams(options.scenes, ranks);
     return run_replay(options, options.batch, ranks);
-  } catch (const Error& error) {
+  } catch (const Error&) {
     if (ranks.is_root()) throw;
-    return static_cast<int>(error.kind());  // every rank hears of it; one tells
+    return 0;  // every rank hears of it; one tells, and gives mpirun the code
   }
 }
 

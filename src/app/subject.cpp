@@ -6,6 +6,7 @@
 
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "replay/batch_files.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/closed_loop.hpp"
@@ -81,6 +82,7 @@ ViewInput load_subject(const std::string& path, double metres_per_unit, LoadBar&
 }
 
 std::vector<std::string> subject_files(const std::string& path) {
+  if (stream_descriptor(path)) return {};  // what can be read once must be left to who shows it
   if (subject_kind(path) != SubjectKind::scene) return {path};
   return input_files(single_scene(path));
 }

@@ -6,12 +6,11 @@
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
+#include "motion/farthest.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// The components of a scene's vectors are bounded alike.
-constexpr double farthest_m = 1e9;
 /// Beyond the clocks that count from 1970, within what a double still resolves to microseconds.
 constexpr double latest_s = 1e10;
 

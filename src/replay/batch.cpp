@@ -13,6 +13,8 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/path_words.hpp"
+#include "base/printable_text.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_job.hpp"
 #include "replay/run_lock.hpp"
@@ -47,7 +49,7 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
     batch_job.contact_reasons = result.contact_reasons;
     batch_job.status = "ok";
   } catch (const Error& error) {
-    batch_job.status = error.what();
+    batch_job.status = printable(error.what());  // between ranks it is JSON, which is UTF-8
     batch_job.exit_code = static_cast<int>(error.kind());
   } catch (const std::exception& error) {
     batch_job.status = fmt::format("{}: {}", job.scene.name, error.what());
@@ -104,7 +106,9 @@ std::shared_ptr<RunLock> root_claim(const std::vector<BatchJob>& jobs, const Bat
   refuse_collisions(jobs, options);
   std::error_code failure;
   std::filesystem::create_directories(options.out_dir, failure);
-  if (failure) throw Error(ErrorKind::fault, options.out_dir, "cannot be made: " + failure.message());
+  if (failure)
+    throw Error(ErrorKind::fault, options.out_dir,
+                "cannot be made: " + path_words(options.out_dir + "/", failure.value()));
   auto lock = std::make_shared<RunLock>(options.out_dir, output_names(jobs, options));
   for (const std::string& run : lock->unfinished()) {
     if (options.on_unfinished)

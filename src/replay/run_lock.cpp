@@ -16,10 +16,13 @@
 #include <iterator>
 #include <optional>
 #include <set>
+#include <sstream>
 #include <thread>
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
+#include "base/printable_text.hpp"
 
 namespace fingerpad {
 namespace {
@@ -29,8 +32,10 @@ using std::chrono::steady_clock;
 
 constexpr const char* guard_name = "guard";
 constexpr const char* lock_ending = ".lock";
-/// For a guard, which is held for milliseconds; and for the last processes of a run whose first is gone.
+/// For the last processes of a run whose first is gone.
 constexpr std::chrono::seconds patience{10};
+/// For a guard, which whoever has it holds for milliseconds, or while it waits for such processes.
+constexpr std::chrono::seconds guard_patience{60};
 constexpr std::chrono::milliseconds between_tries{20};
 
 /// An open file, closed at its end; its locks go with it.
@@ -74,11 +79,11 @@ bool is_at(int file, const std::string& path) noexcept {
 /// without registrations removes it with its guard; then it is made anew.
 std::optional<OpenFile> take_guard(const std::string& state, const std::string& folder) {
   const std::string path = state + "/" + guard_name;
-  for (const auto end = steady_clock::now() + patience; steady_clock::now() < end;) {
+  for (const auto end = steady_clock::now() + guard_patience; steady_clock::now() < end;) {
     if (mkdir(state.c_str(), 0777) != 0 && errno != EEXIST) throw cannot_write(folder);
     OpenFile guard(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (guard.number() < 0 && errno == ENOENT) continue;
-    if (guard.number() < 0) throw cannot_write(folder);
+    if (guard.number() < 0) throw cannot_write(path);
     const Locking locking = try_lock(guard.number(), LOCK_EX);
     if (locking == Locking::impossible) return std::nullopt;
     if (locking == Locking::got && is_at(guard.number(), path)) return guard;
@@ -109,11 +114,9 @@ std::string own_command() {
   std::ifstream file("/proc/self/cmdline", std::ios::binary);
   std::string command{std::istreambuf_iterator<char>(file), {}};
   while (!command.empty() && command.back() == '\0') command.pop_back();
-  for (char& c : command) {
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
-  }
+  std::replace(command.begin(), command.end(), '\0', ' ');
   if (command.size() > most) command = command.substr(0, most) + " ...";
-  return command;
+  return printable(command);
 }
 
 std::string registration_text(const std::vector<std::string>& names) {
@@ -123,8 +126,14 @@ std::string registration_text(const std::vector<std::string>& names) {
 }
 
 Registration read_registration(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
+  constexpr InputKind registration_file{"a registration", std::uint64_t{64} << 20};
   Registration found;
+  std::istringstream file;
+  try {
+    file.str(read_whole_file(path, registration_file));
+  } catch (const Error&) {
+    return found;
+  }
   std::string line;
   if (std::getline(file, line)) found.process = std::atol(line.c_str());
   std::getline(file, found.host);
@@ -136,8 +145,8 @@ Registration read_registration(const std::string& path) {
 /// Whether the run of a registration is under way. Where its first process is gone, the others of it (ranks)
 /// are about to end, and are waited for.
 bool is_held(const std::string& path, const Registration& registration) {
-  const OpenFile file(open(path.c_str(), O_RDWR | O_CLOEXEC));
-  if (file.number() < 0) return false;
+  const OpenFile file(open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));
+  if (file.number() < 0) return errno != ENOENT;  // what cannot be looked at may well be held
   const bool here = registration.process > 0 && registration.host == host_name();
   for (const auto end = steady_clock::now() + patience;;) {
     if (try_lock(file.number(), LOCK_EX) != Locking::busy) return false;

@@ -4,12 +4,14 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <fstream>
+#include <limits>
 #include <span>
+#include <sstream>
 
 #include "base/checksum.hpp"
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "base/number_text.hpp"
 #include "replay/figures.hpp"
 #include "replay/run_lock.hpp"
@@ -27,21 +29,32 @@ std::string proof_path(const std::string& trace_path) {
   return (trace.parent_path() / state_folder / trace.filename()).string() + ".proof";
 }
 
-/// Size and checksum of a file; nothing if it cannot be read.
+/// Size and checksum of a file; nothing if it cannot be read, or is none: a trace may go into a pipe.
 std::optional<std::string> fingerprint(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  if (!file) return std::nullopt;
-  std::vector<char> block(std::size_t{1} << 18);
-  std::uint64_t size = 0;
-  Checksum checksum;
-  while (file) {
-    file.read(block.data(), static_cast<std::streamsize>(block.size()));
-    const auto count = static_cast<std::size_t>(file.gcount());
-    checksum.add(block.data(), count);
-    size += count;
+  constexpr InputKind any_trace{"a trace", std::numeric_limits<std::uint64_t>::max()};
+  try {
+    InputFile file(path, any_trace);
+    std::vector<char> block(std::size_t{1} << 18);
+    std::uint64_t size = 0;
+    Checksum checksum;
+    while (const std::size_t count = file.read(block.data(), block.size())) {
+      checksum.add(block.data(), count);
+      size += count;
+    }
+    return fmt::format("{} {:016x}", size, checksum.value(size));
+  } catch (const Error&) {
+    return std::nullopt;
   }
-  if (file.bad()) return std::nullopt;
-  return fmt::format("{} {:016x}", size, checksum.value(size));
+}
+
+/// A proof's text; empty where there is none that can be read.
+std::string proof_text(const std::string& trace_path) {
+  constexpr InputKind proof_file{"a proof", std::uint64_t{1} << 20};
+  try {
+    return read_whole_file(proof_path(trace_path), proof_file);
+  } catch (const Error&) {
+    return "";
+  }
 }
 
 }  // namespace
@@ -81,13 +94,12 @@ void write_proof(const std::string& trace_path, const std::string& digest,
     OutputFile file(path);
     file.write(text);
     file.commit();
-  } catch (const Error&) {
-    fs::remove(path + ".part", ignored);
+  } catch (const Error&) {  // NOLINT(bugprone-empty-catch): a proof that cannot be written is none
   }
 }
 
 std::optional<std::vector<double>> proven_figures(const std::string& trace_path, const std::string& digest) {
-  std::ifstream proof(proof_path(trace_path), std::ios::binary);
+  std::istringstream proof(proof_text(trace_path));
   std::string line;
   if (!std::getline(proof, line) || line != first_line) return std::nullopt;
   if (!std::getline(proof, line) || line != "run " + digest) return std::nullopt;

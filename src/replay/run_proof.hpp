@@ -9,7 +9,7 @@
 
 namespace fingerpad {
 
-/// Everything that decides a trace's bytes, as 16 hex digits.
+/// Everything that decides a trace's bytes, as 16 hex digits; the program by its version alone.
 std::string run_digest(const TraceInfo& info, TraceFormat format);
 
 /// Keeps beside a finished trace, in the state folder, which run made it, what its bytes are and what the run

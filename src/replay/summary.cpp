@@ -80,8 +80,6 @@ void write_table(const std::filesystem::path& path, const std::string& text, std
     file.write(text);
     file.commit();
   } catch (const Error& error) {
-    std::error_code ignored;
-    std::filesystem::remove(path.string() + ".part", ignored);
     lost.push_back(error);
   }
 }

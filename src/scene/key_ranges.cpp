@@ -1,7 +1,10 @@
 #include "scene/key_ranges.hpp"
 
 #include <algorithm>
-#include <cassert>
+#include <cstdlib>
+#include <iterator>
+
+#include "motion/farthest.hpp"
 
 namespace fingerpad {
 namespace {
@@ -10,9 +13,6 @@ struct KeyRange {
   std::string_view key;
   double lowest, highest;
 };
-
-/// Lengths of a scene [m]: at most a million kilometres, as the components of its vectors.
-constexpr double far_m = 1e9;
 
 constexpr KeyRange ranges[] = {
     {"part.crease_deg", 0, 180},
@@ -30,9 +30,9 @@ constexpr KeyRange ranges[] = {
     {"friction.vibration.normal_amplitude", 0, 1},
     {"finger.radius_m", 0, 1000},
     {"motion.rate_hz", 1, 1e6},
-    {"motion.speed_m_per_s", 1e-9, far_m},
-    {"motion.amplitude_m", 0, far_m},
-    {"motion.radius_m", 0, far_m},
+    {"motion.speed_m_per_s", 1e-9, farthest_m},
+    {"motion.amplitude_m", 0, farthest_m},
+    {"motion.radius_m", 0, farthest_m},
     {"motion.frequency_hz", 0, 1e9},
     {"motion.duration_s", 1e-9, 1e9},
     {"hand.mass_kg", 1e-6, 1e3},
@@ -50,7 +50,7 @@ constexpr double least_of_a_law = 1e-12, most_of_a_law = 1e12;
 NumberRange key_range(std::string_view dotted_key) noexcept {
   const auto row = std::find_if(std::begin(ranges), std::end(ranges),
                                 [&](const KeyRange& range) { return range.key == dotted_key; });
-  assert(row != std::end(ranges));
+  if (row == std::end(ranges)) std::abort();  // a key that the reader asks for and nobody gave a range
   return {row->lowest, row->highest, false};
 }
 

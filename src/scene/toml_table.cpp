@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/number_text.hpp"
+#include "motion/farthest.hpp"
 
 namespace fingerpad {
 namespace {
@@ -148,7 +149,6 @@ std::string TomlTable::text(std::string_view key, const std::string& fallback) c
 }
 
 Vec3 TomlTable::vector(std::string_view key, const Vec3& fallback) const {
-  constexpr double max_component = 1e9;
   const TomlNode* found = value(key);
   if (found == nullptr) return fallback;
   typed(key, *found, found->is(TomlNode::Type::array), "a list of three numbers");
@@ -160,9 +160,9 @@ Vec3 TomlTable::vector(std::string_view key, const Vec3& fallback) const {
   for (int i = 0; i < 3; ++i) {
     const TomlNode& item = found->items[static_cast<std::size_t>(i)];
     typed(key, item, is_number(item), "a list of three numbers");
-    if (!(std::abs(item.number) <= max_component)) {
-      throw error(key, fmt::format("{} holds {}; it must lie between -1e9 and 1e9", name(key),
-                                   number_text(item.number)));
+    if (!(std::abs(item.number) <= farthest_m)) {
+      throw error(key, fmt::format("{} holds {}; it must lie between -{:g} and {:g}", name(key),
+                                   number_text(item.number), farthest_m, farthest_m));
     }
     vector[i] = item.number;
   }

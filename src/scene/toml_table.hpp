@@ -43,7 +43,7 @@ class TomlTable {
   std::int64_t whole(std::string_view key, std::int64_t fallback, std::int64_t min, std::int64_t max) const;
   bool flag(std::string_view key, bool fallback) const;
   std::string text(std::string_view key, const std::string& fallback) const;
-  /// Three finite numbers within +-1e9.
+  /// Three finite numbers within +-farthest_m.
   Vec3 vector(std::string_view key, const Vec3& fallback) const;
   /// A vector that has a direction, made unit.
   Vec3 direction(std::string_view key, const Vec3& fallback) const;

@@ -36,7 +36,11 @@ class Teller {
   template <typename Value>
   void operator()(const std::vector<Value>& values) {
     (*this)(std::uint64_t{values.size()});
-    for (const Value& value : values) (*this)(value);
+    if constexpr (std::is_arithmetic_v<Value> && !std::is_same_v<Value, bool>) {
+      numbers(std::span<const Value>(values));
+    } else {
+      for (const Value& value : values) (*this)(value);
+    }
   }
   template <typename Number, int Rows, int Columns>
   void operator()(const Eigen::Matrix<Number, Rows, Columns>& values) {

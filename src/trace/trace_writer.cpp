@@ -103,7 +103,9 @@ class Hdf5TraceWriter final : public TraceWriter {
 
 class CsvTraceWriter final : public TraceWriter {
  public:
-  explicit CsvTraceWriter(const std::string& path) : file_(path) { file_.write(csv_header()); }
+  explicit CsvTraceWriter(const std::string& path) : file_(path, OutputFile::Unfinished::kept) {
+    file_.write(csv_header());
+  }
 
   void append(std::span<const TickRecord> rows) override {
     for (const TickRecord& row : rows) {

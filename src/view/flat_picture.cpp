@@ -58,7 +58,8 @@ void write_flat_png(const Drawing& drawing, int width, int height, const std::st
   // takes a third of a gigabyte.
   constexpr long most_window_pixels = 4L << 20;
   if (static_cast<long>(width) * height > most_window_pixels) {
-    write_png(flat_pixels_in_strips(drawing, width, height, static_cast<int>(most_window_pixels / width)),
+    write_png(flat_pixels_in_strips(drawing, width, height,
+                                    static_cast<int>(std::max(1L, most_window_pixels / width))),
               path);
     return;
   }

@@ -187,6 +187,39 @@ TEST(OutputPlaces, AreToldBeforeTheWork) {
 #endif
 }
 
+TEST(OutputPlaces, BehindALinkAreWrittenAndTheLinkStays) {
+  const fs::path folder = folder_with_inputs();
+  const std::string table = run("query box.stl points.csv", folder).out;
+  ASSERT_NE(table, "");
+  std::ofstream(folder / "real.csv") << "old";
+  fs::permissions(folder / "real.csv", fs::perms(0640));
+  fs::create_symlink("real.csv", folder / "link.csv");
+  fs::create_symlink("new.csv", folder / "dangling.csv");
+  fs::create_symlink("/proc/self/fd/1", folder / "stdout.csv");
+  for (const char* out : {"link.csv", "dangling.csv", "stdout.csv"}) {
+    const ShellResult result = run(std::string("query box.stl points.csv --out ") + out, folder);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_TRUE(fs::is_symlink(folder / out)) << out;
+    EXPECT_EQ(result.out, std::string(out) == "stdout.csv" ? table : "");
+  }
+  EXPECT_EQ(bytes_of(folder / "real.csv"), table);
+  EXPECT_EQ(bytes_of(folder / "new.csv"), table);
+  EXPECT_EQ(fs::status(folder / "real.csv").permissions(), fs::perms(0640)) << "who may read it";
+}
+
+#ifdef FINGERPAD_VIEW
+TEST(Streams, AreViewedToo) {
+  const fs::path folder = folder_with_inputs();
+  const ShellResult result = run("view - --png seen.png <s.toml", folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_TRUE(fs::exists(folder / "seen.png"));
+}
+#endif
+
+TEST(Streams, AreScenesOnlyOnce) {
+  expect_told(run("replay - - --out o <s.toml", folder_with_inputs()), 2, "can be read only once");
+}
+
 TEST(OutputPlaces, AStudyTriesItsFolderBeforeItWorksForAMinute) {
   const fs::path folder = folder_with_inputs();
   for (const std::string subject : {"friction", "contact", "stability"}) {

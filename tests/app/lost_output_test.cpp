@@ -107,10 +107,16 @@ TEST(LostOutput, ClosedStreamsDoNotMixMessagesIntoTraces) {
 
 TEST(LostOutput, AReaderThatIsGoneEndsTheProgramWithoutAnAbort) {
   const fs::path folder = folder_with_inputs();
-  const std::string call = "'" + test::program().string() + "' --help; echo $? >code";
-  test::shell("{ sleep 0.3; " + call + "; } | true", folder);
+  // A pipe of which this shell alone holds the reading end, and lets it go before the program starts.
+  const std::string dead_pipe = "mkfifo p; exec 4<>p 5>p 4<&-; rm p; ";
+  test::shell("bash -c '" + dead_pipe + "(exec >&5; \"$0\" --help); echo $? >code' '" +
+                  test::program().string() + "'",
+              folder);
   EXPECT_EQ(bytes_of(folder / "code"), "141\n") << "SIGPIPE, as for any program in a pipe";
-  const ShellResult ignored = test::shell("(trap '' PIPE; sleep 0.3; " + call + ") | true", folder);
+  const ShellResult ignored =
+      test::shell("bash -c 'trap \"\" PIPE; " + dead_pipe + "(exec >&5; \"$0\" --help); echo $? >code' '" +
+                      test::program().string() + "'",
+                  folder);
   EXPECT_EQ(bytes_of(folder / "code"), "1\n");
   EXPECT_THAT(ignored.err, HasSubstr("standard output: cannot be written: Broken pipe"));
 }
