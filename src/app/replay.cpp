@@ -12,6 +12,7 @@
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "contact/contact_method_table.hpp"
 #include "replay/batch.hpp"
 
 namespace fingerpad {
@@ -235,7 +236,7 @@ void add_replay(CLI::App& program, Action& action) {
       "for each job.\n"
       "Under mpirun the ranks share the jobs. Ends 4 if some jobs of a batch failed; the others are done all "
       "the same.\n" +
-      laws_text());
+      laws_text() + contact_help_text());
   command->callback([options, &action] { action = [options] { return replay(*options); }; });
 }
 

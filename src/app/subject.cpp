@@ -47,7 +47,7 @@ ViewInput mesh_subject(const std::string& path, double metres_per_unit, LoadBar&
   ViewInput input;
   input.title = std::filesystem::path(path).filename().string();
   Scene scene = scene_of_mesh(path, metres_per_unit);
-  scene.contact.method = ContactMethod::closest_point;  // only looked at: nothing to measure it for
+  scene.contact.method = "closest-point";  // only looked at: nothing to measure it for
   input.world = load_world(scene, bar.progress());
   bar.finish();
   tell_warnings(*input.world);

@@ -189,7 +189,7 @@ Proxy::FacetWeights Proxy::weights_of(const ProxyWall& wall) const noexcept {
 
 void Proxy::remember_neighbours() noexcept {
   const ProxyWall& wall = cruise_.walls[0];
-  if (wall.triangle < 0 || normals_ == Normals::facet) {
+  if (wall.triangle < 0 || normals_->shade == nullptr) {
     fan_ = {};
     return;
   }

@@ -57,7 +57,7 @@ ProxyHold Proxy::hold_over(const ProxyWall& wall, double share_m, const Vec3& we
 
 /// The normal of a wall as Normals says at a point of its triangle.
 Vec3 Proxy::shaded_W(const ProxyWall& wall, const TrianglePoint& at) const noexcept {
-  if (normals_ == Normals::facet) return wall.normal;
+  if (normals_->shade == nullptr) return wall.normal;
   const ProxySurface& surface = around_.surfaces()[static_cast<std::size_t>(wall.surface)];
   const Vec3 normal_P = surface.R_WP.transpose() * wall.normal;
   const double side = side_of(surface.tree->part().facet_normals.col(wall.triangle), normal_P);
@@ -122,7 +122,7 @@ void Proxy::show(const Vec3& shaded) noexcept {
   const bool after_hop = hopped_ || lags_;
   lags_ = false;
   const double depth_m = contact_.depth_m, step2_m2 = (depth_m * shaded - last_push_).squaredNorm();
-  if (normals_ == Normals::facet || step2_m2 <= finger_m_ * finger_m_ || last_push_.isZero(0)) return;
+  if (normals_->shade == nullptr || step2_m2 <= finger_m_ * finger_m_ || last_push_.isZero(0)) return;
   const double most_m = most_step_m() + (after_hop ? unfelt_share * depth_m : 0.0);
   if (step2_m2 <= most_m * most_m) return;
   if (after_hop) {
@@ -166,7 +166,7 @@ void Proxy::report_held(const Vec3& goal, const ProxyProjection& p) noexcept {
   contact_.direction_W = push / contact_.depth_m;
   contact_.point_W = contact_.proxy_W - around_.radius_m() * contact_.direction_W;
   const std::span holding(walls.data(), static_cast<std::size_t>(p.active_count));
-  show(normals_ == Normals::facet ? contact_.direction_W
+  show(normals_->shade == nullptr ? contact_.direction_W
                                   : turned(contact_.direction_W, turn_of_holds(holding)));
   sort_by_share(contact_);
 }

@@ -1,24 +1,17 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
 
+#include "contact/placed_surface.hpp"
 #include "contact/proxy_near.hpp"
 #include "contact/proxy_wall.hpp"
-#include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
 
-/// One thing that a proxy stays out of: a part in its pose, or a plane.
-struct ProxySurface {
-  std::shared_ptr<const TriangleTree> tree;  ///< empty for a plane
-  Vec3 p_WP = Vec3::Zero();
-  Mat3 R_WP = Mat3::Identity();
-  Vec3 plane_point_W = Vec3::Zero();
-  Vec3 plane_normal_W = Vec3::UnitZ();  ///< unit
-};
+/// What a proxy stays out of.
+using ProxySurface = PlacedSurface;
 
 /// A step of the proxy and the walls that hold it.
 struct ProxyStep {

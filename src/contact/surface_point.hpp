@@ -3,19 +3,10 @@
 #include <limits>
 
 #include "contact/closest_memory.hpp"
+#include "contact/normals.hpp"
 #include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
-
-/// How the contact normal is made from facets.
-///   facet:  gradient of the distance to the facets as they are: the facet's own normal over a face; over a
-///   convex edge
-///           or vertex the direction from the surface point to the finger.
-///   smooth: corner normals interpolated over the triangle; creases and sharp vertices keep the facet rule.
-///   curved: a cubic patch over each triangle (curved_patch.hpp) stands for the surface: point, distance and
-///           normal are the patch's. The point's error falls with the cube of the facet size, the normal's
-///           with its square. Creases and sharp vertices stay sharp and keep the facet rule.
-enum class Normals { facet, smooth, curved };
 
 /// Where a point stands against a surface, frame P (the file's frame, not re-centred).
 struct SurfacePoint {
@@ -47,7 +38,7 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
                                    ClosestMemory& memory, double reach_m) noexcept;
 
 /// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that;
-/// `triangle` is -1 where neither has one, and for `curved`, whose surface is not the facets. No other
+/// `triangle` is -1 where neither has one, and for normals with a surface of their own. No other
 /// triangle is looked at: one may be nearer.
 /// noexcept, allocates nothing.
 SurfacePoint point_on_facet(const TriangleTree& tree, int t, const Vec3& p_P, Normals normals) noexcept;

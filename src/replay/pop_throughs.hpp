@@ -3,7 +3,7 @@
 #include <memory>
 #include <optional>
 
-#include "touch/proxy_contact.hpp"
+#include "contact/proxy.hpp"
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
 

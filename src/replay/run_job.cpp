@@ -6,9 +6,10 @@
 
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
+#include "contact/contact_method_table.hpp"
 #include "replay/run_proof.hpp"
 #include "touch/closed_loop.hpp"
-#include "touch/proxy_contact.hpp"
+#include "touch/inside_start.hpp"
 #include "trace/file_seal.hpp"
 #include "trace/motion_source.hpp"
 
@@ -33,7 +34,8 @@ std::optional<std::vector<double>> recounted(const std::string& path, const Trac
   }
   if (!trace.complete || static_cast<long>(trace.rows.size()) != ticks || !same_run(trace.info, info))
     return std::nullopt;
-  if (settled_contact(scene, *world).method == ContactMethod::proxy && !trace.rows.empty())
+  const ContactMethodEntry* method = find_contact_method(settled_contact(scene, *world).method);
+  if (method != nullptr && method->starts_outside && !trace.rows.empty())
     trace.rows.front().started_inside = is_inside_part(trace.rows.front(), *world);
   Figures figures(world);
   for (const TickRecord& row : trace.rows) figures.observe(row);
@@ -60,7 +62,7 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
     info.profile_text = read_whole_file(scene.finger.profile_path, profile_file);
   const ContactChoice contact = settled_contact(scene, world);
   info.contact_method = method_in(world, contact.method);
-  info.contact_normals = normals_name(contact.normals);
+  info.contact_normals = contact.normals->name;
   info.contact_reasons = contact.reasons;
   return info;
 }

@@ -4,12 +4,13 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
 
 #include "base/types.hpp"
-#include "contact/surface_point.hpp"
+#include "contact/normals.hpp"
 #include "friction/law_table.hpp"
 #include "motion/scripted_motion.hpp"
 #include "motion/simulated_hand.hpp"
@@ -41,11 +42,12 @@ struct PlaneEntry {
   SurfaceProperties surface;
 };
 
-/// method: `automatic` means the cheapest that keeps the tolerances (choose_contact).
-enum class ContactMethod { automatic, closest_point, proxy };
+/// The contact method that a scene leaves to the program: the cheapest that keeps the tolerances
+/// (choose_contact).
+inline constexpr std::string_view automatic_method = "auto";
 
 struct ContactSettings {
-  ContactMethod method = ContactMethod::automatic;
+  std::string method{automatic_method};  ///< or the name of a row of contact_method_table()
   Normals normals = Normals::smooth;
   bool automatic_normals = false;  ///< `normals = "auto"`: as for the method
   // What a choice must keep.

@@ -11,6 +11,7 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
+#include "contact/contact_method_table.hpp"
 #include "scene/key_ranges.hpp"
 #include "scene/scene_keys.hpp"
 #include "scene/toml_table.hpp"
@@ -118,19 +119,22 @@ PlaneEntry read_plane(const TomlNode& node, const std::string& path) {
 ContactSettings read_contact(const TomlNode& node, const std::string& path) {
   const TomlTable table(node, path, "[contact]", scene_keys("contact"));
   ContactSettings contact;
-  constexpr ContactMethod methods[] = {ContactMethod::automatic, ContactMethod::closest_point,
-                                       ContactMethod::proxy};
-  contact.method = methods[table.choice("method", 0, {"auto", "closest-point", "proxy"})];
+  std::vector<std::string> methods{contact.method};
+  for (const ContactMethodEntry& method : contact_method_table()) methods.emplace_back(method.name);
+  contact.method = methods[table.choice("method", 0, methods)];
   contact.force_tolerance =
       table.number("force_tolerance", contact.force_tolerance, key_range("contact.force_tolerance"));
   contact.mu_tolerance =
       table.number("mu_tolerance", contact.mu_tolerance, key_range("contact.mu_tolerance"));
   contact.greatest_force_n =
       table.number("greatest_force_n", contact.greatest_force_n, key_range("contact.greatest_force_n"));
-  constexpr Normals normals[] = {Normals::facet, Normals::smooth, Normals::curved};
-  const std::size_t word = table.choice("normals", 1, {"facet", "smooth", "curved", "auto"});
-  contact.automatic_normals = word == std::size(normals);
-  if (!contact.automatic_normals) contact.normals = normals[word];
+  std::vector<std::string> words;
+  for (const Normals normals : normals_table()) words.emplace_back(normals->name);
+  words.emplace_back("auto");
+  if (!table.has("normals")) return contact;
+  const std::size_t word = table.choice("normals", 0, words);
+  contact.automatic_normals = word == normals_table().size();
+  if (!contact.automatic_normals) contact.normals = normals_table()[word];
   return contact;
 }
 

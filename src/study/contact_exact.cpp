@@ -32,7 +32,7 @@ StudyPanel path_panel(const ExactFindings& found, std::size_t p, const std::stri
 template <typename Number>
 StudyPanel sample_panel(const ExactFindings& found, const std::string& y_label, Number number) {
   StudyPanel panel{"points within 2 mm of the whole part", facet_label, y_label, true, true, {}, {}};
-  for (std::size_t n = 0; n < ExactFindings::normals.size(); ++n) {
+  for (std::size_t n = 0; n < found.samples.size(); ++n) {
     StudySeries series{contact_variants()[n].name(), contact_variants()[n].style, found.facet_mm, {}};
     for (const SampleError& error : found.samples[n]) series.y.push_back(number(error));
     panel.series.push_back(std::move(series));
@@ -89,7 +89,7 @@ void tell_samples(StudyReport& report, const ExactFindings& found) {
                    {"triangles", "facet_m", "normals", "distance_rms_m", "distance_worst_m", "normal_rms_rad",
                     "normal_worst_rad", "samples", "normal_samples"},
                    {}};
-  for (std::size_t n = 0; n < ExactFindings::normals.size(); ++n) {
+  for (std::size_t n = 0; n < found.samples.size(); ++n) {
     for (std::size_t i = 0; i < found.facet_mm.size(); ++i) {
       const SampleError& e = found.samples[n][i];
       table.rows.push_back({found.triangles[i], found.facet_mm[i] / 1000, contact_variants()[n].normals_name,
@@ -146,9 +146,10 @@ void tell_orders(StudyReport& report, const ExactFindings& found) {
   StudyTable table{
       "contact_exact_orders", {"where", "rub", "method", "normals", "position_order", "normal_order"}, {}};
   const std::size_t finest = found.facet_mm.size() - 1;
-  for (std::size_t n = 0; n < ExactFindings::normals.size(); ++n) {
+  for (std::size_t n = 0; n < found.samples.size(); ++n) {
     const SampleError &a = found.samples[n][finest - 1], &b = found.samples[n][finest];
-    table.rows.push_back({"samples", "none", "closest-point", contact_variants()[n].normals_name,
+    table.rows.push_back({"samples", "none", contact_variants()[n].method_name,
+                          contact_variants()[n].normals_name,
                           order_of(found, a.distance_rms_m, b.distance_rms_m),
                           order_of(found, a.normal_rms_rad, b.normal_rms_rad)});
   }

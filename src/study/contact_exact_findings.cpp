@@ -69,15 +69,14 @@ ExactFindings exact_findings(const ExactSet& set) {
   for (const ExactPath& path : set.paths) found.path_names.push_back(path.name);
   found.sample_count = static_cast<double>(set.samples.size());
   found.paths.assign(set.paths.size(), std::vector<PathCurve>(contact_variants().size()));
+  found.samples.resize(normals_table().size());
   found.strikes.resize(contact_variants().size());
   for (const ExactMesh& mesh : set.meshes) {
     const auto world = world_of_part(mesh.part, "CAD part");
     found.facet_mm.push_back(1000 * mesh.facet_m);
     found.triangles.push_back(mesh.part->triangle_count());
-    for (std::size_t n = 0; n < ExactFindings::normals.size(); ++n) {
-      found.samples[n].push_back(
-          sample_error(set, mesh, *world->surfaces[0].tree, ExactFindings::normals[n]));
-    }
+    for (std::size_t n = 0; n < found.samples.size(); ++n)
+      found.samples[n].push_back(sample_error(set, mesh, *world->surfaces[0].tree, normals_table()[n]));
     found.chosen.push_back(automatic_choice(*world, 0, greatest_force_n));
     for (std::size_t v = 0; v < contact_variants().size(); ++v)
       found.strikes[v].push_back(strike_samples(set, world, contact_variants()[v]));

@@ -37,15 +37,13 @@ struct PathCurve {
 
 /// What the meshes of an exact set gave, coarse to fine.
 struct ExactFindings {
-  static constexpr std::array normals{Normals::facet, Normals::smooth, Normals::curved};
-
   std::vector<std::string> path_names;
   double sample_count = 0;
-  std::vector<double> facet_mm, triangles;                       ///< one a mesh
-  std::array<std::vector<SampleError>, normals.size()> samples;  ///< by normals, a mesh
-  std::vector<std::vector<PathCurve>> paths;                     ///< by path, a variant
-  std::vector<std::vector<StrikeCount>> strikes;                 ///< by variant, a mesh
-  std::vector<AutomaticChoice> chosen;                           ///< one a mesh
+  std::vector<double> facet_mm, triangles;        ///< one a mesh
+  std::vector<std::vector<SampleError>> samples;  ///< by row of normals_table(), a mesh
+  std::vector<std::vector<PathCurve>> paths;      ///< by path, a variant
+  std::vector<std::vector<StrikeCount>> strikes;  ///< by variant, a mesh
+  std::vector<AutomaticChoice> chosen;            ///< one a mesh
 };
 
 ExactFindings exact_findings(const ExactSet& set);

@@ -7,6 +7,8 @@
 #include <numbers>
 #include <numeric>
 
+#include "contact/contact_method_table.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -68,20 +70,31 @@ RubError rub_error_by(const std::shared_ptr<const World>& world, const ContactVa
   return error;
 }
 
+/// The n-th variant's. Methods beyond the first two are drawn as these are, but dotted.
+SeriesStyle variant_style(std::size_t n) {
+  using enum SeriesMarker;
+  constexpr SeriesDash solid = SeriesDash::solid, dashed = SeriesDash::dashed;
+  constexpr SeriesStyle styles[] = {{0, dashed, ring, 1.5},    {6, dashed, square, 1.3},
+                                    {2, dashed, diamond, 1.2}, {1, solid, disc, 0.9},
+                                    {4, solid, triangle, 0.8}, {3, solid, cross, 0.7}};
+  SeriesStyle style = styles[n % std::size(styles)];
+  if (n >= std::size(styles)) style.dash = SeriesDash::dotted;
+  return style;
+}
+
 }  // namespace
 
 const std::vector<ContactVariant>& contact_variants() {
-  using enum ContactMethod;
-  using enum SeriesMarker;
-  constexpr SeriesDash solid = SeriesDash::solid, dashed = SeriesDash::dashed;
-  static const std::vector<ContactVariant> variants{
-      {closest_point, Normals::facet, "closest-point", "facet", {0, dashed, ring, 1.5}},
-      {closest_point, Normals::smooth, "closest-point", "smooth", {6, dashed, square, 1.3}},
-      {closest_point, Normals::curved, "closest-point", "curved", {2, dashed, diamond, 1.2}},
-      {proxy, Normals::facet, "proxy", "facet", {1, solid, disc, 0.9}},
-      {proxy, Normals::smooth, "proxy", "smooth", {4, solid, triangle, 0.8}},
-      {proxy, Normals::curved, "proxy", "curved", {3, solid, cross, 0.7}},
-  };
+  static const std::vector<ContactVariant> variants = [] {
+    std::vector<ContactVariant> all;
+    for (const ContactMethodEntry& method : contact_method_table()) {
+      for (const Normals normals : normals_table()) {
+        all.push_back(
+            {normals, std::string(method.name), std::string(normals->name), variant_style(all.size())});
+      }
+    }
+    return all;
+  }();
   return variants;
 }
 
@@ -104,7 +117,7 @@ std::shared_ptr<const World> world_of_part(std::shared_ptr<const Part> part, con
 Scene scene_of_variant(const ContactVariant& variant, const std::string& law) {
   Scene scene;
   scene.name = "study";
-  scene.contact.method = variant.method;
+  scene.contact.method = variant.method_name;
   scene.contact.normals = variant.normals;
   scene.friction.law = law;
   scene.motion.rate_hz = 1 / tick_s;
@@ -113,7 +126,6 @@ Scene scene_of_variant(const ContactVariant& variant, const std::string& law) {
 
 AutomaticChoice automatic_choice(const World& world, double finger_radius_m, double greatest_force_n) {
   Scene scene;
-  scene.contact.method = ContactMethod::automatic;
   scene.contact.automatic_normals = true;
   scene.contact.greatest_force_n = greatest_force_n;
   scene.finger.radius_m = finger_radius_m;
@@ -123,7 +135,7 @@ AutomaticChoice automatic_choice(const World& world, double finger_radius_m, dou
   const ContactChoice choice = choose_contact(scene, world.surfaces, {&measures, 1});
   const auto& all = contact_variants();
   const auto found = std::find_if(all.begin(), all.end(), [&](const ContactVariant& v) {
-    return v.method == choice.method && v.normals == choice.normals;
+    return v.method_name == choice.method && v.normals == choice.normals;
   });
   return {&*found, choice.reasons.at(0)};
 }

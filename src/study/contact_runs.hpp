@@ -12,14 +12,14 @@ namespace fingerpad {
 
 /// One way to make contact: how the surface holds the finger, and whose normal is felt.
 struct ContactVariant {
-  ContactMethod method;
   Normals normals;
   std::string method_name, normals_name;
   SeriesStyle style;
   std::string name() const { return method_name + ", " + normals_name; }
 };
 
-/// Every method with every kind of normals; a style each, the same on every chart.
+/// Every row of the table of methods with every row of that of normals; a style each, the same on every
+/// chart.
 const std::vector<ContactVariant>& contact_variants();
 
 /// One part at the origin of 1000 N/m, with creases at 30 degrees.

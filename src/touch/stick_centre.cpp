@@ -21,7 +21,7 @@ Vec2 StickCentre::displacement(const Vec3& contact_W, const Mat3& frame_WC) cons
   return tangential(frame_WC, along) + remainder_m_;
 }
 
-void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat3& frame_WC,
+void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, const Mat3& frame_WC,
                         const Vec2& from_centre_m, Normals normals, bool on_surface,
                         int contact_triangle) noexcept {
   is_set_ = true;
@@ -29,7 +29,7 @@ void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat
   remainder_m_ = Vec2::Zero();
   point_W_ = contact_W - frame_WC.leftCols<2>() * from_centre_m;
   const double distance = from_centre_m.norm();
-  if (!on_surface || !surface.part || distance == 0) return;
+  if (!on_surface || surface.is_plane() || distance == 0) return;
 
   // Seek the point of the surface that lies `from_centre_m` behind S: step, look where the surface is,
   // correct by what is missing. On a surface of radius R the error falls by about (distance/R)^2 a round.
@@ -38,8 +38,7 @@ void StickCentre::place(const Surface& surface, const Vec3& contact_W, const Mat
   for (int round = 0; round < 5; ++round) {
     const Vec3 target = contact_W - frame_WC.leftCols<2>() * guess;
     // Mostly the centre comes to lie on the facet that S is on: then nothing need be searched.
-    WorldPoint near;
-    if (contact_triangle >= 0) near = nearest_on_facet(surface, contact_triangle, target, normals);
+    WorldPoint near = nearest_on_facet(surface, contact_triangle, target, normals);
     if (!near.found) near = nearest_point(surface, target, normals, contact_triangle, 2 * distance);
     if (!near.found) return;
     const Vec3 along = surface_displacement(near.point_W, near.normal_W, contact_W, frame_WC.col(2));

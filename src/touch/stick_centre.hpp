@@ -1,6 +1,6 @@
 #pragma once
 
-#include "touch/contact_query.hpp"
+#include "contact/placed_surface.hpp"
 
 namespace fingerpad {
 
@@ -21,8 +21,8 @@ class StickCentre {
   /// @param on_surface false: a point of the tangent plane is good enough (a centre dragged along in slip)
   /// @param contact_triangle  index into Part::triangles of where S lies: the search starts there; -1:
   /// unknown
-  void place(const Surface& surface, const Vec3& contact_W, const Mat3& frame_WC, const Vec2& from_centre_m,
-             Normals normals, bool on_surface, int contact_triangle = -1) noexcept;
+  void place(const PlacedSurface& surface, const Vec3& contact_W, const Mat3& frame_WC,
+             const Vec2& from_centre_m, Normals normals, bool on_surface, int contact_triangle = -1) noexcept;
 
   /// Displacement of S from the centre, in frame C [m]; zero without a centre.
   Vec2 displacement(const Vec3& contact_W, const Mat3& frame_WC) const noexcept;

@@ -7,6 +7,8 @@
 
 #include "base/error.hpp"
 #include "base/tangent_frame.hpp"
+#include "contact/contact_method_table.hpp"
+#include "touch/inside_start.hpp"
 
 namespace fingerpad {
 namespace {
@@ -28,21 +30,25 @@ FingerSample usable(FingerSample sample, const Vec3& normal_W) noexcept {
   return sample;
 }
 
+std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const World& world) {
+  const ContactChoice contact = settled_contact(scene, world);
+  const ContactMethodEntry* entry = find_contact_method(contact.method);
+  if (entry == nullptr) throw refused(scene.path, fmt::format("unknown contact method '{}'", contact.method));
+  return entry->make(placed_surfaces(world), scene.finger.radius_m, contact.normals);
+}
+
 }  // namespace
 
 Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
     : world_(std::move(world)),
       normals_(settled_contact(scene, *world_).normals),
-      radius_m_(scene.finger.radius_m),
       dt_s_(1 / scene.motion.rate_hz),
-      memories_(world_->surfaces.size()),
+      method_(make_contact_method(scene, *world_)),
       velocity_(scene.hand ? scene.hand->encoder_m : 0, dt_s_) {
   const LawEntry* entry = find_law(scene.friction.law);
   if (entry == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
   law_ = entry->make(scene.friction.settings);
-  if (settled_contact(scene, *world_).method == ContactMethod::proxy)
-    proxy_.emplace(world_proxy(*world_, scene.finger.radius_m, normals_));
   if (!scene.friction.vibration) return;
   vibration_settings_ = *scene.friction.vibration;
   vibration_.emplace(vibration_settings_.frequency_hz, vibration_settings_.bandwidth_hz, dt_s_,
@@ -51,8 +57,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
 
 void Touch::reset() noexcept {
   velocity_.reset();
-  for (ClosestMemory& memory : memories_) memory.forget();
-  if (proxy_) proxy_->reset();
+  method_->reset();
   release();
 }
 
@@ -63,34 +68,10 @@ void Touch::release() noexcept {
   if (vibration_) vibration_->rest();
 }
 
-Touch::Contact Touch::deepest_contact(const Vec3& p_WQ) noexcept {
-  Contact deepest;
-  for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
-    const WorldPoint at = nearest_point(world_->surfaces[i], p_WQ, normals_, memories_[i], radius_m_);
-    if (!at.found) continue;
-    const double depth_m = radius_m_ - at.signed_distance_m;
-    if (depth_m > deepest.depth_m) deepest = {static_cast<int>(i), at, depth_m};
-  }
-  return deepest;
-}
-
-Touch::Contact Touch::proxy_contact(const Vec3& p_WQ, TickRecord& record) noexcept {
-  const ProxyContact& proxy = proxy_->move(p_WQ, dt_s_);
-  record.started_inside = proxy.started;
-  if (!proxy.placed) return deepest_contact(p_WQ);  // no place for the ball: until there is one
-  Contact contact;
-  if (!proxy.touching) return contact;
-  const ProxyHold& hold = proxy.holds[0];
-  contact.surface = hold.surface;
-  contact.depth_m = proxy.depth_m;
-  contact.at = {proxy.point_W, proxy.normal_W, radius_m_ - proxy.depth_m, hold.triangle, true};
-  return contact;
-}
-
 void Touch::turn_frame(const Contact& contact, const Vec3& direction_W) noexcept {
   last_frame_WC_ = frame_WC_;
-  frame_WC_ = in_contact_ ? transported(frame_WC_, contact.at.normal_W)
-                          : tangent_frame(contact.at.normal_W, direction_W);
+  frame_WC_ =
+      in_contact_ ? transported(frame_WC_, contact.normal_W) : tangent_frame(contact.normal_W, direction_W);
 }
 
 TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_force_n,
@@ -99,7 +80,7 @@ TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_
     return Vec2(frame_WC_.col(0).dot(v), frame_WC_.col(1).dot(v));
   };
   const SurfaceProperties& properties =
-      world_->surfaces[static_cast<std::size_t>(contact.surface)].properties;
+      world_->surfaces[static_cast<std::size_t>(contact.holds[0].surface)].properties;
   const Vec3& normal_W = frame_WC_.col(2);
 
   TangentialMotion motion;
@@ -111,9 +92,9 @@ TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_
   motion.velocity_m_per_s = in_plane(velocity_W);
   if (in_contact_ && law_->reads_step()) {
     motion.step_m =
-        in_plane(surface_displacement(last_contact_W_, last_frame_WC_.col(2), contact.at.point_W, normal_W));
+        in_plane(surface_displacement(last_contact_W_, last_frame_WC_.col(2), contact.point_W, normal_W));
   }
-  motion.from_centre_m = centre_.displacement(contact.at.point_W, frame_WC_);
+  motion.from_centre_m = centre_.displacement(contact.point_W, frame_WC_);
   motion.inclination_rad = std::asin(std::min(1.0, std::abs(sample.direction_W.dot(normal_W))));
   motion.applied_force_n = in_plane(sample.push_W_n);
   const Vec2 longitudinal = in_plane(sample.direction_W);
@@ -125,8 +106,9 @@ TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_
 
 void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3& velocity_W,
                    TickRecord& record) noexcept {
-  const Surface& surface = world_->surfaces[static_cast<std::size_t>(contact.surface)];
-  const FingerSample sample = usable(given, contact.at.normal_W);
+  const ContactHold& hold = contact.holds[0];  // the greatest stands for all
+  const Surface& surface = world_->surfaces[static_cast<std::size_t>(hold.surface)];
+  const FingerSample sample = usable(given, contact.normal_W);
   turn_frame(contact, sample.direction_W);
   const Vec3& normal_W = frame_WC_.col(2);
 
@@ -139,14 +121,14 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3
   vibrate(friction, normal_force_n);
   if (friction.centre_moved) {
     // Sought on the surface where stick begins; a centre that a law drags along tick by tick needs no search.
-    centre_.place(surface, contact.at.point_W, frame_WC_, friction.from_centre_m, normals_,
-                  friction.phase == Phase::stick && !was_stuck, contact.at.triangle);
+    centre_.place(surface, contact.point_W, frame_WC_, friction.from_centre_m, normals_,
+                  friction.phase == Phase::stick && !was_stuck, hold.triangle);
   }
 
   record.phase = friction.phase;
   record.remedied = friction.remedied;
   record.depth_m = contact.depth_m;
-  record.contact_W = contact.at.point_W;
+  record.contact_W = contact.point_W;
   record.normal_W = normal_W;
   record.normal_force_n = normal_force_n;
   // Adding zero turns a minus zero, which a trace would show as "-0", into a plain one.
@@ -154,17 +136,16 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3
   record.force_W_n = normal_force_n * normal_W + record.friction_W_n;
   record.mu = normal_force_n > 0 ? friction.force_n.norm() / normal_force_n : 0.0;
   record.inclination_rad = motion.inclination_rad;
-  record.surface = contact.surface;
-  record.triangle = contact.at.triangle < 0
-                        ? -1
-                        : surface.part->file_triangle[static_cast<std::size_t>(contact.at.triangle)];
+  record.surface = hold.surface;
+  record.triangle =
+      hold.triangle < 0 ? -1 : surface.part->file_triangle[static_cast<std::size_t>(hold.triangle)];
   if (friction.phase == Phase::stick) {
     record.stick_centre_W = centre_.is_set()
                                 ? centre_.point_W()
-                                : Vec3(contact.at.point_W - frame_WC_.leftCols<2>() * friction.from_centre_m);
+                                : Vec3(contact.point_W - frame_WC_.leftCols<2>() * friction.from_centre_m);
   }
   in_contact_ = true;
-  last_contact_W_ = contact.at.point_W;
+  last_contact_W_ = contact.point_W;
 }
 
 /// Paper, figs. 10-11: the slipping pad's vibration shows in the tangential and in the normal force.
@@ -190,14 +171,13 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
     return record;
   }
   const Vec3 velocity_W = velocity_.next(sample.p_WQ);
-  const Contact contact = proxy_ ? proxy_contact(sample.p_WQ, record) : deepest_contact(sample.p_WQ);
-  if (contact.surface < 0) {
-    record.started_inside = false;
+  const Contact& contact = method_->touch(sample.p_WQ, dt_s_);
+  if (contact.hold_count == 0) {
     release();
     return record;
   }
   answer(contact, sample, velocity_W, record);
-  record.started_inside = record.started_inside && is_inside_part(record, *world_);
+  record.started_inside = contact.started && is_inside_part(record, *world_);
   if (meaningful(record.force_W_n)) return record;
   reset();  // a force that overflowed is no force to give to a person's hand
   TickRecord lost;

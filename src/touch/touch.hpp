@@ -2,12 +2,11 @@
 
 #include <memory>
 #include <optional>
-#include <vector>
 
+#include "contact/contact_method.hpp"
 #include "friction/law.hpp"
 #include "friction/slip_vibration.hpp"
 #include "motion/velocity_estimator.hpp"
-#include "touch/proxy_contact.hpp"
 #include "touch/stick_centre.hpp"
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
@@ -18,8 +17,8 @@ namespace fingerpad {
 class Touch {
  public:
   /// @param world  as load_world(scene) made it, with the choice of what the scene leaves open
-  /// @param scene  its contact, friction, finger and rate. Throws Error (refused) for a law that cannot be
-  /// made.
+  /// @param scene  its contact, friction, finger and rate. Throws Error (refused) for a contact method or a
+  /// law that no table has.
   Touch(std::shared_ptr<const World> world, const Scene& scene);
 
   /// sample -> contact -> friction -> force, at the scene's fixed tick 1/rate.
@@ -31,14 +30,6 @@ class Touch {
   void reset() noexcept;
 
  private:
-  struct Contact {
-    int surface = -1;
-    WorldPoint at;
-    double depth_m = 0;
-  };
-
-  Contact deepest_contact(const Vec3& p_WQ) noexcept;
-  Contact proxy_contact(const Vec3& p_WQ, TickRecord& record) noexcept;
   void turn_frame(const Contact& contact, const Vec3& direction_W) noexcept;
   TangentialMotion tangential_motion(const Contact& contact, double normal_force_n, const Vec3& velocity_W,
                                      const FingerSample& sample) const noexcept;
@@ -50,11 +41,9 @@ class Touch {
   std::shared_ptr<const World> world_;
   std::shared_ptr<const FrictionLaw> law_;
   Normals normals_;
-  double radius_m_;
   double dt_s_;
 
-  std::vector<ClosestMemory> memories_;  ///< per surface: what the next search starts from
-  std::optional<Proxy> proxy_;  ///< where the scene asks for it; else each tick's closest point serves
+  std::unique_ptr<ContactMethod> method_;
   VelocityEstimator velocity_;
 
   bool in_contact_ = false;

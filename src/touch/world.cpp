@@ -4,6 +4,10 @@
 
 namespace fingerpad {
 
+std::vector<PlacedSurface> placed_surfaces(const World& world) {
+  return {world.surfaces.begin(), world.surfaces.end()};
+}
+
 std::shared_ptr<const World> load_world(const Scene& scene, const LoadProgress& progress) {
   MeshStore meshes(scene.parts.size() + 1, progress);
   return load_world(scene, meshes);
@@ -34,9 +38,9 @@ std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
     world->surfaces.push_back(std::move(surface));
   }
   world->contact = choose_contact(scene, world->surfaces, measures);
-  if (settled_contact(scene, *world).normals == Normals::curved) {
+  if (const auto prepare = settled_contact(scene, *world).normals->prepare; prepare != nullptr) {
     for (const Surface& surface : world->surfaces) {
-      if (surface.tree) surface.tree->prepare_curved();
+      if (surface.tree) prepare(*surface.tree);
     }
   }
   return world;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "contact/surface_point.hpp"
+#include "contact/placed_surface.hpp"
 #include "part/load_progress.hpp"
 #include "part/verdict.hpp"
 #include "scene/scene.hpp"
@@ -13,16 +13,9 @@
 
 namespace fingerpad {
 
-/// One thing that can be touched: a part in its pose, or a plane.
-struct Surface {
+/// One thing that can be touched, and what the scene says of it.
+struct Surface : PlacedSurface {
   SurfaceProperties properties;
-  std::shared_ptr<const Part> part;          ///< empty for a plane
-  std::shared_ptr<const TriangleTree> tree;  ///< empty for a plane
-  Vec3 p_WP = Vec3::Zero();
-  Mat3 R_WP = Mat3::Identity();
-  Vec3 plane_point_W = Vec3::Zero();
-  Vec3 plane_normal_W = Vec3::UnitZ();
-
   std::string mesh;       ///< as written in the scene; empty for a plane
   std::string mesh_hash;  ///< of the file's bytes
 };
@@ -35,6 +28,9 @@ struct World {
   std::optional<ContactChoice>
       contact;  ///< as load_world chose it for its scene; none in worlds made by hand
 };
+
+/// Where everything in a world stands, in its order: what a contact method is made for.
+std::vector<PlacedSurface> placed_surfaces(const World& world);
 
 class MeshStore;
 

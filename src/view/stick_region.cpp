@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "base/tangent_frame.hpp"
+#include "contact/placed_surface.hpp"
 #include "friction/law_parameters.hpp"
-#include "touch/contact_query.hpp"
 
 namespace fingerpad {
 

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "touch/contact_query.hpp"
+#include "contact/placed_surface.hpp"
 #include "view/touch_window.hpp"
 
 namespace fingerpad {

@@ -98,10 +98,9 @@ FilletRub rub_over_fillet(int facets, int rows, Normals normals) {
 TEST(CurvedSurface, OverAFilletTheForceStepsFallWithTheFacetsSize) {
   for (const int rows : {1, 7}) {
     std::array<FilletRub, 3> coarse, fine;
-    for (const Normals normals : all_normals) {
-      const auto k = static_cast<std::size_t>(normals);
-      coarse[k] = rub_over_fillet(8, rows, normals);
-      fine[k] = rub_over_fillet(16, rows, normals);
+    for (std::size_t k = 0; k < std::size(all_normals); ++k) {
+      coarse[k] = rub_over_fillet(8, rows, all_normals[k]);
+      fine[k] = rub_over_fillet(16, rows, all_normals[k]);
     }
     const auto order = [](double a, double b) { return std::log2(a / b); };
     // Facets: by the turn from one to the next. Interpolated normals do not jump, but their slope does, by
@@ -140,8 +139,7 @@ TEST(CurvedSurface, ARubOverTheInternalEdgesOfAFlatFaceDoesNotMoveTheForce) {
         const double s = -0.8 + 1.6 * i / test::samples(4000);
         const SurfacePoint p = at(tree, turn * Vec3(s, 0.3 * s - 0.1, height_m), normals);
         const Vec3 force = (finger_m - p.signed_distance_m) * p.normal_P;
-        ASSERT_LE((force - truth).norm(), 1e-9 * truth.norm())
-            << static_cast<int>(normals) << " " << height_m;
+        ASSERT_LE((force - truth).norm(), 1e-9 * truth.norm()) << normals->name << " " << height_m;
       }
     }
   }

@@ -192,7 +192,7 @@ TEST_P(HostilePoints, NothingEnclosesAPointThatIsNowhereNear) {
 }
 
 TEST_P(HostilePoints, SurfacePointsAreSound) {
-  for (const Normals normals : {Normals::facet, Normals::smooth, Normals::curved}) {
+  for (const Normals normals : normals_table()) {
     for (int i = 0; i < rounds / 4; ++i) {
       expect_sound_surface(nearest_surface_point(tree_, point(), normals, -1, i % 2 == 0 ? inf : number()));
       if (HasFailure()) return;

@@ -215,8 +215,7 @@ void expect_promises_kept(const test::NastyWorld& world, int ticks) {
   for (const Normals normals : {Normals::smooth, Normals::curved}) {
     for (const double radius : {0.0, 0.03}) {
       for (int seed = 0; seed < 2; ++seed) {
-        SCOPED_TRACE(testing::Message() << (normals == Normals::smooth ? "smooth" : "curved") << ", radius "
-                                        << radius << ", seed " << seed);
+        SCOPED_TRACE(testing::Message() << normals->name << ", radius " << radius << ", seed " << seed);
         const Findings found = rub(world, cones, normals, radius, seed, ticks);
         touched += found.touched;
         // Rounding of unit vectors.

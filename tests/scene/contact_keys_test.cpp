@@ -14,7 +14,7 @@ using testing::StartsWith;
 
 TEST(SceneContact, DefaultsAreTheDocumentedOnes) {
   const ContactSettings contact = read_scene(plane_scene).contact;
-  EXPECT_EQ(contact.method, ContactMethod::automatic);
+  EXPECT_EQ(contact.method, automatic_method);
   EXPECT_EQ(contact.normals, Normals::smooth);
   EXPECT_FALSE(contact.automatic_normals);
   EXPECT_EQ(contact.force_tolerance, 0.03);

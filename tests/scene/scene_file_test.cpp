@@ -89,7 +89,7 @@ TEST(SceneFile, ReadsEveryKeyOfTheContract) {
   EXPECT_EQ(part.surface.damping_n_s_per_m, 0.25);
   EXPECT_EQ(part.surface.mu_static, 0.4);
   EXPECT_EQ(part.surface.mu_dynamic, 0.1);
-  EXPECT_EQ(s.contact.method, ContactMethod::closest_point);
+  EXPECT_EQ(s.contact.method, "closest-point");
   EXPECT_EQ(s.contact.normals, Normals::facet);
   EXPECT_EQ(s.friction.law, "stick-slip");
   EXPECT_EQ(s.friction.settings.restick, Restick::crossing);
@@ -129,7 +129,7 @@ TEST(SceneFile, DefaultsAreTheDocumentedOnes) {
   EXPECT_EQ(s.parts[0].surface.stiffness_n_per_m, 1000);
   EXPECT_EQ(s.parts[0].surface.mu_static, 0.3);
   EXPECT_EQ(s.parts[0].surface.mu_dynamic, 0.2);
-  EXPECT_EQ(s.contact.method, ContactMethod::automatic);
+  EXPECT_EQ(s.contact.method, automatic_method);
   EXPECT_EQ(s.contact.normals, Normals::smooth);
   EXPECT_EQ(s.friction.law, "finger-pad");
   EXPECT_EQ(s.friction.settings.restick, Restick::level);

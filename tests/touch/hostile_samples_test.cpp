@@ -7,6 +7,7 @@
 
 #include "base/error.hpp"
 #include "base/random_stream.hpp"
+#include "contact/contact_method_table.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/closed_loop.hpp"
@@ -100,9 +101,9 @@ TEST(HostileSamples, EveryLawAnswersWithFiniteForces) {
         SurfaceProperties{1e9, 0, 0, 0}}) {
     const auto world = box_and_plane(properties);
     for (const LawEntry& law : law_table()) {
-      for (const ContactMethod method : {ContactMethod::closest_point, ContactMethod::proxy}) {
+      for (const ContactMethodEntry& method : contact_method_table()) {
         Scene scene = test::plane_scene(std::string(law.name));
-        scene.contact.method = method;
+        scene.contact.method = method.name;
         tick_with_anything(world, scene, 600);
         ASSERT_FALSE(HasFatalFailure()) << law.name << " stiffness " << properties.stiffness_n_per_m;
       }
@@ -112,11 +113,11 @@ TEST(HostileSamples, EveryLawAnswersWithFiniteForces) {
 
 TEST(HostileSamples, EveryNormalAndRadiusAndRateAnswersWithFiniteForces) {
   const auto world = box_and_plane({});
-  for (const Normals normals : {Normals::facet, Normals::smooth, Normals::curved}) {
+  for (const Normals normals : normals_table()) {
     for (const double radius_m : {0.0, 0.004, 1000.0}) {
       for (const double rate_hz : {1.0, 1e6}) {
         Scene scene = test::plane_scene("finger-pad");
-        scene.contact.method = radius_m > 1 ? ContactMethod::closest_point : ContactMethod::proxy;
+        scene.contact.method = radius_m > 1 ? "closest-point" : "proxy";
         scene.contact.normals = normals;
         scene.finger.radius_m = radius_m;
         scene.motion.rate_hz = rate_hz;

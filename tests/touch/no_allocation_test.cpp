@@ -8,6 +8,7 @@
 #include <new>
 #include <thread>
 
+#include "contact/contact_method_table.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/servo_loop.hpp"
@@ -61,15 +62,13 @@ namespace {
 
 TEST(Tick, AllocatesNothingWhereItSticksSlipsAndCrossesEdges) {
   const auto world = test::world_of(test::torus_soup(0.05, 0.02, 48, 24));
-  const std::pair<ContactMethod, Normals> contacts[] = {{ContactMethod::closest_point, Normals::smooth},
-                                                        {ContactMethod::closest_point, Normals::curved},
-                                                        {ContactMethod::proxy, Normals::smooth},
-                                                        {ContactMethod::proxy, Normals::curved}};
-  for (const auto& [method, normals] : contacts) {
+  std::vector<ContactSettings> contacts;
+  for (const ContactMethodEntry& method : contact_method_table()) {
+    for (const Normals normals : normals_table()) contacts.push_back({std::string(method.name), normals});
+  }
+  for (const ContactSettings& contact : contacts) {
     Scene scene = test::plane_scene("finger-pad");
-    scene.contact.method = method;
-    scene.contact.normals = normals;
-    scene.contact.automatic_normals = false;
+    scene.contact = contact;
     Touch touch(world, scene);
     bool stuck = false, slipped = false;
     const auto sample_at = [](int k) {
@@ -99,9 +98,9 @@ struct ServoCount {
 TEST(ServoLoop, AllocatesNothingFromItsFirstTickOn) {
   constexpr long ticks = 600;  // more than the history holds, so that old records leave it
   const auto world = test::world_of(test::torus_soup(0.05, 0.02, 48, 24));
-  for (const ContactMethod method : {ContactMethod::closest_point, ContactMethod::proxy}) {
+  for (const ContactMethodEntry& method : contact_method_table()) {
     Scene scene = test::plane_scene("finger-pad");
-    scene.contact.method = method;
+    scene.contact.method = method.name;
     scene.motion.rate_hz = 2000;
     ServoCount count;
     ServoLoop loop(

@@ -1,5 +1,3 @@
-#include "touch/proxy_contact.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -20,13 +18,13 @@ using test::world_of;
 
 Scene proxy_scene(const std::string& law = "none") {
   Scene scene = plane_scene(law);
-  scene.contact.method = ContactMethod::proxy;
+  scene.contact.method = "proxy";
   return scene;
 }
 
 Scene closest_scene(const std::string& law = "none") {
   Scene scene = plane_scene(law);
-  scene.contact.method = ContactMethod::closest_point;
+  scene.contact.method = "closest-point";
   return scene;
 }
 
@@ -94,7 +92,7 @@ TEST(ProxyContact, NeverPopsThroughAPlate) {
               << thickness_m << " " << speed << " " << radius_m;
           ASSERT_LT(row.force_W_n.head<2>().norm(), 1e-9);
         }
-        scene.contact.method = ContactMethod::closest_point;
+        scene.contact.method = "closest-point";
         closest_pops += run(world, scene, positions).back().force_W_n.z() < 1 ? 1 : 0;
       }
     }

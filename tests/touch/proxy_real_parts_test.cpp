@@ -7,10 +7,10 @@
 #include <cstdlib>
 
 #include "base/random_stream.hpp"
+#include "contact/proxy.hpp"
 #include "support/brute_force.hpp"
 #include "support/paths.hpp"
 #include "support/worlds.hpp"
-#include "touch/proxy_contact.hpp"
 #include "touch/touch.hpp"
 
 // A finger that wanders over and straight through every real part at up to 20 m/s, held by a proxy with the
@@ -80,7 +80,7 @@ GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(ProxyOnRealPart);
 
 Scene walk_scene(const std::filesystem::path& mesh, double radius_m) {
   Scene scene = test::plane_scene("finger-pad");
-  scene.contact.method = ContactMethod::proxy;
+  scene.contact.method = "proxy";
   scene.contact.automatic_normals = true;
   scene.finger.radius_m = radius_m;
   PartEntry& part = scene.parts.emplace_back();
@@ -99,7 +99,7 @@ WalkFigures walk(const std::shared_ptr<const World>& world, const Scene& scene, 
   const Part& part = *world->surfaces[0].part;
   Touch touch(world, scene);
   // The same again, to look into.
-  Proxy proxy = world_proxy(*world, scene.finger.radius_m, settled_contact(scene, *world).normals);
+  Proxy proxy(placed_surfaces(*world), scene.finger.radius_m, settled_contact(scene, *world).normals);
   Wanderer finger(part);
   WalkFigures figures;
   const int looks = part.triangle_count() > 300000 ? 4 : 20;  // brute force is slow
@@ -145,8 +145,8 @@ TEST_P(ProxyOnRealPart, NeverGetsInsideAndKeepsWithinTheFrictionLimit) {
     fmt::print(
         "{}: {} normals, ball of {:.3g} mm, {} ticks, {:.1f} % in contact, friction at most {:+.1e} over "
         "its limit, {} forces not finite, {:.1f} s\n",
-        GetParam().filename().string(), normals_name(settled_contact(scene, *world).normals), 1e3 * radius_m,
-        ticks, 100.0 * figures.touched / ticks, figures.worst_excess, figures.non_finite, took.count());
+        GetParam().filename().string(), settled_contact(scene, *world).normals->name, 1e3 * radius_m, ticks,
+        100.0 * figures.touched / ticks, figures.worst_excess, figures.non_finite, took.count());
   }
 }
 

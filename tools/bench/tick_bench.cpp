@@ -17,6 +17,7 @@
 #include <numbers>
 
 #include "base/random_stream.hpp"
+#include "contact/contact_method_table.hpp"
 #include "meshes.hpp"
 #include "query_paths.hpp"
 #include "touch/touch.hpp"
@@ -85,7 +86,7 @@ struct Mesh {
 };
 
 struct Pairing {
-  ContactMethod method;
+  std::string method;
   Normals normals;
   double finger_radius_m;
   std::string law;
@@ -160,17 +161,13 @@ void tick_beside_query(benchmark::State& state, Mesh& mesh, const Pairing& pairi
 }
 
 void add_pairs(Mesh& mesh) {
-  const std::pair<ContactMethod, const char*> methods[] = {{ContactMethod::proxy, "proxy"},
-                                                           {ContactMethod::closest_point, "closest-point"}};
-  const std::pair<Normals, const char*> shadings[] = {
-      {Normals::facet, "facet"}, {Normals::smooth, "smooth"}, {Normals::curved, "curved"}};
-  for (const auto& [method, method_name] : methods) {
-    for (const auto& [normals, normals_name] : shadings) {
+  for (const ContactMethodEntry& method : contact_method_table()) {
+    for (const Normals normals : normals_table()) {
       for (const double finger_radius_m : {0.0, finger_m}) {
         for (const char* law : {"none", "finger-pad"}) {
-          const std::string name = mesh.name + "/" + method_name + "/" + normals_name + "/" +
+          const Pairing pairing{std::string(method.name), normals, finger_radius_m, law};
+          const std::string name = mesh.name + "/" + pairing.method + "/" + std::string(normals->name) + "/" +
                                    (finger_radius_m > 0 ? "ball" : "point") + "/" + law;
-          const Pairing pairing{method, normals, finger_radius_m, law};
           benchmark::RegisterBenchmark(name.c_str(), [&mesh, pairing](benchmark::State& state) {
             tick_beside_query(state, mesh, pairing);
           })->Iterations(200);

@@ -1,0 +1,70 @@
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "contact/contact_method_table.hpp"
+#include "contact/part_measures.hpp"
+#include "contact/placed_surface.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// Each tick's deepest surface, at its nearest point to the finger: no tick knows of the last.
+class ClosestPoint final : public ContactMethod {
+ public:
+  ClosestPoint(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
+      : surfaces_(std::move(surfaces)), radius_m_(radius_m), normals_(normals), memories_(surfaces_.size()) {}
+
+  const Contact& touch(const Vec3& p_WQ, double /*dt_s*/) noexcept override {
+    contact_.hold_count = 0;
+    contact_.depth_m = 0;
+    for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+      const WorldPoint at = nearest_point(surfaces_[i], p_WQ, normals_, memories_[i], radius_m_);
+      const double depth_m = radius_m_ - at.signed_distance_m;
+      if (!at.found || !(depth_m > contact_.depth_m)) continue;
+      contact_.hold_count = 1;
+      contact_.holds[0] = {static_cast<int>(i), at.triangle, at.point_W, at.normal_W, depth_m};
+      contact_.depth_m = depth_m;
+      contact_.point_W = at.point_W;
+      contact_.normal_W = at.normal_W;
+    }
+    return contact_;
+  }
+
+  void reset() noexcept override {
+    for (ClosestMemory& memory : memories_) memory.forget();
+  }
+
+ private:
+  std::vector<PlacedSurface> surfaces_;
+  double radius_m_;
+  Normals normals_;
+  std::vector<ClosestMemory> memories_;  ///< per surface: what the next search starts from
+  Contact contact_;
+};
+
+/// Why it is enough for a part that no other method is needed for.
+std::string enough(const ContactDemand& demand) {
+  if (demand.centre_depth_m <= 0)
+    return demand.press + " and no more: its centre stays outside, and it touches one wall at a time";
+  if (!std::isfinite(demand.part.thinnest_m))
+    return "it is closed and has no walls that face away from each other";
+  return fmt::format("walls are {:.3g} mm thick or more and {}", 1e3 * demand.part.thinnest_m, demand.press);
+}
+
+}  // namespace
+
+ContactMethodEntry closest_point_method() noexcept {
+  return {"closest-point",
+          "each tick's nearest surface point; it remembers nothing",
+          "holds on closed thick parts; lets go beyond the middle of a wall, and feels one wall at a time",
+          false,
+          true,
+          enough,
+          [](std::vector<PlacedSurface> surfaces, double radius_m,
+             Normals normals) -> std::unique_ptr<ContactMethod> {
+            return std::make_unique<ClosestPoint>(std::move(surfaces), radius_m, normals);
+          }};
+}
+
+}  // namespace fingerpad

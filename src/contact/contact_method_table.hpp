@@ -1,0 +1,52 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "contact/contact_method.hpp"
+#include "contact/normals.hpp"
+
+namespace fingerpad {
+
+struct PartMeasures;
+struct PlacedSurface;
+
+/// What a scene asks of contact with one of its parts: what `auto` decides by.
+struct ContactDemand {
+  const PartMeasures& part;
+  double finger_radius_m = 0;
+  double force_tolerance = 0;  ///< error of the force that is allowed, as a fraction of it
+  double centre_depth_m = 0;   ///< that the finger's centre reaches at the most; negative: it stays outside
+  std::string press{};         ///< the same in words: "10 N at 1000 N/m presses 10 mm deep"
+  bool has_neighbour = false;  ///< another surface stands nearer than the finger's width
+};
+
+/// One row of the table of contact methods.
+struct ContactMethodEntry {
+  std::string_view name;     ///< as scenes write it
+  std::string_view summary;  ///< what it does, in a line
+  std::string_view holds;    ///< what it holds the finger against, and what not, in a line
+  /// Whether a finger that begins inside of a part is put at the nearest place outside, which is told.
+  bool starts_outside;
+  /// Whether normals with a surface of their own (`curved`) are touched there; else they only shade.
+  bool touches_own_surface;
+  /// Why `auto` takes this method for a part rather than those before it in the table, in words that follow
+  /// "because"; empty where those serve. Null: `auto` never takes it.
+  std::string (*needed)(const ContactDemand& demand);
+  /// @param surfaces  all that can be touched, in the world's order; parts with their trees
+  std::unique_ptr<ContactMethod> (*make)(std::vector<PlacedSurface> surfaces, double radius_m,
+                                         Normals normals);
+};
+
+/// All contact methods, the cheapest first.
+std::span<const ContactMethodEntry> contact_method_table() noexcept;
+/// The row of a name; nullptr if there is none.
+const ContactMethodEntry* find_contact_method(std::string_view name) noexcept;
+
+/// Both tables, of methods and of normals, for a help text.
+std::string contact_help_text();
+
+}  // namespace fingerpad

@@ -1,0 +1,68 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "base/types.hpp"
+
+namespace fingerpad {
+
+class TriangleTree;
+struct ClosestTriangle;
+struct PartMeasures;
+struct SurfacePoint;
+struct TrianglePoint;
+
+/// What a scene asks of normals on one of its parts: what `auto` decides by.
+struct NormalsDemand {
+  const PartMeasures& part;
+  double tilt_rad = 0;               ///< error of the normal that is allowed
+  double sag_m = 0;                  ///< error of the surface that is allowed
+  bool touches_own_surface = false;  ///< whether the contact method touches a surface of the normals' own
+};
+
+/// One row of the table of normals: how the contact normal is made from facets. Creases and sharp vertices
+/// keep the facet rule with all of them.
+struct NormalsEntry {
+  std::string_view name;     ///< as scenes write it
+  std::string_view summary;  ///< in a line
+  /// Why `auto` takes these for a part rather than those before them in the table, in words that follow
+  /// "because"; empty where those serve. Null: `auto` never takes them.
+  std::string (*needed)(const NormalsDemand& demand);
+  /// The normal at a smooth place of triangle t; null: what the facet rule gives there.
+  /// @param facet_normal_P  that, on the facets' outer side, unit
+  Vec3 (*shade)(const TriangleTree& tree, int t, const TrianglePoint& at,
+                const Vec3& facet_normal_P) noexcept;
+  /// The answer on a surface that stands for the facets; null: the facets are the surface.
+  /// @param facets             the tree's answer for q, found
+  /// @param q                  relative to the part's centre [m]
+  /// @param signed_distance_m  to the facets
+  SurfacePoint (*own_surface)(const TriangleTree& tree, const ClosestTriangle& facets, const Vec3& q,
+                              double signed_distance_m) noexcept;
+  double strays = 0;                               ///< of that surface off the facets, in sizes of the part
+  void (*prepare)(const TriangleTree&) = nullptr;  ///< makes later answers faster; null: nothing to make
+};
+
+extern const NormalsEntry normals_facet, normals_smooth, normals_curved;
+
+/// A row of the table of normals.
+class Normals {
+ public:
+  static const Normals facet, smooth, curved;
+
+  constexpr explicit Normals(const NormalsEntry& row) noexcept : row_(&row) {}
+  constexpr const NormalsEntry* operator->() const noexcept { return row_; }
+  friend constexpr bool operator==(Normals, Normals) noexcept = default;
+
+ private:
+  const NormalsEntry* row_;
+};
+inline constexpr Normals Normals::facet{normals_facet};
+inline constexpr Normals Normals::smooth{normals_smooth};
+inline constexpr Normals Normals::curved{normals_curved};
+
+/// All kinds of normals, the plainest first.
+std::span<const Normals> normals_table() noexcept;
+
+}  // namespace fingerpad

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <memory>
+
+#include "contact/surface_point.hpp"
+
+namespace fingerpad {
+
+/// One thing to be touched, where it stands in the world: a part in its pose, or a plane. The functions below
+/// answer for both kinds, a plane in closed form; who asks them need not tell the kinds apart.
+struct PlacedSurface {
+  std::shared_ptr<const Part> part;          ///< none: a plane
+  std::shared_ptr<const TriangleTree> tree;  ///< over the part; none where it is only to be looked at
+  Vec3 p_WP = Vec3::Zero();
+  Mat3 R_WP = Mat3::Identity();
+  Vec3 plane_point_W = Vec3::Zero();
+  Vec3 plane_normal_W = Vec3::UnitZ();  ///< outward, unit
+
+  bool is_plane() const noexcept { return !part && !tree; }
+};
+
+/// Where a point stands against one surface of a world, frame W.
+struct WorldPoint {
+  Vec3 point_W = Vec3::Zero();    ///< S [m]
+  Vec3 normal_W = Vec3::UnitZ();  ///< outward, unit
+  double signed_distance_m = std::numeric_limits<double>::infinity();
+  int triangle = -1;   ///< index into Part::triangles, the next search's seed; -1 for a plane
+  bool found = false;  ///< something lies within reach, or the point is inside
+};
+
+/// The nearest point of a surface to p_WQ. `found` is false where the surface is farther than reach_m; for a
+/// part a point outside its padded bounding box is told so without a search.
+/// @pre p_WQ finite; a part has its tree. noexcept, allocates nothing.
+WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals normals, int seed,
+                         double reach_m) noexcept;
+
+/// The same along a path; see TriangleTree::closest.
+WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals normals,
+                         ClosestMemory& memory, double reach_m) noexcept;
+
+/// The point under p_WQ of triangle t's facet or the next; see point_on_facet.
+/// @param t  index into Part::triangles; -1, as for a plane: nothing is found
+WorldPoint nearest_on_facet(const PlacedSurface& surface, int t, const Vec3& p_WQ, Normals normals) noexcept;
+
+/// A box along the world's axes [m].
+struct WorldBox {
+  Vec3 middle, half;
+};
+
+/// The box around a part's own box in its pose.
+/// @pre no plane
+WorldBox world_box(const PlacedSurface& part);
+
+/// Whether a surface may come within `width_m` of a box: a part is taken as its own box, a plane as all that
+/// is behind it.
+bool comes_within(const PlacedSurface& surface, const WorldBox& box, double width_m);
+
+}  // namespace fingerpad
