@@ -37,7 +37,9 @@ void add_export(CLI::App& program, Action& action) {
       ->required();
   command->add_option("--out", options->out, "File to write, .csv or .vtp; - is CSV to standard output")
       ->required();
-  command->footer("A CSV export is byte for byte what `replay --format csv` writes.");
+  command->footer(
+      "A CSV export is byte for byte what `replay --format csv` writes.\n\nColumns of a trace:\n" +
+      trace_columns_text());
   command->callback([options, &action] { action = [options] { return export_trace(*options); }; });
 }
 

@@ -7,7 +7,6 @@
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/text_lines.hpp"
-#include "trace/trace_row.hpp"
 
 namespace fingerpad {
 namespace {
@@ -24,10 +23,10 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 }
 
 /// Where each column of a trace stands in the file.
-std::array<std::size_t, trace_column_count> find_columns(const std::string& where, std::string_view header) {
+std::vector<std::size_t> find_columns(const std::string& where, std::string_view header) {
   const auto names = cells_of(header);
-  std::array<std::size_t, trace_column_count> places{};
-  for (std::size_t k = 0; k < trace_column_count; ++k) {
+  std::vector<std::size_t> places(trace_columns().size());
+  for (std::size_t k = 0; k < places.size(); ++k) {
     const std::string_view wanted = trace_columns()[k].name;
     while (places[k] < names.size() && names[places[k]] != wanted) ++places[k];
     if (places[k] == names.size()) {
@@ -48,27 +47,30 @@ bool is_blank(std::string_view line) {
   return line.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 
-TickRecord read_row(const TextLines& lines, std::string_view line,
-                    const std::array<std::size_t, trace_column_count>& places, std::size_t cell_count) {
+TickRecord read_row(const TextLines& lines, std::string_view line, const std::vector<std::size_t>& places,
+                    std::size_t cell_count) {
   const auto cells = cells_of(line);
   if (cells.size() != cell_count) {
     throw refused(lines.place(),
                   fmt::format("has {} cells, but the header has {}", cells.size(), cell_count));
   }
-  TraceRow row{};
-  for (std::size_t k = 0; k < trace_column_count; ++k) {
+  TickRecord record;
+  std::string_view damage;  // of the row's numbers, once it is known that all are
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    const TraceColumn& column = trace_columns()[k];
     const std::string_view cell = cells[places[k]];
-    const auto value = k == phase_column ? phase_number(cell) : parse_number(cell);
+    const bool is_phase = column.kind == ColumnKind::phase;
+    const auto value = is_phase ? phase_number(cell) : parse_number(cell);
     if (!value) {
       throw refused(lines.place(),
-                    fmt::format("'{}' in column '{}' is no {}", cell.substr(0, 40), trace_columns()[k].name,
-                                k == phase_column ? "phase (free, stick, slip)" : "number"));
+                    fmt::format("'{}' in column '{}' is no {}", cell.substr(0, 40), column.name,
+                                is_phase ? "phase (free, stick, slip)" : "number"));
     }
-    row[k] = *value;
+    const std::string_view wrong = read_value(column, *value, record);
+    if (damage.empty()) damage = wrong;
   }
-  if (const std::string_view damage = row_damage(row); !damage.empty())
-    throw refused(lines.place(), std::string(damage));
-  return to_record(row);
+  if (!damage.empty()) throw refused(lines.place(), std::string(damage));
+  return record;
 }
 
 }  // namespace
@@ -83,16 +85,15 @@ std::string csv_header() {
 }
 
 void append_csv_row(std::string& out, const TickRecord& record) {
-  const TraceRow row = to_row(record);
-  for (std::size_t k = 0; k < trace_column_count; ++k) {
-    if (k > 0) out += ',';
-    if (k == phase_column) {
-      out += phase_name(record.phase);
+  for (const TraceColumn& column : trace_columns()) {
+    if (column.kind == ColumnKind::phase) {
+      out += phase_name(static_cast<Phase>(static_cast<unsigned char>(column.get(record))));
     } else {
-      append_number(out, row[k]);
+      append_number(out, column.get(record));
     }
+    out += ',';
   }
-  out += '\n';
+  out.back() = '\n';
 }
 
 Trace read_csv_trace(const std::string& path) {

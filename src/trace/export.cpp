@@ -11,7 +11,6 @@
 #include "base/error.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/output_file.hpp"
-#include "trace/trace_row.hpp"
 
 namespace fingerpad {
 namespace {
@@ -58,17 +57,16 @@ class VtpArrays {
   std::string tags_, data_;
 };
 
-void add_column(VtpArrays& arrays, const Trace& trace, std::size_t column) {
-  const std::string_view name = trace_columns()[column].name;
+void add_column(VtpArrays& arrays, const Trace& trace, const TraceColumn& column) {
   const auto gather = [&]<typename Number>(std::string_view type, Number) {
     std::vector<Number> values;
     values.reserve(trace.rows.size());
-    for (const TickRecord& row : trace.rows) values.push_back(static_cast<Number>(to_row(row)[column]));
-    arrays.add(name, type, 1, values);
+    for (const TickRecord& row : trace.rows) values.push_back(static_cast<Number>(column.get(row)));
+    arrays.add(column.name, type, 1, values);
   };
-  if (column == phase_column) {
+  if (column.kind == ColumnKind::phase) {
     gather("UInt8", std::uint8_t{});
-  } else if (column == part_column || column == triangle_column) {
+  } else if (column.kind == ColumnKind::index) {
     gather("Int32", std::int32_t{});
   } else {
     gather("Float64", double{});
@@ -102,7 +100,7 @@ void export_csv(const Trace& trace, const std::string& path) {
 
 void export_vtp(const Trace& trace, const std::string& path) {
   VtpArrays arrays;
-  for (std::size_t k = 0; k < trace_column_count; ++k) add_column(arrays, trace, k);
+  for (const TraceColumn& column : trace_columns()) add_column(arrays, trace, column);
   add_vectors(arrays, trace, "force_n", &TickRecord::force_W_n);
   add_vectors(arrays, trace, "friction_n", &TickRecord::friction_W_n);
   const std::string point_data = arrays.take_tags();

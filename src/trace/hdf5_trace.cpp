@@ -3,14 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <limits>
 
 #include "base/error.hpp"
 #include "trace/embedded_surfaces.hpp"
 #include "trace/hdf5_file.hpp"
-#include "trace/trace_row.hpp"
+#include "trace/trace_column.hpp"
 
 namespace fingerpad {
 namespace {
@@ -20,7 +19,7 @@ constexpr std::uint64_t max_unfinished_rows = 4096;
 constexpr std::size_t block_rows = 1024;  // a chunk of the file
 
 /// Rows by column, as they stand in the file.
-using Block = std::array<std::vector<double>, trace_column_count>;
+using Block = std::vector<std::vector<double>>;
 
 TraceInfo read_info(const hdf5::Handle& file) {
   TraceInfo info;
@@ -113,7 +112,7 @@ bool read_block(const Columns& columns, std::size_t first, std::size_t count, Bl
 /// Their number as far as it is known, blocks of them, and an empty block as the end.
 void tell_rows(const hdf5::Handle& file, const Columns& columns, bool complete, Teller& tell) {
   tell(std::uint64_t{columns.rows});
-  Block block;
+  Block block(columns.handles.size());
   for (std::size_t first = 0; first < columns.rows; first += block_rows) {
     const std::size_t count = std::min<std::size_t>(block_rows, columns.rows - first);
     if (!read_block(columns, first, count, block)) {
@@ -129,19 +128,21 @@ void tell_rows(const hdf5::Handle& file, const Columns& columns, bool complete, 
 }
 
 void hear_rows(const std::string& path, Hearer& hear, Trace& trace) {
-  trace.rows.reserve(hear.length(sizeof(TraceRow)));
-  Block block;
-  while (const std::size_t count = hear.length(sizeof(TraceRow))) {
+  const auto columns = trace_columns();
+  const std::size_t row_bytes = columns.size() * sizeof(double);
+  trace.rows.reserve(hear.length(row_bytes));
+  Block block(columns.size());
+  while (const std::size_t count = hear.length(row_bytes)) {
     for (auto& values : block) {
       values.resize(count);
       hear.numbers(std::span<double>(values));
     }
     for (std::size_t i = 0; i < count; ++i) {
-      TraceRow row;
-      for (std::size_t k = 0; k < row.size(); ++k) row[k] = block[k][i];
-      const std::string_view damage = row_damage(row);
-      if (!damage.empty()) throw refused(path, fmt::format("row {}: {}", trace.rows.size() + 1, damage));
-      trace.rows.push_back(to_record(row));
+      TickRecord& record = trace.rows.emplace_back();
+      for (std::size_t k = 0; k < columns.size(); ++k) {
+        const std::string_view damage = read_value(columns[k], block[k][i], record);
+        if (!damage.empty()) throw refused(path, fmt::format("row {}: {}", trace.rows.size(), damage));
+      }
     }
   }
 }

@@ -9,17 +9,9 @@
 
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
+#include "trace/trace_column.hpp"
 
 namespace fingerpad {
-
-/// One column of a trace: its contract name and unit.
-struct TraceColumn {
-  std::string_view name;
-  std::string_view unit;  ///< "s", "m", "N", "rad", "1" (pure number or name)
-};
-
-/// The 26 columns in file order: t_s .. triangle.
-std::span<const TraceColumn> trace_columns() noexcept;
 
 /// What a trace says about the run it records, enough to repeat it.
 struct TraceInfo {
@@ -32,9 +24,9 @@ struct TraceInfo {
   std::vector<std::string> mesh_hashes;  ///< file_hash of each
   std::string motion_file;               ///< as written; empty for live touch and scripted motions
   std::string motion_hash;
-  std::string profile_text;     ///< the profile file's text, empty without one
-  std::string contact_method;   ///< that served: "closest-point", "proxy", or "plane" without a part
-  std::string contact_normals;  ///< "facet", "smooth" or "curved"
+  std::string profile_text;                  ///< the profile file's text, empty without one
+  std::string contact_method;                ///< that served: a row's name, or "plane" without a part
+  std::string contact_normals;               ///< a row's name
   std::vector<std::string> contact_reasons;  ///< why, where the scene left it open: a line a part
 };
 

@@ -9,7 +9,6 @@
 #include "trace/file_seal.hpp"
 #include "trace/hdf5_file.hpp"
 #include "trace/output_file.hpp"
-#include "trace/trace_row.hpp"
 
 namespace fingerpad {
 namespace {
@@ -33,10 +32,9 @@ void write_info(const hdf5::Handle& file, const TraceInfo& info) {
   hdf5::write_texts(file, "contact_reasons", info.contact_reasons);
 }
 
-hdf5::NumberType type_of_column(std::size_t column) {
-  if (column == phase_column) return hdf5::NumberType::uint8;
-  return column == part_column || column == triangle_column ? hdf5::NumberType::int32
-                                                            : hdf5::NumberType::float64;
+hdf5::NumberType type_of(ColumnKind kind) {
+  if (kind == ColumnKind::phase) return hdf5::NumberType::uint8;
+  return kind == ColumnKind::index ? hdf5::NumberType::int32 : hdf5::NumberType::float64;
 }
 
 class Hdf5TraceWriter final : public TraceWriter {
@@ -46,10 +44,9 @@ class Hdf5TraceWriter final : public TraceWriter {
     file_ = hdf5::create_file(path);
     write_info(file_, info);
     write_surfaces(file_, world, info.scene_text);
-    for (std::size_t k = 0; k < trace_column_count; ++k) {
-      const TraceColumn& column = trace_columns()[k];
-      columns_.push_back(
-          hdf5::create_column(file_, std::string(column.name), type_of_column(k), std::string(column.unit)));
+    for (const TraceColumn& column : trace_columns()) {
+      columns_.push_back(hdf5::create_column(file_, std::string(column.name), type_of(column.kind),
+                                             std::string(column.unit)));
     }
     hdf5::flush(file_);
     pending_.reserve(block_rows);
@@ -57,7 +54,7 @@ class Hdf5TraceWriter final : public TraceWriter {
 
   void append(std::span<const TickRecord> rows) override {
     for (const TickRecord& row : rows) {
-      pending_.push_back(to_row(row));
+      pending_.push_back(row);
       if (pending_.size() == block_rows) flush();
     }
   }
@@ -88,7 +85,7 @@ class Hdf5TraceWriter final : public TraceWriter {
     if (pending_.empty()) return;
     std::vector<double> values(pending_.size());
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      for (std::size_t i = 0; i < pending_.size(); ++i) values[i] = pending_[i][k];
+      for (std::size_t i = 0; i < pending_.size(); ++i) values[i] = trace_columns()[k].get(pending_[i]);
       hdf5::append(columns_[k], rows_, values);
     }
     rows_ += pending_.size();
@@ -97,7 +94,7 @@ class Hdf5TraceWriter final : public TraceWriter {
 
   hdf5::Handle file_;
   std::vector<hdf5::Handle> columns_;
-  std::vector<TraceRow> pending_;
+  std::vector<TickRecord> pending_;
   std::size_t rows_ = 0;  // in the file
 };
 

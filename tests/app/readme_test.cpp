@@ -4,9 +4,11 @@
 #include <algorithm>
 #include <sstream>
 
+#include "contact/contact_method_table.hpp"
 #include "friction/law_table.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
+#include "trace/trace_column.hpp"
 
 // Every command that the README shows (but tools/run and tools/test, which build this very program) is run as
 // it stands, in a folder that looks like the checkout.
@@ -68,6 +70,26 @@ TEST(Readme, ListsEveryLawWithItsKeysAndDefaults) {
       EXPECT_NE(readme.find(fmt::format("`{} = {}`", key.key, key.default_value)), std::string::npos)
           << key.key;
     }
+  }
+}
+
+TEST(Readme, NamesEveryContactMethodAndNormals) {
+  const std::string readme = test::bytes_of(test::source_dir() / "README.md");
+  for (const ContactMethodEntry& method : contact_method_table())
+    EXPECT_NE(readme.find(fmt::format("`{}`", method.name)), std::string::npos) << method.name;
+  for (const Normals normals : normals_table())
+    EXPECT_NE(readme.find(fmt::format("`{}`", normals->name)), std::string::npos) << normals->name;
+}
+
+TEST(Readme, HasARowForEachTraceColumn) {
+  std::istringstream text(test::bytes_of(test::source_dir() / "README.md"));
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  for (const TraceColumn& column : trace_columns()) {
+    EXPECT_TRUE(std::any_of(lines.begin(), lines.end(), [&](const std::string& line) {
+      return line.rfind("| `", 0) == 0 && line.find(column.name) < line.find(" | ") &&
+             line.find(fmt::format("| {} |", column.doc)) != std::string::npos;
+    })) << column.name;
   }
 }
 

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "touch/tick_record.hpp"
+
+namespace fingerpad {
+
+/// What the numbers of a column are. It says how they are kept (HDF5 and VTP: double; phase in a byte, index
+/// in 32 bits), how CSV writes them (a phase by its name), and what is no such number.
+enum class ColumnKind {
+  number,  ///< any, nan where there is none
+  place,   ///< a time or a position: finite
+  phase,   ///< 0 free, 1 stick, 2 slip
+  index    ///< a whole number from -1
+};
+
+/// One column of a trace: all that is known of it. Writers, readers, exports and the documentation go by
+/// these rows.
+struct TraceColumn {
+  std::string_view name;  ///< in HDF5, and CSV's header
+  std::string_view unit;  ///< "s", "m", "N", "rad", "1" (pure number or name)
+  std::string_view doc;   ///< columns that belong together say the same
+  ColumnKind kind;
+  double (*get)(const TickRecord& record) noexcept;
+  /// @param value  read_value has nothing against
+  void (*set)(TickRecord& record, double value) noexcept;
+};
+
+/// The columns in file order: t_s .. triangle.
+std::span<const TraceColumn> trace_columns() noexcept;
+
+/// Puts a number that a file has in this column into a record.
+/// @returns  what is wrong with it (a phase that is none, a time or a position that is not finite), and then
+///           the record is as it was; empty if nothing
+std::string_view read_value(const TraceColumn& column, double value, TickRecord& record) noexcept;
+
+/// The table of columns as the README has it, in Markdown.
+std::string trace_columns_text();
+
+}  // namespace fingerpad

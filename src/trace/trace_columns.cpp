@@ -1,0 +1,76 @@
+#include "trace/trace_column.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// A number of the record.
+template <auto member>
+constexpr TraceColumn column(std::string_view name, std::string_view unit, std::string_view doc,
+                             ColumnKind kind = ColumnKind::number) {
+  return {name,
+          unit,
+          doc,
+          kind,
+          [](const TickRecord& record) noexcept { return static_cast<double>(record.*member); },
+          [](TickRecord& record, double value) noexcept {
+            record.*member = static_cast<std::remove_reference_t<decltype(record.*member)>>(value);
+          }};
+}
+
+/// A component of one of its vectors.
+template <Vec3 TickRecord::*member, int axis>
+constexpr TraceColumn column(std::string_view name, std::string_view unit, std::string_view doc,
+                             ColumnKind kind = ColumnKind::number) {
+  return {name,
+          unit,
+          doc,
+          kind,
+          [](const TickRecord& record) noexcept { return (record.*member)[axis]; },
+          [](TickRecord& record, double value) noexcept { (record.*member)[axis] = value; }};
+}
+
+constexpr std::string_view finger = "the finger",
+                           touched = "contact point and outward normal; nan while free",
+                           whole = "whole force on the finger", part_of_it = "its friction part",
+                           centre = "stick centre; nan unless sticking",
+                           what =
+                               "what is touched: parts, then planes, from 0; the triangle in file order; -1 "
+                               "while free";
+using R = TickRecord;
+using Kind = ColumnKind;
+
+}  // namespace
+
+std::span<const TraceColumn> trace_columns() noexcept {
+  static constexpr TraceColumn table[] = {
+      column<&R::t_s>("t_s", "s", "time", Kind::place),
+      column<&R::p_WQ, 0>("x_m", "m", finger, Kind::place),
+      column<&R::p_WQ, 1>("y_m", "m", finger, Kind::place),
+      column<&R::p_WQ, 2>("z_m", "m", finger, Kind::place),
+      column<&R::phase>("phase", "1", "`free`, `stick`, `slip` (0, 1, 2 in HDF5)", Kind::phase),
+      column<&R::depth_m>("depth_m", "m", "radius less signed distance, where positive"),
+      column<&R::contact_W, 0>("px_m", "m", touched),
+      column<&R::contact_W, 1>("py_m", "m", touched),
+      column<&R::contact_W, 2>("pz_m", "m", touched),
+      column<&R::normal_W, 0>("nx", "1", touched),
+      column<&R::normal_W, 1>("ny", "1", touched),
+      column<&R::normal_W, 2>("nz", "1", touched),
+      column<&R::normal_force_n>("fn_n", "N", "normal force"),
+      column<&R::force_W_n, 0>("fx_n", "N", whole),
+      column<&R::force_W_n, 1>("fy_n", "N", whole),
+      column<&R::force_W_n, 2>("fz_n", "N", whole),
+      column<&R::friction_W_n, 0>("ffx_n", "N", part_of_it),
+      column<&R::friction_W_n, 1>("ffy_n", "N", part_of_it),
+      column<&R::friction_W_n, 2>("ffz_n", "N", part_of_it),
+      column<&R::mu>("mu", "1", "friction over normal force, 0 while free"),
+      column<&R::stick_centre_W, 0>("cx_m", "m", centre),
+      column<&R::stick_centre_W, 1>("cy_m", "m", centre),
+      column<&R::stick_centre_W, 2>("cz_m", "m", centre),
+      column<&R::inclination_rad>("angle_rad", "rad", "the finger's inclination to the surface"),
+      column<&R::surface>("part", "1", what, Kind::index),
+      column<&R::triangle>("triangle", "1", what, Kind::index),
+  };
+  return table;
+}
+
+}  // namespace fingerpad
