@@ -63,9 +63,9 @@ std::map<int, std::vector<const PadTick*>> by_angle(const std::vector<PadTick>& 
 
 /// A curve over a group's ticks with a gap between stick phases.
 template <typename X, typename Y>
-StudySeries curve_over(const std::vector<const PadTick*>& group, std::string name, const SeriesStyle& style,
-                       X x, Y y) {
-  StudySeries series{std::move(name), style, {}, {}};
+ChartCurve curve_over(const std::vector<const PadTick*>& group, std::string name, const CurveStyle& style,
+                      X x, Y y) {
+  ChartCurve series{std::move(name), style, {}, {}};
   for (const PadTick* tick : group) {
     if (tick->first) {
       series.x.push_back(TickRecord::nan);
@@ -77,9 +77,9 @@ StudySeries curve_over(const std::vector<const PadTick*>& group, std::string nam
   return series;
 }
 
-StudySeries rim(const StickAxes& axes, const SeriesStyle& style) {
+ChartCurve rim(const StickAxes& axes, const CurveStyle& style) {
   constexpr int points = 120;
-  StudySeries series{"the law's region", style, {}, {}};
+  ChartCurve series{"the law's region", style, {}, {}};
   for (int i = 0; i <= points; ++i) {
     const double angle = 2 * std::numbers::pi * i / points;
     series.x.push_back(1e3 * axes.lateral_m * std::cos(angle));
@@ -90,42 +90,42 @@ StudySeries rim(const StickAxes& axes, const SeriesStyle& style) {
 
 }  // namespace
 
-StudyChart stick_region_chart(const ViewInput& input) {
+Chart stick_region_chart(const ViewInput& input) {
   const std::vector<PadTick> ticks = stick_ticks(input);
-  StudyPanel panel;
+  ChartPanel panel;
   panel.title = "where the pad stuck";
   panel.x_label = "lateral displacement from the stick centre [mm]";
   panel.y_label = "longitudinal displacement [mm]";
   panel.equal_scales = true;
   int colour = 0;
   for (const auto& [angle_deg, group] : by_angle(ticks)) {
-    const SeriesStyle solid{colour, SeriesDash::solid, SeriesMarker::none, 1.3};
-    panel.series.push_back(curve_over(
+    const CurveStyle solid{colour, Dash::solid, Marker::none, 1.3};
+    panel.curves.push_back(curve_over(
         group, fmt::format("finger at {} deg", angle_deg), solid,
         [](const PadTick& tick) { return 1e3 * tick.displacement_m.x(); },
         [](const PadTick& tick) { return 1e3 * tick.displacement_m.y(); }));
     if (const auto& axes = group[group.size() / 2]->axes) {
-      panel.series.push_back(rim(*axes, {colour, SeriesDash::dashed, SeriesMarker::none, 0.8}));
+      panel.curves.push_back(rim(*axes, {colour, Dash::dashed, Marker::none, 0.8}));
     }
     ++colour;
   }
-  StudyChart chart{"", input.title + ": stick region by the finger's angle", {}, 1, {std::move(panel)}};
+  Chart chart{"", input.title + ": stick region by the finger's angle", {}, 1, {std::move(panel)}};
   return chart;
 }
 
-StudyChart force_displacement_chart(const ViewInput& input) {
+Chart force_displacement_chart(const ViewInput& input) {
   const std::vector<PadTick> ticks = stick_ticks(input);
-  StudyChart chart{"", input.title + ": friction against displacement in stick", {}, 2, {}};
+  Chart chart{"", input.title + ": friction against displacement in stick", {}, 2, {}};
   const char* names[] = {"lateral", "longitudinal"};
   for (int axis = 0; axis < 2; ++axis) {
-    StudyPanel panel;
+    ChartPanel panel;
     panel.title = names[axis];
     panel.x_label = "displacement from the stick centre [mm]";
     panel.y_label = "friction on the finger [N]";
     int colour = 0;
     for (const auto& [angle_deg, group] : by_angle(ticks)) {
-      const SeriesStyle style{colour++, SeriesDash::solid, SeriesMarker::none, 1.3};
-      panel.series.push_back(curve_over(
+      const CurveStyle style{colour++, Dash::solid, Marker::none, 1.3};
+      panel.curves.push_back(curve_over(
           group, fmt::format("finger at {} deg", angle_deg), style,
           [axis](const PadTick& tick) { return 1e3 * tick.displacement_m[axis]; },
           [axis](const PadTick& tick) { return tick.friction_n[axis]; }));

@@ -8,10 +8,10 @@ namespace fingerpad {
 /// Where the contact point was relative to the stick centre, across and along the finger, by the finger's
 /// inclination; the law's stick region dashed (paper, figs. 4 and 7).
 /// Throws Error (refused) for a trace without stick, or without its scene (which knows the finger).
-StudyChart stick_region_chart(const ViewInput& input);
+Chart stick_region_chart(const ViewInput& input);
 
 /// Friction against displacement from the stick centre, across and along the finger (paper, fig. 8).
 /// Errors as stick_region_chart.
-StudyChart force_displacement_chart(const ViewInput& input);
+Chart force_displacement_chart(const ViewInput& input);
 
 }  // namespace fingerpad

@@ -6,7 +6,6 @@
 
 #include "app/commands.hpp"
 #include "app/pad_charts.hpp"
-#include "app/study_pictures.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
@@ -30,9 +29,9 @@ int plot(const PlotOptions& options) {
   std::erase_if(input.rows,
                 [&](const TickRecord& row) { return row.t_s < options.from_s || row.t_s > options.to_s; });
   if (options.show == "stick-region") {
-    draw_study_chart(stick_region_chart(input), options.out);
+    write_chart(stick_region_chart(input), options.out);
   } else if (options.show == "force-displacement") {
-    draw_study_chart(force_displacement_chart(input), options.out);
+    write_chart(force_displacement_chart(input), options.out);
   } else {
     const PlotSubject subject = options.show == "spectrum" ? PlotSubject::spectrum : PlotSubject::history;
     write_plot(input, options.out, options.width, subject);

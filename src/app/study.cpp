@@ -7,10 +7,12 @@
 #include "app/commands.hpp"
 #include "app/output_folder.hpp"
 #include "app/standard_streams.hpp"
-#include "app/study_pictures.hpp"
 #include "base/error.hpp"
 #include "study/study.hpp"
 #include "trace/output_file.hpp"
+#ifdef FINGERPAD_VIEW
+#include "view/plot.hpp"
+#endif
 
 namespace fingerpad {
 namespace {
@@ -56,9 +58,9 @@ int study(const StudyOptions& options) {
     file.commit();
   }
 #ifdef FINGERPAD_VIEW
-  for (const StudyChart& chart : report.charts) {
+  for (const Chart& chart : report.charts) {
     for (const char* ending : {".png", ".svg"}) {
-      draw_study_chart(chart, options.out_dir + "/" + chart.name + ending);
+      write_chart(chart, options.out_dir + "/" + chart.name + ending);
     }
   }
   print_out("{} tables and {} charts (PNG and SVG) in {}\n", report.tables.size(), report.charts.size(),

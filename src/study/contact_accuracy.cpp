@@ -45,13 +45,13 @@ SurfaceResult measured(const ExactSurface& surface) {
 
 /// A panel of one number of every variant against the facets' size.
 template <typename Number>
-StudyPanel panel_by_facet(const SurfaceResult& result, const std::string& title, const std::string& y_label,
+ChartPanel panel_by_facet(const SurfaceResult& result, const std::string& title, const std::string& y_label,
                           Number number) {
-  StudyPanel panel{title, "size of a facet across the curve [mm]", y_label, true, true, {}, {}};
+  ChartPanel panel{title, "size of a facet across the curve [mm]", y_label, true, true, {}, {}};
   for (std::size_t v = 0; v < result.curves.size(); ++v) {
-    StudySeries series{contact_variants()[v].name(), contact_variants()[v].style, result.facet_mm, {}};
+    ChartCurve series{contact_variants()[v].name(), contact_variants()[v].style, result.facet_mm, {}};
     for (const RubError& error : result.curves[v].errors) series.y.push_back(number(error));
-    panel.series.push_back(std::move(series));
+    panel.curves.push_back(std::move(series));
   }
   return panel;
 }
@@ -72,7 +72,7 @@ void tell_accuracy(StudyReport& report, const std::vector<SurfaceResult>& result
                     "position_worst_m", "normal_rms_rad", "normal_worst_rad", "force_rms_share",
                     "force_worst_share", "force_step_share", "exact_force_step_share", "lost_ticks"},
                    {}};
-  StudyChart chart{
+  Chart chart{
       "contact_accuracy",
       "Position and normal of the contact against the exact surface",
       {"A point finger rubs 1 mm deep, every vertex on the exact surface; root mean squares over "
@@ -130,8 +130,8 @@ void tell_orders(StudyReport& report, const std::vector<SurfaceResult>& results)
 const std::vector<double> edge_speeds_m_per_s{0.005, 0.01, 0.02, 0.05, 0.1, 0.2, 0.5, 1, 2};
 
 /// Steps over a right-angled edge, which no tessellation makes smoother: against the finger's speed.
-StudyPanel edge_panel(StudyTable& table) {
-  StudyPanel panel{"a right-angled edge: a point 3 mm deep slides off",
+ChartPanel edge_panel(StudyTable& table) {
+  ChartPanel panel{"a right-angled edge: a point 3 mm deep slides off",
                    "speed of the finger [m/s]",
                    "force step [share of the force]",
                    true,
@@ -140,18 +140,18 @@ StudyPanel edge_panel(StudyTable& table) {
                    {}};
   const auto block = world_of_mesh(plate_mesh(0.02), "block");
   for (const ContactVariant& variant : contact_variants()) {
-    StudySeries series{variant.name(), variant.style, edge_speeds_m_per_s, {}};
+    ChartCurve series{variant.name(), variant.style, edge_speeds_m_per_s, {}};
     for (const double speed : edge_speeds_m_per_s) {
       series.y.push_back(edge_step_share(block, variant, speed));
       table.rows.push_back({variant.method_name, variant.normals_name, speed, series.y.back()});
     }
-    panel.series.push_back(std::move(series));
+    panel.curves.push_back(std::move(series));
   }
   return panel;
 }
 
 void tell_steps(StudyReport& report, const std::vector<SurfaceResult>& results) {
-  StudyChart chart{
+  Chart chart{
       "contact_force_step",
       "Largest change of force from one tick to the next",
       {"The rubs of contact_accuracy at 1 kHz, without friction. Where a curve meets the dotted line, the "
@@ -162,14 +162,14 @@ void tell_steps(StudyReport& report, const std::vector<SurfaceResult>& results) 
       2,
       {}};
   for (const SurfaceResult& r : results) {
-    StudyPanel panel = panel_by_facet(r, title_of(r.surface), "force step [share of the force]",
+    ChartPanel panel = panel_by_facet(r, title_of(r.surface), "force step [share of the force]",
                                       [](const RubError& e) { return e.step_share; });
-    panel.series.push_back({"the exact surface",
-                            {5, SeriesDash::dotted, SeriesMarker::none, 1.2},
+    panel.curves.push_back({"the exact surface",
+                            {5, Dash::dotted, Marker::none, 1.2},
                             r.facet_mm,
                             std::vector<double>(r.facet_mm.size(), r.curves[0].errors[0].exact_step_share)});
-    panel.series.push_back({"can be felt: 7 %",
-                            {7, SeriesDash::dash_dot, SeriesMarker::none, 0.7},
+    panel.curves.push_back({"can be felt: 7 %",
+                            {7, Dash::dash_dot, Marker::none, 0.7},
                             r.facet_mm,
                             std::vector<double>(r.facet_mm.size(), 0.07)});
     chart.panels.push_back(std::move(panel));
@@ -181,8 +181,8 @@ void tell_steps(StudyReport& report, const std::vector<SurfaceResult>& results) 
 }
 
 /// What `auto` chooses at each tessellation, on the chart of costs.
-StudySeries chosen_points(const SurfaceResult& r) {
-  StudySeries points{"what auto chooses", {5, SeriesDash::none, SeriesMarker::ring, 2.4}, {}, {}};
+ChartCurve chosen_points(const SurfaceResult& r) {
+  ChartCurve points{"what auto chooses", {5, Dash::none, Marker::ring, 2.4}, {}, {}};
   for (std::size_t i = 0; i < r.chosen.size(); ++i) {
     const VariantCurve& curve =
         r.curves[static_cast<std::size_t>(r.chosen[i].variant - contact_variants().data())];
@@ -207,11 +207,11 @@ void tell_choices(StudyReport& report, const std::vector<SurfaceResult>& results
 }
 
 /// Time of a tick against the part's size, on the torus.
-StudyPanel time_panel(const SurfaceResult& r) {
-  StudyPanel panel{
+ChartPanel time_panel(const SurfaceResult& r) {
+  ChartPanel panel{
       r.surface.name + ": by the part's size", "triangles", "time of a whole tick [ns]", true, true, {}, {}};
   for (std::size_t v = 0; v < r.curves.size(); ++v)
-    panel.series.push_back(
+    panel.curves.push_back(
         {contact_variants()[v].name(), contact_variants()[v].style, r.triangles, r.curves[v].tick_ns});
   return panel;
 }
@@ -221,7 +221,7 @@ void tell_costs(StudyReport& report, const std::vector<SurfaceResult>& results) 
                    {"surface", "triangles", "method", "normals", "whole_tick_ns", "without_friction_ns",
                     "force_rms_share"},
                    {}};
-  StudyChart chart{
+  Chart chart{
       "contact_speed_against_accuracy_measured",
       "Contact: speed against accuracy",
       {"Each curve is one method and one kind of normals, from the coarse to the fine tessellation. "
@@ -233,22 +233,22 @@ void tell_costs(StudyReport& report, const std::vector<SurfaceResult>& results) 
       2,
       {}};
   for (const SurfaceResult& r : results) {
-    StudyPanel panel{
+    ChartPanel panel{
         title_of(r.surface), "time of a whole tick [ns]", "force error [share, RMS]", true, true, {}, {}};
     std::vector<std::pair<double, double>> all;
     for (std::size_t v = 0; v < r.curves.size(); ++v) {
       const ContactVariant& variant = contact_variants()[v];
-      StudySeries series{variant.name(), variant.style, r.curves[v].tick_ns, {}};
+      ChartCurve series{variant.name(), variant.style, r.curves[v].tick_ns, {}};
       for (std::size_t i = 0; i < r.triangles.size(); ++i) {
         series.y.push_back(r.curves[v].errors[i].force_rms_share);
         all.emplace_back(series.x[i], series.y[i]);
         table.rows.push_back({r.surface.name, r.triangles[i], variant.method_name, variant.normals_name,
                               series.x[i], r.curves[v].contact_ns[i], series.y[i]});
       }
-      panel.series.push_back(std::move(series));
+      panel.curves.push_back(std::move(series));
     }
     panel.pareto_front = pareto_front(all);
-    panel.series.push_back(chosen_points(r));
+    panel.curves.push_back(chosen_points(r));
     chart.panels.push_back(std::move(panel));
   }
   chart.panels.push_back(time_panel(results[1]));

@@ -18,56 +18,55 @@ std::string words_of(const std::string& path) {
 
 /// A panel of a number of every variant over a path.
 template <typename Number>
-StudyPanel path_panel(const ExactFindings& found, std::size_t p, const std::string& y_label, Number number) {
-  StudyPanel panel{words_of(found.path_names[p]), facet_label, y_label, true, true, {}, {}};
+ChartPanel path_panel(const ExactFindings& found, std::size_t p, const std::string& y_label, Number number) {
+  ChartPanel panel{words_of(found.path_names[p]), facet_label, y_label, true, true, {}, {}};
   for (std::size_t v = 0; v < contact_variants().size(); ++v) {
-    StudySeries series{contact_variants()[v].name(), contact_variants()[v].style, found.facet_mm, {}};
+    ChartCurve series{contact_variants()[v].name(), contact_variants()[v].style, found.facet_mm, {}};
     for (const RubError& error : found.paths[p][v].deep) series.y.push_back(number(error));
-    panel.series.push_back(std::move(series));
+    panel.curves.push_back(std::move(series));
   }
   return panel;
 }
 
 /// A panel of a number of every kind of normals at the samples.
 template <typename Number>
-StudyPanel sample_panel(const ExactFindings& found, const std::string& y_label, Number number) {
-  StudyPanel panel{"points within 2 mm of the whole part", facet_label, y_label, true, true, {}, {}};
+ChartPanel sample_panel(const ExactFindings& found, const std::string& y_label, Number number) {
+  ChartPanel panel{"points within 2 mm of the whole part", facet_label, y_label, true, true, {}, {}};
   for (std::size_t n = 0; n < found.samples.size(); ++n) {
-    StudySeries series{contact_variants()[n].name(), contact_variants()[n].style, found.facet_mm, {}};
+    ChartCurve series{contact_variants()[n].name(), contact_variants()[n].style, found.facet_mm, {}};
     for (const SampleError& error : found.samples[n]) series.y.push_back(number(error));
-    panel.series.push_back(std::move(series));
+    panel.curves.push_back(std::move(series));
   }
   return panel;
 }
 
 /// Adds straight lines to hold the curves against: from above the first curve's coarsest mesh, falling with
 /// these powers of the facets' size.
-void add_orders(StudyPanel& panel, int low, int high) {
-  const StudySeries first = panel.series.front();
+void add_orders(ChartPanel& panel, int low, int high) {
+  const ChartCurve first = panel.curves.front();
   for (const int order : {low, high}) {
     constexpr int colours[] = {7, 5, 7};
-    StudySeries line{"order " + std::to_string(order),
-                     {colours[order - 1], order == 2 ? SeriesDash::dotted : SeriesDash::dash_dot,
-                      SeriesMarker::none, order == 3 ? 0.5 : 0.9},
-                     first.x,
-                     {}};
+    ChartCurve line{"order " + std::to_string(order),
+                    {colours[order - 1], order == 2 ? Dash::dotted : Dash::dash_dot, Marker::none,
+                     order == 3 ? 0.5 : 0.9},
+                    first.x,
+                    {}};
     for (const double facet_mm : first.x)
       line.y.push_back(1.4 * first.y.front() * std::pow(facet_mm / first.x.front(), order));
-    panel.series.push_back(std::move(line));
+    panel.curves.push_back(std::move(line));
   }
 }
 
 void tell_accuracy(StudyReport& report, const ExactFindings& found) {
-  StudyChart chart{
-      "contact_exact_accuracy",
-      "Position and normal of the contact against a CAD part's exact surface",
-      {"One solid's tessellations against its exact faces (scenes/exact); root mean squares, normals "
-       "where no sharp edge is near. contact_exact_orders.csv has the slopes.",
-       "Beside fillets and on irregular triangles interpolated normals are of first order, and a "
-       "proxy stands on the facets, whatever its normals."},
-      2,
-      {}};
-  const auto add = [&chart](StudyPanel position, StudyPanel normal) {
+  Chart chart{"contact_exact_accuracy",
+              "Position and normal of the contact against a CAD part's exact surface",
+              {"One solid's tessellations against its exact faces (scenes/exact); root mean squares, normals "
+               "where no sharp edge is near. contact_exact_orders.csv has the slopes.",
+               "Beside fillets and on irregular triangles interpolated normals are of first order, and a "
+               "proxy stands on the facets, whatever its normals."},
+              2,
+              {}};
+  const auto add = [&chart](ChartPanel position, ChartPanel normal) {
     add_orders(position, 2, 3);
     add_orders(normal, 1, 2);
     chart.panels.push_back(std::move(position));
@@ -180,22 +179,22 @@ void tell_choices(StudyReport& report, const ExactFindings& found) {
 }
 
 void tell_steps(StudyReport& report, const ExactFindings& found) {
-  StudyChart chart{"contact_exact_force_step",
-                   "Largest change of force from one tick to the next, on a CAD part",
-                   {"The rubs of contact_exact_accuracy at 1 kHz and 0.1 m/s, without friction. Where a "
-                    "curve meets the dotted line, the surface itself turns by as much."},
-                   2,
-                   {}};
+  Chart chart{"contact_exact_force_step",
+              "Largest change of force from one tick to the next, on a CAD part",
+              {"The rubs of contact_exact_accuracy at 1 kHz and 0.1 m/s, without friction. Where a "
+               "curve meets the dotted line, the surface itself turns by as much."},
+              2,
+              {}};
   for (std::size_t p = 0; p < found.paths.size(); ++p) {
-    StudyPanel panel = path_panel(found, p, "force step [share of the force]",
+    ChartPanel panel = path_panel(found, p, "force step [share of the force]",
                                   [](const RubError& e) { return e.step_share; });
-    panel.series.push_back(
+    panel.curves.push_back(
         {"the exact surface",
-         {5, SeriesDash::dotted, SeriesMarker::none, 1.2},
+         {5, Dash::dotted, Marker::none, 1.2},
          found.facet_mm,
          std::vector<double>(found.facet_mm.size(), found.paths[p][0].deep[0].exact_step_share)});
-    panel.series.push_back({"can be felt: 7 %",
-                            {7, SeriesDash::dash_dot, SeriesMarker::none, 0.7},
+    panel.curves.push_back({"can be felt: 7 %",
+                            {7, Dash::dash_dot, Marker::none, 0.7},
                             found.facet_mm,
                             std::vector<double>(found.facet_mm.size(), 0.07)});
     chart.panels.push_back(std::move(panel));
@@ -204,8 +203,8 @@ void tell_steps(StudyReport& report, const ExactFindings& found) {
 }
 
 /// What `auto` chooses at each mesh, on the chart of costs.
-StudySeries chosen_points(const ExactFindings& found, std::size_t p) {
-  StudySeries points{"what auto chooses", {5, SeriesDash::none, SeriesMarker::ring, 2.4}, {}, {}};
+ChartCurve chosen_points(const ExactFindings& found, std::size_t p) {
+  ChartCurve points{"what auto chooses", {5, Dash::none, Marker::ring, 2.4}, {}, {}};
   for (std::size_t i = 0; i < found.triangles.size(); ++i) {
     const PathCurve& curve =
         found.paths[p][static_cast<std::size_t>(found.chosen[i].variant - contact_variants().data())];
@@ -220,7 +219,7 @@ void tell_costs(StudyReport& report, const ExactFindings& found) {
       "contact_exact_cost_measured",
       {"path", "triangles", "method", "normals", "whole_tick_ns", "without_friction_ns", "force_rms_share"},
       {}};
-  StudyChart chart{
+  Chart chart{
       "contact_exact_speed_against_accuracy_measured",
       "Contact on a CAD part: speed against accuracy",
       {"Each curve is one method and one kind of normals, from the coarse to the fine "
@@ -230,7 +229,7 @@ void tell_costs(StudyReport& report, const ExactFindings& found) {
       2,
       {}};
   for (std::size_t p = 0; p < found.paths.size(); ++p) {
-    StudyPanel panel{words_of(found.path_names[p]),
+    ChartPanel panel{words_of(found.path_names[p]),
                      "time of a whole tick [ns]",
                      "force error [share, RMS]",
                      true,
@@ -241,17 +240,17 @@ void tell_costs(StudyReport& report, const ExactFindings& found) {
     for (std::size_t v = 0; v < contact_variants().size(); ++v) {
       const ContactVariant& variant = contact_variants()[v];
       const PathCurve& curve = found.paths[p][v];
-      StudySeries series{variant.name(), variant.style, curve.tick_ns, {}};
+      ChartCurve series{variant.name(), variant.style, curve.tick_ns, {}};
       for (std::size_t i = 0; i < found.triangles.size(); ++i) {
         series.y.push_back(curve.deep[i].force_rms_share);
         all.emplace_back(series.x[i], series.y[i]);
         table.rows.push_back({found.path_names[p], found.triangles[i], variant.method_name,
                               variant.normals_name, series.x[i], curve.contact_ns[i], series.y[i]});
       }
-      panel.series.push_back(std::move(series));
+      panel.curves.push_back(std::move(series));
     }
     panel.pareto_front = pareto_front(all);
-    panel.series.push_back(chosen_points(found, p));
+    panel.curves.push_back(chosen_points(found, p));
     chart.panels.push_back(std::move(panel));
   }
   report.tables.push_back(std::move(table));

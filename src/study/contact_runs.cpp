@@ -71,14 +71,14 @@ RubError rub_error_by(const std::shared_ptr<const World>& world, const ContactVa
 }
 
 /// The n-th variant's. Methods beyond the first two are drawn as these are, but dotted.
-SeriesStyle variant_style(std::size_t n) {
-  using enum SeriesMarker;
-  constexpr SeriesDash solid = SeriesDash::solid, dashed = SeriesDash::dashed;
-  constexpr SeriesStyle styles[] = {{0, dashed, ring, 1.5},    {6, dashed, square, 1.3},
+CurveStyle variant_style(std::size_t n) {
+  using enum Marker;
+  constexpr Dash solid = Dash::solid, dashed = Dash::dashed;
+  constexpr CurveStyle styles[] = {{0, dashed, ring, 1.5},    {6, dashed, square, 1.3},
                                     {2, dashed, diamond, 1.2}, {1, solid, disc, 0.9},
                                     {4, solid, triangle, 0.8}, {3, solid, cross, 0.7}};
-  SeriesStyle style = styles[n % std::size(styles)];
-  if (n >= std::size(styles)) style.dash = SeriesDash::dotted;
+  CurveStyle style = styles[n % std::size(styles)];
+  if (n >= std::size(styles)) style.dash = Dash::dotted;
   return style;
 }
 

@@ -14,7 +14,7 @@ namespace fingerpad {
 struct ContactVariant {
   Normals normals;
   std::string method_name, normals_name;
-  SeriesStyle style;
+  CurveStyle style;
   std::string name() const { return method_name + ", " + normals_name; }
 };
 

@@ -50,8 +50,8 @@ double popped_share(StudyTable& table, const Wall& wall, double thickness_m, dou
 }
 
 /// Strikes by a finger of this radius, against the wall's thickness.
-StudyPanel strikes_panel(StudyTable& table, const Wall& wall, double radius_m) {
-  StudyPanel panel{wall.words + ", " + (radius_m > 0 ? "a finger of 4 mm" : "a point finger"),
+ChartPanel strikes_panel(StudyTable& table, const Wall& wall, double radius_m) {
+  ChartPanel panel{wall.words + ", " + (radius_m > 0 ? "a finger of 4 mm" : "a point finger"),
                    "thickness of the wall [mm]",
                    "share of the strikes",
                    true,
@@ -59,14 +59,14 @@ StudyPanel strikes_panel(StudyTable& table, const Wall& wall, double radius_m) {
                    {},
                    {}};
   for (const ContactVariant& variant : contact_variants())
-    panel.series.push_back({variant.name(), variant.style, {}, {}});
-  StudySeries automatic{"what auto chooses", {5, SeriesDash::none, SeriesMarker::ring, 2.4}, {}, {}};
+    panel.curves.push_back({variant.name(), variant.style, {}, {}});
+  ChartCurve automatic{"what auto chooses", {5, Dash::none, Marker::ring, 2.4}, {}, {}};
   for (const double thickness_m : thicknesses_m) {
     const auto world = world_of_mesh(wall.mesh(thickness_m), wall.name);
     const ContactVariant* chosen = automatic_choice(*world, radius_m, greatest_force_n).variant;
     for (std::size_t v = 0; v < contact_variants().size(); ++v) {
       const ContactVariant& variant = contact_variants()[v];
-      StudySeries& series = panel.series[v];
+      ChartCurve& series = panel.curves[v];
       series.x.push_back(1000 * thickness_m);
       series.y.push_back(popped_share(table, wall, thickness_m, radius_m, world, variant));
       if (&variant != chosen) continue;
@@ -74,7 +74,7 @@ StudyPanel strikes_panel(StudyTable& table, const Wall& wall, double radius_m) {
       automatic.y.push_back(series.y.back());
     }
   }
-  panel.series.push_back(std::move(automatic));
+  panel.curves.push_back(std::move(automatic));
   return panel;
 }
 
@@ -82,14 +82,13 @@ StudyPanel strikes_panel(StudyTable& table, const Wall& wall, double radius_m) {
 
 void study_contact_strikes(StudyReport& report) {
   StudyTable table{"contact_strikes", columns, {}};
-  StudyChart chart{
-      "contact_strikes",
-      "Strikes that pop through a wall",
-      {"5.5 mm deep at 0.05 to 5 m/s, at 1 kHz: 28 strikes a point. auto is told of 5.5 N.",
-       "The closest point lets go where the wall is thinner than twice the depth of the finger's "
-       "centre, whatever the speed."},
-      2,
-      {}};
+  Chart chart{"contact_strikes",
+              "Strikes that pop through a wall",
+              {"5.5 mm deep at 0.05 to 5 m/s, at 1 kHz: 28 strikes a point. auto is told of 5.5 N.",
+               "The closest point lets go where the wall is thinner than twice the depth of the finger's "
+               "centre, whatever the speed."},
+              2,
+              {}};
   const std::array<Wall, 2> walls{{{"plate", "a flat plate of 12 triangles", plate_mesh},
                                    {"hollow-ball", "a hollow ball of radius 30 mm", hollow_ball_mesh}}};
   for (const double radius_m : radii_m) {

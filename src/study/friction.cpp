@@ -27,7 +27,7 @@ std::vector<std::string> law_names() {
   return names;
 }
 
-StudySeries law_series(const std::string& law, std::vector<double> x, std::vector<double> y) {
+ChartCurve law_series(const std::string& law, std::vector<double> x, std::vector<double> y) {
   for (double& value : y) value = std::isfinite(value) ? std::max(value, floor_of_errors) : value;
   return {law, law_style(law), std::move(x), std::move(y)};
 }
@@ -43,7 +43,7 @@ ErrorsByLaw study_own_limits(StudyReport& report, const StudyProgress& progress)
   StudyTable table{"error_against_own_limit",
                    {"case", "law", "rate_hz", "rms_error_share", "worst_error_share", "work_error_share"},
                    {}};
-  StudyChart chart{
+  Chart chart{
       "error_against_own_limit",
       "Error of the friction force against the same law at 640 kHz",
       {"RMS over the ticks, as a share of mu_s times the mean load. Errors under 1e-6 are drawn there.",
@@ -52,7 +52,7 @@ ErrorsByLaw study_own_limits(StudyReport& report, const StudyProgress& progress)
       {}};
   for (const BatteryCase& c : battery()) {
     progress(std::string(c.name));
-    StudyPanel panel{std::string(c.name) + ": " + std::string(c.motion),
+    ChartPanel panel{std::string(c.name) + ": " + std::string(c.motion),
                      "rate [Hz]",
                      "RMS error [share of mu_s n]",
                      true,
@@ -69,7 +69,7 @@ ErrorsByLaw study_own_limits(StudyReport& report, const StudyProgress& progress)
         gather(overall, law, i, error.rms);
         table.rows.push_back({std::string(c.name), law, rates_hz[i], error.rms, error.worst, error.work});
       }
-      panel.series.push_back(law_series(law, rates_hz, errors));
+      panel.curves.push_back(law_series(law, rates_hz, errors));
     }
     chart.panels.push_back(std::move(panel));
   }
@@ -82,8 +82,8 @@ ErrorsByLaw study_own_limits(StudyReport& report, const StudyProgress& progress)
 void study_sawtooth(StudyReport& report) {
   StudyTable table{
       "sawtooth", {"law", "rate_hz", "period_m", "exact_period_m", "mean_mu", "exact_mean_mu"}, {}};
-  StudyPanel period{"spatial period of the teeth", "rate [Hz]", "error [share]", true, true, {}, {}};
-  StudyPanel mean{"mean coefficient of friction", "rate [Hz]", "error [share]", true, true, {}, {}};
+  ChartPanel period{"spatial period of the teeth", "rate [Hz]", "error [share]", true, true, {}, {}};
+  ChartPanel mean{"mean coefficient of friction", "rate [Hz]", "error [share]", true, true, {}, {}};
   constexpr double exact_period_m = 1e-4, exact_mu = 0.25, speed = 0.01;
   for (const std::string law : {"stick-slip", "finger-pad", "salisbury", "contact-area"}) {
     std::vector<double> period_errors, mean_errors;
@@ -112,8 +112,8 @@ void study_sawtooth(StudyReport& report) {
       period_errors.push_back(std::abs(period_m / exact_period_m - 1));
       mean_errors.push_back(std::abs(mu / exact_mu - 1));
     }
-    period.series.push_back(law_series(law, rates_hz, period_errors));
-    mean.series.push_back(law_series(law, rates_hz, mean_errors));
+    period.curves.push_back(law_series(law, rates_hz, period_errors));
+    mean.curves.push_back(law_series(law, rates_hz, mean_errors));
   }
   report.tables.push_back(std::move(table));
   report.charts.push_back(
@@ -131,7 +131,7 @@ ErrorsByLaw study_pulled_block(StudyReport& report, const StudyProgress& progres
   StudyTable table{"stick_slip_period",
                    {"law", "rate_hz", "period_s", "exact_period_s", "error_share", "break_n", "least_n"},
                    {}};
-  StudyPanel panel{"", "rate [Hz]", "error of the period [share]", true, true, {}, {}};
+  ChartPanel panel{"", "rate [Hz]", "error of the period [share]", true, true, {}, {}};
   for (const std::string& law : law_names()) {
     if (!has_static_limit(law)) continue;
     const StickSlipCycle exact = reference_cycle({}, law);
@@ -143,7 +143,7 @@ ErrorsByLaw study_pulled_block(StudyReport& report, const StudyProgress& progres
       table.rows.push_back(
           {law, hz, cycle.period_s, exact.period_s, of_law.back(), cycle.peak_n, cycle.least_n});
     }
-    panel.series.push_back(law_series(law, rates_hz, of_law));
+    panel.curves.push_back(law_series(law, rates_hz, of_law));
   }
   report.tables.push_back(std::move(table));
   report.charts.push_back(
@@ -159,9 +159,9 @@ ErrorsByLaw study_pulled_block(StudyReport& report, const StudyProgress& progres
 }
 
 /// Error against computing time per second of touch, with the front of what no other beats.
-StudyPanel cost_panel(const std::string& title, const ErrorsByLaw& errors,
+ChartPanel cost_panel(const std::string& title, const ErrorsByLaw& errors,
                       const std::map<std::string, double>& law_ns) {
-  StudyPanel panel{
+  ChartPanel panel{
       title, "computing time of the law for a second of touch [us]", "error [share]", true, true, {}, {}};
   std::vector<std::pair<double, double>> all;
   for (const std::string& law : law_names()) {
@@ -169,8 +169,8 @@ StudyPanel cost_panel(const std::string& title, const ErrorsByLaw& errors,
     if (found == errors.end()) continue;
     std::vector<double> cost_us;
     for (const double hz : rates_hz) cost_us.push_back(law_ns.at(law) * hz * 1e-3);
-    panel.series.push_back(law_series(law, cost_us, found->second));
-    for (std::size_t i = 0; i < cost_us.size(); ++i) all.emplace_back(cost_us[i], panel.series.back().y[i]);
+    panel.curves.push_back(law_series(law, cost_us, found->second));
+    for (std::size_t i = 0; i < cost_us.size(); ++i) all.emplace_back(cost_us[i], panel.curves.back().y[i]);
   }
   panel.pareto_front = pareto_front(all);
   return panel;

@@ -40,16 +40,16 @@ std::string StudyTable::csv() const {
   return text;
 }
 
-SeriesStyle law_style(const std::string& law) {
-  constexpr std::array markers{SeriesMarker::disc,    SeriesMarker::square, SeriesMarker::triangle,
-                               SeriesMarker::diamond, SeriesMarker::ring,   SeriesMarker::cross};
+CurveStyle law_style(const std::string& law) {
+  constexpr std::array markers{Marker::disc,    Marker::square, Marker::triangle,
+                               Marker::diamond, Marker::ring,   Marker::cross};
   const auto table = law_table();
   const auto found =
       std::find_if(table.begin(), table.end(), [&](const LawEntry& e) { return e.name == law; });
   const auto index = static_cast<std::size_t>(found - table.begin());
   // Seven colours that show on white, gone through twice: the second time dashed, with the markers shifted.
   // Later laws are drawn thinner and over the others, so that coinciding curves all show.
-  return {static_cast<int>(index % 7), index < 7 ? SeriesDash::solid : SeriesDash::dashed,
+  return {static_cast<int>(index % 7), index < 7 ? Dash::solid : Dash::dashed,
           markers[(index + index / 7 * 2) % markers.size()], 1.7 - 0.07 * static_cast<double>(index)};
 }
 

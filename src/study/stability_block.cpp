@@ -8,9 +8,8 @@ namespace {
 
 constexpr double rate_hz = 40000, seconds = 12;
 
-StudySeries pull_series(const std::string& name, const SeriesStyle& style,
-                        const std::vector<double>& pull_n) {
-  StudySeries series{name, style, {}, {}};
+ChartCurve pull_series(const std::string& name, const CurveStyle& style, const std::vector<double>& pull_n) {
+  ChartCurve series{name, style, {}, {}};
   for (std::size_t k = 0; k < pull_n.size(); k += 400) {
     series.x.push_back(static_cast<double>(k) / rate_hz);
     series.y.push_back(pull_n[k]);
@@ -25,7 +24,7 @@ void study_undamped_block(StudyReport& report) {
                    {"damping_n_s_per_m", "stick_stiffness_per_m", "first_break_n", "second_break_n",
                     "rigid_break_n", "rigid_least_n", "rigid_period_s"},
                    {}};
-  StudyChart chart{
+  Chart chart{
       "pulled_block",
       "A block pulled by a spring: the paper's stick needs a damper",
       {"1 kg, 20 N/m, 0.05 m/s, F_s = 3 N, F_d = 2 N, v_min = 0.002 m/s, stick-slip at 40 kHz.",
@@ -37,7 +36,7 @@ void study_undamped_block(StudyReport& report) {
     block.speed_m_per_s = 0.05;
     block.damping_n_s_per_m = damping;
     const StickSlipCycle rigid = rigid_cycle(block);
-    StudyPanel panel{damping > 0 ? "damper of 2 N s/m" : "no damper",
+    ChartPanel panel{damping > 0 ? "damper of 2 N s/m" : "no damper",
                      "time [s]",
                      "pull of the spring [N]",
                      false,
@@ -53,20 +52,18 @@ void study_undamped_block(StudyReport& report) {
       const double first = *std::max_element(pull.begin(), after_first);
       const double second = *std::max_element(after_first, pull.begin() + static_cast<long>(7 * rate_hz));
       table.rows.push_back({damping, stiffness, first, second, rigid.peak_n, rigid.least_n, rigid.period_s});
-      panel.series.push_back(pull_series(
-          stiffness < 100 ? "k_f = 50 1/m" : "k_f = 200 1/m",
-          {colour, stiffness < 100 ? SeriesDash::solid : SeriesDash::dashed, SeriesMarker::none}, pull));
+      panel.curves.push_back(pull_series(stiffness < 100 ? "k_f = 50 1/m" : "k_f = 200 1/m",
+                                         {colour, stiffness < 100 ? Dash::solid : Dash::dashed, Marker::none},
+                                         pull));
       colour = 0;
     }
     const std::vector<double> ends{0, seconds};
-    panel.series.push_back(
-        {"F_s", {6, SeriesDash::dotted, SeriesMarker::none}, ends, {block.static_n(), block.static_n()}});
-    panel.series.push_back(
-        {"F_d", {2, SeriesDash::dotted, SeriesMarker::none}, ends, {block.dynamic_n(), block.dynamic_n()}});
-    panel.series.push_back({"rigid stick falls to",
-                            {7, SeriesDash::dash_dot, SeriesMarker::none},
-                            ends,
-                            {rigid.least_n, rigid.least_n}});
+    panel.curves.push_back(
+        {"F_s", {6, Dash::dotted, Marker::none}, ends, {block.static_n(), block.static_n()}});
+    panel.curves.push_back(
+        {"F_d", {2, Dash::dotted, Marker::none}, ends, {block.dynamic_n(), block.dynamic_n()}});
+    panel.curves.push_back(
+        {"rigid stick falls to", {7, Dash::dash_dot, Marker::none}, ends, {rigid.least_n, rigid.least_n}});
     chart.panels.push_back(std::move(panel));
   }
   report.tables.push_back(std::move(table));

@@ -12,12 +12,12 @@ constexpr double hand_damping_n_s_per_m = 0.5, stiffness_per_m = 1000;
 
 void laws_by_rate(StudyReport& report) {
   StudyTable table{"stick_buzz", {"law", "rate_hz", "quiet_up_to_n", "rule_2b_over_kf_t_n"}, {}};
-  StudyPanel panel{"", "rate [Hz]", "normal force up to which stick is quiet [N]", true, true, {}, {}};
-  StudySeries rule{"2 b/(k_f T)", {5, SeriesDash::dotted, SeriesMarker::none}, rates_hz, {}};
+  ChartPanel panel{"", "rate [Hz]", "normal force up to which stick is quiet [N]", true, true, {}, {}};
+  ChartCurve rule{"2 b/(k_f T)", {5, Dash::dotted, Marker::none}, rates_hz, {}};
   for (const double hz : rates_hz) rule.y.push_back(2 * hand_damping_n_s_per_m * hz / stiffness_per_m);
   for (const LawEntry& law : law_table()) {
     const std::string name(law.name);
-    StudySeries series{name, law_style(name), rates_hz, {}};
+    ChartCurve series{name, law_style(name), rates_hz, {}};
     for (std::size_t i = 0; i < rates_hz.size(); ++i) {
       StuckFinger finger;
       finger.law = name;
@@ -25,9 +25,9 @@ void laws_by_rate(StudyReport& report) {
       series.y.push_back(quiet_load_n(finger));
       table.rows.push_back({name, rates_hz[i], series.y.back(), rule.y[i]});
     }
-    panel.series.push_back(std::move(series));
+    panel.curves.push_back(std::move(series));
   }
-  panel.series.push_back(std::move(rule));
+  panel.curves.push_back(std::move(rule));
   report.tables.push_back(std::move(table));
   report.charts.push_back(
       {"stick_buzz",
@@ -42,19 +42,19 @@ void pad_by_angle(StudyReport& report) {
   StudyTable table{"stick_buzz_finger_pad",
                    {"inclination_deg", "push", "rate_hz", "quiet_up_to_n", "rule_2b_over_kt_n"},
                    {}};
-  StudyPanel panel{
+  ChartPanel panel{
       "", "inclination of the finger [deg]", "normal force up to which stick is quiet [N]", false, true, {},
       {}};
   for (const bool along : {false, true}) {
     const double axis45_m = (along ? 0.8 : 1.0) * 0.3 / stiffness_per_m;
-    StudySeries found{along ? "finger-pad, along the finger" : "finger-pad, across it",
-                      {along ? 5 : 0, SeriesDash::none, along ? SeriesMarker::square : SeriesMarker::disc},
-                      {},
-                      {}};
-    StudySeries rule{along ? "2 b a(angle)/(mu_s T), along" : "2 b a(angle)/(mu_s T), across",
-                     {along ? 5 : 0, SeriesDash::dotted, SeriesMarker::none},
+    ChartCurve found{along ? "finger-pad, along the finger" : "finger-pad, across it",
+                     {along ? 5 : 0, Dash::none, along ? Marker::square : Marker::disc},
                      {},
                      {}};
+    ChartCurve rule{along ? "2 b a(angle)/(mu_s T), along" : "2 b a(angle)/(mu_s T), across",
+                    {along ? 5 : 0, Dash::dotted, Marker::none},
+                    {},
+                    {}};
     for (int deg = 0; deg <= 90; deg += 15) {
       StuckFinger finger;
       finger.law = "finger-pad";
@@ -69,8 +69,8 @@ void pad_by_angle(StudyReport& report) {
       table.rows.push_back({static_cast<double>(deg), along ? "along" : "across", finger.rate_hz,
                             found.y.back(), rule.y.back()});
     }
-    panel.series.push_back(std::move(found));
-    panel.series.push_back(std::move(rule));
+    panel.curves.push_back(std::move(found));
+    panel.curves.push_back(std::move(rule));
   }
   report.tables.push_back(std::move(table));
   report.charts.push_back(

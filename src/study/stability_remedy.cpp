@@ -11,14 +11,14 @@ namespace {
 struct NamedRemedy {
   std::string name;
   Remedy remedy;
-  SeriesStyle style;
+  CurveStyle style;
 };
 
 const NamedRemedy remedies[] = {
-    {"none", Remedy::none, {5, SeriesDash::solid, SeriesMarker::disc}},
-    {"damping", Remedy::damping, {0, SeriesDash::dashed, SeriesMarker::square}},
-    {"implicit", Remedy::implicit, {1, SeriesDash::dash_dot, SeriesMarker::triangle}},
-    {"cap", Remedy::cap, {2, SeriesDash::dotted, SeriesMarker::diamond}},
+    {"none", Remedy::none, {5, Dash::solid, Marker::disc}},
+    {"damping", Remedy::damping, {0, Dash::dashed, Marker::square}},
+    {"implicit", Remedy::implicit, {1, Dash::dash_dot, Marker::triangle}},
+    {"cap", Remedy::cap, {2, Dash::dotted, Marker::diamond}},
 };
 
 constexpr double rate_hz = 1000, mu_static = 0.3;
@@ -51,11 +51,11 @@ double rub_m(double t_s) {
   return 0.01 * std::sin(6 * std::numbers::pi * t_s);
 }
 
-StudyPanel quiet_panel(StudyTable& table) {
+ChartPanel quiet_panel(StudyTable& table) {
   const std::vector<double> rates_hz{250, 500, 1000, 2000, 4000};
-  StudyPanel panel{"up to which load stick is quiet", "rate [Hz]", "normal force [N]", true, true, {}, {}};
+  ChartPanel panel{"up to which load stick is quiet", "rate [Hz]", "normal force [N]", true, true, {}, {}};
   for (const NamedRemedy& remedy : remedies) {
-    StudySeries series{remedy.name, remedy.style, rates_hz, {}};
+    ChartCurve series{remedy.name, remedy.style, rates_hz, {}};
     for (const double hz : rates_hz) {
       StuckFinger finger;
       finger.rate_hz = hz;
@@ -63,7 +63,7 @@ StudyPanel quiet_panel(StudyTable& table) {
       series.y.push_back(quiet_load_n(finger));
       table.rows.push_back({remedy.name, hz, series.y.back()});
     }
-    panel.series.push_back(std::move(series));
+    panel.curves.push_back(std::move(series));
   }
   return panel;
 }
@@ -76,24 +76,24 @@ void study_remedies(StudyReport& report) {
                   {"remedy", "load_n", "presliding_rms_change_share", "rub_rms_change_share", "breakaway_m"},
                   {}};
   const std::vector<double> loads_n{0.5, 1, 1.5, 2, 3, 5, 10};
-  StudyPanel presliding{"cost in stick: 0.15 mm at 5 Hz",
+  ChartPanel presliding{"cost in stick: 0.15 mm at 5 Hz",
                         "normal force [N]",
                         "RMS change of friction [share of mu_s n]",
                         true,
                         false,
                         {},
                         {}};
-  StudyPanel rub{"cost in a rub: 10 mm at 3 Hz",
+  ChartPanel rub{"cost in a rub: 10 mm at 3 Hz",
                  "normal force [N]",
                  "RMS change of friction [share of mu_s n]",
                  true,
                  false,
                  {},
                  {}};
-  StudyPanel breakaway{
+  ChartPanel breakaway{
       "how far the pad stretches before it slips", "normal force [N]", "stretch [mm]", true, false, {}, {}};
   for (const NamedRemedy& remedy : remedies) {
-    StudySeries in_stick{remedy.name, remedy.style, loads_n, {}}, in_rub = in_stick, stretch = in_stick;
+    ChartCurve in_stick{remedy.name, remedy.style, loads_n, {}}, in_rub = in_stick, stretch = in_stick;
     for (const double load_n : loads_n) {
       in_stick.y.push_back(rms_change(remedy.remedy, load_n, presliding_m));
       in_rub.y.push_back(rms_change(remedy.remedy, load_n, rub_m));
@@ -105,11 +105,11 @@ void study_remedies(StudyReport& report) {
       stretch.y.push_back(1e3 * mu_static * load_n / held);
       cost.rows.push_back({remedy.name, load_n, in_stick.y.back(), in_rub.y.back(), 1e-3 * stretch.y.back()});
     }
-    presliding.series.push_back(std::move(in_stick));
-    rub.series.push_back(std::move(in_rub));
-    breakaway.series.push_back(std::move(stretch));
+    presliding.curves.push_back(std::move(in_stick));
+    rub.curves.push_back(std::move(in_rub));
+    breakaway.curves.push_back(std::move(stretch));
   }
-  StudyPanel quiet_loads = quiet_panel(quiet);
+  ChartPanel quiet_loads = quiet_panel(quiet);
   report.tables.push_back(std::move(quiet));
   report.tables.push_back(std::move(cost));
   report.charts.push_back(

@@ -62,24 +62,23 @@ RubRun rub_with(const Rub& rub, Restick restick) {
 void study_restick(StudyReport& report) {
   StudyTable table{
       "restick", {"motion", "restick", "stick_share", "ruptures", "mean_mu", "work_taken_j"}, {}};
-  StudyChart chart{"restick",
-                   "Two readings of the paper's return to stick",
-                   {"Stick-slip at 1 N, mu 0.3 and 0.2, k_f = 1000 1/m, v_min = 0.1 m/s, 10 kHz.",
-                    "level: stick whenever |v| <= v_min. crossing: only when |v| falls through it."},
-                   2,
-                   {}};
+  Chart chart{"restick",
+              "Two readings of the paper's return to stick",
+              {"Stick-slip at 1 N, mu 0.3 and 0.2, k_f = 1000 1/m, v_min = 0.1 m/s, 10 kHz.",
+               "level: stick whenever |v| <= v_min. crossing: only when |v| falls through it."},
+              2,
+              {}};
   for (const Rub& rub : rubs()) {
-    StudyPanel panel{rub.name, "time [s]", "friction [N]", false, false, {}, {}};
+    ChartPanel panel{rub.name, "time [s]", "friction [N]", false, false, {}, {}};
     for (const Restick restick : {Restick::level, Restick::crossing}) {
       const bool level = restick == Restick::level;
       RubRun run = rub_with(rub, restick);
       table.rows.push_back({rub.name.substr(0, rub.name.find(',')), level ? "level" : "crossing",
                             run.stick_share, run.ruptures, run.mean_mu, run.work_j});
-      panel.series.push_back(
-          {level ? "level" : "crossing",
-           {level ? 5 : 0, level ? SeriesDash::solid : SeriesDash::dashed, SeriesMarker::none},
-           std::move(run.t_s),
-           std::move(run.force_n)});
+      panel.curves.push_back({level ? "level" : "crossing",
+                              {level ? 5 : 0, level ? Dash::solid : Dash::dashed, Marker::none},
+                              std::move(run.t_s),
+                              std::move(run.force_n)});
     }
     chart.panels.push_back(std::move(panel));
   }

@@ -43,11 +43,11 @@ void study_velocity(StudyReport& report) {
       "velocity",
       {"estimator", "speed_m_per_s", "rate_hz", "rms_error_m_per_s", "wrong_side_of_v_min_share"},
       {}};
-  StudyPanel error{"error", "rate [Hz]", "RMS error of velocity [m/s]", true, true, {}, {}};
-  StudyPanel wrong{"taken for the wrong side of v_min", "rate [Hz]", "share of ticks", true, false, {}, {}};
-  StudySeries limit{"v_min", {7, SeriesDash::dotted, SeriesMarker::none}, rates_hz, {}};
+  ChartPanel error{"error", "rate [Hz]", "RMS error of velocity [m/s]", true, true, {}, {}};
+  ChartPanel wrong{"taken for the wrong side of v_min", "rate [Hz]", "share of ticks", true, false, {}, {}};
+  ChartCurve limit{"v_min", {7, Dash::dotted, Marker::none}, rates_hz, {}};
   limit.y.assign(rates_hz.size(), v_min_m_per_s);
-  error.series.push_back(std::move(limit));
+  error.curves.push_back(std::move(limit));
   int colour = 0;
   for (const double speed : {0.005, 0.05, 0.2}) {
     for (const bool adaptive : {false, true}) {
@@ -55,9 +55,9 @@ void study_velocity(StudyReport& report) {
           std::string(adaptive ? "adaptive window" : "plain difference") + (speed < 0.01  ? " at 5 mm/s"
                                                                             : speed < 0.1 ? " at 50 mm/s"
                                                                                           : " at 200 mm/s");
-      const SeriesStyle style{colour, adaptive ? SeriesDash::solid : SeriesDash::dashed,
-                              adaptive ? SeriesMarker::disc : SeriesMarker::ring};
-      StudySeries rms{name, style, rates_hz, {}}, share{name, style, rates_hz, {}};
+      const CurveStyle style{colour, adaptive ? Dash::solid : Dash::dashed,
+                             adaptive ? Marker::disc : Marker::ring};
+      ChartCurve rms{name, style, rates_hz, {}}, share{name, style, rates_hz, {}};
       for (const double hz : rates_hz) {
         const VelocityError found = velocity_error(speed, hz, adaptive);
         rms.y.push_back(found.rms_m_per_s);
@@ -65,8 +65,8 @@ void study_velocity(StudyReport& report) {
         table.rows.push_back({adaptive ? "adaptive-window" : "plain-difference", speed, hz, found.rms_m_per_s,
                               found.wrong_side_share});
       }
-      error.series.push_back(std::move(rms));
-      wrong.series.push_back(std::move(share));
+      error.curves.push_back(std::move(rms));
+      wrong.curves.push_back(std::move(share));
     }
     colour += colour == 0 ? 4 : 1;
   }

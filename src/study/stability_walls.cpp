@@ -15,11 +15,11 @@ struct Sweep {
   std::function<HeldWall(double)> wall;
 };
 
-constexpr SeriesStyle touched{5, SeriesDash::none, SeriesMarker::ring};
-constexpr SeriesStyle eigenvalues{6, SeriesDash::solid, SeriesMarker::none, 4};
-constexpr SeriesStyle colgate{1, SeriesDash::dashed, SeriesMarker::none};
-constexpr SeriesStyle abbott{3, SeriesDash::dotted, SeriesMarker::none};
-constexpr SeriesStyle thumb{2, SeriesDash::dash_dot, SeriesMarker::none, 0.8};
+constexpr CurveStyle touched{5, Dash::none, Marker::ring};
+constexpr CurveStyle eigenvalues{6, Dash::solid, Marker::none, 4};
+constexpr CurveStyle colgate{1, Dash::dashed, Marker::none};
+constexpr CurveStyle abbott{3, Dash::dotted, Marker::none};
+constexpr CurveStyle thumb{2, Dash::dash_dot, Marker::none, 0.8};
 
 std::vector<Sweep> sweeps() {
   const std::vector<double> rates_hz{250, 500, 1000, 2000, 4000, 10000};
@@ -54,17 +54,16 @@ void study_walls(StudyReport& report) {
                     "encoder_m", "coulomb_n", "measured_n_per_m", "exact_n_per_m", "colgate_schenkel_n_per_m",
                     "abbott_okamura_n_per_m", "thumb_n_per_m"},
                    {}};
-  StudyChart chart{
-      "wall_stiffness",
-      "Largest stable stiffness of a touched wall",
-      {"m = 0.072 kg, b = 0.5 N s/m, 1 kHz, B = 0, no delay, exact encoder where not said otherwise.",
-       "Circles: touched in the closed loop and bisected. Exact: eigenvalues of the loop, without "
-       "quantum and dry friction."},
-      2,
-      {}};
+  Chart chart{"wall_stiffness",
+              "Largest stable stiffness of a touched wall",
+              {"m = 0.072 kg, b = 0.5 N s/m, 1 kHz, B = 0, no delay, exact encoder where not said otherwise.",
+               "Circles: touched in the closed loop and bisected. Exact: eigenvalues of the loop, without "
+               "quantum and dry friction."},
+              2,
+              {}};
   for (const Sweep& sweep : sweeps()) {
-    StudyPanel panel{sweep.name, sweep.x_label, "stiffness [N/m]", sweep.log_x, true, {}, {}};
-    panel.series = {{"exact", eigenvalues, sweep.values, {}},
+    ChartPanel panel{sweep.name, sweep.x_label, "stiffness [N/m]", sweep.log_x, true, {}, {}};
+    panel.curves = {{"exact", eigenvalues, sweep.values, {}},
                     {"Colgate & Schenkel", colgate, sweep.values, {}},
                     {"Abbott & Okamura", abbott, sweep.values, {}},
                     {"(b + B)/((d + 1/2) T)", thumb, sweep.values, {}},
@@ -74,7 +73,7 @@ void study_walls(StudyReport& report) {
       const double found[] = {exact_stable_stiffness(wall), colgate_schenkel_stiffness(wall),
                               abbott_okamura_stiffness(wall), thumb_stiffness(wall),
                               measured_stable_stiffness(wall)};
-      for (std::size_t i = 0; i < std::size(found); ++i) panel.series[i].y.push_back(found[i]);
+      for (std::size_t i = 0; i < std::size(found); ++i) panel.curves[i].y.push_back(found[i]);
       table.rows.push_back({sweep.name.substr(0, sweep.name.find(',')), 1 / wall.tick_s,
                             wall.damping_n_s_per_m, wall.wall_damping_n_s_per_m,
                             static_cast<double>(wall.delay_ticks), wall.encoder_m, wall.coulomb_n, found[4],

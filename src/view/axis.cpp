@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 namespace fingerpad {
 
@@ -24,6 +25,11 @@ double Axis::share(double value) const {
   return (value - min) / (max - min);
 }
 
+double Axis::value_at(double share) const {
+  if (logarithmic) return min * std::pow(max / min, share);
+  return min + (max - min) * share;
+}
+
 Axis linear_axis(double min, double max, int most_marks) {
   Axis axis;
   if (!(max > min)) {
@@ -42,19 +48,56 @@ Axis linear_axis(double min, double max, int most_marks) {
   return axis;
 }
 
-Axis decade_axis(double min, double max, int most_marks) {
-  Axis axis;
-  axis.logarithmic = true;
-  const int first = static_cast<int>(std::floor(std::log10(min) + 1e-9));
-  const int last = std::max(first + 1, static_cast<int>(std::ceil(std::log10(max) - 1e-9)));
-  axis.min = std::pow(10.0, first);
-  axis.max = std::pow(10.0, last);
-  const int every = std::max(1, (last - first + most_marks - 1) / most_marks);
-  for (int k = first; k <= last; k += every) {
-    axis.marks.push_back(std::pow(10.0, k));
-    axis.labels.push_back(k >= -2 && k <= 3 ? plain_number(axis.marks.back()) : fmt::format("1e{}", k));
+namespace {
+
+std::string log_label(double step, int power) {
+  return power < -3 || power > 5 ? fmt::format("{}e{}", step, power)
+                                 : plain_number(step * std::pow(10.0, power));
+}
+
+/// Marks at these steps of every `every`-th power of ten; what stays between them is minor.
+void mark_powers(Axis& axis, std::span<const double> steps, int every) {
+  const double reach = 1 + 1e-9;  // an end that is a mark but for rounding keeps it
+  const auto within = [&](double value) { return value * reach >= axis.min && value <= axis.max * reach; };
+  const int first = static_cast<int>(std::floor(std::log10(axis.min)));
+  const int last = static_cast<int>(std::floor(std::log10(axis.max) + 1e-9));
+  for (int k = first; k <= last; ++k) {
+    const double power = std::pow(10.0, k);
+    for (int step = 1; step <= 9; ++step) {
+      if (!within(step * power)) continue;
+      const bool marked = k % every == 0 && std::find(steps.begin(), steps.end(), step) != steps.end();
+      if (marked) {
+        axis.marks.push_back(step * power);
+        axis.labels.push_back(log_label(step, k));
+      } else if (every == 1 || step == 1) {
+        axis.minor_marks.push_back(step * power);
+      }
+    }
   }
+}
+
+}  // namespace
+
+Axis log_axis(double min, double max, int most_marks) {
+  constexpr double within_decade[] = {1, 2, 5}, decades_alone[] = {1};
+  const double decades = std::log10(max / min);
+  Axis axis{min, max, true, {}, {}, {}};
+  if (decades < 0.7) {
+    Axis linear = linear_axis(min, max, most_marks);
+    linear.logarithmic = true;
+    return linear;
+  }
+  mark_powers(axis, within_decade, 1);
+  if (static_cast<int>(axis.marks.size()) <= most_marks + 1) return axis;
+  axis = {min, max, true, {}, {}, {}};
+  mark_powers(axis, decades_alone, std::max(1, static_cast<int>(std::ceil(decades / most_marks))));
   return axis;
+}
+
+Axis decade_axis(double min, double max, int most_marks) {
+  const double first = std::floor(std::log10(min) + 1e-9);
+  const double last = std::max(first + 1, std::ceil(std::log10(max) - 1e-9));
+  return log_axis(std::pow(10.0, first), std::pow(10.0, last), most_marks);
 }
 
 }  // namespace fingerpad

@@ -11,14 +11,21 @@ struct Axis {
   bool logarithmic = false;
   std::vector<double> marks;
   std::vector<std::string> labels;  ///< one a mark
+  std::vector<double> minor_marks;  ///< between the marks, without labels
 
   /// 0 at min, 1 at max.
   double share(double value) const;
+  double value_at(double share) const;
 };
 
 /// An axis over these values with marks at multiples of 1, 2 or 5 times a power of ten, at most `most_marks`
 /// and one.
 Axis linear_axis(double min, double max, int most_marks);
+
+/// A logarithmic axis over these values with marks at 1, 2 and 5 times the powers of ten where at most
+/// `most_marks` and one come of it, else at powers of ten; within less than a decade as a linear axis.
+/// @pre 0 < min < max
+Axis log_axis(double min, double max, int most_marks);
 
 /// A logarithmic axis over whole decades. @pre 0 < min <= max
 Axis decade_axis(double min, double max, int most_marks);

@@ -42,19 +42,8 @@ void Drawing::text(const Vec2& at, const std::string& words, const TextStyle& st
   if (!words.empty()) marks_.emplace_back(Text{at, printable(words), style});
 }
 
-double text_width(const std::string& words, double size, bool bold) {
-  double ems = 0;
-  for (const char c : words) {
-    if ((static_cast<unsigned char>(c) & 0xC0) == 0x80) continue;  // the rest of a character of several bytes
-    if (std::string_view("il.,:;'|!()[]/ fjt").find(c) != std::string_view::npos) {
-      ems += 0.34;
-    } else if (std::string_view("mwMW@%").find(c) != std::string_view::npos) {
-      ems += 0.92;
-    } else {
-      ems += c >= 'A' && c <= 'Z' ? 0.72 : 0.6;
-    }
-  }
-  return ems * size * (bold ? 1.08 : 1);
+void Drawing::append(const Drawing& other) {
+  marks_.insert(marks_.end(), other.marks_.begin(), other.marks_.end());
 }
 
 }  // namespace fingerpad

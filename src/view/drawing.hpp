@@ -4,8 +4,8 @@
 #include <variant>
 #include <vector>
 
+#include "base/colour.hpp"
 #include "base/types.hpp"
-#include "view/colours.hpp"
 
 namespace fingerpad {
 
@@ -65,13 +65,16 @@ class Drawing {
   /// What a file says stands as printable() has it.
   void text(const Vec2& at, const std::string& words, const TextStyle& style);
 
+  /// Adds another drawing's marks in front of this one's.
+  void append(const Drawing& other);
+
   const std::vector<Mark>& marks() const noexcept { return marks_; }
 
  private:
   std::vector<Mark> marks_;
 };
 
-/// About how wide a text is in a sans-serif face, so that things can be laid out beside it.
+/// How wide a text is as the pictures draw it, measured in their font; SVG asks its viewer for the same one.
 double text_width(const std::string& words, double size, bool bold = false);
 
 }  // namespace fingerpad

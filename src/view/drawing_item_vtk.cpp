@@ -11,6 +11,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/drawing_device_vtk.hpp"
+#include "view/text_width_vtk.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -86,9 +89,7 @@ struct Painter {
   void operator()(const Drawing::Text& text) const {
     vtkTextProperty* property = context->GetTextProp();
     const TextStyle& style = text.style;
-    property->SetFontFamilyToArial();
-    property->SetFontSize(static_cast<int>(std::lround(style.size)));
-    property->SetBold(style.bold ? 1 : 0);
+    set_font(property, style.size, style.bold);
     property->SetColor(style.colour.red / 255.0, style.colour.green / 255.0, style.colour.blue / 255.0);
     property->SetOpacity(style.colour.opacity);
     property->SetOrientation(style.turned ? 90 : 0);
@@ -118,7 +119,21 @@ struct Painter {
   }
 };
 
+void paint_strip(const Drawing& drawing, vtkContext2D* painter, double width, const Strip& strip) {
+  if (Drawing* const record = recording_of(painter)) {
+    record->append(drawing);
+    return;
+  }
+  const Painter onto{painter, width, strip};
+  for (const auto& mark : drawing.marks()) std::visit(onto, mark);
+}
+
 }  // namespace
+
+void paint(const Drawing& drawing, vtkContext2D* painter, int width, int height) {
+  const double page_height = height;
+  paint_strip(drawing, painter, width, {0, page_height, page_height});
+}
 
 vtkStandardNewMacro(DrawingItem);
 
@@ -135,13 +150,9 @@ void DrawingItem::show_strip(int bottom_px, int page_height_px) {
 
 bool DrawingItem::Paint(vtkContext2D* painter) {
   const double height = this->GetScene()->GetSceneHeight();
-  const Painter onto{
-      painter,
-      static_cast<double>(this->GetScene()->GetSceneWidth()),
-      {static_cast<double>(strip_bottom_px_), height, page_height_px_ > 0 ? page_height_px_ : height}};
-  for (const auto& drawing : drawings_) {
-    for (const auto& mark : drawing->marks()) std::visit(onto, mark);
-  }
+  const Strip strip{static_cast<double>(strip_bottom_px_), height,
+                    page_height_px_ > 0 ? page_height_px_ : height};
+  for (const auto& drawing : drawings_) paint_strip(*drawing, painter, this->GetScene()->GetSceneWidth(), strip);
   return true;
 }
 

@@ -10,6 +10,11 @@
 
 namespace fingerpad {
 
+/// Paints a drawing with a painter of VTK, whose units must be pixels: on a screen, or into the drawing that
+/// it records (drawing_device_vtk.hpp).
+/// @param width, height  of the viewport [px]
+void paint(const Drawing& drawing, vtkContext2D* painter, int width, int height);
+
 /// Paints drawings over a renderer, one over the other.
 class DrawingItem : public vtkContextItem {
  public:

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "view/axis.hpp"
+#include "view/colours.hpp"
 
 namespace fingerpad {
 namespace {
@@ -184,7 +185,7 @@ class OverlayPainter {
     }
     double x = left;
     drawing_.text({x, y}, "path:", {.size = em_, .colour = colours::grey, .upright = Upright::middle});
-    x += 2.8 * em_;
+    x += text_width("path:", em_) + 0.6 * em_;
     for (const Phase phase : {Phase::free, Phase::stick, Phase::slip}) {
       const std::string name(phase_name(phase));
       drawing_.box({x, y - 0.35 * em_, 0.7 * em_, 0.7 * em_}, phase_colour(phase));

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "view/chart.hpp"
 #include "view/flat_picture.hpp"
 #include "view/svg.hpp"
 #include "view/touch_chart.hpp"
@@ -52,26 +53,29 @@ Drawing history_drawing(const ViewInput& input, int width, int height) {
   const Vec3 direction_W = main_direction(input.rows);
   const double top = draw_title(page, input, subtitle_of(input, direction_W), width, height, em);
   const Chart spectrum = spectrum_chart(touch_series(input.rows, direction_W));
-  double bottom = 0.6 * em;
+  const Chart touch = touch_chart(input.rows, direction_W, touch_levels(input));
+  const double spectrum_height = spectrum.panels.empty() ? 0 : 0.2 * height + 0.8 * em;
+  const double bottom = 0.6 * em + spectrum_height;
+  const Box above{margin, bottom, width - 2 * margin, top - bottom};
+  const Box below{margin, 0.6 * em, width - 2 * margin, 0.2 * height};
+  double left = stacked_layout(touch, above, em).panels.front().frame.left;
   if (!spectrum.panels.empty()) {
-    const double panel = 0.2 * height;
-    draw_chart(page, spectrum, {margin, bottom, width - 2 * margin, panel}, em);
-    bottom += panel + 0.8 * em;
+    left = std::max(left, stacked_layout(spectrum, below, em).panels.front().frame.left);
+    draw_chart(page, spectrum, below, em, left);
   }
-  draw_chart(page, touch_chart(input.rows, direction_W, touch_levels(input)),
-             {margin, bottom, width - 2 * margin, top - bottom}, em);
+  draw_chart(page, touch, above, em, left);
   return page;
 }
 
 /// Where a curve is greatest, beyond the slow changes of the stroke itself.
-double peak_hz(const Chart& spectrum, const Curve& curve) {
+double peak_hz(const ChartCurve& curve) {
   constexpr double slow_hz = 10;
   const std::vector<double>& density = curve.y;
   std::size_t best = density.size() - 1;
   for (std::size_t i = 0; i < density.size(); ++i) {
-    if (spectrum.x[i] > slow_hz && density[i] > density[best]) best = i;
+    if (curve.x[i] > slow_hz && density[i] > density[best]) best = i;
   }
-  return spectrum.x[best];
+  return curve.x[best];
 }
 
 Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
@@ -82,9 +86,9 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   if (spectrum.panels.empty()) throw refused(input.title, "is too short for a spectrum: it needs 32 ticks");
   if (spectrum.panels[0].curves.empty())
     throw refused(input.title, "has forces that do not change: no spectrum");
-  const Curve& first = spectrum.panels[0].curves[0];
-  const std::string subtitle = fmt::format("{}; {} peaks at {:.0f} Hz", subtitle_of(input, direction_W),
-                                           first.label, peak_hz(spectrum, first));
+  const ChartCurve& first = spectrum.panels[0].curves[0];
+  const std::string subtitle =
+      fmt::format("{}; {} peaks at {:.0f} Hz", subtitle_of(input, direction_W), first.name, peak_hz(first));
   const double top = draw_title(page, input, subtitle, width, height, em);
   draw_chart(page, spectrum, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
   return page;
@@ -101,6 +105,11 @@ void write_drawing(const Drawing& drawing, int width, int height, const std::str
   } else {
     throw Error(ErrorKind::usage, path, "a plot ends in .png or .svg");
   }
+}
+
+void write_chart(const Chart& chart, const std::string& path) {
+  const ChartPage page = chart_page(chart);
+  write_drawing(page.drawing, page.width, page.height, chart.title, path);
 }
 
 void write_plot(const ViewInput& input, const std::string& path, int page_width, PlotSubject subject) {

@@ -2,7 +2,8 @@
 
 #include <string>
 
-#include "view/chart.hpp"
+#include "base/chart.hpp"
+#include "view/drawing.hpp"
 #include "view/view_input.hpp"
 
 namespace fingerpad {
@@ -21,6 +22,9 @@ enum class PlotSubject { history, spectrum };
 void write_plot(const ViewInput& input, const std::string& path, int page_width,
                 PlotSubject subject = PlotSubject::history);
 inline constexpr int plot_page_width = 1400;
+
+/// Draws a chart as a page of panels, PNG or SVG by the path's ending. Errors as write_plot.
+void write_chart(const Chart& chart, const std::string& path);
 
 /// Writes any drawing as PNG or SVG by the path's ending; errors as write_plot.
 void write_drawing(const Drawing& drawing, int width, int height, const std::string& title,

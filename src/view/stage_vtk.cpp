@@ -85,11 +85,7 @@ std::vector<std::string> about_lines(const ViewInput& input) {
 }  // namespace
 
 Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool timeline)
-    : input_(input),
-      extent_(extent_of(input)),
-      charts_(charts),
-      timeline_(timeline),
-      item_(vtkSmartPointer<DrawingItem>::New()) {
+    : input_(input), extent_(extent_of(input)), charts_(charts), timeline_(timeline) {
   space_.origin_W = extent_.everything().centre_W;
   max_force_n_ = extent_.max_force_n;
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
@@ -121,6 +117,8 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
   add_glyphs(close_up_marks_, close_up_clear_);
   add_glyphs(close_up_marks_, close_up_solid_);
   vtkNew<vtkContextActor> flat;
+  flat->GetScene()->AddItem(under_charts_);
+  if (charts_) board_.add_to(flat->GetScene());
   flat->GetScene()->AddItem(item_);
   flat_->AddActor(flat);
   resize(width, height);
@@ -133,7 +131,7 @@ void Stage::resize(int width, int height) {
   const int* now = window_->GetSize();
   if (now[0] != width || now[1] != height) window_->SetSize(width, height);
   layout_ = layout_for(width, height, charts_, timeline_);
-  chart_drawing_.reset();
+  chart_placed_ = false;
   place_renderers();
 }
 
@@ -166,7 +164,7 @@ void Stage::show(const std::optional<TickRecord>& row, double speed_m_per_s) {
 
 void Stage::show_chart(Chart chart) {
   chart_ = std::move(chart);
-  chart_drawing_.reset();
+  chart_placed_ = false;
 }
 
 void Stage::show_hint(std::string hint, std::vector<std::string> help) {
@@ -266,6 +264,32 @@ OverlayFacts Stage::overlay_facts() {
   return facts;
 }
 
+void Stage::place_chart() {
+  if (!charts_ || !chart_ || chart_placed_) return;
+  chart_placed_ = true;
+  auto under = std::make_shared<Drawing>();
+  under->box(layout_.charts, colours::white);
+  under_charts_->show({std::move(under)});
+  const double em = layout_.em;
+  const Box inner{layout_.charts.left + 0.4 * em, layout_.charts.bottom + 0.4 * em,
+                  layout_.charts.width - 0.8 * em, layout_.charts.height - 0.8 * em};
+  board_.show(*chart_, stacked_layout(*chart_, inner, em), static_cast<int>(layout_.window.width),
+              static_cast<int>(layout_.window.height));
+}
+
+/// A line through the panels at the moment shown; none where the charts are zoomed to another time.
+std::shared_ptr<const Drawing> Stage::chart_cursor() const {
+  auto cursor = std::make_shared<Drawing>();
+  const ChartPlace place = board_.place();
+  const double t_s = moment_->row.t_s;
+  if (t_s < place.x_min || t_s > place.x_max) return cursor;
+  const double x = place.drawing_x_at(t_s);
+  for (const Box& panel : place.panels) {
+    cursor->line({x, panel.bottom}, {x, panel.top()}, {colours::ink, 0.12 * layout_.em});
+  }
+  return cursor;
+}
+
 void Stage::render() {
   const double px = px_per_mm();
   GlyphChoice choice;
@@ -282,27 +306,9 @@ void Stage::render() {
   world_->show_path(state_.path, state_.colouring == PathColouring::force);
   place_close_up(px);
 
-  if (charts_ && chart_ && !chart_drawing_) {
-    Drawing drawing;
-    drawing.box(layout_.charts, colours::white);
-    const double em = layout_.em;
-    const Box inner{layout_.charts.left + 0.4 * em, layout_.charts.bottom + 0.4 * em,
-                    layout_.charts.width - 0.8 * em, layout_.charts.height - 0.8 * em};
-    chart_place_ = draw_chart(drawing, *chart_, inner, em);
-    chart_drawing_ = std::make_shared<const Drawing>(std::move(drawing));
-  }
+  place_chart();
   std::vector<std::shared_ptr<const Drawing>> drawings;
-  if (charts_ && chart_drawing_) {
-    drawings.push_back(chart_drawing_);
-    if (timeline_ && moment_) {
-      auto cursor = std::make_shared<Drawing>();
-      const double x = chart_place_.drawing_x_at(moment_->row.t_s);
-      for (const Box& panel : chart_place_.panels) {
-        cursor->line({x, panel.bottom}, {x, panel.top()}, {colours::ink, 0.12 * layout_.em});
-      }
-      drawings.push_back(std::move(cursor));
-    }
-  }
+  if (charts_ && chart_ && timeline_ && moment_) drawings.push_back(chart_cursor());
   OverlayFacts facts = overlay_facts();
   facts.mm_per_n = choice.mm_per_n;
   project_labels(facts, choice.size_mm);
@@ -319,7 +325,7 @@ std::optional<double> Stage::time_at(double x_px, double y_px) const {
     const Box slider = time_slider(layout_);
     return first + std::clamp((x_px - slider.left) / slider.width, 0.0, 1.0) * (last - first);
   }
-  if (charts_ && chart_ && layout_.charts.holds(x_px, y_px)) return chart_place_.x_at(x_px);
+  if (charts_ && chart_ && layout_.charts.holds(x_px, y_px)) return board_.place().x_at(x_px);
   return std::nullopt;
 }
 

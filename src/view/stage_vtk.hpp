@@ -8,9 +8,10 @@
 #include <string>
 #include <vector>
 
-#include "view/chart.hpp"
+#include "view/chart_board_vtk.hpp"
 #include "view/contact_glyphs.hpp"
 #include "view/draw_space.hpp"
+#include "view/drawing_item_vtk.hpp"
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
 #include "view/view_state.hpp"
@@ -22,8 +23,6 @@ class vtkRenderWindow;
 class vtkRenderer;
 
 namespace fingerpad {
-
-class DrawingItem;
 
 /// What a picture and a window have in common: the scene, the close-up of the contact, the charts and the
 /// flat parts over them, in one render window.
@@ -51,6 +50,8 @@ class Stage {
   /// The moment shown; `speed_m_per_s` may be nan. Without a row only the surfaces are shown.
   void show(const std::optional<TickRecord>& row, double speed_m_per_s);
   void show_chart(Chart chart);
+  /// The chart column: zoomed by the wheel, panned by a drag, asked by the mouse over it.
+  ChartBoard& charts() { return board_; }
   void show_hint(std::string hint, std::vector<std::string> help);
   void show_title_note(std::string note) { hint_ = std::move(note); }
   /// The largest force so far: arrows keep to a scale in which it fits.
@@ -72,6 +73,8 @@ class Stage {
   void place_close_up(double px_per_mm);
   double px_per_mm() const;
   OverlayFacts overlay_facts();
+  void place_chart();
+  std::shared_ptr<const Drawing> chart_cursor() const;
   void project_labels(OverlayFacts& facts, double size_mm);
 
   const ViewInput& input_;
@@ -89,13 +92,13 @@ class Stage {
   std::string hint_;
   std::vector<std::string> help_;
   std::optional<Chart> chart_;
-  ChartPlace chart_place_;
-  std::shared_ptr<const Drawing> chart_drawing_;
+  bool chart_placed_ = false;  ///< in the present layout
+  ChartBoard board_;
 
   vtkNew<vtkRenderWindow> window_;
   vtkNew<vtkRenderer> scene_, close_up_, close_up_marks_, flat_;
   vtkNew<vtkPolyData> solid_, clear_, close_up_solid_, close_up_clear_;
-  vtkSmartPointer<DrawingItem> item_;
+  vtkNew<DrawingItem> under_charts_, item_;
 };
 
 }  // namespace fingerpad

@@ -126,7 +126,7 @@ struct ElementWriter {
 std::string svg_page(const Drawing& drawing, int width, int height, const std::string& title) {
   std::string out = fmt::format(
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}\" height=\"{1}\" viewBox=\"0 0 {0} {1}\" "
-      "font-family=\"Arial, Helvetica, sans-serif\">\n<title>{2}</title>\n"
+      "font-family=\"DejaVu Sans, Verdana, Arial, Helvetica, sans-serif\">\n<title>{2}</title>\n"
       "<rect width=\"{0}\" height=\"{1}\" fill=\"#ffffff\"/>\n",
       width, height, escaped(printable(title)));
   ElementWriter writer{out, static_cast<double>(height)};

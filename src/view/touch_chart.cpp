@@ -4,10 +4,18 @@
 #include <cmath>
 
 #include "friction/law_parameters.hpp"
+#include "view/colours.hpp"
 #include "view/spectrum.hpp"
 
 namespace fingerpad {
 namespace {
+
+constexpr double line_weight = 1.12;
+
+ChartCurve line(const TouchSeries& series, std::string name, int colour, std::vector<double> y,
+                Dash dash = Dash::solid) {
+  return {std::move(name), {colour, dash, Marker::none, line_weight}, series.t_s, std::move(y)};
+}
 
 std::vector<double> scaled(const std::vector<double>& values, double factor) {
   std::vector<double> out(values);
@@ -27,12 +35,12 @@ std::vector<double> where_phase(const std::vector<double>& values, const std::ve
   return out;
 }
 
-Band phase_band(const std::vector<Phase>& phase) {
-  Band band;
+ChartBand phase_band(const TouchSeries& series) {
+  ChartBand band{"phase", {}, series.t_s, {}};
   for (const Phase one : {Phase::free, Phase::stick, Phase::slip}) {
     band.keys.push_back({std::string(phase_name(one)), phase_colour(one)});
   }
-  for (const Phase one : phase) band.key_at.push_back(static_cast<std::uint8_t>(one));
+  for (const Phase one : series.phase) band.key_at.push_back(static_cast<std::size_t>(one));
   return band;
 }
 
@@ -50,42 +58,58 @@ std::vector<double> where_slip_ends(const std::vector<double>& values, const std
   return out;
 }
 
-void add_slip_ends(Panel& panel, const std::vector<Phase>& phase) {
-  std::vector<double> ends = where_slip_ends(panel.curves.front().y, phase);
+void add_slip_ends(ChartPanel& panel, const TouchSeries& series) {
+  std::vector<double> ends = where_slip_ends(panel.curves.front().y, series.phase);
   const bool any = std::any_of(ends.begin(), ends.end(), [](double y) { return std::isfinite(y); });
-  if (any) panel.curves.push_back({"end of slip", colours::vermillion, CurveStyle::rings, std::move(ends)});
+  const CurveStyle rings{palette::vermillion, Dash::none, Marker::ring, 1.2};
+  if (any) panel.curves.push_back({"end of slip", rings, series.t_s, std::move(ends)});
 }
 
-/// The panels below the position.
-void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& levels) {
-  Panel speed{"tangential speed [mm/s]",
-              "speed [mm/s]",
-              {{"speed", colours::blue, {}, scaled(series.speed_m_per_s, 1e3)}},
-              {}};
-  speed.from_zero = true;
+ChartPanel panel_over_time(std::string y_label, std::string short_y_label, std::vector<ChartCurve> curves,
+                           bool from_zero) {
+  ChartPanel panel{"", "time [s]", std::move(y_label), false, false, std::move(curves)};
+  panel.short_y_label = std::move(short_y_label);
+  panel.y_from_zero = from_zero;
+  return panel;
+}
+
+ChartPanel speed_panel(const TouchSeries& series, const TouchLevels& levels) {
+  ChartPanel speed =
+      panel_over_time("tangential speed [mm/s]", "speed [mm/s]",
+                      {line(series, "speed", palette::blue, scaled(series.speed_m_per_s, 1e3))}, true);
   const auto fastest = std::max_element(
       series.speed_m_per_s.begin(), series.speed_m_per_s.end(),
       [](double a, double b) { return (std::isnan(a) ? -1 : a) < (std::isnan(b) ? -1 : b); });
   // v_min far above all speeds would flatten the curve.
   if (fastest != series.speed_m_per_s.end() && *fastest > 0.4 * levels.v_min_m_per_s &&
       levels.v_min_m_per_s > 0) {
-    speed.levels.push_back({"v_min", levels.v_min_m_per_s * 1e3, colours::reddish_purple});
+    speed.levels.push_back({"v_min", levels.v_min_m_per_s * 1e3, palette::reddish_purple});
   }
-  add_slip_ends(speed, series.phase);
-  Panel force{"force on the finger [N]",
-              "force [N]",
-              {{"normal", colours::blue, {}, series.normal_force_n},
-               {"friction along " + series.direction_name, colours::vermillion, {}, series.friction_n}},
-              {}};
-  force.from_zero = true;
-  Panel mu{"coefficient of friction [1]", "mu [1]", {{"mu", colours::ink, {}, series.mu}}, {}};
-  mu.from_zero = true;
-  add_slip_ends(mu, series.phase);
-  if (levels.mu_static > 0) mu.levels.push_back({"mu_s", levels.mu_static, colours::bluish_green});
-  if (levels.mu_dynamic > 0) mu.levels.push_back({"mu_d", levels.mu_dynamic, colours::orange});
-  chart.panels.push_back(std::move(speed));
-  chart.panels.push_back(std::move(force));
+  add_slip_ends(speed, series);
+  return speed;
+}
+
+/// The panels below the position.
+void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& levels) {
+  chart.panels.push_back(speed_panel(series, levels));
+  chart.panels.push_back(panel_over_time(
+      "force on the finger [N]", "force [N]",
+      {line(series, "normal", palette::blue, series.normal_force_n),
+       line(series, "friction along " + series.direction_name, palette::vermillion, series.friction_n)},
+      true));
+  ChartPanel mu = panel_over_time("coefficient of friction [1]", "mu [1]",
+                                  {line(series, "mu", palette::ink, series.mu)}, true);
+  add_slip_ends(mu, series);
+  if (levels.mu_static > 0) mu.levels.push_back({"mu_s", levels.mu_static, palette::bluish_green});
+  if (levels.mu_dynamic > 0) mu.levels.push_back({"mu_d", levels.mu_dynamic, palette::orange});
   chart.panels.push_back(std::move(mu));
+}
+
+Chart stacked_chart(const TouchSeries& series) {
+  Chart chart;
+  chart.stacked = true;
+  chart.band = phase_band(series);
+  return chart;
 }
 
 }  // namespace
@@ -106,27 +130,25 @@ TouchLevels touch_levels(const ViewInput& input) {
 Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, const TouchLevels& levels) {
   const TouchSeries series = touch_series(rows, direction_W);
   const std::vector<double> position_mm = scaled(series.position_m, 1e3);
-  Chart chart{"time [s]", series.t_s, false, {}, phase_band(series.phase)};
-  chart.panels.push_back(
-      {"position " + series.direction_name + " [mm]",
-       series.direction_name + " [mm]",
-       {{"slip, free", colours::blue, CurveStyle::solid, where_phase(position_mm, series.phase, false)},
-        {"stick", colours::blue, CurveStyle::dotted, where_phase(position_mm, series.phase, true)},
-        {"stick centre", colours::vermillion, CurveStyle::dashed, scaled(series.centre_m, 1e3)}},
-       {}});
+  Chart chart = stacked_chart(series);
+  chart.panels.push_back(panel_over_time(
+      "position " + series.direction_name + " [mm]", series.direction_name + " [mm]",
+      {line(series, "slip, free", palette::blue, where_phase(position_mm, series.phase, false)),
+       line(series, "stick", palette::blue, where_phase(position_mm, series.phase, true), Dash::dotted),
+       line(series, "stick centre", palette::vermillion, scaled(series.centre_m, 1e3), Dash::dashed)},
+      false));
   add_panels(chart, series, levels);
   return chart;
 }
 
 Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
   const TouchSeries series = touch_series(rows, Vec3::UnitX());
-  Chart chart{"time [s]", series.t_s, false, {}, phase_band(series.phase)};
-  Panel position{"finger [mm]",
-                 "",
-                 {{"x", colours::blue, CurveStyle::solid, {}},
-                  {"y", colours::vermillion, CurveStyle::solid, {}},
-                  {"z", colours::bluish_green, CurveStyle::solid, {}}},
-                 {}};
+  Chart chart = stacked_chart(series);
+  ChartPanel position =
+      panel_over_time("finger [mm]", "",
+                      {line(series, "x", palette::blue, {}), line(series, "y", palette::vermillion, {}),
+                       line(series, "z", palette::bluish_green, {})},
+                      false);
   for (int axis = 0; axis < 3; ++axis) {
     for (const TickRecord& row : rows) {
       position.curves[static_cast<std::size_t>(axis)].y.push_back(row.p_WQ[axis] * 1e3);
@@ -135,37 +157,38 @@ Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
   chart.panels.push_back(std::move(position));
   add_panels(chart, series, levels);
   // The direction of a hand that goes anywhere wanders from frame to frame: magnitudes stay put.
-  Curve& friction = chart.panels[2].curves[1];
-  friction.label = "friction";
+  ChartCurve& friction = chart.panels[2].curves[1];
+  friction.name = "friction";
   for (std::size_t i = 0; i < rows.size(); ++i) friction.y[i] = rows[i].friction_W_n.norm();
   return chart;
 }
 
 Chart spectrum_chart(const TouchSeries& series) {
-  Chart chart{"frequency [Hz]", {}, false, {}, std::nullopt};
+  Chart chart;
+  chart.stacked = true;
   const std::size_t count = series.t_s.size();
   if (count < 32 || !(series.t_s.back() > series.t_s.front())) return chart;
   const double rate_hz = static_cast<double>(count - 1) / (series.t_s.back() - series.t_s.front());
-  const Spectrum friction = welch_spectrum(series.friction_n, rate_hz);
-  const Spectrum normal = welch_spectrum(series.normal_force_n, rate_hz);
-  // Without its zero: windows have no mean.
-  chart.x.assign(friction.frequency_hz.begin() + 1, friction.frequency_hz.end());
-  Panel panel{"power density [N\xC2\xB2/Hz]",
-              "N\xC2\xB2/Hz",
-              {{"friction along " + series.direction_name,
-                colours::vermillion,
-                CurveStyle::solid,
-                {friction.density.begin() + 1, friction.density.end()}},
-               {"normal force",
-                colours::blue,
-                CurveStyle::solid,
-                {normal.density.begin() + 1, normal.density.end()}}},
-              {}};
-  panel.logarithmic = true;
+  const auto curve = [rate_hz](std::string name, int colour, const std::vector<double>& force_n) {
+    const Spectrum spectrum = welch_spectrum(force_n, rate_hz);
+    // Without its zero: windows have no mean.
+    return ChartCurve{std::move(name),
+                      {colour, Dash::solid, Marker::none, line_weight},
+                      {spectrum.frequency_hz.begin() + 1, spectrum.frequency_hz.end()},
+                      {spectrum.density.begin() + 1, spectrum.density.end()}};
+  };
+  ChartPanel panel{"",
+                   "frequency [Hz]",
+                   "power density [N\xC2\xB2/Hz]",
+                   false,
+                   true,
+                   {curve("friction along " + series.direction_name, palette::vermillion, series.friction_n),
+                    curve("normal force", palette::blue, series.normal_force_n)}};
+  panel.short_y_label = "N\xC2\xB2/Hz";
   // A force that is held constant has no spectrum but that of rounding.
-  const auto greatest = [](const Curve& curve) { return *std::max_element(curve.y.begin(), curve.y.end()); };
+  const auto greatest = [](const ChartCurve& one) { return *std::max_element(one.y.begin(), one.y.end()); };
   const double top = std::max(greatest(panel.curves[0]), greatest(panel.curves[1]));
-  std::erase_if(panel.curves, [&](const Curve& curve) { return !(greatest(curve) > 1e-8 * top); });
+  std::erase_if(panel.curves, [&](const ChartCurve& one) { return !(greatest(one) > 1e-8 * top); });
   chart.panels.push_back(std::move(panel));
   return chart;
 }

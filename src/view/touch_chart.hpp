@@ -2,7 +2,7 @@
 
 #include <span>
 
-#include "view/chart.hpp"
+#include "base/chart.hpp"
 #include "view/touch_series.hpp"
 #include "view/view_input.hpp"
 

@@ -25,9 +25,11 @@ struct WindowReport {
   ViewState state;
   long frames = 0;  ///< rendered so far
   double since_open_s = 0;
-  Vec3 target_W = Vec3::Zero();  ///< touch windows: where the finger is wanted
-  bool pressing = false;         ///< touch windows: against the surface
-  double press_n = 0;            ///< touch windows: the force aimed at
+  Vec3 target_W = Vec3::Zero();         ///< touch windows: where the finger is wanted
+  bool pressing = false;                ///< touch windows: against the surface
+  double press_n = 0;                   ///< touch windows: the force aimed at
+  double chart_from = 0, chart_to = 0;  ///< the range of x that the charts show
+  std::string chart_tells;              ///< the value of the curve under the mouse; empty: none
 };
 
 struct WindowOptions {

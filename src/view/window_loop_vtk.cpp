@@ -45,7 +45,9 @@ std::vector<std::string> common_help() {
   return {"left drag: turn the view",
           "middle drag: move the view",
           "right drag, wheel: zoom",
-          "r: view as at first",
+          "wheel on a chart: zoom; drag: move along",
+          "mouse over a curve: its value",
+          "r: view and charts as at first",
           "c: colour the path by phase or by force",
           "p, f, a, n: show path, finger, forces, tangent frame",
           "i, e, o: show close-up, edges, readings",
@@ -115,6 +117,7 @@ bool WindowLoop::common_key(const std::string& key) {
     state.help = false;
   } else if (key == "r") {
     stage_.reset_camera();
+    stage_.charts().show_all();
   } else if (key == "c") {
     const bool phase = state.colouring == PathColouring::phase;
     state.colouring = phase ? PathColouring::force : PathColouring::phase;
@@ -133,21 +136,27 @@ bool WindowLoop::on_key(vtkObject*, unsigned long, void*) {
 
 bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
   const int* at = interactor_->GetEventPosition();
+  ChartBoard& charts = stage_.charts();
   bool taken = false;
   switch (event) {
     case vtkCommand::LeftButtonPressEvent:
-      taken = handlers_.press && handlers_.press(at[0], at[1]);
+      // All of a chart that is not zoomed is in sight: there is nowhere to move it.
+      taken = charts.zoomed() && charts.press(at[0], at[1]);
+      taken = (handlers_.press && handlers_.press(at[0], at[1])) || taken;
       break;
     case vtkCommand::MouseMoveEvent:
+      if (charts.move(at[0], at[1])) changed_ = true;
       taken = handlers_.move && handlers_.move(at[0], at[1]);
       break;
     case vtkCommand::LeftButtonReleaseEvent:
-      taken = handlers_.release && handlers_.release();
+      taken = charts.release(at[0], at[1]);
+      taken = (handlers_.release && handlers_.release()) || taken;
       break;
     case vtkCommand::MouseWheelForwardEvent:
     case vtkCommand::MouseWheelBackwardEvent: {
       const int steps = event == vtkCommand::MouseWheelForwardEvent ? 1 : -1;
-      if (!handlers_.wheel || !handlers_.wheel(steps)) stage_.zoom(steps > 0 ? 1.15 : 1 / 1.15);
+      const bool theirs = charts.wheel(at[0], at[1], steps) || (handlers_.wheel && handlers_.wheel(steps));
+      if (!theirs) stage_.zoom(steps > 0 ? 1.15 : 1 / 1.15);
       taken = true;
       break;
     }
@@ -196,6 +205,10 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
     report.state = stage_.state();
     report.frames = frames_;
     report.since_open_s = now_s;
+    const ChartPlace charts = stage_.charts().place();
+    report.chart_from = charts.x_min;
+    report.chart_to = charts.x_max;
+    report.chart_tells = stage_.charts().told();
     if (handlers_.report) handlers_.report(report);
     options_.on_frame(report);
   }

@@ -15,6 +15,21 @@ namespace {
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr Box page{0, 0, 400, 300};
 
+CurveStyle blue_line(Dash dash = Dash::solid) {
+  return {palette::blue, dash, Marker::none, 1};
+}
+
+ChartPanel panel_of(ChartCurve curve, bool logarithmic = false) {
+  return {"", "t", "y", false, logarithmic, {std::move(curve)}};
+}
+
+Chart stacked(std::vector<ChartPanel> panels) {
+  Chart chart;
+  chart.stacked = true;
+  chart.panels = std::move(panels);
+  return chart;
+}
+
 std::vector<Vec2> all_points(const Drawing& drawing) {
   std::vector<Vec2> points;
   for (const auto& mark : drawing.marks()) {
@@ -56,16 +71,13 @@ TEST(Axis, DecadesCoverTheValues) {
 }
 
 TEST(Chart, KeepsPeaksOfCurvesWithManyPoints) {
-  Chart chart;
-  chart.x_label = "t";
-  Curve curve{"c", colours::blue, CurveStyle::solid, {}};
+  ChartCurve curve{"c", blue_line(), {}, {}};
   for (int i = 0; i < 100'000; ++i) {
-    chart.x.push_back(i);
+    curve.x.push_back(i);
     curve.y.push_back(i == 54'321 ? 10 : 0.5 * std::sin(i * 0.1));
   }
-  chart.panels.push_back({"y", "", {curve}, {}});
   Drawing drawing;
-  const ChartPlace place = draw_chart(drawing, chart, page, 10);
+  const ChartPlace place = draw_chart(drawing, stacked({panel_of(curve)}), page, 10);
   ASSERT_EQ(place.panels.size(), 1u);
   const Box& panel = place.panels[0];
   double highest = 0;
@@ -81,11 +93,9 @@ TEST(Chart, KeepsPeaksOfCurvesWithManyPoints) {
 }
 
 TEST(Chart, LeavesGapsWhereValuesAreNone) {
-  Chart chart;
-  chart.x = {0, 1, 2, 3, 4, 5};
-  chart.panels.push_back({"y", "", {{"", colours::blue, CurveStyle::solid, {0, 1, nan, nan, 1, 0}}}, {}});
+  const ChartCurve curve{"", blue_line(), {0, 1, 2, 3, 4, 5}, {0, 1, nan, nan, 1, 0}};
   Drawing drawing;
-  draw_chart(drawing, chart, page, 10);
+  draw_chart(drawing, stacked({panel_of(curve)}), page, 10);
   int runs = 0;
   for (const auto& mark : drawing.marks()) {
     const auto* line = std::get_if<Drawing::Line>(&mark);
@@ -95,14 +105,13 @@ TEST(Chart, LeavesGapsWhereValuesAreNone) {
 }
 
 TEST(Chart, StaysOnItsPageWhateverTheValues) {
-  Chart chart;
-  chart.x = {0, 1, 2};
+  Chart chart = stacked({});
   const double huge = 1e300;
   for (const std::vector<double>& y :
        {std::vector<double>{nan, nan, nan}, {0, 0, 0}, {-huge, huge, 0}, {HUGE_VAL, 1, -HUGE_VAL}, {}}) {
-    chart.panels.push_back({"y", "", {{"curve", colours::blue, CurveStyle::dotted, y}}, {}});
-    chart.panels.push_back(chart.panels.back());
-    chart.panels.back().logarithmic = true;
+    const ChartCurve curve{"curve", blue_line(Dash::dotted), {0, 1, 2}, y};
+    chart.panels.push_back(panel_of(curve));
+    chart.panels.push_back(panel_of(curve, true));
   }
   Drawing drawing;
   draw_chart(drawing, chart, {0, 0, 400, 2000}, 10);
@@ -113,11 +122,9 @@ TEST(Chart, StaysOnItsPageWhateverTheValues) {
 }
 
 TEST(Chart, PlacesTimeBothWays) {
-  Chart chart;
-  chart.x = {2, 3, 6};
-  chart.panels.push_back({"y", "", {{"", colours::blue, CurveStyle::solid, {0, 1, 2}}}, {}});
+  const ChartCurve curve{"", blue_line(), {2, 3, 6}, {0, 1, 2}};
   Drawing drawing;
-  const ChartPlace place = draw_chart(drawing, chart, page, 10);
+  const ChartPlace place = draw_chart(drawing, stacked({panel_of(curve)}), page, 10);
   EXPECT_NEAR(place.x_at(place.drawing_x_at(3.7)), 3.7, 1e-9);
   EXPECT_EQ(place.x_at(-1000), 2);
   EXPECT_EQ(place.x_at(1000), 6);
@@ -141,16 +148,77 @@ TEST(Svg, LeavesOutPointsThatNobodySeesAndKeepsPeaks) {
 }
 
 TEST(Chart, DrawsRingsOnlyWhereThereIsAValue) {
-  Chart chart;
-  chart.x = {0, 1, 2, 3};
-  chart.panels.push_back({"y", "", {{"", colours::blue, CurveStyle::rings, {nan, 1, nan, 2}}}, {}});
+  const CurveStyle rings_alone{palette::blue, Dash::none, Marker::ring, 1};
+  const ChartCurve curve{"", rings_alone, {0, 1, 2, 3}, {nan, 1, nan, 2}};
   Drawing drawing;
-  draw_chart(drawing, chart, page, 10);
+  draw_chart(drawing, stacked({panel_of(curve)}), page, 10);
   const auto rings = std::count_if(drawing.marks().begin(), drawing.marks().end(), [](const auto& mark) {
     const auto* line = std::get_if<Drawing::Line>(&mark);
     return line != nullptr && line->points.size() > 8 && line->points.front() == line->points.back();
   });
   EXPECT_EQ(rings, 2);
+}
+
+TEST(Axis, LogarithmicOneHasMinorMarksBetweenItsMarks) {
+  const Axis axis = log_axis(0.5, 2000, 5);
+  EXPECT_EQ(axis.labels, (std::vector<std::string>{"1", "10", "100", "1000"}));
+  EXPECT_EQ(axis.minor_marks.size(), 5u + 8 + 8 + 8 + 1);  // 0.5 to 0.9, 2 to 9 of three decades, 2000
+  EXPECT_EQ(log_axis(1, 9, 9).labels, (std::vector<std::string>{"1", "2", "5"}));
+  EXPECT_DOUBLE_EQ(axis.value_at(axis.share(37)), 37);
+}
+
+/// Where a text stands and ends, as it was measured.
+struct Extent {
+  double left, right;
+};
+
+std::vector<Extent> extents_of_texts(const Drawing& drawing) {
+  std::vector<Extent> extents;
+  for (const auto& mark : drawing.marks()) {
+    const auto* text = std::get_if<Drawing::Text>(&mark);
+    if (text == nullptr || text->style.turned) continue;
+    const double width = text_width(text->words, text->style.size, text->style.bold);
+    const double share = text->style.across == Across::left     ? 0
+                         : text->style.across == Across::centre ? 0.5
+                                                                : 1;
+    extents.push_back({text->at.x() - share * width, text->at.x() + (1 - share) * width});
+  }
+  return extents;
+}
+
+TEST(Chart, PageHasRoomForAllItsTexts) {
+  Chart chart{"", "a title", {std::string(160, 'M')}, 2, {}};
+  ChartPanel panel{"title", "size [mm]", "error [um]", true, true, {}};
+  panel.curves.push_back({"a curve with quite a long name", {}, {1, 10, 100}, {1e-6, 3e-3, 1}});
+  chart.panels = {panel, panel, panel};
+  const ChartPage drawn = chart_page(chart);
+  const auto extents = extents_of_texts(drawn.drawing);
+  EXPECT_GT(extents.size(), 20u);
+  for (const Extent& extent : extents) {
+    EXPECT_GE(extent.left, 0);
+    EXPECT_LE(extent.right, drawn.width);
+  }
+}
+
+TEST(Chart, LegendNamesEachCurveOnceAndTheFront) {
+  ChartPanel panel{"", "x", "y", false, false, {{"one", {}, {0, 1}, {1, 2}}}, {{0, 2}, {1, 1}}};
+  const ChartPage drawn = chart_page({"", "", {}, 1, {panel, panel}});
+  const auto times = [&](const std::string& words) {
+    return std::count_if(drawn.drawing.marks().begin(), drawn.drawing.marks().end(), [&](const auto& mark) {
+      const auto* text = std::get_if<Drawing::Text>(&mark);
+      return text != nullptr && text->words == words;
+    });
+  };
+  EXPECT_EQ(times("one"), 1);
+  EXPECT_EQ(times("Pareto front"), 1);
+}
+
+TEST(Text, IsMeasuredNotGuessed) {
+  EXPECT_EQ(text_width("", 16), 0);
+  EXPECT_GT(text_width("WWWW", 16), 2.5 * text_width("iiii", 16));
+  EXPECT_NEAR(text_width("force [N]", 32), 2 * text_width("force [N]", 16),
+              4);  // whole pixels of each letter
+  EXPECT_GT(text_width("force", 16, true), text_width("force", 16));
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "support/paths.hpp"
+#include "view/colours.hpp"
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
 #include "view/pixel_statistics.hpp"

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <chrono>
+#include <cmath>
 
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
@@ -116,6 +117,57 @@ TEST(Window, ShowsAMeshAlone) {
   const auto reports = play(mesh, {{0.05, Kind::key, "space"}, {0.1, Kind::press, "", 300, 5}}, 0.3);
   ASSERT_FALSE(reports.empty());
   EXPECT_FALSE(reports.back().state.playing);
+}
+
+/// In the middle of the lowest chart of the window that play opens.
+std::pair<int, int> on_chart(double share) {
+  const Layout layout = layout_for(600, 400, true, true);
+  const Box& charts = layout.charts;
+  return {static_cast<int>(charts.left + share * charts.width),
+          static_cast<int>(charts.bottom + 0.17 * charts.height)};
+}
+
+TEST(Window, WheelZoomsTheChartsAndADragMovesThemAlong) {
+  const auto [x, y] = on_chart(0.6);
+  const ViewInput input = torus_rub(1);
+  const double whole_s = input.rows.back().t_s - input.rows.front().t_s;
+  const auto reports = play(input,
+                            {{0.1, Kind::wheel_up, "", x, y},
+                             {0.1, Kind::wheel_up, "", x, y},
+                             {0.1, Kind::wheel_up, "", x, y},
+                             {0.3, Kind::press, "", x, y},
+                             {0.3, Kind::move, "", x - 30, y},
+                             {0.3, Kind::release, "", x - 30, y},
+                             {0.6, Kind::key, "r"}},
+                            0.9);
+  ASSERT_FALSE(reports.empty());
+  double least_s = 10, earliest_s = 10, latest_s = 0;
+  for (const WindowReport& report : reports) {
+    const double span_s = report.chart_to - report.chart_from;
+    least_s = std::min(least_s, span_s);
+    if (span_s > 0.6 * whole_s) continue;
+    earliest_s = std::min(earliest_s, report.chart_from);
+    latest_s = std::max(latest_s, report.chart_from);
+  }
+  EXPECT_NEAR(least_s, whole_s / std::pow(1.25, 3), 1e-6);
+  EXPECT_GT(latest_s, earliest_s + 0.01) << "dragged to the left: later times come into sight";
+  EXPECT_NEAR(reports.back().chart_to - reports.back().chart_from, whole_s, 1e-9) << "r shows all";
+}
+
+TEST(Window, MouseOverACurveTellsItsValue) {
+  const ViewInput input = torus_rub(1);
+  const Layout layout = layout_for(600, 400, true, true);
+  std::vector<WindowEvent> events;
+  // Somewhere on this way up through the lowest panel it meets the coefficient of friction.
+  for (int i = 0; i < 60; ++i) {
+    events.push_back({0.1 + 0.02 * i, Kind::move, "", on_chart(0.6).first,
+                      static_cast<int>(layout.charts.bottom) + 20 + 2 * i});
+  }
+  bool told = false;
+  for (const WindowReport& report : play(input, std::move(events), 1.6)) {
+    told |= report.chart_tells.find("mu: ") == 0 && report.chart_tells.find(" at ") != std::string::npos;
+  }
+  EXPECT_TRUE(told);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/study_pictures.hpp"
+#include "view/plot.hpp"
 
 namespace fingerpad::bench {
 namespace {
@@ -20,15 +20,15 @@ namespace {
 struct Method {
   const char* key;
   const char* name;
-  SeriesStyle style;
+  CurveStyle style;
 };
 
 const Method methods[] = {
-    {"fingerpad", "fingerpad", {0, SeriesDash::solid, SeriesMarker::disc, 1.4}},
-    {"one_by_one", "Embree, a primitive a triangle", {1, SeriesDash::dashed, SeriesMarker::square}},
-    {"wide_tree", "hand-written tree, same packets", {2, SeriesDash::dash_dot, SeriesMarker::triangle}},
-    {"cgal_hint", "CGAL AABB tree with hint", {3, SeriesDash::dotted, SeriesMarker::diamond}},
-    {"vtk_static", "vtkStaticCellLocator", {4, SeriesDash::dashed, SeriesMarker::cross}},
+    {"fingerpad", "fingerpad", {0, Dash::solid, Marker::disc, 1.4}},
+    {"one_by_one", "Embree, a primitive a triangle", {1, Dash::dashed, Marker::square}},
+    {"wide_tree", "hand-written tree, same packets", {2, Dash::dash_dot, Marker::triangle}},
+    {"cgal_hint", "CGAL AABB tree with hint", {3, Dash::dotted, Marker::diamond}},
+    {"vtk_static", "vtkStaticCellLocator", {4, Dash::dashed, Marker::cross}},
 };
 
 /// A panel: which cases, and which figure of theirs.
@@ -83,21 +83,21 @@ class Figures {
   std::map<std::string, nlohmann::json> cases_;
 };
 
-StudyPanel panel_of(const Figures& figures, const Question& question) {
-  StudyPanel panel{question.title, "triangles", "time of a query [ns]", true, true, {}, {}, false};
+ChartPanel panel_of(const Figures& figures, const Question& question) {
+  ChartPanel panel{question.title, "triangles", "time of a query [ns]", true, true, {}, {}, false};
   for (const Method& method : methods) {
-    StudySeries line{method.name, method.style, {}, {}};
+    ChartCurve line{method.name, method.style, {}, {}};
     for (const std::string& mesh : spheres) {
       if (const auto ns = figures.find(mesh, method.key, question)) {
         line.x.push_back(triangle_counts.at(mesh));
         line.y.push_back(*ns);
       }
     }
-    if (!line.x.empty()) panel.series.push_back(line);
+    if (!line.x.empty()) panel.curves.push_back(line);
     if (const auto ns = figures.find("drilled_plate", method.key, question)) {
-      SeriesStyle alone = method.style;
-      alone.dash = SeriesDash::none;
-      panel.series.push_back({method.name, alone, {triangle_counts.at("drilled_plate")}, {*ns}});
+      CurveStyle alone = method.style;
+      alone.dash = Dash::none;
+      panel.curves.push_back({method.name, alone, {triangle_counts.at("drilled_plate")}, {*ns}});
     }
   }
   return panel;
@@ -154,7 +154,7 @@ int run(const std::string& from, const std::string& chart_path) {
   }
   const Figures figures(nlohmann::json::parse(file));
   print_table(figures);
-  StudyChart chart;
+  Chart chart;
   chart.name = "contact_speed";
   chart.title = "Closest points: time of a query against size";
   chart.notes = {
@@ -162,7 +162,7 @@ int run(const std::string& from, const std::string& chart_path) {
       embree_note(figures)};
   chart.columns = 2;
   for (const Question& question : questions) chart.panels.push_back(panel_of(figures, question));
-  draw_study_chart(chart, chart_path);
+  write_chart(chart, chart_path);
   return 0;
 }
 
