@@ -128,6 +128,12 @@ void Proxy::show(const Vec3& shaded) noexcept {
   if (after_hop) {
     lags_ = true;
     contact_.normal_W = normal_towards(shaded, most_m);
+    // A hop that had to wait can bring the proxy nearer by more than may be shown at once.
+    const double held_back_m = last_push_.norm() - most_m - depth_m;
+    if (held_back_m > 0) {
+      contact_.depth_m += held_back_m;
+      contact_.proxy_W += held_back_m * contact_.direction_W;
+    }
     return;
   }
   // The last turn, kept, changes the push by no more than the way to the proxy changes.

@@ -75,8 +75,8 @@ CurveStyle variant_style(std::size_t n) {
   using enum Marker;
   constexpr Dash solid = Dash::solid, dashed = Dash::dashed;
   constexpr CurveStyle styles[] = {{0, dashed, ring, 1.5},    {6, dashed, square, 1.3},
-                                    {2, dashed, diamond, 1.2}, {1, solid, disc, 0.9},
-                                    {4, solid, triangle, 0.8}, {3, solid, cross, 0.7}};
+                                   {2, dashed, diamond, 1.2}, {1, solid, disc, 0.9},
+                                   {4, solid, triangle, 0.8}, {3, solid, cross, 0.7}};
   CurveStyle style = styles[n % std::size(styles)];
   if (n >= std::size(styles)) style.dash = Dash::dotted;
   return style;

@@ -152,7 +152,8 @@ bool DrawingItem::Paint(vtkContext2D* painter) {
   const double height = this->GetScene()->GetSceneHeight();
   const Strip strip{static_cast<double>(strip_bottom_px_), height,
                     page_height_px_ > 0 ? page_height_px_ : height};
-  for (const auto& drawing : drawings_) paint_strip(*drawing, painter, this->GetScene()->GetSceneWidth(), strip);
+  for (const auto& drawing : drawings_)
+    paint_strip(*drawing, painter, this->GetScene()->GetSceneWidth(), strip);
   return true;
 }
 

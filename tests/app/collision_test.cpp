@@ -156,7 +156,7 @@ TEST(Collisions, OfOutAndAnInputAreRefusedByEverySubcommand) {
 /// as the pipe is full; does `meanwhile`, and then `end`, with the run's number in $run and the pipe's whole
 /// text to be read from descriptor 3.
 std::string during(const std::string& call, const std::string& meanwhile, const std::string& end) {
-  return "mkdir -p o && mkfifo o/long-0001.csv\nsleep 100 <>o/long-0001.csv & holder=$!\n" +
+  return std::string("mkdir -p o && mkfifo o/long-0001.csv\nsleep 100 <>o/long-0001.csv & holder=$!\n") +
          "trap 'kill -KILL $holder $run 2>/dev/null' EXIT\n'" + test::program().string() + "' " + call +
          " >run.out 2>run.err & run=$!\n" +
          "for i in $(seq 3000); do [ -s o/.fingerpad/run-1.lock ] && break; sleep 0.02; done\n" + meanwhile +

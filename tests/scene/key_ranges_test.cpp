@@ -72,8 +72,8 @@ TEST(KeyRanges, AScenePastEveryRangeTellsEachOfThem) {
       {circle + "1\nfrequency_hz = 1\nduration_s = 1e300", "'duration_s' in [motion] is 1e+300"},
       {"[hand]\ndamping_n_s_per_m = 1e300", "at least 0 and at most 1000000000"},
       {"[hand]\nstiffness_n_per_m = 1e300", "at least 0 and at most 1000000000"},
-      {"[[plane]]\npoint_m = [1e300, 0, 0]\nnormal = [0,0,1]", "it must lie between -1e9 and 1e9"},
-      {part + "position_m = [1e300, 0, 0]", "it must lie between -1e9 and 1e9"},
+      {"[[plane]]\npoint_m = [1e300, 0, 0]\nnormal = [0,0,1]", "it must lie between -1e+09 and 1e+09"},
+      {part + "position_m = [1e300, 0, 0]", "it must lie between -1e+09 and 1e+09"},
   };
   for (const auto& c : cases)
     EXPECT_THAT(refusal(plane_scene + c.lines + "\n"), AllOf(StartsWith("s.toml:"), HasSubstr(c.message)))
