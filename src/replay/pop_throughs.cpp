@@ -1,6 +1,7 @@
 #include "replay/pop_throughs.hpp"
 
 #include <new>
+#include <utility>
 
 namespace fingerpad {
 namespace {
@@ -19,16 +20,28 @@ bool is_inside(const TickRecord& record) noexcept {
 
 }  // namespace
 
+PopThroughs::PopThroughs(std::shared_ptr<const World> world) : world_(std::move(world)) {
+  if (!world_) return;
+  for (const Surface& surface : world_->surfaces)
+    is_open_.push_back(surface.part && (surface.part->neighbours.array() < 0).any());
+}
+
 bool PopThroughs::way_enters_a_part(const Vec3& to_W) const noexcept {
   if (!world_) return false;
-  for (const Surface& surface : world_->surfaces) {
+  for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
+    const Surface& surface = world_->surfaces[i];
     if (!surface.part) continue;
     const Part& part = *surface.part;
     const auto from_centre = [&](const Vec3& p_W) {
       return Vec3(surface.R_WP.transpose() * (p_W - surface.p_WP) - part.centre_P);
     };
-    const Vec3 from = from_centre(last_.p_WQ), to = from_centre(to_W);
-    const SegmentHit hit = surface.tree->first_crossing(from, to);
+    Vec3 from = from_centre(last_.p_WQ), to = from_centre(to_W);
+    SegmentHit hit = surface.tree->first_crossing(from, to);
+    if (hit.triangle < 0 && is_open_[i]) {
+      // From behind: the way back enters.
+      std::swap(from, to);
+      hit = surface.tree->first_crossing(from, to);
+    }
     if (hit.triangle < 0) continue;
     // A way that ends on the surface has not gone through it.
     const double past_m = (1 - hit.along) * part.facet_normals.col(hit.triangle).dot(from - to);

@@ -2,6 +2,7 @@
 
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "contact/proxy.hpp"
 #include "touch/tick_record.hpp"
@@ -28,7 +29,7 @@ class PopThroughs {
  public:
   /// Without a world, ways are not held against parts.
   PopThroughs() = default;
-  explicit PopThroughs(std::shared_ptr<const World> world) : world_(std::move(world)) {}
+  explicit PopThroughs(std::shared_ptr<const World> world);
 
   /// noexcept; one segment query a part on a tick that is free like the last, and where a part is in the way
   /// the guide's steps (the first time, memory for it).
@@ -41,6 +42,7 @@ class PopThroughs {
   bool popped(const TickRecord& now) noexcept;
 
   std::shared_ptr<const World> world_;
+  std::vector<bool> is_open_;  ///< per surface: a part with a border, which is a wall from behind too
   std::optional<Proxy> guide_;
   TickRecord last_;
   bool any_ = false;

@@ -108,6 +108,21 @@ TEST(PopThroughs, CountABladeWhoseFlankWouldStillHoldTheFinger) {
   }
 }
 
+TEST(PopThroughs, CountAnOpenSheetFromBothSides) {
+  TriangleSoup sheet;
+  sheet.vertices_P.resize(3, 4);
+  sheet.vertices_P << -0.01, 0.01, 0.01, -0.01, -0.01, -0.01, 0.01, 0.01, 0, 0, 0, 0;
+  sheet.triangles.resize(3, 2);
+  sheet.triangles << 0, 0, 1, 2, 2, 3;
+  const auto world = test::world_of(sheet);
+  for (const double x_m : {0.0003, 0.005, 0.0099}) {
+    const Vec3 above(x_m, 1e-3, 5e-4), below(x_m, 1e-3, -5e-4);
+    EXPECT_TRUE(counts(world, above, below)) << x_m;
+    EXPECT_TRUE(counts(world, below, above)) << x_m << ", from behind";
+  }
+  EXPECT_FALSE(counts(world, Vec3(0.012, 0, 5e-4), Vec3(0.012, 0, -5e-4))) << "beside it";
+}
+
 TEST(PopThroughs, CountAWayThatEndsInsideUnfelt) {
   const auto world = test::world_of(test::box_soup(Vec3(0.02, 0.02, 0.02)));
   EXPECT_TRUE(counts(world, Vec3(1e-3, 2e-3, 0.012), Vec3(1e-3, 2e-3, 0.008)));
