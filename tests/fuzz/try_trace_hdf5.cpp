@@ -30,7 +30,8 @@ class Choices {
   }
   bool rarely() { return byte() == 255; }
   std::string text() {
-    const std::size_t size = std::min<std::size_t>(byte(), bytes_.size());
+    const std::size_t asked = byte();  // first: it takes a byte itself
+    const std::size_t size = std::min(asked, bytes_.size());
     std::string taken(bytes_.substr(0, size));
     bytes_.remove_prefix(size);
     return taken;
