@@ -146,7 +146,8 @@ struct ClosestSearch : ScaledPoint {
     return closer;
   }
 
-  /// The lanes that could be as near as the winner, and of these those that could be the nearest.
+  /// The lanes that could be as near as the winner. Where there are several, only those among them that could
+  /// be the nearest.
   unsigned lanes_within_best(const TrianglePacket& packet) noexcept {
     const PacketView view(*this, packet);
     RoughDistances distances;

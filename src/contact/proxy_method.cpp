@@ -21,7 +21,7 @@ constexpr double right_angle_rad = std::numbers::pi / 2;
 class ProxyMethod final : public ContactMethod {
  public:
   ProxyMethod(const std::vector<PlacedSurface>& surfaces, double radius_m, Normals normals)
-      : proxy_(surfaces, radius_m, normals),
+      : proxy_(fast_proxy(surfaces, radius_m, normals)),
         until_placed_(closest_point_method().make(surfaces, radius_m, normals)) {}
 
   const Contact& touch(const Vec3& p_WQ, double dt_s) noexcept override {

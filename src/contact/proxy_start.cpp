@@ -1,14 +1,13 @@
 #include "contact/proxy_start.hpp"
 
+#include <array>
 #include <cmath>
 
+#include "contact/proxy_limits.hpp"
 #include "contact/surface_point.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// Between walls that lean towards each other every push halves what is missing, or more.
-constexpr int most_pushes = 200;
 
 /// How much a place lacks of the clearance, and which way out is.
 struct Lack {
@@ -16,40 +15,70 @@ struct Lack {
   Vec3 outwards_W = Vec3::UnitZ();
 };
 
-Lack lack_at(const ProxySurroundings& around, int surface, const Vec3& place) noexcept {
-  const ProxySurface& s = around.surfaces()[static_cast<std::size_t>(surface)];
-  if (!s.tree) {
-    const ProxyWall wall = around.plane_wall(surface, place);
+Lack lack_at(const ProxyWorld& world, int surface, const Vec3& place_O) noexcept {
+  if (world.is_plane(surface)) {
+    const ProxyWall wall = world.plane_wall(surface, place_O);
     return {wall.least_m, wall.normal};
   }
+  const PlacedSurface& s = world.surface(surface);
   const Part& part = s.tree->part();
-  const Vec3 q = around.in_part(surface, place);
+  const Vec3 q_P = world.in_part(surface, place_O);
   const SurfacePoint near =
-      nearest_surface_point(*s.tree, q + part.centre_P, Normals::facet, -1, around.clearance_m());
+      nearest_surface_point(*s.tree, q_P + part.centre_P, Normals::facet, -1, world.clearance_m());
   if (near.triangle < 0) return {-1, Vec3::UnitZ()};
   const bool behind = near.signed_distance_m < 0;
-  const bool inside = behind && s.tree->encloses(q);
-  if (behind && !inside) return {around.clearance_m() + near.signed_distance_m, s.R_WP * (-near.normal_P)};
-  return {around.clearance_m() - near.signed_distance_m, s.R_WP * near.normal_P};
+  const bool inside = behind && s.tree->encloses(q_P);
+  if (behind && !inside) return {world.clearance_m() + near.signed_distance_m, s.R_WP * (-near.normal_P)};
+  return {world.clearance_m() - near.signed_distance_m, s.R_WP * near.normal_P};
+}
+
+/// The nearest place that keeps the clearance from every plane, by the dual active-set method: the plane that
+/// is breached most is added until none is.
+std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) noexcept {
+  std::array<ProxyWall, 4> walls;
+  std::size_t count = 0;
+  Vec3 place_O = goal_O;
+  for (int pass = 0; pass < ProxyLimits::most_passes; ++pass) {
+    // Planes have no extent to compare with: what rounding leaves of the coordinates is the only tolerance.
+    const double rounding_m = ProxyLimits::rounding * (place_O.cwiseAbs() + goal_O.cwiseAbs()).maxCoeff() +
+                              ProxyLimits::rounding * world.clearance_m();
+    double worst_m = 2 * rounding_m;
+    int worst = -1;
+    for (int i = 0; i < world.surface_count(); ++i) {
+      const double lack_m = world.plane_wall(i, place_O).least_m;
+      if (!(lack_m > worst_m)) continue;
+      worst_m = lack_m;
+      worst = i;
+    }
+    if (worst < 0) return place_O;
+    walls[count++] = world.plane_wall(worst, goal_O);
+    const ProxyProjection p = project_onto_walls(Vec3::Zero(), std::span(walls.data(), count), rounding_m);
+    if (!p.found) return std::nullopt;
+    count = static_cast<std::size_t>(p.active_count);
+    for (std::size_t k = 0; k < count; ++k) walls[k] = walls[static_cast<std::size_t>(p.active[k])];
+    place_O = goal_O + p.z;
+  }
+  return std::nullopt;
 }
 
 }  // namespace
 
-std::optional<Vec3> proxy_start(const ProxySurroundings& around, const Vec3& goal) noexcept {
-  Vec3 place = goal;
-  for (int push = 0; push < most_pushes; ++push) {
-    Lack worst{around.tolerance_m(), Vec3::UnitZ()};
+std::optional<Vec3> proxy_start(const ProxyWorld& world, const Vec3& goal_O) noexcept {
+  if (!(world.extent_m() > 0)) return out_of_planes(world, goal_O);
+  Vec3 place_O = goal_O;
+  for (int push = 0; push < ProxyLimits::most_pushes; ++push) {
+    Lack worst{world.tolerance_m(), Vec3::UnitZ()};
     bool found = false;
-    for (int surface = 0; surface < static_cast<int>(around.surfaces().size()); ++surface) {
+    for (int surface = 0; surface < world.surface_count(); ++surface) {
       // The pushes go outwards, and where they lead into another surface, out of that again.
-      const Lack lack = lack_at(around, surface, place);
+      const Lack lack = lack_at(world, surface, place_O);
       if (lack.lack_m > worst.lack_m) {
         worst = lack;
         found = true;
       }
     }
-    if (!found) return place;
-    place += worst.lack_m * worst.outwards_W;
+    if (!found) return place_O;
+    place_O += worst.lack_m * worst.outwards_W;
   }
   return std::nullopt;
 }

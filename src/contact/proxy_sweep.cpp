@@ -3,17 +3,10 @@
 #include <Eigen/Geometry>
 #include <cmath>
 
+#include "contact/proxy_limits.hpp"
+
 namespace fingerpad {
 namespace {
-
-/// A triangle whose area is smaller than this share of its sides' squares is no more than its edges: its
-/// width is then far below any clearance.
-constexpr double least_area_share = 1e-13;
-/// Newton's steps converge quadratically; a cap for what rounding might do.
-constexpr int newton_steps = 32;
-/// From so large a share on, the sides' order about a point is known to rounding, and only edges that the
-/// point is outside of are looked at.
-constexpr double regular_area_share = 1e-4;
 
 /// The closest point of an edge.
 struct EdgeFoot {
@@ -64,7 +57,7 @@ TriangleApproach approach_triangle(const TriangleCorners& f, const Vec3& q) noex
   const double area = a_share + b_share + c_share,
                sides2 = ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm();
   TriangleApproach result;
-  if (a_share > 0 && b_share > 0 && c_share > 0 && area > least_area_share * sides2) {
+  if (a_share > 0 && b_share > 0 && c_share > 0 && area > ProxyLimits::least_area_share * sides2) {
     const double height = normal.dot(aq);
     result.at.point = q - height * normal;
     result.at.distance2_m2 = height * height;
@@ -73,7 +66,7 @@ TriangleApproach approach_triangle(const TriangleCorners& f, const Vec3& q) noex
     result.towards = height < 0 ? Vec3(-normal) : normal;
     return result;
   }
-  const bool every = !(area > regular_area_share * sides2);
+  const bool every = !(area > ProxyLimits::regular_area_share * sides2);
   EdgeFoot best;
   if (every || !(c_share > 0)) offer_edge(f.a, f.b, 0, q, best);
   if (every || !(a_share > 0)) offer_edge(f.b, f.c, 1, q, best);
@@ -93,7 +86,7 @@ TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, co
   const Vec3 way = to - from;
   TriangleSweep sweep;
   sweep.reached = 0;
-  for (int k = 0; k < newton_steps; ++k) {
+  for (int k = 0; k < ProxyLimits::newton_steps; ++k) {
     const TriangleApproach here = approach_triangle(f, from + sweep.reached * way);
     const double gap_m = here.distance_m - clearance_m, slope = here.towards.dot(way);
     sweep.normal = here.towards;
@@ -122,11 +115,6 @@ TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, co
   sweep.end_slack_m = slack_m;
   sweep.blocked = slack_m < -tolerance_m;
   return sweep;
-}
-
-TriangleSweep sweep_past_triangle(const Part& part, int t, const Vec3& from, const Vec3& to,
-                                  double clearance_m, double tolerance_m) noexcept {
-  return sweep_past_triangle(corners_of(part, t), from, to, clearance_m, tolerance_m);
 }
 
 }  // namespace fingerpad

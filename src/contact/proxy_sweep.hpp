@@ -35,7 +35,7 @@ struct TriangleSweep {
   double reached = 1;      ///< share of the way that is free
 };
 
-/// Sweeps a ball of radius `clearance_m` from `from` to `to` past triangle t, from whichever side.
+/// Sweeps a ball of radius `clearance_m` from `from` to `to` past a triangle, from whichever side.
 ///
 /// The distance to a triangle is a convex function of the way, so Newton's method from the start never
 /// passes the place of first touch, and each of its tangents is the half space that the triangle leaves
@@ -43,8 +43,6 @@ struct TriangleSweep {
 /// space is the wall, or the facet's own where that holds the ball back less.
 /// @param tolerance_m  by how much the clearance may be missed, > 0
 /// @pre from has the clearance, to within a few tolerances. noexcept, allocates nothing.
-TriangleSweep sweep_past_triangle(const Part& part, int t, const Vec3& from, const Vec3& to,
-                                  double clearance_m, double tolerance_m) noexcept;
 TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept;
 

@@ -4,13 +4,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/proxy_limits.hpp"
+
 namespace fingerpad {
 namespace {
-
-/// Squared sine of the angle under which two planes count as parallel.
-constexpr double parallel2 = 1e-16;
-/// Three normals of a smaller volume than this span no corner that rounding leaves in place.
-constexpr double flat_volume = 1e-12;
 
 /// At most three of at most four walls.
 struct Choice {
@@ -32,12 +29,12 @@ bool multipliers(const Vec3& goal, std::span<const ProxyWall> walls, const std::
   for (int i = 0; i < count; ++i) {
     const ProxyWall& wall = walls[static_cast<std::size_t>(choice[i])];
     n[i] = wall.normal;
-    missing[i] = wall.least_m - wall.normal.dot(goal);
+    missing[i] = wall.lack_m(goal);
   }
   if (count == 1) share[0] = missing[0];
   if (count == 2) {
     const double sine2 = n[0].cross(n[1]).squaredNorm();
-    if (!(sine2 > parallel2)) return false;
+    if (!(sine2 > ProxyLimits::parallel2)) return false;
     // The 2 x 2 system, written so that nearly equal normals cancel nothing but the missing lengths.
     const double cosine = n[0].dot(n[1]), turn = cosine < 0 ? -1 : 1;
     const double common = 1 / (1 + turn * cosine), apart = (missing[0] - turn * missing[1]) / sine2;
@@ -47,7 +44,7 @@ bool multipliers(const Vec3& goal, std::span<const ProxyWall> walls, const std::
   if (count == 3) {
     const Vec3 c12 = n[1].cross(n[2]), c20 = n[2].cross(n[0]), c01 = n[0].cross(n[1]);
     const double volume = n[0].dot(c12);
-    if (!(std::abs(volume) > flat_volume)) return false;
+    if (!(std::abs(volume) > ProxyLimits::flat_volume)) return false;
     const Vec3 shift = (missing[0] * c12 + missing[1] * c20 + missing[2] * c01) / volume;
     share = {shift.dot(c12) / volume, shift.dot(c20) / volume, shift.dot(c01) / volume};
   }
@@ -82,7 +79,8 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
       return wall.normal.dot(p.z) >= wall.least_m - tolerance_m;
     });
     const double distance_m = (p.z - goal).norm();
-    if (!free || (best.found && !(distance_m < best_distance_m * (1 - 1e-12)))) continue;
+    if (!free || (best.found && !(distance_m < best_distance_m * (1 - ProxyLimits::reach_rounding))))
+      continue;
     p.found = true;
     for (double& share : p.share_m) share = std::max(0.0, share);
     best = p;

@@ -8,13 +8,23 @@
 
 namespace fingerpad {
 
-/// A half space that the proxy's step z must stay in: normal . z >= least_m. All in one frame, relative to
-/// where the proxy stands, so that the numbers are as small as the step.
+/// A half space that the ball's centre must stay in: normal . z >= least_m.
+///
+/// The axes are the world's. z counts from an origin that each wall's user names: a wall "seen from a place"
+/// counts from there, so that its numbers are as small as a step; one whose name ends in _O from the origin
+/// of frame O (ProxyWorld).
 struct ProxyWall {
   Vec3 normal = Vec3::UnitZ();  ///< unit, out of the surface
   double least_m = 0;
   int surface = -1;
   int triangle = -1;  ///< -1: of a plane
+
+  /// How far a place is behind the wall; negative in front of it.
+  double lack_m(const Vec3& place) const noexcept { return least_m - normal.dot(place); }
+  /// The same half space, counted from `origin` on.
+  ProxyWall seen_from(const Vec3& origin) const noexcept {
+    return {normal, lack_m(origin), surface, triangle};
+  }
 };
 
 /// 1 where a wall's normal lies on the outer side of its facet, -1 where the wall holds from behind.
@@ -35,9 +45,9 @@ struct ProxyProjection {
 std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const ProxyWall& b) noexcept;
 
 /// Projects `goal` onto at most four half spaces by looking at every choice of at most three of them: in
-/// three dimensions no more are needed to hold the closest point. Choices whose planes are parallel to 1e-8
-/// are passed over, since fewer of them say the same. Not found where rounding leaves the half spaces
-/// nothing in common.
+/// three dimensions no more are needed to hold the closest point. A choice with two planes that are parallel
+/// to 1e-8 is passed over: one of the two alone gives the same point. Not found where rounding leaves the
+/// half spaces nothing in common.
 /// @param tolerance_m  a point this far behind a wall still counts as in front of it
 /// noexcept, O(1), allocates nothing.
 ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,

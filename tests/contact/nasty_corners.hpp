@@ -15,22 +15,22 @@ namespace fingerpad::test {
 
 struct NastyWorld {
   std::string name;
-  std::vector<ProxySurface> surfaces;
+  std::vector<PlacedSurface> surfaces;
   Vec3 start = Vec3(0.01, 0.02, 1.2);  ///< where the finger sets out: outside of all, or within a hollow
 };
 
-inline ProxySurface part_surface(std::shared_ptr<const Part> part) {
-  ProxySurface surface;
+inline PlacedSurface part_surface(std::shared_ptr<const Part> part) {
+  PlacedSurface surface;
   surface.tree = std::make_shared<const TriangleTree>(std::move(part));
   return surface;
 }
 
-inline ProxySurface surface_of(const TriangleSoup& soup) {
+inline PlacedSurface surface_of(const TriangleSoup& soup) {
   return part_surface(std::make_shared<const Part>(make_part(soup, std::numbers::pi / 6)));
 }
 
-inline ProxySurface plane_of(const Vec3& point, const Vec3& normal) {
-  ProxySurface surface;
+inline PlacedSurface plane_of(const Vec3& point, const Vec3& normal) {
+  PlacedSurface surface;
   surface.plane_point_W = point;
   surface.plane_normal_W = normal.normalized();
   return surface;
@@ -161,7 +161,7 @@ inline TriangleSoup spike_by_a_wall() {
 
 inline std::vector<NastyWorld> nasty_worlds() {
   const double degree = std::numbers::pi / 180;
-  const auto one = [](const TriangleSoup& soup) { return std::vector<ProxySurface>{surface_of(soup)}; };
+  const auto one = [](const TriangleSoup& soup) { return std::vector<PlacedSurface>{surface_of(soup)}; };
   const TriangleSoup ring = torus_soup(0.5, 0.3, 20, 16), bowl = reversed(sphere_soup(1, 2));
   return {
       {"valley of 90 degrees", one(roof_soup(2, -90 * degree))},

@@ -7,7 +7,8 @@
 #include <numbers>
 
 #include "base/random_stream.hpp"
-#include "contact/proxy.hpp"
+#include "contact/proxies.hpp"
+#include "contact/proxy_views.hpp"
 #include "support/shapes.hpp"
 
 // What a proxy may do without a look around (slide, hop, roll, land), held against where it must come to
@@ -23,12 +24,6 @@ constexpr int path_ticks = 1000;
 #else
 constexpr int path_ticks = 10000;
 #endif
-
-ProxySurface surface_of(const TriangleSoup& soup) {
-  ProxySurface surface;
-  surface.tree = std::make_shared<const TriangleTree>(std::make_shared<const Part>(make_part(soup, 0.5)));
-  return surface;
-}
 
 struct Convex {
   const char* name;
@@ -57,12 +52,15 @@ Vec3 wandering(int k) {
   return Vec3(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up));
 }
 
-TEST(ProxyPath, AroundAConvexPartTheBallStandsOverTheClosestPoint) {
+class ProxyPath : public EitherProxy {};
+INSTANTIATE_TEST_SUITE_P(Kinds, ProxyPath, testing::ValuesIn(proxy_kinds), kind_name);
+
+TEST_P(ProxyPath, AroundAConvexPartTheBallStandsOverTheClosestPoint) {
   for (const Convex& convex : convex_parts()) {
     SCOPED_TRACE(convex.name);
-    const ProxySurface surface = surface_of(convex.soup);
+    const PlacedSurface surface = surface_of(convex.soup);
     const Part& part = surface.tree->part();
-    Proxy proxy({surface}, convex.radius_m, convex.normals);
+    Proxy proxy = make_proxy({surface}, convex.radius_m, convex.normals);
     const double tolerance_m = 1e-9 * part.size_m();  // the skin is 2^-27 of half of it
     // A place that is nearer by less than 2^-34 of the size is not sought: beside a vertex a ball may be so
     // far off, and of two facets as near as each other a point may have either.
@@ -100,10 +98,11 @@ TEST(ProxyPath, AroundAConvexPartTheBallStandsOverTheClosestPoint) {
   }
 }
 
-TEST(ProxyPath, SlidesAlongAValleyOverItsTrianglesEdges) {
+TEST_P(ProxyPath, SlidesAlongAValleyOverItsTrianglesEdges) {
   for (const double radius_m : {0.0, 0.003}) {
     // Two half planes at 90 degrees along y, four triangles.
-    Proxy proxy({surface_of(test::roof_soup(0.05, -std::numbers::pi / 2))}, radius_m, Normals::smooth);
+    Proxy proxy =
+        make_proxy({surface_of(test::roof_soup(0.05, -std::numbers::pi / 2))}, radius_m, Normals::smooth);
     for (int k = 0; k <= 400; ++k) proxy.move(Vec3(0.001, -0.02, 0.01 - 0.012 * k / 400), dt_s);
     for (int k = 0; k <= 4000; ++k) {
       const Vec3 goal(4e-4 * std::sin(0.03 * k), -0.02 + 1e-5 * k, -0.002);
@@ -122,8 +121,9 @@ TEST(ProxyPath, SlidesAlongAValleyOverItsTrianglesEdges) {
   }
 }
 
-TEST(ProxyPath, LeavesAValleyUpItsWall) {
-  Proxy proxy({surface_of(test::roof_soup(0.05, -std::numbers::pi / 2))}, 0.003, Normals::smooth);
+TEST_P(ProxyPath, LeavesAValleyUpItsWall) {
+  Proxy proxy =
+      make_proxy({surface_of(test::roof_soup(0.05, -std::numbers::pi / 2))}, 0.003, Normals::smooth);
   const double s = std::numbers::sqrt2;
   int walls[4] = {};
   for (int k = 0; k <= 4000; ++k) {
@@ -139,15 +139,15 @@ TEST(ProxyPath, LeavesAValleyUpItsWall) {
   EXPECT_GT(walls[1], 3000);
 }
 
-TEST(ProxyPath, NoHopOverAGentleRidgeGoesThroughWhatStandsBeforeOrBehindIt) {
+TEST_P(ProxyPath, NoHopOverAGentleRidgeGoesThroughWhatStandsBeforeOrBehindIt) {
   // A thin plate across the way, 3 mm before or behind the ridge; the finger goes 1 to 8 mm a tick.
   for (const double plate_m : {-0.003, 0.003}) {
     const TriangleSoup plate = test::moved(test::box_soup(Vec3(2e-4, 0.05, 0.02)), Vec3(plate_m, 0, 0));
-    const ProxySurface surface = surface_of(test::joined(test::roof_soup(0.05, 0.2), plate));
+    const PlacedSurface surface = surface_of(test::joined(test::roof_soup(0.05, 0.2), plate));
     for (const double radius_m : {0.0, 1e-3}) {
       double farthest_m = -1;
       for (int step = 10; step <= 80; ++step) {
-        Proxy proxy({surface}, radius_m, Normals::smooth);
+        Proxy proxy = make_proxy({surface}, radius_m, Normals::smooth);
         const double step_m = 1e-4 * step;
         const auto goal = [&](double x) { return Vec3(x, 0.001, radius_m - 5e-4 - 0.1 * std::abs(x)); };
         for (int k = 0; k < 20; ++k) proxy.move(goal(-0.02) + Vec3(0, 0, 0.01 - 5e-4 * k), dt_s);

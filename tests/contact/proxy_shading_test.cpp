@@ -87,7 +87,7 @@ class Rub {
  public:
   Rub(const test::NastyWorld& world, std::uint64_t seed, double depth, double pace)
       : random_(seed), depth_(depth), pace_(pace), at_(world.start), aim_(world.start) {
-    for (const ProxySurface& surface : world.surfaces) {
+    for (const PlacedSurface& surface : world.surfaces) {
       if (surface.tree) parts_.push_back(&surface.tree->part());
     }
     size_m_ = parts_[0]->size_m();
@@ -176,8 +176,8 @@ Findings rub(const test::NastyWorld& world, std::vector<FacetCones>& cones, Norm
              int seed, int ticks) {
   Rub finger(world, 77 + static_cast<std::uint64_t>(seed), seed % 2 == 0 ? 0.005 : 0.05,
              seed % 2 == 0 ? 5e-4 : 2e-3);
-  Proxy shaded(world.surfaces, radius * finger.size_m(), normals);
-  Proxy facets(world.surfaces, radius * finger.size_m(), Normals::facet);
+  Proxy shaded = fast_proxy(world.surfaces, radius * finger.size_m(), normals);
+  Proxy facets = fast_proxy(world.surfaces, radius * finger.size_m(), Normals::facet);
   Witness witness(finger.size_m(), 0.07), facet_witness(finger.size_m(), 0);
   Findings found;
   double last_rad = 0;
@@ -211,7 +211,7 @@ Findings rub(const test::NastyWorld& world, std::vector<FacetCones>& cones, Norm
 void expect_promises_kept(const test::NastyWorld& world, int ticks) {
   std::vector<FacetCones> cones;
   static const Part no_part;
-  for (const ProxySurface& surface : world.surfaces)
+  for (const PlacedSurface& surface : world.surfaces)
     cones.emplace_back(surface.tree ? surface.tree->part() : no_part);
   int touched = 0;
   for (const Normals normals : {Normals::smooth, Normals::curved}) {
@@ -243,9 +243,9 @@ TEST(ShadedProxy, IsPushedOutOfACuspAndNotIntoIt) {
     const double low = 11 * degree, middle = 13 * degree;  // the plane's slope, and half way to the facet's
     const Vec3 out(std::cos(middle), 0, std::sin(middle));
     for (const Normals normals : {Normals::smooth, Normals::curved}) {
-      Proxy proxy({test::surface_of(test::drawn(arc, 4)),
-                   test::plane_of(cusp, Vec3(-std::sin(low), 0, std::cos(low)))},
-                  0, normals);
+      Proxy proxy = fast_proxy({test::surface_of(test::drawn(arc, 4)),
+                                test::plane_of(cusp, Vec3(-std::sin(low), 0, std::cos(low)))},
+                               0, normals);
       ProxyContact c;
       for (int k = 0; k <= 400; ++k) c = proxy.move(cusp + (0.3 - 1e-3 * k) * out, dt_s);
       ASSERT_EQ(c.hold_count, 2) << share;

@@ -45,7 +45,7 @@ TEST(ProxySweep, SaysFreeOrShowsAWallAndNeverPassesTheTouch) {
     const Vec3 from(random.normal(), random.normal(), random.normal());
     const Vec3 to(random.normal(), random.normal(), random.normal());
     if (brute_distance_m(part, from) < clearance_m) continue;
-    const TriangleSweep sweep = sweep_past_triangle(part, 0, from, to, clearance_m, tolerance_m);
+    const TriangleSweep sweep = sweep_past_triangle(corners_of(part, 0), from, to, clearance_m, tolerance_m);
     ++(sweep.blocked ? blocked : free);
     // Rounding of 1e-14 aside, wherever the sweep says free there is the clearance.
     for (int k = 0; k <= 100; ++k) {

@@ -1,5 +1,3 @@
-#include "contact/proxy.hpp"
-
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -7,6 +5,7 @@
 #include <numbers>
 
 #include "base/random_stream.hpp"
+#include "contact/proxies.hpp"
 #include "support/brute_force.hpp"
 #include "support/shapes.hpp"
 
@@ -19,19 +18,6 @@ constexpr int walk_ticks = 400;
 #else
 constexpr int walk_ticks = 4000;
 #endif
-
-ProxySurface surface_of(const TriangleSoup& soup) {
-  ProxySurface surface;
-  surface.tree = std::make_shared<const TriangleTree>(std::make_shared<const Part>(make_part(soup, 0.5)));
-  return surface;
-}
-
-ProxySurface plane_of(const Vec3& point, const Vec3& normal) {
-  ProxySurface surface;
-  surface.plane_point_W = point;
-  surface.plane_normal_W = normal.normalized();
-  return surface;
-}
 
 /// Moves in even steps and returns the last contact.
 ProxyContact drag(Proxy& proxy, const Vec3& from, const Vec3& to, int ticks) {
@@ -67,11 +53,14 @@ TriangleSoup knife_soup(double half_angle_rad) {
   return soup;
 }
 
-TEST(Proxy, LiesInAConcaveCornerOfThreePlanes) {
+class ProxyOfEitherKind : public EitherProxy {};
+INSTANTIATE_TEST_SUITE_P(Kinds, ProxyOfEitherKind, testing::ValuesIn(proxy_kinds), kind_name);
+
+TEST_P(ProxyOfEitherKind, LiesInAConcaveCornerOfThreePlanes) {
   for (const double radius_m : {0.0, 0.004}) {
-    Proxy proxy({plane_of(Vec3::Zero(), Vec3::UnitX()), plane_of(Vec3::Zero(), Vec3::UnitY()),
-                 plane_of(Vec3::Zero(), Vec3::UnitZ())},
-                radius_m, Normals::facet);
+    Proxy proxy = make_proxy({plane_of(Vec3::Zero(), Vec3::UnitX()), plane_of(Vec3::Zero(), Vec3::UnitY()),
+                              plane_of(Vec3::Zero(), Vec3::UnitZ())},
+                             radius_m, Normals::facet);
     const Vec3 corner = Vec3::Constant(radius_m);
     const ProxyContact c = drag(proxy, Vec3(0.02, 0.03, 0.01), Vec3(-0.001, -0.002, -0.003), 37);
     EXPECT_EQ(c.hold_count, 3);
@@ -81,10 +70,11 @@ TEST(Proxy, LiesInAConcaveCornerOfThreePlanes) {
   }
 }
 
-TEST(Proxy, LiesInAConcaveCornerOfAMesh) {
+TEST_P(ProxyOfEitherKind, LiesInAConcaveCornerOfAMesh) {
   for (const double radius_m : {0.0, 0.003}) {
     // A valley of two half planes at 90 degrees along y.
-    Proxy proxy({surface_of(test::roof_soup(0.05, -std::numbers::pi / 2))}, radius_m, Normals::smooth);
+    Proxy proxy =
+        make_proxy({surface_of(test::roof_soup(0.05, -std::numbers::pi / 2))}, radius_m, Normals::smooth);
     const Vec3 goal(0.0004, 0.0011, -0.002);
     const ProxyContact c = drag(proxy, Vec3(0.001, 0, 0.03), goal, 40);
     const double s = std::numbers::sqrt2;
@@ -95,15 +85,15 @@ TEST(Proxy, LiesInAConcaveCornerOfAMesh) {
   }
 }
 
-TEST(Proxy, NeverEntersKnivesTipsOrThinShellsHoweverFastTheyAreStruck) {
+TEST_P(ProxyOfEitherKind, NeverEntersKnivesTipsOrThinShellsHoweverFastTheyAreStruck) {
   const std::vector<TriangleSoup> soups{cone_soup(0.01, 0.03, 12), cone_soup(0.0005, 0.03, 300),
                                         knife_soup(0.01), knife_soup(0.3),
                                         test::box_soup(Vec3(0.05, 0.05, 0.0002))};
   for (std::size_t s = 0; s < soups.size(); ++s) {
     for (const double radius_m : {0.0, 0.002}) {
-      const ProxySurface surface = surface_of(soups[s]);
+      const PlacedSurface surface = surface_of(soups[s]);
       const Part& part = surface.tree->part();
-      Proxy proxy({surface}, radius_m, Normals::smooth);
+      Proxy proxy = make_proxy({surface}, radius_m, Normals::smooth);
       RandomStream random(11 + s);
       Vec3 p(0.001, 0.002, 0.01), v(0, 0, -5);
       for (int k = 0; k < walk_ticks; ++k) {
@@ -125,7 +115,7 @@ TEST(Proxy, NeverEntersKnivesTipsOrThinShellsHoweverFastTheyAreStruck) {
   }
 }
 
-TEST(Proxy, KeepsItsDistanceFromEveryTriangleOfARandomSoup) {
+TEST_P(ProxyOfEitherKind, KeepsItsDistanceFromEveryTriangleOfARandomSoup) {
   constexpr int ticks = 4000;  // it comes from outside and takes a while to get there
   for (int trial = 0; trial < 6; ++trial) {
     RandomStream random(100 + static_cast<std::uint64_t>(trial));
@@ -143,10 +133,11 @@ TEST(Proxy, KeepsItsDistanceFromEveryTriangleOfARandomSoup) {
         soup.triangles(k, t) = t % 7 == 3 && k > 0 ? 3 * (t - 1) + k : 3 * t + k;
       }
     }
-    const ProxySurface surface = surface_of(soup);
+    const PlacedSurface surface = surface_of(soup);
     const Part& part = surface.tree->part();
     const double radius_m = trial % 2 == 0 ? 0 : 0.001;
-    Proxy proxy({surface, plane_of(Vec3(0, 0, -0.03), Vec3::UnitZ())}, radius_m, Normals::smooth);
+    Proxy proxy =
+        make_proxy({surface, plane_of(Vec3(0, 0, -0.03), Vec3::UnitZ())}, radius_m, Normals::smooth);
     Vec3 p(0.1, 0, 0);
     int touched = 0;
     for (int k = 0; k < ticks; ++k) {
@@ -163,10 +154,10 @@ TEST(Proxy, KeepsItsDistanceFromEveryTriangleOfARandomSoup) {
   }
 }
 
-TEST(Proxy, StaysOnTheSideOfAnOpenSheetWhereItCameFrom) {
-  const ProxySurface sheet = surface_of(test::square_soup(0.1, 5));
+TEST_P(ProxyOfEitherKind, StaysOnTheSideOfAnOpenSheetWhereItCameFrom) {
+  const PlacedSurface sheet = surface_of(test::square_soup(0.1, 5));
   for (const double side : {1.0, -1.0}) {
-    Proxy proxy({sheet}, 0, Normals::smooth);
+    Proxy proxy = make_proxy({sheet}, 0, Normals::smooth);
     const ProxyContact c =
         drag(proxy, Vec3(0.0123, 0.004, 0.02 * side), Vec3(0.011, 0.0071, -0.003 * side), 9);
     EXPECT_TRUE(c.touching);
@@ -175,29 +166,30 @@ TEST(Proxy, StaysOnTheSideOfAnOpenSheetWhereItCameFrom) {
   }
 }
 
-TEST(Proxy, StartsAtTheNearestPlaceOutside) {
-  Proxy proxy({surface_of(test::box_soup(Vec3(0.1, 0.1, 0.02)))}, 0.001, Normals::smooth);
+TEST_P(ProxyOfEitherKind, StartsAtTheNearestPlaceOutside) {
+  Proxy proxy = make_proxy({surface_of(test::box_soup(Vec3(0.1, 0.1, 0.02)))}, 0.001, Normals::smooth);
   const ProxyContact& c = proxy.move(Vec3(0.01, 0.02, 0.004), dt_s);
   EXPECT_TRUE(c.started && c.placed && c.touching);
   EXPECT_LT((c.proxy_W - Vec3(0.01, 0.02, 0.011)).norm(), 1e-15);
   EXPECT_FALSE(proxy.move(Vec3(0.01, 0.02, 0.004), dt_s).started);
 }
 
-TEST(Proxy, StartsBehindAnOpenSheetAndOutsideAShellWoundInsideOutWithoutBeingPulled) {
-  Proxy sheet({surface_of(test::square_soup(0.1, 5))}, 0, Normals::smooth);
+TEST_P(ProxyOfEitherKind, StartsBehindAnOpenSheetAndOutsideAShellWoundInsideOutWithoutBeingPulled) {
+  Proxy sheet = make_proxy({surface_of(test::square_soup(0.1, 5))}, 0, Normals::smooth);
   EXPECT_FALSE(sheet.move(Vec3(0, 0.001, -0.004), dt_s).touching);
-  Proxy shell({surface_of(test::reversed(test::box_soup(Vec3(0.1, 0.1, 0.02))))}, 0, Normals::smooth);
+  Proxy shell =
+      make_proxy({surface_of(test::reversed(test::box_soup(Vec3(0.1, 0.1, 0.02))))}, 0, Normals::smooth);
   EXPECT_FALSE(shell.move(Vec3(0, 0.001, 0.014), dt_s).touching);
   const ProxyContact& c = shell.move(Vec3(0, 0.001, 0.008), dt_s);
   EXPECT_TRUE(c.touching);
   EXPECT_LT((c.normal_W - Vec3::UnitZ()).norm(), 1e-12);
 }
 
-TEST(Proxy, RestsOnBothEdgesOfASlotNarrowerThanItselfWithoutJitter) {
+TEST_P(ProxyOfEitherKind, RestsOnBothEdgesOfASlotNarrowerThanItselfWithoutJitter) {
   // Two blocks 6 mm apart, a ball of 5 mm: its centre rests 4 mm above the edges.
   const auto left = test::moved(test::box_soup(Vec3(0.02, 0.1, 0.02)), Vec3(-0.013, 0, -0.01));
   const auto right = test::moved(test::box_soup(Vec3(0.02, 0.1, 0.02)), Vec3(0.013, 0, -0.01));
-  Proxy proxy({surface_of(left), surface_of(right)}, 0.005, Normals::smooth);
+  Proxy proxy = make_proxy({surface_of(left), surface_of(right)}, 0.005, Normals::smooth);
   const Vec3 goal(0.0001, 0.001, 0.002);
   const Vec3 rest = drag(proxy, Vec3(0.0003, 0, 0.03), goal, 50).proxy_W;
   EXPECT_LT((rest - Vec3(0, 0.001, 0.004)).norm(), 1e-10);
@@ -209,19 +201,20 @@ TEST(Proxy, RestsOnBothEdgesOfASlotNarrowerThanItselfWithoutJitter) {
 }
 
 /// A box and a ring that cut each other, each walked over at random by three proxies at once.
-TEST(Proxy, IsTheSameInOtherUnitsAndPlacesOfTheWorld) {
+TEST_P(ProxyOfEitherKind, IsTheSameInOtherUnitsAndPlacesOfTheWorld) {
   const TriangleSoup soup =
       test::joined(test::box_soup(Vec3(0.04, 0.03, 0.02)),
                    test::moved(test::torus_soup(0.02, 0.006, 24, 12), Vec3(0, 0, 0.012)));
-  ProxySurface turned = surface_of(soup);
+  PlacedSurface turned = surface_of(soup);
   turned.R_WP = Eigen::AngleAxisd(1.1, Vec3(3, -1, 2).normalized()).toRotationMatrix();
   turned.p_WP = Vec3(1e3, -1e3, 200);
   for (const double scale : {1024.0, 1000.0}) {
     TriangleSoup scaled = soup;
     scaled.vertices_P *= scale;
     for (const double radius_m : {0.0, 0.0015}) {
-      Proxy here({surface_of(soup)}, radius_m, Normals::smooth), there({turned}, radius_m, Normals::smooth);
-      Proxy larger({surface_of(scaled)}, scale * radius_m, Normals::smooth);
+      Proxy here = make_proxy({surface_of(soup)}, radius_m, Normals::smooth);
+      Proxy there = make_proxy({turned}, radius_m, Normals::smooth);
+      Proxy larger = make_proxy({surface_of(scaled)}, scale * radius_m, Normals::smooth);
       RandomStream random(8);
       int same_scaled = 0, same_turned = 0;
       Vec3 p(0, 0, 0.04);

@@ -1,0 +1,261 @@
+#include "contact/proxy_memory.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "contact/proxy_limits.hpp"
+#include "contact/proxy_report.hpp"
+
+namespace fingerpad {
+namespace {
+
+using Limits = ProxyMemoryLimits;
+
+}  // namespace
+
+Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals) {
+  return Proxy(std::make_unique<ProxyMemory>(ProxyWorld(std::move(surfaces), radius_m, normals)));
+}
+
+void ProxyMemory::forget() noexcept {
+  ProxyViews::forget();
+  let_go();
+}
+
+bool ProxyMemory::carry(ProxyState& state) noexcept {
+  finger_m_ = state.finger_m;
+  return slide(state) || (!state.contact.touching && fly(state));
+}
+
+/// Flies or slides on in the room that is known.
+bool ProxyMemory::slide(ProxyState& state) noexcept {
+  if (room_.kind == Room::Kind::none) return false;
+  if (room_.kind == Room::Kind::slide)
+    return room_.wall_count == 1 ? slide_on_one(state) : slide_on_several(state);
+  if (!room_.holds(state.goal_O) || !is_clear_of_planes(state.goal_O, -1)) return false;
+  state.place_O = state.goal_O;
+  report_free(state);
+  return true;
+}
+
+/// Flies from one free ball to the next. False near a surface, where the proxy then is.
+bool ProxyMemory::fly(ProxyState& state) noexcept {
+  const Vec3& goal_O = state.goal_O;
+  for (int k = 0; k < Limits::most_flights; ++k) {
+    const double way_m = (goal_O - state.place_O).norm();
+    const double free_m = room_m(state.place_O, way_m + world_.extent_m());
+    if (free_m >= way_m) {
+      room_.kind = Room::Kind::flight;
+      room_.centre_O = state.place_O;
+      room_.radius_m = free_m * (1 - Limits::rounding);
+      state.place_O = goal_O;
+      return true;
+    }
+    if (!(free_m > view_reach_m_)) return false;
+    let_go();
+    state.place_O += (goal_O - state.place_O) * (free_m / way_m * Limits::flight_share);
+  }
+  return false;
+}
+
+bool ProxyMemory::slide_on_one(ProxyState& state) noexcept {
+  const Vec3& goal_O = state.goal_O;
+  const ProxyWall& wall_O = room_.walls_O[0];
+  const double lack_m = wall_O.lack_m(goal_O);
+  const Vec3 place_O = lack_m > 0 ? Vec3(goal_O + lack_m * wall_O.normal) : goal_O;
+  if (!is_clear_of_planes(place_O, wall_O.surface)) return false;
+  Vec3 weights = Vec3::Zero();
+  if (lack_m > 0 && wall_O.triangle >= 0) {
+    weights = room_.facets[0].at(place_O);
+    if (!(weights.minCoeff() > 0) || nearest_neighbour(wall_O, goal_O) != nullptr) return false;
+  }
+  if (!room_.holds(place_O) && !(lack_m > 0 && extend_slide(state.place_O, place_O))) return false;
+  state.place_O = place_O;
+  report_free(state);
+  const ProxyProjection skinless = held_by_one(world_, lack_m - world_.skin_m());
+  if (skinless.active_count == 0) return true;
+  state.hold_place_O = place_O;
+  state.hold.wall_count = 1;
+  state.hold.walls[0] = wall_O;
+  state.hold.walls[0].least_m = 0;
+  state.contact.holds[0] = wall_O.triangle < 0 ? hold_at(world_, wall_O, skinless.share_m[0], place_O)
+                                               : hold_over(wall_O, skinless.share_m[0], place_O, weights);
+  report_held(world_, skinless, state);
+  return true;
+}
+
+/// In the valley or corner of two or three facets, as long as all of them hold.
+bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
+  std::array<ProxyWall, 3> walls = room_.walls_O;
+  const std::span holding(walls.data(), static_cast<std::size_t>(room_.wall_count));
+  for (ProxyWall& wall : holding) wall = wall.seen_from(state.place_O);
+  const Vec3 goal = state.goal_O - state.place_O;
+  const ProxyProjection p = project_onto_every(goal, holding);
+  if (!p.found) return false;
+  const Vec3 place_O = state.place_O + p.z;
+  if (!room_.holds(place_O) || !is_clear_of_planes(place_O, -1)) return false;
+  std::array<Vec3, 3> weights;
+  for (std::size_t k = 0; k < holding.size(); ++k) {
+    weights[k] = room_.facets[k].at(place_O);
+    if (!(weights[k].minCoeff() > 0)) return false;
+  }
+  for (ProxyWall& wall : holding) wall.least_m -= world_.skin_m();
+  const ProxyProjection skinless = project_onto_every(goal, holding);
+  if (!skinless.found) return false;
+  for (ProxyWall& wall : holding) wall.least_m += world_.skin_m() - wall.normal.dot(p.z);
+  state.hold_place_O = state.place_O = place_O;
+  state.hold.wall_count = room_.wall_count;
+  state.hold.walls = walls;
+  state.hold.share_m = p.share_m;
+  for (std::size_t k = 0; k < holding.size(); ++k)
+    state.contact.holds[k] = hold_over(walls[k], skinless.share_m[k], place_O, weights[k]);
+  report_held(world_, skinless, state);
+  return true;
+}
+
+/// At the end of its room the slide goes on where a new look, ahead, shows more.
+bool ProxyMemory::extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept {
+  const Vec3 way = to_O - from_O;
+  const double way_m = way.norm(), lead_m = Limits::lead * view_reach_m_;
+  if (!(way_m < lead_m)) return false;
+  look_ahead(from_O, way_m, lead_m / way_m * way);
+  const ProxyWall wall = room_.walls_O[0].seen_from(from_O);
+  const std::span walls(&wall, 1);
+  return make_room(walls, search_place_O(), from_O, to_O) || make_room(walls, from_O, from_O, to_O);
+}
+
+/// A ball about a place in view and in front of these walls (seen from the place last looked around from), if
+/// it holds the proxy and a place where it shall go.
+bool ProxyMemory::make_room(std::span<const ProxyWall> walls, const Vec3& centre_O, const Vec3& from_O,
+                            const Vec3& to_O) noexcept {
+  room_.centre_O = centre_O;
+  room_.radius_m = room_in_front_of(walls, centre_O);
+  return room_.holds(from_O) && room_.holds(to_O);
+}
+
+/// Besides what the view shows: whether the way ends in the room in front of the one wall that holds the
+/// proxy.
+bool ProxyMemory::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
+                              const ProxyWall& here) noexcept {
+  look_over_edge(place_O, far, over.norm());
+  const Vec3 edge_O = place_O + over;
+  const bool is_in_room =
+      room_.is_slide_on_one() && room_.holds(edge_O) &&
+      room_.walls_O[0].normal.dot(edge_O) >= room_.walls_O[0].least_m - world_.tolerance_m() &&
+      is_clear_of_planes(edge_O, -1);
+  return is_in_room || is_seen_free(over, here);
+}
+
+/// Slides on from there, if the room in front of the wall holds both places; else nothing is changed.
+bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& edge_O,
+                       const Vec3& to_O) noexcept {
+  Room next;
+  next.kind = Room::Kind::slide;
+  next.wall_count = 1;
+  next.walls_O[0] = there.seen_from(-state.place_O);
+  next.facets[0] = weights_of(there);
+  if (!(next.facets[0].at(to_O).minCoeff() > 0)) return false;
+  const ProxyWall seen = next.walls_O[0].seen_from(place_O_);
+  next.centre_O = search_place_O();
+  next.radius_m = room_in_front_of(std::span(&seen, 1), next.centre_O);
+  if (!next.holds(edge_O) || !next.holds(to_O) || !is_clear_of_planes(to_O, -1)) return false;
+  room_ = next;
+  remember_fan(next.walls_O[0]);
+  state.contact.settled = true;
+  state.place_O = state.hold_place_O = to_O;
+  state.hold = {};
+  state.hold.wall_count = 1;
+  state.hold.walls[0] = there;
+  state.hold.walls[0].least_m = 0;
+  return true;
+}
+
+/// Notes how far the walls that hold the proxy let it slide, where it is not sliding yet.
+void ProxyMemory::note_rest(const ProxyState& state) noexcept {
+  const ProxyStep& hold = state.hold;
+  if (room_.kind == Room::Kind::slide) return;  // it landed there
+  if (hold.wall_count == 0 || hold.stuck || place_O_ != state.hold_place_O) return;
+  const auto walls = hold.held_by();
+  for (const ProxyWall& wall : walls) {
+    if (wall.triangle < 0 && walls.size() == 1) continue;
+    if (wall.triangle < 0) return;
+    if (world_.approach(wall.surface, wall.triangle, state.place_O).at.feature != Feature::face) return;
+  }
+  room_.wall_count = hold.wall_count;
+  for (std::size_t k = 0; k < walls.size(); ++k) {
+    room_.walls_O[k] = walls[k].seen_from(-state.hold_place_O);
+    room_.facets[k] = weights_of(walls[k]);
+  }
+  if (!make_room(walls, search_place_O(), state.place_O, state.place_O) &&
+      !make_room(walls, state.hold_place_O, state.place_O, state.place_O)) {
+    // Something stands close in front of the walls: no room to slide, but a neighbour may yet be nearer.
+    room_.centre_O = state.place_O;
+    room_.radius_m = 0;
+  }
+  room_.kind = Room::Kind::slide;
+  if (room_.wall_count == 1) remember_fan(room_.walls_O[0]);
+}
+
+ProxyMemory::FacetWeights ProxyMemory::weights_of(const ProxyWall& wall) const noexcept {
+  FacetWeights result;
+  if (wall.triangle < 0) return result;
+  const PlacedSurface& surface = world_.surface(wall.surface);
+  const TriangleCorners f = corners_of(world_.part(wall.surface), wall.triangle);
+  const Vec3 ab = f.b - f.a, ac = f.c - f.a;
+  const double area = f.normal.dot(ab.cross(ac));
+  result.corner_O = world_.from_part(wall.surface, f.a);
+  result.weights.row(1) = surface.R_WP * (ac.cross(f.normal) / area);
+  result.weights.row(2) = surface.R_WP * (f.normal.cross(ab) / area);
+  result.weights.row(0) = -result.weights.row(1) - result.weights.row(2);
+  return result;
+}
+
+/// What holds the proxy where it stands over a facet, with these weights of its corners.
+ProxyHold ProxyMemory::hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
+                                 const Vec3& weights) const noexcept {
+  TrianglePoint at;
+  at.barycentric = weights;
+  return {wall.surface, wall.triangle, place_O - world_.clearance_m() * wall.normal + world_.p_WO(),
+          shaded_W(world_, wall, at), share_m};
+}
+
+void ProxyMemory::remember_fan(const ProxyWall& wall_O) noexcept {
+  if (!world_.is_shaded()) return;
+  if (fan_surface_ == wall_O.surface && fan_triangle_ == wall_O.triangle &&
+      fan_normal_.dot(wall_O.normal) > 0)
+    return;
+  fan_surface_ = wall_O.surface;
+  fan_triangle_ = wall_O.triangle;
+  fan_normal_ = wall_O.normal;
+  fan_.gather(world_, wall_O);
+  certain_m_ = -1;
+  std::size_t k = 0;
+  for (const ProxyWall& wall : fan_.neighbours_O())
+    per_slope_[k++] = 1 / (wall.normal - wall_O.normal).norm();
+}
+
+/// Of the fan, the neighbour that is nearer to the finger than the wall; null where none is.
+const ProxyWall* ProxyMemory::nearest_neighbour(const ProxyWall& wall_O, const Vec3& goal_O) noexcept {
+  if ((goal_O - certain_goal_O_).squaredNorm() < certain_m_ * std::abs(certain_m_)) return nullptr;
+  const ProxyWall* nearest = fan_.nearest_to(world_, wall_O, goal_O);
+  certain_goal_O_ = goal_O;
+  certain_m_ = std::numeric_limits<double>::infinity();
+  // The depths behind the planes change evenly with the goal.
+  const double wall_depth_m = wall_O.lack_m(goal_O) - world_.tolerance_m();
+  std::size_t k = 0;
+  for (const ProxyWall& wall : fan_.neighbours_O())
+    certain_m_ = std::min(certain_m_, (wall.lack_m(goal_O) - wall_depth_m) * per_slope_[k++]);
+  return nearest;
+}
+
+std::optional<WallPair> ProxyMemory::nearer_neighbour(const ProxyState& state) noexcept {
+  if (!world_.is_shaded() || !room_.is_slide_on_one() || room_.walls_O[0].triangle < 0) return std::nullopt;
+  const ProxyWall& wall_O = room_.walls_O[0];
+  const ProxyWall* nearest_O = nearest_neighbour(wall_O, state.goal_O);
+  if (nearest_O == nullptr) return std::nullopt;
+  return WallPair{wall_O.seen_from(state.place_O), nearest_O->seen_from(state.place_O)};
+}
+
+}  // namespace fingerpad

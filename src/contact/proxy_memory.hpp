@@ -1,0 +1,74 @@
+#pragma once
+
+#include "contact/facet_fan.hpp"
+#include "contact/proxy.hpp"
+#include "contact/proxy_views.hpp"
+
+namespace fingerpad {
+
+/// What a proxy remembers to be fast. Where the last look around shows that nothing but the walls that hold
+/// the proxy can be met, it takes the proxy where a step would, in closed form:
+/// - a flight: a ball that is free of all surfaces; there the proxy is where the finger is;
+/// - a slide: walls that hold the proxy, and a ball in which nothing stands in front of them. There the proxy
+///   is the finger's foot on the walls.
+/// Where that is not known, it declines, and the proxy asks its sight.
+class ProxyMemory : public ProxyViews {
+ public:
+  explicit ProxyMemory(ProxyWorld world) : ProxyViews(std::move(world)) {}
+
+  bool carry(ProxyState& state) noexcept override;
+  void note_rest(const ProxyState& state) noexcept override;
+  bool slide(ProxyState& state) noexcept override;
+  bool land(ProxyState& state, const ProxyWall& there, const Vec3& edge_O,
+            const Vec3& to_O) noexcept override;
+  bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
+                   const ProxyWall& here) noexcept override;
+  std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept override;
+  void let_go() noexcept override { room_.kind = Room::Kind::none; }
+  void forget() noexcept override;
+
+ private:
+  /// The weights of a facet's corners at the foot of a place.
+  struct FacetWeights {
+    Vec3 corner_O = Vec3::Zero();  ///< its first, where they are 1, 0, 0 ...
+    Mat3 weights = Mat3::Zero();   ///< ... and how they change with the place from there, a row each
+
+    Vec3 at(const Vec3& place_O) const noexcept { return weights * (place_O - corner_O) + Vec3::UnitX(); }
+  };
+  /// A ball that the proxy may go about in: free, or with nothing in front of the walls that hold the proxy.
+  struct Room {
+    enum class Kind { none, flight, slide } kind = Kind::none;
+    Vec3 centre_O = Vec3::Zero();
+    double radius_m = 0;
+    int wall_count = 0;  ///< slide
+    std::array<ProxyWall, 3> walls_O;
+    std::array<FacetWeights, 3> facets;
+
+    bool holds(const Vec3& place_O) const noexcept {
+      return (place_O - centre_O).squaredNorm() <= radius_m * radius_m;
+    }
+    bool is_slide_on_one() const noexcept { return kind == Kind::slide && wall_count == 1; }
+  };
+
+  bool fly(ProxyState& state) noexcept;
+  bool slide_on_one(ProxyState& state) noexcept;
+  bool slide_on_several(ProxyState& state) noexcept;
+  bool extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept;
+  bool make_room(std::span<const ProxyWall> walls, const Vec3& centre_O, const Vec3& from_O,
+                 const Vec3& to_O) noexcept;
+  FacetWeights weights_of(const ProxyWall& wall) const noexcept;
+  ProxyHold hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
+                      const Vec3& weights) const noexcept;
+  void remember_fan(const ProxyWall& wall_O) noexcept;
+  const ProxyWall* nearest_neighbour(const ProxyWall& wall_O, const Vec3& goal_O) noexcept;
+
+  Room room_;
+  FacetFan fan_;  // about the facet that holds the proxy ...
+  int fan_surface_ = -1, fan_triangle_ = -1;
+  Vec3 fan_normal_ = Vec3::Zero();  // ... from the side to which its wall's normal points
+  std::array<double, ProxyLimits::most_neighbours> per_slope_{};  // 1/|a neighbour's normal - the wall's|
+  Vec3 certain_goal_O_ = Vec3::Zero();  // no neighbour of it is nearer to a finger ...
+  double certain_m_ = -1;               // ... that is within so much of here
+};
+
+}  // namespace fingerpad

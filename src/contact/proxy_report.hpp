@@ -1,0 +1,41 @@
+#pragma once
+
+#include "contact/proxy_state.hpp"
+#include "contact/proxy_world.hpp"
+
+namespace fingerpad {
+
+// What the proxy tells of itself: the walls that hold it, and the way from the finger to it. Each function
+// fills the contact of a state whose place and hold are those of the tick's end. All are noexcept and
+// allocate nothing.
+
+/// The proxy rests, or is still on its way: looks for what holds it, and reports.
+void report(const ProxyWorld& world, ProxyState& state) noexcept;
+/// The walls of state.hold that `p` names hold the proxy; their contact.holds are filled, in p's order.
+void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& state) noexcept;
+/// Nothing touches: the proxy is where the finger is.
+inline void report_free(ProxyState& state) noexcept {
+  state.contact.touching = false;
+}
+
+/// Whether one wall holds the ball without its skin, and by how much: what project_onto_walls comes to.
+/// @param depth_m  how far the finger is behind that ball's wall
+inline ProxyProjection held_by_one(const ProxyWorld& world, double depth_m) noexcept {
+  ProxyProjection p;
+  p.found = true;
+  p.share_m[0] = depth_m;
+  p.active_count = p.share_m[0] > world.slack_m() ? 1 : 0;
+  return p;
+}
+/// Which of the walls hold the ball without its skin, and by how much.
+/// @param walls  the ball's with its skin, at most three, seen from where `goal` is seen from
+ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& goal,
+                                  std::span<const ProxyWall> walls) noexcept;
+
+/// What holds the proxy where the place under it is looked for.
+ProxyHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
+                  const Vec3& place_O) noexcept;
+/// The normal of a wall as Normals says at a point of its triangle.
+Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoint& at) noexcept;
+
+}  // namespace fingerpad

@@ -1,0 +1,64 @@
+#pragma once
+
+#include "contact/proxy_wall.hpp"
+
+namespace fingerpad {
+
+/// A step of the proxy and the walls that hold it.
+struct ProxyStep {
+  Vec3 z = Vec3::Zero();  ///< where to, relative to where the proxy stood [m]
+  int wall_count = 0;
+  std::array<ProxyWall, 3> walls;   ///< seen from where the proxy stood
+  std::array<double, 3> share_m{};  ///< multiplier of each
+  bool truncated = false;           ///< the step ends where the view of the surroundings does
+  bool stuck = false;               ///< rounding left no way: z is zero or ends at the first touch
+
+  std::span<const ProxyWall> held_by() const noexcept {
+    return {walls.data(), static_cast<std::size_t>(wall_count)};
+  }
+};
+
+/// A surface that holds the proxy.
+struct ProxyHold {
+  int surface = -1;
+  int triangle = -1;              ///< index into Part::triangles; -1: a plane
+  Vec3 point_W = Vec3::Zero();    ///< the surface's point under the proxy [m]
+  Vec3 normal_W = Vec3::UnitZ();  ///< unit, towards the proxy; shaded as Normals says
+  double share_m = 0;             ///< multiplier: its part of the depth, along its own normal
+};
+
+/// Where the proxy stands against the finger.
+struct ProxyContact {
+  bool placed = true;    ///< false: a start found no place for the ball; the next move tries again
+  bool started = false;  ///< this move put the proxy down anew
+  bool touching = false;
+  bool settled = true;          ///< false: the proxy is still on its way to where it is closest to the finger
+  Vec3 proxy_W = Vec3::Zero();  ///< centre of the ball, its skin taken off [m]
+  double depth_m = 0;           ///< from the finger to it
+  Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to it
+  Vec3 normal_W = Vec3::UnitZ();     ///< unit: direction_W, shaded: see Proxy
+  Vec3 point_W = Vec3::Zero();     ///< S: the surface's point; of several, and on the way, the ball's lowest
+  int hold_count = 0;              ///< >= 1 while touching
+  std::array<ProxyHold, 3> holds;  ///< greatest share first; on the way: those of before
+};
+
+/// All that a proxy takes from one tick to the next.
+struct ProxyState {
+  bool placed = false;
+  Vec3 place_O = Vec3::Zero();      ///< of the ball's centre, its skin included (frame O: see ProxyWorld)
+  Vec3 goal_O = Vec3::Zero();       ///< where the finger is
+  double finger_m = 0;              ///< how far the finger went in this tick
+  double rest_share = 0;            ///< of the depth, by which a resting finger's proxy goes on in this tick
+  bool hopped = false;              ///< over a smooth edge, in this tick
+  bool lags = false;                ///< a hop is still on its way to be shown
+  Vec3 last_push_W = Vec3::Zero();  ///< what the last tick showed: depth times normal [m] ...
+  Vec3 last_direction_W = Vec3::UnitZ();  ///< ... and the direction
+  ProxyStep hold;                         ///< the last step, with the walls that stopped it ...
+  Vec3 hold_place_O = Vec3::Zero();       ///< ... and where it was made from
+  ProxyContact contact;
+
+  /// The largest change of the push in a tick: the finger's motion and the proxy's [m].
+  double most_step_m() const noexcept;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,244 @@
+#include "contact/proxy_views.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace fingerpad {
+namespace {
+
+using Limits = ProxyMemoryLimits;
+constexpr double wider = 1 + Limits::rounding, narrower = 1 - Limits::rounding;
+
+int largest_fan(const Part& part) {
+  std::vector<int> fan(static_cast<std::size_t>(part.welded_count), 0);
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    for (int k = 0; k < 3; ++k) ++fan[static_cast<std::size_t>(part.welded(k, t))];
+  }
+  return fan.empty() ? 0 : *std::max_element(fan.begin(), fan.end());
+}
+
+}  // namespace
+
+ProxyViews::ProxyViews(ProxyWorld world) : ProxySight(std::move(world)) {
+  int most = Limits::usual_view;
+  for (int i = 0; i < world_.surface_count(); ++i) {
+    if (!world_.is_plane(i)) most = std::max(most, 64 + 2 * largest_fan(world_.part(i)));
+  }
+  near_.reserve(static_cast<std::size_t>(most));
+  views_.resize(static_cast<std::size_t>(world_.surface_count()));
+  seeds_.assign(views_.size(), -1);
+}
+
+/// Without parts there is nothing to be looked for, however far.
+double ProxyViews::widest_view_m() const noexcept {
+  return world_.extent_m() > 0 ? world_.extent_m() : std::numeric_limits<double>::infinity();
+}
+
+void ProxyViews::forget() noexcept {
+  view_reach_m_ = Limits::first_view * widest_view_m();
+}
+
+ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*most_m*/, Look look) noexcept {
+  if (look == Look::first) asked_m_ = view_reach_m_;
+  const bool farther = look == Look::farther;
+  if (farther && static_cast<int>(near_.size()) <= Limits::rich_view) asked_m_ *= 2;
+  asked_m_ = look_around(place_O, asked_m_, farther);
+  if (place_O_ == search_place_O_) suit_view();
+  return step_towards(goal_O - place_O, nullptr);
+}
+
+ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
+                                double rest_m) noexcept {
+  see_from(edge_O, std::min(rest_m, Limits::serves_again * view_reach_m_), std::max(view_reach_m_, rest_m),
+           Vec3::Zero());
+  return step_towards(goal_O - edge_O, &first);
+}
+
+bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
+                             const ProxyWall& here) noexcept {
+  look_over_edge(place_O, far, over.norm());
+  return is_seen_free(over, here);
+}
+
+bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept {
+  return reach_m_ >= over.norm() && !worst_wall(over, std::span(&here, 1), world_.tolerance_m());
+}
+
+/// Makes the next views wider or narrower, after what a search has found.
+void ProxyViews::suit_view() noexcept {
+  const auto count = static_cast<int>(near_.size());
+  if (is_cut_) view_reach_m_ = std::min(view_reach_m_, search_reach_m_);
+  const double least_m =
+      std::max(Limits::least_ticks * finger_m_, Limits::least_share * world_.clearance_m());
+  if (count > Limits::rich_view)
+    view_reach_m_ = std::min(view_reach_m_, std::max(Limits::shrinkage * search_reach_m_, least_m));
+  if (count < Limits::poor_view && search_reach_m_ >= view_reach_m_)
+    view_reach_m_ = std::min(Limits::growth * view_reach_m_, widest_view_m());
+}
+
+void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& far, double way_m) noexcept {
+  const double far_m = far.norm(), need_m = Limits::past_edge * std::max(far_m, way_m);
+  const double reach_m = view_reach_m_;
+  if (need_m < (1 - Limits::lead) * reach_m) {
+    look_ahead(place_O, need_m, Limits::lead * reach_m / far_m * far);
+  } else if (look_around(place_O, std::max(reach_m, way_m), false) < way_m) {
+    look_around(place_O, std::max(reach_m, way_m), true);
+  }
+}
+
+bool ProxyViews::look_again(const Vec3& place_O, double need_m) noexcept {
+  const double left_m = search_reach_m_ - (place_O - search_place_O_).norm() * wider;
+  if (overflow_ || !(left_m >= need_m)) return false;
+  place_O_ = place_O;
+  reach_m_ = left_m;
+  for (int i = 0; i < world_.surface_count(); ++i) {
+    PartView& view = views_[static_cast<std::size_t>(i)];
+    if (view.within_reach) view.at_P = world_.in_part(i, place_O);
+  }
+  return true;
+}
+
+bool ProxyViews::is_box_within(int surface, const Vec3& q_P, double distance_m) const noexcept {
+  const Vec3 beyond = (q_P.cwiseAbs() - world_.part(surface).half_extent).cwiseMax(0.0);
+  return beyond.maxCoeff() <= distance_m && beyond.norm() <= distance_m * wider;
+}
+
+/// Fills the view; overflow_ where it is too rich.
+void ProxyViews::search(const Vec3& place_O, double reach_m) noexcept {
+  overflow_ = false;
+  near_.clear();
+  place_O_ = place_O;
+  reach_m_ = reach_m;
+  const double distance_m = world_.clearance_m() + reach_m;
+  for (int i = 0; i < world_.surface_count(); ++i) {
+    PartView& view = views_[static_cast<std::size_t>(i)];
+    view.first = view.end = near_.size();
+    if (world_.is_plane(i)) continue;
+    view.at_P = world_.in_part(i, place_O);
+    view.within_reach = is_box_within(i, view.at_P, distance_m);
+    if (!view.within_reach || overflow_) continue;
+    each_triangle_within(*world_.surface(i).tree, view.at_P, distance_m,
+                         [this](const TriangleCorners& corners, int triangle) {
+                           overflow_ |= near_.size() == near_.capacity();
+                           if (overflow_) return;
+                           NearTriangle& near = near_.emplace_back();
+                           near.triangle = triangle;
+                           near.corners = corners;
+                         });
+    view.end = near_.size();
+  }
+}
+
+void ProxyViews::search_around(const Vec3& place_O, double reach_m) noexcept {
+  search_place_O_ = place_O;
+  is_cut_ = false;
+  for (int cut = 0; cut <= Limits::most_cuts; ++cut) {
+    search_reach_m_ = reach_m;
+    search(place_O, reach_m);
+    if (!overflow_) return;
+    is_cut_ = true;
+    reach_m *= Limits::cut;
+  }
+}
+
+/// Looks at everything within `reach_m`, or, where that is too much, within less; returns how far. What the
+/// last search found serves again as long as it shows half as far.
+double ProxyViews::look_around(const Vec3& place_O, double reach_m, bool anew) noexcept {
+  if (anew || !look_again(place_O, Limits::serves_again * reach_m)) search_around(place_O, reach_m);
+  return reach_m_;
+}
+
+void ProxyViews::look_ahead(const Vec3& place_O, double need_m, const Vec3& ahead) noexcept {
+  if (see_from(place_O, need_m, view_reach_m_, ahead)) suit_view();
+}
+
+/// Sees to a view that shows as far as `need_m`; true where the trees were searched for it.
+bool ProxyViews::see_from(const Vec3& place_O, double need_m, double reach_m, const Vec3& ahead) noexcept {
+  if (look_again(place_O, need_m)) return false;
+  search_around(place_O + ahead, reach_m);
+  if (!look_again(place_O, need_m)) search_around(place_O, reach_m);  // cut short there
+  return true;
+}
+
+void ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
+                            WorstWall& worst) noexcept {
+  if (overflow_) {
+    ProxySight::offer_part(surface, z, walls, worst);
+    return;
+  }
+  const PartView& view = views_[static_cast<std::size_t>(surface)];
+  if (!view.within_reach) return;
+  const PartWay way(world_, surface, view.at_P, z);
+  const PartWalls before(world_, surface, walls, way.from_P);
+  const double way_m = way.way_P.norm() * wider, clear_m = 2 * world_.tolerance_m();
+  std::size_t worst_at = view.end;
+  for (std::size_t k = view.first; k < view.end; ++k) {
+    NearTriangle& near = near_[k];
+    if (near.seen) {
+      // An earlier look left a half space free. Where the way begins and ends well in front of it, the
+      // triangle cannot block; a ball that touches is nearer than that, and looks again.
+      const double here_m = near.least_gap_m(way.from_P), there_m = near.least_gap_m(way.to_P);
+      if (std::min(here_m, there_m) >= clear_m) continue;
+      // The gap shrinks by no more than the way is long. Even so this breach would not be the worst.
+      if (here_m - way_m > worst.slack_m) continue;
+    }
+    if (before.hide(near.corners)) continue;
+    near.look_from(way.from_P, world_.clearance_m());
+    if (worst.offer_triangle(world_, way, near.corners, near.triangle, near.towards_P, near.gap_m))
+      worst_at = k;
+  }
+  // It is likely the worst of the next way too, which then tells at once that others are not.
+  if (worst_at != view.end) std::swap(near_[view.first], near_[worst_at]);
+}
+
+double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept {
+  double room_m = overflow_ ? 0.0 : search_reach_m_ - (centre_O - search_place_O_).norm() * wider;
+  for (int i = 0; i < world_.surface_count() && room_m > 0; ++i) {
+    const PartView& view = views_[static_cast<std::size_t>(i)];
+    if (!view.within_reach) continue;
+    const Vec3 at_P = world_.in_part(i, centre_O);
+    const PartWalls before(world_, i, walls, view.at_P);
+    for (std::size_t k = view.first; k < view.end; ++k) {
+      NearTriangle& near = near_[k];
+      if (near.seen && near.least_gap_m(at_P) >= room_m) continue;
+      if (before.hide(near.corners)) continue;
+      near.look_from(at_P, world_.clearance_m());
+      room_m = std::min(room_m, near.gap_m);
+    }
+  }
+  return std::max(0.0, room_m);
+}
+
+double ProxyViews::room_m(const Vec3& place_O, double enough_m) noexcept {
+  double room_m = enough_m;
+  for (int i = 0; i < world_.surface_count(); ++i) {
+    if (world_.is_plane(i)) {
+      room_m = std::min(room_m, -world_.plane_wall(i, place_O).least_m);
+      continue;
+    }
+    const TriangleTree& tree = *world_.surface(i).tree;
+    const Vec3 q_P = world_.in_part(i, place_O);
+    const double to_box_m = (q_P.cwiseAbs() - tree.part().half_extent).cwiseMax(0.0).norm() * narrower;
+    if (to_box_m - world_.clearance_m() >= room_m) continue;
+    if (to_box_m > Limits::far_from_box * tree.part().size_m()) {
+      room_m = std::min(room_m, to_box_m - world_.clearance_m());
+      continue;
+    }
+    int& seed = seeds_[static_cast<std::size_t>(i)];
+    const ClosestTriangle closest = tree.closest(q_P, seed, std::max(room_m, 0.0) + world_.clearance_m());
+    if (closest.triangle < 0) continue;
+    seed = closest.triangle;
+    room_m = std::min(room_m, std::sqrt(closest.at.distance2_m2) - world_.clearance_m());
+  }
+  return room_m;
+}
+
+/// Whether a place keeps the clearance from every plane but one.
+bool ProxyViews::is_clear_of_planes(const Vec3& place_O, int but) const noexcept {
+  for (int i = 0; i < world_.surface_count(); ++i) {
+    if (i != but && world_.is_plane(i) && world_.plane_wall(i, place_O).least_m > 0) return false;
+  }
+  return true;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,54 @@
+#include "contact/proxy_world.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/proxy_limits.hpp"
+
+namespace fingerpad {
+
+ProxyWorld::ProxyWorld(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
+    : surfaces_(std::move(surfaces)), radius_m_(radius_m), normals_(normals) {
+  int first = -1;
+  for (int i = 0; i < surface_count(); ++i) {
+    const PlacedSurface& s = surface(i);
+    middle_O_.push_back(is_plane(i) ? s.plane_point_W : Vec3(s.R_WP * part(i).centre_P + s.p_WP));
+    if (first < 0 && !is_plane(i)) first = i;
+  }
+  if (!middle_O_.empty()) p_WO_ = middle_O_[static_cast<std::size_t>(std::max(first, 0))];
+  for (int i = 0; i < surface_count(); ++i) {
+    Vec3& middle_O = middle_O_[static_cast<std::size_t>(i)];
+    middle_O -= p_WO_;
+    if (!is_plane(i)) extent_m_ = std::max(extent_m_, middle_O.norm() + part(i).half_extent.norm());
+  }
+  skin_m_ = std::ldexp(extent_m_, ProxyLimits::skin_exponent);
+  tolerance_m_ = std::ldexp(skin_m_, ProxyLimits::tolerance_exponent);
+  slack_m_ = std::ldexp(tolerance_m_, ProxyLimits::slack_exponent);
+  touching_m_ = ProxyLimits::touching_tolerances * tolerance_m_;
+}
+
+Vec3 ProxyWorld::in_part(int i, const Vec3& place_O) const noexcept {
+  return surface(i).R_WP.transpose() * (place_O - middle_O_[static_cast<std::size_t>(i)]);
+}
+
+Vec3 ProxyWorld::from_part(int i, const Vec3& q_P) const noexcept {
+  return surface(i).R_WP * q_P + middle_O_[static_cast<std::size_t>(i)];
+}
+
+TriangleApproach ProxyWorld::approach(int i, int triangle, const Vec3& place_O) const noexcept {
+  return approach_triangle(part(i), triangle, in_part(i, place_O));
+}
+
+ProxyWall ProxyWorld::plane_wall(int i, const Vec3& place_O) const noexcept {
+  const Vec3& normal = surface(i).plane_normal_W;
+  return {normal, clearance_m() - normal.dot(place_O - middle_O_[static_cast<std::size_t>(i)]), i, -1};
+}
+
+ProxyWall ProxyWorld::tangent_wall(int i, int triangle, const Vec3& from_O,
+                                   const Vec3& place_O) const noexcept {
+  const TriangleApproach from = approach(i, triangle, from_O);
+  const Vec3 normal = surface(i).R_WP * from.towards;
+  return {normal, clearance_m() - from.distance_m + normal.dot(from_O - place_O), i, triangle};
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,90 @@
+#pragma once
+
+#include <algorithm>
+#include <optional>
+
+#include "contact/proxy_sweep.hpp"
+#include "contact/proxy_world.hpp"
+
+namespace fingerpad {
+
+/// At most three walls that the proxy stays in front of anyway, in the frame of one part: triangles behind
+/// one of them cannot stop it.
+class PartWalls {
+ public:
+  /// @param walls  seen from the place whose point in the part's frame is `from_P`
+  PartWalls(const ProxyWorld& world, int surface, std::span<const ProxyWall> walls,
+            const Vec3& from_P) noexcept
+      : count_(std::min(walls.size(), walls_.size())) {
+    for (std::size_t k = 0; k < count_; ++k) {
+      walls_[k].normal_P = world.surface(surface).R_WP.transpose() * walls[k].normal;
+      walls_[k].offset_m =
+          walls_[k].normal_P.dot(from_P) + walls[k].least_m - world.clearance_m() + world.tolerance_m();
+    }
+  }
+
+  bool hide(const TriangleCorners& f) const noexcept {
+    return std::any_of(walls_.begin(), walls_.begin() + static_cast<std::ptrdiff_t>(count_),
+                       [&f](const PartWall& wall) { return wall.hides(f); });
+  }
+
+ private:
+  struct PartWall {
+    Vec3 normal_P = Vec3::UnitZ();
+    double offset_m = 0;  ///< triangles up to here stand behind it
+
+    bool hides(const TriangleCorners& f) const noexcept {
+      return normal_P.dot(f.a) <= offset_m && normal_P.dot(f.b) <= offset_m && normal_P.dot(f.c) <= offset_m;
+    }
+  };
+
+  std::size_t count_;
+  std::array<PartWall, 3> walls_;
+};
+
+/// A way of the ball in the frame of a part.
+struct PartWay {
+  int surface;
+  Vec3 from_P, way_P, to_P;
+
+  PartWay(const ProxyWorld& world, int part, const Vec3& start_P, const Vec3& z) noexcept
+      : surface(part),
+        from_P(start_P),
+        way_P(world.surface(part).R_WP.transpose() * z),
+        to_P(start_P + way_P) {}
+};
+
+/// The wall that a way breaches most, of those offered so far; ties go to the lowest triangle.
+struct WorstWall {
+  std::optional<ProxyWall> wall;  ///< seen from where the way begins
+  double slack_m;                 ///< how far in front of it the way ends; < 0
+
+  bool is_beaten_by(double other_slack_m, int surface, int triangle) const noexcept {
+    if (!(other_slack_m == slack_m && wall)) return other_slack_m < slack_m;
+    return surface == wall->surface && triangle < wall->triangle;
+  }
+
+  void offer_plane(const ProxyWall& plane, const Vec3& z) noexcept {
+    const double end_slack_m = plane.normal.dot(z) - plane.least_m;
+    if (is_beaten_by(end_slack_m, plane.surface, -1)) *this = {plane, end_slack_m};
+  }
+
+  /// @param towards_P  unit, from the triangle's closest point to where the way begins
+  /// @param gap_m      the distance between the two less the clearance
+  /// @returns whether this triangle's is the worst now
+  bool offer_triangle(const ProxyWorld& world, const PartWay& way, const TriangleCorners& corners,
+                      int triangle, const Vec3& towards_P, double gap_m) noexcept {
+    // The breach only shrinks as the sweep goes on from its first tangent, which is this.
+    const double end_slack_m = gap_m + towards_P.dot(way.way_P);
+    if (end_slack_m >= -world.tolerance_m() || end_slack_m > slack_m) return false;
+    const TriangleSweep sweep =
+        sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(), world.tolerance_m());
+    if (!sweep.blocked || !is_beaten_by(sweep.end_slack_m, way.surface, triangle)) return false;
+    slack_m = sweep.end_slack_m;
+    wall = ProxyWall{world.surface(way.surface).R_WP * sweep.normal,
+                     sweep.offset_m - sweep.normal.dot(way.from_P), way.surface, triangle};
+    return true;
+  }
+};
+
+}  // namespace fingerpad
