@@ -35,12 +35,12 @@ OutputFolder::OutputFolder(const std::string& path) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (fs::exists(status) && !fs::is_directory(status)) {
-    throw Error(ErrorKind::fault, path, fmt::format("cannot be made: {} is a file, not a folder", path));
+    throw Error(ErrorKind::usage, path, fmt::format("cannot be made: {} is a file, not a folder", path));
   }
   fs::create_directories(path, error);
   if (error) {
     remove_empty(missing);
-    throw Error(ErrorKind::fault, path, "cannot be made: " + path_words(path, error.value()));
+    throw Error(output_fault(error.value()), path, "cannot be made: " + path_words(path, error.value()));
   }
   try {
     const fs::path trial = fs::path(path) / fmt::format(".fingerpad-{}", getpid());

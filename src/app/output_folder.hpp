@@ -10,7 +10,7 @@ namespace fingerpad {
 /// again. If nothing is in it at the end, because the work failed, the folders made for it go again.
 class OutputFolder {
  public:
-  /// Throws Error (fault) where it cannot be made or written to.
+  /// Throws Error (usage, or fault for a full disk) where it cannot be made or written to.
   explicit OutputFolder(const std::string& path);
   OutputFolder(const OutputFolder&) = delete;
   OutputFolder& operator=(const OutputFolder&) = delete;

@@ -6,7 +6,6 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 
 #include "base/error.hpp"
@@ -16,22 +15,22 @@ namespace fingerpad {
 namespace {
 
 Error uncreatable(const std::string& path, const std::string& why) {
-  return {ErrorKind::fault, path, "cannot be created: " + why};
+  return {ErrorKind::usage, path, "cannot be created: " + why};
 }
 
 void refuse_folder(const std::string& path, const std::string& folder) {
   struct stat status {};
   if (stat(folder.c_str(), &status) != 0) {
     const int problem = errno;
-    const std::string why = problem == ENOENT
-                                ? fmt::format("{}: {}", std::strerror(problem), path_words(path, problem))
-                                : path_words(folder, problem);
-    throw uncreatable(path, why);
+    throw uncreatable(path, path_words(problem == ENOENT ? path : folder, problem));
   }
   if (!S_ISDIR(status.st_mode)) throw uncreatable(path, fmt::format("{} is a file, not a folder", folder));
   if (faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) != 0) {
+    const int problem = errno;
     throw uncreatable(path,
-                      fmt::format("{}: you may not write into the folder {}", std::strerror(errno), folder));
+                      problem == EROFS
+                          ? fmt::format("the folder {} is on a disk that is read only", folder)
+                          : fmt::format("permission denied: you may not write into the folder {}", folder));
   }
 }
 
@@ -39,7 +38,7 @@ void refuse_folder(const std::string& path, const std::string& folder) {
 
 void refuse_unwritable(const std::string& path) {
   if (path == "-") return;
-  if (path.empty()) throw uncreatable("the output", "its name is empty");
+  if (path.empty()) throw Error(ErrorKind::usage, "the output", "its name is empty: name a file");
   struct stat status {};
   if (stat(path.c_str(), &status) == 0) {
     if (S_ISDIR(status.st_mode)) throw uncreatable(path, "is a folder: name a file in it");

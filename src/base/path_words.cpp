@@ -48,6 +48,11 @@ std::string forbidden_words(const fs::path& path) {
   if (!folder.empty() && faccessat(AT_FDCWD, folder.c_str(), X_OK, AT_EACCESS) != 0) {
     return fmt::format("permission denied: you may not look into its folder {}", folder.string());
   }
+  std::error_code ignored;
+  if (!fs::exists(path, ignored) &&
+      faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK, AT_EACCESS) != 0)
+    return fmt::format("permission denied: you may not write into the folder {}",
+                       folder.empty() ? "." : folder.string());
   return "permission denied: you have no right to it (chmod gives it)";
 }
 
@@ -71,6 +76,14 @@ std::string path_words(const std::string& path, int problem) {
     default:
       return std::strerror(problem);
   }
+}
+
+ErrorKind output_fault(int problem) noexcept {
+  for (const int misnamed :
+       {ENOENT, EACCES, EPERM, ELOOP, ENOTDIR, ENAMETOOLONG, EISDIR, EEXIST, EROFS, EINVAL}) {
+    if (problem == misnamed) return ErrorKind::usage;
+  }
+  return ErrorKind::fault;
 }
 
 }  // namespace fingerpad

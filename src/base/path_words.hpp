@@ -2,11 +2,18 @@
 
 #include <string>
 
+#include "base/error.hpp"
+
 namespace fingerpad {
 
 /// Why the system refused a path, in words that tell it apart and name the mend where there is one: which
 /// folder is missing, which part of the path is no folder, a link that leads nowhere or back to itself.
 /// @param problem  errno
 std::string path_words(const std::string& path, int problem);
+
+/// Whose fault it is that an output cannot be made there: usage where the caller's name leads to no place for
+/// it, else the program's (a full disk, no memory).
+/// @param problem  errno
+ErrorKind output_fault(int problem) noexcept;
 
 }  // namespace fingerpad

@@ -50,7 +50,9 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
     batch_job.status = "ok";
   } catch (const Error& error) {
     batch_job.status = printable(error.what());  // between ranks it is JSON, which is UTF-8
-    batch_job.exit_code = static_cast<int>(error.kind());
+    // The output folder was good when the run began: what is wrong with it now is no fault of the call.
+    batch_job.exit_code =
+        static_cast<int>(error.kind() == ErrorKind::usage ? ErrorKind::fault : error.kind());
   } catch (const std::exception& error) {
     batch_job.status = fmt::format("{}: {}", job.scene.name, error.what());
     batch_job.exit_code = static_cast<int>(ErrorKind::fault);
@@ -107,7 +109,7 @@ std::shared_ptr<RunLock> root_claim(const std::vector<BatchJob>& jobs, const Bat
   std::error_code failure;
   std::filesystem::create_directories(options.out_dir, failure);
   if (failure)
-    throw Error(ErrorKind::fault, options.out_dir,
+    throw Error(output_fault(failure.value()), options.out_dir,
                 "cannot be made: " + path_words(options.out_dir + "/", failure.value()));
   auto lock = std::make_shared<RunLock>(options.out_dir, output_names(jobs, options));
   for (const std::string& run : lock->unfinished()) {

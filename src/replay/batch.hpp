@@ -51,7 +51,7 @@ std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths);
 /// @returns on the root, the tables that could not be written, with the reason; the traces are there
 /// Throws Error on every rank, before anything is written: refused where two files of the batch would be one,
 /// where a file that the batch reads would be overwritten, or where a running process writes the same files;
-/// fault if the output folder cannot be written.
+/// usage where the output folder is no place to write to, fault where the disk is full.
 std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                              const std::function<void(const BatchJob&)>& on_done);
 

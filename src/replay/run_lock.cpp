@@ -10,7 +10,6 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -22,6 +21,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/path_words.hpp"
 #include "base/printable_text.hpp"
 
 namespace fingerpad {
@@ -55,7 +55,10 @@ class OpenFile {
 };
 
 Error cannot_write(const std::string& folder) {
-  return {ErrorKind::fault, folder, fmt::format("cannot be written: {}", std::strerror(errno))};
+  const int problem = errno;
+  // The folder was there a moment ago: whoever removed it, the call was good.
+  return {problem == ENOENT ? ErrorKind::fault : output_fault(problem), folder,
+          "cannot be written: " + path_words(folder, problem)};
 }
 
 enum class Locking { got, busy, impossible };

@@ -7,13 +7,13 @@
 #include <cerrno>
 #include <cstdint>
 #include <cstdio>
-#include <cstring>
 #include <memory>
 #include <optional>
 #include <vector>
 
 #include "base/checksum.hpp"
 #include "base/error.hpp"
+#include "base/path_words.hpp"
 
 namespace fingerpad {
 namespace {
@@ -70,7 +70,7 @@ bool append_seal(std::FILE* file, const SealBytes& seal) {
 
 void seal_file(const std::string& path) {
   const auto fail = [&path] {
-    return Error(ErrorKind::fault, path, std::string("cannot be written: ") + std::strerror(errno));
+    return Error(ErrorKind::fault, path, "cannot be written: " + path_words(path, errno));
   };
   File file(std::fopen(path.c_str(), "r+b"));
   if (!file) throw fail();
@@ -82,7 +82,7 @@ void seal_file(const std::string& path) {
 Seal check_seal(const std::string& path) {
   const File file(std::fopen(path.c_str(), "rb"));
   const auto size = file ? size_of(file.get()) : std::nullopt;
-  if (!size) throw refused(path, "cannot be read");
+  if (!size) throw refused(path, "cannot be read: " + path_words(path, errno));
   SealBytes found{};
   if (*size < sizeof(found)) return Seal::none;
   std::fseek(file.get(), -static_cast<long>(sizeof(found)), SEEK_END);

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <cstring>
+#include <filesystem>
 #include <mutex>
 
+#include "base/path_words.hpp"
 #include "trace/hdf5_internal.hpp"
 
 namespace fingerpad::hdf5 {
@@ -24,7 +25,19 @@ Handle access_properties(const std::string& path) {
 }
 
 Error disk_error(const std::string& path, int failure) {
-  return {ErrorKind::fault, path, fmt::format("cannot be written: {}", std::strerror(failure))};
+  return {ErrorKind::fault, path, "cannot be written: " + path_words(path, failure)};
+}
+
+/// HDF5 writes here and there in a file, and reads it again.
+void refuse_irregular(const std::string& path) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  if (!std::filesystem::exists(status) || std::filesystem::is_regular_file(status)) return;
+  throw Error(
+      ErrorKind::usage, path,
+      std::filesystem::is_directory(status)
+          ? "cannot be created: is a folder: name a file in it"
+          : "is no regular file, which an HDF5 trace needs; a CSV trace can go into a pipe or a device");
 }
 
 }  // namespace
@@ -69,6 +82,7 @@ void Handle::close() noexcept {
 
 Handle create_file(const std::string& path) {
   const Turn turn;
+  refuse_irregular(path);
   const Handle access = access_properties(path);
   const Handle creation = made(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path);
   H5Pset_obj_track_times(creation.id(), 0);
@@ -77,8 +91,8 @@ Handle create_file(const std::string& path) {
   Handle file = wrapped(H5Fcreate(path.c_str(), H5F_ACC_TRUNC, creation.id(), access.id()), H5Fclose, path);
   if (file.open()) return file;
   const int failure = last_open_failure();
-  throw Error(ErrorKind::fault, path,
-              fmt::format("cannot be created: {}", failure != 0 ? std::strerror(failure) : "it is open"));
+  if (failure == 0) throw Error(ErrorKind::fault, path, "cannot be created: it is open");
+  throw Error(output_fault(failure), path, "cannot be created: " + path_words(path, failure));
 }
 
 Handle open_file(const std::string& path) {

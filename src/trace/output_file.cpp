@@ -5,13 +5,13 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <cstring>
 #include <filesystem>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/output_place.hpp"
+#include "base/path_words.hpp"
 
 namespace fingerpad {
 namespace {
@@ -74,7 +74,10 @@ OutputFile::OutputFile(const std::string& path, Unfinished unfinished)
   if (file_ == nullptr && errno == ENXIO) {
     throw Error(ErrorKind::fault, path_, "is a pipe that nobody reads: start its reader first");
   }
-  if (file_ == nullptr) fail("cannot be created");
+  if (file_ == nullptr) {
+    const int problem = errno;
+    throw Error(output_fault(problem), path_, "cannot be created: " + path_words(path_, problem));
+  }
 }
 
 OutputFile::~OutputFile() {
@@ -83,7 +86,7 @@ OutputFile::~OutputFile() {
 }
 
 void OutputFile::fail(const std::string& doing) const {
-  throw Error(ErrorKind::fault, path_, doing + ": " + std::strerror(errno));
+  throw Error(ErrorKind::fault, path_, doing + ": " + path_words(path_, errno));
 }
 
 void OutputFile::write(std::string_view text) {

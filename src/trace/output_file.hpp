@@ -8,8 +8,8 @@ namespace fingerpad {
 
 /// A text file under way: written as `path`.part and renamed when it is whole, so that half a file is never
 /// taken for one. Links are followed, and what is replaced keeps its mode. A path that is no regular file (a
-/// terminal, a pipe) is written directly, and `-` is standard output. Throws Error (fault, with the path) as
-/// refuse_unwritable does, for a pipe that nobody reads, and where the writing fails.
+/// terminal, a pipe) is written directly, and `-` is standard output. Throws Error, with the path: usage as
+/// refuse_unwritable does, fault for a pipe that nobody reads and where the writing fails.
 class OutputFile {
  public:
   /// What becomes of `path`.part if commit() was not reached: a table of which half is there is worth

@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/path_words.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/file_seal.hpp"
 #include "trace/hdf5_file.hpp"
@@ -27,7 +28,7 @@ Trace read_hdf5_trace(const std::string& path, TraceContents contents) {
     throw refused(path, "is damaged: its contents are not those that were written");
   std::error_code vanished;
   const std::uint64_t bytes = std::filesystem::file_size(path, vanished);
-  if (vanished) throw refused(path, "cannot be read: " + vanished.message());
+  if (vanished) throw refused(path, "cannot be read: " + path_words(path, vanished.value()));
   // A row takes little more in memory than in the file, and so does all else.
   const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + 4 * bytes;
   const TrialLimits limits{.seconds = 2 + bytes / bytes_per_second,

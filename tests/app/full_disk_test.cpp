@@ -67,7 +67,7 @@ TEST(FullDisk, AnOutputFolderThatIsAFileIsSaidSo) {
   std::ofstream(folder / "file") << "x";
   for (const char* out : {"file", "file/out"}) {
     const ShellResult result = test::fingerpad(std::string("replay calm.toml --out ") + out, folder);
-    EXPECT_EQ(result.exit_code, 1);
+    EXPECT_EQ(result.exit_code, 2) << "not a full disk: the call names no folder";
     EXPECT_THAT(result.err,
                 testing::StartsWith(std::string("fingerpad: error: ") + out + ": cannot be made: "));
     EXPECT_THAT(result.err, HasSubstr("folder")) << "in words of its own";

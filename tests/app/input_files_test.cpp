@@ -169,21 +169,21 @@ TEST(OutputPlaces, AreToldBeforeTheWork) {
   fs::create_symlink("loop.csv", folder / "loop.csv");
   for (const char* call : {"query box.stl points.csv --out ", "export o/s.h5 --out "}) {
     SCOPED_TRACE(call);
-    expect_told(run(std::string(call) + "folder.csv", folder), 1, "is a folder: name a file in it");
-    expect_told(run(std::string(call) + "no/o.csv", folder), 1, "its folder no is not there");
-    expect_told(run(std::string(call) + "m.csv/o.csv", folder), 1, "m.csv is a file, not a folder");
-    expect_told(run(std::string(call) + "loop.csv", folder), 1, "leads back to itself");
+    expect_told(run(std::string(call) + "folder.csv", folder), 2, "is a folder: name a file in it");
+    expect_told(run(std::string(call) + "no/o.csv", folder), 2, "its folder no is not there");
+    expect_told(run(std::string(call) + "m.csv/o.csv", folder), 2, "m.csv is a file, not a folder");
+    expect_told(run(std::string(call) + "loop.csv", folder), 2, "leads back to itself");
     expect_told(run(std::string(call) + "pipe.csv", folder), 1, "is a pipe that nobody reads");
     const ShellResult read = run(std::string(call) + "pipe.csv; exec 3>&-; wait", folder,
                                  "exec 3<>pipe.csv; cat < pipe.csv >&2 3>&- & ");
     EXPECT_THAT(read.err, HasSubstr("px_m,py_m,pz_m,nx,ny,nz"));
   }
   // The output is looked at before the input.
-  expect_told(run("query no.stl points.csv --out no/o.csv", folder), 1, "its folder no is not there");
-  expect_told(run("export no.h5 --out no/o.csv", folder), 1, "its folder no is not there");
+  expect_told(run("query no.stl points.csv --out no/o.csv", folder), 2, "its folder no is not there");
+  expect_told(run("export no.h5 --out no/o.csv", folder), 2, "its folder no is not there");
 #ifdef FINGERPAD_VIEW
-  expect_told(run("plot no.h5 --out no/o.png", folder), 1, "its folder no is not there");
-  expect_told(run("view no.h5 --png no/o.png", folder), 1, "its folder no is not there");
+  expect_told(run("plot no.h5 --out no/o.png", folder), 2, "its folder no is not there");
+  expect_told(run("view no.h5 --png no/o.png", folder), 2, "its folder no is not there");
 #endif
 }
 
@@ -226,9 +226,9 @@ TEST(OutputPlaces, AStudyTriesItsFolderBeforeItWorksForAMinute) {
     SCOPED_TRACE(subject);
     // Seconds are enough for the refusal, and not for the study.
     const std::string call = "timeout 10 '" + test::program().string() + "' study " + subject + " --out ";
-    expect_told(test::shell(call + "m.csv", folder), 1, "m.csv is a file, not a folder");
-    expect_told(test::shell(call + "m.csv/deep", folder), 1, "m.csv is a file, not a folder");
-    expect_told(test::shell(call + "/proc/fingerpad", folder), 1, "/proc/fingerpad: cannot be made");
+    expect_told(test::shell(call + "m.csv", folder), 2, "m.csv is a file, not a folder");
+    expect_told(test::shell(call + "m.csv/deep", folder), 2, "m.csv is a file, not a folder");
+    expect_told(test::shell(call + "/proc/fingerpad", folder), 2, "/proc/fingerpad: cannot be made");
     expect_told(test::shell(call + "-", folder), 2, "needs a folder");
   }
 }

@@ -149,14 +149,14 @@ TEST(Batch, SummaryHasEverySetKeyAsWrittenAndTheFigures) {
   EXPECT_EQ(second.rfind("sweep,2,coulomb,1,ok,1001,1001,", 0), 0u) << second;
 }
 
-TEST(Batch, AnOutputFolderThatCannotBeMadeIsAFault) {
+TEST(Batch, AnOutputFolderThatCannotBeMadeIsTheCallersFault) {
   const auto folder = test::scratch_dir();
   std::ofstream(folder / "file") << "x";
   try {
     run({write_scene(folder, "s", std::string(plane) + rub)}, options_for(folder / "file" / "out"));
     FAIL();
   } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::fault);
+    EXPECT_EQ(error.kind(), ErrorKind::usage);
   }
 }
 

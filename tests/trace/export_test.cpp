@@ -76,13 +76,13 @@ TEST(ExportVtp, ATraceWithoutRowsHasNoLine) {
               HasSubstr("NumberOfPoints=\"0\" NumberOfVerts=\"0\" NumberOfLines=\"0\""));
 }
 
-TEST(Export, APlaceThatCannotBeWrittenIsAFault) {
+TEST(Export, APlaceThatCannotBeWrittenIsTheCallersFault) {
   for (const auto& write : {export_csv, export_vtp}) {
     try {
       write({}, "/no/such/folder/t");
       FAIL();
     } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::fault);
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
     }
   }
 }

@@ -47,12 +47,13 @@ void limit_files(rlim_t bytes) {
 }
 
 /// What a writer says that should fail; "" if it does not, and "?" and its words if they are no line of ours.
-std::string fault_of(const std::string& path, TraceFormat format, const std::vector<TickRecord>& rows) {
+std::string fault_of(const std::string& path, TraceFormat format, const std::vector<TickRecord>& rows,
+                     ErrorKind kind = ErrorKind::fault) {
   try {
     test::write_trace(path, format, rows);
   } catch (const Error& error) {
     const std::string what = error.what();
-    const bool ours = error.kind() == ErrorKind::fault && what.starts_with(path + ": cannot be ") &&
+    const bool ours = error.kind() == kind && what.starts_with(path + ": cannot be ") &&
                       what.find('\n') == std::string::npos;
     return ours ? what : "? " + what;
   }
@@ -60,7 +61,8 @@ std::string fault_of(const std::string& path, TraceFormat format, const std::vec
 }
 
 /// How many of 4 x `rounds` writers, in 4 threads at once, fail with a line of ours that ends in `reason`.
-int failures_in_threads(const std::string& folder, int rounds, const std::string& reason) {
+int failures_in_threads(const std::string& folder, int rounds, const std::string& reason,
+                        ErrorKind kind = ErrorKind::fault) {
   const auto rows = some_rows(9000);
   std::atomic<int> failures{0};
   std::vector<std::thread> threads;
@@ -68,7 +70,7 @@ int failures_in_threads(const std::string& folder, int rounds, const std::string
     threads.emplace_back([&, t] {
       for (int round = 0; round < rounds; ++round) {
         const std::string path = folder + "/" + std::to_string(t) + ".h5";
-        const std::string said = fault_of(path, TraceFormat::hdf5, rows);
+        const std::string said = fault_of(path, TraceFormat::hdf5, rows, kind);
         failures += static_cast<int>(said.starts_with(path) && said.ends_with(reason));
       }
     });
@@ -91,7 +93,10 @@ TEST(LostDisk, ManyWritersMayFailAtOnce) {
 }
 
 TEST(LostDisk, ManyWritersMayFindNoFolder) {
-  EXPECT_EQ(status_of([] { return failures_in_threads("/no/such/folder", 25, "No such file or directory"); }),
+  EXPECT_EQ(status_of([] {
+              return failures_in_threads("/no/such/folder", 25,
+                                         "folder /no/such/folder is not there (only / is)", ErrorKind::usage);
+            }),
             100);
 }
 
@@ -178,7 +183,8 @@ TEST(LostDisk, ARemovedFolderIsToldAtTheEnd) {
                 } catch (const Error& error) {
                   const std::string what = error.what();
                   const bool told = what.starts_with(path + ": cannot be ") &&
-                                    what.ends_with(": No such file or directory");
+                                    what.ends_with("its folder " + folder.string() + " is not there (only " +
+                                                   folder.parent_path().string() + " is)");
                   return error.kind() == ErrorKind::fault && told ? 0 : 2;
                 }
                 return 1;
@@ -187,7 +193,7 @@ TEST(LostDisk, ARemovedFolderIsToldAtTheEnd) {
   }
 }
 
-TEST(LostDisk, AReadOnlyFolderIsAFault) {
+TEST(LostDisk, AReadOnlyFolderIsTheCallersFault) {
   const auto folder = test::scratch_dir() / "closed";
   std::filesystem::create_directory(folder);
   std::filesystem::permissions(folder, std::filesystem::perms(0555));
@@ -195,8 +201,11 @@ TEST(LostDisk, AReadOnlyFolderIsAFault) {
     const std::string path = folder / "t";
     const int status = status_of([&] {
       if (geteuid() == 0 && setuid(65534) != 0) return cannot_try;
-      const std::string said = fault_of(path, format, some_rows(10));
-      return said.starts_with(path + ": cannot be created: Permission denied") ? 0 : 1;
+      const std::string said = fault_of(path, format, some_rows(10), ErrorKind::usage);
+      return said == path + ": cannot be created: permission denied: you may not write into the folder " +
+                         folder.string()
+                 ? 0
+                 : 1;
     });
     if (status == cannot_try) GTEST_SKIP() << "root may write anywhere, and may be nobody else here";
     EXPECT_EQ(status, 0);

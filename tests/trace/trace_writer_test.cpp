@@ -320,15 +320,15 @@ TEST(TraceWriter, AnUnfinishedTraceIsMarkedSo) {
   EXPECT_FALSE(read_trace(path).complete);
 }
 
-TEST(TraceWriter, AFileThatCannotBeCreatedIsAFault) {
+TEST(TraceWriter, AFileThatCannotBeCreatedIsTheCallersFault) {
   for (const TraceFormat format : {TraceFormat::hdf5, TraceFormat::csv}) {
     try {
       TraceWriter::create("/no/such/folder/t", format, {}, {});
       FAIL();
     } catch (const Error& error) {
-      EXPECT_EQ(error.kind(), ErrorKind::fault);
+      EXPECT_EQ(error.kind(), ErrorKind::usage);
       EXPECT_THAT(error.what(), StartsWith("/no/such/folder/t: cannot be created"));
-      EXPECT_THAT(error.what(), HasSubstr("No such file or directory"));
+      EXPECT_THAT(error.what(), HasSubstr("its folder /no/such/folder is not there (only / is)"));
     }
   }
 }
