@@ -8,18 +8,19 @@
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
+#include "base/printable_text.hpp"
 #include "base/text_lines.hpp"
 
 namespace fingerpad {
 namespace {
 
-std::vector<std::string_view> cells_of(std::string_view line) {
+std::vector<std::string_view> cells_of(std::string_view line, char separator = ',') {
   std::vector<std::string_view> cells;
   while (true) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
+    const std::size_t end = line.find(separator);
+    cells.push_back(line.substr(0, end));
+    if (end == std::string_view::npos) return cells;
+    line.remove_prefix(end + 1);
   }
 }
 
@@ -41,13 +42,6 @@ void refuse_extra_cells(const TextLines& lines, const std::vector<std::string_vi
   }
 }
 
-std::optional<std::size_t> column_of(const std::vector<std::string_view>& header, std::string_view name) {
-  for (std::size_t i = 0; i < header.size(); ++i) {
-    if (trimmed(header[i]) == name) return i;
-  }
-  return std::nullopt;
-}
-
 double number_in(const TextLines& lines, const std::vector<std::string_view>& cells, std::size_t column,
                  std::string_view name) {
   if (column >= cells.size()) {
@@ -57,7 +51,7 @@ double number_in(const TextLines& lines, const std::vector<std::string_view>& ce
   const auto value = parse_number(cells[column]);
   if (!value)
     throw refused(lines.place(), fmt::format("'{}' in column '{}' is no number",
-                                             trimmed(cells[column]).substr(0, 40), name));
+                                             printable(trimmed(cells[column]), 40), name));
   if (!std::isfinite(*value)) throw refused(lines.place(), fmt::format("column '{}' is not finite", name));
   return *value;
 }
@@ -78,6 +72,30 @@ std::vector<std::string_view> header_of(TextLines& lines, std::string& line) {
 
 }  // namespace
 
+std::optional<std::size_t> csv_column(std::string_view header, std::string_view name,
+                                      const std::string& place) {
+  std::optional<std::size_t> found;
+  const auto cells = cells_of(header);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (trimmed(cells[i]) != name) continue;
+    if (found) {
+      throw refused(place, fmt::format("names the column '{}' twice, in cells {} and {}: leave one of them",
+                                       name, *found + 1, i + 1));
+    }
+    found = i;
+  }
+  if (found) return found;
+  for (const char separator : {';', '\t', '|'}) {
+    for (const std::string_view cell : cells_of(header, separator)) {
+      if (trimmed(cell) != name) continue;
+      throw refused(place, fmt::format("its cells are parted by {}, but those of CSV by ',': save it with "
+                                       "commas, and numbers with decimal points",
+                                       separator == '\t' ? "tabs" : fmt::format("'{}'", separator)));
+    }
+  }
+  return std::nullopt;
+}
+
 CsvColumns read_csv_columns(const std::string& path, const std::vector<std::string_view>& required,
                             const std::vector<std::string_view>& optional, TableSource source) {
   constexpr std::size_t most_rows = 50'000'000;
@@ -90,7 +108,7 @@ CsvColumns read_csv_columns(const std::string& path, const std::vector<std::stri
   std::vector<std::optional<std::size_t>> places;
   CsvColumns table;
   for (std::size_t k = 0; k < names.size(); ++k) {
-    places.push_back(column_of(header, names[k]));
+    places.push_back(csv_column(header_line, names[k], lines.place()));
     table.present.push_back(places[k].has_value());
     if (!places[k] && k < required.size()) {
       throw refused(lines.place(), fmt::format("no column '{}'; the first line must name the columns {}",

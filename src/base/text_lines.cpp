@@ -1,7 +1,6 @@
 #include "base/text_lines.hpp"
 
 #include <algorithm>
-#include <cstring>
 
 #include "base/error.hpp"
 
@@ -11,11 +10,18 @@ namespace {
 constexpr std::size_t block_bytes = std::size_t{1} << 18, most_line_bytes = std::size_t{1} << 20;
 constexpr char ctrl_z = '\x1a';
 
-/// The first end of a line, or the text's size.
+/// The first end of a line, or the text's size. Looked for in windows that grow, so that neither mark is
+/// searched for far behind the other: a file may have one of them alone.
 std::size_t line_end(std::string_view text) {
-  const std::size_t feed = std::min(text.find('\n'), text.size());
-  const auto* const bare = static_cast<const char*>(std::memchr(text.data(), '\r', feed));
-  return bare != nullptr ? static_cast<std::size_t>(bare - text.data()) : feed;
+  std::size_t window = 64;
+  for (std::size_t from = 0; from < text.size(); from += window, window *= 2) {
+    const std::string_view here = text.substr(from, window);
+    const std::size_t feed = std::min(here.find('\n'), here.size());
+    const std::size_t bare = here.substr(0, feed).find('\r');
+    if (bare != std::string_view::npos) return from + bare;
+    if (feed < here.size()) return from + feed;
+  }
+  return text.size();
 }
 
 }  // namespace

@@ -6,25 +6,13 @@
 #include <filesystem>
 #include <string_view>
 
+#include "base/csv_cell.hpp"
 #include "base/number_text.hpp"
-#include "base/printable_text.hpp"
 #include "replay/batch_files.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// A CSV cell: printable, and quoted where it must be (RFC 4180).
-std::string cell(std::string_view words) {
-  const std::string text = printable(words);
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) {
-    if (c == '"') quoted += '"';
-    quoted += c;
-  }
-  return quoted + '"';
-}
 
 /// Every set key of the batch, in the order of first appearance.
 std::vector<std::string> set_keys(const std::vector<BatchJob>& jobs) {
@@ -47,15 +35,15 @@ std::string set_value(const BatchJob& job, const std::string& key) {
 std::string summary_text(const std::vector<BatchJob>& jobs) {
   const auto keys = set_keys(jobs);
   std::string text = "scene,job";
-  for (const std::string& key : keys) text += "," + cell(key);
+  for (const std::string& key : keys) text += "," + csv_cell(key);
   text += ",status";
   for (const std::string_view name : Figures::names()) text += fmt::format(",{}", name);
   text += ",contact_method,contact_normals\n";
   for (const BatchJob& job : jobs) {
     if (job.status.empty()) continue;
-    text += fmt::format("{},{}", cell(job.job.scene.name), job.job.number);
-    for (const std::string& key : keys) text += "," + cell(set_value(job, key));
-    text += "," + cell(job.status);
+    text += fmt::format("{},{}", csv_cell(job.job.scene.name), job.job.number);
+    for (const std::string& key : keys) text += "," + csv_cell(set_value(job, key));
+    text += "," + csv_cell(job.status);
     for (std::size_t i = 0; i < Figures::names().size(); ++i) {
       text += "," + number_text(job.status == "ok" ? job.figures[i] : TickRecord::nan);
     }
@@ -68,7 +56,7 @@ std::string timing_text(const std::vector<BatchJob>& jobs) {
   std::string text = "scene,job,seconds\n";
   for (const BatchJob& job : jobs) {
     if (job.status.empty()) continue;
-    text += fmt::format("{},{},{:.6f}\n", cell(job.job.scene.name), job.job.number, job.seconds);
+    text += fmt::format("{},{},{:.6f}\n", csv_cell(job.job.scene.name), job.job.number, job.seconds);
   }
   return text;
 }

@@ -4,24 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "base/csv_cell.hpp"
 #include "base/number_text.hpp"
-#include "base/printable_text.hpp"
 #include "friction/law_table.hpp"
 
 namespace fingerpad {
-namespace {
-
-/// A word of a table, printable; quoted where it must be, unless it comes with its quotes.
-std::string cell(const std::string& words) {
-  const std::string text = printable(words);
-  if (text.starts_with('"') || text.find_first_of(",\"") == std::string::npos) return text;
-  std::string quoted = "\"";
-  for (const char c : text) quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
-}
-
-}  // namespace
-
 std::string StudyTable::csv() const {
   std::string text;
   for (const std::string& column : columns) text += (text.empty() ? "" : ",") + column;
@@ -32,7 +19,7 @@ std::string StudyTable::csv() const {
       if (const auto* number = std::get_if<double>(&row[i])) {
         append_number(text, *number);
       } else {
-        text += cell(std::get<std::string>(row[i]));
+        text += csv_cell(std::get<std::string>(row[i]));
       }
     }
     text += '\n';

@@ -4,8 +4,10 @@
 
 #include <cmath>
 
+#include "base/csv_columns.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
+#include "base/printable_text.hpp"
 #include "base/text_lines.hpp"
 
 namespace fingerpad {
@@ -24,14 +26,11 @@ std::vector<std::string_view> cells_of(std::string_view line) {
 
 /// Where each column of a trace stands in the file.
 std::vector<std::size_t> find_columns(const std::string& where, std::string_view header) {
-  const auto names = cells_of(header);
-  std::vector<std::size_t> places(trace_columns().size());
-  for (std::size_t k = 0; k < places.size(); ++k) {
-    const std::string_view wanted = trace_columns()[k].name;
-    while (places[k] < names.size() && names[places[k]] != wanted) ++places[k];
-    if (places[k] == names.size()) {
-      throw refused(where, fmt::format("is no trace: it has no column '{}'", wanted));
-    }
+  std::vector<std::size_t> places;
+  for (const TraceColumn& column : trace_columns()) {
+    const auto place = csv_column(header, column.name, where);
+    if (!place) throw refused(where, fmt::format("is no trace: it has no column '{}'", column.name));
+    places.push_back(*place);
   }
   return places;
 }
@@ -63,7 +62,7 @@ TickRecord read_row(const TextLines& lines, std::string_view line, const std::ve
     const auto value = is_phase ? phase_number(cell) : parse_number(cell);
     if (!value) {
       throw refused(lines.place(),
-                    fmt::format("'{}' in column '{}' is no {}", cell.substr(0, 40), column.name,
+                    fmt::format("'{}' in column '{}' is no {}", printable(cell, 40), column.name,
                                 is_phase ? "phase (free, stick, slip)" : "number"));
     }
     const std::string_view wrong = read_value(column, *value, record);

@@ -3,6 +3,7 @@
 #include <fstream>
 
 #include "base/content_hash.hpp"
+#include "base/csv_cell.hpp"
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
 #include "base/unit.hpp"
@@ -44,6 +45,35 @@ TEST(CsvColumns, TellTheLineOfWhatIsWrong) {
   EXPECT_NE(refusal(write("e.csv", "x\n1\n"), {"x_m"}).find("e.csv:1: no column 'x_m'"), std::string::npos);
   EXPECT_NE(refusal(write("f.csv", ""), {"x_m"}).find("is empty"), std::string::npos);
   EXPECT_NE(refusal("/nowhere/g.csv", {"x_m"}).find("cannot be read"), std::string::npos);
+}
+
+TEST(CsvColumns, PartedByAnotherMarkAreToldSo) {
+  for (const auto& [header, mark] :
+       {std::pair("t_s;x_m\n0;1\n", "';'"), std::pair("t_s\tx_m\n0\t1\n", "tabs")}) {
+    const std::string told = refusal(write("s.csv", header), {"t_s", "x_m"});
+    EXPECT_NE(told.find(std::string("s.csv:1: its cells are parted by ") + mark), std::string::npos) << told;
+    EXPECT_NE(told.find("with commas"), std::string::npos) << told;
+  }
+  EXPECT_NE(refusal(write("n.csv", "t;x\n0;1\n"), {"t_s"}).find("no column 't_s'"), std::string::npos);
+}
+
+TEST(CsvColumns, ThatAreThereTwiceAreRefused) {
+  const std::string told = refusal(write("d.csv", "x_m,y_m, x_m\n1,2,3\n"), {"y_m", "x_m"});
+  EXPECT_NE(told.find("d.csv:1: names the column 'x_m' twice, in cells 1 and 3"), std::string::npos) << told;
+  EXPECT_EQ(refusal(write("o.csv", "x_m,word,word\n1,a,b\n"), {"x_m"}), "") << "others do not matter";
+}
+
+TEST(CsvColumns, WithAZeroByteInACellAreToldToTheEnd) {
+  const std::string text("x_m\n1\0ab\n", 9);
+  EXPECT_NE(refusal(write("z.csv", text), {"x_m"}).find("z.csv:2: '1\\x00ab' in column 'x_m'"),
+            std::string::npos);
+}
+
+TEST(CsvCell, IsQuotedOnlyWhereItMustBe) {
+  EXPECT_EQ(csv_cell("plain words"), "plain words");
+  EXPECT_EQ(csv_cell("one, two"), "\"one, two\"");
+  EXPECT_EQ(csv_cell("a \"word\""), "\"a \"\"word\"\"\"");
+  EXPECT_EQ(csv_cell("two\nlines"), "two\\nlines");
 }
 
 TEST(ContentHash, IsFnv1a) {
