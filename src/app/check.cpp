@@ -9,7 +9,7 @@
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
-#include "contact/thinnest_wall.hpp"
+#include "contact/part_measures.hpp"
 #include "part/import.hpp"
 
 namespace fingerpad {
@@ -72,7 +72,7 @@ std::pair<ImportedPart, double> checked(const std::string& path, const CheckOpti
   tell(progress, "building the search tree", 0.5);
   const TriangleTree tree(imported.part);
   tell(progress, "measuring its walls", 0.85);
-  const double wall_m = thinnest_wall_m(*imported.part, tree);
+  const double wall_m = told_wall_m(*imported.part, measure_part(*imported.part, tree));
   return {std::move(imported), wall_m};
 }
 

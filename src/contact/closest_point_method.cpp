@@ -49,7 +49,10 @@ std::string enough(const ContactDemand& demand) {
     return demand.press + " and no more: its centre stays outside, and it touches one wall at a time";
   if (!std::isfinite(demand.part.thinnest_m))
     return "it is closed and has no walls that face away from each other";
-  return fmt::format("walls are {:.3g} mm thick or more and {}", 1e3 * demand.part.thinnest_m, demand.press);
+  const bool has_walls = std::isfinite(demand.part.thinnest_wall_m);
+  return fmt::format("{} {:.3g} mm {} or more and {}", has_walls ? "walls are" : "sides that lean leave",
+                     1e3 * (has_walls ? demand.part.thinnest_wall_m : demand.part.thinnest_m),
+                     has_walls ? "thick" : "between them", demand.press);
 }
 
 }  // namespace

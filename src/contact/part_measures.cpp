@@ -20,6 +20,7 @@ namespace {
 /// Of a mesh with more facets than `most_rays` only every k-th sends a ray.
 constexpr int most_rays = 60000, most_starts = 40000, most_overlap_rays = 10000;
 constexpr int most_cuts = 8;
+constexpr double cos_facing = 0.86602540378443865;  // 30 degrees
 /// Half a unit in the last place of a float32 number, relative to it.
 constexpr double float32_rounding = 6e-8;
 constexpr double trusted_roundings = 100;
@@ -143,9 +144,10 @@ PartMeasures measured_edges(const Part& part, double trusted_height_m) {
   return edges.sum;
 }
 
-/// Local thickness under one point of facet t, and the area that the point stands for.
+/// What is under one point of facet t, and the area that the point stands for.
 struct Wall {
-  double thickness_m = PartMeasures::inf;
+  double thickness_m = PartMeasures::inf;  ///< local thickness
+  double through_m = PartMeasures::inf;    ///< to a side that faces this one
   double area_m2 = 0;
 };
 
@@ -174,15 +176,18 @@ bool meets_overlap(const TriangleTree& tree, const Probe& probe, double slack_m)
   return tree.first_crossing(at(entered_m - slack_m), at(slack_m)).triangle < 0;
 }
 
-double thickness_of(const Part& part, const Probe& probe) {
-  const Vec3 normal = -probe.inwards;
+Wall wall_of(const Part& part, const Probe& probe, double area_m2) {
+  Wall wall;
+  wall.area_m2 = area_m2;
   const RayExit& exit = probe.exit;
-  if (exit.triangle < 0) return PartMeasures::inf;
+  if (exit.triangle < 0) return wall;
   const double cosine =
-      -part.facet_normals.col(exit.triangle).dot(normal);  // of the angle between the facets
-  if (cosine < -std::cos(opposite_turn_rad)) return PartMeasures::inf;
+      part.facet_normals.col(exit.triangle).dot(probe.inwards);  // of the angle between the facets
+  if (cosine >= cos_facing) wall.through_m = exit.distance_m;
+  if (cosine < -std::cos(opposite_turn_rad)) return wall;
   const double tan2_half = (1 - std::min(1.0, cosine)) / (1 + cosine);
-  return exit.distance_m * (1 - tan2_half);
+  wall.thickness_m = exit.distance_m * (1 - tan2_half);
+  return wall;
 }
 
 /// What the rays from under a part's facets meet.
@@ -223,7 +228,7 @@ class WallSamples {
     Wall* walls = &walls_[static_cast<std::size_t>(i) * static_cast<std::size_t>(m_ * m_)];
     const auto take = [&](double u, double v) {
       const Probe probe = probe_at(part_, tree_, t, {1 - u - v, u, v});
-      *walls++ = {thickness_of(part_, probe), area_m2 / (m_ * m_)};
+      *walls++ = wall_of(part_, probe, area_m2 / (m_ * m_));
       if (look_for_overlap && meets_overlap(tree_, probe, trusted_height_m_)) ++overlap_count_;
     };
     for (int row = 0; row < m_; ++row) {
@@ -268,7 +273,14 @@ PartMeasures measure_part(const Part& part, const TriangleTree& tree) {
   measures.ray_count = static_cast<int>(samples.walls().size());
   measures.median_m = median_thickness(samples.walls());
   measures.thinnest_m = samples.walls().front().thickness_m;
+  for (const Wall& wall : samples.walls())
+    measures.thinnest_wall_m = std::min(measures.thinnest_wall_m, wall.through_m);
   return measures;
+}
+
+double told_wall_m(const Part& part, const PartMeasures& measures) noexcept {
+  const bool has_inside = part.triangle_count() > 0 && measures.open_edges == 0;
+  return has_inside ? measures.thinnest_wall_m : std::numeric_limits<double>::quiet_NaN();
 }
 
 }  // namespace fingerpad

@@ -69,8 +69,12 @@ std::string unknown_inside(const PartMeasures& part) {
 std::string way_through(const ContactDemand& demand) {
   const PartMeasures& part = demand.part;
   if (demand.centre_depth_m <= 0) return {};
-  if (part.thinnest_m <= 2 * demand.centre_depth_m)
-    return fmt::format("walls are {} thick and {}", millimetres(part.thinnest_m), demand.press);
+  if (part.thinnest_m <= 2 * demand.centre_depth_m) {
+    if (part.thinnest_wall_m <= 2 * demand.centre_depth_m)
+      return fmt::format("walls are {} thick and {}", millimetres(part.thinnest_wall_m), demand.press);
+    return fmt::format("sides that lean towards each other leave {} between them and {}",
+                       millimetres(part.thinnest_m), demand.press);
+  }
   if (part.sharpest_ridge_rad < opposite_turn_rad) return {};
   return fmt::format("an edge is as sharp as {:.0f} degrees and {}", 180 - degrees * part.sharpest_ridge_rad,
                      demand.press);

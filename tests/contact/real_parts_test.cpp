@@ -6,8 +6,8 @@
 #include "base/random_stream.hpp"
 #include "contact/curved_patch.hpp"
 #include "contact/effort.hpp"
+#include "contact/part_measures.hpp"
 #include "contact/surface_point.hpp"
-#include "contact/thinnest_wall.hpp"
 #include "part/import.hpp"
 #include "support/brute_force.hpp"
 #include "support/paths.hpp"
@@ -143,7 +143,8 @@ TEST_P(RealParts, StayWithinTheirPatchesReachOfTheFacetsAsCurvedSurfaces) {
 
 TEST_P(RealParts, HaveAThinnestWallWhereTheyAreClosed) {
   if (!imported_.part) GTEST_SKIP() << imported_.verdict.error;
-  const double thinnest = thinnest_wall_m(*imported_.part, TriangleTree(imported_.part));
+  const double thinnest =
+      told_wall_m(*imported_.part, measure_part(*imported_.part, TriangleTree(imported_.part)));
   if (imported_.verdict.closed) {
     EXPECT_GE(thinnest, 0);
     EXPECT_LE(thinnest, imported_.part->size_m());

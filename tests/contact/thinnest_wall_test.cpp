@@ -1,11 +1,10 @@
-#include "contact/thinnest_wall.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <limits>
 #include <vector>
 
+#include "contact/part_measures.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad {
@@ -13,7 +12,7 @@ namespace {
 
 double thinnest_of(const TriangleSoup& soup) {
   const auto part = std::make_shared<const Part>(make_part(soup, 0.5));
-  return thinnest_wall_m(*part, TriangleTree(part));
+  return told_wall_m(*part, measure_part(*part, TriangleTree(part)));
 }
 
 TEST(ThinnestWall, OfABoxIsItsShortestSide) {
