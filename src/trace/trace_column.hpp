@@ -27,6 +27,7 @@ struct TraceColumn {
   double (*get)(const TickRecord& record) noexcept;
   /// @param value  read_value has nothing against
   void (*set)(TickRecord& record, double value) noexcept;
+  std::string_view values{};  ///< what its numbers stand for, an attribute in HDF5; empty: what `unit` says
 };
 
 /// The columns in file order: t_s .. triangle.

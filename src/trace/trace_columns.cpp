@@ -6,7 +6,7 @@ namespace {
 /// A number of the record.
 template <auto member>
 constexpr TraceColumn column(std::string_view name, std::string_view unit, std::string_view doc,
-                             ColumnKind kind = ColumnKind::number) {
+                             ColumnKind kind = ColumnKind::number, std::string_view values = {}) {
   return {name,
           unit,
           doc,
@@ -14,7 +14,8 @@ constexpr TraceColumn column(std::string_view name, std::string_view unit, std::
           [](const TickRecord& record) noexcept { return static_cast<double>(record.*member); },
           [](TickRecord& record, double value) noexcept {
             record.*member = static_cast<std::remove_reference_t<decltype(record.*member)>>(value);
-          }};
+          },
+          values};
 }
 
 /// A component of one of its vectors.
@@ -47,7 +48,8 @@ std::span<const TraceColumn> trace_columns() noexcept {
       column<&R::p_WQ, 0>("x_m", "m", finger, Kind::place),
       column<&R::p_WQ, 1>("y_m", "m", finger, Kind::place),
       column<&R::p_WQ, 2>("z_m", "m", finger, Kind::place),
-      column<&R::phase>("phase", "1", "`free`, `stick`, `slip` (0, 1, 2 in HDF5)", Kind::phase),
+      column<&R::phase>("phase", "1", "`free`, `stick`, `slip` (0, 1, 2 in HDF5)", Kind::phase,
+                        "0 free, 1 stick, 2 slip"),
       column<&R::depth_m>("depth_m", "m", "radius less signed distance, where positive"),
       column<&R::contact_W, 0>("px_m", "m", touched),
       column<&R::contact_W, 1>("py_m", "m", touched),

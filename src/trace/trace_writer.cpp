@@ -47,6 +47,7 @@ class Hdf5TraceWriter final : public TraceWriter {
     for (const TraceColumn& column : trace_columns()) {
       columns_.push_back(hdf5::create_column(file_, std::string(column.name), type_of(column.kind),
                                              std::string(column.unit)));
+      if (!column.values.empty()) hdf5::write_text(columns_.back(), "values", std::string(column.values));
     }
     hdf5::flush(file_);
     pending_.reserve(block_rows);

@@ -216,6 +216,7 @@ TEST(TraceWriter, DatasetsStandAtTheRootWithTheirUnits) {
                                                                                    : 8;
     EXPECT_EQ(H5Tget_size(type), bytes) << column.name;
     EXPECT_EQ(H5Aexists(dataset, "unit"), 1) << column.name;
+    EXPECT_EQ(H5Aexists(dataset, "values"), column.name == "phase" ? 1 : 0) << column.name;
     H5Tclose(type);
     H5Dclose(dataset);
   }
