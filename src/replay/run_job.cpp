@@ -6,10 +6,8 @@
 
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
-#include "contact/contact_method_table.hpp"
 #include "replay/run_proof.hpp"
 #include "touch/closed_loop.hpp"
-#include "touch/inside_start.hpp"
 #include "trace/file_seal.hpp"
 #include "trace/motion_source.hpp"
 
@@ -21,8 +19,9 @@ bool same_run(const TraceInfo& a, const TraceInfo& b) {
 }
 
 /// The figures of a whole HDF5 trace of this very run, counted again from its rows.
-std::optional<std::vector<double>> recounted(const std::string& path, const TraceInfo& info, long ticks,
-                                             const Scene& scene, const std::shared_ptr<const World>& world) {
+std::optional<std::vector<double>> recounted(const std::string& path, const TraceInfo& info,
+                                             const Scene& scene, const std::shared_ptr<const World>& world,
+                                             const FingerPath& motion) {
   if (!std::filesystem::is_regular_file(path) || scene.friction.settings.remedy != Remedy::none)
     return std::nullopt;
   Trace trace;
@@ -32,11 +31,11 @@ std::optional<std::vector<double>> recounted(const std::string& path, const Trac
   } catch (const Error&) {
     return std::nullopt;  // whatever stands there is no trace of ours: it is made again
   }
-  if (!trace.complete || static_cast<long>(trace.rows.size()) != ticks || !same_run(trace.info, info))
+  if (!trace.complete || static_cast<long>(trace.rows.size()) != motion.tick_count() ||
+      !same_run(trace.info, info))
     return std::nullopt;
-  const ContactMethodEntry* method = find_contact_method(settled_contact(scene, *world).method);
-  if (method != nullptr && method->starts_outside && !trace.rows.empty())
-    trace.rows.front().started_inside = is_inside_part(trace.rows.front(), *world);
+  if (!trace.rows.empty())
+    trace.rows.front().started_inside = ClosedLoop(world, scene, motion).next().started_inside;
   Figures figures(world);
   for (const TickRecord& row : trace.rows) figures.observe(row);
   return figures.values();
@@ -75,8 +74,10 @@ JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output
   const std::string digest = run_digest(info, output.format);
   if (output.resume) {
     auto figures = proven_figures(output.path, digest);
-    if (!figures && output.format == TraceFormat::hdf5) {
-      figures = recounted(output.path, info, path.tick_count(), scene, world);
+    // What a trace says of itself tells the program by its version alone; a proof knows better.
+    const bool is_others = proves_another_run(output.path, digest);
+    if (!figures && !is_others && output.format == TraceFormat::hdf5) {
+      figures = recounted(output.path, info, scene, world, path);
       if (figures) write_proof(output.path, digest, *figures);
     }
     if (figures) {

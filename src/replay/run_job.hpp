@@ -29,8 +29,8 @@ struct JobResult {
 /// Follows a scene's motion through its world, tick by tick, and writes the trace.
 /// Throws Error (refused) for inputs, Error (fault) for the disk; an unfinished trace then stays behind,
 /// marked so. To resume, an earlier trace is kept if its proof (run_proof.hpp) says that it is this run's; a
-/// sealed HDF5 trace without a proof also if what it says about itself is this run, tick for tick, and no
-/// remedy could act in it, which a trace does not tell.
+/// sealed HDF5 trace whose proof is lost also if what it says about itself is this run, tick for
+/// tick, and no remedy could act in it, which a trace does not tell.
 JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output);
 
 /// What a trace of this scene says about itself.

@@ -8,6 +8,7 @@
 #include <span>
 #include <sstream>
 
+#include "base/build_identity.hpp"
 #include "base/checksum.hpp"
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
@@ -67,6 +68,7 @@ std::string run_digest(const TraceInfo& info, TraceFormat format) {
     for (const std::string& field : fields) add(field);
   };
   add(format == TraceFormat::csv ? "csv" : "h5");
+  add(build_identity());
   for (const std::string* field :
        {&info.version, &info.scene_name, &info.scene_text, &info.motion_file, &info.motion_hash,
         &info.profile_text, &info.contact_method, &info.contact_normals})
@@ -113,6 +115,13 @@ std::optional<std::vector<double>> proven_figures(const std::string& trace_path,
     figures.push_back(*value);
   }
   return figures;
+}
+
+bool proves_another_run(const std::string& trace_path, const std::string& digest) {
+  std::istringstream proof(proof_text(trace_path));
+  std::string first, run;
+  return std::getline(proof, first) && first == first_line && std::getline(proof, run) &&
+         run.starts_with("run ") && run != "run " + digest;
 }
 
 void remove_unfinished(const std::string& trace_path) {

@@ -9,7 +9,8 @@
 
 namespace fingerpad {
 
-/// Everything that decides a trace's bytes, as 16 hex digits; the program by its version alone.
+/// Everything that decides a trace's bytes, as 16 hex digits: among it this very program (build_identity),
+/// but not the libraries that it finds on its machine.
 std::string run_digest(const TraceInfo& info, TraceFormat format);
 
 /// Keeps beside a finished trace, in the state folder, which run made it, what its bytes are and what the run
@@ -22,6 +23,9 @@ void write_proof(const std::string& trace_path, const std::string& digest,
 /// The figures of the trace at that path, if its proof says that it is of the run with this digest and the
 /// file is, byte for byte, what that run wrote.
 std::optional<std::vector<double>> proven_figures(const std::string& trace_path, const std::string& digest);
+
+/// Whether the proof beside the trace names a run with another digest.
+bool proves_another_run(const std::string& trace_path, const std::string& digest);
 
 /// Removes what a killed run may have left beside a trace that is kept: files that were under way.
 void remove_unfinished(const std::string& trace_path);

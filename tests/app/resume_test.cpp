@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 using test::bytes_of;
 using test::ShellResult;
 using testing::HasSubstr;
+using testing::Not;
 
 std::string box_off(double size_mm) {
   const std::string s = std::to_string(size_mm);
@@ -168,6 +169,20 @@ TEST_P(Resume, CleansUpWhatAKilledRunLeft) {
 
 INSTANTIATE_TEST_SUITE_P(Hdf5, Resume, testing::Values("h5"));
 INSTANTIATE_TEST_SUITE_P(Csv, Resume, testing::Values("csv"));
+
+TEST(ResumeWithAProofOfAnotherRun, MakesTheTraceAgain) {
+  const fs::path folder = folder_with_scene({});
+  replay(folder, "--out out");
+  const fs::path proof = folder / "out" / ".fingerpad" / "s.h5.proof";
+  const std::string proven = bytes_of(proof);
+  std::string other = proven;  // as another build of this version would have written it
+  const std::size_t run = other.find("run ") + 4;
+  other[run] = other[run] == '0' ? '1' : '0';
+  std::ofstream(proof, std::ios::binary) << other;
+  const auto again = replay(folder, "--out out --resume");
+  EXPECT_THAT(again.out, Not(HasSubstr("kept")));
+  EXPECT_EQ(bytes_of(proof), proven);
+}
 
 TEST(ResumeWithoutProof, TakesAnHdf5TraceAtItsWordAndMakesACsvAgain) {
   const fs::path folder = folder_with_scene({});
