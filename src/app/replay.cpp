@@ -71,8 +71,8 @@ void tell(const std::vector<BatchJob>& jobs) {
   }
   if (inside_starts > 0) {
     print_err(
-        "fingerpad: warning: {} of the motions start inside of a part; the proxy was put at the nearest "
-        "place outside (inside_starts in summary.csv)\n",
+        "fingerpad: warning: {} of the motions start inside of a part, or where the finger does not fit; the "
+        "proxy was put at the nearest place outside, where there is one (inside_starts in summary.csv)\n",
         inside_starts);
   }
   if (coarse_jobs == 0) return;

@@ -17,12 +17,14 @@ struct ContactHold {
 
 /// Where the finger touches.
 struct Contact {
-  int hold_count = 0;  ///< 0: the finger is free, and nothing below but `started` means anything
+  int hold_count =
+      0;  ///< 0: the finger is free, and of what is below only `started` and `placed` mean anything
   std::array<ContactHold, 3> holds;  ///< greatest share first
   double depth_m = 0;                ///< > 0
   Vec3 point_W = Vec3::Zero();       ///< S, the surface's point [m]
   Vec3 normal_W = Vec3::UnitZ();     ///< that the finger feels: outward, unit
   bool started = false;              ///< a method that remembers has begun anew here: see ContactMethodEntry
+  bool placed = true;  ///< false: it found no place where the finger fits, and tries again with each tick
 };
 
 /// How contact is found: one tick of a finger to where it touches. It may keep what it likes from tick to

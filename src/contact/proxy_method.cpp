@@ -28,6 +28,7 @@ class ProxyMethod final : public ContactMethod {
     const ProxyContact& proxy = proxy_.move(p_WQ, dt_s);
     if (!proxy.placed) contact_ = until_placed_->touch(p_WQ, dt_s);
     contact_.started = proxy.started;
+    contact_.placed = proxy.placed;
     if (!proxy.placed) return contact_;
     contact_.hold_count = proxy.touching ? proxy.hold_count : 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(contact_.hold_count); ++k) {

@@ -24,7 +24,8 @@ class Figures {
   static std::span<const std::string_view> names() noexcept;
   /// The figures as numbers: counts, then depths, forces, coefficients, the work of friction on the
   /// finger, the ticks on which a remedy acted, the energy that the loop has made (0: passive), and how often
-  /// a proxy had to be put outside of a part because the finger started inside; pop-throughs; the greatest
+  /// a finger started inside of a part, so that a proxy had to be put outside, or where it does not fit, so
+  /// that there was no place for a proxy; pop-throughs; the greatest
   /// change of the whole force from tick to tick; the greatest change of the normal force (as a vector) per
   /// metre that the finger moved in the tick, which a stiffness alone explains up to its own number; and the
   /// ticks whose force was not finite (0: promised).

@@ -26,7 +26,8 @@ struct TickRecord {
   int surface = -1;                           ///< parts, then planes, from 0; -1 while free
   int triangle = -1;                          ///< number in the file; -1 on a plane and while free
   bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces
-  bool started_inside = false;  ///< a proxy was put down here although the finger was inside; not in traces
+  bool started_inside = false;  ///< a proxy was put down here although the finger was inside, or found no
+                                ///< place where it fits; not in traces
 };
 
 }  // namespace fingerpad

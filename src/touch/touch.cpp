@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/tangent_frame.hpp"
@@ -58,6 +59,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
 void Touch::reset() noexcept {
   velocity_.reset();
   method_->reset();
+  unplaced_ = false;
   release();
 }
 
@@ -172,12 +174,14 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
   }
   const Vec3 velocity_W = velocity_.next(sample.p_WQ);
   const Contact& contact = method_->touch(sample.p_WQ, dt_s_);
+  const bool unplaced_before = std::exchange(unplaced_, !contact.placed);
+  record.started_inside = unplaced_ && !unplaced_before;
   if (contact.hold_count == 0) {
     release();
     return record;
   }
   answer(contact, sample, velocity_W, record);
-  record.started_inside = contact.started && is_inside_part(record, *world_);
+  record.started_inside |= contact.started && !unplaced_before && is_inside_part(record, *world_);
   if (meaningful(record.force_W_n)) return record;
   reset();  // a force that overflowed is no force to give to a person's hand
   TickRecord lost;

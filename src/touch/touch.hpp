@@ -46,6 +46,7 @@ class Touch {
   std::unique_ptr<ContactMethod> method_;
   VelocityEstimator velocity_;
 
+  bool unplaced_ = false;  // the last tick found no place where the finger fits
   bool in_contact_ = false;
   Vec3 last_contact_W_ = Vec3::Zero();
   Mat3 last_frame_WC_ = Mat3::Identity();

@@ -208,6 +208,19 @@ TEST(ProxyContact, AStartInsideIsHandledAndTold) {
   EXPECT_FALSE(run(world, proxy_scene(), {Vec3(0.01, 0.02, 0.02)})[0].started_inside);
 }
 
+TEST(ProxyContact, AStartWhereTheBallDoesNotFitIsToldOnce) {
+  const TriangleSoup box = test::box_soup(Vec3(0.1, 0.1, 0.1));
+  const auto slot =
+      world_of(test::joined(test::moved(box, Vec3(0.054, 0, 0)), test::moved(box, Vec3(-0.054, 0, 0))));
+  Scene scene = proxy_scene();
+  for (const double radius_m : {0.003, 0.005}) {
+    scene.finger.radius_m = radius_m;
+    const auto rows = run(slot, scene, {Vec3(0, 0, 0), Vec3(0, 0, 0.001), Vec3(0, 0, 0.002)});
+    EXPECT_EQ(rows[0].started_inside, radius_m > 0.004) << "the slot is 8 mm wide";
+    EXPECT_FALSE(rows[1].started_inside || rows[2].started_inside);
+  }
+}
+
 TEST(ProxyContact, ForgetsWhereItWasAfterABrokenSample) {
   const auto world = world_of(test::box_soup(Vec3(0.1, 0.1, 0.02)));
   const double nan = std::numeric_limits<double>::quiet_NaN();
