@@ -1,9 +1,11 @@
 #include <fmt/format.h>
+#include <sched.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <atomic>
 #include <charconv>
+#include <map>
+#include <mutex>
 #include <set>
 #include <thread>
 
@@ -13,7 +15,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "contact/contact_method_table.hpp"
-#include "replay/batch.hpp"
+#include "replay/batch_files.hpp"
 
 namespace fingerpad {
 namespace {
@@ -43,6 +45,13 @@ void read_shard(const std::string& text, BatchOptions& batch) {
 }
 
 double figure(const BatchJob& job, std::string_view wanted) {
+/// That this process may run on: under mpirun often fewer than the machine has.
+int processors() noexcept {
+  cpu_set_t allowed;
+  if (sched_getaffinity(0, sizeof(allowed), &allowed) == 0) return std::max(1, CPU_COUNT(&allowed));
+  return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+}
+
   const auto names = Figures::names();
   return job.figures[static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin())];
 }
@@ -56,6 +65,8 @@ void tell(const std::vector<BatchJob>& jobs) {
     if (job.status != "ok") {
       print_err("fingerpad: error: {}\n", job.status);
       continue;
+      if (!job.left_behind.empty())
+        print_err("fingerpad: warning: {}: is an earlier run's, since this one failed\n", job.left_behind);
     }
     const double coarse = figure(job, "coarse_teeth");
     coarse_jobs += coarse > 0 ? 1 : 0;
@@ -99,28 +110,42 @@ int exit_code(const std::vector<BatchJob>& jobs) {
   return any_failed ? 4 : 0;
 }
 
-/// How many of this rank's jobs are done, and what is being loaded for the next.
+/// How many of this rank's jobs are done, how far the others are, and what is being loaded for the next.
 class JobBar {
  public:
   JobBar(std::size_t total, bool shown)
       : total_(total), bar_(shown, std::chrono::milliseconds(0), ProgressBar::End::kept) {}
 
-  void advance(const std::string& scene) {
-    ++done_;
-    show(scene);
+  void advance(const BatchJob& job) {
+    {
+      const std::lock_guard lock(mutex_);
+      ++done_;
+      under_way_.erase(&job);
+    }
+    show(job.job.scene.name);
   }
   void load(std::string_view stage, double done) { show(fmt::format("{} {:.0f}%", stage, 100 * done)); }
   void finish() { bar_.finish(); }
+  void run(const BatchJob& job, double share_done) {
+    {
+      const std::lock_guard lock(mutex_);
+      under_way_[&job] = share_done;
+    }
+    show(fmt::format("{} {:.0f}%", job.job.scene.name, 100 * share_done));
+  }
 
  private:
   void show(const std::string& what) {
-    const std::size_t done = done_;
-    bar_.show(static_cast<double>(done) / static_cast<double>(std::max<std::size_t>(total_, 1)),
-              fmt::format("{}/{} {}", done, total_, what));
+    const std::lock_guard lock(mutex_);
+    auto done = static_cast<double>(done_);
+    for (const auto& [job, share] : under_way_) done += share;
+    bar_.show(done / static_cast<double>(std::max<std::size_t>(total_, 1)),
+              fmt::format("{}/{} {}", done_, total_, what));
   }
 
-  std::size_t total_;
-  std::atomic<std::size_t> done_{0};
+  std::mutex mutex_;
+  std::size_t total_, done_ = 0;
+  std::map<const BatchJob*, double> under_way_;  ///< the share that is done of each
   ProgressBar bar_;
 };
 
@@ -143,14 +168,15 @@ int tell_lost(const std::vector<Error>& lost) {
   return lost.empty() ? 0 : static_cast<int>(ErrorKind::fault);
 }
 
-void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const std::string& out_dir) {
+void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const BatchOptions& batch) {
   const auto count = [&jobs](auto which) { return std::count_if(jobs.begin(), jobs.end(), which); };
   const auto ran = count([](const BatchJob& job) { return !job.status.empty(); });
   const auto good = count([](const BatchJob& job) { return job.status == "ok"; });
   const auto kept = count([](const BatchJob& job) { return job.kept; });
   print_out("{} of {} {} done{}, traces{} in {}\n", good, ran, ran == 1 ? "job" : "jobs",
             kept > 0 ? fmt::format(" ({} kept from before)", kept) : "",
-            any_table_lost ? "" : " and summary.csv", out_dir);
+            any_table_lost ? "" : " and " + table_names(batch.shard, batch.shard_count).summary,
+            batch.out_dir);
 }
 
 int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ranks) {
@@ -159,14 +185,15 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   JobBar bar((jobs.size() + share - 1) / share, !options.quiet && ranks.is_root() && stderr_is_terminal());
   batch.on_load = [&](std::string_view stage, double done) { bar.load(stage, done); };
   batch.on_unfinished = [](const std::string& what) { print_err("fingerpad: warning: {}\n", what); };
+  batch.on_ticks = [&](const BatchJob& job, double share_done) { bar.run(job, share_done); };
   const std::vector<Error> lost =
-      run_batch(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job.job.scene.name); });
+      run_batch(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job); });
   bar.finish();
   if (!ranks.is_root()) return 0;
   if (!options.quiet) tell_choices(jobs);
   tell(jobs);
   const int lost_code = tell_lost(lost);
-  if (!options.quiet) tell_end(jobs, !lost.empty(), batch.out_dir);
+  if (!options.quiet) tell_end(jobs, !lost.empty(), batch);
   const int code = exit_code(jobs);
   return code != 0 ? code : lost_code;
 }
@@ -205,7 +232,7 @@ std::string laws_text() {
 
 void add_replay(CLI::App& program, Action& action) {
   auto options = std::make_shared<ReplayOptions>();
-  options->batch.threads = std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
+  options->batch.threads = processors();
   CLI::App* command =
       program.add_subcommand("replay", "Follow each scene's motion over its parts and write the traces");
   command

@@ -1,9 +1,11 @@
 #include "replay/batch.hpp"
 
 #include <fmt/format.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
 #include <bit>
 #include <chrono>
 #include <cmath>
@@ -13,6 +15,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/file_identity.hpp"
 #include "base/path_words.hpp"
 #include "base/printable_text.hpp"
 #include "replay/batch_files.hpp"
@@ -33,14 +36,26 @@ void refuse_nonfinite(const std::vector<double>& figures, const std::string& sce
   }
 }
 
+/// What tells a trace that a job has not written from one that it has; nothing where no file is.
+std::optional<std::string> state_of(const std::string& path) {
+  std::error_code none;
+  const auto written = std::filesystem::last_write_time(path, none);
+  const auto identity = file_identity(path);
+  if (none || !identity) return std::nullopt;
+  return fmt::format("{} {}", *identity, written.time_since_epoch().count());
+}
+
 void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const SceneJob& job = batch_job.job;
+  const std::string path =
+      (std::filesystem::path(options.out_dir) / trace_name(job, options.format)).string();
+  const auto before = state_of(path);
   try {
     if (!job.error.empty()) throw Error(ErrorKind::refused, "", job.error);
-    const auto path = std::filesystem::path(options.out_dir) / trace_name(job, options.format);
-    const JobResult result =
-        run_job(job.scene, meshes, {path.string(), options.format, options.version, options.resume});
+    JobOutput output{path, options.format, options.version, options.resume, {}};
+    if (options.on_ticks) output.on_ticks = [&](double share) { options.on_ticks(batch_job, share); };
+    const JobResult result = run_job(job.scene, meshes, output);
     refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;
     batch_job.kept = result.kept;
@@ -57,6 +72,7 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
     batch_job.status = fmt::format("{}: {}", job.scene.name, error.what());
     batch_job.exit_code = static_cast<int>(ErrorKind::fault);
   }
+  if (batch_job.status != "ok" && before && state_of(path) == before) batch_job.left_behind = path;
   batch_job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
@@ -69,7 +85,7 @@ std::string outcomes_text(const std::vector<BatchJob>& jobs, const std::vector<s
     std::vector<std::uint64_t> figures;
     for (const double figure : job.figures) figures.push_back(std::bit_cast<std::uint64_t>(figure));
     outcomes.push_back({i, job.status, job.exit_code, job.seconds, figures, job.contact_method,
-                        job.contact_normals, job.contact_reasons, job.kept});
+                        job.contact_normals, job.contact_reasons, job.kept, job.left_behind});
   }
   return outcomes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -86,6 +102,7 @@ void take_outcomes(std::vector<BatchJob>& jobs, const std::string& text) {
     job.contact_normals = outcome[6];
     job.contact_reasons = outcome[7].get<std::vector<std::string>>();
     job.kept = outcome[8];
+    job.left_behind = outcome[9];
   }
 }
 
@@ -179,6 +196,11 @@ std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& op
   const std::vector<std::size_t> ours = share(jobs.size(), options, ranks);
   MeshStore meshes(static_cast<std::size_t>(options.threads) + 1, options.on_load);
   std::mutex done_mutex;
+  // Where the process may run on fewer processors than it is given threads (mpirun binds each rank to its
+  // own), TBB would warn on standard error that it starts fewer.
+  const std::size_t limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
+                                    std::max(limit, static_cast<std::size_t>(options.threads)));
   tbb::task_arena arena(options.threads);
   arena.execute([&] {
     tbb::parallel_for(

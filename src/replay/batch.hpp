@@ -13,6 +13,8 @@
 
 namespace fingerpad {
 
+struct BatchJob;
+
 struct BatchOptions {
   std::string out_dir;
   TraceFormat format = TraceFormat::hdf5;
@@ -22,6 +24,8 @@ struct BatchOptions {
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1
   std::string version;
   LoadProgress on_load;  ///< as MeshStore's
+  /// Told now and then how far a job is, 0 .. 1, by the thread that does it. May be empty.
+  std::function<void(const BatchJob&, double share_done)> on_ticks;
   /// Told, on the root, of runs that had begun to write the same folder and ended before they were done:
   /// "OUT: process 12 on HOST (COMMAND) ...". May be empty.
   std::function<void(const std::string&)> on_unfinished;
@@ -35,8 +39,9 @@ struct BatchJob {
   std::string contact_method, contact_normals;  ///< that served (TraceInfo); empty unless "ok"
   std::vector<std::string> contact_reasons;     ///< of what its scene left open
   double seconds = 0;
-  int exit_code = 0;  ///< of this job alone
-  bool kept = false;  ///< an earlier run's trace was kept (BatchOptions::resume)
+  int exit_code = 0;        ///< of this job alone
+  bool kept = false;        ///< an earlier run's trace was kept (BatchOptions::resume)
+  std::string left_behind;  ///< of a job that failed: an earlier run's trace that is still in its place
 };
 
 /// Every job of the given scene files. Scenes that cannot be loaded become failed jobs.

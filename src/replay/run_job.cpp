@@ -101,6 +101,9 @@ JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output
       figures.observe(block.back());
     }
     writer->append(block);
+    if (output.on_ticks)
+      output.on_ticks(static_cast<double>(first + static_cast<long>(block.size())) /
+                      static_cast<double>(loop.tick_count()));
     if (!loop.has_diverged()) continue;
     writer->flush();  // what there was until then stays behind
     throw refused(scene.path, loop.divergence());

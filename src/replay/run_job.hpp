@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,7 @@ struct JobOutput {
   TraceFormat format = TraceFormat::hdf5;
   std::string version;  ///< of the program, kept in the trace
   bool resume = false;  ///< keep a complete trace of the very same run instead of making it again
+  std::function<void(double share_done)> on_ticks;  ///< told now and then, 0 .. 1; may be empty
 };
 
 /// What a run came to.

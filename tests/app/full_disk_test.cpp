@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "support/calm_scene.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 
@@ -12,25 +13,15 @@ namespace fingerpad {
 namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
+using test::calm_scene;
+using test::lines_of;
 using test::ShellResult;
 using testing::HasSubstr;
-
-/// A scene that has nothing to warn of.
-std::string calm_scene(const std::string& name) {
-  return "name = \"" + name +
-         "\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = \"none\"\n"
-         "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = "
-         "0.02\n";
-}
 
 fs::path folder_with_scene() {
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "calm.toml") << calm_scene("calm");
   return folder;
-}
-
-int lines_of(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
 TEST(FullDisk, AFileTooLargeForTheLimitIsAFailedJobWithItsReason) {

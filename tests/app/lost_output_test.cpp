@@ -3,6 +3,7 @@
 
 #include <fstream>
 
+#include "support/calm_scene.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 
@@ -12,6 +13,8 @@ namespace fingerpad {
 namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
+using test::calm_scene;
+using test::lines_of;
 using test::ShellResult;
 using testing::HasSubstr;
 
@@ -19,14 +22,6 @@ constexpr const char* cube_off =
     "OFF\n8 12 0\n0 0 0\n10 0 0\n10 10 0\n0 10 0\n0 0 10\n10 0 10\n10 10 10\n0 10 10\n"
     "3 0 3 2\n3 0 2 1\n3 4 5 6\n3 4 6 7\n3 0 1 5\n3 0 5 4\n3 1 2 6\n3 1 6 5\n3 2 3 7\n3 2 7 6\n3 3 0 4\n3 3 "
     "4 7\n";
-
-/// A scene that has nothing to warn of.
-std::string calm_scene(const std::string& name) {
-  return "name = \"" + name +
-         "\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = \"none\"\n"
-         "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = "
-         "0.02\n";
-}
 
 fs::path folder_with_inputs() {
   const fs::path folder = test::scratch_dir();
@@ -40,10 +35,6 @@ fs::path folder_with_inputs() {
       << "name = \"coarse\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\n"
          "from_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = 0.02\n";
   return folder;
-}
-
-int lines_of(const std::string& text) {
-  return static_cast<int>(std::count(text.begin(), text.end(), '\n'));
 }
 
 class LostStandardOutput : public testing::TestWithParam<const char*> {};

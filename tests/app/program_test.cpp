@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "support/calm_scene.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 
@@ -154,6 +155,18 @@ TEST(Program, TellsWhatItChoseForAPartAndWhyOnceAndNotWhenQuiet) {
   std::ofstream(folder / "given.toml") << cube_scene << "[contact]\nmethod = \"proxy\"\n";
   const std::string given = test::fingerpad("replay given.toml --out g", folder).err;
   EXPECT_EQ(given.find("(auto)"), std::string::npos) << "the scene's own words: " << given;
+}
+
+TEST(Program, OnOneProcessorStartsItsThreadsWithoutAWarning) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "calm.toml") << test::calm_scene("calm") << "[[set]]\nseed = [1, 2, 3, 4]\n";
+  const ShellResult bound =
+      test::shell("first=$(taskset -cp $$ | sed 's/.*: //; s/[,-].*//')\ntaskset -c $first '" +
+                      test::program().string() + "' replay calm.toml --out o --jobs 4",
+                  folder);
+  EXPECT_EQ(bound.exit_code, 0);
+  EXPECT_EQ(bound.err, "");
+  EXPECT_EQ(bound.out, "4 of 4 jobs done, traces and summary.csv in o\n");
 }
 
 TEST(Program, RanksShareABatchAndChangeNothing) {

@@ -80,5 +80,17 @@ TEST(JobBar, NamesTheMeshThatABatchWaitsForAndKeepsItsLastLine) {
   EXPECT_THAT(on_a_terminal("replay ball.toml --out q --quiet", folder), Not(HasSubstr("[")));
 }
 
+TEST(JobBar, ShowsHowFarALongJobIs) {
+  if (!has_script()) GTEST_SKIP() << "no script(1) to play a terminal";
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "long.toml")
+      << "name = \"long\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = \"none\"\n"
+         "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.5, 0, -0.001]\nspeed_m_per_s = "
+         "0.001\n";
+  const std::string seen = on_a_terminal("replay long.toml --out o", folder);
+  EXPECT_THAT(seen, testing::ContainsRegex("0/1 long [1-9][0-9]*%"));
+  EXPECT_THAT(seen, HasSubstr("[====================] 100% 1/1 long"));
+}
+
 }  // namespace
 }  // namespace fingerpad
