@@ -83,6 +83,8 @@ int check(const CheckOptions& options) {
     const auto [imported, wall_m] = checked(path, options);
     if (options.json) {
       report.push_back(verdict_json(imported.verdict, wall_m));
+    } else if (!imported.verdict.touchable) {
+      print_out("{}: refused\n", imported.verdict.file);  // the reason goes to standard error, once
     } else {
       write_stream(stdout, verdict_text(imported.verdict));
       if (std::isfinite(wall_m)) print_out("  thinnest wall  {:.4g} mm\n", 1e3 * wall_m);

@@ -1,12 +1,15 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <clocale>
 #include <sstream>
 
 #include "app/commands.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
+#include "base/printable_text.hpp"
+#include "scene/toml_table.hpp"
 
 namespace {
 
@@ -33,6 +36,19 @@ int report(const char* what, int code) {
   return code;
 }
 
+/// "there is no subcommand 'repaly'; did you mean 'replay'?", or nothing where the first word is one.
+std::string unknown_subcommand(const CLI::App& program, int argc, char** argv) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands(nullptr)) names.push_back(command->get_name());
+  const auto* const end = argv + argc;
+  const auto* const word = std::find_if(argv + 1, argv + argc, [](const char* arg) { return arg[0] != '-'; });
+  if (word == end || std::find(names.begin(), names.end(), *word) != names.end()) return {};
+  const std::string nearest = fingerpad::nearest_word(*word, names);
+  return fmt::format("there is no subcommand '{}'{}; there are {}", fingerpad::printable(*word, 60),
+                     nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
+                     fingerpad::word_list(names));
+}
+
 int run(int argc, char** argv) {
   CLI::App program(description, "fingerpad");
   program.footer(footer);
@@ -50,7 +66,8 @@ int run(int argc, char** argv) {
       fingerpad::write_stream(stdout, out.str());
       return code;
     }
-    report(error.what(), 0);
+    const std::string unknown = unknown_subcommand(program, argc, argv);
+    report(unknown.empty() ? error.what() : unknown.c_str(), 0);
     fingerpad::print_err("Run with --help for the options.\n");
     return static_cast<int>(fingerpad::ErrorKind::usage);
   }

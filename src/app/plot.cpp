@@ -1,12 +1,14 @@
 #include "view/plot.hpp"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <limits>
 
 #include "app/commands.hpp"
+#include "app/output_name.hpp"
 #include "app/pad_charts.hpp"
-#include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 
@@ -15,14 +17,13 @@ namespace {
 
 struct PlotOptions {
   std::string trace, out, show = "history";
+  bool quiet = false;
   int width = plot_page_width;
   double from_s = -std::numeric_limits<double>::infinity(), to_s = std::numeric_limits<double>::infinity();
 };
 
 int plot(const PlotOptions& options) {
-  if (!options.out.ends_with(".png") && !options.out.ends_with(".svg")) {
-    throw Error(ErrorKind::usage, options.out, "plot writes .png or .svg files");
-  }
+  refuse_other_endings(options.out, "plot", {".png", ".svg"});
   refuse_overwriting(options.out, {options.trace});
   refuse_unwritable(options.out);
   ViewInput input = view_of_trace(read_trace(options.trace), options.trace);
@@ -36,6 +37,7 @@ int plot(const PlotOptions& options) {
     const PlotSubject subject = options.show == "spectrum" ? PlotSubject::spectrum : PlotSubject::history;
     write_plot(input, options.out, options.width, subject);
   }
+  tell_written(options.quiet, options.out, fmt::format("{} of {} ticks", options.show, input.rows.size()));
   return 0;
 }
 
@@ -48,7 +50,8 @@ void add_plot(CLI::App& program, Action& action) {
       ->add_option("TRACE", options->trace,
                    "Trace (HDF5, or CSV up to 2 GiB); - is a CSV trace on standard input")
       ->required();
-  command->add_option("--out", options->out, "Picture to write, .png or .svg")->required();
+  refuse_empty(command->add_option("--out", options->out, "Picture to write, .png or .svg"))->required();
+  add_quiet_flag(*command, options->quiet);
   command
       ->add_option(
           "--show", options->show,

@@ -1,10 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <functional>
 #include <limits>
 
 #include "app/commands.hpp"
+#include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
@@ -25,6 +27,16 @@ struct QueryOptions {
   std::string mesh, points, out = "-";
   std::string unit = "mm";
 };
+
+/// A name with an ending says what it holds; one without, a pipe or a device does not.
+void refuse_unfit_name(const std::string& out) {
+  std::error_code ignored;
+  const std::filesystem::path path(out);
+  const auto status = std::filesystem::status(path, ignored);
+  const bool is_stream = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (out == "-" || is_stream || !path.has_extension()) return;
+  refuse_other_endings(out, "query", {".csv"});
+}
 
 constexpr const char* header = "distance_m,px_m,py_m,pz_m,nx,ny,nz,triangle\n";
 
@@ -62,7 +74,8 @@ int query(const QueryOptions& options) {
       stream_descriptor(options.mesh) == stream_descriptor(options.points)) {
     throw Error(ErrorKind::usage, options.mesh, "cannot be both the mesh and the points");
   }
-  if (!options.out.empty()) refuse_overwriting(options.out, {options.mesh, options.points});
+  refuse_overwriting(options.out, {options.mesh, options.points});
+  refuse_unfit_name(options.out);
   refuse_unwritable(options.out);
   const CsvColumns points =
       read_csv_columns(options.points, {"x_m", "y_m", "z_m"}, {}, TableSource::file_or_stream);
@@ -101,8 +114,8 @@ void add_query(CLI::App& program, Action& action) {
                    "million rows; - is standard input")
       ->required();
   add_unit_option(*command, options->unit);
-  command->add_option("--out", options->out,
-                      "CSV file to write; without it, or as -, the table goes to standard output");
+  refuse_empty(command->add_option(
+      "--out", options->out, "CSV file to write; without it, or as -, the table goes to standard output"));
   command->footer(
       "Writes distance_m,px_m,py_m,pz_m,nx,ny,nz,triangle: the signed distance (negative inside), the "
       "surface point,\n"

@@ -10,6 +10,7 @@
 #include <thread>
 
 #include "app/commands.hpp"
+#include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
@@ -44,7 +45,6 @@ void read_shard(const std::string& text, BatchOptions& batch) {
   }
 }
 
-double figure(const BatchJob& job, std::string_view wanted) {
 /// That this process may run on: under mpirun often fewer than the machine has.
 int processors() noexcept {
   cpu_set_t allowed;
@@ -52,6 +52,7 @@ int processors() noexcept {
   return std::max(1, static_cast<int>(std::thread::hardware_concurrency()));
 }
 
+double figure(const BatchJob& job, std::string_view wanted) {
   const auto names = Figures::names();
   return job.figures[static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin())];
 }
@@ -64,9 +65,9 @@ void tell(const std::vector<BatchJob>& jobs) {
     if (job.status.empty()) continue;
     if (job.status != "ok") {
       print_err("fingerpad: error: {}\n", job.status);
-      continue;
       if (!job.left_behind.empty())
         print_err("fingerpad: warning: {}: is an earlier run's, since this one failed\n", job.left_behind);
+      continue;
     }
     const double coarse = figure(job, "coarse_teeth");
     coarse_jobs += coarse > 0 ? 1 : 0;
@@ -125,7 +126,6 @@ class JobBar {
     show(job.job.scene.name);
   }
   void load(std::string_view stage, double done) { show(fmt::format("{} {:.0f}%", stage, 100 * done)); }
-  void finish() { bar_.finish(); }
   void run(const BatchJob& job, double share_done) {
     {
       const std::lock_guard lock(mutex_);
@@ -133,6 +133,7 @@ class JobBar {
     }
     show(fmt::format("{} {:.0f}%", job.job.scene.name, 100 * share_done));
   }
+  void finish() { bar_.finish(); }
 
  private:
   void show(const std::string& what) {
@@ -184,8 +185,8 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   const auto share = static_cast<std::size_t>(ranks.count()) * static_cast<std::size_t>(batch.shard_count);
   JobBar bar((jobs.size() + share - 1) / share, !options.quiet && ranks.is_root() && stderr_is_terminal());
   batch.on_load = [&](std::string_view stage, double done) { bar.load(stage, done); };
-  batch.on_unfinished = [](const std::string& what) { print_err("fingerpad: warning: {}\n", what); };
   batch.on_ticks = [&](const BatchJob& job, double share_done) { bar.run(job, share_done); };
+  batch.on_unfinished = [](const std::string& what) { print_err("fingerpad: warning: {}\n", what); };
   const std::vector<Error> lost =
       run_batch(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job); });
   bar.finish();
@@ -240,7 +241,8 @@ void add_replay(CLI::App& program, Action& action) {
                    "Scene files (TOML); a scene with [[set]] is many jobs; - is a scene on standard input, "
                    "whose paths start in the current folder")
       ->required();
-  command->add_option("--out", options->batch.out_dir, "Folder for the traces, summary.csv and timing.csv")
+  refuse_empty(command->add_option("--out", options->batch.out_dir,
+                                   "Folder for the traces, summary.csv and timing.csv"))
       ->required();
   command
       ->add_option("--jobs", options->batch.threads,

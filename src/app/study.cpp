@@ -6,6 +6,7 @@
 
 #include "app/commands.hpp"
 #include "app/output_folder.hpp"
+#include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "study/study.hpp"
@@ -81,7 +82,8 @@ void add_study(CLI::App& program, Action& action) {
   command->add_option("SUBJECT", options->subject, "friction, contact or stability")
       ->required()
       ->check(CLI::IsMember({"friction", "contact", "stability"}));
-  command->add_option("--out", options->out_dir, "Folder for the CSV tables and the charts (PNG and SVG)")
+  refuse_empty(command->add_option("--out", options->out_dir,
+                                   "Folder for the CSV tables and the charts (PNG and SVG)"))
       ->required();
   const CLI::Option* exact = command->add_option(
       "--exact", options->exact_folder,

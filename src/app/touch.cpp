@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/subject.hpp"
@@ -68,6 +69,8 @@ void refuse_unrecordable(const std::string& path, const Scene& scene) {
 }
 
 int touch(const TouchOptions& options) {
+  if (!options.record.empty() && options.record != "-")
+    refuse_other_endings(options.record, "touch --record", {".h5", ".csv"});
   need_display();  // before a long import
   Scene scene = touched_scene(options);
   if (!options.record.empty()) refuse_unrecordable(options.record, scene);
@@ -123,7 +126,7 @@ void add_touch(CLI::App& program, Action& action) {
                    "What moves the finger; pointer is the mouse and the keyboard")
       ->check(CLI::IsMember({"pointer"}))
       ->capture_default_str();
-  command->add_option("--record", options->record, "Write a trace of the touch (.h5, or .csv)");
+  refuse_empty(command->add_option("--record", options->record, "Write a trace of the touch (.h5, or .csv)"));
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(CLI::Range(1.0, 100000.0));
   add_unit_option(*command, options->unit);

@@ -1,9 +1,14 @@
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <cstdio>
 #include <optional>
 
 #include "app/commands.hpp"
+#include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
+#include "app/standard_streams.hpp"
 #include "app/subject.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
@@ -21,6 +26,7 @@ struct ViewOptions {
   std::string unit = "mm";
   std::string size = "1280x800";
   std::optional<double> at_s;
+  bool quiet = false;
 };
 
 struct Size {
@@ -37,19 +43,43 @@ Size read_size(const std::string& text) {
   return size;
 }
 
+/// The moment of the picture, told where it is not the one that was asked for.
+double shown_moment(const ViewInput& input, std::optional<double> at_s) {
+  const TickRecord& row =
+      input.rows[static_cast<std::size_t>(at_s ? row_at(input, *at_s) : telling_row(input))];
+  const double begin_s = input.rows.front().t_s, end_s = input.rows.back().t_s;
+  if (!at_s || (*at_s >= begin_s && *at_s <= end_s)) return row.t_s;
+  const std::string times = fmt::format("{} to {} s", begin_s, end_s);
+  if (*at_s < 0) throw Error(ErrorKind::usage, "--at", fmt::format("{} s is no moment of {}", *at_s, times));
+  print_err("fingerpad: warning: --at: {} s is outside of {}: {} s is shown\n", *at_s, times, row.t_s);
+  return row.t_s;
+}
+
+void write_picture(const ViewOptions& options, const ViewInput& input, const Size& size) {
+  std::string what = fmt::format("{} x {} pixels", size.width, size.height);
+  if (!input.rows.empty()) what += fmt::format(", at {} s", shown_moment(input, options.at_s));
+  write_view_png(input, options.png, size.width, size.height, options.at_s, ViewState{});
+  tell_written(options.quiet, options.png, what);
+}
+
 int view(const ViewOptions& options) {
   const Size size = read_size(options.size);
   refuse_picture_size(size.width, size.height);
+  if (options.at_s && !std::isfinite(*options.at_s))
+    throw Error(ErrorKind::usage, "--at", "is no moment in seconds");
   // Before a long import.
   if (options.png == "-")
     throw Error(ErrorKind::usage, "--png", "a picture needs a file, not standard output");
   options.png.empty() ? need_display() : refuse_unwritable(options.png);
-  if (!options.png.empty()) refuse_overwriting(options.png, subject_files(options.subject));
+  if (!options.png.empty()) {
+    refuse_overwriting(options.png, subject_files(options.subject));
+    refuse_other_endings(options.png, "view --png", {".png"});
+  }
   LoadBar bar(stderr_is_terminal());
   const ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);
   bar.finish();
   if (!options.png.empty()) {
-    write_view_png(input, options.png, size.width, size.height, options.at_s, ViewState{});
+    write_picture(options, input, size);
     return 0;
   }
   WindowOptions window;
@@ -70,7 +100,7 @@ void add_view(CLI::App& program, Action& action) {
                    "Scene (TOML; replayed first), mesh, or trace (HDF5 or CSV); - is a scene on standard "
                    "input, whose paths start in the current folder")
       ->required();
-  command->add_option("--png", options->png, "Write a picture instead; needs no screen");
+  refuse_empty(command->add_option("--png", options->png, "Write a picture instead; needs no screen"));
   command
       ->add_option("--size", options->size,
                    "Size of the window or picture in pixels: 200 to 8192 each way, 10 million in all (1 GB)")
@@ -79,6 +109,7 @@ void add_view(CLI::App& program, Action& action) {
   command->add_option("--at", options->at_s,
                       "The moment of the picture [s]; default: the one with the greatest friction");
   add_unit_option(*command, options->unit);
+  add_quiet_flag(*command, options->quiet);
   command->footer("In the window, h shows all keys. --unit is for a mesh; scenes and traces know theirs.");
   command->callback([options, &action] { action = [options] { return view(*options); }; });
 }

@@ -1,0 +1,209 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "support/calm_scene.hpp"
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "support/shell.hpp"
+
+// What the program says of the files that it writes, and of names that are none for them.
+
+namespace fingerpad {
+namespace {
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::calm_scene;
+using test::ShellResult;
+using testing::HasSubstr;
+using testing::Not;
+
+fs::path folder_with_inputs() {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "calm.toml") << calm_scene("calm");
+  std::ofstream(folder / "box.stl") << test::text_stl(test::box_soup({10, 20, 30}));
+  std::ofstream(folder / "points.csv") << "x_m,y_m,z_m\n0,0,0.012\n";
+  return folder;
+}
+
+fs::path folder_with_trace() {
+  const fs::path folder = folder_with_inputs();
+  EXPECT_EQ(test::fingerpad("replay calm.toml --out o --quiet", folder).exit_code, 0);
+  return folder;
+}
+
+void expect_told(const ShellResult& result, int code, const std::string& words) {
+  EXPECT_EQ(result.exit_code, code) << result.err;
+  EXPECT_THAT(result.err, HasSubstr(words));
+}
+
+TEST(Outputs, AreToldInOneLineUnlessQuietOrStandardOutputItself) {
+  const fs::path folder = folder_with_trace();
+  const auto out = [&](const std::string& call) { return test::fingerpad(call, folder).out; };
+  EXPECT_EQ(out("export o/calm.h5 --out e.csv"), "wrote e.csv (501 ticks as CSV)\n");
+  EXPECT_EQ(out("export o/calm.h5 --out e.vtp"), "wrote e.vtp (501 ticks as VTP, for ParaView)\n");
+  EXPECT_EQ(out("export o/calm.h5 --out e.csv --quiet"), "");
+  const std::string table = bytes_of(folder / "e.csv");
+  EXPECT_EQ(out("export o/calm.h5 --out -"), table);
+  fs::create_symlink("/proc/self/fd/1", folder / "stdout.csv");
+  EXPECT_EQ(out("export o/calm.h5 --out stdout.csv"), table);
+#ifdef FINGERPAD_VIEW
+  EXPECT_EQ(out("plot o/calm.h5 --out p.svg"), "wrote p.svg (history of 501 ticks)\n");
+  EXPECT_EQ(out("plot o/calm.h5 --out p.svg --quiet"), "");
+  EXPECT_EQ(out("view o/calm.h5 --png v.png --at 0.25"), "wrote v.png (1280 x 800 pixels, at 0.25 s)\n");
+  EXPECT_EQ(out("view box.stl --png v.png --size 300x200"), "wrote v.png (300 x 200 pixels)\n");
+  EXPECT_EQ(out("view box.stl --png v.png --quiet"), "");
+#endif
+}
+
+TEST(Outputs, OfAnEndingThatIsNotTheirsAreRefusedWithWhatThereIs) {
+  const fs::path folder = folder_with_trace();
+  expect_told(test::fingerpad("query box.stl points.csv --out q.mat", folder), 2,
+              "q.mat: query writes .csv files");
+  EXPECT_EQ(test::fingerpad("query box.stl points.csv --out plain", folder).exit_code, 0)
+      << "a name without an ending promises nothing";
+  expect_told(test::fingerpad("export o/calm.h5 --out e.mat", folder), 2, "export writes .csv or .vtp files");
+#ifdef FINGERPAD_VIEW
+  expect_told(test::fingerpad("view box.stl --png v.jpg", folder), 2, "v.jpg: view --png writes .png files");
+  expect_told(test::fingerpad("plot o/calm.h5 --out p.bmp", folder), 2, "plot writes .png or .svg files");
+  expect_told(test::fingerpad("touch calm.toml --record r.mat", folder), 2,
+              "r.mat: touch --record writes .h5 or .csv files");
+#endif
+  for (const char* name : {"q.mat", "e.mat", "v.jpg", "p.bmp", "r.mat"})
+    EXPECT_FALSE(fs::exists(folder / name));
+}
+
+TEST(Outputs, WithoutANameAreUsageAndSaidSo) {
+  const fs::path folder = folder_with_trace();
+  for (const char* call : {"query box.stl points.csv --out ''", "export o/calm.h5 --out ''",
+                           "replay calm.toml --out ''", "study friction --out ''",
+#ifdef FINGERPAD_VIEW
+                           "plot o/calm.h5 --out ''"
+#endif
+       })
+    expect_told(test::fingerpad(call, folder), 2, "--out: is empty: give a name");
+#ifdef FINGERPAD_VIEW
+  expect_told(test::fingerpad("view box.stl --png ''", folder), 2, "--png: is empty");
+  expect_told(test::fingerpad("touch box.stl --record ''", folder), 2, "--record: is empty");
+#endif
+}
+
+TEST(Outputs, OfAShardAreNamedAsTheyAre) {
+  const fs::path folder = folder_with_inputs();
+  EXPECT_EQ(test::fingerpad("replay calm.toml --out o --shard 1/2", folder).out,
+            "1 of 1 job done, traces and summary-1of2.csv in o\n");
+  EXPECT_TRUE(fs::exists(folder / "o" / "summary-1of2.csv"));
+}
+
+TEST(Outputs, OfAnEarlierRunAreToldWhereThisOneFailed) {
+  const fs::path folder = folder_with_inputs();
+  const std::string left = "calm.csv: is an earlier run's, since this one failed\n";
+  ASSERT_THAT(test::fingerpad("replay calm.toml --out o --format csv", folder).err, Not(HasSubstr(left)));
+  const std::string call =
+      "ulimit -f 8; '" + test::program().string() + "' replay --format csv calm.toml --out ";
+  expect_told(test::shell(call + "o", folder), 1, "fingerpad: warning: o/" + left);
+  EXPECT_THAT(test::shell(call + "fresh", folder).err, Not(HasSubstr(left))) << "nothing was there";
+  std::ofstream(folder / "calm.toml") << "nonsense";
+  expect_told(test::fingerpad("replay calm.toml --out o --format csv", folder), 3,
+              "fingerpad: warning: o/" + left);
+}
+
+TEST(Outputs, AnHdf5TraceIntoADeviceIsRefusedAndACsvIsNot) {
+  const fs::path folder = folder_with_inputs();
+  fs::create_directory(folder / "o");
+  for (const char* name : {"calm.h5", "calm.csv"}) fs::create_symlink("/dev/null", folder / "o" / name);
+  expect_told(test::fingerpad("replay calm.toml --out o", folder), 1,
+              "o/calm.h5: is no regular file, which an HDF5");
+  EXPECT_EQ(test::fingerpad("replay calm.toml --out o --format csv", folder).exit_code, 0);
+}
+
+TEST(Outputs, BehindALinkToNowhereAreToldPlainly) {
+  const fs::path folder = folder_with_inputs();
+  fs::create_directory(folder / "o");
+  for (const std::string ending : {"h5", "csv"}) {
+    fs::create_symlink("no/t", folder / "o" / ("calm." + ending));
+    expect_told(test::fingerpad("replay calm.toml --out o --format " + ending, folder), 1,
+                "o/calm." + ending + ": cannot be created: is a link to no/t, which is not there\n");
+  }
+}
+
+#ifdef FINGERPAD_VIEW
+TEST(Moments, OutsideOfATraceAreTold) {
+  const fs::path folder = folder_with_trace();
+  const ShellResult late = test::fingerpad("view o/calm.h5 --png v.png --at 99", folder);
+  expect_told(late, 0, "fingerpad: warning: --at: 99 s is outside of 0 to 0.5 s: 0.5 s is shown\n");
+  EXPECT_THAT(late.out, HasSubstr("at 0.5 s"));
+  EXPECT_EQ(test::fingerpad("view o/calm.h5 --png v.png --at 0.5", folder).err, "");
+  fs::remove(folder / "v.png");
+  for (const char* moment : {"nan", "inf", "-1"})
+    expect_told(test::fingerpad("view o/calm.h5 --png v.png --at=" + std::string(moment), folder), 2, "--at");
+  EXPECT_FALSE(fs::exists(folder / "v.png"));
+}
+#endif
+
+TEST(Refusals, OfACheckAreToldOnce) {
+  const fs::path folder = folder_with_inputs();
+  const ShellResult text = test::fingerpad("check absent.stl box.stl", folder);
+  EXPECT_EQ(text.exit_code, 3);
+  EXPECT_EQ(text.err, "fingerpad: error: absent.stl: cannot be read: there is no such file\n");
+  EXPECT_THAT(text.out, Not(HasSubstr("cannot be read")));
+  EXPECT_THAT(text.out, HasSubstr("absent.stl: refused\n"));
+  EXPECT_THAT(text.out, HasSubstr("box.stl: can be touched"));
+}
+
+TEST(Refusals, OfAStepFileNameWhatMakesAMeshOfIt) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "part.step") << "ISO-10303-21;\nHEADER;\n";
+  for (const char* way : {"CAD program", "FreeCAD", "gmsh"})
+    expect_told(test::fingerpad("check part.step", folder), 3, way);
+}
+
+TEST(Refusals, OfAMissingFileSayThatItIsNotThere) {
+  const fs::path folder = folder_with_inputs();
+  const std::string plane = "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+  const std::string line = "[motion]\nfile = \"points.csv\"\n";
+  std::ofstream(folder / "motion.toml") << plane << "[motion]\nfile = \"nope\"\n";
+  std::ofstream(folder / "mesh.toml")
+      << "[[part]]\nmesh = \"nope\"\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, "
+         "0]\nto_m = [1, 0, 0]\nspeed_m_per_s = 1\n";
+  std::ofstream(folder / "profile.toml") << plane << "[finger]\nprofile = \"nope\"\n" << line;
+  for (const char* call : {"replay motion.toml --out o", "replay mesh.toml --out o",
+                           "replay profile.toml --out o", "replay nope --out o", "check nope",
+                           "query box.stl nope", "query nope points.csv", "export nope --out e.csv"}) {
+    SCOPED_TRACE(call);
+    const ShellResult result = test::fingerpad(call, folder);
+    expect_told(result, 3, "cannot be read: there is no such file");
+    EXPECT_THAT(result.err, HasSubstr("nope"));
+  }
+}
+
+TEST(Refusals, OfASubcommandNameTheNearest) {
+  const fs::path folder = test::scratch_dir();
+  expect_told(test::fingerpad("repaly scene.toml --out o", folder), 2,
+              "there is no subcommand 'repaly'; did you mean 'replay'?");
+  const ShellResult far = test::fingerpad("xyzzy", folder);
+  expect_told(far, 2, "there is no subcommand 'xyzzy'; there are check, query, replay");
+  EXPECT_THAT(far.err, Not(HasSubstr("did you mean")));
+}
+
+TEST(Walls, OfAPartAreOneNumberForCheckAndForTheChoice) {
+  const fs::path folder = test::scratch_dir();
+  const std::string mesh = (test::source_dir() / "scenes" / "parts" / "bracket_coarse.stl").string();
+  std::ofstream(folder / "s.toml")
+      << "[[part]]\nmesh = \"" << mesh
+      << "\"\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, 1]\nto_m = [0, 0, 1.01]\n"
+         "speed_m_per_s = 1\n";
+  const auto report = nlohmann::json::parse(test::fingerpad("check --json '" + mesh + "'", folder).out);
+  const double wall_mm = 1e3 * report[0]["thinnest_wall_m"].get<double>();
+  const std::string chosen = test::fingerpad("replay s.toml --out o", folder).err;
+  const std::string words = "proxy, because walls are ";
+  ASSERT_THAT(chosen, HasSubstr(words));
+  EXPECT_NEAR(std::stod(chosen.substr(chosen.find(words) + words.size())), wall_mm, 0.005 * wall_mm)
+      << "told to three digits";
+}
+
+}  // namespace
+}  // namespace fingerpad
