@@ -9,7 +9,7 @@
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
-#include "study/study.hpp"
+#include "study/studies.hpp"
 #include "trace/output_file.hpp"
 #ifdef FINGERPAD_VIEW
 #include "view/plot.hpp"
@@ -96,7 +96,8 @@ void add_study(CLI::App& program, Action& action) {
       "steps; strikes through thin walls.\n"
       "stability: largest stable stiffness by rate, damping and delay; loads at which stick buzzes; energy "
       "made; restick rules; velocity.\n"
-      "Each takes about a minute. Files named *_measured hold times of this machine; all others are the same "
+      "Each takes ten to thirty seconds. Files named *_measured hold times of this machine; all others are "
+      "the same "
       "at every run.");
   command->callback([options, exact, &action] {
     options->exact_folder_given = exact->count() > 0;

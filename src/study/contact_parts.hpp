@@ -2,7 +2,7 @@
 
 #include "study/contact_exact_set.hpp"
 #include "study/report.hpp"
-#include "study/study.hpp"
+#include "study/studies.hpp"
 
 namespace fingerpad {
 

@@ -5,7 +5,7 @@
 
 #include "study/battery.hpp"
 #include "study/pulled_block.hpp"
-#include "study/study.hpp"
+#include "study/studies.hpp"
 
 namespace fingerpad {
 namespace {

@@ -1,5 +1,5 @@
 #include "study/stability_parts.hpp"
-#include "study/study.hpp"
+#include "study/studies.hpp"
 
 namespace fingerpad {
 

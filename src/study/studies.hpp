@@ -11,17 +11,17 @@ namespace fingerpad {
 using StudyProgress = std::function<void(const std::string&)>;
 
 /// The largest stable stiffness of the closed loop, the load at which each law's stick buzzes, the energy
-/// that friction gives, restick rules, velocity estimators, and the undamped stick (SCIENCE 3 and 4). About
-/// a minute; the same result at every run.
+/// that friction gives, restick rules, velocity estimators, and the undamped stick (SCIENCE 3 and 4).
+/// Some ten seconds; the same result at every run.
 StudyReport study_stability(const StudyProgress& progress);
 
 /// Every law's error against its own limit of short ticks and against exact stick-slip, by rate, beside its
-/// cost. About a minute; tables and charts named "_measured" hold times.
+/// cost. Some twenty seconds; tables and charts named "_measured" hold times.
 StudyReport study_friction(const StudyProgress& progress);
 
 /// Every contact method with every kind of normals, on tessellations of surfaces that are known exactly:
 /// position, normal, force and force steps against the exact ones, beside the time of a tick; and how many
-/// strikes pop through thin walls. Half a minute; tables and charts named "_measured" hold times.
+/// strikes pop through thin walls. Some fifteen seconds; tables and charts named "_measured" hold times.
 /// @param exact_folder  samples of a CAD part's exact surface (a program without a CAD kernel has not got
 /// more)
 ///                      with its tessellations, as in scenes/exact; "": go without, and leave its tables out.
