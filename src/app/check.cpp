@@ -11,6 +11,7 @@
 #include "app/unit_option.hpp"
 #include "contact/part_measures.hpp"
 #include "part/import.hpp"
+#include "part/mesh_format.hpp"
 
 namespace fingerpad {
 namespace {
@@ -104,7 +105,8 @@ void add_check(CLI::App& program, Action& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       program.add_subcommand("check", "The verdict on each mesh: can it be touched, and what is damaged");
-  command->add_option("MESH", options->meshes, "STL, OBJ, PLY or OFF files; - is standard input")->required();
+  command->add_option("MESH", options->meshes, mesh_format_names("or") + " files; - is standard input")
+      ->required();
   add_unit_option(*command, options->unit);
   command->add_flag("--json", options->json, "Print an array with an object for each mesh (lengths in m)");
   command->add_flag(

@@ -18,6 +18,7 @@
 #include "base/output_place.hpp"
 #include "contact/surface_point.hpp"
 #include "part/import.hpp"
+#include "part/mesh_format.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
@@ -107,7 +108,8 @@ int query(const QueryOptions& options) {
 void add_query(CLI::App& program, Action& action) {
   auto options = std::make_shared<QueryOptions>();
   CLI::App* command = program.add_subcommand("query", "The closest surface point of each point in a table");
-  command->add_option("MESH", options->mesh, "STL, OBJ, PLY or OFF file; - is standard input")->required();
+  command->add_option("MESH", options->mesh, mesh_format_names("or") + " file; - is standard input")
+      ->required();
   command
       ->add_option("POINTS", options->points,
                    "CSV with columns x_m,y_m,z_m, in metres, in the file's own frame, up to 2 GiB and 50 "

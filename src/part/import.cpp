@@ -12,7 +12,7 @@
 #include "base/input_file.hpp"
 #include "part/build_part.hpp"
 #include "part/fan.hpp"
-#include "part/openmesh_reader.hpp"
+#include "part/mesh_format.hpp"
 #include "part/plain_text.hpp"
 #include "part/raw_mesh.hpp"
 #include "part/reconcile.hpp"
@@ -21,20 +21,6 @@
 
 namespace fingerpad {
 namespace {
-
-RawMesh scan(MeshFormat format, std::string& bytes) {
-  switch (format) {
-    case MeshFormat::stl:
-      return scan_stl(bytes);
-    case MeshFormat::obj:
-      return scan_obj(bytes);
-    case MeshFormat::ply:
-      return scan_ply(bytes);
-    case MeshFormat::off:
-      break;
-  }
-  return scan_off(bytes);
-}
 
 std::vector<bool> used_vertices(const RawMesh& mesh) {
   std::vector<bool> used(mesh.vertices.size(), false);
@@ -74,12 +60,11 @@ void refuse_huge_faces(const RawMesh& mesh) {
 }
 
 /// Lets OpenMesh read what was scanned, and measures what that does to the coordinates.
-void deliver(RawMesh& mesh, const std::string& bytes, MeshFormat format, const std::vector<bool>& used,
+void deliver(RawMesh& mesh, const std::string& bytes, const MeshFormat& format, const std::vector<bool>& used,
              const ImportOptions& options, Verdict& verdict) {
   const double metres_per_unit = options.metres_per_unit;
   const std::vector<Vec3> said = mesh.float32 ? std::vector<Vec3>() : mesh.vertices;
-  const std::string lost =
-      reconcile(mesh, read_by_openmesh(bytes, format, mesh, step_of(options.progress, 0.15, 0.35)));
+  const std::string lost = reconcile(mesh, format.read(bytes, mesh, step_of(options.progress, 0.15, 0.35)));
   if (!lost.empty()) verdict.warnings.push_back(lost);
   double largest = 0;
   for (std::size_t v = 0; v < mesh.vertices.size(); ++v) {
@@ -119,8 +104,8 @@ std::shared_ptr<const Part> read(const std::string& path, const ImportOptions& o
   tell(options.progress, "reading", 0);
   std::string bytes = read_whole_file(path, {"a mesh", std::uint64_t{2} << 30, options.stream}, "");
   make_text_plain(bytes);
-  const MeshFormat format = mesh_format(path, bytes);
-  RawMesh mesh = scan(format, bytes);
+  const MeshFormat& format = mesh_format(path, bytes);
+  RawMesh mesh = format.scan(bytes);
   verdict.format = mesh.format;
   verdict.warnings = mesh.warnings;
   verdict.vertices = static_cast<long>(mesh.vertices.size());
@@ -128,7 +113,8 @@ std::shared_ptr<const Part> read(const std::string& path, const ImportOptions& o
   for (int i = 0; i < mesh.polygon_count(); ++i) verdict.triangles += mesh.corner_count(i) - 2;
   refuse_nonfinite(mesh, used);
   refuse_huge_faces(mesh);
-  if (mesh.polygon_count() > 0) deliver(mesh, bytes, format, used, options, verdict);
+  if (mesh.polygon_count() > 0 && format.read != nullptr)
+    deliver(mesh, bytes, format, used, options, verdict);
   bytes = std::string();
   const Fan fan = fan_polygons(mesh, options.metres_per_unit);
   verdict.out_of_range = fan.out_of_range;

@@ -25,7 +25,8 @@ struct ImportOptions {
   LoadProgress progress;  ///< told as it goes
 };
 
-/// Reads STL (text and binary), OBJ, PLY or OFF through OpenMesh and checks the file against what came out.
+/// Reads a mesh of a known format (mesh_format_table) through OpenMesh and checks the file against what came
+/// out.
 ///
 /// Never throws for a bad file: whatever is wrong is in the verdict.
 ImportedPart import_part(const std::string& path, const ImportOptions& options);

@@ -1,10 +1,7 @@
 #include "part/openmesh_reader.hpp"
 
 #include <OpenMesh/Core/IO/IOManager.hh>
-#include <OpenMesh/Core/IO/reader/OBJReader.hh>
-#include <OpenMesh/Core/IO/reader/OFFReader.hh>
-#include <OpenMesh/Core/IO/reader/PLYReader.hh>
-#include <OpenMesh/Core/IO/reader/STLReader.hh>
+#include <OpenMesh/Core/IO/reader/BaseReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
 #include <algorithm>
 #include <istream>
@@ -116,23 +113,9 @@ class Collector : public om::IO::BaseImporter {
   const LoadProgress& progress_;
 };
 
-om::IO::BaseReader& reader_of(MeshFormat format) {
-  switch (format) {
-    case MeshFormat::stl:
-      return om::IO::STLReader();
-    case MeshFormat::obj:
-      return om::IO::OBJReader();
-    case MeshFormat::ply:
-      return om::IO::PLYReader();
-    case MeshFormat::off:
-      break;
-  }
-  return om::IO::OFFReader();
-}
-
 }  // namespace
 
-OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, const RawMesh& mesh,
+OpenMeshDelivery read_by_openmesh(om::IO::BaseReader& reader, const std::string& bytes, const RawMesh& mesh,
                                   const LoadProgress& progress) {
   static std::mutex one_at_a_time;
   const std::lock_guard lock(one_at_a_time);
@@ -153,7 +136,7 @@ OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, c
   // bytes for counts, and it would go on for minutes. (Texts are read until they end.)
   if (mesh.binary) stream.exceptions(std::ios::failbit);
   try {
-    delivery.succeeded = reader_of(format).read(stream, collector, options);
+    delivery.succeeded = reader.read(stream, collector, options);
   } catch (const std::ios_base::failure&) {
     delivery.succeeded = false;
   }

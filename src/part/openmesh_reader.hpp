@@ -6,7 +6,10 @@
 #include "base/types.hpp"
 #include "part/load_progress.hpp"
 #include "part/raw_mesh.hpp"
-#include "part/sniff.hpp"
+
+namespace OpenMesh::IO {
+class BaseReader;
+}
 
 namespace fingerpad {
 
@@ -22,9 +25,10 @@ struct OpenMeshDelivery {
 /// faces).
 ///
 /// The readers are objects with state that the library shares: calls wait for each other.
+/// @param reader  the format's: OpenMesh::IO::STLReader()
 /// @param bytes  the file; it must have passed its scan_* (OpenMesh runs on for ever on some broken files)
 /// @param mesh   what the scan found: how much to make room for, and whether OpenMesh is to read it as binary
-OpenMeshDelivery read_by_openmesh(const std::string& bytes, MeshFormat format, const RawMesh& mesh,
-                                  const LoadProgress& progress);
+OpenMeshDelivery read_by_openmesh(OpenMesh::IO::BaseReader& reader, const std::string& bytes,
+                                  const RawMesh& mesh, const LoadProgress& progress);
 
 }  // namespace fingerpad

@@ -11,9 +11,11 @@ namespace fingerpad {
 
 /// What a mesh file says, as far as its numbers go: the measure for what OpenMesh makes of it.
 ///
-/// Every scan_* reads a whole file with bounds on everything (counts against the bytes that are there, every
-/// index against the vertices) and throws Error (refused) at a place in the file, without the file's name,
-/// for a file that is no mesh of its format or ends too early.
+/// Every format's scan reads a whole file with bounds on everything (counts against the bytes that are there,
+/// every index against the vertices) and throws Error (refused) at a place in the file, without the file's
+/// name, for a file that is no mesh of its format or ends too early. The bytes are what OpenMesh will be
+/// given next: what would mislead it is taken out (material libraries that it would open, names that it would
+/// take for keywords, headers that it would never leave).
 struct RawMesh {
   std::string format;          ///< "text STL", "binary PLY", ...
   bool binary = false;         ///< OpenMesh is to read it as binary
@@ -37,13 +39,6 @@ struct RawMesh {
   void end_polygon();
   long short_polygons = 0;
 };
-
-/// `bytes` is what OpenMesh will be given next: what would mislead it is taken out (material libraries that
-/// it would open, names that it would take for keywords, headers that it would never leave).
-RawMesh scan_stl(std::string& bytes);
-RawMesh scan_obj(std::string& bytes);
-RawMesh scan_off(std::string& bytes);
-RawMesh scan_ply(std::string& bytes);
 
 /// A coordinate rounded to float32 and back.
 double float32_of(double coordinate) noexcept;

@@ -1,10 +1,14 @@
 #include <fmt/format.h>
 
+#include <OpenMesh/Core/IO/reader/OBJReader.hh>
 #include <algorithm>
 #include <array>
 
 #include "base/error.hpp"
+#include "part/mesh_format.hpp"
+#include "part/openmesh_reader.hpp"
 #include "part/raw_mesh.hpp"
+#include "part/sniff.hpp"
 #include "part/text_cursor.hpp"
 
 namespace fingerpad {
@@ -150,10 +154,29 @@ class ObjText {
   std::string first_strange_;
 };
 
+RawMesh scan_obj(std::string& bytes) {
+  refuse_binary(bytes);
+  return ObjText(bytes).scan();
+}
+
+bool begins_obj(std::string_view word) {
+  constexpr std::array<std::string_view, 9> keywords{"v", "vn", "vt",     "vp",    "o",
+                                                     "g", "s",  "mtllib", "usemtl"};
+  return std::find(keywords.begin(), keywords.end(), word) != keywords.end();
+}
+
 }  // namespace
 
-RawMesh scan_obj(std::string& bytes) {
-  return ObjText(bytes).scan();
+MeshFormat obj_format() noexcept {
+  static constexpr std::string_view endings[] = {".obj"};
+  return {"OBJ",
+          endings,
+          [](std::string_view) { return false; },
+          begins_obj,
+          scan_obj,
+          [](const std::string& bytes, const RawMesh& mesh, const LoadProgress& progress) {
+            return read_by_openmesh(OpenMesh::IO::OBJReader(), bytes, mesh, progress);
+          }};
 }
 
 }  // namespace fingerpad

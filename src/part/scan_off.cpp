@@ -1,7 +1,12 @@
 #include <fmt/format.h>
 
+#include <OpenMesh/Core/IO/reader/OFFReader.hh>
+
 #include "base/error.hpp"
+#include "part/mesh_format.hpp"
+#include "part/openmesh_reader.hpp"
 #include "part/raw_mesh.hpp"
+#include "part/sniff.hpp"
 #include "part/text_cursor.hpp"
 
 namespace fingerpad {
@@ -126,10 +131,23 @@ class OffText {
   RawMesh mesh_;
 };
 
+RawMesh scan_off(std::string& bytes) {
+  refuse_binary(bytes);
+  return OffText(bytes).scan();
+}
+
 }  // namespace
 
-RawMesh scan_off(std::string& bytes) {
-  return OffText(bytes).scan();
+MeshFormat off_format() noexcept {
+  static constexpr std::string_view endings[] = {".off"};
+  return {"OFF",
+          endings,
+          [](std::string_view bytes) { return bytes.starts_with("OFF\n") || bytes.starts_with("OFF\r"); },
+          [](std::string_view word) { return word.ends_with("OFF"); },
+          scan_off,
+          [](const std::string& bytes, const RawMesh& mesh, const LoadProgress& progress) {
+            return read_by_openmesh(OpenMesh::IO::OFFReader(), bytes, mesh, progress);
+          }};
 }
 
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <OpenMesh/Core/IO/reader/PLYReader.hh>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -9,6 +10,8 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "part/mesh_format.hpp"
+#include "part/openmesh_reader.hpp"
 #include "part/plain_ply.hpp"
 #include "part/ply_header.hpp"
 #include "part/raw_mesh.hpp"
@@ -195,14 +198,26 @@ class PlyScan {
   RawMesh mesh_;
 };
 
-}  // namespace
-
 RawMesh scan_ply(std::string& bytes) {
   const PlyHeader header = read_ply_header(bytes);
   if (header.form == PlyHeader::Form::text) refuse_binary(bytes);
   RawMesh mesh = PlyScan(bytes, header).scan();
   write_plainly(bytes, header, mesh);
   return mesh;
+}
+
+}  // namespace
+
+MeshFormat ply_format() noexcept {
+  static constexpr std::string_view endings[] = {".ply"};
+  return {"PLY",
+          endings,
+          [](std::string_view bytes) { return bytes.starts_with("ply\n") || bytes.starts_with("ply\r"); },
+          [](std::string_view) { return false; },
+          scan_ply,
+          [](const std::string& bytes, const RawMesh& mesh, const LoadProgress& progress) {
+            return read_by_openmesh(OpenMesh::IO::PLYReader(), bytes, mesh, progress);
+          }};
 }
 
 }  // namespace fingerpad

@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <OpenMesh/Core/IO/reader/STLReader.hh>
 #include <algorithm>
 #include <array>
 #include <bit>
@@ -8,6 +9,8 @@
 #include <cstring>
 
 #include "base/error.hpp"
+#include "part/mesh_format.hpp"
+#include "part/openmesh_reader.hpp"
 #include "part/raw_mesh.hpp"
 #include "part/sniff.hpp"
 #include "part/text_cursor.hpp"
@@ -186,8 +189,6 @@ class StlText {
   StoredNormals normals_;
 };
 
-}  // namespace
-
 RawMesh scan_stl(std::string& bytes) {
   if (is_binary_stl_size(bytes)) return scan_binary(bytes);
   const bool binary = bytes.find('\0') != std::string::npos;
@@ -198,6 +199,25 @@ RawMesh scan_stl(std::string& bytes) {
         "is no STL: a text one begins with 'solid', a binary one has 84 bytes and 50 for each triangle");
   }
   return scan_binary(bytes);
+}
+
+bool is_stl(std::string_view bytes) {
+  return is_binary_stl_size(bytes) ||
+         (bytes.starts_with("solid ") && bytes.substr(0, 1000).find("facet") != std::string_view::npos);
+}
+
+}  // namespace
+
+MeshFormat stl_format() noexcept {
+  static constexpr std::string_view endings[] = {".stl"};
+  return {"STL",
+          endings,
+          is_stl,
+          [](std::string_view word) { return same_word(word, "solid"); },
+          scan_stl,
+          [](const std::string& bytes, const RawMesh& mesh, const LoadProgress& progress) {
+            return read_by_openmesh(OpenMesh::IO::STLReader(), bytes, mesh, progress);
+          }};
 }
 
 }  // namespace fingerpad

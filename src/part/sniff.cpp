@@ -1,22 +1,21 @@
 #include "part/sniff.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <optional>
 #include <utility>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "part/mesh_format.hpp"
 #include "part/text_cursor.hpp"
 
 namespace fingerpad {
 namespace {
 
 using namespace std::string_view_literals;
-
-constexpr std::string_view formats = "STL, OBJ, PLY and OFF are read";
 
 /// What begins like this is no mesh that is read here.
 std::string_view known_stranger(std::string_view bytes) {
@@ -54,44 +53,38 @@ bool is_utf16(std::string_view bytes) {
   return (zeros[0] == look / 2 && zeros[1] == 0) || (zeros[1] == look / 2 && zeros[0] == 0);
 }
 
-std::optional<MeshFormat> format_of_name(const std::string& ending) {
-  if (same_word(ending, ".stl")) return MeshFormat::stl;
-  if (same_word(ending, ".obj")) return MeshFormat::obj;
-  if (same_word(ending, ".ply")) return MeshFormat::ply;
-  if (same_word(ending, ".off")) return MeshFormat::off;
-  return std::nullopt;
+template <typename Is>
+const MeshFormat* find_format(const Is& is) {
+  const auto table = mesh_format_table();
+  const auto found = std::find_if(table.begin(), table.end(), is);
+  return found == table.end() ? nullptr : &*found;
 }
 
-/// The format that the content proves; nothing where it could be several.
-std::optional<MeshFormat> format_of_content(std::string_view bytes) {
-  if (is_binary_stl_size(bytes)) return MeshFormat::stl;
-  if (bytes.substr(0, 4) == "ply\n" || bytes.substr(0, 4) == "ply\r") return MeshFormat::ply;
-  if (bytes.substr(0, 4) == "OFF\n" || bytes.substr(0, 4) == "OFF\r") return MeshFormat::off;
-  if (bytes.substr(0, 6) == "solid " && bytes.substr(0, 1000).find("facet") != std::string_view::npos) {
-    return MeshFormat::stl;
-  }
-  return std::nullopt;
+const MeshFormat* format_of_name(const std::string& ending) {
+  return find_format([&](const MeshFormat& format) {
+    return std::any_of(format.endings.begin(), format.endings.end(),
+                       [&](std::string_view known) { return same_word(ending, known); });
+  });
+}
+
+/// The format that the content proves; null where it could be several.
+const MeshFormat* format_of_content(std::string_view bytes) {
+  return find_format([bytes](const MeshFormat& format) { return format.proves(bytes); });
 }
 
 /// The format of a stream, which has no name that says it, by its first word.
-std::optional<MeshFormat> format_of_stream(std::string_view bytes) {
+const MeshFormat* format_of_stream(std::string_view bytes) {
   TextCursor cursor(bytes);
   std::string_view word = cursor.word();
   while (word.starts_with('#')) {
     cursor.rest_of_line();
     word = cursor.word();
   }
-  if (same_word(word, "solid")) return MeshFormat::stl;
-  if (word.ends_with("OFF")) return MeshFormat::off;
-  for (const std::string_view keyword : {"v", "vn", "vt", "vp", "o", "g", "s", "mtllib", "usemtl"}) {
-    if (word == keyword) return MeshFormat::obj;
-  }
-  return std::nullopt;
+  return find_format([word](const MeshFormat& format) { return format.begins(word); });
 }
 
-std::string_view name_of(MeshFormat format) {
-  static constexpr std::array<std::string_view, 4> names{"STL", "OBJ", "PLY", "OFF"};
-  return names[static_cast<std::size_t>(format)];
+std::string read_formats() {
+  return mesh_format_names("and") + " are read";
 }
 
 void refuse_step(const std::string& ending, std::string_view bytes) {
@@ -103,36 +96,37 @@ void refuse_step(const std::string& ending, std::string_view bytes) {
         "make an STL of it with FreeCAD or gmsh (gmsh part.step -2 -o part.stl)");
   }
   if (!named) return;
-  auto content = format_of_content(bytes);
-  if (!content && same_word(bytes.substr(0, 6), "solid ")) content = MeshFormat::stl;
-  if (!content) throw refused("", "is named as a STEP file, but does not begin as one (ISO-10303-21)");
-  throw refused("", "is named as a STEP file, but its bytes are those of an " +
-                        std::string(name_of(*content)) + " mesh: rename it");
+  const MeshFormat* content = format_of_content(bytes);
+  if (content == nullptr && same_word(bytes.substr(0, 6), "solid ")) content = format_of_stream("solid");
+  if (content == nullptr)
+    throw refused("", "is named as a STEP file, but does not begin as one (ISO-10303-21)");
+  throw refused("", "is named as a STEP file, but its bytes are those of an " + std::string(content->name) +
+                        " mesh: rename it");
 }
 
 }  // namespace
 
-MeshFormat mesh_format(const std::string& path, std::string_view bytes) {
+const MeshFormat& mesh_format(const std::string& path, std::string_view bytes) {
   if (bytes.empty()) throw refused("", "is empty (0 bytes)");
   const std::string ending = std::filesystem::path(path).extension().string();
   refuse_step(ending, bytes);
-  const auto content = format_of_content(bytes);
+  const MeshFormat* content = format_of_content(bytes);
   const bool stream = stream_descriptor(path).has_value();
-  const auto named = !stream ? format_of_name(ending) : content ? content : format_of_stream(bytes);
-  if (content && named && *content != *named) {
-    throw refused("", "is named as " + std::string(name_of(*named)) + ", but its bytes are those of " +
-                          std::string(name_of(*content)) + ": rename it");
+  const MeshFormat* named = !stream              ? format_of_name(ending)
+                            : content != nullptr ? content
+                                                 : format_of_stream(bytes);
+  if (content != nullptr && named != nullptr && content != named) {
+    throw refused("", "is named as " + std::string(named->name) + ", but its bytes are those of " +
+                          std::string(content->name) + ": rename it");
   }
-  if (!content) {
+  if (content == nullptr) {
     const std::string_view stranger = known_stranger(bytes);
     if (!stranger.empty()) throw refused("", "is " + std::string(stranger) + ", not a mesh");
     if (is_utf16(bytes)) throw refused("", "is a UTF-16 text: save it as UTF-8 or ASCII");
   }
-  if (!named && stream) throw refused("", "is no mesh that its first words tell: " + std::string(formats));
-  if (!named) {
-    throw refused("", "its name ends in '" + shown(ending) + "': " + std::string(formats));
-  }
-  if (*named == MeshFormat::obj || *named == MeshFormat::off) refuse_binary(bytes);
+  if (named == nullptr && stream)
+    throw refused("", "is no mesh that its first words tell: " + read_formats());
+  if (named == nullptr) throw refused("", "its name ends in '" + shown(ending) + "': " + read_formats());
   return *named;
 }
 

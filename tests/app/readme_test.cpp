@@ -6,6 +6,7 @@
 
 #include "contact/contact_method_table.hpp"
 #include "friction/law_table.hpp"
+#include "part/mesh_format.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 #include "trace/trace_column.hpp"
@@ -79,6 +80,11 @@ TEST(Readme, NamesEveryContactMethodAndNormals) {
     EXPECT_NE(readme.find(fmt::format("`{}`", method.name)), std::string::npos) << method.name;
   for (const Normals normals : normals_table())
     EXPECT_NE(readme.find(fmt::format("`{}`", normals->name)), std::string::npos) << normals->name;
+}
+
+TEST(Readme, NamesEveryMeshFormat) {
+  const std::string readme = test::bytes_of(test::source_dir() / "README.md");
+  EXPECT_NE(readme.find("reads " + mesh_format_names("and")), std::string::npos);
 }
 
 TEST(Readme, HasARowForEachTraceColumn) {

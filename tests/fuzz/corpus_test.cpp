@@ -37,9 +37,19 @@ TEST_P(Corpus, EverySeedAndEveryFoundCaseIsReadOrRefused) {
   }
 }
 
+TEST(CorpusFolders, AreThoseOfTheEntries) {
+  std::vector<std::string> names;
+  for (const test::FuzzEntry& entry : test::fuzz_entries()) names.push_back(entry.name);
+  std::sort(names.begin(), names.end());
+  std::vector<std::string> folders;
+  for (const fs::path& folder : files_below(test::source_dir() / "tests" / "fuzz" / "corpus"))
+    folders.push_back(folder.filename());
+  EXPECT_EQ(folders, names);
+}
+
 INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus,
                          testing::ValuesIn(test::fuzz_entries().begin(), test::fuzz_entries().end()),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& info) { return info.param.name; });
 
 }  // namespace
 }  // namespace fingerpad

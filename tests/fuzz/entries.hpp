@@ -1,6 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <span>
+#include <string>
 #include <string_view>
 
 namespace fingerpad::test {
@@ -9,20 +11,19 @@ namespace fingerpad::test {
 /// would use it. Bytes that are refused with an Error are a good end; whatever else comes out (another
 /// exception, a broken promise as std::logic_error, a crash, a sanitizer's report) is a finding.
 struct FuzzEntry {
-  std::string_view name;  ///< also the folder of its corpus and of its found cases
-  void (*run)(std::string_view bytes);
+  std::string name;  ///< also the folder of its corpus and of its found cases
+  std::function<void(std::string_view bytes)> run;
 };
 
-/// All of them: the fuzz targets (tools/fuzz) and the test of the kept cases run the same functions.
-std::span<const FuzzEntry> fuzz_entries() noexcept;
+/// All of them, a mesh format each among them: the fuzz targets (tools/fuzz) and the test of the kept cases
+/// run the same functions. Their names are the folders of tests/fuzz/corpus.
+std::span<const FuzzEntry> fuzz_entries();
 
 /// By name, or null.
-const FuzzEntry* find_fuzz_entry(std::string_view name) noexcept;
+const FuzzEntry* find_fuzz_entry(std::string_view name);
 
-void fuzz_stl(std::string_view bytes);
-void fuzz_obj(std::string_view bytes);
-void fuzz_ply(std::string_view bytes);
-void fuzz_off(std::string_view bytes);
+/// @param ending  of the mesh format: ".stl"
+void fuzz_mesh(std::string_view bytes, std::string_view ending);
 void fuzz_scene(std::string_view bytes);
 void fuzz_motion(std::string_view bytes);
 void fuzz_profile(std::string_view bytes);

@@ -43,7 +43,9 @@ void touch(const std::shared_ptr<const Part>& part) {
   }
 }
 
-void import_and_touch(std::string_view bytes, std::string_view ending) {
+}  // namespace
+
+void fuzz_mesh(std::string_view bytes, std::string_view ending) {
   const InputFile file(bytes, ending);
   for (const bool repair : {false, true}) {
     ImportOptions options;
@@ -55,21 +57,6 @@ void import_and_touch(std::string_view bytes, std::string_view ending) {
     promise(!verdict_text(verdict).empty(), "a verdict is told");
     if (imported.part) touch(imported.part);
   }
-}
-
-}  // namespace
-
-void fuzz_stl(std::string_view bytes) {
-  import_and_touch(bytes, ".stl");
-}
-void fuzz_obj(std::string_view bytes) {
-  import_and_touch(bytes, ".obj");
-}
-void fuzz_ply(std::string_view bytes) {
-  import_and_touch(bytes, ".ply");
-}
-void fuzz_off(std::string_view bytes) {
-  import_and_touch(bytes, ".off");
 }
 
 }  // namespace fingerpad::test
