@@ -15,10 +15,11 @@
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 #include "base/printable_text.hpp"
-#include "device/pointer_finger.hpp"
+#include "device/device_table.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_job.hpp"
 #include "scene/scene_file.hpp"
+#include "scene/toml_table.hpp"
 #include "touch/servo_loop.hpp"
 #include "trace/live_recorder.hpp"
 #include "view/screen.hpp"
@@ -29,13 +30,10 @@ namespace {
 
 struct TouchOptions {
   std::string subject, record;
-  std::string device = "pointer";
+  std::string device{device_table().front().name};
   std::string unit = "mm";
   std::optional<double> rate_hz;
 };
-
-/// Follows a mouse closely, yet smooths a screen's 60 positions a second.
-constexpr double pointer_bandwidth_hz = 8;
 
 Scene touched_scene(const TouchOptions& options) {
   const SubjectKind kind = subject_kind(options.subject);
@@ -81,11 +79,11 @@ int touch(const TouchOptions& options) {
   tell_choice(*world);
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
   const auto recorder = recorder_for(options, scene, *world);
-  PointerFinger finger(resting_finger(*world, scene), pointer_bandwidth_hz);
+  const auto device = find_device(options.device)->make(resting_finger(*world, scene));
 
   const double dt_s = 1 / scene.motion.rate_hz;
   ServoLoop servo(
-      Touch(world, scene), scene.motion.rate_hz, [&](double) { return finger.advance(dt_s); },
+      Touch(world, scene), scene.motion.rate_hz, [&](double) { return device->advance(dt_s); },
       [&](const TickRecord& record) {
         if (recorder) recorder->push(record);
       });
@@ -93,7 +91,7 @@ int touch(const TouchOptions& options) {
   input.view.title = scene.name;
   input.view.world = world;
   input.view.scene = scene;
-  input.set_target = [&](const FingerSample& target) { finger.set_target(target); };
+  input.set_target = [&](const FingerSample& target) { device->set_target(target); };
   input.latest = [&] { return servo.latest(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
   if (recorder) input.note = "recording " + options.record;
@@ -113,6 +111,16 @@ int touch(const TouchOptions& options) {
   return 0;
 }
 
+/// What is wrong with a device's name; empty where there is such a device.
+std::string why_no_device(const std::string& name) {
+  if (find_device(name) != nullptr) return {};
+  std::vector<std::string> names;
+  for (const DeviceEntry& device : device_table()) names.emplace_back(device.name);
+  const std::string nearest = nearest_word(name, names);
+  return fmt::format("unknown device '{}'{} (known: {})", name,
+                     nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), word_list(names));
+}
+
 }  // namespace
 
 void add_touch(CLI::App& program, Action& action) {
@@ -121,10 +129,8 @@ void add_touch(CLI::App& program, Action& action) {
       program.add_subcommand("touch", "Touch a scene or a mesh live, with the finger under the mouse");
   command->add_option("SUBJECT", options->subject, "Scene (TOML) or mesh; - is a scene on standard input")
       ->required();
-  command
-      ->add_option("--device", options->device,
-                   "What moves the finger; pointer is the mouse and the keyboard")
-      ->check(CLI::IsMember({"pointer"}))
+  command->add_option("--device", options->device, "What moves the finger, see below")
+      ->check(CLI::Validator(why_no_device, "NAME"))
       ->capture_default_str();
   refuse_empty(command->add_option("--record", options->record, "Write a trace of the touch (.h5, or .csv)"));
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
@@ -133,7 +139,8 @@ void add_touch(CLI::App& program, Action& action) {
   command->footer(
       "Hold the left button (or space) to press; wheel, Page Up and Page Down change how hard; h shows all "
       "keys.\n"
-      "The tick runs on a thread of its own and does not wait for the window.");
+      "The tick runs on a thread of its own and does not wait for the window.\n" +
+      device_help_text());
   command->callback([options, &action] { action = [options] { return touch(*options); }; });
 }
 

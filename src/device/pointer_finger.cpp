@@ -3,7 +3,15 @@
 #include <cmath>
 #include <numbers>
 
+#include "device/device_table.hpp"
+
 namespace fingerpad {
+namespace {
+
+/// Follows a mouse closely, yet smooths a screen's 60 positions a second.
+constexpr double pointer_bandwidth_hz = 8;
+
+}  // namespace
 
 PointerFinger::PointerFinger(const FingerSample& start, double bandwidth_hz)
     : omega_(2 * std::numbers::pi * bandwidth_hz), target_(start), seen_target_(start), finger_(start) {}
@@ -27,6 +35,13 @@ FingerSample PointerFinger::advance(double dt_s) {
   const Vec3 direction = finger_.direction_W * decay + seen_target_.direction_W * (1 - decay);
   if (direction.norm() > 1e-6) finger_.direction_W = direction.normalized();
   return finger_;
+}
+
+DeviceEntry pointer_device() noexcept {
+  return {"pointer", "the mouse and the keyboard, in the window",
+          [](const FingerSample& start) -> std::unique_ptr<LiveDevice> {
+            return std::make_unique<PointerFinger>(start, pointer_bandwidth_hz);
+          }};
 }
 
 }  // namespace fingerpad

@@ -1,0 +1,16 @@
+#include <array>
+
+#include "device/device_table.hpp"
+
+namespace fingerpad {
+
+// Each device is defined in the file of its name; its line here makes it known to `touch --device`, help and
+// tests.
+DeviceEntry pointer_device() noexcept;
+
+std::span<const DeviceEntry> device_table() noexcept {
+  static const std::array table{pointer_device()};
+  return table;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <string_view>
+
+#include "device/live_device.hpp"
+
+namespace fingerpad {
+
+/// One row of the table of live devices.
+struct DeviceEntry {
+  std::string_view name;  ///< as `--device` takes it
+  std::string_view doc;   ///< what moves the finger, in a line
+  /// @param start  where the finger is, at rest
+  std::unique_ptr<LiveDevice> (*make)(const FingerSample& start);
+};
+
+/// All live devices, the default one first.
+std::span<const DeviceEntry> device_table() noexcept;
+/// The row of a name; nullptr if there is none.
+const DeviceEntry* find_device(std::string_view name) noexcept;
+
+/// The table for a help text.
+std::string device_help_text();
+
+}  // namespace fingerpad
