@@ -17,6 +17,7 @@
 #include "base/input_file.hpp"
 #include "contact/contact_method_table.hpp"
 #include "replay/batch_files.hpp"
+#include "scene/scene_key.hpp"
 
 namespace fingerpad {
 namespace {
@@ -265,7 +266,9 @@ void add_replay(CLI::App& program, Action& action) {
       "for each job.\n"
       "Under mpirun the ranks share the jobs. Ends 4 if some jobs of a batch failed; the others are done all "
       "the same.\n" +
-      laws_text() + contact_help_text());
+      laws_text() + contact_help_text() +
+      "\nA scene file, each key with its default (mesh, file, profile and set: with an example):\n\n" +
+      scene_keys_text());
   command->callback([options, &action] { action = [options] { return replay(*options); }; });
 }
 

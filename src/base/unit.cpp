@@ -3,10 +3,9 @@
 namespace fingerpad {
 
 std::optional<double> metres_per_unit(std::string_view name) noexcept {
-  if (name == "m") return 1.0;
-  if (name == "mm") return 1e-3;
-  if (name == "cm") return 1e-2;
-  if (name == "in") return 25.4e-3;
+  for (const LengthUnit& unit : length_units) {
+    if (unit.name == name) return unit.metres;
+  }
   return std::nullopt;
 }
 

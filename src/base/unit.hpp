@@ -1,15 +1,20 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string_view>
 
 namespace fingerpad {
 
-/// Metres in one unit of a CAD file: "m", "mm", "cm" or "in"; nothing for any other name.
-/// CAD meshes carry no unit, so a scene or `--unit` names it.
-std::optional<double> metres_per_unit(std::string_view name) noexcept;
+/// What one unit of a CAD file may be. CAD meshes carry no unit, so a scene or `--unit` names it.
+struct LengthUnit {
+  std::string_view name;
+  double metres;
+};
+inline constexpr std::array<LengthUnit, 4> length_units{
+    {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 25.4e-3}}};
 
-/// The names above, for messages: "m, mm, cm, in".
-inline constexpr std::string_view unit_names = "m, mm, cm, in";
+/// Metres in the unit of that name; nothing for any other name.
+std::optional<double> metres_per_unit(std::string_view name) noexcept;
 
 }  // namespace fingerpad

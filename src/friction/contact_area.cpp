@@ -67,13 +67,15 @@ double JkrPad::pull_off_n() const noexcept {
 
 LawEntry contact_area_law() noexcept {
   return {"contact-area", "after Chen et al. 1997: limits that go with the JKR contact area; mu holds at 1 N",
-          parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+          parameters,
+          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             const JkrPad pad{bounded_number(settings, pad_radius), 1, bounded_number(settings, adhesion)};
             return std::make_unique<ContactArea>(
                 within(pad.adhesion_load_n(), 0, huge),
                 bounded_number(settings, stiffness_per_newton_parameter),
                 RestickRule{v_min_m_per_s(settings), settings.restick, stick_remedy(settings)});
-          }};
+          },
+          restick_rule_choices};
 }
 
 }  // namespace fingerpad

@@ -74,14 +74,16 @@ class FingerPad final : public FrictionLaw {
 
 LawEntry finger_pad_law() noexcept {
   return {"finger-pad", "the paper's finger pad: stick in an ellipse that shrinks with the finger's angle",
-          parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+          parameters,
+          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             // Any mu serves the assumed pad: only the ratio mu/axis is used, and that is the stiffness.
             const PadProfile pad = settings.profile.value_or(
                 assumed_profile(0.3, bounded_number(settings, stiffness_per_newton_parameter)));
             return std::make_unique<FingerPad>(
                 pad, bounded_number(settings, cubic_share), bounded_number(settings, mu_rises_below),
                 RestickRule{v_min_m_per_s(settings), settings.restick, stick_remedy(settings)});
-          }};
+          },
+          restick_rule_choices};
 }
 
 }  // namespace fingerpad

@@ -44,6 +44,7 @@ struct LawEntry {
   std::string_view summary;  ///< who, year, in a line
   std::span<const LawParameter> parameters;
   std::unique_ptr<FrictionLaw> (*make)(const LawSettings&);
+  std::span<const std::string_view> choices{};  ///< keys of `[friction]` with words that it reads: "restick"
 };
 
 /// All laws, in the order of the documentation.

@@ -33,7 +33,8 @@ LawEntry stick_slip_law() noexcept {
             return std::make_unique<StickSlip>(
                 bounded_number(settings, stiffness_per_newton_parameter),
                 RestickRule{v_min_m_per_s(settings), settings.restick, stick_remedy(settings)});
-          }};
+          },
+          restick_rule_choices};
 }
 
 }  // namespace fingerpad

@@ -11,6 +11,7 @@
 #include "scene/scene_reader.hpp"
 #include "scene/scene_set.hpp"
 #include "scene/toml_tree.hpp"
+#include "scene/unread_keys.hpp"
 
 namespace fingerpad {
 namespace {
@@ -40,7 +41,7 @@ std::size_t job_count(const std::vector<SetEntry>& entries, const std::string& p
 
 /// The scene with the values of one combination put in; a refusal becomes the job's error.
 SceneJob make_job(const TomlNode& root, const std::string& path, const SetEntry& entry,
-                  const std::vector<std::size_t>& choice) {
+                  const std::vector<std::size_t>& choice, UnreadKeys& unread_keys) {
   SceneJob job;
   TomlNode filled = root;
   for (std::size_t i = 0; i < entry.size(); ++i) {
@@ -48,6 +49,7 @@ SceneJob make_job(const TomlNode& root, const std::string& path, const SetEntry&
     job.set_keys.emplace_back(entry[i].key, value.written);
     put_value(filled, entry[i].target, value.value);
   }
+  unread_keys.look(filled);
   try {
     job.scene = read_scene(filled, path, Missing::nothing);
     job.scene.text = write_toml(filled);
@@ -57,10 +59,11 @@ SceneJob make_job(const TomlNode& root, const std::string& path, const SetEntry&
   return job;
 }
 
-void add_jobs(SceneFile& file, const TomlNode& root, const std::string& path, const SetEntry& entry) {
+void add_jobs(SceneFile& file, const TomlNode& root, const std::string& path, const SetEntry& entry,
+              UnreadKeys& unread_keys) {
   std::vector<std::size_t> choice(entry.size(), 0);
   while (true) {
-    SceneJob job = make_job(root, path, entry, choice);
+    SceneJob job = make_job(root, path, entry, choice, unread_keys);
     job.number = static_cast<int>(file.jobs.size()) + 1;
     if (!job.error.empty()) {
       job.scene = Scene();
@@ -74,26 +77,10 @@ void add_jobs(SceneFile& file, const TomlNode& root, const std::string& path, co
   }
 }
 
-}  // namespace
-
-SceneFile read_scene_file(const std::string& path) {
-  return read_scene_text(read_whole_file(path, {"a scene file", max_text_bytes, true}), path);
-}
-
-SceneFile read_scene_text(const std::string& text, const std::string& path) {
-  if (text.size() > max_text_bytes) throw refused(path, "is larger than 4 MiB, which no scene file is");
-  TomlNode root = parse_toml(text, path);
-  SceneFile file;
-  const TomlEntry* set = find_entry(root, "set");
-  if (set == nullptr) {
-    file.scene = read_scene(root, path, Missing::nothing);
-    file.scene.text = text;
-    file.jobs.push_back({file.scene, 0, {}, {}});
-    return file;
-  }
-
+/// Reads a file with a set: its scene without it, and every job.
+void read_jobs(SceneFile& file, TomlNode root, const std::string& path, UnreadKeys& unread_keys) {
   file.is_set = true;
-  const std::vector<SetEntry> entries = read_set(*set, path);
+  const std::vector<SetEntry> entries = read_set(*find_entry(root, "set"), path);
   std::erase_if(root.entries, [](const TomlEntry& entry) { return entry.key == "set"; });
   const auto gives_mesh = [](const SetEntry& entry) {
     return std::any_of(entry.begin(), entry.end(),
@@ -103,7 +90,30 @@ SceneFile read_scene_text(const std::string& text, const std::string& path) {
   file.scene = read_scene(root, path, mesh_from_set ? Missing::mesh : Missing::nothing);
   file.scene.text = write_toml(root);
   file.jobs.reserve(job_count(entries, path, file.scene.text.size()));
-  for (const SetEntry& entry : entries) add_jobs(file, root, path, entry);
+  for (const SetEntry& entry : entries) add_jobs(file, root, path, entry, unread_keys);
+}
+
+}  // namespace
+
+SceneFile read_scene_file(const std::string& path) {
+  return read_scene_text(read_whole_file(path, {"a scene file", max_text_bytes, true}), path);
+}
+
+SceneFile read_scene_text(const std::string& text, const std::string& path, Unread unread) {
+  if (text.size() > max_text_bytes) throw refused(path, "is larger than 4 MiB, which no scene file is");
+  TomlNode root = parse_toml(text, path);
+  SceneFile file;
+  UnreadKeys unread_keys;
+  const TomlEntry* set = find_entry(root, "set");
+  if (set == nullptr) {
+    file.scene = read_scene(root, path, Missing::nothing);
+    file.scene.text = text;
+    file.jobs.push_back({file.scene, 0, {}, {}});
+    unread_keys.look(root);
+  } else {
+    read_jobs(file, std::move(root), path, unread_keys);
+  }
+  if (unread == Unread::refused) unread_keys.refuse(path);
   return file;
 }
 
@@ -140,8 +150,8 @@ Scene read_recorded_scene(const std::string& scene_text, const std::string& prof
 Scene scene_of_mesh(const std::string& mesh_path, double metres) {
   TomlNode part;
   part.entries.push_back({"mesh", {}, toml_text(mesh_path)});
-  for (const char* unit : {"m", "mm", "cm", "in"}) {
-    if (metres_per_unit(unit) == metres) part.entries.push_back({"unit", {}, toml_text(unit)});
+  for (const LengthUnit& unit : length_units) {
+    if (unit.metres == metres) part.entries.push_back({"unit", {}, toml_text(std::string(unit.name))});
   }
   TomlNode parts;
   parts.type = TomlNode::Type::array;

@@ -23,13 +23,19 @@ struct SceneFile {
   std::vector<SceneJob> jobs;  ///< one for a plain scene; a product per [[set]] entry, last key fastest
 };
 
+/// What becomes of keys that no job of a file reads, such as a number of another law than the chosen one.
+enum class Unread { refused, passed_over };
+
 /// Reads a scene file. Throws Error (refused) at `file:line:column` for anything that the contract does not
-/// know: syntax, unknown keys, wrong types, values out of range, unknown law or method names. Mesh and motion
-/// files are resolved but not opened (a glob in a set is expanded; one that matches nothing is refused).
+/// know: syntax, unknown keys, wrong types, values out of range, unknown law or method names, keys that no
+/// job reads. Mesh and motion files are resolved but not opened (a glob in a set is expanded; one that
+/// matches nothing is refused). A file that is not there is told with the name beside it that is spelled most
+/// like it.
 SceneFile read_scene_file(const std::string& path);
 
-/// As above from text; relative paths are resolved against `path`'s folder. For scenes kept inside a trace.
-SceneFile read_scene_text(const std::string& text, const std::string& path);
+/// As above from text; relative paths are resolved against `path`'s folder. The text of a set's job, which a
+/// trace keeps, may hold keys that only other jobs of its set read: pass them over.
+SceneFile read_scene_text(const std::string& text, const std::string& path, Unread unread = Unread::refused);
 
 /// The crease angle of each [[part]] of a scene kept as text, in order. Looks at nothing else in it, so that
 /// it needs none of the scene's files; text that is no scene has no parts.

@@ -15,10 +15,7 @@ enum class Missing { nothing, mesh };
 /// @param path  of the scene file as given: the place in messages, and what relative paths start from
 Scene read_scene(const TomlNode& root, const std::string& path, Missing missing);
 
-/// A path of a scene: absolute as it is, or beside the scene file.
-std::string resolved_path(const std::string& scene_path, const std::string& written);
-
-/// The [motion] of a scene.
-MotionSettings read_motion_settings(const TomlNode& table, const std::string& path);
+/// Reads the [motion] of a scene into it.
+void read_motion_settings(const TomlNode& table, Scene& scene);
 
 }  // namespace fingerpad

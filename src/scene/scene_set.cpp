@@ -9,8 +9,8 @@
 
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
-#include "scene/scene_keys.hpp"
-#include "scene/scene_reader.hpp"
+#include "scene/scene_key.hpp"
+#include "scene/scene_values.hpp"
 #include "scene/toml_table.hpp"
 
 namespace fingerpad {

@@ -7,6 +7,7 @@
 #include "contact/contact_method_table.hpp"
 #include "friction/law_table.hpp"
 #include "part/mesh_format.hpp"
+#include "scene/scene_key.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 #include "trace/trace_column.hpp"
@@ -80,6 +81,13 @@ TEST(Readme, NamesEveryContactMethodAndNormals) {
     EXPECT_NE(readme.find(fmt::format("`{}`", method.name)), std::string::npos) << method.name;
   for (const Normals normals : normals_table())
     EXPECT_NE(readme.find(fmt::format("`{}`", normals->name)), std::string::npos) << normals->name;
+}
+
+TEST(Readme, ShowsTheSceneFileAsTheRowsOfItsKeysTellIt) {
+  const std::string readme = test::bytes_of(test::source_dir() / "README.md");
+  EXPECT_NE(readme.find("\n```toml\n" + scene_keys_text() + "```\n"), std::string::npos)
+      << "tools/scene_keys puts this into the README:\n"
+      << scene_keys_text();
 }
 
 TEST(Readme, NamesEveryMeshFormat) {

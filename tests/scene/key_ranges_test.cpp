@@ -1,5 +1,3 @@
-#include "scene/key_ranges.hpp"
-
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -38,7 +36,7 @@ TEST(KeyRanges, NumbersThatNoFingerHasAreRefusedWithTheirRange) {
       {"[contact]\ngreatest_force_n = ", "1e-6", "1e-300", "at least 1e-06 and at most 1000000"},
       {"[finger]\nradius_m = ", "1000", "1e300", "at most 1000"},
       {"[friction]\nstick_stiffness_per_m = ", "1e-12", "1e-300", "at least 1e-12 and at most 1000000000000"},
-      {"[friction]\nlaw = \"dahl\"\nstick_stiffness_per_m = ", "1e12", "1e13", "at most 1000000000000"},
+      {"[friction]\nlaw = \"dahl\"\nstick_stiffness_n_per_m = ", "1e12", "1e13", "at most 1000000000000"},
       {"[hand]\nmass_kg = ", "1e3", "1e4",
        "'mass_kg' in [hand] is 10000; it must be at least 1e-06 and at most 1000"},
       {"[hand]\nmass_kg = ", "1e-6", "1e-300", "is 1e-300; it must be at least 1e-06 and at most 1000"},

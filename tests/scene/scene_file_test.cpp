@@ -167,9 +167,15 @@ TEST(SceneFile, RefusesANumberAboveALawsOwnBound) {
                Error);
 }
 
-TEST(SceneFile, KeysOfOtherLawsDoNotDisturb) {
-  const Scene s = read_scene(plane_scene + "[friction]\nlaw = \"none\"\nv_min_m_per_s = 0.2\n");
-  EXPECT_EQ(s.friction.settings.numbers.at("v_min_m_per_s"), 0.2);
+TEST(SceneFile, KeysOfOtherLawsOfASetDoNotDisturb) {
+  const SceneFile file = read_scene_text(
+      plane_scene + "[friction]\nv_min_m_per_s = 0.2\n[[set]]\nfriction.law = [\"none\", \"stick-slip\"]\n",
+      "s.toml");
+  ASSERT_EQ(file.jobs.size(), 2u);
+  for (const SceneJob& job : file.jobs) {
+    EXPECT_EQ(job.error, "");
+    EXPECT_EQ(job.scene.friction.settings.numbers.at("v_min_m_per_s"), 0.2);
+  }
 }
 
 TEST(SceneFile, PathsAreFoundBesideTheSceneUnlessAbsolute) {

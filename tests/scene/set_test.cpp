@@ -36,8 +36,9 @@ TEST(SceneSet, TheLastKeyVariesFastest) {
 TEST(SceneSet, KeysKeepTheOrderWrittenWhateverTheirAlphabet) {
   EXPECT_THAT(
       jobs_of(plane_scene + "[[set]]\nmotion = [\"b\", \"a\"]\nfriction.restick = [\"level\"]\n"
-                            "contact.normals = [\"smooth\", \"facet\"]\nfriction.law = \"none\"\n"),
-      ElementsAre("b level smooth none", "b level facet none", "a level smooth none", "a level facet none"));
+                            "contact.normals = [\"smooth\", \"facet\"]\nfriction.law = \"stick-slip\"\n"),
+      ElementsAre("b level smooth stick-slip", "b level facet stick-slip", "a level smooth stick-slip",
+                  "a level facet stick-slip"));
 }
 
 TEST(SceneSet, KeysMayBeDottedQuotedOrTables) {

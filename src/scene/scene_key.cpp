@@ -1,0 +1,100 @@
+#include "scene/scene_key.hpp"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace fingerpad {
+namespace {
+
+/// The key of the file itself that a set may vary; `name` is left out, since it names their files.
+constexpr std::string_view plain_set_key = "seed";
+
+const SceneTable* find_table(std::string_view name) noexcept {
+  const auto& tables = scene_tables();
+  const auto found =
+      std::find_if(tables.begin(), tables.end(), [name](const SceneTable& t) { return t.name == name; });
+  return found == tables.end() ? nullptr : &*found;
+}
+
+/// The key of a full dotted name; null if there is none.
+const SceneKey* find_dotted_key(std::string_view name) noexcept {
+  const std::size_t dot = name.rfind('.');
+  if (dot == std::string_view::npos || dot == 0) return nullptr;
+  const SceneTable* table = find_table(name.substr(0, dot));
+  return table != nullptr ? find_scene_key(*table, name.substr(dot + 1)) : nullptr;
+}
+
+}  // namespace
+
+const SceneTable& scene_table(std::string_view name) noexcept {
+  const SceneTable* table = find_table(name);
+  if (table == nullptr) std::abort();  // a table that the reader asks for and that has no rows
+  return *table;
+}
+
+const SceneKey* find_scene_key(const SceneTable& table, std::string_view key) noexcept {
+  const auto found = std::find_if(table.keys.begin(), table.keys.end(),
+                                  [key](const SceneKey& row) { return row.key == key; });
+  return found == table.keys.end() ? nullptr : &*found;
+}
+
+const SceneKey& scene_key(const SceneTable& table, std::string_view key) noexcept {
+  const SceneKey* row = find_scene_key(table, key);
+  if (row == nullptr) std::abort();  // a key that the reader asks for and that has no row
+  return *row;
+}
+
+std::vector<std::string> known_keys(const SceneTable& table) {
+  std::vector<std::string> keys;
+  for (const SceneKey& row : table.keys) keys.emplace_back(row.key);
+  if (!table.name.empty()) return keys;
+  for (const SceneTable& other : scene_tables()) {
+    const bool at_the_top = other.name.find('.') == std::string_view::npos;
+    if (at_the_top && !other.name.empty()) keys.emplace_back(other.name);
+  }
+  keys.emplace_back("set");
+  return keys;
+}
+
+bool goes_with(const SceneKey& row, std::string_view word) noexcept {
+  return row.only_with.empty() ||
+         std::find(row.only_with.begin(), row.only_with.end(), word) != row.only_with.end();
+}
+
+TomlTable open_table(const TomlNode& node, const std::string& file, const SceneTable& table) {
+  return TomlTable(node, file, std::string(table.heading), known_keys(table));
+}
+
+void read_keys(const SceneTable& table, const TomlTable& from, Scene& scene, std::string_view word) {
+  for (const SceneKey& row : table.keys) {
+    if (row.required && goes_with(row, word)) from.require(row.key);
+  }
+  for (const SceneKey& row : table.keys) {
+    if (row.read != nullptr && from.has(row.key)) row.read(row, from, scene);
+  }
+}
+
+std::optional<std::string> set_key_target(std::string_view key) {
+  if (key == plain_set_key) return std::string(key);
+  if (key == "mesh") return "part.mesh";
+  if (key == "motion") return "motion.file";
+  if (find_dotted_key(key) == nullptr) return std::nullopt;
+  return std::string(key);
+}
+
+std::vector<std::string> set_keys() {
+  std::vector<std::string> keys = {"mesh", "motion", std::string(plain_set_key)};
+  for (const SceneTable& table : scene_tables()) {
+    if (table.name.empty()) continue;
+    for (const SceneKey& row : table.keys)
+      keys.push_back(std::string(table.name).append(".").append(row.key));
+  }
+  return keys;
+}
+
+bool is_vector_key(std::string_view dotted_key) {
+  const SceneKey* row = find_dotted_key(dotted_key);
+  return row != nullptr && row->type == KeyType::vector;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,42 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <regex>
+#include <sstream>
+
+#include "fuzz/scene_words.hpp"
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+namespace fingerpad {
+namespace {
+
+using testing::Contains;
+
+std::vector<std::string> lines_of(const std::string& text) {
+  std::istringstream stream(text);
+  std::vector<std::string> lines;
+  for (std::string line; std::getline(stream, line);) lines.push_back(line);
+  return lines;
+}
+
+TEST(SceneWords, AreAWellFormedDictionaryOfTheRows) {
+  const auto words = lines_of(test::scene_words());
+  const std::regex entry(R"re("([^"\\]|\\"|\\x[0-9a-f]{2})+")re");
+  for (const std::string& word : words) EXPECT_TRUE(std::regex_match(word, entry)) << word;
+  for (const char* word :
+       {R"("mass_kg")", R"("angle_deg")", R"("elastic_share")", R"("\"karnopp\"")", R"("\"closest-point\"")",
+        R"("\"circle\"")", R"("[[part]]\x0a")", R"("[hand]\x0a")"})
+    EXPECT_THAT(words, Contains(word));
+}
+
+TEST(SceneWords, AreInNoOtherPlace) {
+  const auto path = test::source_dir() / "tests" / "fuzz" / "dictionaries" / "scene.dict";
+  const auto written = lines_of(test::bytes_of(path));
+  EXPECT_GT(written.size(), 10u);
+  for (const std::string& word : lines_of(test::scene_words()))
+    EXPECT_THAT(written, testing::Not(Contains(word)));
+}
+
+}  // namespace
+}  // namespace fingerpad

@@ -1,0 +1,26 @@
+#include "fuzz/scene_words.hpp"
+
+#include <fmt/format.h>
+
+#include <set>
+
+#include "scene/scene_key.hpp"
+
+namespace fingerpad::test {
+
+std::string scene_words() {
+  std::set<std::string> words{R"("set")", R"("[[set]]\x0a")"};
+  for (const SceneTable& table : scene_tables()) {
+    if (table.heading.starts_with('[')) {
+      words.insert(fmt::format("\"{}\"", table.name));
+      words.insert(fmt::format("\"{}\\x0a\"", table.heading));
+    }
+    for (const SceneKey& row : table.keys) {
+      words.insert(fmt::format("\"{}\"", row.key));
+      for (const std::string& word : row.words) words.insert(fmt::format(R"("\"{}\"")", word));
+    }
+  }
+  return fmt::format("{}\n", fmt::join(words, "\n"));
+}
+
+}  // namespace fingerpad::test
