@@ -173,6 +173,7 @@ std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths) {
     try {
       file = read_scene_file(path);
     } catch (const Error& error) {
+      if (scene_paths.size() == 1) throw;  // no batch, and nothing of it to write
       SceneJob failed;
       failed.scene.name = std::filesystem::path(path).stem().string();
       failed.scene.path = path;

@@ -44,8 +44,9 @@ struct BatchJob {
   std::string left_behind;  ///< of a job that failed: an earlier run's trace that is still in its place
 };
 
-/// Every job of the given scene files. Scenes that cannot be loaded become failed jobs.
-/// Throws Error (refused) for two scenes of one name (their traces would overwrite each other).
+/// Every job of the given scene files. Of several, those that cannot be loaded become failed jobs.
+/// Throws Error (refused) for a single one that cannot be loaded, and for two scenes of one name (their
+/// traces would overwrite each other).
 std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths);
 
 /// Runs this shard's jobs on `threads` threads a rank, writing a trace each; then the root rank writes

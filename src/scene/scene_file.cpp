@@ -10,11 +10,14 @@
 #include "base/unit.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/scene_set.hpp"
+#include "scene/toml_table.hpp"
 #include "scene/toml_tree.hpp"
 #include "scene/unread_keys.hpp"
 
 namespace fingerpad {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Far above any scene, far below what would fill the memory.
 constexpr std::size_t max_text_bytes = std::size_t{4} << 20;
@@ -93,10 +96,39 @@ void read_jobs(SceneFile& file, TomlNode root, const std::string& path, UnreadKe
   for (const SetEntry& entry : entries) add_jobs(file, root, path, entry, unread_keys);
 }
 
+bool is_missing(const std::string& path) {
+  std::error_code ignored;
+  return !stream_descriptor(path) && !fs::exists(path, ignored);
+}
+
+/// The scene file that a misspelled path may mean; "" if none is like it.
+std::string near_scene_file(const fs::path& path) {
+  const fs::path ended = fs::path(path).concat(".toml");
+  std::error_code ignored;
+  if (fs::exists(ended, ignored)) return ended.string();
+  constexpr std::size_t most_names = 10000;  // of a folder: more are not looked through for a hint
+  std::vector<std::string> names;
+  const fs::path folder = path.parent_path();
+  fs::directory_iterator at(folder.empty() ? "." : folder, ignored);
+  for (; at != fs::directory_iterator() && names.size() < most_names; at.increment(ignored)) {
+    if (at->path().extension() == ".toml") names.push_back(at->path().stem().string());
+  }
+  std::sort(names.begin(), names.end());  // of two that are equally near, the same one everywhere
+  const std::string near = nearest_word(path.stem().string(), names);
+  return near.empty() ? "" : (folder / (near + ".toml")).string();
+}
+
 }  // namespace
 
 SceneFile read_scene_file(const std::string& path) {
-  return read_scene_text(read_whole_file(path, {"a scene file", max_text_bytes, true}), path);
+  const InputKind kind{"a scene file", max_text_bytes, true};
+  try {
+    return read_scene_text(read_whole_file(path, kind), path);
+  } catch (const Error& error) {
+    const std::string near = is_missing(path) ? near_scene_file(path) : "";
+    if (near.empty()) throw;
+    throw Error(error.kind(), "", fmt::format("{}; did you mean {}?", error.what(), near));
+  }
 }
 
 SceneFile read_scene_text(const std::string& text, const std::string& path, Unread unread) {
@@ -160,7 +192,7 @@ Scene scene_of_mesh(const std::string& mesh_path, double metres) {
   root.entries.push_back({"part", {}, std::move(parts)});
 
   Scene scene = read_scene(root, "", Missing::nothing);
-  const std::string stem = std::filesystem::path(mesh_path).stem().string();
+  const std::string stem = fs::path(mesh_path).stem().string();
   if (!stem.empty()) scene.name = stem;
   scene.text = write_toml(root);
   scene.parts.front().metres_per_unit = metres;

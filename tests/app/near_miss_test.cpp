@@ -1,0 +1,79 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// What is misspelled on the command line is told with what is there.
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+
+constexpr const char* scene =
+    "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+    "[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0]\nto_m = [0.001, 0, 0]\nspeed_m_per_s = 1\n";
+
+fs::path folder_with_scenes() {
+  const fs::path folder = test::scratch_dir();
+  fs::create_directory(folder / "scenes");
+  for (const char* name : {"sweep", "bracket"})
+    test::write_file(folder / "scenes", std::string(name) + ".toml", scene);
+  return folder;
+}
+
+TEST(NearMiss, OfASceneFileIsOneLineAndWritesNothing) {
+  const fs::path folder = folder_with_scenes();
+  for (const char* name : {"scenes/swep.toml", "scenes/sweep", "scenes/sweep.tml"}) {
+    const auto result = test::fingerpad("replay " + std::string(name) + " --out o", folder);
+    EXPECT_EQ(result.exit_code, 3) << name;
+    EXPECT_EQ(result.out, "") << name;
+    EXPECT_EQ(result.err, "fingerpad: error: " + std::string(name) +
+                              ": cannot be read: there is no such file; did you mean scenes/sweep.toml?\n");
+  }
+  EXPECT_FALSE(fs::exists(folder / "o"));
+}
+
+TEST(NearMiss, ThatIsNearToNothingHasNoHint) {
+  const auto result = test::fingerpad("replay scenes/dashboard.toml --out o", folder_with_scenes());
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.err, "fingerpad: error: scenes/dashboard.toml: cannot be read: there is no such file\n");
+}
+
+TEST(NearMiss, InABatchFailsItsJobAlone) {
+  const auto result =
+      test::fingerpad("replay scenes/bracket.toml scenes/swep.toml --out o", folder_with_scenes());
+  EXPECT_EQ(result.exit_code, 4);
+  EXPECT_THAT(result.err, HasSubstr("did you mean scenes/sweep.toml?"));
+  EXPECT_EQ(result.out, "1 of 2 jobs done, traces and summary.csv in o\n");
+}
+
+TEST(NearMiss, OfALawsKeyIsRefusedInOneLine) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "s.toml",
+                   std::string(scene) + "[friction]\nlaw = \"coulomb\"\nrestick = \"level\"\n");
+  const auto result = test::fingerpad("replay s.toml --out o", folder);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_EQ(result.out, "");
+  EXPECT_EQ(result.err,
+            "fingerpad: error: s.toml:11:1: 'restick' is not read by law \"coulomb\"; it is read by: "
+            "stick-slip, finger-pad, contact-area\n");
+}
+
+#ifdef FINGERPAD_VIEW
+TEST(NearMiss, OfADeviceIsToldWithTheDevices) {
+  const auto result = test::fingerpad("touch scenes/sweep.toml --device poiner", folder_with_scenes());
+  EXPECT_EQ(result.exit_code, 2);
+  EXPECT_THAT(result.err, AllOf(HasSubstr("--device"), HasSubstr("unknown device 'poiner'; did you mean "
+                                                                 "'pointer'? (known: pointer)")));
+  const auto help = test::fingerpad("touch --help", folder_with_scenes());
+  EXPECT_THAT(help.out, HasSubstr("  pointer          the mouse and the keyboard"));
+}
+#endif
+
+}  // namespace
+}  // namespace fingerpad
