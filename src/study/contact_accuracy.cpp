@@ -200,7 +200,7 @@ void tell_choices(StudyReport& report, const std::vector<SurfaceResult>& results
       const ContactVariant& variant = *r.chosen[i].variant;
       const auto& curve = r.curves[static_cast<std::size_t>(&variant - contact_variants().data())];
       table.rows.push_back({r.surface.name, r.triangles[i], variant.method_name, variant.normals_name,
-                            curve.errors[i].force_rms_share, '"' + r.chosen[i].reason + '"'});
+                            curve.errors[i].force_rms_share, r.chosen[i].reason});
     }
   }
   report.tables.push_back(std::move(table));

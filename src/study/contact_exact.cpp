@@ -172,8 +172,8 @@ void tell_choices(StudyReport& report, const ExactFindings& found) {
   StudyTable table{"contact_exact_choice", {"triangles", "method", "normals", "why"}, {}};
   for (std::size_t i = 0; i < found.triangles.size(); ++i) {
     const AutomaticChoice& choice = found.chosen[i];
-    table.rows.push_back({found.triangles[i], choice.variant->method_name, choice.variant->normals_name,
-                          '"' + choice.reason + '"'});
+    table.rows.push_back(
+        {found.triangles[i], choice.variant->method_name, choice.variant->normals_name, choice.reason});
   }
   report.tables.push_back(std::move(table));
 }

@@ -60,6 +60,9 @@ TEST(Readme, EveryCommandEndsZero) {
   for (const char* picture : {"figure12.png", "figure2.svg", "view.png", "housing.png"}) {
     EXPECT_TRUE(fs::exists(folder / "build" / "example" / picture)) << picture;
   }
+  const std::string choices = test::bytes_of(folder / "build" / "study-contact" / "contact_choice.csv");
+  EXPECT_NE(choices.find(",\"sphere: "), std::string::npos) << "a reason is one cell";
+  EXPECT_EQ(choices.find("\"\"\""), std::string::npos) << "quoted once";
 #endif
 }
 
