@@ -15,8 +15,8 @@ enum class TraceFormat { hdf5, csv };
 /// open.
 class TraceWriter {
  public:
-  /// Starts a new file (an older one is replaced). Throws Error (fault, with the path) if it cannot be
-  /// created.
+  /// Starts a new file (an older one is replaced). Throws Error, with the path, if it cannot be
+  /// created: usage where the name leads to no place for it, fault where the disk refuses.
   /// @param world  parts of at most 100,000 triangles are embedded, so that the trace can be seen without its
   /// meshes
   static std::unique_ptr<TraceWriter> create(const std::string& path, TraceFormat format,

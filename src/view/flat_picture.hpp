@@ -8,7 +8,7 @@
 namespace fingerpad {
 
 /// Writes a drawing as PNG on white. Starts a virtual screen where there is none. Throws Error as
-/// VirtualScreen does, and (fault) where the file cannot be written.
+/// VirtualScreen and OutputFile do.
 void write_flat_png(const Drawing& drawing, int width, int height, const std::string& path);
 
 /// The pixels of such a picture, painted strip by strip from the bottom up, so that a large page takes little

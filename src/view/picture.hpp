@@ -14,8 +14,8 @@ namespace fingerpad {
 ///
 /// Starts a virtual screen where there is none.
 /// @param at_s  the moment shown; without it the tick that telling_row picks. Clamped to the rows' times.
-/// Throws Error: usage as refuse_picture_size does or where no screen is to be had, fault where the file
-/// cannot be written.
+/// Throws Error: usage as refuse_picture_size does or where no screen is to be had, and as OutputFile
+/// does.
 void write_view_png(const ViewInput& input, const std::string& path, int width, int height,
                     std::optional<double> at_s, const ViewState& state);
 

@@ -15,8 +15,7 @@ enum class PlotSubject { history, spectrum };
 /// forces, coefficient of friction and phase over one time axis, and the spectra of the forces below.
 ///
 /// PNG or SVG by the path's ending. SVG needs no screen; PNG starts a virtual one where there is none.
-/// Throws Error: usage for another ending, refused for rows without a time span, fault where the file cannot
-/// be written.
+/// Throws Error: usage for another ending, refused for rows without a time span, and as OutputFile does.
 /// @param page_width  [px], 300 .. 10000; the page is 1.2 times as high
 /// `spectrum` draws the spectra alone (paper, fig. 11), on a page half as high as wide.
 void write_plot(const ViewInput& input, const std::string& path, int page_width,

@@ -76,7 +76,7 @@ TEST(Plot, RefusesWhatItCannotDraw) {
     return 0;
   };
   EXPECT_EQ(kind_of(torus_rub(0.1), "plot.jpg"), 2);
-  EXPECT_EQ(kind_of(torus_rub(0.1), "no/such/folder/plot.svg"), 1);
+  EXPECT_EQ(kind_of(torus_rub(0.1), "no/such/folder/plot.svg"), 2);
   ViewInput empty = torus_rub(0.1);
   empty.rows.resize(1);
   EXPECT_EQ(kind_of(empty, "plot.svg"), 3);
