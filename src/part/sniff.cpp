@@ -90,10 +90,9 @@ std::string read_formats() {
 void refuse_step(const std::string& ending, std::string_view bytes) {
   const bool named = same_word(ending, ".stp") || same_word(ending, ".step") || same_word(ending, ".p21");
   if (bytes.substr(0, 12) == "ISO-10303-21") {
-    throw refused(
-        "",
-        "is a STEP file, exact surfaces without triangles: export STL, OBJ or PLY from the CAD program, or "
-        "make an STL of it with FreeCAD or gmsh (gmsh part.step -2 -o part.stl)");
+    throw refused("",
+                  "is a STEP file, exact surfaces without triangles: tessellate it to STL, OBJ or PLY by the "
+                  "CAD program's export, FreeCAD or gmsh (gmsh part.step -2 -o part.stl)");
   }
   if (!named) return;
   const MeshFormat* content = format_of_content(bytes);
