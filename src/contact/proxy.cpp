@@ -83,18 +83,14 @@ void Proxy::follow(double budget_m) noexcept {
 
 /// Steps until the proxy is as close to the finger as it gets, or the budget is spent.
 void Proxy::settle(double& budget_m) noexcept {
-  using Look = ProxySight::Look;
   const Vec3& goal_O = state_.goal_O;
   sight_->let_go();
-  Look look = Look::first;
   for (int k = 0; k < ProxyLimits::most_steps; ++k) {
     if (goal_O == state_.place_O) {
       state_.hold = {};
       break;
     }
-    const ProxyStep step = sight_->step(state_.place_O, goal_O, budget_m, look);
-    if (advance(step, budget_m)) return;
-    look = step.truncated ? Look::farther : Look::again;
+    if (advance(sight_->step(state_.place_O, goal_O, budget_m), budget_m)) return;
   }
   state_.contact.settled = goal_O == state_.place_O;
 }
@@ -151,7 +147,7 @@ bool Proxy::is_felt() const noexcept {
   if (!state_.hopped || state_.last_push_W.isZero(0)) return false;
   const Vec3 way = state_.place_O - state_.goal_O;
   const Vec3 last_way = state_.last_push_W.norm() * state_.last_direction_W;
-  return (way - last_way).norm() > state_.most_step_m() + ProxyLimits::unfelt_share * way.norm();
+  return (way - last_way).norm() > most_step_m(state_) + ProxyLimits::unfelt_share * way.norm();
 }
 
 /// Goes on around the one triangle that holds the proxy, to where the finger is now. Blocked where another

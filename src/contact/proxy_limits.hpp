@@ -18,6 +18,9 @@ struct ProxyLimits {
   static constexpr double touching_tolerances = 4;
   /// What rounding does to a step, as a share of its coordinates: two units in the last place.
   static constexpr double rounding = 4e-16;
+  /// What it does to the distance from a plane: some ten sums and products. Among planes alone this is the
+  /// only tolerance, since there is no extent to compare lengths with.
+  static constexpr double plane_rounding = 4e-15;
   /// What is looked at reaches farther than what is asked for by this share, against rounding. Of two
   /// projections one is nearer only by more than this.
   static constexpr double reach_rounding = 1e-12;
@@ -67,12 +70,6 @@ struct ProxyLimits {
 
   /// Newton's steps of a sweep converge quadratically; a cap for what rounding might do.
   static constexpr int newton_steps = 32;
-  /// A triangle whose area is smaller than this share of its sides' squares is no more than its edges: its
-  /// width is then far below any clearance.
-  static constexpr double least_area_share = 1e-13;
-  /// From so large a share on, the sides' order about a point is known to rounding, and only edges that the
-  /// point is outside of are looked at.
-  static constexpr double regular_area_share = 1e-4;
 };
 
 }  // namespace fingerpad

@@ -9,14 +9,16 @@
 #include "contact/proxy_report.hpp"
 
 namespace fingerpad {
-namespace {
 
 using Limits = ProxyMemoryLimits;
 
-}  // namespace
-
 Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals) {
   return Proxy(std::make_unique<ProxyMemory>(ProxyWorld(std::move(surfaces), radius_m, normals)));
+}
+
+void ProxyMemory::let_go() noexcept {
+  ProxyViews::let_go();
+  room_.kind = Room::Kind::none;
 }
 
 void ProxyMemory::forget() noexcept {
@@ -155,7 +157,7 @@ bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& ed
   next.kind = Room::Kind::slide;
   next.wall_count = 1;
   next.walls_O[0] = there.seen_from(-state.place_O);
-  next.facets[0] = weights_of(there);
+  next.facets[0] = FacetWeights(world_, there);
   if (!(next.facets[0].at(to_O).minCoeff() > 0)) return false;
   const ProxyWall seen = next.walls_O[0].seen_from(place_O_);
   next.centre_O = search_place_O();
@@ -186,7 +188,7 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   room_.wall_count = hold.wall_count;
   for (std::size_t k = 0; k < walls.size(); ++k) {
     room_.walls_O[k] = walls[k].seen_from(-state.hold_place_O);
-    room_.facets[k] = weights_of(walls[k]);
+    room_.facets[k] = FacetWeights(world_, walls[k]);
   }
   if (!make_room(walls, search_place_O(), state.place_O, state.place_O) &&
       !make_room(walls, state.hold_place_O, state.place_O, state.place_O)) {
@@ -196,20 +198,6 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   }
   room_.kind = Room::Kind::slide;
   if (room_.wall_count == 1) remember_fan(room_.walls_O[0]);
-}
-
-ProxyMemory::FacetWeights ProxyMemory::weights_of(const ProxyWall& wall) const noexcept {
-  FacetWeights result;
-  if (wall.triangle < 0) return result;
-  const PlacedSurface& surface = world_.surface(wall.surface);
-  const TriangleCorners f = corners_of(world_.part(wall.surface), wall.triangle);
-  const Vec3 ab = f.b - f.a, ac = f.c - f.a;
-  const double area = f.normal.dot(ab.cross(ac));
-  result.corner_O = world_.from_part(wall.surface, f.a);
-  result.weights.row(1) = surface.R_WP * (ac.cross(f.normal) / area);
-  result.weights.row(2) = surface.R_WP * (f.normal.cross(ab) / area);
-  result.weights.row(0) = -result.weights.row(1) - result.weights.row(2);
-  return result;
 }
 
 /// What holds the proxy where it stands over a facet, with these weights of its corners.

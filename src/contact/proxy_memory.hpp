@@ -1,6 +1,7 @@
 #pragma once
 
 #include "contact/facet_fan.hpp"
+#include "contact/facet_weights.hpp"
 #include "contact/proxy.hpp"
 #include "contact/proxy_views.hpp"
 
@@ -24,17 +25,10 @@ class ProxyMemory : public ProxyViews {
   bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                    const ProxyWall& here) noexcept override;
   std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept override;
-  void let_go() noexcept override { room_.kind = Room::Kind::none; }
+  void let_go() noexcept override;
   void forget() noexcept override;
 
  private:
-  /// The weights of a facet's corners at the foot of a place.
-  struct FacetWeights {
-    Vec3 corner_O = Vec3::Zero();  ///< its first, where they are 1, 0, 0 ...
-    Mat3 weights = Mat3::Zero();   ///< ... and how they change with the place from there, a row each
-
-    Vec3 at(const Vec3& place_O) const noexcept { return weights * (place_O - corner_O) + Vec3::UnitX(); }
-  };
   /// A ball that the proxy may go about in: free, or with nothing in front of the walls that hold the proxy.
   struct Room {
     enum class Kind { none, flight, slide } kind = Kind::none;
@@ -56,7 +50,6 @@ class ProxyMemory : public ProxyViews {
   bool extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept;
   bool make_room(std::span<const ProxyWall> walls, const Vec3& centre_O, const Vec3& from_O,
                  const Vec3& to_O) noexcept;
-  FacetWeights weights_of(const ProxyWall& wall) const noexcept;
   ProxyHold hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
                       const Vec3& weights) const noexcept;
   void remember_fan(const ProxyWall& wall_O) noexcept;

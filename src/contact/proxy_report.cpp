@@ -88,7 +88,7 @@ void show(const ProxyWorld& world, const Vec3& shaded_W, ProxyState& state) noex
   const double depth_m = state.contact.depth_m;
   const double step2_m2 = (depth_m * shaded_W - state.last_push_W).squaredNorm();
   if (step2_m2 <= state.finger_m * state.finger_m) return;
-  const double most_m = state.most_step_m() + (after_hop ? ProxyLimits::unfelt_share * depth_m : 0.0);
+  const double most_m = most_step_m(state) + (after_hop ? ProxyLimits::unfelt_share * depth_m : 0.0);
   if (step2_m2 <= most_m * most_m) return;
   if (after_hop) {
     show_part_of_hop(shaded_W, most_m, state);
@@ -126,18 +126,21 @@ void report_underway(const ProxyWorld& world, ProxyState& state) noexcept {
 
 }  // namespace
 
-double ProxyState::most_step_m() const noexcept {
-  return finger_m + std::max(ProxyLimits::proxy_per_finger * finger_m, last_push_W.norm() * rest_share);
+double most_step_m(const ProxyState& state) noexcept {
+  return state.finger_m + std::max(ProxyLimits::proxy_per_finger * state.finger_m,
+                                   state.last_push_W.norm() * state.rest_share);
 }
 
-ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& goal,
+ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,
                                   std::span<const ProxyWall> walls) noexcept {
+  const Vec3 goal = goal_O - place_O;
   // Without its skin the ball's walls stand nearer by that.
   std::array<ProxyWall, 3> skinless;
   std::copy(walls.begin(), walls.end(), skinless.begin());
   for (ProxyWall& wall : skinless) wall.least_m -= world.skin_m();
   if (walls.size() == 1) return held_by_one(world, skinless[0].lack_m(goal));
-  return project_onto_walls(goal, std::span(skinless.data(), walls.size()), world.slack_m());
+  return project_onto_walls(goal, std::span(skinless.data(), walls.size()),
+                            world.slack_m() + world.plane_rounding_m(place_O));
 }
 
 Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoint& at) noexcept {
@@ -172,7 +175,7 @@ void report(const ProxyWorld& world, ProxyState& state) noexcept {
     if (state.goal_O != state.place_O) report_underway(world, state);
     return;
   }
-  const ProxyProjection p = held_without_skin(world, state.goal_O - state.hold_place_O, hold.held_by());
+  const ProxyProjection p = held_without_skin(world, state.hold_place_O, state.goal_O, hold.held_by());
   if (!p.found) {
     report_underway(world, state);
     return;

@@ -18,6 +18,9 @@ inline void report_free(ProxyState& state) noexcept {
   state.contact.touching = false;
 }
 
+/// The largest change of the push in a tick: the finger's motion and the proxy's [m].
+double most_step_m(const ProxyState& state) noexcept;
+
 /// Whether one wall holds the ball without its skin, and by how much: what project_onto_walls comes to.
 /// @param depth_m  how far the finger is behind that ball's wall
 inline ProxyProjection held_by_one(const ProxyWorld& world, double depth_m) noexcept {
@@ -28,8 +31,8 @@ inline ProxyProjection held_by_one(const ProxyWorld& world, double depth_m) noex
   return p;
 }
 /// Which of the walls hold the ball without its skin, and by how much.
-/// @param walls  the ball's with its skin, at most three, seen from where `goal` is seen from
-ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& goal,
+/// @param walls  the ball's with its skin, at most three, seen from a place
+ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,
                                   std::span<const ProxyWall> walls) noexcept;
 
 /// What holds the proxy where the place under it is looked for.

@@ -25,7 +25,7 @@ std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxySt
 
 }  // namespace
 
-ProxyStep ProxySight::step(const Vec3& place_O, const Vec3& goal_O, double most_m, Look) noexcept {
+ProxyStep ProxySight::step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept {
   const Vec3 goal = goal_O - place_O;
   place_O_ = place_O;
   reach_m_ = reach_of(std::min(goal.norm(), most_m));
@@ -117,7 +117,8 @@ ProxyStep ProxySight::step_towards(const Vec3& goal, const ProxyWall* first) noe
   std::size_t count = 0;
   if (first != nullptr) walls[count++] = *first;
   // What the projection leaves behind a wall by rounding must not count as a breach.
-  const double rounding_m = ProxyLimits::rounding * goal.cwiseAbs().maxCoeff();
+  const double rounding_m =
+      ProxyLimits::rounding * goal.cwiseAbs().maxCoeff() + world_.plane_rounding_m(place_O_);
   const double slack_m = world_.slack_m() + rounding_m, breach_m = world_.tolerance_m() + 2 * rounding_m;
   for (int pass = 0; pass < ProxyLimits::most_passes; ++pass) {
     const ProxyProjection p = project_onto_walls(goal, std::span(walls.data(), count), slack_m);

@@ -20,9 +20,6 @@ struct WallPair {
 /// the proxy from a state where it knows what the proxy would do; here each of them declines.
 class ProxySight {
  public:
-  /// In which order a proxy looks for its steps in one tick.
-  enum class Look { first, again, farther };  ///< farther: the last step ended where the view did
-
   explicit ProxySight(ProxyWorld world) : world_(std::move(world)) {}
   virtual ~ProxySight() = default;
 
@@ -30,7 +27,7 @@ class ProxySight {
 
   /// The step from a place that brings the ball as close to `goal` as it can get without crossing a surface.
   /// @param most_m  the proxy will go no farther: what stands beyond need not be seen
-  virtual ProxyStep step(const Vec3& place_O, const Vec3& goal_O, double most_m, Look look) noexcept;
+  virtual ProxyStep step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept;
   /// The same from a place above an edge, where `first` is known to hold (seen from there).
   /// @param rest_m  how far from there to the place that `first` alone would allow
   virtual ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
@@ -56,7 +53,7 @@ class ProxySight {
                     const Vec3& /*to_O*/) noexcept {
     return false;
   }
-  /// The proxy leaves what it rested on.
+  /// The proxy leaves what it rested on; steps may follow.
   virtual void let_go() noexcept {}
   /// Forgets everything, as before the first tick.
   virtual void forget() noexcept {}

@@ -39,10 +39,8 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
   std::size_t count = 0;
   Vec3 place_O = goal_O;
   for (int pass = 0; pass < ProxyLimits::most_passes; ++pass) {
-    // Planes have no extent to compare with: what rounding leaves of the coordinates is the only tolerance.
-    const double rounding_m = ProxyLimits::rounding * (place_O.cwiseAbs() + goal_O.cwiseAbs()).maxCoeff() +
-                              ProxyLimits::rounding * world.clearance_m();
-    double worst_m = 2 * rounding_m;
+    const double slack_m = world.plane_rounding_m(place_O);
+    double worst_m = 2 * slack_m;
     int worst = -1;
     for (int i = 0; i < world.surface_count(); ++i) {
       const double lack_m = world.plane_wall(i, place_O).least_m;
@@ -52,7 +50,7 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
     }
     if (worst < 0) return place_O;
     walls[count++] = world.plane_wall(worst, goal_O);
-    const ProxyProjection p = project_onto_walls(Vec3::Zero(), std::span(walls.data(), count), rounding_m);
+    const ProxyProjection p = project_onto_walls(Vec3::Zero(), std::span(walls.data(), count), slack_m);
     if (!p.found) return std::nullopt;
     count = static_cast<std::size_t>(p.active_count);
     for (std::size_t k = 0; k < count; ++k) walls[k] = walls[static_cast<std::size_t>(p.active[k])];

@@ -56,9 +56,6 @@ struct ProxyState {
   ProxyStep hold;                         ///< the last step, with the walls that stopped it ...
   Vec3 hold_place_O = Vec3::Zero();       ///< ... and where it was made from
   ProxyContact contact;
-
-  /// The largest change of the push in a tick: the finger's motion and the proxy's [m].
-  double most_step_m() const noexcept;
 };
 
 }  // namespace fingerpad

@@ -38,13 +38,18 @@ void ProxyViews::forget() noexcept {
   view_reach_m_ = Limits::first_view * widest_view_m();
 }
 
-ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*most_m*/, Look look) noexcept {
-  if (look == Look::first) asked_m_ = view_reach_m_;
-  const bool farther = look == Look::farther;
-  if (farther && static_cast<int>(near_.size()) <= Limits::rich_view) asked_m_ *= 2;
-  asked_m_ = look_around(place_O, asked_m_, farther);
+void ProxyViews::let_go() noexcept {
+  asked_m_ = view_reach_m_;
+  falls_short_ = false;
+}
+
+ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*most_m*/) noexcept {
+  if (falls_short_ && static_cast<int>(near_.size()) <= Limits::rich_view) asked_m_ *= 2;
+  asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (place_O_ == search_place_O_) suit_view();
-  return step_towards(goal_O - place_O, nullptr);
+  const ProxyStep step = step_towards(goal_O - place_O, nullptr);
+  falls_short_ = step.truncated;
+  return step;
 }
 
 ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,

@@ -70,11 +70,12 @@ class ProxyViews : public ProxySight {
  public:
   explicit ProxyViews(ProxyWorld world);
 
-  ProxyStep step(const Vec3& place_O, const Vec3& goal_O, double most_m, Look look) noexcept override;
+  ProxyStep step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept override;
   ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                       double rest_m) noexcept override;
   bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                    const ProxyWall& here) noexcept override;
+  void let_go() noexcept override;
   void forget() noexcept override;
 
  protected:
@@ -119,9 +120,10 @@ class ProxyViews : public ProxySight {
 
   Vec3 search_place_O_ = Vec3::Zero();
   double search_reach_m_ = -1;
-  double asked_m_ = 0;     // how far the last step of this tick was to see
-  bool is_cut_ = false;    // the last search found too many and was made again, nearer
-  bool overflow_ = false;  // near_ cannot hold even those: every pass asks the trees again
+  double asked_m_ = 0;        // how far the next step is to see ...
+  bool falls_short_ = false;  // ... because the last one ended where its view did
+  bool is_cut_ = false;       // the last search found too many and was made again, nearer
+  bool overflow_ = false;     // near_ cannot hold even those: every pass asks the trees again
   std::vector<NearTriangle> near_;
   std::vector<PartView> views_;
   std::vector<int> seeds_;

@@ -19,12 +19,18 @@ ProxyWorld::ProxyWorld(std::vector<PlacedSurface> surfaces, double radius_m, Nor
   for (int i = 0; i < surface_count(); ++i) {
     Vec3& middle_O = middle_O_[static_cast<std::size_t>(i)];
     middle_O -= p_WO_;
+    planes_m_ = std::max(planes_m_, middle_O.cwiseAbs().maxCoeff());
     if (!is_plane(i)) extent_m_ = std::max(extent_m_, middle_O.norm() + part(i).half_extent.norm());
   }
   skin_m_ = std::ldexp(extent_m_, ProxyLimits::skin_exponent);
   tolerance_m_ = std::ldexp(skin_m_, ProxyLimits::tolerance_exponent);
   slack_m_ = std::ldexp(tolerance_m_, ProxyLimits::slack_exponent);
   touching_m_ = ProxyLimits::touching_tolerances * tolerance_m_;
+}
+
+double ProxyWorld::plane_rounding_m(const Vec3& place_O) const noexcept {
+  if (extent_m_ > 0) return 0;
+  return ProxyLimits::plane_rounding * (place_O.cwiseAbs().maxCoeff() + planes_m_ + radius_m_);
 }
 
 Vec3 ProxyWorld::in_part(int i, const Vec3& place_O) const noexcept {

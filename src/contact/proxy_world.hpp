@@ -37,6 +37,9 @@ class ProxyWorld {
   double tolerance_m() const noexcept { return tolerance_m_; }
   /// By how much a projection may miss a wall [m].
   double slack_m() const noexcept { return slack_m_; }
+  /// Among planes alone, what rounding leaves of a place's distance from them [m]; 0 with parts, whose
+  /// tolerance is far larger.
+  double plane_rounding_m(const Vec3& place_O) const noexcept;
   /// A ball that is no more than this away from a wall lies on it [m].
   double touching_m() const noexcept { return touching_m_; }
 
@@ -57,7 +60,7 @@ class ProxyWorld {
   double radius_m_;
   Normals normals_;
   Vec3 p_WO_ = Vec3::Zero();
-  double extent_m_ = 0, skin_m_ = 0, tolerance_m_ = 0, slack_m_ = 0, touching_m_ = 0;
+  double extent_m_ = 0, planes_m_ = 0, skin_m_ = 0, tolerance_m_ = 0, slack_m_ = 0, touching_m_ = 0;
   std::vector<Vec3> middle_O_;  // per surface: the part's centre, or the plane's point
 };
 

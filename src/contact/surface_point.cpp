@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "contact/facet_rule.hpp"
-#include "contact/proxy_sweep.hpp"
+#include "contact/triangle_approach.hpp"
 
 namespace fingerpad {
 namespace {
