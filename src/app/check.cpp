@@ -10,6 +10,7 @@
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
 #include "contact/part_measures.hpp"
+#include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
 

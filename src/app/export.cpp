@@ -7,6 +7,7 @@
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 #include "trace/export.hpp"
+#include "trace/trace_column.hpp"
 
 namespace fingerpad {
 namespace {

@@ -11,6 +11,7 @@
 #include "app/pad_charts.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
+#include "trace/trace.hpp"
 
 namespace fingerpad {
 namespace {

@@ -17,6 +17,7 @@
 #include "base/number_text.hpp"
 #include "base/output_place.hpp"
 #include "contact/surface_point.hpp"
+#include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
 #include "trace/output_file.hpp"

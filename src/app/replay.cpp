@@ -16,6 +16,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "contact/contact_method_table.hpp"
+#include "friction/law_table.hpp"
 #include "replay/batch_files.hpp"
 #include "scene/scene_key.hpp"
 

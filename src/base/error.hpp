@@ -1,29 +1,10 @@
 #pragma once
 
-#include <stdexcept>
 #include <string>
 
+#include "fingerpad/error.hpp"
+
 namespace fingerpad {
-
-/// What went wrong, in the terms of the program's exit code.
-enum class ErrorKind {
-  fault = 1,    ///< the program's own failure (a disk that is full, a library that failed)
-  usage = 2,    ///< the call makes no sense (options, no screen)
-  refused = 3,  ///< an input cannot be used
-};
-
-/// The one exception of the project: a kind, a place (`bracket.stl: byte 84`, `scene.toml:12:5`) and what is
-/// wrong there, with the mend where one is known. what() is "WHERE: WHAT".
-class Error : public std::runtime_error {
- public:
-  Error(ErrorKind kind, const std::string& where, const std::string& what)
-      : std::runtime_error(where.empty() ? what : where + ": " + what), kind_(kind) {}
-
-  ErrorKind kind() const noexcept { return kind_; }
-
- private:
-  ErrorKind kind_;
-};
 
 /// An input that cannot be used: exit code 3.
 inline Error refused(const std::string& where, const std::string& what) {

@@ -1,13 +1,4 @@
 #pragma once
 
-#include <Eigen/Core>
-
-namespace fingerpad {
-
-using Vec2 = Eigen::Vector2d;
-using Vec3 = Eigen::Vector3d;
-using Mat3 = Eigen::Matrix3d;
-using Points = Eigen::Matrix3Xd;        ///< 3 x n, column i is point i
-using IndexTriples = Eigen::Matrix3Xi;  ///< 3 x n, column i is triangle i
-
-}  // namespace fingerpad
+// Those who embed fingerpad see them too.
+#include "fingerpad/types.hpp"

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "contact/closest_memory.hpp"
 #include "contact/contact_method_table.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/placed_surface.hpp"

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "contact/ray_budget.hpp"
+#include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
 namespace {

@@ -2,9 +2,10 @@
 
 #include <limits>
 
-#include "contact/triangle_tree.hpp"
-
 namespace fingerpad {
+
+struct Part;
+class TriangleTree;
 
 /// What of a part's shape decides how it can be touched: its edges, all of them, and its walls, at samples.
 /// Lengths in metres, angles as turns of the facets' normals: 0 where two facets lie in one plane, pi where

@@ -1,5 +1,8 @@
 #include "contact/placed_surface.hpp"
 
+#include "contact/closest_memory.hpp"
+#include "contact/surface_point.hpp"
+
 namespace fingerpad {
 namespace {
 

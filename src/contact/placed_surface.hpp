@@ -1,10 +1,15 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
-#include "contact/surface_point.hpp"
+#include "contact/normals.hpp"
 
 namespace fingerpad {
+
+class ClosestMemory;
+class TriangleTree;
+struct Part;
 
 /// One thing to be touched, where it stands in the world: a part in its pose, or a plane. The functions below
 /// answer for both kinds, a plane in closed form; who asks them need not tell the kinds apart.

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "contact/proxy_limits.hpp"
+#include "contact/surface_point.hpp"
 
 namespace fingerpad {
 namespace {

@@ -2,8 +2,10 @@
 
 #include <cmath>
 
+#include "contact/closest_memory.hpp"
 #include "contact/facet_rule.hpp"
 #include "contact/triangle_approach.hpp"
+#include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
 namespace {

@@ -2,11 +2,11 @@
 
 #include <limits>
 
-#include "contact/closest_memory.hpp"
 #include "contact/normals.hpp"
-#include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
+
+class ClosestMemory;
 
 /// Where a point stands against a surface, frame P (the file's frame, not re-centred).
 struct SurfacePoint {

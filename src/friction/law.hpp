@@ -1,18 +1,9 @@
 #pragma once
 
-#include <array>
-#include <memory>
-#include <span>
-#include <string>
-#include <string_view>
-#include <vector>
-
 #include "base/types.hpp"
+#include "fingerpad/phase.hpp"
 
 namespace fingerpad {
-
-enum class Phase : unsigned char { free = 0, stick = 1, slip = 2 };
-std::string_view phase_name(Phase phase) noexcept;
 
 /// What a law is told about one tick of contact. All 2-vectors are in frame C (Cx, Cy), which is transported
 /// along the surface, so a component means the same from tick to tick.
@@ -57,24 +48,6 @@ class FrictionLaw {
   virtual Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept = 0;
   /// Whether the law reads TangentialMotion::step_m; a caller need not work out what nothing reads.
   virtual bool reads_step() const noexcept { return true; }
-};
-
-/// When slip gives way to stick (paper eq. 1, two readings). level: whenever |v| <= v_min. crossing: only
-/// when |v| falls through v_min, so that a rupture at low speed slips on.
-enum class Restick { level, crossing };
-
-/// Share of 2 b/T that a stick spring may have without a remedy: at the limit itself it would ring for ever.
-inline constexpr double stick_remedy_reserve = 0.95;
-
-/// What to do where the stick spring is too stiff for the loop that displays it: a device of damping b holds
-/// a spring of up to 2 b/T (SCIENCE 4). Acts only in stick, only beyond 0.95 of that, and says so.
-///   damping   a damper beside the spring, 1.5 times what the excess of stiffness asks for
-///   implicit  the spring is read where the finger will be a tick later (backward Euler: a damper of K T)
-///   cap       the spring is softened to 0.95 of 2 b/T; its limit stays, so the pad gives way later
-enum class Remedy { none, damping, implicit, cap };
-struct StickRemedy {
-  Remedy remedy = Remedy::none;
-  double device_damping_n_s_per_m = 0.5;  ///< b, of hand and device
 };
 
 }  // namespace fingerpad

@@ -1,4 +1,4 @@
-#include "friction/pad_profile.hpp"
+#include "friction/pad_profile_file.hpp"
 
 #include <fmt/format.h>
 

@@ -2,8 +2,6 @@
 
 #include <string>
 
-#include "base/input_file.hpp"
-
 namespace fingerpad {
 
 /// The finger pad of one person: the stick ellipse against the finger's inclination (paper, figs. 4-7), and
@@ -26,15 +24,5 @@ struct PadProfile {
 /// The assumed pad when a scene names none: a = mu_static / stick_stiffness, b = 0.8 a, slopes 0.01 per
 /// degree.
 PadProfile assumed_profile(double mu_static, double stick_stiffness_per_m);
-
-/// A profile is a few lines, so a large file is some other file.
-inline constexpr InputKind profile_file{"a finger-pad profile", 1 << 20};
-
-/// Reads a profile file (TOML, keys as the members). Throws Error (refused, file:line:column) on unknown
-/// keys, wrong types, missing axes, and axes that vanish for some inclination in 0..90 deg.
-PadProfile read_profile(const std::string& path);
-
-/// As read_profile, of a text that was read before (a trace keeps it); `path` is for messages.
-PadProfile read_profile_text(const std::string& text, const std::string& path);
 
 }  // namespace fingerpad

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "friction/bounded.hpp"
+#include "friction/law_settings.hpp"
 #include "friction/plane_vector.hpp"
 
 namespace fingerpad {

@@ -3,18 +3,11 @@
 #include <memory>
 #include <variant>
 
+#include "fingerpad/finger_sample.hpp"
 #include "motion/motion.hpp"
 #include "motion/scripted_motion.hpp"
 
 namespace fingerpad {
-
-/// The finger at one tick.
-struct FingerSample {
-  double t_s = 0;
-  Vec3 p_WQ = Vec3::Zero();              ///< [m]
-  Vec3 direction_W{0, 0.7071, -0.7071};  ///< unit, along the distal phalanx towards the tip
-  Vec3 push_W_n = Vec3::Zero();          ///< what pushes the finger, where a hand is simulated [N]
-};
 
 /// More ticks are not run: at 1 kHz they last 24 days and fill 400 GB of trace.
 inline constexpr double most_ticks = 2147483648.0;

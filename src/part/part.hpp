@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "base/types.hpp"
+#include "part/bounds.hpp"
 
 namespace fingerpad {
 
@@ -38,9 +39,6 @@ struct Part {
 };
 
 /// The bounds of a part in frame P [m].
-struct Bounds {
-  Vec3 min = Vec3::Zero(), max = Vec3::Zero();
-};
 Bounds bounds_P(const Part& part);
 
 /// A triangle soup as it came from a file or from code, in metres, before connectivity and normals.

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "part/part.hpp"
+#include "part/bounds.hpp"
 
 namespace fingerpad {
 

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <optional>
 
-#include "base/content_hash.hpp"
 #include "base/error.hpp"
 #include "replay/run_proof.hpp"
 #include "touch/closed_loop.hpp"
@@ -42,29 +41,6 @@ std::optional<std::vector<double>> recounted(const std::string& path, const Trac
 }
 
 }  // namespace
-
-TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version) {
-  TraceInfo info;
-  info.scene_name = scene.name;
-  info.scene_text = scene.text;
-  info.seed = scene.seed;
-  info.rate_hz = scene.motion.rate_hz;
-  info.version = version;
-  for (const Surface& surface : world.surfaces) {
-    if (!surface.part) continue;
-    info.mesh_files.push_back(surface.mesh);
-    info.mesh_hashes.push_back(surface.mesh_hash);
-  }
-  info.motion_file = scene.motion.file;
-  if (!scene.motion.file_path.empty()) info.motion_hash = file_hash(scene.motion.file_path);
-  if (!scene.finger.profile_path.empty())
-    info.profile_text = read_whole_file(scene.finger.profile_path, profile_file);
-  const ContactChoice contact = settled_contact(scene, world);
-  info.contact_method = method_in(world, contact.method);
-  info.contact_normals = contact.normals->name;
-  info.contact_reasons = contact.reasons;
-  return info;
-}
 
 JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) {
   FingerPath path = load_finger_path(scene);

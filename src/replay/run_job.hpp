@@ -7,6 +7,7 @@
 #include "replay/figures.hpp"
 #include "scene/scene.hpp"
 #include "touch/mesh_store.hpp"
+#include "trace/trace_info.hpp"
 #include "trace/trace_writer.hpp"
 
 namespace fingerpad {
@@ -34,8 +35,5 @@ struct JobResult {
 /// sealed HDF5 trace whose proof is lost also if what it says about itself is this run, tick for
 /// tick, and no remedy could act in it, which a trace does not tell.
 JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output);
-
-/// What a trace of this scene says about itself.
-TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version);
 
 }  // namespace fingerpad

@@ -1,29 +1,19 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
-#include <variant>
 #include <vector>
 
 #include "base/types.hpp"
 #include "contact/normals.hpp"
-#include "friction/law_table.hpp"
+#include "fingerpad/surface_properties.hpp"
+#include "friction/law_settings.hpp"
+#include "motion/hand_settings.hpp"
 #include "motion/scripted_motion.hpp"
-#include "motion/simulated_hand.hpp"
 
 namespace fingerpad {
-
-/// How a surface answers touch; keys of [[part]] and [[plane]].
-struct SurfaceProperties {
-  double stiffness_n_per_m = 1000;
-  double damping_n_s_per_m = 0;
-  double mu_static = 0.3;
-  double mu_dynamic = 0.2;
-};
 
 struct PartEntry {
   std::string mesh;       ///< as written

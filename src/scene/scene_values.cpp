@@ -12,6 +12,7 @@
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
 #include "contact/contact_method_table.hpp"
+#include "friction/pad_profile_file.hpp"
 #include "scene/scene_key_makers.hpp"
 
 namespace fingerpad {

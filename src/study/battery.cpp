@@ -6,6 +6,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "friction/law_table.hpp"
+
 namespace fingerpad {
 namespace {
 

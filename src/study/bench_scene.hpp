@@ -3,6 +3,7 @@
 #include <functional>
 #include <string>
 
+#include "scene/scene.hpp"
 #include "touch/closed_loop.hpp"
 
 namespace fingerpad {

@@ -4,6 +4,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/surface_point.hpp"
+#include "contact/triangle_tree.hpp"
+
 namespace fingerpad {
 namespace {
 

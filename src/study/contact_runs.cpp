@@ -8,6 +8,9 @@
 #include <numeric>
 
 #include "contact/contact_method_table.hpp"
+#include "contact/part_measures.hpp"
+#include "contact/triangle_tree.hpp"
+#include "scene/scene.hpp"
 
 namespace fingerpad {
 namespace {

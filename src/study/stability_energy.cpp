@@ -1,6 +1,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "friction/law_table.hpp"
 #include "study/bench_scene.hpp"
 #include "study/stability_parts.hpp"
 #include "study/stick_energy.hpp"

@@ -2,6 +2,7 @@
 #include <functional>
 #include <numbers>
 
+#include "friction/law_settings.hpp"
 #include "study/bench_scene.hpp"
 #include "study/stability_parts.hpp"
 

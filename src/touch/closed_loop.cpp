@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "motion/stable_stiffness.hpp"
+#include "part/part.hpp"
+#include "scene/scene.hpp"
 
 namespace fingerpad {
 

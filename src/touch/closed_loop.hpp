@@ -5,6 +5,7 @@
 #include <string>
 
 #include "motion/finger_path.hpp"
+#include "motion/simulated_hand.hpp"
 #include "touch/touch.hpp"
 
 namespace fingerpad {

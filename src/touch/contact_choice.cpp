@@ -6,6 +6,8 @@
 #include <filesystem>
 
 #include "contact/contact_method_table.hpp"
+#include "contact/part_measures.hpp"
+#include "scene/scene.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {

@@ -2,13 +2,16 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
-#include "contact/part_measures.hpp"
-#include "scene/scene.hpp"
+#include "contact/normals.hpp"
 
 namespace fingerpad {
 
+struct ContactSettings;
+struct PartMeasures;
+struct Scene;
 struct Surface;
 struct World;
 

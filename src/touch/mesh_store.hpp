@@ -4,12 +4,16 @@
 #include <deque>
 #include <future>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <string>
 #include <tuple>
 
+#include "contact/part_measures.hpp"
+#include "contact/triangle_tree.hpp"
 #include "part/load_progress.hpp"
-#include "touch/world.hpp"
+#include "part/verdict.hpp"
+#include "scene/scene.hpp"
 
 namespace fingerpad {
 

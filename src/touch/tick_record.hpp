@@ -1,33 +1,4 @@
 #pragma once
 
-#include <limits>
-
-#include "friction/law.hpp"
-#include "motion/finger_path.hpp"
-
-namespace fingerpad {
-
-/// What happened in one tick: a row of a trace. Positions and forces in W; forces act on the finger.
-struct TickRecord {
-  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
-
-  double t_s = 0;
-  Vec3 p_WQ = Vec3::Zero();  ///< finger [m]
-  Phase phase = Phase::free;
-  double depth_m = 0;
-  Vec3 contact_W = Vec3::Constant(nan);  ///< S [m]; nan while free
-  Vec3 normal_W = Vec3::Constant(nan);   ///< nan while free
-  double normal_force_n = 0;
-  Vec3 force_W_n = Vec3::Zero();              ///< whole force on the finger
-  Vec3 friction_W_n = Vec3::Zero();           ///< its friction part
-  double mu = 0;                              ///< |friction| / normal force, 0 while free
-  Vec3 stick_centre_W = Vec3::Constant(nan);  ///< nan unless sticking
-  double inclination_rad = nan;               ///< asin |direction . n|; nan while free
-  int surface = -1;                           ///< parts, then planes, from 0; -1 while free
-  int triangle = -1;                          ///< number in the file; -1 on a plane and while free
-  bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces
-  bool started_inside = false;  ///< a proxy was put down here although the finger was inside, or found no
-                                ///< place where it fits; not in traces
-};
-
-}  // namespace fingerpad
+// Those who embed fingerpad see it too.
+#include "fingerpad/tick_record.hpp"

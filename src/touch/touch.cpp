@@ -9,6 +9,9 @@
 #include "base/error.hpp"
 #include "base/tangent_frame.hpp"
 #include "contact/contact_method_table.hpp"
+#include "friction/law_table.hpp"
+#include "part/part.hpp"
+#include "scene/scene.hpp"
 #include "touch/inside_start.hpp"
 
 namespace fingerpad {
@@ -51,9 +54,10 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
   law_ = entry->make(scene.friction.settings);
   if (!scene.friction.vibration) return;
-  vibration_settings_ = *scene.friction.vibration;
-  vibration_.emplace(vibration_settings_.frequency_hz, vibration_settings_.bandwidth_hz, dt_s_,
-                     RandomStream(scene.seed));
+  const VibrationSettings& vibration = *scene.friction.vibration;
+  vibration_amplitude_ = vibration.amplitude;
+  vibration_normal_amplitude_ = vibration.normal_amplitude;
+  vibration_.emplace(vibration.frequency_hz, vibration.bandwidth_hz, dt_s_, RandomStream(scene.seed));
 }
 
 void Touch::reset() noexcept {
@@ -158,10 +162,10 @@ void Touch::vibrate(Friction& friction, double& normal_force_n) noexcept {
     return;
   }
   const double signal = vibration_->next();
-  const double scale = vibration_force_scale(vibration_settings_.amplitude, signal);
+  const double scale = vibration_force_scale(vibration_amplitude_, signal);
   friction.force_n *= scale;
   friction_.slip_force_scale = scale;
-  normal_force_n = std::max(0.0, normal_force_n * (1 + vibration_settings_.normal_amplitude * signal));
+  normal_force_n = std::max(0.0, normal_force_n * (1 + vibration_normal_amplitude_ * signal));
 }
 
 TickRecord Touch::tick(const FingerSample& sample) noexcept {

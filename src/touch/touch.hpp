@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "contact/contact_method.hpp"
+#include "fingerpad/finger_sample.hpp"
 #include "friction/law.hpp"
 #include "friction/slip_vibration.hpp"
 #include "motion/velocity_estimator.hpp"
@@ -12,6 +13,8 @@
 #include "touch/world.hpp"
 
 namespace fingerpad {
+
+struct Scene;
 
 /// One finger in one world: the tick that live touch, replay and study share.
 class Touch {
@@ -56,7 +59,7 @@ class Touch {
 
   std::optional<SlipVibration>
       vibration_;  ///< only where the scene asks for it: else no random number is drawn
-  VibrationSettings vibration_settings_;
+  double vibration_amplitude_ = 0, vibration_normal_amplitude_ = 0;
 };
 
 }  // namespace fingerpad

@@ -8,6 +8,15 @@ std::vector<PlacedSurface> placed_surfaces(const World& world) {
   return {world.surfaces.begin(), world.surfaces.end()};
 }
 
+void settle_contact(World& world, const Scene& scene, std::span<const PartMeasures> measures) {
+  world.contact = choose_contact(scene, world.surfaces, measures);
+  const auto prepare = settled_contact(scene, world).normals->prepare;
+  if (prepare == nullptr) return;
+  for (const Surface& surface : world.surfaces) {
+    if (surface.tree) prepare(*surface.tree);
+  }
+}
+
 std::shared_ptr<const World> load_world(const Scene& scene, const LoadProgress& progress) {
   MeshStore meshes(scene.parts.size() + 1, progress);
   return load_world(scene, meshes);
@@ -37,12 +46,7 @@ std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
     surface.plane_normal_W = entry.normal;
     world->surfaces.push_back(std::move(surface));
   }
-  world->contact = choose_contact(scene, world->surfaces, measures);
-  if (const auto prepare = settled_contact(scene, *world).normals->prepare; prepare != nullptr) {
-    for (const Surface& surface : world->surfaces) {
-      if (surface.tree) prepare(*surface.tree);
-    }
-  }
+  settle_contact(*world, scene, measures);
   return world;
 }
 

@@ -2,13 +2,14 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "contact/placed_surface.hpp"
+#include "fingerpad/surface_properties.hpp"
 #include "part/load_progress.hpp"
 #include "part/verdict.hpp"
-#include "scene/scene.hpp"
 #include "touch/contact_choice.hpp"
 
 namespace fingerpad {
@@ -33,6 +34,13 @@ struct World {
 std::vector<PlacedSurface> placed_surfaces(const World& world);
 
 class MeshStore;
+struct PartMeasures;
+struct Scene;
+
+/// Gives a world of which all surfaces are there the choice of what the scene leaves open, and makes ready
+/// what its normals need.
+/// @param measures  one for each part; may be empty where the scene leaves no choice
+void settle_contact(World& world, const Scene& scene, std::span<const PartMeasures> measures);
 
 /// Loads every part of a scene, and measures them where it leaves its contact method or normals to choose.
 /// Throws Error (refused) for a mesh that cannot be touched.

@@ -9,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/text_lines.hpp"
+#include "trace/trace_column.hpp"
 
 namespace fingerpad {
 namespace {

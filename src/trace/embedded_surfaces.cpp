@@ -6,7 +6,9 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "part/part.hpp"
 #include "scene/scene_file.hpp"
+#include "touch/world.hpp"
 
 namespace fingerpad {
 namespace {

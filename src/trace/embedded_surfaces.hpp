@@ -3,6 +3,8 @@
 #include <functional>
 #include <string>
 
+#include "fingerpad/surface_properties.hpp"
+#include "part/part.hpp"
 #include "trace/hdf5_file.hpp"
 #include "trace/trace.hpp"
 

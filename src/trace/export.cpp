@@ -7,10 +7,12 @@
 #include <cstring>
 #include <functional>
 #include <limits>
+#include <utility>
 
 #include "base/error.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/output_file.hpp"
+#include "trace/trace_column.hpp"
 
 namespace fingerpad {
 namespace {

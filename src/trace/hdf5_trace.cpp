@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "touch/world.hpp"
 #include "trace/embedded_surfaces.hpp"
 #include "trace/hdf5_file.hpp"
 #include "trace/trace_column.hpp"

@@ -8,10 +8,10 @@
 #include <vector>
 
 #include "touch/tick_record.hpp"
-#include "touch/world.hpp"
-#include "trace/trace_column.hpp"
 
 namespace fingerpad {
+
+struct World;
 
 /// What a trace says about the run it records, enough to repeat it.
 struct TraceInfo {

@@ -4,11 +4,13 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "touch/world.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/embedded_surfaces.hpp"
 #include "trace/file_seal.hpp"
 #include "trace/hdf5_file.hpp"
 #include "trace/output_file.hpp"
+#include "trace/trace_column.hpp"
 
 namespace fingerpad {
 namespace {

@@ -7,6 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "part/part.hpp"
+#include "touch/world.hpp"
+
 namespace fingerpad {
 namespace {
 

@@ -4,6 +4,9 @@
 #include <cmath>
 #include <limits>
 
+#include "part/part.hpp"
+#include "touch/world.hpp"
+
 namespace fingerpad {
 namespace {
 

@@ -18,6 +18,7 @@
 #include <filesystem>
 
 #include "base/tangent_frame.hpp"
+#include "part/part.hpp"
 #include "view/axis.hpp"
 #include "view/camera_vtk.hpp"
 #include "view/drawing_item_vtk.hpp"

@@ -11,6 +11,8 @@
 #include <cmath>
 
 #include "base/tangent_frame.hpp"
+#include "part/part.hpp"
+#include "touch/world.hpp"
 #include "view/overlay.hpp"
 
 namespace fingerpad {

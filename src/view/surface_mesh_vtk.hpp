@@ -2,6 +2,7 @@
 
 #include <vtkSmartPointer.h>
 
+#include "touch/world.hpp"
 #include "view/draw_space.hpp"
 #include "view/glyph_mesh.hpp"
 

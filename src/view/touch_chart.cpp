@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "friction/law_parameters.hpp"
+#include "touch/world.hpp"
 #include "view/colours.hpp"
 #include "view/spectrum.hpp"
 

@@ -4,7 +4,10 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "contact/triangle_tree.hpp"
 #include "scene/scene_file.hpp"
+#include "touch/world.hpp"
+#include "trace/trace.hpp"
 
 namespace fingerpad {
 namespace {

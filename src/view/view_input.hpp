@@ -7,10 +7,11 @@
 
 #include "scene/scene.hpp"
 #include "touch/tick_record.hpp"
-#include "touch/world.hpp"
-#include "trace/trace.hpp"
 
 namespace fingerpad {
+
+struct Trace;
+struct World;
 
 /// What a picture or a window shows: a mesh (world alone), a scene (world, scene, and rows once it was
 /// replayed) or a trace.

@@ -8,6 +8,8 @@
 
 #include <algorithm>
 
+#include "part/part.hpp"
+#include "touch/world.hpp"
 #include "view/axis.hpp"
 #include "view/surface_mesh_vtk.hpp"
 

@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "touch/world.hpp"
 #include "view/draw_space.hpp"
 
 class vtkPolyData;

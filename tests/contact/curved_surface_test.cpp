@@ -11,6 +11,7 @@
 #include "contact/effort.hpp"
 #include "contact/profiles.hpp"
 #include "contact/surface_point.hpp"
+#include "contact/triangle_tree.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad {

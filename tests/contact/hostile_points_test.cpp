@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/random_stream.hpp"
+#include "contact/closest_memory.hpp"
 #include "contact/surface_point.hpp"
 #include "contact/tree_trials.hpp"
 #include "contact/triangle_tree.hpp"

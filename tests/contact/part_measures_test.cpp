@@ -7,6 +7,7 @@
 #include <chrono>
 #include <numbers>
 
+#include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "support/paths.hpp"
 #include "support/shapes.hpp"

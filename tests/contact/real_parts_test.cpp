@@ -8,6 +8,7 @@
 #include "contact/effort.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/surface_point.hpp"
+#include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "support/brute_force.hpp"
 #include "support/paths.hpp"

@@ -9,6 +9,7 @@
 
 #include "base/random_stream.hpp"
 #include "contact/effort.hpp"
+#include "contact/triangle_tree.hpp"
 #include "support/brute_force.hpp"
 #include "support/shapes.hpp"
 

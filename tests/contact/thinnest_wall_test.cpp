@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "contact/part_measures.hpp"
+#include "contact/triangle_tree.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad {

@@ -13,6 +13,7 @@
 
 #include "base/random_stream.hpp"
 #include "contact/bare_part.hpp"
+#include "contact/closest_memory.hpp"
 #include "contact/effort.hpp"
 #include "contact/surface_point.hpp"
 #include "contact/tree_trials.hpp"

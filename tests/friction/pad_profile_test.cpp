@@ -6,6 +6,7 @@
 
 #include "base/error.hpp"
 #include "friction/pad_profile.hpp"
+#include "friction/pad_profile_file.hpp"
 #include "support/paths.hpp"
 
 namespace fingerpad {

@@ -2,6 +2,7 @@
 #include <numbers>
 
 #include "contact/surface_point.hpp"
+#include "contact/triangle_tree.hpp"
 #include "fuzz/entries.hpp"
 #include "fuzz/input_file.hpp"
 #include "fuzz/promise.hpp"

@@ -3,6 +3,7 @@
 
 #include "base/error.hpp"
 #include "friction/pad_profile.hpp"
+#include "friction/pad_profile_file.hpp"
 #include "fuzz/entries.hpp"
 #include "fuzz/input_file.hpp"
 #include "fuzz/promise.hpp"

@@ -8,6 +8,8 @@
 #include "fuzz/entries.hpp"
 #include "fuzz/input_file.hpp"
 #include "fuzz/promise.hpp"
+#include "part/part.hpp"
+#include "touch/world.hpp"
 #include "trace/file_seal.hpp"
 #include "trace/hdf5_trace.hpp"
 #include "trace/trace_writer.hpp"

@@ -13,6 +13,7 @@
 #include "scene/scene_file.hpp"
 #include "trace/hdf5_file.hpp"
 #include "trace/hdf5_trace.hpp"
+#include "trace/trace_column.hpp"
 
 namespace fingerpad::test {
 namespace {

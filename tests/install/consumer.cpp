@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "scene/scene.hpp"
 #include "touch/touch.hpp"
 
 // Presses a finger 1 mm into a plane and drags it: what a servo process does each tick.

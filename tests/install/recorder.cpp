@@ -1,5 +1,6 @@
 #include <cstdio>
 
+#include "scene/scene.hpp"
 #include "touch/touch.hpp"
 #include "trace/trace_writer.hpp"
 

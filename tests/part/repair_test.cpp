@@ -6,6 +6,7 @@
 #include <cmath>
 #include <random>
 
+#include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "support/brute_force.hpp"
 #include "support/mesh_files.hpp"

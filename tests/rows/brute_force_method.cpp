@@ -2,6 +2,7 @@
 
 #include "contact/contact_method_table.hpp"
 #include "contact/placed_surface.hpp"
+#include "contact/surface_point.hpp"
 #include "support/brute_force.hpp"
 
 namespace fingerpad {

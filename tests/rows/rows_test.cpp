@@ -13,6 +13,7 @@
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/touch.hpp"
+#include "trace/trace_column.hpp"
 #include "trace/trace_writer.hpp"
 
 // What a stranger adds: a contact method, normals, a law and a trace column, each a file of this folder and

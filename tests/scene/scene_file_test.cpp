@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "friction/law_table.hpp"
 #include "scene_text.hpp"
 #include "support/paths.hpp"
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <set>
 
+#include "friction/law_table.hpp"
 #include "scene_text.hpp"
 
 namespace fingerpad {

@@ -8,6 +8,8 @@
 #include <numbers>
 
 #include "base/error.hpp"
+#include "contact/surface_point.hpp"
+#include "contact/triangle_tree.hpp"
 #include "study/contact_exact_findings.hpp"
 #include "support/paths.hpp"
 

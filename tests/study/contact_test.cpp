@@ -5,6 +5,7 @@
 #include <numbers>
 #include <tuple>
 
+#include "contact/surface_point.hpp"
 #include "study/contact_runs.hpp"
 
 namespace fingerpad {

@@ -1,4 +1,5 @@
 #include "support/signs.hpp"
+#include "contact/triangle_tree.hpp"
 
 #include <gtest/gtest.h>
 

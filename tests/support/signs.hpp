@@ -1,8 +1,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 
 #include "contact/surface_point.hpp"
+#include "part/part.hpp"
 
 namespace fingerpad::test {
 

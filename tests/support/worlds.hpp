@@ -2,6 +2,9 @@
 
 #include <memory>
 
+#include "contact/triangle_tree.hpp"
+#include "part/part.hpp"
+#include "scene/scene.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad::test {

@@ -8,6 +8,8 @@
 #include "base/error.hpp"
 #include "base/random_stream.hpp"
 #include "contact/contact_method_table.hpp"
+#include "friction/law_table.hpp"
+#include "scene/scene.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/closed_loop.hpp"

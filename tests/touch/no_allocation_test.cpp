@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "contact/contact_method_table.hpp"
+#include "scene/scene.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/servo_loop.hpp"

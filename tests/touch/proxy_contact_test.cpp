@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/random_stream.hpp"
+#include "scene/scene.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/touch.hpp"

@@ -7,6 +7,7 @@
 #include <cstdlib>
 
 #include "contact/proxy.hpp"
+#include "scene/scene.hpp"
 #include "support/brute_force.hpp"
 #include "support/paths.hpp"
 #include "support/wanderer.hpp"

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <numbers>
 
+#include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
+#include "scene/scene.hpp"
 #include "support/paths.hpp"
 #include "support/worlds.hpp"
 #include "touch/touch.hpp"

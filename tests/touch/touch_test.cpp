@@ -9,6 +9,7 @@
 
 #include "base/random_stream.hpp"
 #include "base/tangent_frame.hpp"
+#include "scene/scene.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 

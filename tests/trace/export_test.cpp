@@ -7,6 +7,7 @@
 #include <map>
 
 #include "support/paths.hpp"
+#include "trace/trace_column.hpp"
 #include "trace_rows.hpp"
 
 namespace fingerpad {

@@ -12,7 +12,9 @@
 
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
+#include "touch/world.hpp"
 #include "trace/file_seal.hpp"
+#include "trace/trace_column.hpp"
 #include "trace_rows.hpp"
 
 namespace fingerpad {

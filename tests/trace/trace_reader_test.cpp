@@ -6,6 +6,7 @@
 
 #include "support/paths.hpp"
 #include "trace/export.hpp"
+#include "trace/trace_column.hpp"
 #include "trace_rows.hpp"
 
 namespace fingerpad {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "touch/world.hpp"
 #include "trace/trace_writer.hpp"
 
 namespace fingerpad::test {

@@ -14,7 +14,9 @@
 
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
+#include "touch/world.hpp"
 #include "trace/export.hpp"
+#include "trace/trace_column.hpp"
 #include "trace_rows.hpp"
 
 namespace fingerpad {

@@ -9,6 +9,7 @@
 
 #include "support/paths.hpp"
 #include "trace/export.hpp"
+#include "trace/trace_column.hpp"
 
 // The exported VTP, read back with the reader that ParaView uses.
 

@@ -3,7 +3,10 @@
 #include <cmath>
 #include <numbers>
 
+#include "contact/triangle_tree.hpp"
+#include "part/part.hpp"
 #include "support/shapes.hpp"
+#include "touch/world.hpp"
 #include "view/view_input.hpp"
 
 namespace fingerpad::test {

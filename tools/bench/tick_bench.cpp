@@ -18,8 +18,10 @@
 
 #include "base/random_stream.hpp"
 #include "contact/contact_method_table.hpp"
+#include "contact/triangle_tree.hpp"
 #include "meshes.hpp"
 #include "query_paths.hpp"
+#include "scene/scene.hpp"
 #include "touch/touch.hpp"
 
 namespace fingerpad::bench {

@@ -1,0 +1,35 @@
+#include "trace/trace_info.hpp"
+
+#include "base/content_hash.hpp"
+#include "base/input_file.hpp"
+#include "friction/pad_profile_file.hpp"
+#include "scene/scene.hpp"
+#include "touch/contact_choice.hpp"
+#include "touch/world.hpp"
+
+namespace fingerpad {
+
+TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version) {
+  TraceInfo info;
+  info.scene_name = scene.name;
+  info.scene_text = scene.text;
+  info.seed = scene.seed;
+  info.rate_hz = scene.motion.rate_hz;
+  info.version = version;
+  for (const Surface& surface : world.surfaces) {
+    if (!surface.part) continue;
+    info.mesh_files.push_back(surface.mesh);
+    info.mesh_hashes.push_back(surface.mesh_hash);
+  }
+  info.motion_file = scene.motion.file;
+  if (!scene.motion.file_path.empty()) info.motion_hash = file_hash(scene.motion.file_path);
+  if (!scene.finger.profile_path.empty())
+    info.profile_text = read_whole_file(scene.finger.profile_path, profile_file);
+  const ContactChoice contact = settled_contact(scene, world);
+  info.contact_method = method_in(world, contact.method);
+  info.contact_normals = contact.normals->name;
+  info.contact_reasons = contact.reasons;
+  return info;
+}
+
+}  // namespace fingerpad
