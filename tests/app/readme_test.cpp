@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <utility>
 
 #include "contact/contact_method_table.hpp"
 #include "friction/law_table.hpp"
@@ -64,6 +65,16 @@ TEST(Readme, EveryCommandEndsZero) {
   EXPECT_NE(choices.find(",\"sphere: "), std::string::npos) << "a reason is one cell";
   EXPECT_EQ(choices.find("\"\"\""), std::string::npos) << "quoted once";
 #endif
+}
+
+TEST(Readme, ShowsTheProgramsThatAreBuiltAgainstAnInstallation) {
+  const std::string readme = test::bytes_of(test::source_dir() / "README.md");
+  const fs::path programs = test::source_dir() / "tests" / "install" / "touch";
+  for (const auto& [fence, file] : {std::pair("cmake", "CMakeLists.txt"), std::pair("cpp", "touch_mesh.cpp"),
+                                    std::pair("cpp", "closest_points.cpp")}) {
+    const std::string block = fmt::format("```{}\n{}```\n", fence, test::bytes_of(programs / file));
+    EXPECT_NE(readme.find(block), std::string::npos) << file;
+  }
 }
 
 TEST(Readme, ListsEveryLawWithItsKeysAndDefaults) {
