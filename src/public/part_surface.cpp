@@ -25,9 +25,11 @@ double crease_rad(const std::string& where, double crease_deg) {
 }
 
 double metres_in(const std::string& where, const std::string& unit) {
-  const auto metres = metres_per_unit(unit);
-  if (!metres) throw refused(where, fmt::format("unknown unit '{}' (known: {})", unit, unit_names));
-  return *metres;
+  if (const auto metres = metres_per_unit(unit)) return *metres;
+  std::string known;
+  for (const LengthUnit& length : length_units)
+    known += (known.empty() ? "" : ", ") + std::string(length.name);
+  throw refused(where, fmt::format("unknown unit '{}' (known: {})", unit, known));
 }
 
 void refuse_bad_triangles(const Points& vertices_m, const IndexTriples& triangles) {
