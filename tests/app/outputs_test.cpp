@@ -106,7 +106,7 @@ TEST(Outputs, OfAnEarlierRunAreToldWhereThisOneFailed) {
       "ulimit -f 8; '" + test::program().string() + "' replay --format csv calm.toml --out ";
   expect_told(test::shell(call + "o", folder), 1, "fingerpad: warning: o/" + left);
   EXPECT_THAT(test::shell(call + "fresh", folder).err, Not(HasSubstr(left))) << "nothing was there";
-  std::ofstream(folder / "calm.toml") << "nonsense";
+  std::ofstream(folder / "calm.toml") << calm_scene("calm") + "[[part]]\nmesh = \"none.stl\"\n";
   expect_told(test::fingerpad("replay calm.toml --out o --format csv", folder), 3,
               "fingerpad: warning: o/" + left);
 }
