@@ -1,7 +1,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <regex>
 #include <sstream>
 
 #include "fuzz/scene_words.hpp"
@@ -22,8 +21,8 @@ std::vector<std::string> lines_of(const std::string& text) {
 
 TEST(SceneWords, AreAWellFormedDictionaryOfTheRows) {
   const auto words = lines_of(test::scene_words());
-  const std::regex entry(R"re("([^"\\]|\\"|\\x[0-9a-f]{2})+")re");
-  for (const std::string& word : words) EXPECT_TRUE(std::regex_match(word, entry)) << word;
+  const auto is_entry = testing::MatchesRegex(R"re("([^"\]|\\"|\\x[0-9a-f]{2})+")re");
+  for (const std::string& word : words) EXPECT_THAT(word, is_entry);
   for (const char* word :
        {R"("mass_kg")", R"("angle_deg")", R"("elastic_share")", R"("\"karnopp\"")", R"("\"closest-point\"")",
         R"("\"circle\"")", R"("[[part]]\x0a")", R"("[hand]\x0a")"})
