@@ -20,10 +20,13 @@ namespace fingerpad {
 namespace {
 
 constexpr double crease_rad = 30 * M_PI / 180;
+/// A whole walk, whose shares are bounded. The sanitizers, which make it ten times as slow, get its
+/// beginning.
+constexpr int whole_walk_ticks = 1600;
 #ifdef __SANITIZE_ADDRESS__
-constexpr int walk_ticks = 400;
+constexpr int walk_ticks = whole_walk_ticks / 4;
 #else
-constexpr int walk_ticks = 1600;
+constexpr int walk_ticks = whole_walk_ticks;
 #endif
 
 /// How the two compare over a walk, in ticks.
@@ -104,12 +107,14 @@ void expect_agreement(const std::shared_ptr<const TriangleTree>& tree, const std
       const Agreement a = walk(tree, radius_m, normals);
       SCOPED_TRACE(testing::Message() << name << " radius " << radius_m);
       EXPECT_EQ(a.told_otherwise, 0);
-      EXPECT_LE(a.shaded_otherwise, normals == Normals::facet ? 0 : walk_ticks / 8);
-      EXPECT_LE(a.elsewhere, walk_ticks / 200);
-      EXPECT_LE(a.ties, walk_ticks / 5);
-      EXPECT_LE(a.underway - a.underway_same, walk_ticks / 4);
-      EXPECT_LE(a.underway, walk_ticks / 2);
-      EXPECT_GT(a.same, walk_ticks / 3);
+      if (walk_ticks == whole_walk_ticks) {
+        EXPECT_LE(a.shaded_otherwise, normals == Normals::facet ? 0 : walk_ticks / 8);
+        EXPECT_LE(a.elsewhere, walk_ticks / 200);
+        EXPECT_LE(a.ties, walk_ticks / 5);
+        EXPECT_LE(a.underway - a.underway_same, walk_ticks / 4);
+        EXPECT_LE(a.underway, walk_ticks / 2);
+        EXPECT_GT(a.same, walk_ticks / 3);
+      }
       const double percent = 100.0 / walk_ticks;
       fmt::print(
           "{}, {}, {}: {:.1f} % touching; same place {:.2f} % (shaded otherwise {:.2f} %), on its way {:.2f} "
