@@ -15,7 +15,7 @@ class PartWalls {
   /// @param walls  seen from the place whose point in the part's frame is `from_P`
   PartWalls(const ProxyWorld& world, int surface, std::span<const ProxyWall> walls,
             const Vec3& from_P) noexcept
-      : count_(std::min(walls.size(), walls_.size())) {
+      : count_(std::min(walls.size(), most_walls)) {
     for (std::size_t k = 0; k < count_; ++k) {
       walls_[k].normal_P = world.surface(surface).R_WP.transpose() * walls[k].normal;
       walls_[k].offset_m =
@@ -38,8 +38,10 @@ class PartWalls {
     }
   };
 
+  static constexpr std::size_t most_walls = 3;
+
   std::size_t count_;
-  std::array<PartWall, 3> walls_;
+  std::array<PartWall, most_walls> walls_;
 };
 
 /// A way of the ball in the frame of a part.
