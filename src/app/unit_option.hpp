@@ -2,7 +2,6 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
-#include <vector>
 
 #include "base/unit.hpp"
 
@@ -10,10 +9,8 @@ namespace fingerpad {
 
 /// Adds `--unit`, what one unit of a mesh file is; default mm, as most CAD exports are.
 inline void add_unit_option(CLI::App& command, std::string& unit) {
-  std::vector<std::string> names;
-  for (const LengthUnit& known : length_units) names.emplace_back(known.name);
   command.add_option("--unit", unit, "What one unit of the mesh file is: m, mm, cm or in")
-      ->check(CLI::IsMember(names))
+      ->check(CLI::IsMember(length_unit_names()))
       ->capture_default_str();
 }
 

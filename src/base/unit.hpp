@@ -2,7 +2,9 @@
 
 #include <array>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace fingerpad {
 
@@ -13,6 +15,9 @@ struct LengthUnit {
 };
 inline constexpr std::array<LengthUnit, 4> length_units{
     {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 25.4e-3}}};
+
+/// Their names, in that order.
+std::vector<std::string> length_unit_names();
 
 /// Metres in the unit of that name; nothing for any other name.
 std::optional<double> metres_per_unit(std::string_view name) noexcept;

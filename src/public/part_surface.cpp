@@ -1,6 +1,7 @@
 #include "fingerpad/part_surface.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <limits>
 #include <numbers>
@@ -26,10 +27,8 @@ double crease_rad(const std::string& where, double crease_deg) {
 
 double metres_in(const std::string& where, const std::string& unit) {
   if (const auto metres = metres_per_unit(unit)) return *metres;
-  std::string known;
-  for (const LengthUnit& length : length_units)
-    known += (known.empty() ? "" : ", ") + std::string(length.name);
-  throw refused(where, fmt::format("unknown unit '{}' (known: {})", unit, known));
+  throw refused(where,
+                fmt::format("unknown unit '{}' (known: {})", unit, fmt::join(length_unit_names(), ", ")));
 }
 
 void refuse_bad_triangles(const Points& vertices_m, const IndexTriples& triangles) {

@@ -144,9 +144,7 @@ void take_normals(Scene& scene, std::size_t word) {
 }
 
 SceneKey unit_key(std::string_view key) {
-  std::vector<std::string> names;
-  for (const LengthUnit& unit : length_units) names.emplace_back(unit.name);
-  return choice_key<take_unit>(key, names, "mm", "");
+  return choice_key<take_unit>(key, length_unit_names(), "mm", "");
 }
 
 SceneKey motion_kind_key(std::string_view key) {

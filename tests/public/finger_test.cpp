@@ -5,12 +5,12 @@
 
 #include <bit>
 #include <cmath>
-#include <functional>
 #include <limits>
 
 #include "fingerpad/trace_file.hpp"
 #include "scene/scene_file.hpp"
 #include "support/paths.hpp"
+#include "support/refusal.hpp"
 #include "touch/closed_loop.hpp"
 #include "touch/world.hpp"
 #include "trace/motion_source.hpp"
@@ -18,6 +18,7 @@
 namespace fingerpad {
 namespace {
 
+using test::why_not;
 using testing::HasSubstr;
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -44,16 +45,6 @@ Vec3 underside(const PartSurface& part) {
   Vec3 below = 0.5 * (part.lower_corner_m() + part.upper_corner_m());
   below.z() = part.lower_corner_m().z() - 0.01;
   return part.closest(below).point_m;
-}
-
-std::string why_not(const std::function<void()>& make) {
-  try {
-    make();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::refused);
-    return error.what();
-  }
-  return "taken";
 }
 
 void expect_same_bits(const Vec3& a, const Vec3& b, long tick) {

@@ -5,7 +5,6 @@
 
 #include <cmath>
 #include <fstream>
-#include <functional>
 #include <limits>
 #include <random>
 
@@ -13,6 +12,7 @@
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "support/paths.hpp"
+#include "support/refusal.hpp"
 
 namespace fingerpad {
 namespace {
@@ -31,16 +31,6 @@ Points corners() {
 }
 IndexTriples one_triangle(int a, int b, int c) {
   return Eigen::Vector3i(a, b, c);
-}
-
-std::string why_not(const std::function<void()>& make) {
-  try {
-    make();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::refused);
-    return error.what();
-  }
-  return "taken";
 }
 
 TEST(PartSurface, AnswersWhatTheSearchTreeFinds) {
@@ -88,6 +78,7 @@ TEST(PartSurface, TakesTheUnitOfItsFile) {
 }
 
 TEST(PartSurface, RefusesWhatCannotBeTouched) {
+  using test::why_not;
   using testing::HasSubstr;
   EXPECT_THAT(why_not([] { PartSurface("nowhere.stl"); }), HasSubstr("nowhere.stl"));
   EXPECT_THAT(why_not([] { PartSurface(bracket(), {.unit = "furlong"}); }),
