@@ -36,6 +36,11 @@ FingerSample interpolated(const Motion& motion, double t_s, const Vec3& directio
   sample.t_s = t_s;
   sample.p_WQ = (1 - u) * motion.p_WQ.col(left) + u * motion.p_WQ.col(right);
   sample.direction_W = direction_W;
+  if (!motion.attitude.empty()) {
+    sample.attitude = motion.attitude[static_cast<std::size_t>(left)].slerp(
+        u, motion.attitude[static_cast<std::size_t>(right)]);
+    sample.direction_W = *sample.attitude * direction_W;
+  }
   if (motion.direction_W.cols() == 0) return sample;
   const Vec3 mean = (1 - u) * motion.direction_W.col(left) + u * motion.direction_W.col(right);
   const double length = mean.norm();

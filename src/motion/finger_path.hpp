@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <variant>
 
 #include "fingerpad/finger_sample.hpp"
@@ -13,7 +12,9 @@ namespace fingerpad {
 inline constexpr double most_ticks = 2147483648.0;
 
 /// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6);
-/// recorded positions are interpolated linearly, directions linearly and made unit again.
+/// recorded positions are interpolated linearly, directions linearly and made unit again, attitudes along the
+/// shortest turn. Where a motion has attitudes and no directions, the scene's direction turns with the
+/// finger.
 class FingerPath {
  public:
   /// @param direction_W  unit; used where the motion has no directions

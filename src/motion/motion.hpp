@@ -4,24 +4,26 @@
 #include <vector>
 
 #include "base/types.hpp"
+#include "fingerpad/attitude.hpp"
 
 namespace fingerpad {
 
-/// A recorded finger motion: where the finger point Q was, and optionally where the finger pointed.
+/// A recorded finger motion: where the finger point Q was, and optionally how the finger lay.
 struct Motion {
   std::vector<double> t_s;  ///< n, strictly increasing, finite
   Points p_WQ;              ///< 3 x n, column i at t_s[i] [m]
   Points direction_W;       ///< 3 x n unit vectors towards the fingertip, or 3 x 0 where the motion has none
+  std::vector<Attitude> attitude;  ///< n, how the finger was turned, or none
 };
 
 /// Why a finger cannot be at `p_W` at `t_s`: numbers that are not finite, or larger than any recording's in
 /// metres and seconds; empty where it can.
 std::string sample_fault(double t_s, const Vec3& p_W);
 
-/// Reads a motion table: a header line naming t_s,x_m,y_m,z_m and optionally dx,dy,dz, in any order; other
-/// columns are passed over, so a trace written as CSV is a motion too. Throws Error (refused, `file:line`) on
-/// a missing column, a word that is no number, numbers that are not finite or beyond sample_fault's
-/// bounds, times that do not increase, or no rows.
+/// Reads a motion table: a header line naming t_s,x_m,y_m,z_m and optionally dx,dy,dz and qw,qx,qy,qz, in any
+/// order; other columns are passed over, so a trace written as CSV is a motion too. Throws Error (refused,
+/// `file:line`) on a missing column, a word that is no number, numbers that are not finite or beyond
+/// sample_fault's bounds, times that do not increase, or no rows.
 Motion read_motion_csv(const std::string& path);
 
 }  // namespace fingerpad

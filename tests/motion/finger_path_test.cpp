@@ -56,6 +56,35 @@ TEST(FingerPath, KeepsDirectionsUnitBetweenSamples) {
   EXPECT_NEAR(path.at(5).direction_W.x(), std::sqrt(0.5), 1e-15);
 }
 
+TEST(FingerPath, TurnsAlongTheShortestWayBetweenAttitudes) {
+  // A quarter turn about z, the second quaternion of the other sign: it is the same attitude.
+  const FingerPath path(read("t_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n"
+                             "0.01,0,0,0,-0.70710678,0,0,-0.70710678\n"),
+                        1000, Vec3::UnitX());
+  const FingerSample half = path.at(5);
+  ASSERT_TRUE(half.attitude.has_value());
+  EXPECT_NEAR(std::abs(half.attitude->w()), std::cos(std::numbers::pi / 8), 1e-9);
+  EXPECT_NEAR(half.attitude->norm(), 1, 1e-15);
+  // Without dx, dy, dz the scene's direction turns with the finger.
+  EXPECT_NEAR((half.direction_W - Vec3(std::sqrt(0.5), std::sqrt(0.5), 0)).norm(), 0, 1e-8);
+}
+
+TEST(FingerPath, KeepsDirectionsBesideAttitudes) {
+  const FingerPath path(read("t_s,x_m,y_m,z_m,dx,dy,dz,qw,qx,qy,qz\n0,0,0,0,0,0,-1,0,1,0,0\n"), 1000,
+                        Vec3::UnitX());
+  EXPECT_EQ(path.at(0).direction_W, Vec3(0, 0, -1));
+  EXPECT_EQ(path.at(0).attitude->x(), 1);
+}
+
+TEST(FingerPath, RefusesAttitudesThatAreNone) {
+  EXPECT_NE(refusal("t_s,x_m,y_m,z_m,qw,qx,qz\n0,0,0,0,1,0,0\n").find("all of qw, qx, qy and qz"),
+            std::string::npos);
+  EXPECT_NE(refusal("t_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,0,1,0,0,0\n1,0,0,0,0.9,0,0,0\n")
+                .find("m.csv:3: qw,qx,qy,qz is no unit quaternion: its length is 0.9"),
+            std::string::npos);
+  EXPECT_EQ(refusal("t_s,x_m,y_m,z_m,qw,qx,qy,qz\n0,0,0,0,1.0009,0,0,0\n"), "");
+}
+
 TEST(FingerPath, UsesTheSceneDirectionWhereTheMotionHasNone) {
   const FingerPath path(read("t_s,x_m,y_m,z_m\n0,0,0,0\n"), 1000, Vec3::UnitY());
   EXPECT_EQ(path.tick_count(), 1);
