@@ -6,8 +6,9 @@ namespace fingerpad {
 
 /// The pad's vibration in slip (paper, figs. 10-11; SCIENCE 1): a narrow-band random signal of mean 0 and
 /// variance 1, a second-order autoregression driven by a seeded stream,
-///   x_k = 2 r cos(2 pi f T) x_(k-1) - r^2 x_(k-2) + g w_k,  r = exp(-pi bandwidth T),
-/// with g set so that the variance is 1 at any tick T. Starts in its stationary state at each slip.
+///   x_k = 2 r cos(theta) x_(k-1) - r^2 x_(k-2) + g w_k,  r = exp(-pi bandwidth T),
+/// with theta set so that its spectrum peaks at the frequency asked for, at any bandwidth, and g so that the
+/// variance is 1 at any tick T. Starts in its stationary state at each slip.
 ///
 /// Use, once a tick of contact: in slip `next()`, times the amplitude; else `rest()`, which draws nothing.
 class SlipVibration {
