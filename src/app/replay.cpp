@@ -91,8 +91,9 @@ void tell(const std::vector<BatchJob>& jobs) {
   }
   if (coarse_jobs == 0) return;
   print_err(
-      "fingerpad: warning: {} stick-slip teeth in {} {} lasted under ten ticks, too coarse to show their "
-      "true period (coarse_teeth in summary.csv); raise motion.rate_hz or soften the pad\n",
+      "fingerpad: warning: {} stick-slip teeth in {} {} lasted under two ticks, too short for any sampling "
+      "to "
+      "show (coarse_teeth in summary.csv); raise motion.rate_hz or soften the pad\n",
       coarse_teeth, coarse_jobs, coarse_jobs == 1 ? "trace" : "traces");
 }
 

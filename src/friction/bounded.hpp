@@ -38,7 +38,6 @@ class BoundedMotion {
   double mu_static() const noexcept { return within(m_.mu_static, mu_dynamic(), huge_mu); }
   PlaneVector velocity_m_per_s() const noexcept { return within_huge(m_.velocity_m_per_s); }
   PlaneVector step_m() const noexcept { return within_huge(m_.step_m); }
-  PlaneVector from_centre_m() const noexcept { return within_huge(m_.from_centre_m); }
   double inclination_rad() const noexcept { return within(m_.inclination_rad, 0, 1.6); }
   PlaneVector longitudinal() const noexcept {
     return {within(m_.longitudinal.x(), -1, 1), within(m_.longitudinal.y(), -1, 1)};
@@ -61,7 +60,10 @@ class BoundedState {
   PlaneVector slip_direction() const noexcept {
     return {within(state_.slip_direction.x(), -1, 1), within(state_.slip_direction.y(), -1, 1)};
   }
-  PlaneVector deflection_m() const noexcept { return within_huge(state_.deflection_m); }
+  PlaneVector stretch_m() const noexcept { return within_huge(state_.stretch_m); }
+  PlaneVector last_step_m() const noexcept { return within_huge(state_.last_step_m); }
+  double event_share() const noexcept { return within(state_.event_share, 0, 1); }
+  double softening() const noexcept { return within(state_.softening, 1e-3, 1); }
   double last_speed_m_per_s() const noexcept { return within(state_.last_speed_m_per_s, 0, huge); }
   double slip_force_scale() const noexcept { return within(state_.slip_force_scale, 0, huge); }
 

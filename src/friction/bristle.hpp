@@ -26,14 +26,15 @@ inline Friction bristle_answer(const PlaneVector& force_n, const PlaneVector& de
   Friction answer;
   answer.force_n = force_n;
   answer.phase = phase;
+  answer.ruptures = phase == Phase::slip && state.phase == Phase::stick ? 1 : 0;
   if (phase == Phase::stick) {
-    answer.from_centre_m = deflection_m;
+    answer.stretch_m = deflection_m;
     answer.centre_moved = true;  // the bristle is the law's own: the centre follows from it
   } else {
     state.slip_force_scale = 1;
   }
   state.phase = phase;
-  state.deflection_m = deflection_m;
+  state.stretch_m = deflection_m;
   return answer;
 }
 

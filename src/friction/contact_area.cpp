@@ -31,7 +31,7 @@ double cubed_radius_n(double normal_force_n, double w_n) noexcept {
 /// radius mu_s/k_f at any load. Deviation: tension up to the pull-off is computed (JkrPad), not displayed.
 class ContactArea final : public FrictionLaw {
  public:
-  ContactArea(double adhesion_load_n, double stiffness_per_m, const RestickRule& rule)
+  ContactArea(double adhesion_load_n, double stiffness_per_m, const StickRule& rule)
       : w_n_(adhesion_load_n),
         per_one_newton_(1 / cubed_radius_n(1, adhesion_load_n)),
         stiffness_per_m_(stiffness_per_m),
@@ -42,12 +42,11 @@ class ContactArea final : public FrictionLaw {
     const double area_ratio = cubed_ratio * inverse_cube_root(cubed_ratio);
     return stick_rule(motion, CircleSpring{area_ratio, stiffness_per_m_}, rule_, state);
   }
-  bool reads_step() const noexcept override { return false; }
 
  private:
   double w_n_, per_one_newton_;
   double stiffness_per_m_;
-  RestickRule rule_;
+  StickRule rule_;
 };
 
 }  // namespace
@@ -70,12 +69,11 @@ LawEntry contact_area_law() noexcept {
           parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             const JkrPad pad{bounded_number(settings, pad_radius), 1, bounded_number(settings, adhesion)};
-            return std::make_unique<ContactArea>(
-                within(pad.adhesion_load_n(), 0, huge),
-                bounded_number(settings, stiffness_per_newton_parameter),
-                RestickRule{v_min_m_per_s(settings), settings.restick, stick_remedy(settings)});
+            return std::make_unique<ContactArea>(within(pad.adhesion_load_n(), 0, huge),
+                                                 bounded_number(settings, stiffness_per_newton_parameter),
+                                                 stick_rule_of(settings));
           },
-          restick_rule_choices};
+          stick_rule_choices};
 }
 
 }  // namespace fingerpad

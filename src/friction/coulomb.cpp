@@ -29,7 +29,6 @@ class Coulomb final : public FrictionLaw {
     state.last_speed_m_per_s = v.length;
     return answer;
   }
-  bool reads_step() const noexcept override { return false; }
 
  private:
   double creep_speed_m_per_s_;

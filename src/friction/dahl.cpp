@@ -18,7 +18,7 @@ class Dahl final : public FrictionLaw {
     if (state.phase == Phase::free) return bristle_at_rest(state);
     const BoundedMotion m(motion);
     const double z_c = m.mu_dynamic() * m.normal_force_n() * compliance_m_per_n_;
-    const PlaneVector held = shortened(BoundedState(state).deflection_m(), z_c);
+    const PlaneVector held = shortened(BoundedState(state).stretch_m(), z_c);
     const double moved = length(m.step_m());
     const PlaneVector z = z_c > 0 ? dahl_step(held, m.step_m(), moved / z_c) : held;
     return bristle_answer(-stiffness_n_per_m_ * z, z, bristle_phase(z - held, moved), state);

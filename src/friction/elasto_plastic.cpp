@@ -34,7 +34,7 @@ class ElastoPlastic final : public FrictionLaw {
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     if (state.phase == Phase::free) return bristle_at_rest(state);
     const BoundedMotion m(motion);
-    const PlaneVector held = shortened(BoundedState(state).deflection_m(), bristle_.longest_deflection_m(m));
+    const PlaneVector held = shortened(BoundedState(state).stretch_m(), bristle_.longest_deflection_m(m));
     const double z_ss = bristle_.steady_deflection_m(m);
     const double moved = length(m.step_m());
     const PlaneVector z = z_ss > 0 ? stepped(held, m.step_m(), moved, z_ss) : held;

@@ -30,7 +30,7 @@ constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_par
 /// causes slip.
 class FingerPad final : public FrictionLaw {
  public:
-  FingerPad(const PadProfile& pad, double cubic, double knee_n, const RestickRule& rule)
+  FingerPad(const PadProfile& pad, double cubic, double knee_n, const StickRule& rule)
       : lateral45_per_m_(within(pad.mu_static / pad.lateral_axis_m, 1 / huge, huge)),
         longitudinal45_per_m_(within(pad.mu_static / pad.longitudinal_axis_m, 1 / huge, huge)),
         lateral_slope_per_deg_(pad.lateral_slope_per_deg),
@@ -50,7 +50,6 @@ class FingerPad final : public FrictionLaw {
     spring.along = m.longitudinal();
     return stick_rule(motion, spring, rule_, state);
   }
-  bool reads_step() const noexcept override { return false; }
 
  private:
   /// a(alpha)/a45; positive for every profile that read_profile accepts.
@@ -67,7 +66,7 @@ class FingerPad final : public FrictionLaw {
   double lateral45_per_m_, longitudinal45_per_m_;
   double lateral_slope_per_deg_, longitudinal_slope_per_deg_;
   double cubic_share_, knee_n_;
-  RestickRule rule_;
+  StickRule rule_;
 };
 
 }  // namespace
@@ -79,11 +78,11 @@ LawEntry finger_pad_law() noexcept {
             // Any mu serves the assumed pad: only the ratio mu/axis is used, and that is the stiffness.
             const PadProfile pad = settings.profile.value_or(
                 assumed_profile(0.3, bounded_number(settings, stiffness_per_newton_parameter)));
-            return std::make_unique<FingerPad>(
-                pad, bounded_number(settings, cubic_share), bounded_number(settings, mu_rises_below),
-                RestickRule{v_min_m_per_s(settings), settings.restick, stick_remedy(settings)});
+            return std::make_unique<FingerPad>(pad, bounded_number(settings, cubic_share),
+                                               bounded_number(settings, mu_rises_below),
+                                               stick_rule_of(settings));
           },
-          restick_rule_choices};
+          stick_rule_choices};
 }
 
 }  // namespace fingerpad

@@ -19,7 +19,7 @@ class FrictionCone final : public FrictionLaw {
     const double depth_m = m.normal_force_n() / m.surface_stiffness_n_per_m();
     const double rim_m = m.mu_dynamic() * depth_m;
     const double cone_m = before == Phase::slip ? rim_m : m.mu_static() * depth_m;
-    PlaneVector z = BoundedState(state).deflection_m() + m.step_m();
+    PlaneVector z = BoundedState(state).stretch_m() + m.step_m();
     // A proxy that was put on the rim stands there: rounding must not make it slip at rest.
     const bool outside = is_longer(z, cone_m * (1 + 1e-12));
     if (outside) z = direction_of(z) * rim_m;

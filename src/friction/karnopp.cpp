@@ -33,12 +33,14 @@ class Karnopp final : public FrictionLaw {
       answer.force_n = -shortened(m.applied_force_n(), limit_n);
       if (!holds) state.slip_direction = direction_of(m.applied_force_n());
     }
-    if (answer.phase == Phase::slip) state.slip_force_scale = 1;
+    if (answer.phase == Phase::slip) {
+      state.slip_force_scale = 1;
+      answer.ruptures = state.phase == Phase::stick ? 1 : 0;
+    }
     state.phase = answer.phase;
     state.last_speed_m_per_s = v.length;
     return answer;
   }
-  bool reads_step() const noexcept override { return false; }
 
  private:
   double zero_band_m_per_s_;

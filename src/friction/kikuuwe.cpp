@@ -21,7 +21,7 @@ class Kikuuwe final : public FrictionLaw {
     const BoundedMotion m(motion);
     const double limit_n = m.mu_dynamic() * m.normal_force_n();
     const double per_step = damping_n_s_per_m_ > 0 ? damping_n_s_per_m_ / m.dt_s() : 0;
-    const PlaneVector e = BoundedState(state).deflection_m();
+    const PlaneVector e = BoundedState(state).stretch_m();
     const PlaneVector wanted = stiffness_n_per_m_ * (e + m.step_m()) + per_step * m.step_m();
     const PlaneVector f = shortened(wanted, limit_n);
     const PlaneVector next = (f + per_step * e) * (1 / (stiffness_n_per_m_ + per_step));

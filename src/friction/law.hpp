@@ -12,21 +12,24 @@ struct TangentialMotion {
   double normal_force_n = 0;    ///< >= 0
   double mu_static = 0.3;       ///< >= mu_dynamic
   double mu_dynamic = 0.2;      ///< >= 0
-  Vec2 velocity_m_per_s{0, 0};  ///< of the device relative to the part, tangential part
-  Vec2 step_m{0, 0};            ///< motion of the contact point S since the last tick; zero at first touch
-  Vec2 from_centre_m{0, 0};  ///< displacement of S from the stick centre that the law last set; zero if none
-  double inclination_rad = 0;  ///< finger against the tangent plane, 0 .. pi/2
-  Vec2 longitudinal{0, 1};     ///< unit: the finger's direction projected into the tangent plane
-  Vec2 applied_force_n{0, 0};  ///< what pushes the finger along the surface, where a hand is simulated
+  Vec2 velocity_m_per_s{0, 0};  ///< of the finger's skin over the part
+  Vec2 step_m{0, 0};            ///< how far the skin has moved over the part since the last tick; zero at
+                                ///< first touch
+  double inclination_rad = 0;   ///< finger against the tangent plane, 0 .. pi/2
+  Vec2 longitudinal{0, 1};      ///< unit: the finger's direction projected into the tangent plane
+  Vec2 applied_force_n{0, 0};   ///< what pushes the finger along the surface, where a hand is simulated
   double surface_stiffness_n_per_m = 1000;  ///< normal force per depth; for laws that work with the depth
 };
 
 /// A law's memory of one contact. Value-initialised: no contact yet.
 struct FrictionState {
   Phase phase = Phase::free;      ///< of the last tick
+  Vec2 stretch_m{0, 0};           ///< z: of the law's spring or bristle, in frame C
   Vec2 slip_direction{0, 0};      ///< unit, of the last slip tick; for laws that restick
-  Vec2 deflection_m{0, 0};        ///< for laws with a bristle of their own, in frame C
+  Vec2 last_step_m{0, 0};         ///< the last tick's step
   double last_speed_m_per_s = 0;  ///< for laws that tell a fall through v_min
+  double event_share = 0;         ///< of the last tick: when its last rupture or restick was; 0: it had none
+  double softening = 1;           ///< what a remedy has softened the spring to
   double slip_force_scale = 1;    ///< what the caller multiplied the last slip tick's force by before writing
                                 ///< it (slip vibration): a stick that follows starts at the force as written
 };
@@ -34,9 +37,10 @@ struct FrictionState {
 /// A law's answer to one tick.
 struct Friction {
   Vec2 force_n{0, 0};         ///< on the finger
-  Phase phase = Phase::slip;  ///< stick or slip
-  Vec2 from_centre_m{0, 0};   ///< in stick: displacement of S from the stick centre
-  bool centre_moved = false;  ///< the law has set a new stick centre, from_centre_m behind S
+  Phase phase = Phase::slip;  ///< stick or slip, at the end of the tick
+  Vec2 stretch_m{0, 0};       ///< in stick: z, from the stick centre to where the skin is now
+  int ruptures = 0;           ///< of this tick: where stick gave way
+  bool centre_moved = false;  ///< stick has begun anew in this tick, or its centre was dragged along
   bool remedied = false;      ///< a StickRemedy has changed the force
 };
 
@@ -46,8 +50,6 @@ class FrictionLaw {
   virtual ~FrictionLaw() = default;
   /// @pre inputs finite. Result finite, for any state and input. noexcept, O(1), allocates nothing.
   virtual Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept = 0;
-  /// Whether the law reads TangentialMotion::step_m; a caller need not work out what nothing reads.
-  virtual bool reads_step() const noexcept { return true; }
 };
 
 }  // namespace fingerpad

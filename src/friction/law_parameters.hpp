@@ -19,14 +19,16 @@ inline constexpr LawParameter device_damping_parameter{
     "device_damping_n_s_per_m", 0.5, 0, true,
     "b: damping of hand and device, which holds a stick spring of up to 2 b/T; for a remedy [N s/m]"};
 
-/// The choices of laws that keep a RestickRule.
-inline constexpr std::string_view restick_rule_choices[] = {"restick", "remedy"};
+/// The choices of laws that rupture; of those that keep a StickRule.
+inline constexpr std::string_view rupture_choices[] = {"events"};
+inline constexpr std::string_view stick_rule_choices[] = {"restick", "remedy", "events"};
 
 /// A parameter's value, kept within what the laws can compute with.
 double bounded_number(const LawSettings& settings, const LawParameter& parameter);
 
-/// The scene's remedy; its law must have device_damping_parameter.
-StickRemedy stick_remedy(const LawSettings& settings);
+struct StickRule;
+/// The scene's rule and remedy; its law must have v_min_parameter and device_damping_parameter.
+StickRule stick_rule_of(const LawSettings& settings);
 
 /// v_min: the scene's key if given, else the profile's, else the paper's.
 double v_min_m_per_s(const LawSettings& settings);

@@ -15,11 +15,16 @@ namespace fingerpad {
 /// when |v| falls through v_min, so that a rupture at low speed slips on.
 enum class Restick { level, crossing };
 
+/// Where rupture and restick are looked for. exact: within the tick, each at its own place, as many as it
+/// holds. tick: at ticks only, at most one on each; for comparison.
+enum class Events { exact, tick };
+
 /// Share of 2 b/T that a stick spring may have without a remedy: at the limit itself it would ring for ever.
 inline constexpr double stick_remedy_reserve = 0.95;
 
 /// What to do where the stick spring is too stiff for the loop that displays it: a device of damping b holds
-/// a spring of up to 2 b/T (SCIENCE 4). Acts only in stick, only beyond 0.95 of that, and says so.
+/// a spring of up to 2 b/T (SCIENCE 4). Acts only in stick, only beyond 0.95 of that, and says so. Of a
+/// spring that hardens the stiffness where it stands counts.
 ///   damping   a damper beside the spring, 1.5 times what the excess of stiffness asks for
 ///   implicit  the spring is read where the finger will be a tick later (backward Euler: a damper of K T)
 ///   cap       the spring is softened to 0.95 of 2 b/T; its limit stays, so the pad gives way later
@@ -46,7 +51,8 @@ std::string refusal(const LawParameter& parameter, double value);
 struct LawSettings {
   std::map<std::string, double, std::less<>> numbers;  ///< given keys only
   Restick restick = Restick::level;
-  Remedy remedy = Remedy::none;  ///< of laws whose spring scales with the load
+  Events events = Events::exact;  ///< of laws that rupture
+  Remedy remedy = Remedy::none;   ///< of laws whose spring scales with the load
   std::optional<PadProfile> profile;
 
   /// The given number, or the default of `parameter`.

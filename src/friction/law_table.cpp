@@ -7,6 +7,7 @@
 
 #include "friction/bounded.hpp"
 #include "friction/law_parameters.hpp"
+#include "friction/stick_rule.hpp"
 
 namespace fingerpad {
 
@@ -49,8 +50,9 @@ double bounded_number(const LawSettings& settings, const LawParameter& parameter
   return within(settings.number(parameter), least, std::min(parameter.max, huge));
 }
 
-StickRemedy stick_remedy(const LawSettings& settings) {
-  return {settings.remedy, bounded_number(settings, device_damping_parameter)};
+StickRule stick_rule_of(const LawSettings& settings) {
+  return {v_min_m_per_s(settings), settings.restick, settings.events,
+          StickRemedy{settings.remedy, bounded_number(settings, device_damping_parameter)}};
 }
 
 double v_min_m_per_s(const LawSettings& settings) {

@@ -19,7 +19,7 @@ class LuGre final : public FrictionLaw {
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     if (state.phase == Phase::free) return bristle_at_rest(state);
     const BoundedMotion m(motion);
-    const PlaneVector held = shortened(BoundedState(state).deflection_m(), bristle_.longest_deflection_m(m));
+    const PlaneVector held = shortened(BoundedState(state).stretch_m(), bristle_.longest_deflection_m(m));
     const double z_c = bristle_.steady_deflection_m(m);
     const double moved = length(m.step_m());
     const PlaneVector z = z_c > 0 ? dahl_step(held, m.step_m(), moved / z_c) : held;

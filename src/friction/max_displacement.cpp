@@ -27,7 +27,7 @@ class MaxDisplacement final : public FrictionLaw {
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     if (state.phase == Phase::free) return bristle_at_rest(state);
     const BoundedMotion m(motion);
-    const PlaneVector before = BoundedState(state).deflection_m();
+    const PlaneVector before = BoundedState(state).stretch_m();
     const double moved = length(m.step_m());
     const double yielded = per_stick_square_ > 0 ? std::min(1.0, moved * yielding_per_m(before)) : 0;
     const PlaneVector stretched = before + m.step_m() - yielded * before;

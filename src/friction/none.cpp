@@ -10,7 +10,6 @@ class None final : public FrictionLaw {
     state.phase = Phase::slip;
     return {};
   }
-  bool reads_step() const noexcept override { return false; }
 };
 
 }  // namespace

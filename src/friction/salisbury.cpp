@@ -1,5 +1,6 @@
 #include "friction/bristle.hpp"
 #include "friction/law_parameters.hpp"
+#include "friction/stick_walk.hpp"
 
 namespace fingerpad {
 namespace {
@@ -12,24 +13,46 @@ constexpr LawParameter parameters[] = {fixed_stiffness_parameter};
 /// The stiffness does not follow the load, so unloading alone slips. A tick of slip is one in which c jumped.
 class Salisbury final : public FrictionLaw {
  public:
-  explicit Salisbury(double stiffness_n_per_m) : stiffness_n_per_m_(stiffness_n_per_m) {}
+  Salisbury(double stiffness_n_per_m, Events events)
+      : stiffness_n_per_m_(stiffness_n_per_m), events_(events) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     if (state.phase == Phase::free) return bristle_at_rest(state);
     const BoundedMotion m(motion);
-    PlaneVector z = BoundedState(state).deflection_m() + m.step_m();
+    const PlaneVector before = BoundedState(state).stretch_m();
+    const PlaneVector z = before + m.step_m();
     const double limit_n = m.mu_static() * m.normal_force_n();
-    Phase phase = Phase::stick;
     // Where mu_d = mu_s the centre is put on the limit itself: rounding must not move it again at rest.
-    if (is_longer(stiffness_n_per_m_ * z, limit_n * (1 + 1e-12))) {
-      z = direction_of(z) * (m.mu_dynamic() * m.normal_force_n() / stiffness_n_per_m_);
-      phase = Phase::slip;
-    }
-    return bristle_answer(-stiffness_n_per_m_ * z, z, phase, state);
+    if (!is_longer(stiffness_n_per_m_ * z, limit_n * (1 + 1e-12)))
+      return bristle_answer(-stiffness_n_per_m_ * z, z, Phase::stick, state);
+    return events_ == Events::exact ? jumped_within(m, before, state) : jumped(m, z, state);
   }
 
  private:
+  Friction jumped(const BoundedMotion& m, const PlaneVector& z, FrictionState& state) const noexcept {
+    return jumped_to(direction_of(z) * (m.mu_dynamic() * m.normal_force_n()), 1, state);
+  }
+
+  Friction jumped_within(const BoundedMotion& m, const PlaneVector& before,
+                         FrictionState& state) const noexcept {
+    const CircleSpring spring{1, stiffness_n_per_m_};
+    const CoulombSlide slide{m.mu_static() * m.normal_force_n(), m.mu_dynamic() * m.normal_force_n(), huge,
+                             true};
+    StickWay way;
+    way.ratio = spring.ratio_of(before);
+    way.now = spring.ratio_of(m.step_m());
+    const StickEnd end = StickWalk(spring, slide, way).run(Phase::stick, 0);
+    return jumped_to(end.ratio, end.ruptures, state);
+  }
+
+  Friction jumped_to(const PlaneVector& pull_n, int ruptures, FrictionState& state) const noexcept {
+    Friction answer = bristle_answer(-pull_n, pull_n / stiffness_n_per_m_, Phase::slip, state);
+    answer.ruptures = ruptures;
+    return answer;
+  }
+
   double stiffness_n_per_m_;
+  Events events_;
 };
 
 }  // namespace
@@ -37,8 +60,10 @@ class Salisbury final : public FrictionLaw {
 LawEntry salisbury_law() noexcept {
   return {"salisbury", "Salisbury et al. 1995: a spring whose centre jumps; fixed stiffness", parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
-            return std::make_unique<Salisbury>(bounded_number(settings, fixed_stiffness_parameter));
-          }};
+            return std::make_unique<Salisbury>(bounded_number(settings, fixed_stiffness_parameter),
+                                               settings.events);
+          },
+          rupture_choices};
 }
 
 }  // namespace fingerpad

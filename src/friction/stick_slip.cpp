@@ -11,18 +11,16 @@ constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_par
 /// The paper's basic model: a circle of stick of radius mu_s/k_f, eq. 1-3.
 class StickSlip final : public FrictionLaw {
  public:
-  StickSlip(double stiffness_per_m, const RestickRule& rule)
-      : stiffness_per_m_(stiffness_per_m), rule_(rule) {}
+  StickSlip(double stiffness_per_m, const StickRule& rule) : stiffness_per_m_(stiffness_per_m), rule_(rule) {}
 
   Friction tick(const TangentialMotion& motion, FrictionState& state) const noexcept override {
     const double load_n = BoundedMotion(motion).normal_force_n();
     return stick_rule(motion, CircleSpring{load_n, stiffness_per_m_}, rule_, state);
   }
-  bool reads_step() const noexcept override { return false; }
 
  private:
   double stiffness_per_m_;
-  RestickRule rule_;
+  StickRule rule_;
 };
 
 }  // namespace
@@ -30,11 +28,10 @@ class StickSlip final : public FrictionLaw {
 LawEntry stick_slip_law() noexcept {
   return {"stick-slip", "the paper's basic model: stick in a circle, Coulomb slip", parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
-            return std::make_unique<StickSlip>(
-                bounded_number(settings, stiffness_per_newton_parameter),
-                RestickRule{v_min_m_per_s(settings), settings.restick, stick_remedy(settings)});
+            return std::make_unique<StickSlip>(bounded_number(settings, stiffness_per_newton_parameter),
+                                               stick_rule_of(settings));
           },
-          restick_rule_choices};
+          stick_rule_choices};
 }
 
 }  // namespace fingerpad

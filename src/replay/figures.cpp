@@ -27,8 +27,8 @@ constexpr std::array<std::string_view, 20> figure_names = {"ticks",
                                                            "max_apparent_stiffness_n_per_m",
                                                            "nonfinite_ticks"};
 
-/// Fewer ticks than this in a tooth and its shape is that of the ticks.
-constexpr long ticks_that_show_a_tooth = 10;
+/// Fewer ticks than this in a tooth of the sawtooth and no sampling shows it.
+constexpr long ticks_that_show_a_tooth = 2;
 /// A contact point that goes more than so many times as far as the finger in a tick has jumped.
 constexpr double jump_ratio = 4;
 
@@ -64,31 +64,30 @@ std::vector<double> Figures::values() const {
 }
 
 void Figures::observe_phase(const TickRecord& record) noexcept {
-  const Phase phase = record.phase;
-  if (ticks_ > 0 && phase != Phase::free && last_phase_ != Phase::free) {
+  if (record.phase == Phase::free) {
+    has_ruptured_ = false;
+    last_phase_ = record.phase;
+    return;
+  }
+  if (ticks_ > 0 && last_phase_ != Phase::free) {
     const double finger_m = (record.p_WQ - last_p_WQ_).norm();
-    spell_jumped_ |= (record.contact_W - last_contact_W_).norm() > jump_ratio * finger_m;
+    tooth_jumped_ |= (record.contact_W - last_contact_W_).norm() > jump_ratio * finger_m;
   }
   last_contact_W_ = record.contact_W;
-  if (phase == Phase::stick) {
-    if (last_phase_ != Phase::stick) {
-      spell_ticks_ = 0;
-      spell_jumped_ = false;
-      spell_follows_slip_ = last_phase_ == Phase::slip;
-    }
-    ++spell_ticks_;
-    ++stick_ticks_;
+  stick_ticks_ += record.phase == Phase::stick ? 1 : 0;
+  slip_ticks_ += record.phase == Phase::slip ? 1 : 0;
+  ++tooth_ticks_;
+  if (record.ruptures > 0) {
+    // Of several in one tick all but the first end a tooth that began in it.
+    ruptures_ += record.ruptures;
+    teeth_ += record.ruptures - (has_ruptured_ ? 0 : 1);
+    coarse_teeth_ += record.ruptures - 1;
+    coarse_teeth_ += has_ruptured_ && tooth_ticks_ < ticks_that_show_a_tooth && !tooth_jumped_ ? 1 : 0;
+    has_ruptured_ = true;
+    tooth_ticks_ = 0;
+    tooth_jumped_ = false;
   }
-  if (phase == Phase::slip) {
-    ++slip_ticks_;
-    if (last_phase_ == Phase::stick) {
-      ++ruptures_;
-      teeth_ += spell_follows_slip_ ? 1 : 0;
-      const bool short_spell = spell_ticks_ < ticks_that_show_a_tooth && !spell_jumped_;
-      coarse_teeth_ += spell_follows_slip_ && short_spell ? 1 : 0;
-    }
-  }
-  last_phase_ = phase;
+  last_phase_ = record.phase;
 }
 
 void Figures::observe_step(const TickRecord& record) noexcept {

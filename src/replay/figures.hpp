@@ -31,9 +31,9 @@ class Figures {
   /// ticks whose force was not finite (0: promised).
   std::vector<double> values() const;
 
-  /// Stick spells between two ruptures, and those of them that lasted under ten ticks: there the ticks are
-  /// too coarse to show the sawtooth, and its period and mean force are wrong. A tooth that ended because the
-  /// contact jumped from one wall to another is no such tooth.
+  /// Teeth of the sawtooth, from one rupture to the next, and those of them that lasted under two ticks: no
+  /// sampling shows them. A tooth that ended because the contact jumped from one wall to another is no such
+  /// tooth.
   long teeth() const noexcept { return teeth_; }
   long coarse_teeth() const noexcept { return coarse_teeth_; }
 
@@ -42,8 +42,8 @@ class Figures {
   void observe_step(const TickRecord& record) noexcept;
 
   long ticks_ = 0, contact_ticks_ = 0, stick_ticks_ = 0, slip_ticks_ = 0, ruptures_ = 0;
-  long teeth_ = 0, coarse_teeth_ = 0, spell_ticks_ = 0;
-  bool spell_follows_slip_ = false, spell_jumped_ = false;
+  long teeth_ = 0, coarse_teeth_ = 0, tooth_ticks_ = 0;
+  bool has_ruptured_ = false, tooth_jumped_ = false;
   Vec3 last_contact_W_ = Vec3::Zero();
   Phase last_phase_ = Phase::free;
   double max_depth_m_ = 0, sum_normal_n_ = 0, max_normal_n_ = 0, max_friction_n_ = 0;

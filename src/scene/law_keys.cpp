@@ -67,6 +67,10 @@ void take_remedy(Scene& scene, std::size_t word) {
       std::array{Remedy::none, Remedy::damping, Remedy::implicit, Remedy::cap}[word];
 }
 
+void take_events(Scene& scene, std::size_t word) {
+  scene.friction.settings.events = std::array{Events::exact, Events::tick}[word];
+}
+
 SceneKey law_key() {
   std::vector<std::string> names;
   for (const LawEntry& law : law_table()) names.emplace_back(law.name);
@@ -90,6 +94,10 @@ std::vector<SceneKey> friction_keys() {
       only_with(laws_that_read("remedy"),
                 choice_key<take_remedy>("remedy", {"none", "damping", "implicit", "cap"}, "none",
                                         "for a stick spring too stiff for the loop, told when it acts")));
+  keys.push_back(only_with(laws_that_read("events"),
+                           choice_key<take_events>("events", {"exact", "tick"}, "exact",
+                                                   "where rupture and restick are looked for: within the "
+                                                   "tick, or at ticks only, as a comparison")));
   keys.push_back(table_key("vibration", "false", read_vibration));
   return keys;
 }

@@ -152,8 +152,8 @@ std::vector<SceneKey> motion_keys() {
   using M = ScriptedMotion;
   return {
       number_key<motion, &MotionSettings::rate_hz>("rate_hz", 1, 1e6, "the tick"),
-      text_key("file", "\"motions/rub.csv\"", "t_s,x_m,y_m,z_m and optionally dx,dy,dz; or a trace",
-               read_motion_file),
+      text_key("file", "\"motions/rub.csv\"",
+               "t_s,x_m,y_m,z_m and optionally dx,dy,dz or qw,qx,qy,qz; or a trace", read_motion_file),
       motion_kind_key("kind"),
       only_with({"line"}, required(vector_key<script, &M::from_m>("from_m", ""))),
       only_with({"line"}, required(vector_key<script, &M::to_m>("to_m", ""))),

@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 #include "friction/law_table.hpp"
 
@@ -60,8 +61,13 @@ std::span<const BatteryCase> battery() noexcept {
   return cases;
 }
 
-BatteryRun run_battery(const BatteryCase& c, const std::string& law, double rate_hz) {
-  const BenchScene bench(rate_hz, law);
+long BatteryRun::rupture_count() const noexcept {
+  return std::accumulate(ruptures.begin(), ruptures.end(), 0L);
+}
+
+BatteryRun run_battery(const BatteryCase& c, const std::string& law, double rate_hz, Events events) {
+  BenchScene bench(rate_hz, law);
+  bench.scene().friction.settings.events = events;
   ClosedLoop loop = bench.loop(c.seconds, c.position_W);
   BatteryRun run;
   run.friction_W_n.resize(3, loop.tick_count());
@@ -69,6 +75,7 @@ BatteryRun run_battery(const BatteryCase& c, const std::string& law, double rate
   for (Eigen::Index k = 0; k < run.friction_W_n.cols(); ++k) {
     const TickRecord record = loop.next();
     run.friction_W_n.col(k) = record.friction_W_n;
+    run.ruptures.push_back(record.ruptures);
     run.mean_load_n += record.normal_force_n / static_cast<double>(loop.tick_count());
     if (k > 0) run.work_j -= (record.friction_W_n + last.friction_W_n).dot(record.p_WQ - last.p_WQ) / 2;
     last = record;
@@ -104,14 +111,9 @@ TickCost tick_cost(const BatteryCase& c, const std::string& law_name) {
   double sum = 0;  // of forces, so that nothing is left out
   for (int i = 0; i < runs; ++i) {
     FrictionState state;
-    Vec2 from_centre = Vec2::Zero();
     const double alone_s = seconds_of([&] {
-      for (TangentialMotion m : motions) {
-        from_centre += m.step_m;
-        m.from_centre_m = from_centre;
-        const Friction friction = law->tick(m, state);
-        if (friction.centre_moved) from_centre = friction.from_centre_m;
-        sum += friction.force_n.x();
+      for (const TangentialMotion& m : motions) {
+        sum += law->tick(m, state).force_n.x();
       }
     });
     ClosedLoop loop = bench.loop(c.seconds, c.position_W);

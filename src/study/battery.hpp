@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "study/bench_scene.hpp"
 
@@ -25,8 +26,11 @@ struct BatteryRun {
   Points friction_W_n;  ///< 3 x ticks, on the finger
   double work_j = 0;    ///< taken from the finger, trapezium rule
   double mean_load_n = 0;
+  std::vector<int> ruptures;  ///< of each tick
+
+  long rupture_count() const noexcept;
 };
-BatteryRun run_battery(const BatteryCase& c, const std::string& law, double rate_hz);
+BatteryRun run_battery(const BatteryCase& c, const std::string& law, double rate_hz, Events events);
 
 /// How far a run is off a finer one, compared at the coarser ticks. As shares of mu_s times the mean load,
 /// and of the finer run's work.

@@ -25,7 +25,7 @@ std::vector<Strike> strikes_at(double speed_m_per_s, double radius_m) {
   return strikes;
 }
 
-struct Wall {
+struct StruckWall {
   std::string name, words;
   TriangleSoup (*mesh)(double thickness_m);
 };
@@ -34,7 +34,7 @@ const std::vector<std::string> columns{"wall",   "thickness_m", "speed_m_per_s",
                                        "method", "normals",     "strikes",       "pop_throughs"};
 
 /// The share of all strikes of a variant that pop through a wall; a row of the table a speed.
-double popped_share(StudyTable& table, const Wall& wall, double thickness_m, double radius_m,
+double popped_share(StudyTable& table, const StruckWall& wall, double thickness_m, double radius_m,
                     const std::shared_ptr<const World>& world, const ContactVariant& variant) {
   int all_pops = 0, all_strikes = 0;
   for (const double speed : speeds_m_per_s) {
@@ -50,7 +50,7 @@ double popped_share(StudyTable& table, const Wall& wall, double thickness_m, dou
 }
 
 /// Strikes by a finger of this radius, against the wall's thickness.
-ChartPanel strikes_panel(StudyTable& table, const Wall& wall, double radius_m) {
+ChartPanel strikes_panel(StudyTable& table, const StruckWall& wall, double radius_m) {
   ChartPanel panel{wall.words + ", " + (radius_m > 0 ? "a finger of 4 mm" : "a point finger"),
                    "thickness of the wall [mm]",
                    "share of the strikes",
@@ -89,10 +89,10 @@ void study_contact_strikes(StudyReport& report) {
                "centre, whatever the speed."},
               2,
               {}};
-  const std::array<Wall, 2> walls{{{"plate", "a flat plate of 12 triangles", plate_mesh},
-                                   {"hollow-ball", "a hollow ball of radius 30 mm", hollow_ball_mesh}}};
+  const std::array<StruckWall, 2> walls{{{"plate", "a flat plate of 12 triangles", plate_mesh},
+                                         {"hollow-ball", "a hollow ball of radius 30 mm", hollow_ball_mesh}}};
   for (const double radius_m : radii_m) {
-    for (const Wall& wall : walls) chart.panels.push_back(strikes_panel(table, wall, radius_m));
+    for (const StruckWall& wall : walls) chart.panels.push_back(strikes_panel(table, wall, radius_m));
   }
   report.tables.push_back(std::move(table));
   report.charts.push_back(std::move(chart));

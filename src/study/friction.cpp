@@ -1,9 +1,9 @@
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <map>
 
 #include "study/battery.hpp"
+#include "study/friction_events.hpp"
 #include "study/pulled_block.hpp"
 #include "study/studies.hpp"
 
@@ -12,7 +12,6 @@ namespace {
 
 const std::vector<double> rates_hz{250, 500, 1000, 2000, 4000, 10000, 20000};
 constexpr double fine_hz = 640000;
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 /// Errors below this are rounding; so that a logarithmic axis can show them they are drawn here.
 constexpr double floor_of_errors = 1e-6;
 
@@ -60,11 +59,11 @@ ErrorsByLaw study_own_limits(StudyReport& report, const StudyProgress& progress)
                      {},
                      {}};
     for (const std::string& law : law_names()) {
-      const BatteryRun fine = run_battery(c, law, fine_hz);
+      const BatteryRun fine = run_battery(c, law, fine_hz, Events::exact);
       std::vector<double> errors;
       for (std::size_t i = 0; i < rates_hz.size(); ++i) {
-        const BatteryError error =
-            battery_error(run_battery(c, law, rates_hz[i]), fine, std::lround(fine_hz / rates_hz[i]));
+        const BatteryError error = battery_error(run_battery(c, law, rates_hz[i], Events::exact), fine,
+                                                 std::lround(fine_hz / rates_hz[i]));
         errors.push_back(error.rms);
         gather(overall, law, i, error.rms);
         table.rows.push_back({std::string(c.name), law, rates_hz[i], error.rms, error.worst, error.work});
@@ -76,53 +75,6 @@ ErrorsByLaw study_own_limits(StudyReport& report, const StudyProgress& progress)
   report.tables.push_back(std::move(table));
   report.charts.push_back(std::move(chart));
   return overall;
-}
-
-/// Slow drag by the paper's rule: mean (mu_s + mu_d)/2, spatial period (mu_s - mu_d)/k_f.
-void study_sawtooth(StudyReport& report) {
-  StudyTable table{
-      "sawtooth", {"law", "rate_hz", "period_m", "exact_period_m", "mean_mu", "exact_mean_mu"}, {}};
-  ChartPanel period{"spatial period of the teeth", "rate [Hz]", "error [share]", true, true, {}, {}};
-  ChartPanel mean{"mean coefficient of friction", "rate [Hz]", "error [share]", true, true, {}, {}};
-  constexpr double exact_period_m = 1e-4, exact_mu = 0.25, speed = 0.01;
-  for (const std::string law : {"stick-slip", "finger-pad", "salisbury", "contact-area"}) {
-    std::vector<double> period_errors, mean_errors;
-    for (const double hz : rates_hz) {
-      const BatteryRun run = run_battery(battery()[0], law, hz);
-      long first = -1, last = -1, teeth = 0;
-      double sum = 0, sum_at_last = 0;
-      for (Eigen::Index k = 1; k < run.friction_W_n.cols(); ++k) {
-        const double now = -run.friction_W_n(0, k), before = -run.friction_W_n(0, k - 1);
-        if (now < before - 0.02) {
-          if (first < 0) {
-            first = k;
-            sum = 0;
-          } else {
-            ++teeth;
-          }
-          last = k;
-          sum_at_last = sum;
-        }
-        sum += now;
-      }
-      const auto ticks = static_cast<double>(last - first);
-      const double period_m = teeth > 0 ? ticks / static_cast<double>(teeth) * speed / hz : nan;
-      const double mu = teeth > 0 ? sum_at_last / ticks : nan;
-      table.rows.push_back({law, hz, period_m, exact_period_m, mu, exact_mu});
-      period_errors.push_back(std::abs(period_m / exact_period_m - 1));
-      mean_errors.push_back(std::abs(mu / exact_mu - 1));
-    }
-    period.curves.push_back(law_series(law, rates_hz, period_errors));
-    mean.curves.push_back(law_series(law, rates_hz, mean_errors));
-  }
-  report.tables.push_back(std::move(table));
-  report.charts.push_back(
-      {"sawtooth",
-       "Slow drag against the exact sawtooth",
-       {"0.01 m/s at 1 N, v_min = 0.1 m/s: teeth of (mu_s - mu_d)/k_f = 0.1 mm from mu_d to mu_s, mean 0.25.",
-        "One tick of each tooth is slip, so the period is long by 1-2 V T."},
-       2,
-       {std::move(period), std::move(mean)}});
 }
 
 ErrorsByLaw study_pulled_block(StudyReport& report, const StudyProgress& progress) {
@@ -206,7 +158,8 @@ void study_costs(StudyReport& report, const StudyProgress& progress, const Error
 StudyReport study_friction(const StudyProgress& progress) {
   StudyReport report;
   const ErrorsByLaw own = study_own_limits(report, progress);
-  study_sawtooth(report);
+  progress("events between ticks");
+  study_events(report);
   const ErrorsByLaw exact = study_pulled_block(report, progress);
   study_costs(report, progress, own, exact);
   return report;

@@ -38,7 +38,6 @@ RubRun rub_with(const Rub& rub, Restick restick) {
   const double z_m = -load_n / bench.surface().stiffness_n_per_m;
   ClosedLoop loop = bench.loop(seconds, [&](double t_s) { return Vec3(rub.x_m(t_s), 0, z_m); });
   RubRun run;
-  Phase last = Phase::free;
   double last_x = 0;
   const auto ticks = static_cast<double>(loop.tick_count());
   for (long k = 0; k < loop.tick_count(); ++k) {
@@ -50,9 +49,8 @@ RubRun rub_with(const Rub& rub, Restick restick) {
     }
     run.stick_share += (record.phase == Phase::stick ? 1 : 0) / ticks;
     run.mean_mu += record.mu / ticks;
-    run.ruptures += last == Phase::stick && record.phase == Phase::slip ? 1 : 0;
+    run.ruptures += record.ruptures;
     run.work_j += force_n * (record.p_WQ.x() - last_x);
-    last = record.phase;
     last_x = record.p_WQ.x();
   }
   return run;

@@ -7,11 +7,11 @@
 #include <utility>
 
 #include "base/error.hpp"
-#include "base/tangent_frame.hpp"
 #include "contact/contact_method_table.hpp"
 #include "friction/law_table.hpp"
 #include "part/part.hpp"
 #include "scene/scene.hpp"
+#include "touch/finger_turn.hpp"
 #include "touch/inside_start.hpp"
 
 namespace fingerpad {
@@ -46,6 +46,7 @@ std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Wor
 Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
     : world_(std::move(world)),
       normals_(settled_contact(scene, *world_).normals),
+      radius_m_(scene.finger.radius_m),
       dt_s_(1 / scene.motion.rate_hz),
       method_(make_contact_method(scene, *world_)),
       velocity_(scene.hand ? scene.hand->encoder_m : 0, dt_s_) {
@@ -64,108 +65,127 @@ void Touch::reset() noexcept {
   velocity_.reset();
   method_->reset();
   unplaced_ = false;
+  last_.reset();
   release();
 }
 
 void Touch::release() noexcept {
-  in_contact_ = false;
-  friction_ = {};
-  centre_.forget();
+  memories_.forget();
   if (vibration_) vibration_->rest();
 }
 
-void Touch::turn_frame(const Contact& contact, const Vec3& direction_W) noexcept {
-  last_frame_WC_ = frame_WC_;
-  frame_WC_ =
-      in_contact_ ? transported(frame_WC_, contact.normal_W) : tangent_frame(contact.normal_W, direction_W);
+SkinMotion Touch::skin_motion(const FingerSample& sample) noexcept {
+  SkinMotion skin;
+  skin.dt_s = dt_s_;
+  skin.velocity_W = velocity_.next(sample.p_WQ);
+  if (last_) {
+    skin.displacement_W = sample.p_WQ - last_->p_WQ;
+    if (radius_m_ > 0) skin.turn_W = finger_turn(*last_, sample);
+  }
+  last_ = sample;
+  return skin;
 }
 
-TangentialMotion Touch::tangential_motion(const Contact& contact, double normal_force_n,
-                                          const Vec3& velocity_W, const FingerSample& sample) const noexcept {
-  const auto in_plane = [this](const Vec3& v) {
-    return Vec2(frame_WC_.col(0).dot(v), frame_WC_.col(1).dot(v));
-  };
-  const SurfaceProperties& properties =
-      world_->surfaces[static_cast<std::size_t>(contact.holds[0].surface)].properties;
-  const Vec3& normal_W = frame_WC_.col(2);
-
-  TangentialMotion motion;
-  motion.dt_s = dt_s_;
-  motion.normal_force_n = normal_force_n;
-  motion.mu_static = properties.mu_static;
-  motion.mu_dynamic = properties.mu_dynamic;
-  motion.surface_stiffness_n_per_m = properties.stiffness_n_per_m;
-  motion.velocity_m_per_s = in_plane(velocity_W);
-  if (in_contact_ && law_->reads_step()) {
-    motion.step_m =
-        in_plane(surface_displacement(last_contact_W_, last_frame_WC_.col(2), contact.point_W, normal_W));
+/// Every wall's own spring and damper: the dampers share the approach as the walls share the depth. A damper
+/// may soften a wall's push, never pull the finger in.
+double Touch::push(const Contact& contact, const Vec3& velocity_W, Walls& walls) const noexcept {
+  const double leaving_m_per_s = contact.normal_W.dot(velocity_W);
+  double sum_n = 0;
+  for (Wall& wall : walls) {
+    const SurfaceProperties& surface = surface_of(wall).properties;
+    const double share = wall.share_m / contact.depth_m;
+    wall.normal_force_n = std::max(
+        0.0, surface.stiffness_n_per_m * wall.share_m - surface.damping_n_s_per_m * leaving_m_per_s * share);
+    sum_n += wall.normal_force_n;
   }
-  motion.from_centre_m = centre_.displacement(contact.point_W, frame_WC_);
-  motion.inclination_rad = std::asin(std::min(1.0, std::abs(sample.direction_W.dot(normal_W))));
-  motion.applied_force_n = in_plane(sample.push_W_n);
-  const Vec2 longitudinal = in_plane(sample.direction_W);
-  const double length = longitudinal.norm();
-  // A finger straight along the normal names no axis in the plane: the transported frame serves.
-  motion.longitudinal = length > 1e-9 ? Vec2(longitudinal / length) : Vec2(0, 1);
-  return motion;
+  return sum_n;
 }
 
-void Touch::answer(const Contact& contact, const FingerSample& given, const Vec3& velocity_W,
-                   TickRecord& record) noexcept {
-  const ContactHold& hold = contact.holds[0];  // the greatest stands for all
-  const Surface& surface = world_->surfaces[static_cast<std::size_t>(hold.surface)];
-  const FingerSample sample = usable(given, contact.normal_W);
-  turn_frame(contact, sample.direction_W);
-  const Vec3& normal_W = frame_WC_.col(2);
-
-  // The damper may soften the surface's push, never pull the finger in.
-  double normal_force_n = std::max(0.0, surface.properties.stiffness_n_per_m * contact.depth_m -
-                                            surface.properties.damping_n_s_per_m * normal_W.dot(velocity_W));
-  const TangentialMotion motion = tangential_motion(contact, normal_force_n, velocity_W, sample);
-  const bool was_stuck = friction_.phase == Phase::stick;
-  Friction friction = law_->tick(motion, friction_);
-  vibrate(friction, normal_force_n);
-  if (friction.centre_moved) {
-    // Sought on the surface where stick begins; a centre that a law drags along tick by tick needs no search.
-    centre_.place(surface, contact.point_W, frame_WC_, friction.from_centre_m, normals_,
-                  friction.phase == Phase::stick && !was_stuck, hold.triangle);
+Friction Touch::rub(const Wall& wall, double share_of_push, const SkinMotion& skin,
+                    const FingerSample& sample, WallMemory& memory) const noexcept {
+  const Phase before = memory.friction.phase;
+  TangentialMotion motion = tangential_motion(skin, sample, wall, surface_of(wall).properties,
+                                              memory.frame_WC, before == Phase::free);
+  motion.normal_force_n = wall.normal_force_n;
+  motion.applied_force_n *= share_of_push;
+  const Friction friction = law_->tick(motion, memory.friction);
+  if (!friction.centre_moved) return friction;
+  const Vec3 stretch_W = memory.frame_WC.leftCols<2>() * friction.stretch_m;
+  // Put on the surface where stick begins; a centre that a law drags along tick by tick needs no search.
+  if (before != Phase::stick || friction.ruptures > 0) {
+    memory.centre.place(surface_of(wall), wall.point_W, stretch_W, normals_, wall.triangle);
+  } else {
+    memory.centre.drag(wall.point_W - stretch_W);
   }
+  return friction;
+}
 
-  record.phase = friction.phase;
-  record.remedied = friction.remedied;
-  record.depth_m = contact.depth_m;
-  record.contact_W = contact.point_W;
-  record.normal_W = normal_W;
-  record.normal_force_n = normal_force_n;
-  // Adding zero turns a minus zero, which a trace would show as "-0", into a plain one.
-  record.friction_W_n = frame_WC_.leftCols<2>() * friction.force_n + Vec3::Zero();
-  record.force_W_n = normal_force_n * normal_W + record.friction_W_n;
-  record.mu = normal_force_n > 0 ? friction.force_n.norm() / normal_force_n : 0.0;
-  record.inclination_rad = motion.inclination_rad;
-  record.surface = hold.surface;
-  record.triangle =
-      hold.triangle < 0 ? -1 : surface.part->file_triangle[static_cast<std::size_t>(hold.triangle)];
-  if (friction.phase == Phase::stick) {
-    record.stick_centre_W = centre_.is_set()
-                                ? centre_.point_W()
-                                : Vec3(contact.point_W - frame_WC_.leftCols<2>() * friction.from_centre_m);
+Touch::Forces Touch::forces(const Walls& walls, const SkinMotion& skin, const FingerSample& sample,
+                            double pushed_n, TickRecord& record) noexcept {
+  Forces forces;
+  forces.pushed_n = pushed_n;
+  for (int i = 0; i < walls.count; ++i) {
+    const Wall& wall = walls[i];
+    WallMemory& memory = memories_[i];
+    // What pushes the finger along the walls is held by all of them, each by its part.
+    const double share_of_push = walls.count > 1 && pushed_n > 0 ? wall.normal_force_n / pushed_n : 1;
+    const Friction friction = rub(wall, share_of_push, skin, sample, memory);
+    (friction.phase == Phase::slip ? forces.slip_W_n : forces.stick_W_n) +=
+        memory.frame_WC.leftCols<2>() * friction.force_n;
+    forces.any_slips |= friction.phase == Phase::slip;
+    forces.normal_W_n += (wall.normal_force_n / wall.share_m) * wall.push_m;
+    record.ruptures += friction.ruptures;
+    record.remedied |= friction.remedied;
+    if (i > 0) continue;
+    record.phase = friction.phase;
+    if (friction.phase == Phase::stick) record.stick_centre_W = memory.centre.point_W();
   }
-  in_contact_ = true;
-  last_contact_W_ = contact.point_W;
+  return forces;
 }
 
 /// Paper, figs. 10-11: the slipping pad's vibration shows in the tangential and in the normal force.
-void Touch::vibrate(Friction& friction, double& normal_force_n) noexcept {
-  if (!vibration_) return;
-  if (friction.phase != Phase::slip) {
+void Touch::vibrate(Forces& forces) noexcept {
+  if (!forces.any_slips) {
     vibration_->rest();
     return;
   }
   const double signal = vibration_->next();
   const double scale = vibration_force_scale(vibration_amplitude_, signal);
-  friction.force_n *= scale;
-  friction_.slip_force_scale = scale;
-  normal_force_n = std::max(0.0, normal_force_n * (1 + vibration_normal_amplitude_ * signal));
+  forces.slip_W_n *= scale;
+  for (int i = 0; i < memories_.count(); ++i) {
+    FrictionState& friction = memories_[i].friction;
+    if (friction.phase == Phase::slip) friction.slip_force_scale = scale;
+  }
+  const double pressed = std::max(0.0, 1 + vibration_normal_amplitude_ * signal);
+  forces.pushed_n *= pressed;
+  forces.normal_W_n *= pressed;
+}
+
+void Touch::answer(const Contact& contact, const FingerSample& given, const SkinMotion& skin,
+                   TickRecord& record) noexcept {
+  const FingerSample sample = usable(given, contact.normal_W);
+  Walls walls = walls_of(contact);
+  memories_.follow(walls, sample.direction_W);
+  const double pushed_n = push(contact, skin.velocity_W, walls);
+  Forces sum = forces(walls, skin, sample, pushed_n, record);
+  if (vibration_) vibrate(sum);
+
+  record.depth_m = contact.depth_m;
+  record.contact_W = contact.point_W;
+  record.normal_W = contact.normal_W;
+  record.normal_force_n = sum.pushed_n;
+  // Adding zero turns a minus zero, which a trace would show as "-0", into a plain one.
+  record.friction_W_n = sum.slip_W_n + sum.stick_W_n + Vec3::Zero();
+  record.force_W_n = sum.normal_W_n + record.friction_W_n;
+  record.mu = sum.pushed_n > 0 ? record.friction_W_n.norm() / sum.pushed_n : 0.0;
+  record.inclination_rad = std::asin(std::min(1.0, std::abs(sample.direction_W.dot(contact.normal_W))));
+  record.walls = walls.count;
+  const Wall& greatest = walls[0];
+  record.surface = greatest.surface;
+  record.triangle =
+      greatest.triangle < 0
+          ? -1
+          : surface_of(greatest).part->file_triangle[static_cast<std::size_t>(greatest.triangle)];
 }
 
 TickRecord Touch::tick(const FingerSample& sample) noexcept {
@@ -176,7 +196,7 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
     reset();
     return record;
   }
-  const Vec3 velocity_W = velocity_.next(sample.p_WQ);
+  const SkinMotion skin = skin_motion(sample);
   const Contact& contact = method_->touch(sample.p_WQ, dt_s_);
   const bool unplaced_before = std::exchange(unplaced_, !contact.placed);
   record.started_inside = unplaced_ && !unplaced_before;
@@ -184,7 +204,7 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
     release();
     return record;
   }
-  answer(contact, sample, velocity_W, record);
+  answer(contact, sample, skin, record);
   record.started_inside |= contact.started && !unplaced_before && is_inside_part(record, *world_);
   if (meaningful(record.force_W_n)) return record;
   reset();  // a force that overflowed is no force to give to a person's hand

@@ -8,8 +8,9 @@
 #include "friction/law.hpp"
 #include "friction/slip_vibration.hpp"
 #include "motion/velocity_estimator.hpp"
-#include "touch/stick_centre.hpp"
+#include "touch/skin_motion.hpp"
 #include "touch/tick_record.hpp"
+#include "touch/wall_memory.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {
@@ -33,32 +34,45 @@ class Touch {
   void reset() noexcept;
 
  private:
-  void turn_frame(const Contact& contact, const Vec3& direction_W) noexcept;
-  TangentialMotion tangential_motion(const Contact& contact, double normal_force_n, const Vec3& velocity_W,
-                                     const FingerSample& sample) const noexcept;
-  void answer(const Contact& contact, const FingerSample& given, const Vec3& velocity_W,
+  /// What the walls do together, in W.
+  struct Forces {
+    double pushed_n = 0;  ///< the sum of the normal forces' sizes
+    Vec3 normal_W_n = Vec3::Zero(), slip_W_n = Vec3::Zero(), stick_W_n = Vec3::Zero();
+    bool any_slips = false;
+  };
+
+  SkinMotion skin_motion(const FingerSample& sample) noexcept;
+  void answer(const Contact& contact, const FingerSample& given, const SkinMotion& skin,
               TickRecord& record) noexcept;
-  void vibrate(Friction& friction, double& normal_force_n) noexcept;
+  /// Gives each wall its normal force. @returns their sum [N]
+  double push(const Contact& contact, const Vec3& velocity_W, Walls& walls) const noexcept;
+  Forces forces(const Walls& walls, const SkinMotion& skin, const FingerSample& sample, double pushed_n,
+                TickRecord& record) noexcept;
+  /// One wall's friction law, and the stick centre that it leaves.
+  Friction rub(const Wall& wall, double share_of_push, const SkinMotion& skin, const FingerSample& sample,
+               WallMemory& memory) const noexcept;
+  void vibrate(Forces& forces) noexcept;
   void release() noexcept;
+
+  const Surface& surface_of(const Wall& wall) const noexcept {
+    return world_->surfaces[static_cast<std::size_t>(wall.surface)];
+  }
 
   std::shared_ptr<const World> world_;
   std::shared_ptr<const FrictionLaw> law_;
   Normals normals_;
+  double radius_m_;
   double dt_s_;
 
   std::unique_ptr<ContactMethod> method_;
   VelocityEstimator velocity_;
+  std::optional<FingerSample> last_;
+  WallMemories memories_;
 
   bool unplaced_ = false;  // the last tick found no place where the finger fits
-  bool in_contact_ = false;
-  Vec3 last_contact_W_ = Vec3::Zero();
-  Mat3 last_frame_WC_ = Mat3::Identity();
-  Mat3 frame_WC_ = Mat3::Identity();  ///< of the contact: Cx, Cy, and Cz the normal
-  FrictionState friction_;
-  StickCentre centre_;
 
-  std::optional<SlipVibration>
-      vibration_;  ///< only where the scene asks for it: else no random number is drawn
+  /// Only where the scene asks for it: else no random number is drawn.
+  std::optional<SlipVibration> vibration_;
   double vibration_amplitude_ = 0, vibration_normal_amplitude_ = 0;
 };
 

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/csv_columns.hpp"
@@ -25,13 +26,20 @@ std::vector<std::string_view> cells_of(std::string_view line) {
   }
 }
 
-/// Where each column of a trace stands in the file.
+/// Where each column of a trace stands in the file; beyond its columns for one that an older trace lacks.
 std::vector<std::size_t> find_columns(const std::string& where, std::string_view header) {
   std::vector<std::size_t> places;
+  const auto names = cells_of(header);
+  // Where a name is no column's, a column that is missing may be that one, misspelt.
+  const bool may_be_older = std::ranges::all_of(names, [](std::string_view name) {
+    return std::ranges::any_of(trace_columns(), [&](const TraceColumn& c) { return c.name == name; });
+  });
   for (const TraceColumn& column : trace_columns()) {
     const auto place = csv_column(header, column.name, where);
-    if (!place) throw refused(where, fmt::format("is no trace: it has no column '{}'", column.name));
-    places.push_back(*place);
+    if (!place && (column.always || !may_be_older)) {
+      throw refused(where, fmt::format("is no trace: it has no column '{}'", column.name));
+    }
+    places.push_back(place.value_or(names.size()));
   }
   return places;
 }
@@ -57,6 +65,7 @@ TickRecord read_row(const TextLines& lines, std::string_view line, const std::ve
   TickRecord record;
   std::string_view damage;  // of the row's numbers, once it is known that all are
   for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k] == cells.size()) continue;
     const TraceColumn& column = trace_columns()[k];
     const std::string_view cell = cells[places[k]];
     const bool is_phase = column.kind == ColumnKind::phase;

@@ -59,8 +59,8 @@ void each_field_of_info(Way& way, Info& info) {
 }
 
 struct Columns {
-  std::vector<hdf5::Handle> handles;
-  std::uint64_t rows = 0;  ///< of the shortest
+  std::vector<std::optional<hdf5::Handle>> handles;  ///< none for one that an older trace lacks
+  std::uint64_t rows = 0;                            ///< of the shortest
 };
 
 /// How long a column is: what it says of itself, checked against the bytes that it has.
@@ -88,10 +88,14 @@ Columns open_columns(const hdf5::Handle& file, bool complete) {
   for (const TraceColumn& column : trace_columns()) {
     const std::string name(column.name);
     if (!hdf5::has_link(file, name)) {
+      if (!column.always) {
+        columns.handles.emplace_back();
+        continue;
+      }
       throw refused(file.path(), fmt::format("is no trace: it has no column '{}'", name));
     }
     columns.handles.push_back(hdf5::open_dataset(file, name, "column"));
-    const std::uint64_t rows = rows_of(columns.handles.back(), name, complete, file_bytes);
+    const std::uint64_t rows = rows_of(*columns.handles.back(), name, complete, file_bytes);
     columns.rows = std::min(columns.rows, rows);
     longest = std::max(longest, rows);
   }
@@ -105,7 +109,11 @@ Columns open_columns(const hdf5::Handle& file, bool complete) {
 bool read_block(const Columns& columns, std::size_t first, std::size_t count, Block& block) {
   for (std::size_t k = 0; k < columns.handles.size(); ++k) {
     block[k].resize(count);
-    if (!hdf5::read_rows(columns.handles[k], first, block[k])) return false;
+    if (!columns.handles[k]) {
+      std::ranges::fill(block[k], trace_columns()[k].get(TickRecord()));
+    } else if (!hdf5::read_rows(*columns.handles[k], first, block[k])) {
+      return false;
+    }
   }
   return true;
 }

@@ -28,6 +28,7 @@ struct TraceColumn {
   /// @param value  read_value has nothing against
   void (*set)(TickRecord& record, double value) noexcept;
   std::string_view values{};  ///< what its numbers stand for, an attribute in HDF5; empty: what `unit` says
+  bool always = true;         ///< false: traces of older programs lack it; a record is then as it is made
 };
 
 /// The columns in file order: t_s .. triangle.

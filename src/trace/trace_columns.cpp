@@ -30,13 +30,19 @@ constexpr TraceColumn column(std::string_view name, std::string_view unit, std::
           [](TickRecord& record, double value) noexcept { (record.*member)[axis] = value; }};
 }
 
-constexpr std::string_view finger = "the finger",
-                           touched = "contact point and outward normal; nan while free",
-                           whole = "whole force on the finger", part_of_it = "its friction part",
-                           centre = "stick centre; nan unless sticking",
-                           what =
-                               "what is touched: parts, then planes, from 0; the triangle in file order; -1 "
-                               "while free";
+/// A column that came later.
+constexpr TraceColumn later(TraceColumn column) {
+  column.always = false;
+  return column;
+}
+
+constexpr std::string_view
+    finger = "the finger",
+    touched = "contact point and outward normal; nan while free", whole = "whole force on the finger",
+    part_of_it = "its friction part", centre = "stick centre; nan unless sticking",
+    what =
+        "what is touched most: parts, then planes, from 0; the triangle in file order; -1 "
+        "while free";
 using R = TickRecord;
 using Kind = ColumnKind;
 
@@ -71,6 +77,9 @@ std::span<const TraceColumn> trace_columns() noexcept {
       column<&R::inclination_rad>("angle_rad", "rad", "the finger's inclination to the surface"),
       column<&R::surface>("part", "1", what, Kind::index),
       column<&R::triangle>("triangle", "1", what, Kind::index),
+      later(column<&R::walls>(
+          "walls", "1", "how many walls hold the finger at once; the forces are their sum", Kind::index)),
+      later(column<&R::ruptures>("ruptures", "1", "how often stick gave way within the tick", Kind::index)),
   };
   return table;
 }

@@ -33,7 +33,7 @@ fs::path folder_with_inputs() {
   std::ofstream(folder / "calm.toml") << calm_scene("calm");
   std::ofstream(folder / "coarse.toml")
       << "name = \"coarse\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\n"
-         "from_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = 0.02\n";
+         "from_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = 0.08\n";
   return folder;
 }
 

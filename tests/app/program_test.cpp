@@ -136,9 +136,14 @@ TEST(Program, PrintsNoProgressWhenPiped) {
 
 TEST(Program, WarnsWhereTicksAreTooCoarseForTheSawtooth) {
   const fs::path folder = folder_with_cube();
-  const ShellResult result = test::fingerpad("replay cube.toml --out h --quiet", folder);
-  // 0.1 mm of tooth at 20 mm/s and 1 kHz: five ticks.
-  EXPECT_NE(result.err.find("under ten ticks"), std::string::npos) << result.err;
+  // 0.1 mm of tooth at 20 mm/s and 1 kHz: five ticks, which show it.
+  const ShellResult slow = test::fingerpad("replay cube.toml --out h --quiet", folder);
+  EXPECT_EQ(slow.err.find("under two ticks"), std::string::npos) << slow.err;
+  std::ofstream(folder / "fast.toml")
+      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\n"
+         "from_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\nspeed_m_per_s = 0.08\n";
+  const ShellResult fast = test::fingerpad("replay fast.toml --out h --quiet", folder);
+  EXPECT_NE(fast.err.find("under two ticks"), std::string::npos) << fast.err;
 }
 
 TEST(Program, TellsWhatItChoseForAPartAndWhyOnceAndNotWhenQuiet) {

@@ -143,9 +143,9 @@ TEST(LuGre, HoldsWhereEulersStepDiverges) {
   for (int k = 1; k < 200; ++k) {
     const double way = 0.05 * k;  // 50 m/s
     contact.move_to({way, 0});
-    EXPECT_LE(contact.state.deflection_m.norm(), 1.5e-5 * (1 + 1e-12));
+    EXPECT_LE(contact.state.stretch_m.norm(), 1.5e-5 * (1 + 1e-12));
   }
-  EXPECT_NEAR(contact.state.deflection_m.x(), 1e-5, 1e-15);  // F_c/sigma0
+  EXPECT_NEAR(contact.state.stretch_m.x(), 1e-5, 1e-15);  // F_c/sigma0
 }
 
 /// Elasto-plastic bristle by its equations as Dupont 2002 prints them, on a line, in steps so small that the
@@ -174,7 +174,7 @@ TEST(ElastoPlastic, FollowsItsPublishedEquations) {
     contact.move_to({0, 0});
     for (int k = 1; k <= 1000; ++k) contact.move_to({way_m * k / 1000, 0});
     // Steps of 1.5e-6 m against z_ss = 3e-4 m, second order: (5e-3)^2 of the bristle times a few.
-    EXPECT_NEAR(contact.state.deflection_m.x(), integrated_bristle_m(way_m, 0.7 * 3e-4, 3e-4), 3e-9) << way_m;
+    EXPECT_NEAR(contact.state.stretch_m.x(), integrated_bristle_m(way_m, 0.7 * 3e-4, 3e-4), 3e-9) << way_m;
   }
 }
 
@@ -193,7 +193,7 @@ TEST(MaxDisplacement, SmoothFormFollowsItsPublishedEquation) {
     contact.move_to({0, 0});
     for (int k = 1; k <= 4000; ++k) contact.move_to({way_m * k / 4000, 0});
     ASSERT_LT(z, z_max);
-    EXPECT_NEAR(contact.state.deflection_m.x(), z, 2e-4 * z_max);  // first order: steps of 3e-4 of z_max
+    EXPECT_NEAR(contact.state.stretch_m.x(), z, 2e-4 * z_max);  // first order: steps of 3e-4 of z_max
   }
 }
 
@@ -248,7 +248,7 @@ TEST(ElastoPlastic, IsElasticBelowItsShareOfTheLimit) {
   contact.move_to({0, 0});
   for (int k = 1; k <= 200; ++k) contact.move_to({1e-6 * k, 0});  // 0.2 of 0.3 mm; z_ba is 0.21
   for (int k = 200; k >= 0; --k) contact.move_to({1e-6 * k, 0});
-  EXPECT_NEAR(contact.state.deflection_m.norm(), 0, 1e-18);
+  EXPECT_NEAR(contact.state.stretch_m.norm(), 0, 1e-18);
 }
 
 TEST(ElastoPlastic, YieldsAlikeInBothDirections) {

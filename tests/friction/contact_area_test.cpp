@@ -15,10 +15,10 @@ using test::make_law;
 constexpr double rounding = 1e-12;
 
 double slip_force_n(const FrictionLaw& law, double n) {
-  FrictionState state;
-  TangentialMotion motion = test::pressed(n, 1000);
-  motion.velocity_m_per_s = {0.2, 0};
-  return law.tick(motion, state).force_n.norm();
+  test::PlaneContact contact{law, test::pressed(n, 1000)};
+  const Friction f = contact.slide_to({0, 0}, {0.2, 0});
+  EXPECT_EQ(f.phase, Phase::slip);
+  return f.force_n.norm();
 }
 
 TEST(ContactArea, LimitGoesWithTheTwoThirdsPowerOfTheLoad) {

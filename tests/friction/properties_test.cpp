@@ -54,7 +54,6 @@ TangentialMotion extreme_motion(RandomStream& random) {
   m.mu_dynamic = std::abs(extreme(random));
   m.velocity_m_per_s = vector();
   m.step_m = vector();
-  m.from_centre_m = vector();
   m.inclination_rad = extreme(random);
   m.longitudinal = vector();
   m.applied_force_n = vector();
@@ -63,7 +62,7 @@ TangentialMotion extreme_motion(RandomStream& random) {
 }
 
 bool finite(const Friction& f) {
-  return f.force_n.allFinite() && f.from_centre_m.allFinite();
+  return f.force_n.allFinite() && f.stretch_m.allFinite();
 }
 
 TEST_P(EveryLaw, StaysFiniteOverAMillionRandomTicks) {
@@ -93,7 +92,7 @@ TEST_P(EveryLaw, StaysFiniteForExtremeInput) {
   for (int k = 0; k < 50000; ++k) {
     if (k % 7 == 0) state = FrictionState{};
     ASSERT_TRUE(finite(law->tick(extreme_motion(random), state))) << "tick " << k;
-    ASSERT_TRUE(state.deflection_m.allFinite() && state.slip_direction.allFinite()) << "tick " << k;
+    ASSERT_TRUE(state.stretch_m.allFinite() && state.slip_direction.allFinite()) << "tick " << k;
   }
 }
 
@@ -251,25 +250,6 @@ TEST_P(EveryLaw, TakesEnergyOverClosedPaths) {
       }
     }
   }
-}
-
-TEST_P(EveryLaw, SaysWhetherItReadsTheStep) {
-  const auto law = this->law();
-  const auto along = [&](bool with_steps) {
-    RandomStream path(8);
-    PlaneContact contact{*law, pressed(1, 1000)};
-    FrictionState state;
-    Vec2 sum(0, 0);
-    for (int k = 0; k < 2000; ++k) {
-      TangentialMotion m = contact.motion;
-      m.velocity_m_per_s = 0.2 * random_vector(path);
-      m.from_centre_m = 1e-4 * random_vector(path);
-      if (with_steps) m.step_m = m.velocity_m_per_s * m.dt_s;
-      sum += law->tick(m, state).force_n;
-    }
-    return sum;
-  };
-  EXPECT_EQ(along(true) != along(false), law->reads_step());
 }
 
 /// Mean resistance along a sine of `amplitude_m` at 3 Hz over the second period.

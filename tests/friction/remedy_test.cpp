@@ -40,7 +40,7 @@ TEST(Remedy, CapSoftensTheSpringAndKeepsItsLimit) {
   EXPECT_TRUE(soft.remedied);
   EXPECT_NEAR(soft.force_n.x(), -950 * 1e-4, rounding);
   EXPECT_EQ(stretched(remedied_by(Remedy::cap), 4, 1.26e-3).phase, Phase::stick);  // mu_s n/K = 1.263 mm
-  EXPECT_EQ(stretched(remedied_by(Remedy::cap), 4, 1.27e-3).phase, Phase::slip);
+  EXPECT_EQ(stretched(remedied_by(Remedy::cap), 4, 1.27e-3).ruptures, 1);
 }
 
 TEST(Remedy, ImplicitReadsTheSpringATickLater) {

@@ -10,6 +10,7 @@
 namespace fingerpad {
 namespace {
 
+using test::at_ticks;
 using test::make_law;
 using test::PlaneContact;
 using test::pressed;
@@ -45,16 +46,21 @@ TEST(StickSlip, FirstTouchAtRestSticksWithoutForce) {
   EXPECT_EQ(contact.centre_m, Vec2(0.4, -0.2));
 }
 
-TEST(StickSlip, FirstTouchAboveVMinSlips) {
+TEST(StickSlip, FirstTouchAboveVMinSticksUnstretchedToo) {
   const auto law = make_law("stick-slip");
   PlaneContact contact{*law, pressed(1, 1000)};
-  const Friction f = contact.move_to({0, 0}, {0.3, 0.4});
+  const Friction landed = contact.move_to({0, 0}, {0.3, 0.4});
+  EXPECT_EQ(landed.phase, Phase::stick);
+  EXPECT_EQ(landed.force_n, Vec2(0, 0));
+  // A tick later it has gone 0.5 mm: beyond its 0.3 mm, and too fast to hold again.
+  const Friction f = contact.move_to({3e-4, 4e-4}, {0.3, 0.4});
   EXPECT_EQ(f.phase, Phase::slip);
+  EXPECT_EQ(f.ruptures, 1);
   EXPECT_NEAR((f.force_n - Vec2(-0.12, -0.16)).norm(), 0, rounding);
 }
 
-TEST(StickSlip, SlowDragIsTheSawtoothOfThePaper) {
-  const auto law = make_law("stick-slip");
+TEST(StickSlip, SlowDragTestedAtTicksIsNearlyTheSawtoothOfThePaper) {
+  const auto law = make_law("stick-slip", at_ticks());
   const double rate = 10000, speed = 0.002;
   const Drag d = drag(*law, rate, speed, 2);
   std::vector<int> ruptures;
@@ -74,8 +80,8 @@ TEST(StickSlip, SlowDragIsTheSawtoothOfThePaper) {
   EXPECT_GE(peak, mu_s - k_f * speed / rate - rounding);  // at most k_f n V T below the limit
 }
 
-TEST(StickSlip, RuptureDropsTheForceFromStaticToDynamic) {
-  const auto law = make_law("stick-slip");
+TEST(StickSlip, RuptureAtATickDropsTheForceFromStaticToDynamic) {
+  const auto law = make_law("stick-slip", at_ticks());
   const double rate = 10000, speed = 0.002;
   const Drag d = drag(*law, rate, speed, 0.5);
   int ruptures = 0;
@@ -90,7 +96,7 @@ TEST(StickSlip, RuptureDropsTheForceFromStaticToDynamic) {
 }
 
 TEST(StickSlip, ForceIsContinuousFromSlipToStick) {
-  const auto law = make_law("stick-slip");
+  const auto law = make_law("stick-slip", at_ticks());
   PlaneContact contact{*law, pressed(2.5, 1000)};
   // A sine of 5 cm at 1 Hz passes 0.1 m/s four times a second.
   Friction last = contact.move_to({0, 0});
@@ -101,7 +107,7 @@ TEST(StickSlip, ForceIsContinuousFromSlipToStick) {
     if (f.phase == Phase::stick && last.phase == Phase::slip) {
       ++resticks;
       EXPECT_NEAR((f.force_n - last.force_n).norm(), 0, rounding);
-      EXPECT_NEAR(f.from_centre_m.norm(), mu_d / k_f, rounding);
+      EXPECT_NEAR(f.stretch_m.norm(), mu_d / k_f, rounding);
     }
     last = f;
   }
@@ -114,7 +120,7 @@ TEST(StickSlip, CentreIsSetBehindTheTransitionByThePapersEquation) {
   for (int i = 0; i < 24; ++i) {
     const Vec2 u = test::unit_at(0.26 * i), a(0.01, -0.02);
     PlaneContact contact{*law, pressed(0.7, 1000)};
-    contact.move_to(a, 0.11 * u);
+    contact.slide_to(a, 0.11 * u);
     contact.move_to(a, 0.09 * u);
     EXPECT_NEAR((contact.centre_m - (a - mu_d / k_f * u)).norm(), 0, 1e-16);  // rounding of 1e-2 m
   }
@@ -130,18 +136,22 @@ TEST(StickSlip, TangentialStiffnessGrowsInProportionToTheLoad) {
 }
 
 TEST(StickSlip, AReversalWithinATickMakesNoJump) {
-  const auto law = make_law("stick-slip");
-  PlaneContact contact{*law, pressed(1, 1000)};
-  const Friction before = contact.move_to({0, 0}, {0.2, 0});
-  const Friction after = contact.move_to({0.0001, 0}, {-0.09, 0.01});
-  EXPECT_EQ(after.phase, Phase::stick);
-  EXPECT_NEAR((after.force_n - before.force_n).norm(), 0, rounding);
+  for (const Events events : {Events::tick, Events::exact}) {
+    LawSettings settings;
+    settings.events = events;
+    const auto law = make_law("stick-slip", settings);
+    PlaneContact contact{*law, pressed(1, 1000)};
+    const Friction before = contact.slide_to({0, 0}, {0.2, 0});
+    const Friction after = contact.move_to({0, 0}, {-0.09, 0.01});
+    EXPECT_EQ(after.phase, Phase::stick);
+    EXPECT_NEAR((after.force_n - before.force_n).norm(), 0, rounding);
+  }
 }
 
 TEST(StickSlip, StickStartsAtTheForceAsWrittenUnderVibration) {
-  const auto law = make_law("stick-slip");
+  const auto law = make_law("stick-slip", at_ticks());
   PlaneContact contact{*law, pressed(1, 1000)};
-  const Friction slip = contact.move_to({0, 0}, {0.2, 0});
+  const Friction slip = contact.slide_to({0, 0}, {0.2, 0});
   contact.state.slip_force_scale = 1.25;  // what touch/ multiplied that force by
   const Friction stick = contact.move_to({0.0001, 0}, {0.05, 0});
   EXPECT_EQ(stick.phase, Phase::stick);
@@ -150,13 +160,28 @@ TEST(StickSlip, StickStartsAtTheForceAsWrittenUnderVibration) {
   EXPECT_NEAR((held.force_n - stick.force_n).norm(), 0, rounding);
 }
 
-TEST(StickSlip, ASpringThatWouldStartRupturedWaits) {
+TEST(StickSlip, BetweenTicksStickStartsAtTheForceAsWrittenAndIsStretchedByWhatIsLeftOfTheTick) {
   const auto law = make_law("stick-slip");
   PlaneContact contact{*law, pressed(1, 1000)};
-  contact.move_to({0, 0}, {0.2, 0});
-  contact.state.slip_force_scale = 1.6;  // 0.32 n, above the static limit
-  EXPECT_EQ(contact.move_to({0.0001, 0}, {0.05, 0}).phase, Phase::slip);
-  EXPECT_EQ(contact.move_to({0.0002, 0}, {0.05, 0}).phase, Phase::stick);
+  contact.slide_to({0, 0}, {0.2, 0});
+  contact.state.slip_force_scale = 1.25;
+  // From 0.2 m/s in the middle of the last tick to 0.05 in the middle of this one: 0.1 after a sixth of it.
+  const Friction stick = contact.move_to({0.00005, 0}, {0.05, 0});
+  EXPECT_EQ(stick.phase, Phase::stick);
+  EXPECT_NEAR(stick.force_n.x(), -(1.25 * mu_d + k_f * 0.00005 * 5 / 6), rounding);
+}
+
+TEST(StickSlip, ASpringThatWouldStartRupturedWaits) {
+  for (const Events events : {Events::tick, Events::exact}) {
+    LawSettings settings;
+    settings.events = events;
+    const auto law = make_law("stick-slip", settings);
+    PlaneContact contact{*law, pressed(1, 1000)};
+    contact.slide_to({0, 0}, {0.2, 0});
+    contact.state.slip_force_scale = 1.6;  // 0.32 n, above the static limit
+    EXPECT_EQ(contact.move_to({0.00005, 0}, {0.05, 0}).phase, Phase::slip);
+    EXPECT_EQ(contact.move_to({0.0001, 0}, {0.05, 0}).phase, Phase::stick);
+  }
 }
 
 TEST(StickSlip, UnloadingAloneNeverSlips) {
@@ -173,11 +198,12 @@ TEST(StickSlip, UnloadingAloneNeverSlips) {
 TEST(StickSlip, AtRestTheCentreNeverMoves) {
   const auto law = make_law("stick-slip");
   PlaneContact contact{*law, pressed(1, 1000)};
-  contact.move_to({0.1, 0.1}, {0.5, 0.1});
-  const Friction first = contact.move_to({0.1001, 0.1}, {0.01, 0});
+  contact.slide_to({0.1, 0.1}, {0.5, 0.1});
+  const Friction first = contact.move_to({0.10001, 0.1}, {0.01, 0});
+  ASSERT_EQ(first.phase, Phase::stick);
   const Vec2 centre = contact.centre_m;
   for (int k = 0; k < 10000; ++k) {
-    const Friction f = contact.move_to({0.1001, 0.1});
+    const Friction f = contact.move_to({0.10001, 0.1});
     ASSERT_EQ(contact.centre_m, centre);
     ASSERT_FALSE(f.centre_moved);
     // S minus the centre is rounded at 1e-17 m, times k_f n.
@@ -189,7 +215,7 @@ TEST(StickSlip, EqualCoefficientsStickOnTheLimit) {
   const auto law = make_law("stick-slip");
   PlaneContact contact{*law, pressed(1, 1000)};
   contact.motion.mu_dynamic = contact.motion.mu_static;
-  contact.move_to({0, 0}, {0.7, 0.3});
+  contact.slide_to({0.001, 0}, {0.7, 0.3});
   for (int k = 0; k < 100; ++k) EXPECT_EQ(contact.move_to({0.001, 0}, {0, 0}).phase, Phase::stick);
 }
 
@@ -220,8 +246,11 @@ TEST(StickSlip, CrossingSticksWhereTheSpeedFallsThroughVMin) {
   settings.restick = Restick::crossing;
   const auto law = make_law("stick-slip", settings);
   PlaneContact contact{*law, pressed(1, 1000)};
-  EXPECT_EQ(contact.move_to({0, 0}, {0.2, 0}).phase, Phase::slip);
-  EXPECT_EQ(contact.move_to({0.0001, 0}, {0.1, 0}).phase, Phase::stick);
+  EXPECT_EQ(contact.slide_to({0, 0}, {0.2, 0}).phase, Phase::slip);
+  // The middle of this tick is at v_min: stick begins there.
+  const Friction f = contact.move_to({0.0001, 0}, {0.1, 0});
+  EXPECT_EQ(f.phase, Phase::stick);
+  EXPECT_NEAR(f.force_n.x(), -(mu_d + k_f * 0.00005), rounding);
 }
 
 TEST(StickSlip, ThePaperFigure12RunStaysUnderTheStaticLimit) {

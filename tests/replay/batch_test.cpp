@@ -164,39 +164,46 @@ TEST(Figures, CountCoarseTeethAndTheWorkOfFriction) {
   Figures figures;
   TickRecord record;
   record.normal_force_n = 1;
-  const auto observe = [&](Phase phase, double x, double friction) {
-    record.phase = phase;
+  const auto observe = [&](int ruptures, double x, double friction) {
+    record.phase = ruptures > 0 ? Phase::slip : Phase::stick;
+    record.ruptures = ruptures;
     record.p_WQ.x() = x;
     record.friction_W_n = Vec3(friction, 0, 0);
     figures.observe(record);
   };
-  observe(Phase::slip, 0, -0.2);
-  for (int k = 1; k <= 9; ++k) observe(Phase::stick, 0.001 * k, -0.2);
-  observe(Phase::slip, 0.010, -0.2);
-  for (int k = 11; k <= 20; ++k) observe(Phase::stick, 0.001 * k, -0.2);
-  observe(Phase::slip, 0.021, -0.2);
-  EXPECT_EQ(figures.teeth(), 2);
-  EXPECT_EQ(figures.coarse_teeth(), 1) << "nine ticks are too few, ten are not";
-  EXPECT_NEAR(figures.values()[12], -0.2 * 0.021, 1e-15);
+  observe(1, 0, -0.2);
+  for (int k = 1; k <= 9; ++k) observe(0, 0.001 * k, -0.2);
+  observe(1, 0.010, -0.2);
+  EXPECT_EQ(figures.teeth(), 1);
+  EXPECT_EQ(figures.coarse_teeth(), 0);
+  observe(0, 0.011, -0.2);
+  observe(1, 0.012, -0.2);
+  EXPECT_EQ(figures.coarse_teeth(), 0) << "two ticks show it";
+  observe(1, 0.013, -0.2);
+  EXPECT_EQ(figures.coarse_teeth(), 1) << "one tick does not";
+  observe(3, 0.014, -0.2);
+  EXPECT_EQ(figures.values()[4], 7) << "ruptures";
+  EXPECT_EQ(figures.teeth(), 6);
+  EXPECT_EQ(figures.coarse_teeth(), 4) << "nor do three in one tick show";
+  EXPECT_NEAR(figures.values()[12], -0.2 * 0.014, 1e-15);
 }
 
 TEST(Figures, AToothThatAJumpOfTheContactBreaksIsNotTooCoarse) {
   Figures figures;
   TickRecord record;
   record.normal_force_n = 1;
-  const auto observe = [&](Phase phase, int k, double contact_x) {
-    record.phase = phase;
+  const auto observe = [&](int ruptures, int k, double contact_x) {
+    record.phase = ruptures > 0 ? Phase::slip : Phase::stick;
+    record.ruptures = ruptures;
     record.p_WQ.x() = 0.001 * k;
     record.contact_W = Vec3(contact_x, 0, 0);
     figures.observe(record);
   };
-  observe(Phase::slip, 0, 0);
-  for (int k = 1; k <= 5; ++k) observe(Phase::stick, k, 0.001 * k);
-  observe(Phase::slip, 6, 0.006 + 0.01);  // ten times as far as the finger
+  observe(1, 0, 0);
+  observe(1, 1, 0.001 + 0.01);  // ten times as far as the finger
   EXPECT_EQ(figures.teeth(), 1);
   EXPECT_EQ(figures.coarse_teeth(), 0);
-  for (int k = 7; k <= 11; ++k) observe(Phase::stick, k, 0.01 + 0.001 * k);
-  observe(Phase::slip, 12, 0.01 + 0.012);
+  observe(1, 2, 0.01 + 0.002);
   EXPECT_EQ(figures.teeth(), 2);
   EXPECT_EQ(figures.coarse_teeth(), 1) << "the next one has no jump in it";
 }

@@ -12,8 +12,8 @@
 
 namespace fingerpad::test {
 
-/// Plays the part of touch/ on a flat plane under a given load: keeps the stick centre and hands a law its
-/// motion.
+/// Plays the part of touch/ on a flat plane under a given load: hands a law its motion, and knows where the
+/// stick centre is.
 struct PlaneContact {
   const FrictionLaw& law;
   TangentialMotion motion{};  ///< load, coefficients, tick and finger pose; set freely between ticks
@@ -31,11 +31,21 @@ struct PlaneContact {
   Friction move_to(const Vec2& p_m, const Vec2& velocity_m_per_s) {
     motion.velocity_m_per_s = velocity_m_per_s;
     motion.step_m = touched ? Vec2(p_m - at_m) : Vec2(Vec2::Zero());
-    motion.from_centre_m = state.phase == Phase::stick ? Vec2(p_m - centre_m) : Vec2(Vec2::Zero());
     Friction answer = law.tick(motion, state);
-    if (answer.centre_moved) centre_m = p_m - answer.from_centre_m;
+    if (answer.centre_moved) centre_m = p_m - answer.stretch_m;
     at_m = p_m;
     touched = true;
+    return answer;
+  }
+
+  /// Comes sliding from far away, faster than v_min, and is at `p_m` now.
+  Friction slide_to(const Vec2& p_m, const Vec2& velocity_m_per_s) {
+    constexpr int ticks_to_rupture = 40;
+    touched = false;
+    state = {};
+    Friction answer;
+    for (int k = ticks_to_rupture; k >= 0; --k)
+      answer = move_to(p_m - k * motion.dt_s * velocity_m_per_s, velocity_m_per_s);
     return answer;
   }
 };
@@ -51,6 +61,13 @@ inline TangentialMotion pressed(double normal_force_n, double rate_hz) {
 inline LawSettings settings_of(std::map<std::string, double, std::less<>> numbers) {
   LawSettings settings;
   settings.numbers = std::move(numbers);
+  return settings;
+}
+
+/// Settings by which rupture and restick are looked for at ticks only.
+inline LawSettings at_ticks(std::map<std::string, double, std::less<>> numbers = {}) {
+  LawSettings settings = settings_of(std::move(numbers));
+  settings.events = Events::tick;
   return settings;
 }
 

@@ -18,7 +18,7 @@ double breakaway_m(double direction_rad, double inclination_deg, double step_m) 
   for (int k = 0; k < 100000; ++k) {
     const double s = step_m * k;
     const Vec3 p(s * std::cos(direction_rad), s * std::sin(direction_rad), -0.001);
-    if (touch.tick({k * 1e-3, p, finger}).phase == Phase::slip) return s;
+    if (touch.tick({k * 1e-3, p, finger}).ruptures > 0) return s;
   }
   return std::nan("");
 }

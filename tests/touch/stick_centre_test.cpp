@@ -28,13 +28,11 @@ TEST(StickCentre, LiesOnTheSurfaceAsFarBehindAsTheLawSays) {
       const Mat3 frame_WC =
           tangent_frame(at.normal_W, Vec3(random.normal(), random.normal(), random.normal()));
       const double distance_m = 3e-3 * random.uniform();  // facets are 3 mm wide: on the same, or others
-      const Vec2 from_centre_m = distance_m * Vec2(random.normal(), random.normal()).normalized();
+      const Vec2 stretch_m = distance_m * Vec2(random.normal(), random.normal()).normalized();
       for (const int triangle : {at.triangle, -1}) {
         StickCentre centre;
-        centre.place(surface, at.point_W, frame_WC, from_centre_m, normals, true, triangle);
+        centre.place(surface, at.point_W, frame_WC.leftCols<2>() * stretch_m, normals, triangle);
         ASSERT_TRUE(centre.is_set());
-        // Whatever the surface allows, the law gets back what it said.
-        ASSERT_LT((centre.displacement(at.point_W, frame_WC) - from_centre_m).norm(), 1e-15);
         const WorldPoint there = nearest_point(surface, centre.point_W(), normals, -1, 1);
         ASSERT_LT(std::abs(there.signed_distance_m), 1e-11) << trial;
         ASSERT_NEAR((centre.point_W() - at.point_W).norm(), distance_m, 0.11 * distance_m);
@@ -43,22 +41,22 @@ TEST(StickCentre, LiesOnTheSurfaceAsFarBehindAsTheLawSays) {
   }
 }
 
-TEST(StickCentre, GoesBeyondAnEdgeInTheTangentPlane) {
+TEST(StickCentre, BeyondARimIsPutOnTheRim) {
   const auto world = test::world_of(test::square_soup(0.02, 2));
   const Surface& surface = world->surfaces[0];
   StickCentre centre;
-  const Mat3 frame_WC = tangent_frame(Vec3::UnitZ(), Vec3::UnitY());
-  // S lies 1 mm from the sheet's rim, its centre 3 mm behind.
-  const Vec3 contact_W(0.009, 0.001, 0);
-  centre.place(surface, contact_W, frame_WC, Vec2(-0.003, 0), Normals::smooth, true, -1);
-  EXPECT_LT((centre.point_W() - (contact_W - frame_WC.col(0) * -0.003)).norm(), 1e-15);
-  EXPECT_LT((centre.displacement(contact_W, frame_WC) - Vec2(-0.003, 0)).norm(), 1e-15);
+  // S lies 1 mm from the sheet's rim, its centre 3 mm towards it: 2 mm beyond.
+  centre.place(surface, Vec3(0.009, 0.001, 0), Vec3(-0.003, 0, 0), Normals::smooth, -1);
+  EXPECT_LT((centre.point_W() - Vec3(0.010, 0.001, 0)).norm(), 1e-15);
 }
 
-TEST(StickCentre, NoneIsAtNoDistance) {
+TEST(StickCentre, AnUnstretchedOneIsTheContactPointItself) {
+  const auto world = test::world_of(test::square_soup(0.02, 2));
   StickCentre centre;
   EXPECT_FALSE(centre.is_set());
-  EXPECT_EQ(centre.displacement(Vec3(1, 2, 3), Mat3::Identity()), Vec2(0, 0));
+  centre.place(world->surfaces[0], Vec3(0.001, 0.002, 0), Vec3::Zero(), Normals::smooth, -1);
+  EXPECT_TRUE(centre.is_set());
+  EXPECT_EQ(centre.point_W(), Vec3(0.001, 0.002, 0));
 }
 
 }  // namespace

@@ -32,6 +32,8 @@ inline std::vector<TickRecord> some_rows(long count) {
       r.inclination_rad = 0.78;
       r.surface = static_cast<int>(k % 2);
       r.triangle = k % 2 == 0 ? 11 : -1;
+      r.walls = static_cast<int>(1 + k % 3);
+      r.ruptures = static_cast<int>(k % 5);
     }
     if (r.phase == Phase::stick) r.stick_centre_W = Vec3(1, 2, 3);
     rows.push_back(r);
@@ -87,7 +89,7 @@ inline bool same_row(const TickRecord& a, const TickRecord& b) {
          same_vector(a.force_W_n, b.force_W_n) && same_vector(a.friction_W_n, b.friction_W_n) &&
          same_number(a.mu, b.mu) && same_vector(a.stick_centre_W, b.stick_centre_W) &&
          same_number(a.inclination_rad, b.inclination_rad) && a.surface == b.surface &&
-         a.triangle == b.triangle;
+         a.triangle == b.triangle && a.walls == b.walls && a.ruptures == b.ruptures;
 }
 
 inline bool same_rows(const std::vector<TickRecord>& a, const std::vector<TickRecord>& b) {

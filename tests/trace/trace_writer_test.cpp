@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 #include <hdf5.h>
 
+#include <algorithm>
+#include <array>
 #include <csignal>
 #include <numbers>
 #include <thread>
@@ -100,11 +102,11 @@ TEST(TraceWriter, CsvHasTheContractsColumnsAndWords) {
   rows[0].mu = -std::numeric_limits<double>::quiet_NaN();
   test::write_trace(path, TraceFormat::csv, rows);
   const std::string text = test::bytes_of(path);
-  EXPECT_THAT(text,
-              StartsWith("t_s,x_m,y_m,z_m,phase,depth_m,px_m,py_m,pz_m,nx,ny,nz,fn_n,fx_n,fy_n,fz_n,"
-                         "ffx_n,ffy_n,ffz_n,mu,cx_m,cy_m,cz_m,angle_rad,part,triangle\n"
-                         "0,0,-0,0,free,0,nan,nan,nan,nan,nan,nan,0,0,0,0,0,0,0,nan,nan,nan,nan,nan,-1,-1\n"
-                         "0.001,"));
+  EXPECT_THAT(
+      text, StartsWith("t_s,x_m,y_m,z_m,phase,depth_m,px_m,py_m,pz_m,nx,ny,nz,fn_n,fx_n,fy_n,fz_n,"
+                       "ffx_n,ffy_n,ffz_n,mu,cx_m,cy_m,cz_m,angle_rad,part,triangle,walls,ruptures\n"
+                       "0,0,-0,0,free,0,nan,nan,nan,nan,nan,nan,0,0,0,0,0,0,0,nan,nan,nan,nan,nan,-1,-1,0,0\n"
+                       "0.001,"));
   EXPECT_THAT(text, HasSubstr(",slip,0.5,"));
   EXPECT_THAT(text, HasSubstr(",stick,0.3333333333333333,"));
   EXPECT_THAT(text, Not(HasSubstr("-nan")));
@@ -208,14 +210,14 @@ TEST(TraceWriter, DatasetsStandAtTheRootWithTheirUnits) {
   test::write_trace(path, TraceFormat::hdf5, some_rows(10));
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   ASSERT_GE(file, 0);
-  ASSERT_EQ(trace_columns().size(), 26u);
+  ASSERT_EQ(trace_columns().size(), 28u);
   for (const TraceColumn& column : trace_columns()) {
     const hid_t dataset = H5Dopen2(file, std::string(column.name).c_str(), H5P_DEFAULT);
     ASSERT_GE(dataset, 0) << column.name;
     const hid_t type = H5Dget_type(dataset);
-    const std::size_t bytes = column.name == "phase"                               ? 1
-                              : column.name == "part" || column.name == "triangle" ? 4
-                                                                                   : 8;
+    constexpr std::array<std::string_view, 4> whole_numbers{"part", "triangle", "walls", "ruptures"};
+    const bool is_whole = std::ranges::find(whole_numbers, column.name) != whole_numbers.end();
+    const std::size_t bytes = column.name == "phase" ? 1 : is_whole ? 4 : 8;
     EXPECT_EQ(H5Tget_size(type), bytes) << column.name;
     EXPECT_EQ(H5Aexists(dataset, "unit"), 1) << column.name;
     EXPECT_EQ(H5Aexists(dataset, "values"), column.name == "phase" ? 1 : 0) << column.name;

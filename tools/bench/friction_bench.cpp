@@ -22,7 +22,7 @@ constexpr double rate_hz = 1000;
 
 /// What changes from tick to tick.
 struct Rub {
-  Vec2 at_m, step_m;
+  Vec2 step_m;
   double load_n, inclination_rad;
 };
 
@@ -34,19 +34,18 @@ std::vector<Rub> rub_of_seconds(double seconds) {
     const double t = static_cast<double>(k) / rate_hz;
     const Vec2 at(0.012 * std::sin(turn * 3 * t) + 0.0004 * std::sin(turn * 17.3 * t),
                   0.003 * std::sin(turn * 2.1 * t));
-    rub[k] = {at, at - last, 1.5 + std::sin(turn * 0.7 * t), 0.8 + 0.5 * std::sin(turn * 0.31 * t)};
+    rub[k] = {at - last, 1.5 + std::sin(turn * 0.7 * t), 0.8 + 0.5 * std::sin(turn * 0.31 * t)};
     last = at;
   }
   return rub;
 }
 
-/// Plays the part of Touch on a plane: keeps the stick centre, multiplies the slip force by the vibration.
+/// Plays the part of Touch on a plane: multiplies the slip force by the vibration.
 void run(benchmark::State& state, const FrictionLaw& law, SlipVibration* vibration) {
   const std::vector<Rub> rub = rub_of_seconds(16);
   TangentialMotion motion;
   motion.dt_s = 1 / rate_hz;
   FrictionState memory;
-  Vec2 centre_m = Vec2::Zero();
   std::size_t k = 0, stuck = 0, slipped = 0;
   for (auto _ : state) {
     const Rub& now = rub[k];
@@ -54,9 +53,7 @@ void run(benchmark::State& state, const FrictionLaw& law, SlipVibration* vibrati
     motion.velocity_m_per_s = now.step_m * rate_hz;
     motion.normal_force_n = now.load_n;
     motion.inclination_rad = now.inclination_rad;
-    motion.from_centre_m = memory.phase == Phase::stick ? Vec2(now.at_m - centre_m) : Vec2(Vec2::Zero());
     Friction answer = law.tick(motion, memory);
-    if (answer.centre_moved) centre_m = now.at_m - answer.from_centre_m;
     if (answer.phase == Phase::stick) {
       ++stuck;
       if (vibration != nullptr) vibration->rest();

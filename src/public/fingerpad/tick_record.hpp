@@ -17,12 +17,14 @@ struct TickRecord {
   double depth_m = 0;                         ///< radius less signed distance, where positive [m]
   Vec3 contact_W = Vec3::Constant(nan);       ///< S [m]; nan while free
   Vec3 normal_W = Vec3::Constant(nan);        ///< nan while free
-  double normal_force_n = 0;                  ///< [N]
+  double normal_force_n = 0;                  ///< the sum of the walls' [N]; several do not push one way
   Vec3 force_W_n = Vec3::Zero();              ///< whole force on the finger [N]
   Vec3 friction_W_n = Vec3::Zero();           ///< its friction part [N]
-  double mu = 0;                              ///< |friction| / normal force, 0 while free
+  double mu = 0;                              ///< |friction| / normal force, 0 while free; see walls
   Vec3 stick_centre_W = Vec3::Constant(nan);  ///< nan unless sticking
   double inclination_rad = nan;               ///< asin |direction . n|; nan while free
+  int walls = 0;                              ///< how many hold the finger; 0 while free
+  int ruptures = 0;                           ///< how often stick gave way in this tick
   int surface = -1;                           ///< parts, then planes, from 0; -1 while free
   int triangle = -1;                          ///< number in the file; -1 on a plane and while free
   bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces

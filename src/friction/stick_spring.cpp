@@ -1,4 +1,6 @@
-#include "friction/stick_rule.hpp"
+#include "friction/stick_spring.hpp"
+
+#include <cmath>
 
 namespace fingerpad {
 

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <algorithm>
+
+#include "friction/plane_vector.hpp"
+
+namespace fingerpad {
+
+/// The finger's speed over a tick, against the share of the tick that has passed. A speed measured over a
+/// tick belongs to its middle: it runs straight from the last tick's middle (share -1/2) to this one's (1/2),
+/// and stays as it is from there on, until the next tick tells better.
+struct TickSpeeds {
+  static constexpr double never = 2;  ///< a share beyond the tick
+
+  double before_m_per_s = 0, now_m_per_s = 0;
+
+  /// @pre share in -1/2 .. 1
+  double at(double share) const noexcept {
+    return share >= 0.5 ? now_m_per_s : before_m_per_s + (share + 0.5) * (now_m_per_s - before_m_per_s);
+  }
+  /// The first share from `share` on at which the speed is at or below the limit.
+  double falls_to(double limit_m_per_s, double share) const noexcept {
+    if (at(share) <= limit_m_per_s) return share;
+    if (now_m_per_s > limit_m_per_s) return never;
+    return std::max(share, (before_m_per_s - limit_m_per_s) / (before_m_per_s - now_m_per_s) - 0.5);
+  }
+  /// The same, where only a fall through the limit counts, not a speed below it all the time.
+  double falls_through(double limit_m_per_s, double share) const noexcept {
+    return at(share) > limit_m_per_s ? falls_to(limit_m_per_s, share) : never;
+  }
+};
+
+/// A force ratio q on its way through a tick: q + s p after the share s.
+/// @returns the share at which |q| passes the limit outwards, 0 where it is beyond already; `never` where it
+/// is not passed within `left`
+double rupture_share(const PlaneVector& q, const PlaneVector& p, double limit, double left) noexcept;
+
+/// A sawtooth over the rest of a way, each tooth from |q| = low to |q| = high and back along q.
+struct Teeth {
+  PlaneVector ratio;  ///< where it ends
+  int count = 0;      ///< ruptures
+};
+
+/// The teeth all at once, as the limit of small ones: q's direction follows the way as a dragged point does
+/// (a tractrix of radius (low + high)/2).
+/// @param q     on the way out of a tooth's end, |q| = low
+/// @param way   what is left of the way, as a ratio
+Teeth many_teeth(const PlaneVector& q, const PlaneVector& way, double low, double high) noexcept;
+
+}  // namespace fingerpad

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "fingerpad/finger_sample.hpp"
+#include "fingerpad/surface_properties.hpp"
+#include "friction/law.hpp"
+#include "touch/wall.hpp"
+
+namespace fingerpad {
+
+/// How the finger's skin has moved over a tick, whatever it touches, in W: as the finger did, and by its
+/// turning.
+struct SkinMotion {
+  double dt_s = 1e-3;
+  Vec3 displacement_W = Vec3::Zero();  ///< of Q since the last tick [m]
+  Vec3 velocity_W = Vec3::Zero();      ///< of Q
+  Vec3 turn_W = Vec3::Zero();          ///< rotation vector since the last tick [rad]; zero without radius
+};
+
+/// What a wall's friction law is told: the skin's motion in the wall's frame, and how the finger lies on it.
+/// The step is P_n of the finger's displacement and of what the skin rolls by, turn x (S - Q); never the way
+/// of the contact point S (DESIGN, "Friction in one place"). Zero where the wall has only now been touched.
+/// @param frame_WC  of the wall: Cx, Cy, and Cz its normal
+/// @param sample    its direction of unit length
+TangentialMotion tangential_motion(const SkinMotion& skin, const FingerSample& sample, const Wall& wall,
+                                   const SurfaceProperties& surface, const Mat3& frame_WC,
+                                   bool is_touched_anew) noexcept;
+
+}  // namespace fingerpad

@@ -1,0 +1,34 @@
+#pragma once
+
+#include "contact/contact_method.hpp"
+
+namespace fingerpad {
+
+/// What holds the finger in one direction: the holds of a contact that lie on one smooth surface, taken
+/// together, so that friction does not feel where one facet ends and the next begins.
+struct Wall {
+  int surface = -1;               ///< index into the world's surfaces
+  int triangle = -1;              ///< of its greatest hold; -1: a plane
+  Vec3 point_W = Vec3::Zero();    ///< S: of its greatest hold [m]
+  Vec3 normal_W = Vec3::UnitZ();  ///< as felt: outward, unit
+  double share_m = 0;             ///< its part of the depth: the sum of its holds'
+  Vec3 push_m = Vec3::Zero();     ///< the same as a vector, each hold's along its own normal as felt
+  double normal_force_n = 0;      ///< of its own spring and damper, once Touch has worked it out
+};
+
+struct Walls {
+  int count = 0;
+  std::array<Wall, 3> walls;  ///< greatest share first
+
+  const Wall& operator[](int i) const noexcept { return walls[static_cast<std::size_t>(i)]; }
+  Wall* begin() noexcept { return walls.data(); }
+  Wall* end() noexcept { return walls.data() + count; }
+};
+
+/// The walls of a contact. Holds of one surface whose normals are within 30 degrees are one wall. Where the
+/// contact's normal is shaded, the holds' normals turn with it, so that their pushes sum up to its depth
+/// along its normal.
+/// @pre contact.hold_count > 0. noexcept, allocates nothing.
+Walls walls_of(const Contact& contact) noexcept;
+
+}  // namespace fingerpad
