@@ -35,6 +35,8 @@ FingerSample interpolated(const Motion& motion, double t_s, const Vec3& directio
   FingerSample sample;
   sample.t_s = t_s;
   sample.p_WQ = (1 - u) * motion.p_WQ.col(left) + u * motion.p_WQ.col(right);
+  if (motion.push_W_n.cols() > 0)
+    sample.push_W_n = (1 - u) * motion.push_W_n.col(left) + u * motion.push_W_n.col(right);
   sample.direction_W = direction_W;
   if (!motion.attitude.empty()) {
     sample.attitude = motion.attitude[static_cast<std::size_t>(left)].slerp(
@@ -42,6 +44,11 @@ FingerSample interpolated(const Motion& motion, double t_s, const Vec3& directio
     sample.direction_W = *sample.attitude * direction_W;
   }
   if (motion.direction_W.cols() == 0) return sample;
+  // At a sample its own number counts, to the last bit.
+  if (u == 0 || u == 1) {
+    sample.direction_W = motion.direction_W.col(u == 0 ? left : right);
+    return sample;
+  }
   const Vec3 mean = (1 - u) * motion.direction_W.col(left) + u * motion.direction_W.col(right);
   const double length = mean.norm();
   // Opposite neighbours have no mean: the earlier one holds.
@@ -72,6 +79,21 @@ double FingerPath::farthest_m() const noexcept {
   if (scripted.kind == ScriptedMotion::Kind::line)
     return std::max(largest(scripted.from_m), largest(scripted.to_m));
   return largest(scripted.centre_m) + scripted.amplitude_m;
+}
+
+bool FingerPath::turns() const noexcept {
+  const auto* recorded = std::get_if<Motion>(&motion_);
+  return recorded != nullptr && (recorded->direction_W.cols() > 0 || !recorded->attitude.empty());
+}
+
+bool FingerPath::was_in_hand() const noexcept {
+  const auto* recorded = std::get_if<Motion>(&motion_);
+  return recorded != nullptr && recorded->push_W_n.cols() > 0;
+}
+
+double FingerPath::encoder_m() const noexcept {
+  const auto* recorded = std::get_if<Motion>(&motion_);
+  return recorded != nullptr ? recorded->encoder_m : 0;
 }
 
 FingerSample FingerPath::at(long k) const noexcept {

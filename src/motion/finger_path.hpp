@@ -26,6 +26,12 @@ class FingerPath {
   double rate_hz() const noexcept { return rate_hz_; }
   /// No coordinate of the path is larger [m].
   double farthest_m() const noexcept;
+  /// Whether the finger is turned otherwise at some ticks than at others.
+  bool turns() const noexcept;
+  /// Whether the positions are those of a hand's encoders, with what the hand pushed with.
+  bool was_in_hand() const noexcept;
+  /// Quantum of the encoders that gave the positions [m]; 0: exact.
+  double encoder_m() const noexcept;
   /// @pre 0 <= k < tick_count()
   FingerSample at(long k) const noexcept;
 

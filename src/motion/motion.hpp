@@ -13,6 +13,8 @@ struct Motion {
   std::vector<double> t_s;  ///< n, strictly increasing, finite
   Points p_WQ;              ///< 3 x n, column i at t_s[i] [m]
   Points direction_W;       ///< 3 x n unit vectors towards the fingertip, or 3 x 0 where the motion has none
+  Points push_W_n;          ///< 3 x n, what a hand pushed the finger with, or 3 x 0 [N]
+  double encoder_m = 0;     ///< quantum of the encoders that gave the positions; 0: exact
   std::vector<Attitude> attitude;  ///< n, how the finger was turned, or none
 };
 

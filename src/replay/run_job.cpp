@@ -45,7 +45,7 @@ std::optional<std::vector<double>> recounted(const std::string& path, const Trac
 JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) {
   FingerPath path = load_finger_path(scene);
   const auto world = load_world(scene, meshes);
-  const TraceInfo info = trace_info(scene, *world, output.version);
+  const TraceInfo info = trace_info(scene, *world, path, output.version);
   JobResult result{{}, info.contact_method, info.contact_normals, info.contact_reasons};
   const std::string digest = run_digest(info, output.format);
   if (output.resume) {

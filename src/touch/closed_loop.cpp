@@ -11,7 +11,11 @@
 namespace fingerpad {
 
 ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path)
-    : world_(world), touch_(std::move(world), scene), path_(std::move(path)) {
+    : world_(world),
+      touch_(std::move(world), scene, scene.hand ? scene.hand->encoder_m : path.encoder_m()),
+      path_(std::move(path)),
+      turns_(path_.turns()),
+      was_in_hand_(path_.was_in_hand()) {
   if (!scene.hand) return;
   hand_settings_ = *scene.hand;
   double scene_m = 1 + path_.farthest_m();
@@ -23,7 +27,13 @@ ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, F
 
 TickRecord ClosedLoop::next() noexcept {
   const FingerSample intended = path_.at(tick_);
-  const TickRecord record = hand_ ? next_in_hand(intended) : touch_.tick(intended);
+  TickRecord record = hand_ ? next_in_hand(intended) : touch_.tick(intended);
+  if (was_in_hand_ && !hand_) {
+    record.encoded_W = intended.p_WQ;
+    record.push_W_n = intended.push_W_n;
+  }
+  if (turns_) record.direction_W = intended.direction_W;
+  if (intended.attitude) record.attitude << intended.attitude->w(), intended.attitude->vec();
   ++tick_;
   return record;
 }
@@ -34,6 +44,8 @@ TickRecord ClosedLoop::next_in_hand(const FingerSample& intended) noexcept {
   felt.push_W_n = hand_->push_W_n(intended.p_WQ);
   TickRecord record = touch_.tick(felt);
   record.p_WQ = hand_->position_W();
+  record.encoded_W = felt.p_WQ;
+  record.push_W_n = felt.push_W_n;
   const Vec3 next = path_.at(std::min(tick_ + 1, path_.tick_count() - 1)).p_WQ;
   hand_->advance(intended.p_WQ, next, record.force_W_n);
   if (record.surface >= 0) last_surface_ = record.surface;

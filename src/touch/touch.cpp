@@ -44,12 +44,15 @@ std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Wor
 }  // namespace
 
 Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
+    : Touch(std::move(world), scene, scene.hand ? scene.hand->encoder_m : 0) {}
+
+Touch::Touch(std::shared_ptr<const World> world, const Scene& scene, double encoder_m)
     : world_(std::move(world)),
       normals_(settled_contact(scene, *world_).normals),
       radius_m_(scene.finger.radius_m),
       dt_s_(1 / scene.motion.rate_hz),
       method_(make_contact_method(scene, *world_)),
-      velocity_(scene.hand ? scene.hand->encoder_m : 0, dt_s_) {
+      velocity_(encoder_m, dt_s_) {
   const LawEntry* entry = find_law(scene.friction.law);
   if (entry == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));

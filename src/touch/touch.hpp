@@ -24,6 +24,9 @@ class Touch {
   /// @param scene  its contact, friction, finger and rate. Throws Error (refused) for a contact method or a
   /// law that no table has.
   Touch(std::shared_ptr<const World> world, const Scene& scene);
+  /// @param encoder_m  quantum of the positions that it will be given, whatever the scene's hand has; 0:
+  /// exact
+  Touch(std::shared_ptr<const World> world, const Scene& scene, double encoder_m);
 
   /// sample -> contact -> friction -> force, at the scene's fixed tick 1/rate.
   /// noexcept, allocates nothing; no force is ever non-finite, whatever the sample (one that is not finite is

@@ -36,7 +36,9 @@ std::vector<std::size_t> find_columns(const std::string& where, std::string_view
   });
   for (const TraceColumn& column : trace_columns()) {
     const auto place = csv_column(header, column.name, where);
-    if (!place && (column.always || !may_be_older)) {
+    const bool needed =
+        column.of == ColumnOf::every_trace || (column.of == ColumnOf::newer_traces && !may_be_older);
+    if (!place && needed) {
       throw refused(where, fmt::format("is no trace: it has no column '{}'", column.name));
     }
     places.push_back(place.value_or(names.size()));
@@ -84,17 +86,17 @@ TickRecord read_row(const TextLines& lines, std::string_view line, const std::ve
 
 }  // namespace
 
-std::string csv_header() {
+std::string csv_header(std::span<const TraceColumn> columns) {
   std::string header;
-  for (const TraceColumn& column : trace_columns()) {
+  for (const TraceColumn& column : columns) {
     if (!header.empty()) header += ',';
     header += column.name;
   }
   return header + '\n';
 }
 
-void append_csv_row(std::string& out, const TickRecord& record) {
-  for (const TraceColumn& column : trace_columns()) {
+void append_csv_row(std::string& out, std::span<const TraceColumn> columns, const TickRecord& record) {
+  for (const TraceColumn& column : columns) {
     if (column.kind == ColumnKind::phase) {
       out += phase_name(static_cast<Phase>(static_cast<unsigned char>(column.get(record))));
     } else {
@@ -118,6 +120,11 @@ Trace read_csv_trace(const std::string& path) {
   const auto places = find_columns(lines.place(), line);
   const std::size_t cell_count = cells_of(line).size();
   Trace trace;
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    if (places[k] == cell_count) continue;
+    trace.info.in_hand |= trace_columns()[k].of == ColumnOf::hands;
+    trace.info.turning |= trace_columns()[k].of == ColumnOf::turning;
+  }
   trace.complete = !path.ends_with(".part");
   while (lines.next(line)) {
     if (!lines.ended() && !trace.complete) break;  // the row that was under way

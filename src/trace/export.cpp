@@ -89,9 +89,10 @@ void add_vectors(VtpArrays& arrays, const Trace& trace, std::string_view name, V
 
 void export_csv(const Trace& trace, const std::string& path) {
   OutputFile file(path);
-  std::string text = csv_header();
+  const auto columns = trace_columns(trace.info);
+  std::string text = csv_header(columns);
   for (const TickRecord& row : trace.rows) {
-    append_csv_row(text, row);
+    append_csv_row(text, columns, row);
     if (text.size() < std::size_t{1} << 20) continue;
     file.write(text);
     text.clear();
@@ -102,7 +103,7 @@ void export_csv(const Trace& trace, const std::string& path) {
 
 void export_vtp(const Trace& trace, const std::string& path) {
   VtpArrays arrays;
-  for (const TraceColumn& column : trace_columns()) add_column(arrays, trace, column);
+  for (const TraceColumn& column : trace_columns(trace.info)) add_column(arrays, trace, column);
   add_vectors(arrays, trace, "force_n", &TickRecord::force_W_n);
   add_vectors(arrays, trace, "friction_n", &TickRecord::friction_W_n);
   const std::string point_data = arrays.take_tags();

@@ -33,6 +33,13 @@ TraceInfo read_info(const hdf5::Handle& file) {
   info.mesh_hashes = hdf5::read_texts(file, "mesh_hashes");
   info.motion_file = hdf5::read_text(file, "motion_file");
   info.motion_hash = hdf5::read_text(file, "motion_hash");
+  if (hdf5::has_attribute(file, "encoder_m"))
+    info.encoder_m = hdf5::read_numbers(file, "encoder_m", 1).front();
+  for (const TraceColumn& column : trace_columns()) {
+    if (column.of != ColumnOf::hands && column.of != ColumnOf::turning) continue;
+    if (!hdf5::has_link(file, std::string(column.name))) continue;
+    (column.of == ColumnOf::hands ? info.in_hand : info.turning) = true;
+  }
   info.profile_text = hdf5::read_text(file, "profile");
   info.contact_method = hdf5::read_text(file, "contact_method");
   info.contact_normals = hdf5::read_text(file, "contact_normals");
@@ -52,6 +59,9 @@ void each_field_of_info(Way& way, Info& info) {
   way(info.mesh_hashes);
   way(info.motion_file);
   way(info.motion_hash);
+  way(info.in_hand);
+  way(info.turning);
+  way(info.encoder_m);
   way(info.profile_text);
   way(info.contact_method);
   way(info.contact_normals);
@@ -88,7 +98,7 @@ Columns open_columns(const hdf5::Handle& file, bool complete) {
   for (const TraceColumn& column : trace_columns()) {
     const std::string name(column.name);
     if (!hdf5::has_link(file, name)) {
-      if (!column.always) {
+      if (column.of != ColumnOf::every_trace) {
         columns.handles.emplace_back();
         continue;
       }

@@ -24,6 +24,9 @@ struct TraceInfo {
   std::vector<std::string> mesh_hashes;  ///< file_hash of each
   std::string motion_file;               ///< as written; empty for live touch and scripted motions
   std::string motion_hash;
+  bool in_hand = false;                      ///< it was a hand's: its rows say what the tick was told
+  bool turning = false;                      ///< the finger turned: its rows say how it lay
+  double encoder_m = 0;                      ///< position quantum of the encoders that friction was told by
   std::string profile_text;                  ///< the profile file's text, empty without one
   std::string contact_method;                ///< that served: a row's name, or "plane" without a part
   std::string contact_normals;               ///< a row's name

@@ -3,8 +3,10 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "touch/tick_record.hpp"
+#include "trace/trace.hpp"
 
 namespace fingerpad {
 
@@ -15,6 +17,14 @@ enum class ColumnKind {
   place,   ///< a time or a position: finite
   phase,   ///< 0 free, 1 stick, 2 slip
   index    ///< a whole number from -1
+};
+
+/// Which traces have a column. Where one lacks it a record is as it is made.
+enum class ColumnOf {
+  every_trace,
+  newer_traces,  ///< all but those of older programs
+  hands,         ///< TraceInfo::in_hand
+  turning        ///< TraceInfo::turning
 };
 
 /// One column of a trace: all that is known of it. Writers, readers, exports and the documentation go by
@@ -28,11 +38,13 @@ struct TraceColumn {
   /// @param value  read_value has nothing against
   void (*set)(TickRecord& record, double value) noexcept;
   std::string_view values{};  ///< what its numbers stand for, an attribute in HDF5; empty: what `unit` says
-  bool always = true;         ///< false: traces of older programs lack it; a record is then as it is made
+  ColumnOf of = ColumnOf::every_trace;
 };
 
-/// The columns in file order: t_s .. triangle.
+/// All columns there are, in file order: t_s .. triangle first.
 std::span<const TraceColumn> trace_columns() noexcept;
+/// Those that a trace of this run is written with.
+std::vector<TraceColumn> trace_columns(const TraceInfo& info);
 
 /// Puts a number that a file has in this column into a record.
 /// @returns  what is wrong with it (a phase that is none, a time or a position that is not finite), and then

@@ -19,7 +19,7 @@ constexpr TraceColumn column(std::string_view name, std::string_view unit, std::
 }
 
 /// A component of one of its vectors.
-template <Vec3 TickRecord::*member, int axis>
+template <auto member, int axis>
 constexpr TraceColumn column(std::string_view name, std::string_view unit, std::string_view doc,
                              ColumnKind kind = ColumnKind::number) {
   return {name,
@@ -30,9 +30,8 @@ constexpr TraceColumn column(std::string_view name, std::string_view unit, std::
           [](TickRecord& record, double value) noexcept { (record.*member)[axis] = value; }};
 }
 
-/// A column that came later.
-constexpr TraceColumn later(TraceColumn column) {
-  column.always = false;
+constexpr TraceColumn only(ColumnOf of, TraceColumn column) {
+  column.of = of;
   return column;
 }
 
@@ -43,6 +42,11 @@ constexpr std::string_view
     what =
         "what is touched most: parts, then planes, from 0; the triangle in file order; -1 "
         "while free";
+constexpr std::string_view encoded = "of a `[hand]`: the finger as its encoders told it",
+                           pushed = "of a `[hand]`: what it pushed the finger with",
+                           pointed = "of a finger that turns: its direction, towards the tip",
+                           turned =
+                               "of a finger that turns: its attitude, finger to world; nan where unknown";
 using R = TickRecord;
 using Kind = ColumnKind;
 
@@ -77,11 +81,36 @@ std::span<const TraceColumn> trace_columns() noexcept {
       column<&R::inclination_rad>("angle_rad", "rad", "the finger's inclination to the surface"),
       column<&R::surface>("part", "1", what, Kind::index),
       column<&R::triangle>("triangle", "1", what, Kind::index),
-      later(column<&R::walls>(
-          "walls", "1", "how many walls hold the finger at once; the forces are their sum", Kind::index)),
-      later(column<&R::ruptures>("ruptures", "1", "how often stick gave way within the tick", Kind::index)),
+      only(ColumnOf::newer_traces,
+           column<&R::walls>("walls", "1", "how many walls hold the finger at once; the forces are their sum",
+                             Kind::index)),
+      only(ColumnOf::newer_traces,
+           column<&R::ruptures>("ruptures", "1", "how often stick gave way within the tick", Kind::index)),
+      only(ColumnOf::hands, column<&R::encoded_W, 0>("ex_m", "m", encoded)),
+      only(ColumnOf::hands, column<&R::encoded_W, 1>("ey_m", "m", encoded)),
+      only(ColumnOf::hands, column<&R::encoded_W, 2>("ez_m", "m", encoded)),
+      only(ColumnOf::hands, column<&R::push_W_n, 0>("hx_n", "N", pushed)),
+      only(ColumnOf::hands, column<&R::push_W_n, 1>("hy_n", "N", pushed)),
+      only(ColumnOf::hands, column<&R::push_W_n, 2>("hz_n", "N", pushed)),
+      only(ColumnOf::turning, column<&R::direction_W, 0>("dx", "1", pointed)),
+      only(ColumnOf::turning, column<&R::direction_W, 1>("dy", "1", pointed)),
+      only(ColumnOf::turning, column<&R::direction_W, 2>("dz", "1", pointed)),
+      only(ColumnOf::turning, column<&R::attitude, 0>("qw", "1", turned)),
+      only(ColumnOf::turning, column<&R::attitude, 1>("qx", "1", turned)),
+      only(ColumnOf::turning, column<&R::attitude, 2>("qy", "1", turned)),
+      only(ColumnOf::turning, column<&R::attitude, 3>("qz", "1", turned)),
   };
   return table;
+}
+
+std::vector<TraceColumn> trace_columns(const TraceInfo& info) {
+  std::vector<TraceColumn> columns;
+  for (const TraceColumn& column : trace_columns()) {
+    if (column.of == ColumnOf::hands && !info.in_hand) continue;
+    if (column.of == ColumnOf::turning && !info.turning) continue;
+    columns.push_back(column);
+  }
+  return columns;
 }
 
 }  // namespace fingerpad

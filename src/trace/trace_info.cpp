@@ -3,6 +3,7 @@
 #include "base/content_hash.hpp"
 #include "base/input_file.hpp"
 #include "friction/pad_profile_file.hpp"
+#include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
 #include "touch/contact_choice.hpp"
 #include "touch/world.hpp"
@@ -29,6 +30,15 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
   info.contact_method = method_in(world, contact.method);
   info.contact_normals = contact.normals->name;
   info.contact_reasons = contact.reasons;
+  return info;
+}
+
+TraceInfo trace_info(const Scene& scene, const World& world, const FingerPath& path,
+                     const std::string& version) {
+  TraceInfo info = trace_info(scene, world, version);
+  info.turning = path.turns();
+  info.in_hand = scene.hand.has_value() || path.was_in_hand();
+  info.encoder_m = scene.hand ? scene.hand->encoder_m : path.encoder_m();
   return info;
 }
 

@@ -6,9 +6,13 @@
 
 namespace fingerpad {
 
+class FingerPath;
 struct Scene;
 
 /// What a trace of this scene says about itself.
 TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version);
+/// Of a run along `path`.
+TraceInfo trace_info(const Scene& scene, const World& world, const FingerPath& path,
+                     const std::string& version);
 
 }  // namespace fingerpad

@@ -28,6 +28,7 @@ void write_info(const hdf5::Handle& file, const TraceInfo& info) {
   hdf5::write_texts(file, "mesh_hashes", info.mesh_hashes);
   hdf5::write_text(file, "motion_file", info.motion_file);
   hdf5::write_text(file, "motion_hash", info.motion_hash);
+  if (info.in_hand) hdf5::write_numbers(file, "encoder_m", std::span(&info.encoder_m, 1));
   hdf5::write_text(file, "profile", info.profile_text);
   hdf5::write_text(file, "contact_method", info.contact_method);
   hdf5::write_text(file, "contact_normals", info.contact_normals);
@@ -41,15 +42,16 @@ hdf5::NumberType type_of(ColumnKind kind) {
 
 class Hdf5TraceWriter final : public TraceWriter {
  public:
-  Hdf5TraceWriter(const std::string& path, const TraceInfo& info, const World& world) {
+  Hdf5TraceWriter(const std::string& path, const TraceInfo& info, const World& world)
+      : columns_(trace_columns(info)) {
     const hdf5::Turn turn;
     file_ = hdf5::create_file(path);
     write_info(file_, info);
     write_surfaces(file_, world, info.scene_text);
-    for (const TraceColumn& column : trace_columns()) {
-      columns_.push_back(hdf5::create_column(file_, std::string(column.name), type_of(column.kind),
-                                             std::string(column.unit)));
-      if (!column.values.empty()) hdf5::write_text(columns_.back(), "values", std::string(column.values));
+    for (const TraceColumn& column : columns_) {
+      datasets_.push_back(hdf5::create_column(file_, std::string(column.name), type_of(column.kind),
+                                              std::string(column.unit)));
+      if (!column.values.empty()) hdf5::write_text(datasets_.back(), "values", std::string(column.values));
     }
     hdf5::flush(file_);
     pending_.reserve(block_rows);
@@ -77,7 +79,7 @@ class Hdf5TraceWriter final : public TraceWriter {
       hdf5::flush(file_);  // the rows are safe before the file calls itself complete
       hdf5::write_flag(file_, "complete", true);
       hdf5::flush(file_);
-      columns_.clear();
+      datasets_.clear();
       hdf5::close_file(std::move(file_));
     }
     seal_file(path);
@@ -88,28 +90,30 @@ class Hdf5TraceWriter final : public TraceWriter {
     if (pending_.empty()) return;
     std::vector<double> values(pending_.size());
     for (std::size_t k = 0; k < columns_.size(); ++k) {
-      for (std::size_t i = 0; i < pending_.size(); ++i) values[i] = trace_columns()[k].get(pending_[i]);
-      hdf5::append(columns_[k], rows_, values);
+      for (std::size_t i = 0; i < pending_.size(); ++i) values[i] = columns_[k].get(pending_[i]);
+      hdf5::append(datasets_[k], rows_, values);
     }
     rows_ += pending_.size();
     pending_.clear();
   }
 
   hdf5::Handle file_;
-  std::vector<hdf5::Handle> columns_;
+  std::vector<TraceColumn> columns_;
+  std::vector<hdf5::Handle> datasets_;  // one a column
   std::vector<TickRecord> pending_;
   std::size_t rows_ = 0;  // in the file
 };
 
 class CsvTraceWriter final : public TraceWriter {
  public:
-  explicit CsvTraceWriter(const std::string& path) : file_(path, OutputFile::Unfinished::kept) {
-    file_.write(csv_header());
+  CsvTraceWriter(const std::string& path, const TraceInfo& info)
+      : columns_(trace_columns(info)), file_(path, OutputFile::Unfinished::kept) {
+    file_.write(csv_header(columns_));
   }
 
   void append(std::span<const TickRecord> rows) override {
     for (const TickRecord& row : rows) {
-      append_csv_row(text_, row);
+      append_csv_row(text_, columns_, row);
       if (text_.size() > std::size_t{1} << 20) write_text();
     }
   }
@@ -130,6 +134,7 @@ class CsvTraceWriter final : public TraceWriter {
     text_.clear();
   }
 
+  std::vector<TraceColumn> columns_;
   OutputFile file_;
   std::string text_;
 };
@@ -138,7 +143,7 @@ class CsvTraceWriter final : public TraceWriter {
 
 std::unique_ptr<TraceWriter> TraceWriter::create(const std::string& path, TraceFormat format,
                                                  const TraceInfo& info, const World& world) {
-  if (format == TraceFormat::csv) return std::make_unique<CsvTraceWriter>(path);
+  if (format == TraceFormat::csv) return std::make_unique<CsvTraceWriter>(path, info);
   return std::make_unique<Hdf5TraceWriter>(path, info, world);
 }
 

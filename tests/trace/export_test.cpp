@@ -54,7 +54,7 @@ TEST(ExportVtp, HoldsThePathAndEveryColumn) {
   const std::string vtp = test::bytes_of(path);
   EXPECT_THAT(vtp, HasSubstr("NumberOfPoints=\"101\""));
   EXPECT_THAT(vtp, HasSubstr("NumberOfLines=\"1\""));
-  for (const TraceColumn& column : trace_columns()) {
+  for (const TraceColumn& column : trace_columns(trace.info)) {
     EXPECT_THAT(vtp, HasSubstr("Name=\"" + std::string(column.name) + "\"")) << column.name;
   }
   const auto times = vtp_array(vtp, "t_s"), depths = vtp_array(vtp, "depth_m"),

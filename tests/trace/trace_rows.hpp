@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -9,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "touch/world.hpp"
+#include "trace/trace_column.hpp"
 #include "trace/trace_writer.hpp"
 
 namespace fingerpad::test {
@@ -41,6 +43,18 @@ inline std::vector<TickRecord> some_rows(long count) {
   return rows;
 }
 
+/// Rows of a hand whose finger turns.
+inline std::vector<TickRecord> told_rows(long count) {
+  std::vector<TickRecord> rows = some_rows(count);
+  for (TickRecord& r : rows) {
+    r.encoded_W = r.p_WQ + Vec3(1e-5, 0, 1.0 / 7);
+    r.push_W_n = Vec3(-0.1, 1e-17, r.t_s);
+    r.direction_W = Vec3(0, 0.6, -0.8);
+    r.attitude << 0.5, -0.5, 0.5, -0.5;
+  }
+  return rows;
+}
+
 inline std::string bytes_of(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
   std::ostringstream text;
@@ -66,9 +80,18 @@ inline TraceInfo some_info() {
   return info;
 }
 
+/// Of told_rows.
+inline TraceInfo told_info() {
+  TraceInfo info = some_info();
+  info.in_hand = info.turning = true;
+  info.encoder_m = 3e-5;
+  return info;
+}
+
 inline void write_trace(const std::filesystem::path& path, TraceFormat format,
-                        const std::vector<TickRecord>& rows, const World& world = {}) {
-  const auto writer = TraceWriter::create(path.string(), format, some_info(), world);
+                        const std::vector<TickRecord>& rows, const World& world = {},
+                        const TraceInfo& info = some_info()) {
+  const auto writer = TraceWriter::create(path.string(), format, info, world);
   writer->append(rows);
   writer->finish();
 }
@@ -78,18 +101,9 @@ inline bool same_number(double a, double b) {
   return (std::isnan(a) && std::isnan(b)) || (a == b && std::signbit(a) == std::signbit(b));
 }
 
-inline bool same_vector(const Vec3& a, const Vec3& b) {
-  return same_number(a.x(), b.x()) && same_number(a.y(), b.y()) && same_number(a.z(), b.z());
-}
-
 inline bool same_row(const TickRecord& a, const TickRecord& b) {
-  return same_number(a.t_s, b.t_s) && same_vector(a.p_WQ, b.p_WQ) && a.phase == b.phase &&
-         same_number(a.depth_m, b.depth_m) && same_vector(a.contact_W, b.contact_W) &&
-         same_vector(a.normal_W, b.normal_W) && same_number(a.normal_force_n, b.normal_force_n) &&
-         same_vector(a.force_W_n, b.force_W_n) && same_vector(a.friction_W_n, b.friction_W_n) &&
-         same_number(a.mu, b.mu) && same_vector(a.stick_centre_W, b.stick_centre_W) &&
-         same_number(a.inclination_rad, b.inclination_rad) && a.surface == b.surface &&
-         a.triangle == b.triangle && a.walls == b.walls && a.ruptures == b.ruptures;
+  return std::ranges::all_of(
+      trace_columns(), [&](const TraceColumn& column) { return same_number(column.get(a), column.get(b)); });
 }
 
 inline bool same_rows(const std::vector<TickRecord>& a, const std::vector<TickRecord>& b) {

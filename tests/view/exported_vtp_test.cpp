@@ -42,7 +42,7 @@ TEST(ExportedVtp, IsReadByVtkWithEveryColumnAndItsNans) {
   EXPECT_EQ(data->GetNumberOfLines(), 1);
   EXPECT_EQ(data->GetPoint(4)[0], 0.4);
   EXPECT_EQ(data->GetPoint(4)[2], 1.0 / 3);
-  for (const TraceColumn& column : trace_columns()) {
+  for (const TraceColumn& column : trace_columns({})) {
     const std::string name(column.name);
     if (name == "x_m" || name == "y_m" || name == "z_m") continue;  // the points themselves
     ASSERT_NE(data->GetPointData()->GetArray(name.c_str()), nullptr) << name;

@@ -9,6 +9,8 @@ namespace fingerpad {
 
 /// What happened in one tick: a row of a trace. Positions and forces in W; forces act on the finger.
 struct TickRecord {
+  /// A quaternion's numbers, w first.
+  using Wxyz = Eigen::Matrix<double, 4, 1, Eigen::DontAlign>;
   static constexpr double nan = std::numeric_limits<double>::quiet_NaN();  ///< where there is no number
 
   double t_s = 0;                             ///< time [s]
@@ -27,6 +29,11 @@ struct TickRecord {
   int ruptures = 0;                           ///< how often stick gave way in this tick
   int surface = -1;                           ///< parts, then planes, from 0; -1 while free
   int triangle = -1;                          ///< number in the file; -1 on a plane and while free
+  /// What the tick was told beyond the finger's place, for whoever repeats it; nan where it was told no more.
+  Vec3 encoded_W = Vec3::Constant(nan);    ///< where the device's encoders put a hand's finger [m]
+  Vec3 push_W_n = Vec3::Constant(nan);     ///< what a hand pushed with [N]
+  Vec3 direction_W = Vec3::Constant(nan);  ///< of a finger that turns
+  Wxyz attitude = Wxyz::Constant(nan);     ///< of a finger whose attitude is known: a unit quaternion
   bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces
   bool started_inside = false;  ///< a proxy was put down here although the finger was inside, or found no
                                 ///< place where it fits; not in traces
