@@ -118,6 +118,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
   add_glyphs(close_up_marks_, close_up_clear_);
   add_glyphs(close_up_marks_, close_up_solid_);
   vtkNew<vtkContextActor> flat;
+  flat->GetScene()->SetRenderer(flat_);  // by which VTK keeps a tooltip in sight
   flat->GetScene()->AddItem(under_charts_);
   if (charts_) board_.add_to(flat->GetScene());
   flat->GetScene()->AddItem(item_);
