@@ -14,6 +14,7 @@ struct SkinMotion {
   Vec3 displacement_W = Vec3::Zero();  ///< of Q since the last tick [m]
   Vec3 velocity_W = Vec3::Zero();      ///< of Q
   Vec3 turn_W = Vec3::Zero();          ///< rotation vector since the last tick [rad]; zero without radius
+  bool turns = false;                  ///< whether that is anything
 };
 
 /// What a wall's friction law is told: the skin's motion in the wall's frame, and how the finger lies on it.
@@ -21,8 +22,12 @@ struct SkinMotion {
 /// of the contact point S (DESIGN, "Friction in one place"). Zero where the wall has only now been touched.
 /// @param frame_WC  of the wall: Cx, Cy, and Cz its normal
 /// @param sample    its direction of unit length
+/// @param inclination_rad  of its direction to the wall
 TangentialMotion tangential_motion(const SkinMotion& skin, const FingerSample& sample, const Wall& wall,
                                    const SurfaceProperties& surface, const Mat3& frame_WC,
-                                   bool is_touched_anew) noexcept;
+                                   double inclination_rad, bool is_touched_anew) noexcept;
+
+/// How steeply a finger stands on a surface, 0 .. pi/2; both of unit length.
+double inclination_rad(const Vec3& direction_W, const Vec3& normal_W) noexcept;
 
 }  // namespace fingerpad

@@ -22,7 +22,9 @@ namespace {
 constexpr double largest_meaningful = 1e60;
 
 bool meaningful(const Vec3& v) noexcept {
-  return v.cwiseAbs().maxCoeff() <= largest_meaningful && v.allFinite();
+  // Of what is no number neither is true.
+  return std::abs(v.x()) <= largest_meaningful && std::abs(v.y()) <= largest_meaningful &&
+         std::abs(v.z()) <= largest_meaningful;
 }
 
 /// The sample with a unit direction (straight down the normal where its own is unusable) and a finite push.
@@ -68,7 +70,7 @@ void Touch::reset() noexcept {
   velocity_.reset();
   method_->reset();
   unplaced_ = false;
-  last_.reset();
+  has_last_ = false;
   release();
 }
 
@@ -81,20 +83,23 @@ SkinMotion Touch::skin_motion(const FingerSample& sample) noexcept {
   SkinMotion skin;
   skin.dt_s = dt_s_;
   skin.velocity_W = velocity_.next(sample.p_WQ);
-  if (last_) {
-    skin.displacement_W = sample.p_WQ - last_->p_WQ;
-    if (radius_m_ > 0) skin.turn_W = finger_turn(*last_, sample);
+  if (has_last_) skin.displacement_W = sample.p_WQ - last_W_;
+  if (radius_m_ > 0) {
+    if (has_last_) skin.turn_W = finger_turn(last_lay_, sample);
+    skin.turns = skin.turn_W != Vec3::Zero();
+    last_lay_ = sample;
   }
-  last_ = sample;
+  last_W_ = sample.p_WQ;
+  has_last_ = true;
   return skin;
 }
 
 /// Every wall's own spring and damper: the dampers share the approach as the walls share the depth. A damper
 /// may soften a wall's push, never pull the finger in.
-double Touch::push(const Contact& contact, const Vec3& velocity_W, Walls& walls) const noexcept {
+double Touch::push(const Contact& contact, const Vec3& velocity_W) noexcept {
   const double leaving_m_per_s = contact.normal_W.dot(velocity_W);
   double sum_n = 0;
-  for (Wall& wall : walls) {
+  for (Wall& wall : walls_) {
     const SurfaceProperties& surface = surface_of(wall).properties;
     const double share = wall.share_m / contact.depth_m;
     wall.normal_force_n = std::max(
@@ -104,11 +109,11 @@ double Touch::push(const Contact& contact, const Vec3& velocity_W, Walls& walls)
   return sum_n;
 }
 
-Friction Touch::rub(const Wall& wall, double share_of_push, const SkinMotion& skin,
+Friction Touch::rub(const Wall& wall, double share_of_push, double inclination_rad, const SkinMotion& skin,
                     const FingerSample& sample, WallMemory& memory) const noexcept {
   const Phase before = memory.friction.phase;
   TangentialMotion motion = tangential_motion(skin, sample, wall, surface_of(wall).properties,
-                                              memory.frame_WC, before == Phase::free);
+                                              memory.frame_WC, inclination_rad, before == Phase::free);
   motion.normal_force_n = wall.normal_force_n;
   motion.applied_force_n *= share_of_push;
   const Friction friction = law_->tick(motion, memory.friction);
@@ -123,16 +128,19 @@ Friction Touch::rub(const Wall& wall, double share_of_push, const SkinMotion& sk
   return friction;
 }
 
-Touch::Forces Touch::forces(const Walls& walls, const SkinMotion& skin, const FingerSample& sample,
-                            double pushed_n, TickRecord& record) noexcept {
+Touch::Forces Touch::forces(const SkinMotion& skin, const FingerSample& sample, double pushed_n,
+                            TickRecord& record) noexcept {
   Forces forces;
   forces.pushed_n = pushed_n;
-  for (int i = 0; i < walls.count; ++i) {
-    const Wall& wall = walls[i];
+  for (int i = 0; i < walls_.count; ++i) {
+    const Wall& wall = walls_[i];
     WallMemory& memory = memories_[i];
     // What pushes the finger along the walls is held by all of them, each by its part.
-    const double share_of_push = walls.count > 1 && pushed_n > 0 ? wall.normal_force_n / pushed_n : 1;
-    const Friction friction = rub(wall, share_of_push, skin, sample, memory);
+    const bool alone = walls_.count == 1;
+    const double share_of_push = !alone && pushed_n > 0 ? wall.normal_force_n / pushed_n : 1;
+    const double inclined_rad =
+        alone ? record.inclination_rad : inclination_rad(sample.direction_W, wall.normal_W);
+    const Friction friction = rub(wall, share_of_push, inclined_rad, skin, sample, memory);
     (friction.phase == Phase::slip ? forces.slip_W_n : forces.stick_W_n) +=
         memory.frame_WC.leftCols<2>() * friction.force_n;
     forces.any_slips |= friction.phase == Phase::slip;
@@ -167,10 +175,11 @@ void Touch::vibrate(Forces& forces) noexcept {
 void Touch::answer(const Contact& contact, const FingerSample& given, const SkinMotion& skin,
                    TickRecord& record) noexcept {
   const FingerSample sample = usable(given, contact.normal_W);
-  Walls walls = walls_of(contact);
-  memories_.follow(walls, sample.direction_W);
-  const double pushed_n = push(contact, skin.velocity_W, walls);
-  Forces sum = forces(walls, skin, sample, pushed_n, record);
+  find_walls(contact, walls_);
+  memories_.follow(walls_, sample.direction_W);
+  const double pushed_n = push(contact, skin.velocity_W);
+  record.inclination_rad = inclination_rad(sample.direction_W, contact.normal_W);
+  Forces sum = forces(skin, sample, pushed_n, record);
   if (vibration_) vibrate(sum);
 
   record.depth_m = contact.depth_m;
@@ -181,9 +190,8 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Skin
   record.friction_W_n = sum.slip_W_n + sum.stick_W_n + Vec3::Zero();
   record.force_W_n = sum.normal_W_n + record.friction_W_n;
   record.mu = sum.pushed_n > 0 ? record.friction_W_n.norm() / sum.pushed_n : 0.0;
-  record.inclination_rad = std::asin(std::min(1.0, std::abs(sample.direction_W.dot(contact.normal_W))));
-  record.walls = walls.count;
-  const Wall& greatest = walls[0];
+  record.walls = walls_.count;
+  const Wall& greatest = walls_[0];
   record.surface = greatest.surface;
   record.triangle =
       greatest.triangle < 0

@@ -48,12 +48,12 @@ class Touch {
   void answer(const Contact& contact, const FingerSample& given, const SkinMotion& skin,
               TickRecord& record) noexcept;
   /// Gives each wall its normal force. @returns their sum [N]
-  double push(const Contact& contact, const Vec3& velocity_W, Walls& walls) const noexcept;
-  Forces forces(const Walls& walls, const SkinMotion& skin, const FingerSample& sample, double pushed_n,
+  double push(const Contact& contact, const Vec3& velocity_W) noexcept;
+  Forces forces(const SkinMotion& skin, const FingerSample& sample, double pushed_n,
                 TickRecord& record) noexcept;
   /// One wall's friction law, and the stick centre that it leaves.
-  Friction rub(const Wall& wall, double share_of_push, const SkinMotion& skin, const FingerSample& sample,
-               WallMemory& memory) const noexcept;
+  Friction rub(const Wall& wall, double share_of_push, double inclination_rad, const SkinMotion& skin,
+               const FingerSample& sample, WallMemory& memory) const noexcept;
   void vibrate(Forces& forces) noexcept;
   void release() noexcept;
 
@@ -69,7 +69,10 @@ class Touch {
 
   std::unique_ptr<ContactMethod> method_;
   VelocityEstimator velocity_;
-  std::optional<FingerSample> last_;
+  bool has_last_ = false;
+  Vec3 last_W_ = Vec3::Zero();  ///< Q at the last tick
+  FingerSample last_lay_;       ///< how the finger lay then; of a finger with a radius
+  Walls walls_;                 ///< of this tick
   WallMemories memories_;
 
   bool unplaced_ = false;  // the last tick found no place where the finger fits

@@ -29,6 +29,18 @@ void add(Walls& walls, const ContactHold& hold, const Vec3& push_m) noexcept {
       hold.surface, hold.triangle, hold.point_W, normal_W, push_m.norm(), push_m, 0};
 }
 
+void be_one_wall(const Contact& contact, Walls& walls) noexcept {
+  const ContactHold& greatest = contact.holds[0];
+  walls.count = 1;
+  walls.walls[0] = {greatest.surface,
+                    greatest.triangle,
+                    contact.point_W,
+                    contact.normal_W,
+                    contact.depth_m,
+                    contact.depth_m * contact.normal_W,
+                    0};
+}
+
 /// Greatest first; std::stable_sort would allocate.
 void sort_by_share(Walls& walls) noexcept {
   for (Wall* wall = walls.begin(); wall != walls.end(); ++wall) {
@@ -38,24 +50,15 @@ void sort_by_share(Walls& walls) noexcept {
 
 }  // namespace
 
-Walls walls_of(const Contact& contact) noexcept {
-  Walls walls;
+void find_walls(const Contact& contact, Walls& walls) noexcept {
   const ContactHold& greatest = contact.holds[0];
+  if (contact.hold_count == 1) return be_one_wall(contact, walls);
   Vec3 sum_m = Vec3::Zero();
   const auto holds = static_cast<std::size_t>(contact.hold_count);
   for (std::size_t i = 0; i < holds; ++i) sum_m += contact.holds[i].share_m * contact.holds[i].normal_W;
   const double sum_length_m = sum_m.norm();
-  if (holds == 1 || !(sum_length_m > 1e-6 * greatest.share_m)) {
-    walls.count = 1;
-    walls.walls[0] = {greatest.surface,
-                      greatest.triangle,
-                      contact.point_W,
-                      contact.normal_W,
-                      contact.depth_m,
-                      contact.depth_m * contact.normal_W,
-                      0};
-    return walls;
-  }
+  if (!(sum_length_m > 1e-6 * greatest.share_m)) return be_one_wall(contact, walls);
+  walls.count = 0;
   const Vec3 way_W = sum_m / sum_length_m;
   const double scale = contact.depth_m / sum_length_m;
   for (std::size_t i = 0; i < holds; ++i) {
@@ -64,7 +67,6 @@ Walls walls_of(const Contact& contact) noexcept {
     add(walls, hold, scale * hold.share_m * turned(hold.normal_W, way_W, contact.normal_W));
   }
   sort_by_share(walls);
-  return walls;
 }
 
 }  // namespace fingerpad
