@@ -71,21 +71,22 @@ void Figures::observe_phase(const TickRecord& record) noexcept {
   }
   if (ticks_ > 0 && last_phase_ != Phase::free) {
     const double finger_m = (record.p_WQ - last_p_WQ_).norm();
-    tooth_jumped_ |= (record.contact_W - last_contact_W_).norm() > jump_ratio * finger_m;
+    tooth_crossed_ |= (record.contact_W - last_contact_W_).norm() > jump_ratio * finger_m;
   }
+  tooth_crossed_ |= record.walls > 1;  // each has teeth of its own
   last_contact_W_ = record.contact_W;
   stick_ticks_ += record.phase == Phase::stick ? 1 : 0;
   slip_ticks_ += record.phase == Phase::slip ? 1 : 0;
   ++tooth_ticks_;
   if (record.ruptures > 0) {
-    // Of several in one tick all but the first end a tooth that began in it.
+    // Of several in one tick all but the first of each wall end a tooth that began in it.
     ruptures_ += record.ruptures;
     teeth_ += record.ruptures - (has_ruptured_ ? 0 : 1);
-    coarse_teeth_ += record.ruptures - 1;
-    coarse_teeth_ += has_ruptured_ && tooth_ticks_ < ticks_that_show_a_tooth && !tooth_jumped_ ? 1 : 0;
+    coarse_teeth_ += std::max(0, record.ruptures - std::max(1, record.walls));
+    coarse_teeth_ += has_ruptured_ && tooth_ticks_ < ticks_that_show_a_tooth && !tooth_crossed_ ? 1 : 0;
     has_ruptured_ = true;
     tooth_ticks_ = 0;
-    tooth_jumped_ = false;
+    tooth_crossed_ = false;
   }
   last_phase_ = record.phase;
 }

@@ -33,7 +33,7 @@ class Figures {
 
   /// Teeth of the sawtooth, from one rupture to the next, and those of them that lasted under two ticks: no
   /// sampling shows them. A tooth that ended because the contact jumped from one wall to another is no such
-  /// tooth.
+  /// tooth, nor are those of two walls one after the other.
   long teeth() const noexcept { return teeth_; }
   long coarse_teeth() const noexcept { return coarse_teeth_; }
 
@@ -43,7 +43,7 @@ class Figures {
 
   long ticks_ = 0, contact_ticks_ = 0, stick_ticks_ = 0, slip_ticks_ = 0, ruptures_ = 0;
   long teeth_ = 0, coarse_teeth_ = 0, tooth_ticks_ = 0;
-  bool has_ruptured_ = false, tooth_jumped_ = false;
+  bool has_ruptured_ = false, tooth_crossed_ = false;
   Vec3 last_contact_W_ = Vec3::Zero();
   Phase last_phase_ = Phase::free;
   double max_depth_m_ = 0, sum_normal_n_ = 0, max_normal_n_ = 0, max_friction_n_ = 0;

@@ -208,5 +208,28 @@ TEST(Figures, AToothThatAJumpOfTheContactBreaksIsNotTooCoarse) {
   EXPECT_EQ(figures.coarse_teeth(), 1) << "the next one has no jump in it";
 }
 
+TEST(Figures, TeethOfTwoWallsOneAfterTheOtherAreNotTooCoarse) {
+  Figures figures;
+  TickRecord record;
+  record.normal_force_n = 1;
+  const auto observe = [&](int ruptures, int k, int walls) {
+    record.phase = Phase::stick;
+    record.ruptures = ruptures;
+    record.walls = walls;
+    record.p_WQ.x() = record.contact_W.x() = 0.001 * k;
+    figures.observe(record);
+  };
+  observe(1, 0, 1);
+  observe(1, 1, 2);
+  observe(2, 2, 2);
+  EXPECT_EQ(figures.coarse_teeth(), 0) << "each wall gave way once in a tick";
+  observe(3, 3, 2);
+  EXPECT_EQ(figures.coarse_teeth(), 1) << "one of them gave way twice";
+  for (int k = 4; k < 8; ++k) observe(0, k, 1);
+  observe(1, 8, 1);
+  observe(1, 9, 1);
+  EXPECT_EQ(figures.coarse_teeth(), 2) << "one wall by itself";
+}
+
 }  // namespace
 }  // namespace fingerpad
