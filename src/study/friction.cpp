@@ -4,6 +4,7 @@
 
 #include "study/battery.hpp"
 #include "study/friction_events.hpp"
+#include "study/friction_vibration.hpp"
 #include "study/pulled_block.hpp"
 #include "study/studies.hpp"
 
@@ -160,6 +161,8 @@ StudyReport study_friction(const StudyProgress& progress) {
   const ErrorsByLaw own = study_own_limits(report, progress);
   progress("events between ticks");
   study_events(report);
+  progress("vibration");
+  study_vibration(report);
   const ErrorsByLaw exact = study_pulled_block(report, progress);
   study_costs(report, progress, own, exact);
   return report;
