@@ -78,7 +78,8 @@ void study_energy(StudyReport& report) {
       {"energy",
        "Energy that friction gives over a closed path",
        {"Stretched at 1 N and 45 deg, then load or angle changed at rest, then brought back to the start.",
-        "Above zero the spring makes energy: what scales with the load gives, what does not only takes."},
+        "Above zero the spring makes energy: a stiffness that scales with the load or the angle does, a "
+        "fixed one never on this path."},
        1,
        {std::move(load), std::move(angle)}});
 }

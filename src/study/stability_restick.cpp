@@ -43,7 +43,7 @@ RubRun rub_with(const Rub& rub, Restick restick) {
   for (long k = 0; k < loop.tick_count(); ++k) {
     const TickRecord record = loop.next();
     const double force_n = -record.friction_W_n.x();
-    if (record.t_s <= rub.shown_s && (k % 10 == 0 || rub.shown_s <= 0.1)) {
+    if (record.t_s <= rub.shown_s) {
       run.t_s.push_back(record.t_s);
       run.force_n.push_back(force_n);
     }
