@@ -45,22 +45,19 @@ ChartBand phase_band(const TouchSeries& series) {
   return band;
 }
 
-/// Values where slip has just given way to stick (the paper's points a, fig. 9). None where they would crowd.
-std::vector<double> where_slip_ends(const std::vector<double>& values, const std::vector<Phase>& phase) {
+/// Values where slip has just given way to stick. None where they would crowd.
+std::vector<double> where_slip_ends(const std::vector<double>& values, const std::vector<bool>& slip_ends) {
   constexpr int most = 60;
-  int count = 0;
   std::vector<double> out(values.size(), TickRecord::nan);
-  for (std::size_t i = 1; i < values.size(); ++i) {
-    if (phase[i - 1] != Phase::slip || phase[i] != Phase::stick) continue;
-    out[i] = values[i];
-    ++count;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (slip_ends[i]) out[i] = values[i];
   }
-  if (count > most) out.clear();
+  if (std::count(slip_ends.begin(), slip_ends.end(), true) > most) out.clear();
   return out;
 }
 
 void add_slip_ends(ChartPanel& panel, const TouchSeries& series) {
-  std::vector<double> ends = where_slip_ends(panel.curves.front().y, series.phase);
+  std::vector<double> ends = where_slip_ends(panel.curves.front().y, series.slip_ends);
   const bool any = std::any_of(ends.begin(), ends.end(), [](double y) { return std::isfinite(y); });
   const CurveStyle rings{palette::vermillion, Dash::none, Marker::ring, 1.2};
   if (any) panel.curves.push_back({"end of slip", rings, series.t_s, std::move(ends)});

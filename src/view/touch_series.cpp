@@ -72,6 +72,9 @@ TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction
     if (along.norm() > 1e-9) along.normalize();
     series.friction_n.push_back(row.friction_W_n.dot(along));
     series.mu.push_back(free ? TickRecord::nan : row.mu);
+    const bool is_stick_after_slip =
+        !series.phase.empty() && series.phase.back() == Phase::slip && row.phase == Phase::stick;
+    series.slip_ends.push_back(is_stick_after_slip && row.walls <= 1);
     series.phase.push_back(row.phase);
   }
   return series;

@@ -21,6 +21,9 @@ struct TouchSeries {
   std::vector<double> friction_n;  ///< component along the direction, within the tangent plane
   std::vector<double> mu;          ///< nan while free
   std::vector<Phase> phase;
+  /// Slip has just given way to stick (the paper's points a, fig. 9) on the one wall that holds the finger:
+  /// of several the phase is the greatest's, and passes from one to another without an end of slip.
+  std::vector<bool> slip_ends;
 };
 
 /// The direction of most motion: the first principal axis of the contact points (of the finger where nothing

@@ -51,6 +51,19 @@ TEST(TouchSeries, NamesAWorldAxisAndKeepsItsCoordinate) {
   EXPECT_NEAR(series.position_m[0], 0.4, 1e-12);
 }
 
+TEST(TouchSeries, SlipEndsWhereOneWallHoldsTheFingerAndSticks) {
+  std::vector<TickRecord> rows(6);
+  const Phase phases[] = {Phase::slip, Phase::stick, Phase::stick, Phase::slip, Phase::stick, Phase::free};
+  const int walls[] = {1, 1, 1, 2, 2, 0};  // then the greater of two walls is another one, which sticks
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].t_s = 0.001 * static_cast<double>(i);
+    rows[i].phase = phases[i];
+    rows[i].walls = walls[i];
+  }
+  const std::vector<bool> expected{false, true, false, false, false, false};
+  EXPECT_EQ(touch_series(rows, Vec3::UnitX()).slip_ends, expected);
+}
+
 TEST(TouchSeries, OfNothingIsEmpty) {
   EXPECT_EQ(main_direction({}), Vec3::UnitX());
   EXPECT_TRUE(touch_series({}, Vec3::UnitX()).t_s.empty());
