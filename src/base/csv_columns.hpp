@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "base/csv_cells.hpp"
+
 namespace fingerpad {
 
 /// Columns of numbers picked from a CSV file by name.
@@ -12,25 +14,36 @@ struct CsvColumns {
   std::vector<bool> present;                 ///< per asked-for name
   std::vector<std::vector<double>> columns;  ///< per asked-for name, a number per row; empty where absent
   std::vector<long> lines;                   ///< per row: its line in the file, from 1
+  char separator = ',';                      ///< that the file has
 };
 
-/// Where a column stands in a CSV header, from 0; nothing where it is not there. Blanks around names do not
-/// count. Throws Error (refused, at `place`) for a column that is there twice, and for a header whose cells
-/// are parted by another mark than the comma.
+/// Where a column stands in a CSV header, from 0; nothing where it is not there. Blanks and quotes around
+/// names do not count. Throws Error (refused, at `place`) for a column that is there twice, and for a header
+/// whose cells are parted by another mark than `separator`.
 std::optional<std::size_t> csv_column(std::string_view header, std::string_view name,
-                                      const std::string& place);
+                                      const std::string& place, char separator = ',');
 
 /// Where a table may come from: a stream is read once and cannot be looked at again.
 enum class TableSource { file, file_or_stream };
 
-/// Reads named columns of a CSV file whose first line is a header; other columns and blank lines are passed
-/// over.
+/// What is to be read of a table, and how.
+struct CsvRequest {
+  std::vector<std::string_view> required;       ///< names that must be there
+  std::vector<std::string_view> optional = {};  ///< names that may be there
+  CsvDialect dialect = {};
+  TableSource source = TableSource::file;
+  std::string mend = {};  ///< what to do where a column is missing, for people; may be empty
+};
+
+/// Reads named columns of a CSV file whose first line is a header; other columns, blank lines and lines that
+/// begin with `#` are passed over. Where the first line that is left is one of numbers, the last line before
+/// it that begins with `#` is the header, as NumPy writes it.
 ///
-/// @param required  names that must be there
-/// @param optional  names that may be there
 /// Throws Error (refused, at `file:line`) as csv_column, for a file that cannot be read or is empty, a
-/// missing column, a row that is short or has more cells than the header, a word that is no number, a number
-/// that is not finite, and over 50 million rows.
+/// missing column (with those that are there), a separator that cannot be found, a row that is short or has
+/// more cells than the header, a row of units, a word that is no number, a number that is not finite, and
+/// over 50 million rows.
+CsvColumns read_csv_columns(const std::string& path, const CsvRequest& request);
 CsvColumns read_csv_columns(const std::string& path, const std::vector<std::string_view>& required,
                             const std::vector<std::string_view>& optional = {},
                             TableSource source = TableSource::file);

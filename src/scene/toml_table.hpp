@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/nearest_word.hpp"
 #include "base/types.hpp"
 #include "scene/toml_tree.hpp"
 
@@ -18,13 +19,6 @@ struct NumberRange {
   double max = std::numeric_limits<double>::max();
   bool above_min = false;  ///< must be larger than min
 };
-
-/// The known word that is spelled most like `word` (edit distance of at most a third of its length); "" if
-/// none is.
-std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
-
-/// The words with commas between.
-std::string word_list(const std::vector<std::string>& words);
 
 /// One table of a scene file, read key by key. Every reading throws Error (refused, `file:line:column`) where
 /// the value is not what was asked for; a key that is absent gives the fallback.

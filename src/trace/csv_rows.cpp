@@ -15,21 +15,10 @@
 namespace fingerpad {
 namespace {
 
-std::vector<std::string_view> cells_of(std::string_view line) {
-  if (line.ends_with('\r')) line.remove_suffix(1);
-  std::vector<std::string_view> cells;
-  while (true) {
-    const std::size_t comma = line.find(',');
-    cells.push_back(line.substr(0, comma));
-    if (comma == std::string_view::npos) return cells;
-    line.remove_prefix(comma + 1);
-  }
-}
-
 /// Where each column of a trace stands in the file; beyond its columns for one that an older trace lacks.
 std::vector<std::size_t> find_columns(const std::string& where, std::string_view header) {
   std::vector<std::size_t> places;
-  const auto names = cells_of(header);
+  const auto names = csv_cells(header, ',');
   // Where a name is no column's, a column that is missing may be that one, misspelt.
   const bool may_be_older = std::ranges::all_of(names, [](std::string_view name) {
     return std::ranges::any_of(trace_columns(), [&](const TraceColumn& c) { return c.name == name; });
@@ -59,7 +48,7 @@ bool is_blank(std::string_view line) {
 
 TickRecord read_row(const TextLines& lines, std::string_view line, const std::vector<std::size_t>& places,
                     std::size_t cell_count) {
-  const auto cells = cells_of(line);
+  const auto cells = csv_cells(line, ',');
   if (cells.size() != cell_count) {
     throw refused(lines.place(),
                   fmt::format("has {} cells, but the header has {}", cells.size(), cell_count));
@@ -118,7 +107,7 @@ Trace read_csv_trace(const std::string& path) {
                   "is an HDF5 trace, which cannot be read from a stream: name the file itself");
   }
   const auto places = find_columns(lines.place(), line);
-  const std::size_t cell_count = cells_of(line).size();
+  const std::size_t cell_count = csv_cells(line, ',').size();
   Trace trace;
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k] == cell_count) continue;

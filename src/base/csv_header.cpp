@@ -1,0 +1,96 @@
+#include "base/csv_header.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+#include "base/nearest_word.hpp"
+#include "base/printable_text.hpp"
+
+namespace fingerpad {
+namespace {
+
+bool is_row_of_numbers(std::string_view line) noexcept {
+  return line.find_first_not_of("0123456789+-.,;eE \t\r\"") == std::string_view::npos &&
+         line.find_first_of("0123456789") != std::string_view::npos;
+}
+
+bool names_all(std::string_view line, char separator, const std::vector<std::string_view>& names) {
+  const auto cells = csv_cells(line, separator);
+  return std::all_of(names.begin(), names.end(), [&cells](std::string_view name) {
+    return std::find(cells.begin(), cells.end(), name) != cells.end();
+  });
+}
+
+/// The mark under which the header names what is required; where none does, the one that parts it most,
+/// under which what is missing can be told.
+char separator_of(const CsvHeader& header, const CsvRequest& request) {
+  std::vector<char> fit;
+  char most = ',';
+  std::size_t most_cells = 0;
+  for (const char mark : {',', ';', '\t'}) {
+    if (mark == request.dialect.decimal) continue;
+    if (names_all(header.line, mark, request.required)) fit.push_back(mark);
+    const std::size_t cells = csv_cells(header.line, mark).size();
+    if (cells > most_cells) most = mark;
+    most_cells = std::max(cells, most_cells);
+  }
+  if (fit.size() == 1) return fit.front();
+  if (fit.size() > 1) {
+    throw refused(header.place, fmt::format("its cells may be parted by {} or by {}: say separator",
+                                            separator_words(fit[0]), separator_words(fit[1])));
+  }
+  return most_cells < 2 || names_all(header.line, ' ', request.required) ? ' ' : most;
+}
+
+}  // namespace
+
+bool is_passed_over(std::string_view line) noexcept {
+  const std::string_view text = trimmed(line);
+  return text.empty() || text.front() == '#';
+}
+
+CsvHeader read_csv_header(TextLines& lines, const CsvRequest& request) {
+  CsvHeader header;
+  std::string comment, comment_place;
+  for (std::string_view line; lines.next(line);) {
+    const std::string_view text = trimmed(line);
+    if (text.empty()) continue;
+    if (text.find('\0') != std::string_view::npos) {
+      throw refused(lines.where(), "is no text: it holds a zero byte");
+    }
+    if (text.front() == '#') {
+      comment = text.substr(1);
+      comment_place = lines.place();
+      continue;
+    }
+    header.line = line;
+    header.place = lines.place();
+    if (!trimmed(comment).empty() && is_row_of_numbers(text)) {
+      header.first_row = header.line;
+      header.line = comment;
+      header.place = comment_place;
+    }
+    header.separator = request.dialect.separator;
+    if (header.separator == found_separator) header.separator = separator_of(header, request);
+    return header;
+  }
+  throw refused(lines.where(), "is empty");
+}
+
+Error missing_column(const CsvHeader& header, std::string_view name, const CsvRequest& request) {
+  constexpr std::size_t most_shown_bytes = 400;
+  std::vector<std::string> there;
+  for (const std::string_view cell : csv_cells(header.line, header.separator))
+    there.push_back(printable(cell, 60));
+  const std::string nearest = nearest_word(name, there);
+  return refused(
+      header.place,
+      fmt::format("no column '{}'{}; the first line must name the columns {}, and it names {}{}{}",
+                  printable(name, 60), nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest),
+                  fmt::join(request.required, ","), printable(word_list(there), most_shown_bytes),
+                  request.mend.empty() ? "" : ": ", request.mend));
+}
+
+}  // namespace fingerpad
