@@ -97,12 +97,25 @@ void tell(const std::vector<BatchJob>& jobs) {
       coarse_teeth, coarse_jobs, coarse_jobs == 1 ? "trace" : "traces");
 }
 
-/// What the program chose where scenes left it open: each part's line once, however many jobs touch it.
+/// What the program chose where scenes left it open, and how it read their motions: each part's and each
+/// motion's line once, however many jobs have it.
 void tell_choices(const std::vector<BatchJob>& jobs) {
   std::set<std::string_view> told;
   for (const BatchJob& job : jobs) {
-    for (const std::string& reason : job.contact_reasons) {
-      if (told.insert(reason).second) print_err("fingerpad: {}\n", reason);
+    for (const auto* lines : {&job.motion_notes, &job.contact_reasons}) {
+      for (const std::string& line : *lines) {
+        if (told.insert(line).second) print_err("fingerpad: {}\n", line);
+      }
+    }
+  }
+}
+
+/// What jobs warn of themselves, each line once.
+void tell_warnings(const std::vector<BatchJob>& jobs) {
+  std::set<std::string_view> told;
+  for (const BatchJob& job : jobs) {
+    for (const std::string& line : job.warnings) {
+      if (told.insert(line).second) print_err("fingerpad: warning: {}\n", line);
     }
   }
 }
@@ -196,6 +209,7 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   if (!ranks.is_root()) return 0;
   if (!options.quiet) tell_choices(jobs);
   tell(jobs);
+  tell_warnings(jobs);
   const int lost_code = tell_lost(lost);
   if (!options.quiet) tell_end(jobs, !lost.empty(), batch);
   const int code = exit_code(jobs);

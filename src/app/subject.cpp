@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
+#include <optional>
 
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/never_touches.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/closed_loop.hpp"
 #include "trace/motion_source.hpp"
@@ -15,8 +18,9 @@
 namespace fingerpad {
 namespace {
 
-std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const World>& world) {
-  ClosedLoop loop(world, scene, load_finger_path(scene));
+std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const World>& world,
+                                 const FingerPath& path) {
+  ClosedLoop loop(world, scene, path);
   constexpr long most_rows = 20'000'000;  // some 6 GB
   if (loop.tick_count() > most_rows) {
     throw refused(scene.path,
@@ -28,18 +32,34 @@ std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const
   rows.reserve(static_cast<std::size_t>(loop.tick_count()));
   for (long k = 0; k < loop.tick_count() && !loop.has_diverged(); ++k) rows.push_back(loop.next());
   if (loop.has_diverged()) throw refused(scene.path, loop.divergence());
+  const auto touches = [](const TickRecord& row) { return row.phase != Phase::free; };
+  if (std::none_of(rows.begin(), rows.end(), touches)) {
+    const std::string words = never_touches(*world, path, scene.finger.radius_m);
+    if (!words.empty()) print_err("fingerpad: warning: {}: {}\n", scene.name, words);
+  }
   return rows;
+}
+
+/// The way that a scene's finger goes, told as it is read; nothing where the scene has none.
+std::optional<FingerPath> told_path(const Scene& scene) {
+  if (!scene.motion.given()) return std::nullopt;
+  LoadedMotion motion = load_motion(scene);
+  for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
+  for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
+  return std::move(motion.path);
 }
 
 ViewInput scene_subject(const std::string& path, LoadBar& bar) {
   ViewInput input;
   input.scene = single_scene(path);
   input.title = input.scene->name;
+  const auto motion = told_path(*input.scene);
+  if (motion) input.scene = at_rate(*input.scene, *motion);
   input.world = load_world(*input.scene, bar.progress());
   bar.finish();
   tell_warnings(*input.world);
   tell_choice(*input.world);
-  if (input.scene->motion.given()) input.rows = replayed(*input.scene, input.world);
+  if (motion) input.rows = replayed(*input.scene, input.world, *motion);
   return input;
 }
 

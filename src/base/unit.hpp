@@ -16,7 +16,14 @@ struct LengthUnit {
 inline constexpr std::array<LengthUnit, 4> length_units{
     {{"m", 1}, {"mm", 1e-3}, {"cm", 1e-2}, {"in", 25.4e-3}}};
 
-/// Their names, in that order.
+/// What one unit of a recording's clock may be.
+struct TimeUnit {
+  std::string_view name;
+  double seconds;
+};
+inline constexpr std::array<TimeUnit, 3> time_units{{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}}};
+
+/// The names of length_units, in that order.
 std::vector<std::string> length_unit_names();
 
 /// Metres in the unit of that name; nothing for any other name.

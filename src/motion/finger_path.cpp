@@ -43,6 +43,13 @@ FingerSample interpolated(const Motion& motion, double t_s, const Vec3& directio
         u, motion.attitude[static_cast<std::size_t>(right)]);
     sample.direction_W = *sample.attitude * direction_W;
   }
+  if (!motion.normal_force_n.empty()) {
+    sample.normal_force_n = (1 - u) * motion.normal_force_n[static_cast<std::size_t>(left)] +
+                            u * motion.normal_force_n[static_cast<std::size_t>(right)];
+  }
+  if (motion.velocity_W.cols() > 0) {
+    sample.velocity_W = (1 - u) * motion.velocity_W.col(left) + u * motion.velocity_W.col(right);
+  }
   if (motion.direction_W.cols() == 0) return sample;
   // At a sample its own number counts, to the last bit.
   if (u == 0 || u == 1) {
@@ -91,9 +98,14 @@ bool FingerPath::was_in_hand() const noexcept {
   return recorded != nullptr && recorded->push_W_n.cols() > 0;
 }
 
-double FingerPath::encoder_m() const noexcept {
+bool FingerPath::has_attitudes() const noexcept {
   const auto* recorded = std::get_if<Motion>(&motion_);
-  return recorded != nullptr ? recorded->encoder_m : 0;
+  return recorded != nullptr && !recorded->attitude.empty();
+}
+
+bool FingerPath::has_velocity() const noexcept {
+  const auto* recorded = std::get_if<Motion>(&motion_);
+  return recorded != nullptr && recorded->velocity_W.cols() > 0;
 }
 
 FingerSample FingerPath::at(long k) const noexcept {

@@ -12,9 +12,9 @@ namespace fingerpad {
 inline constexpr double most_ticks = 2147483648.0;
 
 /// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6);
-/// recorded positions are interpolated linearly, directions linearly and made unit again, attitudes along the
-/// shortest turn. Where a motion has attitudes and no directions, the scene's direction turns with the
-/// finger.
+/// recorded positions, forces and velocities are interpolated linearly, directions linearly and made unit
+/// again, attitudes along the shortest turn. Where a motion has attitudes and no directions, the scene's
+/// direction turns with the finger.
 class FingerPath {
  public:
   /// @param direction_W  unit; used where the motion has no directions
@@ -30,8 +30,9 @@ class FingerPath {
   bool turns() const noexcept;
   /// Whether the positions are those of a hand's encoders, with what the hand pushed with.
   bool was_in_hand() const noexcept;
-  /// Quantum of the encoders that gave the positions [m]; 0: exact.
-  double encoder_m() const noexcept;
+  /// Whether it knows the finger's attitude, and its velocity better than by differences of positions.
+  bool has_attitudes() const noexcept;
+  bool has_velocity() const noexcept;
   /// @pre 0 <= k < tick_count()
   FingerSample at(long k) const noexcept;
 

@@ -14,41 +14,96 @@ namespace {
 /// Beyond the clocks that count from 1970, within what a double still resolves to microseconds.
 constexpr double latest_s = 1e10;
 
-Eigen::Map<const Eigen::RowVectorXd> row_of(const std::vector<double>& column) {
-  return {column.data(), static_cast<Eigen::Index>(column.size())};
+/// A table with its columns in the order of recording_columns; those that are not there are empty.
+struct Recording {
+  const std::string& path;
+  std::vector<std::vector<double>> columns;
+  std::vector<long> lines;
+
+  Error fault(std::size_t row, const std::string& what) const {
+    return refused(fmt::format("{}:{}", path, lines[row]), what);
+  }
+  int count(std::size_t first, std::size_t last) const {
+    int there = 0;
+    for (std::size_t k = first; k <= last; ++k) there += columns[k].empty() ? 0 : 1;
+    return there;
+  }
+  /// Three columns as points.
+  Points points(std::size_t first) const {
+    Points p(3, static_cast<Eigen::Index>(columns[first].size()));
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::vector<double>& row = columns[first + static_cast<std::size_t>(axis)];
+      p.row(axis) = Eigen::Map<const Eigen::RowVectorXd>(row.data(), static_cast<Eigen::Index>(row.size()));
+    }
+    return p;
+  }
+};
+
+// Where recording_columns has them.
+constexpr std::size_t place_of_x = 1, place_of_dx = 4, place_of_qw = 7, place_of_fn = 11;
+static_assert(recording_columns[place_of_x].key == "x" && recording_columns[place_of_dx].key == "dx" &&
+              recording_columns[place_of_qw].key == "qw" && recording_columns[place_of_fn].key == "fn");
+
+std::string_view header_of(const RecordingFormat& format, std::size_t column) {
+  const std::string& named = format.headers[column];
+  return named.empty() ? recording_columns[column].header : std::string_view(named);
 }
 
-void check_times(const std::string& path, const CsvColumns& table) {
-  const std::vector<double>& t_s = table.columns[0];
-  if (t_s.empty()) throw refused(path, "has a header but no rows");
+/// Time, place and what the format names must be there; directions and attitudes may be.
+bool is_required(const RecordingFormat& format, std::size_t column) {
+  if (column == place_of_fn) return format.reads_normal_force || !format.headers[column].empty();
+  return column < place_of_dx || !format.headers[column].empty();
+}
+
+Recording read_table(const std::string& path, const RecordingFormat& format, char& separator) {
+  CsvRequest request{{},
+                     {},
+                     format.dialect,
+                     TableSource::file,
+                     "say which of them stands for what, as in [motion] columns = { t = \"time\" }"};
+  std::vector<std::size_t> required, optional;
+  for (std::size_t k = 0; k < recording_columns.size(); ++k) {
+    if (is_required(format, k)) {
+      required.push_back(k);
+      request.required.push_back(header_of(format, k));
+    } else if (k != place_of_fn) {
+      optional.push_back(k);
+      request.optional.push_back(header_of(format, k));
+    }
+  }
+  CsvColumns table = read_csv_columns(path, request);
+  separator = table.separator;
+  Recording recording{path, std::vector<std::vector<double>>(recording_columns.size()), table.lines};
+  if (table.lines.empty()) throw refused(path, "has a header but no rows");
+  required.insert(required.end(), optional.begin(), optional.end());
+  for (std::size_t i = 0; i < required.size(); ++i)
+    recording.columns[required[i]] = std::move(table.columns[i]);
+  return recording;
+}
+
+void check_times(const Recording& recording, const std::vector<double>& t_s) {
   for (std::size_t i = 1; i < t_s.size(); ++i) {
     if (t_s[i] > t_s[i - 1]) continue;
-    throw refused(fmt::format("{}:{}", path, table.lines[i]),
-                  fmt::format("time {} s does not come after {} s", t_s[i], t_s[i - 1]));
+    throw recording.fault(i, fmt::format("time {} s does not come after {} s", t_s[i], t_s[i - 1]));
   }
 }
 
-void check_samples(const std::string& path, const CsvColumns& table, const Motion& motion) {
+void check_samples(const Recording& recording, const Motion& motion) {
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
     const std::string fault = sample_fault(motion.t_s[i], motion.p_WQ.col(static_cast<Eigen::Index>(i)));
-    if (!fault.empty()) throw refused(fmt::format("{}:{}", path, table.lines[i]), fault);
+    if (!fault.empty()) throw recording.fault(i, fault);
   }
 }
 
-void read_directions(const std::string& path, const CsvColumns& table, Motion& motion) {
-  const int columns = table.present[4] + table.present[5] + table.present[6];
+void read_directions(const Recording& recording, Motion& motion) {
+  const int columns = recording.count(place_of_dx, place_of_dx + 2);
   if (columns == 0) return;
-  if (columns != 3) throw refused(path + ":1", "the finger's direction needs all of dx, dy and dz");
-  motion.direction_W.resize(3, motion.p_WQ.cols());
-  for (int axis = 0; axis < 3; ++axis) {
-    motion.direction_W.row(axis) = row_of(table.columns[4 + static_cast<std::size_t>(axis)]);
-  }
+  if (columns != 3) throw refused(recording.path + ":1", "the finger's direction needs all of dx, dy and dz");
+  motion.direction_W = recording.points(place_of_dx);
   for (Eigen::Index i = 0; i < motion.p_WQ.cols(); ++i) {
     const double length = motion.direction_W.col(i).stableNorm();
-    if (!(length > 1e-6) || !std::isfinite(length)) {
-      throw refused(fmt::format("{}:{}", path, table.lines[static_cast<std::size_t>(i)]),
-                    "dx,dy,dz name no direction");
-    }
+    if (!(length > 1e-6) || !std::isfinite(length))
+      throw recording.fault(static_cast<std::size_t>(i), "dx,dy,dz name no direction");
     motion.direction_W.col(i) /= length;
   }
 }
@@ -56,19 +111,28 @@ void read_directions(const std::string& path, const CsvColumns& table, Motion& m
 /// Unit to within what a recording's few digits leave.
 constexpr double unit_tolerance = 1e-3;
 
-void read_attitudes(const std::string& path, const CsvColumns& table, Motion& motion) {
-  const int columns = table.present[7] + table.present[8] + table.present[9] + table.present[10];
+void read_attitudes(const Recording& recording, Motion& motion) {
+  const int columns = recording.count(place_of_qw, place_of_qw + 3);
   if (columns == 0) return;
-  if (columns != 4) throw refused(path + ":1", "the finger's orientation needs all of qw, qx, qy and qz");
+  if (columns != 4)
+    throw refused(recording.path + ":1", "the finger's orientation needs all of qw, qx, qy and qz");
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
-    const Eigen::Vector4d q(table.columns[7][i], table.columns[8][i], table.columns[9][i],
-                            table.columns[10][i]);
+    Eigen::Vector4d q;
+    for (std::size_t k = 0; k < 4; ++k)
+      q[static_cast<Eigen::Index>(k)] = recording.columns[place_of_qw + k][i];
     const double length = q.stableNorm();
     if (!(std::abs(length - 1) <= unit_tolerance)) {
-      throw refused(fmt::format("{}:{}", path, table.lines[i]),
-                    fmt::format("qw,qx,qy,qz is no unit quaternion: its length is {}", length));
+      throw recording.fault(i, fmt::format("qw,qx,qy,qz is no unit quaternion: its length is {}", length));
     }
     motion.attitude.emplace_back(q[0] / length, q[1] / length, q[2] / length, q[3] / length);
+  }
+}
+
+void read_normal_forces(const Recording& recording, Motion& motion) {
+  motion.normal_force_n = recording.columns[place_of_fn];
+  for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
+    const std::string fault = force_fault(motion.normal_force_n[i]);
+    if (!fault.empty()) throw recording.fault(i, fault);
   }
 }
 
@@ -86,19 +150,29 @@ std::string sample_fault(double t_s, const Vec3& p_W) {
   return {};
 }
 
-Motion read_motion_csv(const std::string& path) {
-  const CsvColumns table =
-      read_csv_columns(path, {"t_s", "x_m", "y_m", "z_m"}, {"dx", "dy", "dz", "qw", "qx", "qy", "qz"});
-  check_times(path, table);
+std::string force_fault(double normal_force_n) {
+  constexpr double hardest_n = 1e6;  // beyond any finger and any press
+  if (std::abs(normal_force_n) <= hardest_n) return {};
+  return fmt::format("the normal force is {} N; at most {} N are taken", normal_force_n, hardest_n);
+}
+
+Motion read_motion_csv(const std::string& path, const RecordingFormat& format, char& separator) {
+  const Recording recording = read_table(path, format, separator);
   Motion motion;
-  motion.t_s = table.columns[0];
-  motion.p_WQ.resize(3, static_cast<Eigen::Index>(motion.t_s.size()));
-  for (int axis = 0; axis < 3; ++axis)
-    motion.p_WQ.row(axis) = row_of(table.columns[1 + static_cast<std::size_t>(axis)]);
-  check_samples(path, table, motion);
-  read_directions(path, table, motion);
-  read_attitudes(path, table, motion);
+  motion.t_s = recording.columns[0];
+  for (double& t_s : motion.t_s) t_s *= format.seconds_per_unit;
+  check_times(recording, motion.t_s);
+  motion.p_WQ = format.metres_per_unit * recording.points(place_of_x);
+  check_samples(recording, motion);
+  read_directions(recording, motion);
+  read_attitudes(recording, motion);
+  if (format.reads_normal_force) read_normal_forces(recording, motion);
   return motion;
+}
+
+Motion read_motion_csv(const std::string& path) {
+  char separator = found_separator;
+  return read_motion_csv(path, {}, separator);
 }
 
 }  // namespace fingerpad

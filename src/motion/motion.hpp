@@ -5,6 +5,7 @@
 
 #include "base/types.hpp"
 #include "fingerpad/attitude.hpp"
+#include "motion/recording_format.hpp"
 
 namespace fingerpad {
 
@@ -14,18 +15,26 @@ struct Motion {
   Points p_WQ;              ///< 3 x n, column i at t_s[i] [m]
   Points direction_W;       ///< 3 x n unit vectors towards the fingertip, or 3 x 0 where the motion has none
   Points push_W_n;          ///< 3 x n, what a hand pushed the finger with, or 3 x 0 [N]
-  double encoder_m = 0;     ///< quantum of the encoders that gave the positions; 0: exact
-  std::vector<Attitude> attitude;  ///< n, how the finger was turned, or none
+  std::vector<Attitude> attitude;      ///< n, how the finger was turned, or none
+  std::vector<double> normal_force_n;  ///< n, the normal force as it was measured, or none [N]
+  Points
+      velocity_W;  ///< 3 x n, where the recording gives more of it than its positions' differences, or 3 x 0
 };
 
 /// Why a finger cannot be at `p_W` at `t_s`: numbers that are not finite, or larger than any recording's in
 /// metres and seconds; empty where it can.
 std::string sample_fault(double t_s, const Vec3& p_W);
+/// Why a finger cannot press with such a normal force; empty where it can.
+std::string force_fault(double normal_force_n);
 
-/// Reads a motion table: a header line naming t_s,x_m,y_m,z_m and optionally dx,dy,dz and qw,qx,qy,qz, in any
-/// order; other columns are passed over, so a trace written as CSV is a motion too. Throws Error (refused,
-/// `file:line`) on a missing column, a word that is no number, numbers that are not finite or beyond
-/// sample_fault's bounds, times that do not increase, or no rows.
+/// Reads a motion table: a header line naming t_s,x_m,y_m,z_m and optionally dx,dy,dz and qw,qx,qy,qz, or the
+/// names that `format` gives them, in any order; other columns are passed over, so a trace written as CSV is
+/// a motion too. What `format` names must be there. Throws Error (refused, `file:line`) on a missing column,
+/// a word that is no number, numbers that are not finite or beyond sample_fault's bounds, times that do not
+/// increase, or no rows.
+/// @param separator  given that of the file
+Motion read_motion_csv(const std::string& path, const RecordingFormat& format, char& separator);
+/// As above, of a table in the program's own form.
 Motion read_motion_csv(const std::string& path);
 
 }  // namespace fingerpad

@@ -62,6 +62,8 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
     batch_job.contact_method = result.contact_method;
     batch_job.contact_normals = result.contact_normals;
     batch_job.contact_reasons = result.contact_reasons;
+    batch_job.motion_notes = result.motion_notes;
+    batch_job.warnings = result.warnings;
     batch_job.status = "ok";
   } catch (const Error& error) {
     batch_job.status = printable(error.what());  // between ranks it is JSON, which is UTF-8
@@ -85,7 +87,8 @@ std::string outcomes_text(const std::vector<BatchJob>& jobs, const std::vector<s
     std::vector<std::uint64_t> figures;
     for (const double figure : job.figures) figures.push_back(std::bit_cast<std::uint64_t>(figure));
     outcomes.push_back({i, job.status, job.exit_code, job.seconds, figures, job.contact_method,
-                        job.contact_normals, job.contact_reasons, job.kept, job.left_behind});
+                        job.contact_normals, job.contact_reasons, job.kept, job.left_behind, job.motion_notes,
+                        job.warnings});
   }
   return outcomes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -103,6 +106,8 @@ void take_outcomes(std::vector<BatchJob>& jobs, const std::string& text) {
     job.contact_reasons = outcome[7].get<std::vector<std::string>>();
     job.kept = outcome[8];
     job.left_behind = outcome[9];
+    job.motion_notes = outcome[10].get<std::vector<std::string>>();
+    job.warnings = outcome[11].get<std::vector<std::string>>();
   }
 }
 

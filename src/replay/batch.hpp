@@ -38,6 +38,8 @@ struct BatchJob {
   std::vector<double> figures;                  ///< Figures::values(), empty unless "ok"
   std::string contact_method, contact_normals;  ///< that served (TraceInfo); empty unless "ok"
   std::vector<std::string> contact_reasons;     ///< of what its scene left open
+  std::vector<std::string> motion_notes;        ///< how its motion was read (LoadedMotion)
+  std::vector<std::string> warnings;            ///< of its motion, and of what that touches
   double seconds = 0;
   int exit_code = 0;        ///< of this job alone
   bool kept = false;        ///< an earlier run's trace was kept (BatchOptions::resume)

@@ -1,10 +1,13 @@
 #include "replay/run_job.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 #include <optional>
 
 #include "base/error.hpp"
+#include "replay/never_touches.hpp"
 #include "replay/run_proof.hpp"
 #include "touch/closed_loop.hpp"
 #include "trace/file_seal.hpp"
@@ -40,32 +43,11 @@ std::optional<std::vector<double>> recounted(const std::string& path, const Trac
   return figures.values();
 }
 
-}  // namespace
-
-JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output) {
-  FingerPath path = load_finger_path(scene);
-  const auto world = load_world(scene, meshes);
-  const TraceInfo info = trace_info(scene, *world, path, output.version);
-  JobResult result{{}, info.contact_method, info.contact_normals, info.contact_reasons};
-  const std::string digest = run_digest(info, output.format);
-  if (output.resume) {
-    auto figures = proven_figures(output.path, digest);
-    // What a trace says of itself tells the program by its version alone; a proof knows better.
-    const bool is_others = proves_another_run(output.path, digest);
-    if (!figures && !is_others && output.format == TraceFormat::hdf5) {
-      figures = recounted(output.path, info, scene, world, path);
-      if (figures) write_proof(output.path, digest, *figures);
-    }
-    if (figures) {
-      remove_unfinished(output.path);
-      result.figures = *figures;
-      result.kept = true;
-      return result;
-    }
-  }
-
+/// Runs it and writes its trace. @returns its figures
+std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& world, const FingerPath& path,
+                        const TraceInfo& info, const JobOutput& output) {
   Figures figures(world);
-  ClosedLoop loop(world, scene, std::move(path));
+  ClosedLoop loop(world, scene, path);
   const auto writer = TraceWriter::create(output.path, output.format, info, *world);
   constexpr long block_ticks = 4096;
   std::vector<TickRecord> block;
@@ -85,7 +67,48 @@ JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output
     throw refused(scene.path, loop.divergence());
   }
   writer->finish();
-  result.figures = figures.values();
+  return figures.values();
+}
+
+void warn_of_no_touch(const Scene& scene, const World& world, const FingerPath& path, JobResult& result) {
+  const auto names = Figures::names();
+  const auto contact = std::find(names.begin(), names.end(), "contact_ticks") - names.begin();
+  if (result.figures[static_cast<std::size_t>(contact)] > 0) return;
+  const std::string words = never_touches(world, path, scene.finger.radius_m);
+  if (!words.empty()) result.warnings.push_back(fmt::format("{}: {}", scene.name, words));
+}
+
+}  // namespace
+
+JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, const JobOutput& output) {
+  LoadedMotion motion = load_motion(scene_as_written);
+  const FingerPath& path = motion.path;
+  const Scene scene = at_rate(scene_as_written, path);
+  const auto world = load_world(scene, meshes);
+  TraceInfo info = trace_info(scene, *world, path, output.version);
+  info.motion_notes = motion.notes;
+  JobResult result{{},           info.contact_method, info.contact_normals, info.contact_reasons,
+                   motion.notes, motion.warnings};
+  const std::string digest = run_digest(info, output.format);
+  if (output.resume) {
+    auto figures = proven_figures(output.path, digest);
+    // What a trace says of itself tells the program by its version alone; a proof knows better.
+    const bool is_others = proves_another_run(output.path, digest);
+    if (!figures && !is_others && output.format == TraceFormat::hdf5) {
+      figures = recounted(output.path, info, scene, world, path);
+      if (figures) write_proof(output.path, digest, *figures);
+    }
+    if (figures) {
+      remove_unfinished(output.path);
+      result.figures = *figures;
+      result.kept = true;
+      warn_of_no_touch(scene, *world, path, result);
+      return result;
+    }
+  }
+
+  result.figures = run(scene, world, path, info, output);
+  warn_of_no_touch(scene, *world, path, result);
   write_proof(output.path, digest, result.figures);
   return result;
 }

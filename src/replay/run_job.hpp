@@ -26,7 +26,9 @@ struct JobResult {
   std::vector<double> figures;                  ///< Figures::values()
   std::string contact_method, contact_normals;  ///< see TraceInfo
   std::vector<std::string> contact_reasons;
-  bool kept = false;  ///< the trace of an earlier run was kept
+  std::vector<std::string> motion_notes;  ///< LoadedMotion::notes
+  std::vector<std::string> warnings;      ///< of the motion, and of what it touches
+  bool kept = false;                      ///< the trace of an earlier run was kept
 };
 
 /// Follows a scene's motion through its world, tick by tick, and writes the trace.

@@ -78,6 +78,7 @@ std::string run_digest(const TraceInfo& info, TraceFormat format) {
   add_all(info.mesh_files);
   add_all(info.mesh_hashes);
   add_all(info.contact_reasons);
+  add_all(info.motion_notes);
   return fmt::format("{:016x}", content_hash(std::as_bytes(std::span(text))));
 }
 

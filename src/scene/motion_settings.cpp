@@ -6,8 +6,8 @@
 
 #include "base/number_text.hpp"
 #include "motion/finger_path.hpp"
+#include "scene/motion_values.hpp"
 #include "scene/scene_key.hpp"
-#include "scene/scene_reader.hpp"
 #include "scene/toml_table.hpp"
 
 namespace fingerpad {
@@ -27,6 +27,32 @@ void refuse_foreign_keys(const SceneTable& rows, const TomlTable& table, const s
     throw table.error(row.key, fmt::format("{} does not go with kind = \"{}\" (its keys: {})",
                                            table.name(row.key), kind, word_list(own)));
   }
+}
+
+/// Refuses what says more of a file where the motion is made from a formula. Without either it stands: a set
+/// may put the file in.
+void refuse_keys_of_a_file(const SceneTable& rows, const TomlTable& table) {
+  if (!table.has("kind")) return;
+  for (const SceneKey& row : rows.keys) {
+    if (row.beside.empty() || !table.has(row.key)) continue;
+    throw table.error(row.key, fmt::format("{} goes with '{}', and the motion is made from its 'kind'",
+                                           table.name(row.key), row.beside));
+  }
+}
+
+/// One mark cannot both part cells and be within their numbers.
+void refuse_one_mark(const TomlTable& table, const CsvDialect& dialect) {
+  if (dialect.separator != dialect.decimal) return;
+  throw table.error("separator",
+                    fmt::format("{} and 'decimal' are both '{}'", table.name("separator"), dialect.decimal));
+}
+
+/// A key by which a table is read, if one stands there.
+std::string first_table_key(const TomlTable& table) {
+  for (const char* key : {"columns", "unit", "time_unit", "separator", "decimal"}) {
+    if (table.has(key)) return key;
+  }
+  return {};
 }
 
 /// The circle's start is across its normal.
@@ -67,7 +93,10 @@ void read_motion_settings(const TomlNode& node, Scene& scene) {
   std::string kind;
   if (table.has("kind")) kind = kind_row.words[table.choice("kind", 0, kind_row.words)];
   refuse_foreign_keys(rows, table, kind);
+  refuse_keys_of_a_file(rows, table);
   read_keys(rows, table, scene, kind);
+  refuse_one_mark(table, scene.motion.format.dialect);
+  scene.motion.table_key = first_table_key(table);
   if (!scene.motion.scripted) return;
   ScriptedMotion& motion = *scene.motion.scripted;
   if (motion.kind == ScriptedMotion::Kind::line)

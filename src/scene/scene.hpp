@@ -11,6 +11,7 @@
 #include "fingerpad/surface_properties.hpp"
 #include "friction/law_settings.hpp"
 #include "motion/hand_settings.hpp"
+#include "motion/recording_format.hpp"
 #include "motion/scripted_motion.hpp"
 
 namespace fingerpad {
@@ -73,7 +74,15 @@ struct MotionSettings {
   std::string file_path;
   std::optional<ScriptedMotion> scripted;
   double rate_hz = 1000;
+  bool rate_given = false;  ///< else a file is followed at its own rate, which load_motion finds
+
+  // Of a file.
+  RecordingFormat format;   ///< how its table is to be read
+  std::string table_key;    ///< a key that says so, where one stands in the scene: a trace needs none
+  double encoder_m = 0;     ///< quantum that its positions are rounded to; 0: none
+  double smoothing_hz = 0;  ///< of ZeroPhaseLowPass; 0: none
   bool given() const { return !file.empty() || scripted.has_value(); }
+  bool has_own_rate() const { return !file.empty() && !rate_given; }
 };
 
 /// A scene file as plain values; defaults are the documented ones.

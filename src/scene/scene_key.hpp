@@ -30,6 +30,8 @@ struct SceneKey {
   /// The words of the table's deciding key under which this one is read ("sine" and "circle", names of laws);
   /// empty: always.
   std::vector<std::string_view> only_with{};
+  /// The key of the table that it says more of, and goes with alone ("file"); empty: none.
+  std::string_view beside{};
   /// Reads it into the newest part, plane, ... of the scene; called where the table has it. Null: its table
   /// is read as one value.
   void (*read)(const SceneKey& row, const TomlTable& table, Scene& scene) = nullptr;

@@ -120,4 +120,10 @@ inline SceneKey only_with(std::vector<std::string_view> words, SceneKey row) {
   return row;
 }
 
+/// The row of a key that says more of another, `file`.
+inline SceneKey beside(std::string_view other, SceneKey row) {
+  row.beside = other;
+  return row;
+}
+
 }  // namespace fingerpad

@@ -1,6 +1,7 @@
 #include "contact/contact_method_table.hpp"
 #include "motion/farthest.hpp"
 #include "scene/law_keys.hpp"
+#include "scene/motion_values.hpp"
 #include "scene/scene_key_makers.hpp"
 #include "scene/scene_values.hpp"
 
@@ -148,12 +149,36 @@ std::vector<SceneKey> finger_keys() {
   };
 }
 
-std::vector<SceneKey> motion_keys() {
+/// Read as one value, read_recording_columns.
+std::vector<SceneKey> recording_column_keys() {
+  std::vector<SceneKey> keys;
+  for (const RecordingColumn& column : recording_columns)
+    keys.push_back(text_key(column.key, fmt::format("\"{}\"", column.header), "", read_recording_column));
+  return keys;
+}
+
+/// How a motion's file is to be read, and what is to be made of it.
+std::vector<SceneKey> recording_keys() {
+  using M = MotionSettings;
+  std::vector<SceneKey> keys = {
+      table_key("columns", "", read_recording_columns),
+      recording_unit_key("unit"),
+      time_unit_key("time_unit"),
+      text_key("separator", "\"auto\"", "or \",\", \";\", \"tab\", \"space\", between the file's cells",
+               read_separator),
+      text_key("decimal", "\".\"", "or \",\", in the file's numbers", read_decimal),
+      number_key<motion, &M::encoder_m>("encoder_m", 0, 1, "position quantum; 0: positions are not rounded"),
+      number_key<motion, &M::smoothing_hz>("smoothing_hz", 0, 1e6,
+                                           "low pass without delay that halves this; 0: none"),
+      normal_force_key("normal_force"),
+  };
+  for (SceneKey& key : keys) key = beside("file", std::move(key));
+  return keys;
+}
+
+std::vector<SceneKey> scripted_keys() {
   using M = ScriptedMotion;
   return {
-      number_key<motion, &MotionSettings::rate_hz>("rate_hz", 1, 1e6, "the tick"),
-      text_key("file", "\"motions/rub.csv\"",
-               "t_s,x_m,y_m,z_m and optionally dx,dy,dz or qw,qx,qy,qz; or a trace", read_motion_file),
       motion_kind_key("kind"),
       only_with({"line"}, required(vector_key<script, &M::from_m>("from_m", ""))),
       only_with({"line"}, required(vector_key<script, &M::to_m>("to_m", ""))),
@@ -169,6 +194,15 @@ std::vector<SceneKey> motion_keys() {
       only_with({"sine", "circle"},
                 required(number_key<script, &M::duration_s>("duration_s", 1e-9, 1e9, ""))),
   };
+}
+
+std::vector<SceneKey> motion_keys() {
+  return std::vector<SceneKey>{
+             rate_key("rate_hz"),
+             text_key("file", "\"motions/rub.csv\"",
+                      "t_s,x_m,y_m,z_m and optionally dx,dy,dz or qw,qx,qy,qz; or a trace", read_motion_file),
+         } +
+         recording_keys() + scripted_keys();
 }
 
 std::vector<SceneKey> hand_keys() {
@@ -199,6 +233,7 @@ const std::vector<SceneTable>& scene_tables() {
       {"friction.vibration", "vibration of [friction]", "", vibration_keys()},
       {"finger", "[finger]", "", finger_keys()},
       {"motion", "[motion]", "a file, or a scripted motion by its kind", motion_keys(), {"kind"}},
+      {"motion.columns", "columns of [motion]", "", recording_column_keys()},
       {"hand", "[hand]", "optional: a simulated hand and device close the loop", hand_keys()},
   };
   return tables;

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "base/number_text.hpp"
+#include "scene/motion_values.hpp"
 #include "scene/scene_key.hpp"
 #include "scene/scene_values.hpp"
 #include "scene/toml_table.hpp"
@@ -77,8 +78,33 @@ void read_table(const TomlNode& root, std::string_view name, Scene& scene) {
   read_keys(rows, open_table(*node, scene.path, rows), scene);
 }
 
-/// A hand so light, or with a spring or damper so strong, that it does a great many turns in a tick: what its
-/// matrix exponential loses by rounding grows with their number.
+void read_hand(const TomlNode& root, Scene& scene) {
+  const TomlNode* node = find_table(root, "hand", scene.path);
+  if (node == nullptr) return;
+  scene.hand.emplace();
+  read_table(root, "hand", scene);
+  if (!scene.motion.has_own_rate())  // which is not known yet: load_motion asks then
+    refuse_hand_too_quick(*scene.hand, scene.motion.rate_hz, place_text(scene.path, node->place));
+}
+
+/// What a recording says of the finger itself, where a hand moves it otherwise.
+void refuse_measured_in_a_hand(const TomlNode& motion_node, const Scene& scene) {
+  if (!scene.hand) return;
+  const TomlTable motion = open_table(motion_node, scene.path, scene_table("motion"));
+  if (scene.motion.format.reads_normal_force) {
+    throw motion.error("normal_force", motion.name("normal_force") +
+                                           " cannot be \"measured\" in a scene with a [hand], whose finger "
+                                           "goes and presses as the hand lets it");
+  }
+  if (scene.motion.encoder_m > 0) {
+    throw motion.error("encoder_m", motion.name("encoder_m") +
+                                        " is of a finger that follows its motion exactly: in a scene with a "
+                                        "[hand] say encoder_m there");
+  }
+}
+
+}  // namespace
+
 void refuse_hand_too_quick(const HandSettings& hand, double rate_hz, const std::string& place) {
   constexpr double most = 1e9;
   const double quickness = std::max(hand.stiffness_n_per_m, hand.damping_n_s_per_m) / hand.mass_kg / rate_hz;
@@ -90,16 +116,6 @@ void refuse_hand_too_quick(const HandSettings& hand, double rate_hz, const std::
                             number_text(hand.mass_kg), number_text(hand.stiffness_n_per_m),
                             number_text(hand.damping_n_s_per_m), number_text(rate_hz)));
 }
-
-void read_hand(const TomlNode& root, Scene& scene) {
-  const TomlNode* node = find_table(root, "hand", scene.path);
-  if (node == nullptr) return;
-  scene.hand.emplace();
-  read_table(root, "hand", scene);
-  refuse_hand_too_quick(*scene.hand, scene.motion.rate_hz, place_text(scene.path, node->place));
-}
-
-}  // namespace
 
 Scene read_scene(const TomlNode& root, const std::string& path, Missing missing) {
   const SceneTable& rows = scene_table("");
@@ -121,6 +137,7 @@ Scene read_scene(const TomlNode& root, const std::string& path, Missing missing)
   for (const char* name : {"contact", "friction", "finger"}) read_table(root, name, scene);
   if (const TomlNode* node = find_table(root, "motion", path)) read_motion_settings(*node, scene);
   read_hand(root, scene);
+  if (const TomlNode* node = find_table(root, "motion", path)) refuse_measured_in_a_hand(*node, scene);
   return scene;
 }
 

@@ -15,7 +15,8 @@ enum class Missing { nothing, mesh };
 /// @param path  of the scene file as given: the place in messages, and what relative paths start from
 Scene read_scene(const TomlNode& root, const std::string& path, Missing missing);
 
-/// Reads the [motion] of a scene into it.
-void read_motion_settings(const TomlNode& table, Scene& scene);
+/// Throws Error (refused, at `place`) for a hand so light, or with a spring or damper so strong, that it does
+/// a great many turns in a tick: what its matrix exponential loses by rounding grows with their number.
+void refuse_hand_too_quick(const HandSettings& hand, double rate_hz, const std::string& place);
 
 }  // namespace fingerpad

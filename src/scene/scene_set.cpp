@@ -165,6 +165,18 @@ TomlNode& table_at(TomlNode& parent, const std::string& key, bool array) {
   return *node;
 }
 
+/// Whether a key of [motion] is of one made from a formula, which a file takes the place of.
+bool is_of_a_kind(const TomlEntry& entry) {
+  const SceneKey* row = find_scene_key(scene_table("motion"), entry.key);
+  return entry.key == "kind" || (row != nullptr && !row->only_with.empty());
+}
+
+/// Whether a key of [motion] is of a file, which a formula takes the place of.
+bool is_of_a_file(const TomlEntry& entry) {
+  const SceneKey* row = find_scene_key(scene_table("motion"), entry.key);
+  return entry.key == "file" || (row != nullptr && row->beside == "file");
+}
+
 }  // namespace
 
 std::vector<SetEntry> read_set(const TomlEntry& set, const std::string& path) {
@@ -191,9 +203,9 @@ void put_value(TomlNode& root, const std::string& target, const TomlNode& value)
     rest.erase(0, dot + 1);
   }
   if (target == "motion.file") {
-    std::erase_if(table->entries, [](const TomlEntry& entry) { return entry.key != "rate_hz"; });
+    std::erase_if(table->entries, is_of_a_kind);
   } else if (target == "motion.kind") {
-    std::erase_if(table->entries, [](const TomlEntry& entry) { return entry.key == "file"; });
+    std::erase_if(table->entries, is_of_a_file);
   }
   put_entry(*table, rest, value);
 }

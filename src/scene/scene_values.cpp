@@ -4,7 +4,6 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <numbers>
 
@@ -33,19 +32,13 @@ void take_unit(Scene& scene, std::size_t word) {
   scene.parts.back().metres_per_unit = length_units[word].metres;
 }
 
-void take_kind(Scene& scene, std::size_t word) {
-  constexpr std::array kinds{ScriptedMotion::Kind::line, ScriptedMotion::Kind::sine,
-                             ScriptedMotion::Kind::circle};
-  scene.motion.scripted.emplace().kind = kinds[word];
-}
+}  // namespace
 
 std::string text_that_is_there(const SceneKey& row, const TomlTable& table) {
   std::string text = table.text(row.key, "");
   if (text.empty()) throw table.error(row.key, table.name(row.key) + " is empty");
   return text;
 }
-
-}  // namespace
 
 std::string resolved_path(const std::string& scene_path, const std::string& written) {
   if (written.empty()) return {};
@@ -118,11 +111,6 @@ void read_profile_key(const SceneKey& row, const TomlTable& finger, Scene& scene
   scene.friction.settings.profile = read_profile(scene.finger.profile_path);
 }
 
-void read_motion_file(const SceneKey& row, const TomlTable& motion, Scene& scene) {
-  scene.motion.file = text_that_is_there(row, motion);
-  scene.motion.file_path = resolved_path(scene.path, scene.motion.file);
-}
-
 void read_axes(const SceneKey& row, const TomlTable& hand, Scene& scene) {
   auto& free_axis = scene.hand->free_axis;
   const std::string axes = hand.text(row.key, "");
@@ -145,12 +133,6 @@ void take_normals(Scene& scene, std::size_t word) {
 
 SceneKey unit_key(std::string_view key) {
   return choice_key<take_unit>(key, length_unit_names(), "mm", "");
-}
-
-SceneKey motion_kind_key(std::string_view key) {
-  SceneKey row = choice_key<take_kind>(key, {"line", "sine", "circle"}, "", "");
-  row.shown.clear();  // each kind is shown with its keys
-  return row;
 }
 
 }  // namespace fingerpad

@@ -13,12 +13,14 @@ std::string resolved_path(const std::string& scene_path, const std::string& writ
 /// The scene's name where the file does not say it: its stem, made fit to name files.
 std::string name_of_file(const std::string& path);
 
+/// The text of a key. Throws where it is empty.
+std::string text_that_is_there(const SceneKey& row, const TomlTable& table);
+
 void read_name(const SceneKey& row, const TomlTable& top, Scene& scene);
 void read_mesh(const SceneKey& row, const TomlTable& part, Scene& scene);
 void read_rotation(const SceneKey& row, const TomlTable& part, Scene& scene);
 void read_vibration(const SceneKey& row, const TomlTable& friction, Scene& scene);
 void read_profile_key(const SceneKey& row, const TomlTable& finger, Scene& scene);
-void read_motion_file(const SceneKey& row, const TomlTable& motion, Scene& scene);
 void read_axes(const SceneKey& row, const TomlTable& hand, Scene& scene);
 
 /// @param word  the number of the method's word: 0 is `auto`, then the table's
@@ -27,6 +29,5 @@ void take_method(Scene& scene, std::size_t word);
 void take_normals(Scene& scene, std::size_t word);
 
 SceneKey unit_key(std::string_view key);
-SceneKey motion_kind_key(std::string_view key);
 
 }  // namespace fingerpad

@@ -10,9 +10,19 @@
 
 namespace fingerpad {
 
+namespace {
+
+/// The scene with the rate of the path that is followed: a recording's own where the scene has none.
+Scene at_rate(Scene scene, double rate_hz) {
+  scene.motion.rate_hz = rate_hz;
+  return scene;
+}
+
+}  // namespace
+
 ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path)
     : world_(world),
-      touch_(std::move(world), scene, scene.hand ? scene.hand->encoder_m : path.encoder_m()),
+      touch_(std::move(world), at_rate(scene, path.rate_hz())),
       path_(std::move(path)),
       turns_(path_.turns()),
       was_in_hand_(path_.was_in_hand()) {
@@ -21,7 +31,7 @@ ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, F
   double scene_m = 1 + path_.farthest_m();
   for (const Surface& surface : world_->surfaces) scene_m += surface.part ? surface.part->size_m() : 0;
   leash_m_ = 1e3 * scene_m;
-  hand_.emplace(*scene.hand, 1 / scene.motion.rate_hz);
+  hand_.emplace(*scene.hand, 1 / path_.rate_hz());
   hand_->start(path_.at(0).p_WQ);
 }
 
@@ -42,6 +52,8 @@ TickRecord ClosedLoop::next_in_hand(const FingerSample& intended) noexcept {
   FingerSample felt = intended;
   felt.p_WQ = hand_->encoded_W();
   felt.push_W_n = hand_->push_W_n(intended.p_WQ);
+  felt.velocity_W.reset();
+  felt.normal_force_n.reset();
   TickRecord record = touch_.tick(felt);
   record.p_WQ = hand_->position_W();
   record.encoded_W = felt.p_WQ;

@@ -27,6 +27,16 @@ bool meaningful(const Vec3& v) noexcept {
          std::abs(v.z()) <= largest_meaningful;
 }
 
+/// The velocity that the motion knows, or else the one that its positions show.
+Vec3 velocity_of(const FingerSample& sample, const Vec3& shown_W) noexcept {
+  return sample.velocity_W && meaningful(*sample.velocity_W) ? *sample.velocity_W : shown_W;
+}
+
+/// None where it is no number.
+double usable_force_n(double measured_n) noexcept {
+  return measured_n > 0 && measured_n <= largest_meaningful ? measured_n : 0;
+}
+
 /// The sample with a unit direction (straight down the normal where its own is unusable) and a finite push.
 FingerSample usable(FingerSample sample, const Vec3& normal_W) noexcept {
   const double length = sample.direction_W.norm();
@@ -46,15 +56,12 @@ std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Wor
 }  // namespace
 
 Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
-    : Touch(std::move(world), scene, scene.hand ? scene.hand->encoder_m : 0) {}
-
-Touch::Touch(std::shared_ptr<const World> world, const Scene& scene, double encoder_m)
     : world_(std::move(world)),
       normals_(settled_contact(scene, *world_).normals),
       radius_m_(scene.finger.radius_m),
       dt_s_(1 / scene.motion.rate_hz),
       method_(make_contact_method(scene, *world_)),
-      velocity_(encoder_m, dt_s_) {
+      velocity_(scene.hand ? scene.hand->encoder_m : 0, dt_s_) {
   const LawEntry* entry = find_law(scene.friction.law);
   if (entry == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
@@ -82,7 +89,7 @@ void Touch::release() noexcept {
 SkinMotion Touch::skin_motion(const FingerSample& sample) noexcept {
   SkinMotion skin;
   skin.dt_s = dt_s_;
-  skin.velocity_W = velocity_.next(sample.p_WQ);
+  skin.velocity_W = velocity_of(sample, velocity_.next(sample.p_WQ));
   if (has_last_) skin.displacement_W = sample.p_WQ - last_W_;
   if (radius_m_ > 0) {
     if (has_last_) skin.turn_W = finger_turn(last_lay_, sample);
@@ -94,19 +101,31 @@ SkinMotion Touch::skin_motion(const FingerSample& sample) noexcept {
   return skin;
 }
 
-/// Every wall's own spring and damper: the dampers share the approach as the walls share the depth. A damper
-/// may soften a wall's push, never pull the finger in.
-double Touch::push(const Contact& contact, const Vec3& velocity_W) noexcept {
-  const double leaving_m_per_s = contact.normal_W.dot(velocity_W);
+/// Every wall's own spring and damper, which acts along the wall's own normal: then no motion takes energy
+/// out of a corner. A wall of a smaller share is damped by less, so that one which comes or goes makes no
+/// jump. A damper may soften a wall's push, never pull the finger in.
+double Touch::push(const Vec3& velocity_W) noexcept {
   double sum_n = 0;
   for (Wall& wall : walls_) {
     const SurfaceProperties& surface = surface_of(wall).properties;
-    const double share = wall.share_m / contact.depth_m;
-    wall.normal_force_n = std::max(
-        0.0, surface.stiffness_n_per_m * wall.share_m - surface.damping_n_s_per_m * leaving_m_per_s * share);
+    const double leaving_m_per_s = wall.normal_W.dot(velocity_W) * (wall.share_m / walls_[0].share_m);
+    wall.normal_force_n =
+        std::max(0.0, surface.stiffness_n_per_m * wall.share_m - surface.damping_n_s_per_m * leaving_m_per_s);
     sum_n += wall.normal_force_n;
   }
   return sum_n;
+}
+
+/// Makes the walls' normal forces sum up to the one that was measured; where the model has none, by their
+/// shares of the depth.
+double Touch::press(double measured_n, double model_n) noexcept {
+  double depth_m = 0;
+  for (const Wall& wall : walls_) depth_m += wall.share_m;
+  for (Wall& wall : walls_) {
+    const double share = model_n > 0 ? wall.normal_force_n / model_n : wall.share_m / depth_m;
+    wall.normal_force_n = walls_.count == 1 ? measured_n : measured_n * share;
+  }
+  return measured_n;
 }
 
 Friction Touch::rub(const Wall& wall, double share_of_push, double inclination_rad, const SkinMotion& skin,
@@ -177,7 +196,8 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Skin
   const FingerSample sample = usable(given, contact.normal_W);
   find_walls(contact, walls_);
   memories_.follow(walls_, sample.direction_W);
-  const double pushed_n = push(contact, skin.velocity_W);
+  double pushed_n = push(skin.velocity_W);
+  if (sample.normal_force_n) pushed_n = press(usable_force_n(*sample.normal_force_n), pushed_n);
   record.inclination_rad = inclination_rad(sample.direction_W, contact.normal_W);
   Forces sum = forces(skin, sample, pushed_n, record);
   if (vibration_) vibrate(sum);
@@ -208,6 +228,7 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
     return record;
   }
   const SkinMotion skin = skin_motion(sample);
+  record.velocity_W = skin.velocity_W;
   const Contact& contact = method_->touch(sample.p_WQ, dt_s_);
   const bool unplaced_before = std::exchange(unplaced_, !contact.placed);
   record.started_inside = unplaced_ && !unplaced_before;

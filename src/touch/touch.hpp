@@ -24,9 +24,6 @@ class Touch {
   /// @param scene  its contact, friction, finger and rate. Throws Error (refused) for a contact method or a
   /// law that no table has.
   Touch(std::shared_ptr<const World> world, const Scene& scene);
-  /// @param encoder_m  quantum of the positions that it will be given, whatever the scene's hand has; 0:
-  /// exact
-  Touch(std::shared_ptr<const World> world, const Scene& scene, double encoder_m);
 
   /// sample -> contact -> friction -> force, at the scene's fixed tick 1/rate.
   /// noexcept, allocates nothing; no force is ever non-finite, whatever the sample (one that is not finite is
@@ -48,7 +45,8 @@ class Touch {
   void answer(const Contact& contact, const FingerSample& given, const SkinMotion& skin,
               TickRecord& record) noexcept;
   /// Gives each wall its normal force. @returns their sum [N]
-  double push(const Contact& contact, const Vec3& velocity_W) noexcept;
+  double push(const Vec3& velocity_W) noexcept;
+  double press(double measured_n, double model_n) noexcept;
   Forces forces(const SkinMotion& skin, const FingerSample& sample, double pushed_n,
                 TickRecord& record) noexcept;
   /// One wall's friction law, and the stick centre that it leaves.

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
@@ -96,6 +98,20 @@ void append_csv_row(std::string& out, std::span<const TraceColumn> columns, cons
   out.back() = '\n';
 }
 
+bool is_csv_trace(const std::string& path) {
+  if (!std::filesystem::is_regular_file(path)) return false;
+  std::ifstream file(path, std::ios::binary);
+  constexpr std::size_t longest_header = 4096;
+  std::string line(longest_header, '\0');
+  file.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(std::min(static_cast<std::size_t>(file.gcount()), line.find_first_of("\r\n")));
+  if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+  const auto names = csv_cells(line, ',');
+  return std::ranges::all_of(trace_columns(), [&](const TraceColumn& column) {
+    return column.of != ColumnOf::every_trace || std::ranges::find(names, column.name) != names.end();
+  });
+}
+
 Trace read_csv_trace(const std::string& path) {
   TextLines lines(path, {"a trace as CSV", std::uint64_t{2} << 30, true});
   std::string_view line;
@@ -110,9 +126,7 @@ Trace read_csv_trace(const std::string& path) {
   const std::size_t cell_count = csv_cells(line, ',').size();
   Trace trace;
   for (std::size_t k = 0; k < places.size(); ++k) {
-    if (places[k] == cell_count) continue;
-    trace.info.in_hand |= trace_columns()[k].of == ColumnOf::hands;
-    trace.info.turning |= trace_columns()[k].of == ColumnOf::turning;
+    if (places[k] != cell_count) tell_of(trace_columns()[k], trace.info);
   }
   trace.complete = !path.ends_with(".part");
   while (lines.next(line)) {

@@ -33,12 +33,9 @@ TraceInfo read_info(const hdf5::Handle& file) {
   info.mesh_hashes = hdf5::read_texts(file, "mesh_hashes");
   info.motion_file = hdf5::read_text(file, "motion_file");
   info.motion_hash = hdf5::read_text(file, "motion_hash");
-  if (hdf5::has_attribute(file, "encoder_m"))
-    info.encoder_m = hdf5::read_numbers(file, "encoder_m", 1).front();
+  info.motion_notes = hdf5::read_texts(file, "motion_notes");
   for (const TraceColumn& column : trace_columns()) {
-    if (column.of != ColumnOf::hands && column.of != ColumnOf::turning) continue;
-    if (!hdf5::has_link(file, std::string(column.name))) continue;
-    (column.of == ColumnOf::hands ? info.in_hand : info.turning) = true;
+    if (hdf5::has_link(file, std::string(column.name))) tell_of(column, info);
   }
   info.profile_text = hdf5::read_text(file, "profile");
   info.contact_method = hdf5::read_text(file, "contact_method");
@@ -60,8 +57,10 @@ void each_field_of_info(Way& way, Info& info) {
   way(info.motion_file);
   way(info.motion_hash);
   way(info.in_hand);
+  way(info.estimated);
   way(info.turning);
-  way(info.encoder_m);
+  way(info.attitudes);
+  way(info.motion_notes);
   way(info.profile_text);
   way(info.contact_method);
   way(info.contact_normals);

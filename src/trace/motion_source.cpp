@@ -2,34 +2,42 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
+#include "base/printable_text.hpp"
+#include "base/unit.hpp"
+#include "motion/recording.hpp"
+#include "scene/scene_reader.hpp"
 #include "trace/trace.hpp"
 
 namespace fingerpad {
 namespace {
 
 /// How the finger lay at row i.
-void take_turn(const std::string& path, std::size_t i, const TickRecord& row, Motion& motion) {
+void take_direction(const std::string& path, std::size_t i, const TickRecord& row, Motion& motion) {
   if (!(std::abs(row.direction_W.norm() - 1) < 1e-6))
     throw refused(path, fmt::format("row {}: the finger's direction is no unit vector", i + 1));
   motion.direction_W.col(static_cast<Eigen::Index>(i)) = row.direction_W;
-  if (row.attitude.hasNaN()) return;
+}
+
+void take_attitude(const std::string& path, std::size_t i, const TickRecord& row, Motion& motion) {
   if (!(std::abs(row.attitude.norm() - 1) < 1e-6))
     throw refused(path, fmt::format("row {}: the finger's attitude is no unit quaternion", i + 1));
   motion.attitude.emplace_back(row.attitude[0], row.attitude[1], row.attitude[2], row.attitude[3]);
 }
 
 /// The finger's way in a trace, as the run's friction was told it: of a hand the encoders' positions.
-Motion motion_of_trace(const std::string& path) {
+Motion motion_of_trace(const std::string& path, bool reads_normal_force) {
   const Trace trace = read_trace(path, TraceContents::rows);
   if (trace.rows.empty()) throw refused(path, "the trace has no rows");
   const auto count = static_cast<Eigen::Index>(trace.rows.size());
   Motion motion;
   motion.p_WQ.resize(3, count);
-  motion.encoder_m = trace.info.encoder_m;
   if (trace.info.in_hand) motion.push_W_n.resize(3, count);
+  if (trace.info.estimated) motion.velocity_W.resize(3, count);
   if (trace.info.turning) motion.direction_W.resize(3, count);
   for (std::size_t i = 0; i < trace.rows.size(); ++i) {
     const TickRecord& row = trace.rows[i];
@@ -38,34 +46,195 @@ Motion motion_of_trace(const std::string& path) {
           path, fmt::format("row {}: time {} s does not come after {} s", i + 1, row.t_s, motion.t_s.back()));
     }
     const Vec3& place_W = trace.info.in_hand ? row.encoded_W : row.p_WQ;
-    const std::string fault = sample_fault(row.t_s, place_W);
+    std::string fault = sample_fault(row.t_s, place_W);
+    if (fault.empty() && reads_normal_force) fault = force_fault(row.normal_force_n);
     if (!fault.empty()) throw refused(path, fmt::format("row {}: {}", i + 1, fault));
     motion.t_s.push_back(row.t_s);
     const auto column = static_cast<Eigen::Index>(i);
     motion.p_WQ.col(column) = place_W;
     if (trace.info.in_hand) motion.push_W_n.col(column) = row.push_W_n;
-    if (trace.info.turning) take_turn(path, i, row, motion);
+    if (trace.info.estimated) motion.velocity_W.col(column) = row.velocity_W;
+    if (trace.info.turning) take_direction(path, i, row, motion);
+    if (trace.info.attitudes) take_attitude(path, i, row, motion);
+    if (reads_normal_force) motion.normal_force_n.push_back(row.normal_force_n);
   }
-  if (!motion.attitude.empty() && motion.attitude.size() != trace.rows.size())
-    throw refused(path, "some of its rows have an attitude of the finger and some have none");
   return motion;
+}
+
+/// "t = 'time', x = 'X'; cells parted by ';', decimal ','; positions in mm, times in ms"; empty for the
+/// program's own form.
+std::string reading_text(const RecordingFormat& format, char separator) {
+  std::vector<std::string> said;
+  std::string columns;
+  for (std::size_t k = 0; k < recording_columns.size(); ++k) {
+    if (format.headers[k].empty()) continue;
+    columns += fmt::format("{}{} is '{}'", columns.empty() ? "" : ", ", recording_columns[k].key,
+                           printable(format.headers[k], 60));
+  }
+  if (!columns.empty()) said.push_back(columns);
+  if (separator != ',') said.push_back(fmt::format("cells parted by {}", separator_words(separator)));
+  if (format.dialect.decimal != '.') said.push_back(fmt::format("decimal mark '{}'", format.dialect.decimal));
+  for (const LengthUnit& unit : length_units) {
+    if (unit.metres == format.metres_per_unit && unit.metres != 1)
+      said.push_back(fmt::format("positions in {}", unit.name));
+  }
+  for (const TimeUnit& unit : time_units) {
+    if (unit.seconds == format.seconds_per_unit && unit.seconds != 1)
+      said.push_back(fmt::format("times in {}", unit.name));
+  }
+  return fmt::format("{}", fmt::join(said, "; "));
+}
+
+/// A file on its way to what the finger follows, and what is to be told of it.
+struct Reading {
+  const Scene& scene;
+  const MotionSettings& settings;
+  Motion motion;
+  RecordingClock clock;
+  std::vector<std::string> notes, warnings;
+
+  /// Files are named as the scene names them: what a trace keeps holds no path of one machine.
+  void note(const std::string& what) { notes.push_back(fmt::format("{}: {}", settings.file, what)); }
+  void warn(const std::string& what) { warnings.push_back(fmt::format("{}: {}", settings.file, what)); }
+};
+
+void read_file(Reading& reading) {
+  const MotionSettings& settings = reading.settings;
+  const bool reads_force = settings.format.reads_normal_force;
+  const bool hdf5 = is_hdf5(settings.file_path);
+  if (hdf5 || (settings.table_key.empty() && is_csv_trace(settings.file_path))) {
+    if (!settings.table_key.empty()) {
+      throw refused(reading.scene.path,
+                    fmt::format("'{}' in [motion] says how a table of text is to be read, and {} is a trace "
+                                "(HDF5), which says itself what it holds: leave the key out",
+                                settings.table_key, settings.file));
+    }
+    reading.motion = motion_of_trace(settings.file_path, reads_force);
+    return;
+  }
+  char separator = found_separator;
+  reading.motion = read_motion_csv(settings.file_path, settings.format, separator);
+  const std::string how = reading_text(settings.format, separator);
+  if (!how.empty()) reading.note(how);
+}
+
+/// A rate that no ticks and no resampling go at.
+void refuse_wild_rate(const Reading& reading, double least_hz) {
+  const RecordingClock& clock = reading.clock;
+  constexpr double most_hz = 1e6;
+  if (clock.rate_hz == 0 || (clock.rate_hz >= least_hz && clock.rate_hz <= most_hz)) return;
+  throw refused(
+      reading.settings.file_path,
+      fmt::format("its own rate is {}, and ticks go at 1 to {:.0f} Hz: give rate_hz (is its time in "
+                  "seconds? if not, say time_unit)",
+                  clock_text(clock), most_hz));
+}
+
+/// The rate of the ticks.
+double settled_rate_hz(Reading& reading) {
+  const MotionSettings& settings = reading.settings;
+  const RecordingClock& clock = reading.clock;
+  if (settings.rate_given) return settings.rate_hz;
+  if (clock.rate_hz == 0) return settings.rate_hz;  // one sample
+  constexpr double fair_hz = 100;
+  reading.note(fmt::format("no rate_hz: ticks at the file's own {}{}", clock_text(clock),
+                           clock.rate_hz < fair_hz
+                               ? ", few for friction; with rate_hz = 1000 they go between its samples too"
+                               : ""));
+  return clock.rate_hz;
+}
+
+/// Said where the file's clock decides something.
+void warn_of_odd_steps(Reading& reading) {
+  const RecordingClock& clock = reading.clock;
+  if (clock.odd_steps == 0) return;
+  reading.warn(
+      fmt::format("its clock is irregular: {} of {} steps are off by more than half, the longest "
+                  "is {:.3g} ms at t = {:.6g} s; in between the finger goes straight",
+                  clock.odd_steps, clock.steps, 1e3 * clock.longest_s, clock.longest_at_s));
+}
+
+bool is_refined(const MotionSettings& settings) {
+  return settings.encoder_m > 0 || settings.smoothing_hz > 0;
+}
+
+/// What is refused there is refused at the file.
+template <typename Work>
+auto in_file(const MotionSettings& settings, const Work& work) {
+  try {
+    return work();
+  } catch (const Error& error) {
+    throw refused(settings.file_path, error.what());
+  }
+}
+
+void refine(Reading& reading) {
+  const MotionSettings& settings = reading.settings;
+  const double rate_hz = reading.clock.rate_hz;
+  if (rate_hz == 0) return;
+  if (settings.smoothing_hz >= rate_hz / 2) {
+    throw refused(reading.scene.path,
+                  fmt::format("'smoothing_hz' in [motion] is {}; it must be below half of the {} of {}",
+                              number_text(settings.smoothing_hz), clock_text(reading.clock), settings.file));
+  }
+  reading.motion = in_file(settings, [&] { return evenly_sampled(reading.motion, reading.clock); });
+  if (settings.encoder_m > 0) {
+    estimate_velocity(reading.motion, settings.encoder_m, rate_hz);
+    reading.note(
+        fmt::format("velocity by the adaptive window over positions rounded to {:.6g} mm, at {:.6g} Hz",
+                    1e3 * settings.encoder_m, rate_hz));
+  }
+  if (!(settings.smoothing_hz > 0)) return;
+  const Smoothing smoothing = smooth(reading.motion, settings.smoothing_hz, rate_hz);
+  reading.note(
+      fmt::format("smoothed without delay (Butterworth, 2nd order, forth and back at {:.6g} Hz; {:.6g} "
+                  "Hz is halved): positions moved by {:.3g} mm RMS, at most {:.3g} mm",
+                  rate_hz, settings.smoothing_hz, 1e3 * smoothing.rms_m, 1e3 * smoothing.most_m));
+}
+
+void warn_of_no_force(Reading& reading) {
+  const std::vector<double>& forces_n = reading.motion.normal_force_n;
+  if (forces_n.empty()) return;
+  const double most_n = *std::max_element(forces_n.begin(), forces_n.end());
+  if (most_n > 0) return;
+  reading.warn(
+      "its measured normal force is never above 0, so that no friction acts: is its sign that of "
+      "the force on the sensor?");
 }
 
 }  // namespace
 
-FingerPath load_finger_path(const Scene& scene) {
-  const MotionSettings& motion = scene.motion;
-  if (!motion.given()) {
+LoadedMotion load_motion(const Scene& scene) {
+  const MotionSettings& settings = scene.motion;
+  if (!settings.given()) {
     throw refused(scene.path, "the scene has no motion to follow; give [motion] a 'file' or a 'kind'");
   }
-  if (motion.scripted) return {*motion.scripted, motion.rate_hz, scene.finger.direction};
-  Motion recorded =
-      is_hdf5(motion.file_path) ? motion_of_trace(motion.file_path) : read_motion_csv(motion.file_path);
-  try {
-    return {std::move(recorded), motion.rate_hz, scene.finger.direction};
-  } catch (const Error& too_long) {
-    throw refused(motion.file_path, too_long.what());
-  }
+  if (settings.scripted) return {{*settings.scripted, settings.rate_hz, scene.finger.direction}};
+  Reading reading{scene, settings, {}, {}, {}, {}};
+  read_file(reading);
+  reading.clock = recording_clock(reading.motion.t_s);
+  if (settings.has_own_rate() || is_refined(settings))
+    refuse_wild_rate(reading, settings.has_own_rate() ? 1 : 0);
+  const double rate_hz = settled_rate_hz(reading);
+  if (settings.has_own_rate()) keep_last_sample(reading.motion, reading.clock);
+  if (scene.hand && settings.has_own_rate()) refuse_hand_too_quick(*scene.hand, rate_hz, scene.path);
+  if (settings.has_own_rate() || is_refined(settings)) warn_of_odd_steps(reading);
+  warn_of_no_force(reading);
+  if (is_refined(settings)) refine(reading);
+  return in_file(settings, [&] {
+    return LoadedMotion{
+        {std::move(reading.motion), rate_hz, scene.finger.direction}, reading.notes, reading.warnings};
+  });
+}
+
+FingerPath load_finger_path(const Scene& scene) {
+  return load_motion(scene).path;
+}
+
+Scene at_rate(Scene scene, const FingerPath& path) {
+  scene.motion.rate_hz = path.rate_hz();
+  scene.motion.rate_given = true;
+  return scene;
 }
 
 }  // namespace fingerpad

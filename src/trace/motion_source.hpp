@@ -1,12 +1,30 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
 
 namespace fingerpad {
 
-/// The finger path that a scene's [motion] names: a motion table, a trace (HDF5 or CSV), or a scripted
-/// motion. Throws Error (refused) if the scene has none or it cannot be read.
+/// What a scene's finger follows, read and made ready.
+struct LoadedMotion {
+  FingerPath path;                         ///< at the scene's rate, or at the recording's own
+  std::vector<std::string> notes = {};     ///< how the file was read and what was made of it, for people
+  std::vector<std::string> warnings = {};  ///< what in it is not as it should be
+};
+
+/// Reads what a scene's [motion] names: a motion table, a trace (HDF5 or CSV), or a scripted motion; finds
+/// its own rate where the scene has none, and estimates velocities and smooths it where the scene asks for
+/// that. Throws Error (refused) if the scene has no motion, it cannot be read, or does not go with what is
+/// asked.
+LoadedMotion load_motion(const Scene& scene);
+
+/// The finger's way alone.
 FingerPath load_finger_path(const Scene& scene);
+
+/// The scene with the rate at which its motion is followed.
+Scene at_rate(Scene scene, const FingerPath& path);
 
 }  // namespace fingerpad

@@ -24,12 +24,16 @@ struct TraceInfo {
   std::vector<std::string> mesh_hashes;  ///< file_hash of each
   std::string motion_file;               ///< as written; empty for live touch and scripted motions
   std::string motion_hash;
-  bool in_hand = false;                      ///< it was a hand's: its rows say what the tick was told
-  bool turning = false;                      ///< the finger turned: its rows say how it lay
-  double encoder_m = 0;                      ///< position quantum of the encoders that friction was told by
-  std::string profile_text;                  ///< the profile file's text, empty without one
-  std::string contact_method;                ///< that served: a row's name, or "plane" without a part
-  std::string contact_normals;               ///< a row's name
+  // What its rows say that the tick was told, beyond the finger's place:
+  bool in_hand = false;    ///< where a hand's encoders put the finger, and what the hand pushed it with
+  bool estimated = false;  ///< the velocity, which is not the positions' difference
+  bool turning = false;    ///< the direction of a finger that turns
+  bool attitudes = false;  ///< its attitude
+  std::vector<std::string>
+      motion_notes;             ///< how it was read and what was made of it (LoadedMotion), a line each
+  std::string profile_text;     ///< the profile file's text, empty without one
+  std::string contact_method;   ///< that served: a row's name, or "plane" without a part
+  std::string contact_normals;  ///< a row's name
   std::vector<std::string> contact_reasons;  ///< why, where the scene left it open: a line a part
 };
 
@@ -57,5 +61,9 @@ Trace read_trace(const std::string& path, TraceContents contents);
 
 /// True if the file starts like an HDF5 file.
 bool is_hdf5(const std::string& path);
+
+/// True if it is a file of text whose first line names all columns of a trace. False for a stream, which can
+/// be read once.
+bool is_csv_trace(const std::string& path);
 
 }  // namespace fingerpad

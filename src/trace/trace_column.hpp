@@ -24,7 +24,9 @@ enum class ColumnOf {
   every_trace,
   newer_traces,  ///< all but those of older programs
   hands,         ///< TraceInfo::in_hand
-  turning        ///< TraceInfo::turning
+  estimated,     ///< TraceInfo::estimated
+  turning,       ///< TraceInfo::turning
+  attitudes      ///< TraceInfo::attitudes
 };
 
 /// One column of a trace: all that is known of it. Writers, readers, exports and the documentation go by
@@ -45,6 +47,8 @@ struct TraceColumn {
 std::span<const TraceColumn> trace_columns() noexcept;
 /// Those that a trace of this run is written with.
 std::vector<TraceColumn> trace_columns(const TraceInfo& info);
+/// Tells the info of a trace that it has a column.
+void tell_of(const TraceColumn& column, TraceInfo& info) noexcept;
 
 /// Puts a number that a file has in this column into a record.
 /// @returns  what is wrong with it (a phase that is none, a time or a position that is not finite), and then

@@ -44,9 +44,28 @@ constexpr std::string_view
         "while free";
 constexpr std::string_view encoded = "of a `[hand]`: the finger as its encoders told it",
                            pushed = "of a `[hand]`: what it pushed the finger with",
+                           seen = "where it is estimated from an encoder's readings: the finger's velocity",
                            pointed = "of a finger that turns: its direction, towards the tip",
-                           turned =
-                               "of a finger that turns: its attitude, finger to world; nan where unknown";
+                           turned = "of a finger that turns: its attitude, finger to world";
+
+/// What says whether a trace has such columns; nullptr where nothing needs to.
+bool TraceInfo::*flag_of(ColumnOf of) noexcept {
+  switch (of) {
+    case ColumnOf::hands:
+      return &TraceInfo::in_hand;
+    case ColumnOf::estimated:
+      return &TraceInfo::estimated;
+    case ColumnOf::turning:
+      return &TraceInfo::turning;
+    case ColumnOf::attitudes:
+      return &TraceInfo::attitudes;
+    case ColumnOf::every_trace:
+    case ColumnOf::newer_traces:
+      break;
+  }
+  return nullptr;
+}
+
 using R = TickRecord;
 using Kind = ColumnKind;
 
@@ -92,13 +111,16 @@ std::span<const TraceColumn> trace_columns() noexcept {
       only(ColumnOf::hands, column<&R::push_W_n, 0>("hx_n", "N", pushed)),
       only(ColumnOf::hands, column<&R::push_W_n, 1>("hy_n", "N", pushed)),
       only(ColumnOf::hands, column<&R::push_W_n, 2>("hz_n", "N", pushed)),
+      only(ColumnOf::estimated, column<&R::velocity_W, 0>("vx_m_per_s", "m/s", seen)),
+      only(ColumnOf::estimated, column<&R::velocity_W, 1>("vy_m_per_s", "m/s", seen)),
+      only(ColumnOf::estimated, column<&R::velocity_W, 2>("vz_m_per_s", "m/s", seen)),
       only(ColumnOf::turning, column<&R::direction_W, 0>("dx", "1", pointed)),
       only(ColumnOf::turning, column<&R::direction_W, 1>("dy", "1", pointed)),
       only(ColumnOf::turning, column<&R::direction_W, 2>("dz", "1", pointed)),
-      only(ColumnOf::turning, column<&R::attitude, 0>("qw", "1", turned)),
-      only(ColumnOf::turning, column<&R::attitude, 1>("qx", "1", turned)),
-      only(ColumnOf::turning, column<&R::attitude, 2>("qy", "1", turned)),
-      only(ColumnOf::turning, column<&R::attitude, 3>("qz", "1", turned)),
+      only(ColumnOf::attitudes, column<&R::attitude, 0>("qw", "1", turned)),
+      only(ColumnOf::attitudes, column<&R::attitude, 1>("qx", "1", turned)),
+      only(ColumnOf::attitudes, column<&R::attitude, 2>("qy", "1", turned)),
+      only(ColumnOf::attitudes, column<&R::attitude, 3>("qz", "1", turned)),
   };
   return table;
 }
@@ -106,11 +128,14 @@ std::span<const TraceColumn> trace_columns() noexcept {
 std::vector<TraceColumn> trace_columns(const TraceInfo& info) {
   std::vector<TraceColumn> columns;
   for (const TraceColumn& column : trace_columns()) {
-    if (column.of == ColumnOf::hands && !info.in_hand) continue;
-    if (column.of == ColumnOf::turning && !info.turning) continue;
-    columns.push_back(column);
+    const auto flag = flag_of(column.of);
+    if (flag == nullptr || info.*flag) columns.push_back(column);
   }
   return columns;
+}
+
+void tell_of(const TraceColumn& column, TraceInfo& info) noexcept {
+  if (const auto flag = flag_of(column.of); flag != nullptr) info.*flag = true;
 }
 
 }  // namespace fingerpad

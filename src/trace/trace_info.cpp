@@ -37,8 +37,9 @@ TraceInfo trace_info(const Scene& scene, const World& world, const FingerPath& p
                      const std::string& version) {
   TraceInfo info = trace_info(scene, world, version);
   info.turning = path.turns();
+  info.attitudes = path.has_attitudes();
   info.in_hand = scene.hand.has_value() || path.was_in_hand();
-  info.encoder_m = scene.hand ? scene.hand->encoder_m : path.encoder_m();
+  info.estimated = scene.hand.has_value() || path.has_velocity();
   return info;
 }
 

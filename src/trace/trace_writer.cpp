@@ -28,7 +28,7 @@ void write_info(const hdf5::Handle& file, const TraceInfo& info) {
   hdf5::write_texts(file, "mesh_hashes", info.mesh_hashes);
   hdf5::write_text(file, "motion_file", info.motion_file);
   hdf5::write_text(file, "motion_hash", info.motion_hash);
-  if (info.in_hand) hdf5::write_numbers(file, "encoder_m", std::span(&info.encoder_m, 1));
+  hdf5::write_texts(file, "motion_notes", info.motion_notes);
   hdf5::write_text(file, "profile", info.profile_text);
   hdf5::write_text(file, "contact_method", info.contact_method);
   hdf5::write_text(file, "contact_normals", info.contact_normals);

@@ -7,8 +7,8 @@
 #include "support/shell.hpp"
 #include "trace/trace.hpp"
 
-// A trace as the motion of another run: the same forces, to the last bit, whatever friction was told beside
-// the finger's place.
+// A trace, HDF5 or CSV, as the motion of another run: the same forces, to the last bit, whatever friction was
+// told beside the finger's place.
 
 namespace fingerpad {
 namespace {
@@ -22,8 +22,10 @@ constexpr const char* surface =
 long ticks_that_differ(const fs::path& folder, const std::string& friction, const std::string& how_it_moves) {
   std::ofstream(folder / "first.toml") << surface << friction << how_it_moves;
   std::ofstream(folder / "again.toml") << surface << friction << "[motion]\nfile = \"out/first.h5\"\n";
-  std::ofstream(folder / "third.toml") << surface << friction << "[motion]\nfile = \"out/again.h5\"\n";
+  std::ofstream(folder / "third.toml") << surface << friction << "[motion]\nfile = \"again.csv\"\n";
   for (const char* scene : {"first.toml", "again.toml", "third.toml"}) {
+    if (fs::exists(folder / "out/again.h5"))
+      EXPECT_EQ(test::fingerpad("export out/again.h5 --out again.csv", folder).exit_code, 0);
     const auto result = test::fingerpad("replay " + std::string(scene) + " --out out --quiet", folder);
     EXPECT_EQ(result.exit_code, 0) << result.err;
   }
@@ -59,6 +61,18 @@ TEST(Repeat, AHandsTraceGivesTheForcesThatTheHandFelt) {
 TEST(Repeat, AHandsTraceKeepsThePushThatKarnoppsLawAsksFor) {
   EXPECT_EQ(
       ticks_that_differ(test::scratch_dir(), "[friction]\nlaw = \"karnopp\"\n", std::string(rub) + hand), 0);
+}
+
+TEST(Repeat, AnEstimatedVelocityIsKept) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream motion(folder / "coarse.csv");
+  motion << "t_s,x_m,y_m,z_m\n";
+  for (int k = 0; k < 1000; ++k)
+    motion << k / 1000.0 << ',' << 1e-4 * std::round(200 * std::sin(0.009 * k)) << ",0,0.003\n";
+  motion.close();
+  EXPECT_EQ(ticks_that_differ(folder, "[friction]\nlaw = \"finger-pad\"\n",
+                              "[motion]\nfile = \"coarse.csv\"\nencoder_m = 1e-4\n"),
+            0);
 }
 
 /// A motion at 90 Hz, between whose samples ticks lie, of a finger that rolls and yaws as it rubs.

@@ -7,7 +7,7 @@
 #include "fuzz/entries.hpp"
 #include "fuzz/input_file.hpp"
 #include "fuzz/promise.hpp"
-#include "motion/motion.hpp"
+#include "motion/recording.hpp"
 #include "scene/scene_file.hpp"
 #include "trace/trace.hpp"
 
@@ -34,14 +34,21 @@ void fuzz_scene(std::string_view bytes) {
   }
 }
 
-void fuzz_motion(std::string_view bytes) {
-  const InputFile file(bytes, ".csv");
-  Motion motion;
-  try {
-    motion = read_motion_csv(file.path());
-  } catch (const Error&) {
-    return;
-  }
+namespace {
+
+/// A recording in a laboratory's words.
+RecordingFormat laboratory_format() {
+  RecordingFormat format;
+  format.headers = {"Zeit (ms)", "X", "Y", "Z"};
+  format.headers.back() = "Fz";
+  format.metres_per_unit = 1e-3;
+  format.seconds_per_unit = 1e-3;
+  format.dialect.decimal = ',';
+  format.reads_normal_force = true;
+  return format;
+}
+
+void check_motion(const Motion& motion) {
   const auto rows = static_cast<Eigen::Index>(motion.t_s.size());
   promise(rows > 0 && motion.p_WQ.cols() == rows, "every time has a position");
   promise(motion.p_WQ.allFinite(), "positions are finite");
@@ -52,6 +59,35 @@ void fuzz_motion(std::string_view bytes) {
   promise(motion.direction_W.cols() == 0 || motion.direction_W.cols() == rows, "directions for all or none");
   for (Eigen::Index i = 0; i < motion.direction_W.cols(); ++i) {
     promise(std::abs(motion.direction_W.col(i).norm() - 1) < 1e-9, "directions are units");
+  }
+  for (const double force_n : motion.normal_force_n)
+    promise(std::abs(force_n) <= 1e6, "forces are a finger's");
+}
+
+/// A recording with a clock of its own can be smoothed, and stays finite.
+void refine(const Motion& motion) {
+  const RecordingClock clock = recording_clock(motion.t_s);
+  promise(clock.rate_hz >= 0, "a clock has a rate");
+  if (clock.rate_hz < 1 || clock.rate_hz > 1e6) return;  // refused by load_motion
+  Motion even = evenly_sampled(motion, clock);
+  estimate_velocity(even, 1e-4, clock.rate_hz);
+  smooth(even, 0.1 * clock.rate_hz, clock.rate_hz);
+  promise(even.p_WQ.allFinite() && even.velocity_W.allFinite(), "what is smoothed is finite");
+}
+
+}  // namespace
+
+void fuzz_motion(std::string_view bytes) {
+  const InputFile file(bytes, ".csv");
+  for (const RecordingFormat& format : {RecordingFormat(), laboratory_format()}) {
+    try {
+      char separator = found_separator;
+      const Motion motion = read_motion_csv(file.path(), format, separator);
+      check_motion(motion);
+      refine(motion);
+    } catch (const Error&) {
+      continue;
+    }
   }
 }
 

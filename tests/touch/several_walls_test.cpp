@@ -71,6 +71,32 @@ TEST(SeveralWalls, EachRubsWithItsOwnCoefficientsAndNoneJumpsAsideBy1Um) {
   }
 }
 
+/// What the finger's force gives to it along a way that ends where it began [J].
+double energy_given(const std::vector<TickRecord>& rows) {
+  double given_j = 0;
+  for (std::size_t k = 1; k < rows.size(); ++k)
+    given_j += 0.5 * (rows[k].force_W_n + rows[k - 1].force_W_n).dot(rows[k].p_WQ - rows[k - 1].p_WQ);
+  return given_j;
+}
+
+TEST(SeveralWalls, DampersOfACornerTakeEnergyWhicheverWayTheFingerGoes) {
+  auto world = std::make_shared<World>();
+  world->surfaces = {plane_surface(Vec3::Zero(), Vec3::UnitY()), plane_surface(Vec3::Zero(), Vec3::UnitZ())};
+  world->surfaces[0].properties.damping_n_s_per_m = 5;
+  for (const double other : {0.0, 5.0, 20.0}) {
+    world->surfaces[1].properties.damping_n_s_per_m = other;
+    for (int way = 0; way < 12; ++way) {
+      SCOPED_TRACE(way);
+      const Vec3 along_W(0, std::cos(15 * way * deg), std::sin(15 * way * deg));
+      const auto rows = run_places(world, ball_scene("none"), 1001, [&](long k) {
+        const double swing = 3e-4 * std::sin(2 * std::numbers::pi * 20 * 1e-3 * static_cast<double>(k));
+        return Vec3(Vec3(0, 0.003, 0.003) + swing * along_W);
+      });
+      EXPECT_LT(energy_given(rows), 1e-12);
+    }
+  }
+}
+
 TEST(SeveralWalls, EachPushesWithItsOwnStiffness) {
   auto world = groove(45 * deg);
   world->surfaces[1].properties.stiffness_n_per_m = 3000;

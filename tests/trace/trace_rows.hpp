@@ -49,6 +49,7 @@ inline std::vector<TickRecord> told_rows(long count) {
   for (TickRecord& r : rows) {
     r.encoded_W = r.p_WQ + Vec3(1e-5, 0, 1.0 / 7);
     r.push_W_n = Vec3(-0.1, 1e-17, r.t_s);
+    r.velocity_W = Vec3(1.0 / 3, -0.0, r.t_s);
     r.direction_W = Vec3(0, 0.6, -0.8);
     r.attitude << 0.5, -0.5, 0.5, -0.5;
   }
@@ -83,8 +84,7 @@ inline TraceInfo some_info() {
 /// Of told_rows.
 inline TraceInfo told_info() {
   TraceInfo info = some_info();
-  info.in_hand = info.turning = true;
-  info.encoder_m = 3e-5;
+  info.in_hand = info.estimated = info.turning = info.attitudes = true;
   return info;
 }
 

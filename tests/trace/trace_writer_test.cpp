@@ -212,10 +212,7 @@ TEST(TraceWriter, KeepsWhatTheTickWasToldOfAHandAndOfATurningFingerAlone) {
     test::write_trace(path, format, rows, {}, test::told_info());
     const Trace told = read_trace(path.string());
     EXPECT_TRUE(test::same_rows(told.rows, rows)) << name;
-    EXPECT_TRUE(told.info.in_hand && told.info.turning) << name;
-    if (format == TraceFormat::hdf5) {
-      EXPECT_EQ(told.info.encoder_m, 3e-5);
-    }
+    EXPECT_TRUE(told.info.in_hand && told.info.estimated && told.info.turning && told.info.attitudes) << name;
     test::write_trace(path, format, rows);
     const Trace plain = read_trace(path.string());
     EXPECT_TRUE(test::same_rows(plain.rows, some_rows(10))) << name;
@@ -228,7 +225,7 @@ TEST(TraceWriter, DatasetsStandAtTheRootWithTheirUnits) {
   test::write_trace(path, TraceFormat::hdf5, test::told_rows(10), {}, test::told_info());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   ASSERT_GE(file, 0);
-  ASSERT_EQ(trace_columns().size(), 41u);
+  ASSERT_EQ(trace_columns().size(), 44u);
   for (const TraceColumn& column : trace_columns()) {
     const hid_t dataset = H5Dopen2(file, std::string(column.name).c_str(), H5P_DEFAULT);
     ASSERT_GE(dataset, 0) << column.name;

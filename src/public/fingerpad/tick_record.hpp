@@ -32,6 +32,7 @@ struct TickRecord {
   /// What the tick was told beyond the finger's place, for whoever repeats it; nan where it was told no more.
   Vec3 encoded_W = Vec3::Constant(nan);    ///< where the device's encoders put a hand's finger [m]
   Vec3 push_W_n = Vec3::Constant(nan);     ///< what a hand pushed with [N]
+  Vec3 velocity_W = Vec3::Constant(nan);   ///< of the finger, as friction was told it [m/s]
   Vec3 direction_W = Vec3::Constant(nan);  ///< of a finger that turns
   Wxyz attitude = Wxyz::Constant(nan);     ///< of a finger whose attitude is known: a unit quaternion
   bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces

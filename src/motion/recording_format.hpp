@@ -1,0 +1,38 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+
+#include "base/csv_cells.hpp"
+
+namespace fingerpad {
+
+/// What a column of a recording holds, and what its header calls it unless a scene says otherwise.
+struct RecordingColumn {
+  std::string_view key, header;
+};
+inline constexpr std::array<RecordingColumn, 12> recording_columns{{{"t", "t_s"},
+                                                                    {"x", "x_m"},
+                                                                    {"y", "y_m"},
+                                                                    {"z", "z_m"},
+                                                                    {"dx", "dx"},
+                                                                    {"dy", "dy"},
+                                                                    {"dz", "dz"},
+                                                                    {"qw", "qw"},
+                                                                    {"qx", "qx"},
+                                                                    {"qy", "qy"},
+                                                                    {"qz", "qz"},
+                                                                    {"fn", "fn_n"}}};
+
+/// How a recording's table is to be read; as it stands, the program's own.
+struct RecordingFormat {
+  std::array<std::string, recording_columns.size()> headers = {};  ///< per column, as the file calls it;
+                                                                   ///< empty: as recording_columns says
+  double metres_per_unit = 1;                                      ///< of positions
+  double seconds_per_unit = 1;                                     ///< of times
+  CsvDialect dialect = {found_separator, '.'};
+  bool reads_normal_force = false;  ///< the column fn must be there; else it is passed over, if not named
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,132 @@
+#include "scene/motion_values.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "base/unit.hpp"
+#include "scene/scene_key_makers.hpp"
+#include "scene/scene_values.hpp"
+
+namespace fingerpad {
+namespace {
+
+void take_kind(Scene& scene, std::size_t word) {
+  constexpr std::array kinds{ScriptedMotion::Kind::line, ScriptedMotion::Kind::sine,
+                             ScriptedMotion::Kind::circle};
+  scene.motion.scripted.emplace().kind = kinds[word];
+}
+
+void take_recording_unit(Scene& scene, std::size_t word) {
+  scene.motion.format.metres_per_unit = length_units[word].metres;
+}
+
+void take_time_unit(Scene& scene, std::size_t word) {
+  scene.motion.format.seconds_per_unit = time_units[word].seconds;
+}
+
+void take_normal_force(Scene& scene, std::size_t word) {
+  scene.motion.format.reads_normal_force = word == 1;
+}
+
+MotionSettings& motion_of(Scene& scene) {
+  return scene.motion;
+}
+
+}  // namespace
+
+void read_motion_file(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  scene.motion.file = text_that_is_there(row, motion);
+  scene.motion.file_path = resolved_path(scene.path, scene.motion.file);
+}
+
+void read_recording_columns(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  const TomlNode& value = *motion.value(row.key);
+  if (!value.is(TomlNode::Type::table)) {
+    throw motion.error(row.key,
+                       fmt::format("{} must be a table such as {{ t = \"time\", x = \"X\" }}, not {}",
+                                   motion.name(row.key), type_text(value.type)));
+  }
+  const SceneTable& rows = scene_table("motion.columns");
+  const TomlTable columns = open_table(value, motion.file(), rows);
+  read_keys(rows, columns, scene);
+  const auto& headers = scene.motion.format.headers;
+  for (std::size_t i = 0; i < headers.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (headers[i].empty() || headers[i] != headers[k]) continue;
+      throw columns.error(recording_columns[i].key, fmt::format("{} and '{}' are both the column '{}'",
+                                                                columns.name(recording_columns[i].key),
+                                                                recording_columns[k].key, headers[i]));
+    }
+  }
+}
+
+void read_recording_column(const SceneKey& row, const TomlTable& columns, Scene& scene) {
+  const std::string name = text_that_is_there(row, columns);
+  if (name != trimmed(name))
+    throw columns.error(row.key,
+                        columns.name(row.key) + " has blanks around it, which headers are read without");
+  const auto is_it = [&row](const RecordingColumn& column) { return column.key == row.key; };
+  const auto found = std::find_if(recording_columns.begin(), recording_columns.end(), is_it);
+  scene.motion.format.headers[static_cast<std::size_t>(found - recording_columns.begin())] = name;
+}
+
+void read_separator(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  constexpr std::array<std::pair<std::string_view, char>, 7> words{{{"auto", found_separator},
+                                                                    {",", ','},
+                                                                    {";", ';'},
+                                                                    {"tab", '\t'},
+                                                                    {"\t", '\t'},
+                                                                    {"space", ' '},
+                                                                    {" ", ' '}}};
+  const std::string text = motion.text(row.key, "");
+  const auto found =
+      std::find_if(words.begin(), words.end(), [&text](const auto& word) { return word.first == text; });
+  if (found == words.end()) {
+    throw motion.error(row.key,
+                       motion.name(row.key) +
+                           " must be \"auto\", \",\", \";\", \"tab\" or \"space\", the mark between cells");
+  }
+  scene.motion.format.dialect.separator = found->second;
+}
+
+void read_decimal(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  const std::string text = motion.text(row.key, "");
+  if (text != "." && text != ",")
+    throw motion.error(row.key, motion.name(row.key) + " must be \".\" or \",\"");
+  scene.motion.format.dialect.decimal = text.front();
+}
+
+SceneKey rate_key(std::string_view key) {
+  SceneKey row = number_key<motion_of, &MotionSettings::rate_hz>(
+      key, 1, 1e6, "the tick; where it is not written, a file's own rate");
+  row.read = [](const SceneKey& self, const TomlTable& table, Scene& scene) {
+    scene.motion.rate_hz = table.number(self.key, 0, self.range);
+    scene.motion.rate_given = true;
+  };
+  return row;
+}
+
+SceneKey motion_kind_key(std::string_view key) {
+  SceneKey row = choice_key<take_kind>(key, {"line", "sine", "circle"}, "", "");
+  row.shown.clear();  // each kind is shown with its keys
+  return row;
+}
+
+SceneKey recording_unit_key(std::string_view key) {
+  return choice_key<take_recording_unit>(key, length_unit_names(), "m", "of the file's positions");
+}
+
+SceneKey time_unit_key(std::string_view key) {
+  std::vector<std::string> names;
+  for (const TimeUnit& unit : time_units) names.emplace_back(unit.name);
+  return choice_key<take_time_unit>(key, names, "s", "of the file's times");
+}
+
+SceneKey normal_force_key(std::string_view key) {
+  return choice_key<take_normal_force>(key, {"model", "measured"}, "model",
+                                       "the file's fn [N] in place of the model's");
+}
+
+}  // namespace fingerpad

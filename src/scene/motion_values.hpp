@@ -1,0 +1,24 @@
+#pragma once
+
+#include "scene/scene_key.hpp"
+
+namespace fingerpad {
+
+// As scene_values.hpp, for the keys of [motion].
+
+void read_motion_file(const SceneKey& row, const TomlTable& motion, Scene& scene);
+void read_recording_columns(const SceneKey& row, const TomlTable& motion, Scene& scene);
+void read_recording_column(const SceneKey& row, const TomlTable& columns, Scene& scene);
+void read_separator(const SceneKey& row, const TomlTable& motion, Scene& scene);
+void read_decimal(const SceneKey& row, const TomlTable& motion, Scene& scene);
+
+SceneKey rate_key(std::string_view key);
+SceneKey motion_kind_key(std::string_view key);
+SceneKey recording_unit_key(std::string_view key);
+SceneKey time_unit_key(std::string_view key);
+SceneKey normal_force_key(std::string_view key);
+
+/// Reads the [motion] of a scene into it.
+void read_motion_settings(const TomlNode& table, Scene& scene);
+
+}  // namespace fingerpad

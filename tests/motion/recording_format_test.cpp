@@ -1,0 +1,87 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "motion/finger_path.hpp"
+#include "support/paths.hpp"
+#include "support/refusal.hpp"
+
+namespace fingerpad {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+Motion read(const std::string& text, const RecordingFormat& format) {
+  const auto path = test::scratch_dir() / "m.csv";
+  std::ofstream(path, std::ios::binary) << text;
+  char separator = found_separator;
+  return read_motion_csv(path.string(), format, separator);
+}
+
+RecordingFormat laboratory() {
+  RecordingFormat format;
+  format.headers = {"Zeit", "X", "Y", "Z"};
+  format.headers.back() = "Fz";
+  format.metres_per_unit = 1e-3;
+  format.seconds_per_unit = 1e-3;
+  format.dialect.decimal = ',';
+  format.reads_normal_force = true;
+  return format;
+}
+
+TEST(RecordingFormat, ReadsALaboratorysTableAsItIs) {
+  const Motion motion = read(
+      "\xef\xbb\xbf# Versuch 3; Finger 2\r\nX;Y;Z;Zeit;\"Fz\"\r\n1,5;0;-2;0;-0,1\r\n2,5;0,25;-2;4,2;0,75\r\n",
+      laboratory());
+  EXPECT_THAT(motion.t_s, ElementsAre(0, testing::DoubleEq(0.0042)));
+  EXPECT_LT((motion.p_WQ.col(1) - Vec3(2.5e-3, 2.5e-4, -2e-3)).norm(), 1e-18);
+  EXPECT_THAT(motion.normal_force_n, ElementsAre(-0.1, 0.75));
+  const FingerPath path(motion, 1 / 0.0021, Vec3::UnitX());
+  EXPECT_NEAR(path.at(1).normal_force_n.value(), (0.75 - 0.1) / 2, 1e-12);
+}
+
+TEST(RecordingFormat, WhatIsNotNamedHasItsOwnName) {
+  RecordingFormat format;
+  format.headers[0] = "time";
+  const Motion motion = read("time x_m y_m z_m dx dy dz\n0 1 2 3 0 0 -1\n", format);
+  EXPECT_EQ(motion.p_WQ.col(0), Vec3(1, 2, 3));
+  EXPECT_EQ(motion.direction_W.col(0), Vec3(0, 0, -1));
+  EXPECT_TRUE(motion.normal_force_n.empty());
+}
+
+TEST(RecordingFormat, AnAttitudeMayBeNamedToo) {
+  RecordingFormat format;
+  for (std::size_t k = 7; k < 11; ++k) format.headers[k] = std::string("q") + "rijk"[k - 7];
+  EXPECT_EQ(read("t_s,x_m,y_m,z_m,qr,qi,qj,qk\n0,0,0,0,0,1,0,0\n", format).attitude[0].x(), 1);
+}
+
+TEST(RecordingFormat, WhatIsNamedMustBeThere) {
+  RecordingFormat format = laboratory();
+  format.headers[1] = "x";
+  EXPECT_THAT(test::why_not([&] { read("Zeit;X;Y;Z;Fz\n0;0;0;0;0\n", format); }),
+              AllOf(HasSubstr("m.csv:1: no column 'x' (did you mean 'X'?)"),
+                    HasSubstr("it names Zeit, X, Y, Z, Fz"), HasSubstr("[motion] columns = {")));
+  format = RecordingFormat();
+  format.reads_normal_force = true;
+  EXPECT_THAT(test::why_not([&] { read("t_s,x_m,y_m,z_m\n0,0,0,0\n", format); }),
+              HasSubstr("no column 'fn_n'"));
+  format = RecordingFormat();
+  format.headers[4] = "nx";
+  EXPECT_THAT(test::why_not([&] { read("t_s,x_m,y_m,z_m\n0,0,0,0\n", format); }),
+              HasSubstr("no column 'nx'"));
+}
+
+TEST(RecordingFormat, BoundsAreThoseOfMetresSecondsAndNewtons) {
+  EXPECT_THAT(test::why_not([] { read("Zeit;X;Y;Z;Fz\n0;2e12;0;0;0\n", laboratory()); }),
+              HasSubstr("m.csv:2: x_m is 2000000000 m; a finger is at most"));
+  EXPECT_THAT(test::why_not([] { read("Zeit;X;Y;Z;Fz\n0;0;0;0;0\n\n3;0;0;0;1e9\n", laboratory()); }),
+              HasSubstr("m.csv:4: the normal force is 1000000000 N; at most"));
+  // A force that is not used may be what it will.
+  EXPECT_EQ(read("t_s,x_m,y_m,z_m,fn_n\n0,0,0,0,nan\n", {}).t_s.size(), 1u);
+}
+
+}  // namespace
+}  // namespace fingerpad

@@ -1,0 +1,162 @@
+// Motions of a laboratory, as a scene asks for them.
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "scene/scene_file.hpp"
+#include "support/paths.hpp"
+#include "support/refusal.hpp"
+#include "trace/motion_source.hpp"
+#include "trace_rows.hpp"
+
+namespace fingerpad {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+Scene scene_with(const std::string& motion) {
+  return read_scene_text("[[plane]]\npoint_m = [0,0,0]\nnormal = [0,0,1]\n[motion]\n" + motion,
+                         (test::scratch_dir() / "s.toml").string())
+      .scene;
+}
+
+/// Written into the scratch folder, which scene_with empties: so it stands after it.
+void write_recording(long samples, double rate_hz, const std::string& header = "t_s,x_m,y_m,z_m") {
+  std::ofstream file(test::scratch_dir() / "m.csv");
+  file << header << "\n";
+  for (long i = 0; i < samples; ++i)
+    file << fmt::format("{:.6f},{:.6f},0,0.001\n", static_cast<double>(i) / rate_hz,
+                        1e-5 * static_cast<double>(i));
+}
+
+LoadedMotion loaded(const std::string& motion, long samples = 500, double rate_hz = 240) {
+  const Scene scene = scene_with("file = \"m.csv\"\n" + motion);
+  write_recording(samples, rate_hz);
+  return load_motion(scene);
+}
+
+TEST(RecordingSource, FollowsAFileAtItsOwnRateAndSaysSo) {
+  const LoadedMotion motion = loaded("");
+  EXPECT_EQ(motion.path.rate_hz(), 240);
+  EXPECT_EQ(motion.path.tick_count(), 500);
+  EXPECT_THAT(motion.notes, ElementsAre(HasSubstr("m.csv: no rate_hz: ticks at the file's own 240 Hz (")));
+  EXPECT_THAT(motion.warnings, IsEmpty());
+  EXPECT_EQ(at_rate(scene_with("file = \"m.csv\"\n"), motion.path).motion.rate_hz, 240);
+}
+
+TEST(RecordingSource, ARateThatIsWrittenStandsAndNeedsNoWords) {
+  const LoadedMotion motion = loaded("rate_hz = 1000\n");
+  EXPECT_EQ(motion.path.rate_hz(), 1000);
+  EXPECT_THAT(motion.notes, IsEmpty());
+}
+
+TEST(RecordingSource, AFileOfFewSamplesIsToldWhatElseThereIs) {
+  EXPECT_THAT(loaded("", 20, 20).notes,
+              ElementsAre(HasSubstr("20 Hz (19 even steps), few for friction; with rate_hz = 1000")));
+}
+
+TEST(RecordingSource, OneSampleHasNoRateOfItsOwn) {
+  EXPECT_EQ(loaded("", 1).path.rate_hz(), 1000);
+}
+
+TEST(RecordingSource, ARateBeyondAllTicksIsRefused) {
+  EXPECT_THAT(test::why_not([] { loaded("", 5, 0.5); }),
+              AllOf(HasSubstr("m.csv: its own rate is 0.5 Hz"), HasSubstr("give rate_hz"),
+                    HasSubstr("say time_unit")));
+  EXPECT_EQ(loaded("rate_hz = 100\n", 5, 0.5).path.tick_count(), 801);
+  EXPECT_THAT(test::why_not([] { loaded("time_unit = \"us\"\n", 50, 240); }),
+              HasSubstr("ticks go at 1 to 1000000 Hz"));
+}
+
+TEST(RecordingSource, WarnsOfAnIrregularClockWhereThatDecides) {
+  const std::string rows = "t_s,x_m,y_m,z_m\n0,0,0,0\n0.01,0,0,0\n0.02,0,0,0\n0.07,0,0,0\n0.08,0,0,0\n";
+  const Scene own = scene_with("file = \"m.csv\"\n");
+  Scene given = own;
+  given.motion.rate_given = true;
+  std::ofstream(test::scratch_dir() / "m.csv") << rows;
+  EXPECT_THAT(
+      load_motion(own).warnings,
+      ElementsAre("m.csv: its clock is irregular: 1 of 4 steps are off by more than half, the longest is "
+                  "50 ms at t = 0.02 s; in between the finger goes straight"));
+  EXPECT_THAT(load_motion(given).warnings, IsEmpty());
+}
+
+TEST(RecordingSource, TellsWhatSmoothingDid) {
+  const LoadedMotion motion = loaded("smoothing_hz = 20\n");
+  ASSERT_EQ(motion.notes.size(), 2u);
+  EXPECT_THAT(motion.notes[1], AllOf(HasSubstr("smoothed without delay"), HasSubstr("20 Hz is halved"),
+                                     HasSubstr("mm RMS, at most")));
+  EXPECT_EQ(motion.path.tick_count(), 500);
+  EXPECT_LT((motion.path.at(250).p_WQ - Vec3(2.5e-3, 0, 1e-3)).norm(), 1e-8) << "a steady motion stays";
+  EXPECT_THAT(test::why_not([] { loaded("smoothing_hz = 120\n"); }),
+              AllOf(HasSubstr("s.toml: 'smoothing_hz' in [motion] is 120"),
+                    HasSubstr("must be below half of the 240 Hz")));
+  EXPECT_EQ(loaded("smoothing_hz = 119\n").path.tick_count(), 500);
+}
+
+TEST(RecordingSource, AnEncoderGivesTheFingerItsVelocity) {
+  const LoadedMotion motion = loaded("encoder_m = 1e-3\n");
+  ASSERT_TRUE(motion.path.at(300).velocity_W.has_value());
+  EXPECT_NEAR(motion.path.at(300).velocity_W->x(), 2.4e-3, 1e-7);  // its times are rounded to 1 us
+  EXPECT_THAT(motion.notes.back(), HasSubstr("adaptive window over positions rounded to 1 mm, at 240 Hz"));
+  EXPECT_FALSE(loaded("").path.at(300).velocity_W.has_value());
+}
+
+TEST(RecordingSource, SaysHowATableWasRead) {
+  const Scene scene = scene_with(
+      "file = \"m.csv\"\ncolumns = { t = \"time\", x = \"X\" }\nunit = \"cm\"\ntime_unit = \"ms\"\n"
+      "decimal = \",\"\nrate_hz = 1000\n");
+  std::ofstream(test::scratch_dir() / "m.csv") << "time;X;y_m;z_m\n0;1;2;3\n5,5;1,5;2;3\n";
+  const LoadedMotion motion = load_motion(scene);
+  EXPECT_THAT(
+      motion.notes,
+      ElementsAre("m.csv: t is 'time', x is 'X'; cells parted by ';'; decimal mark ','; positions in cm; "
+                  "times in ms"));
+  EXPECT_NEAR(motion.path.at(5).p_WQ.x(), 0.01 + 0.005 * 5 / 5.5, 1e-15);
+}
+
+TEST(RecordingSource, ATraceSaysItselfWhatItHolds) {
+  for (const char* key : {"unit = \"m\"", "columns = { t = \"t_s\" }", "separator = \",\"", "decimal = \".\"",
+                          "time_unit = \"s\""}) {
+    const Scene scene = scene_with(std::string("file = \"t.h5\"\n") + key + "\n");
+    test::write_trace(test::scratch_dir() / "t.h5", TraceFormat::hdf5, test::some_rows(20));
+    EXPECT_THAT(test::why_not([&] { load_motion(scene); }),
+                AllOf(HasSubstr("s.toml: '" + std::string(key).substr(0, std::string(key).find(' '))),
+                      HasSubstr("t.h5 is a trace"), HasSubstr("leave the key out")));
+  }
+}
+
+TEST(RecordingSource, ATraceHasARateAndNormalForcesToo) {
+  const Scene scene = scene_with("file = \"t.h5\"\nnormal_force = \"measured\"\n");
+  auto rows = test::some_rows(50);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].normal_force_n = 0.1 * static_cast<double>(i);
+  test::write_trace(test::scratch_dir() / "t.h5", TraceFormat::hdf5, rows);
+  const LoadedMotion motion = load_motion(scene);
+  EXPECT_EQ(motion.path.rate_hz(), 1000);
+  ASSERT_EQ(motion.path.tick_count(), 50);
+  EXPECT_NEAR(motion.path.at(30).normal_force_n.value(), 3, 1e-9);
+}
+
+TEST(RecordingSource, WarnsOfForcesThatNeverPress) {
+  const Scene scene = scene_with("file = \"m.csv\"\nnormal_force = \"measured\"\nrate_hz = 100\n");
+  std::ofstream(test::scratch_dir() / "m.csv") << "t_s,x_m,y_m,z_m,fn_n\n0,0,0,0,-1\n1,0,0,0,0\n";
+  EXPECT_THAT(load_motion(scene).warnings,
+              ElementsAre(HasSubstr("m.csv: its measured normal force is never above 0")));
+}
+
+TEST(RecordingSource, AHandIsAskedWhetherItIsTooQuickForTheFilesOwnRate) {
+  const Scene scene = scene_with(
+      "file = \"m.csv\"\n[hand]\nmass_kg = 1e-6\nstiffness_n_per_m = 5e5\ndamping_n_s_per_m = 0\n");
+  write_recording(20, 240);
+  EXPECT_THAT(test::why_not([&] { load_motion(scene); }), HasSubstr("moves too quickly for ticks at 240 Hz"));
+  write_recording(20, 1000);
+  EXPECT_EQ(load_motion(scene).path.rate_hz(), 1000);
+}
+
+}  // namespace
+}  // namespace fingerpad
