@@ -29,7 +29,7 @@ std::string_view other_than_regular(mode_t mode) {
 
 std::string refusal_of(mode_t mode, const InputKind& kind) {
   if (S_ISDIR(mode)) return fmt::format("is a folder, not {}", kind.what);
-  const std::string words = fmt::format("is {}, not a regular file", other_than_regular(mode));
+  std::string words = fmt::format("is {}, not a regular file", other_than_regular(mode));
   if (S_ISFIFO(mode) && kind.stream) return words + ": lead it to standard input and give `-`";
   if (S_ISFIFO(mode)) return words + fmt::format(": write {} to a file first", kind.what);
   return words;

@@ -81,11 +81,11 @@ FingerPath::FingerPath(const ScriptedMotion& motion, double rate_hz, const Vec3&
 
 double FingerPath::farthest_m() const noexcept {
   const auto largest = [](const auto& p) { return p.cwiseAbs().maxCoeff(); };
-  if (const auto* recorded = std::get_if<Motion>(&motion_)) return largest(recorded->p_WQ);
-  const ScriptedMotion& scripted = std::get<ScriptedMotion>(motion_);
-  if (scripted.kind == ScriptedMotion::Kind::line)
-    return std::max(largest(scripted.from_m), largest(scripted.to_m));
-  return largest(scripted.centre_m) + scripted.amplitude_m;
+  const auto* scripted = std::get_if<ScriptedMotion>(&motion_);
+  if (scripted == nullptr) return largest(std::get_if<Motion>(&motion_)->p_WQ);
+  if (scripted->kind == ScriptedMotion::Kind::line)
+    return std::max(largest(scripted->from_m), largest(scripted->to_m));
+  return largest(scripted->centre_m) + scripted->amplitude_m;
 }
 
 bool FingerPath::turns() const noexcept {
@@ -112,7 +112,7 @@ FingerSample FingerPath::at(long k) const noexcept {
   const double t_s = t0_s_ + static_cast<double>(k) / rate_hz_;
   if (const auto* scripted = std::get_if<ScriptedMotion>(&motion_))
     return {t_s, scripted->at(t_s), direction_W_};
-  return interpolated(std::get<Motion>(motion_), t_s, direction_W_);
+  return interpolated(*std::get_if<Motion>(&motion_), t_s, direction_W_);
 }
 
 }  // namespace fingerpad
