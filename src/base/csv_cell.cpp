@@ -5,7 +5,7 @@
 namespace fingerpad {
 
 std::string csv_cell(std::string_view words) {
-  const std::string text = printable(words);
+  std::string text = printable(words);
   if (text.find_first_of(",\"") == std::string::npos) return text;
   std::string quoted = "\"";
   for (const char c : text) {

@@ -4,6 +4,7 @@ namespace fingerpad {
 
 std::vector<std::string> length_unit_names() {
   std::vector<std::string> names;
+  names.reserve(std::size(length_units));
   for (const LengthUnit& unit : length_units) names.emplace_back(unit.name);
   return names;
 }

@@ -142,7 +142,7 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, ClosestMemory& memory, doub
     impl.search_tree(search, near_m);
     impl.remember_packets(search, step_m, memory);
   }
-  const ClosestTriangle found = search.answer();
+  ClosestTriangle found = search.answer();
   memory.triangle_ = found.triangle;
   return found;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "contact/contact_method_table.hpp"
 #include "contact/part_measures.hpp"
@@ -20,9 +21,9 @@ constexpr double right_angle_rad = std::numbers::pi / 2;
 /// A proxy that stays on the surfaces: what it stands on holds the finger.
 class ProxyMethod final : public ContactMethod {
  public:
-  ProxyMethod(const std::vector<PlacedSurface>& surfaces, double radius_m, Normals normals)
+  ProxyMethod(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
       : proxy_(fast_proxy(surfaces, radius_m, normals)),
-        until_placed_(closest_point_method().make(surfaces, radius_m, normals)) {}
+        until_placed_(closest_point_method().make(std::move(surfaces), radius_m, normals)) {}
 
   const Contact& touch(const Vec3& p_WQ, double dt_s) noexcept override {
     const ProxyContact& proxy = proxy_.move(p_WQ, dt_s);
@@ -127,7 +128,7 @@ ContactMethodEntry proxy_method() noexcept {
           needed,
           [](std::vector<PlacedSurface> surfaces, double radius_m,
              Normals normals) -> std::unique_ptr<ContactMethod> {
-            return std::make_unique<ProxyMethod>(surfaces, radius_m, normals);
+            return std::make_unique<ProxyMethod>(std::move(surfaces), radius_m, normals);
           }};
 }
 

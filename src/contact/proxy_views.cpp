@@ -47,7 +47,7 @@ ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*mos
   if (falls_short_ && static_cast<int>(near_.size()) <= Limits::rich_view) asked_m_ *= 2;
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (place_O_ == search_place_O_) suit_view();
-  const ProxyStep step = step_towards(goal_O - place_O, nullptr);
+  ProxyStep step = step_towards(goal_O - place_O, nullptr);
   falls_short_ = step.truncated;
   return step;
 }
