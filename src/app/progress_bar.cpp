@@ -15,7 +15,7 @@ namespace fingerpad {
 namespace {
 
 // Together less than the 80 columns of the narrowest terminal.
-constexpr int bar_width = 20, text_width = 50;
+constexpr int bar_width = 20, stage_width = 50;
 
 }  // namespace
 
@@ -48,7 +48,7 @@ void ProgressBar::finish() {
     draw(*state_);
     print_err("\n");
   } else if (is_drawn_) {
-    print_err("\r{:{}}\r", "", bar_width + text_width + 8);
+    print_err("\r{:{}}\r", "", bar_width + stage_width + 8);
   }
   std::fflush(stderr);
 }
@@ -66,7 +66,7 @@ void ProgressBar::draw_now_and_then(std::chrono::milliseconds patience) {
 void ProgressBar::draw(const State& state) {
   const int filled = static_cast<int>(std::floor(bar_width * state.share_done));
   print_err("\r[{:=<{}}{: <{}}] {:3.0f}% {:<{}.{}}", "", filled, "", bar_width - filled,
-            std::floor(100 * state.share_done), state.what, text_width, text_width);
+            std::floor(100 * state.share_done), state.what, stage_width, stage_width);
   std::fflush(stderr);
   is_drawn_ = true;
 }

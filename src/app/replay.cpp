@@ -60,7 +60,7 @@ double figure(const BatchJob& job, std::string_view wanted) {
 }
 
 /// Each job's error, and once for the batch what its figures warn of.
-void tell(const std::vector<BatchJob>& jobs) {
+void tell_doubts(const std::vector<BatchJob>& jobs) {
   long coarse_jobs = 0;
   double coarse_teeth = 0, remedied_ticks = 0, inside_starts = 0;
   for (const BatchJob& job : jobs) {
@@ -209,7 +209,7 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   if (!ranks.is_root()) return 0;
   if (!options.quiet) tell_choices(jobs);
   tell(jobs);
-  tell_warnings(jobs);
+  tell_doubts(jobs);
   const int lost_code = tell_lost(lost);
   if (!options.quiet) tell_end(jobs, !lost.empty(), batch);
   const int code = exit_code(jobs);

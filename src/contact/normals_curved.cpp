@@ -40,7 +40,7 @@ SurfacePoint on_patch(const TriangleTree& tree, const ClosestTriangle& facets, c
 
 /// Where besides a tilt the facets cut too deep into the surface. A proxy stands on the facets, whatever its
 /// normals: there only a finer mesh would do.
-std::string needed(const NormalsDemand& demand) {
+std::string why_curved(const NormalsDemand& demand) {
   const bool turns = demand.part.largest_smooth_turn_rad / 2 > demand.tilt_rad;
   const bool sags = demand.part.largest_sag_m > demand.sag_m;
   return turns && sags && demand.touches_own_surface ? sag_text(demand.part) : std::string();
@@ -55,7 +55,7 @@ std::string needed(const NormalsDemand& demand) {
 constinit const NormalsEntry normals_curved{
     "curved",
     "a cubic patch over each facet is touched (a proxy stands on the facets: there it only shades)",
-    needed,
+    why_curved,
     shown,
     on_patch,
     0.25,

@@ -6,7 +6,7 @@ namespace fingerpad {
 namespace {
 
 /// Good enough for every part that no other kind is needed for.
-std::string needed(const NormalsDemand& demand) {
+std::string why_facet(const NormalsDemand& demand) {
   return demand.part.largest_smooth_turn_rad == 0 ? "its faces are flat"
                                                   : turn_text(demand.part) + " and no more";
 }
@@ -15,6 +15,6 @@ std::string needed(const NormalsDemand& demand) {
 
 /// The gradient of the distance to the facets as they are: the facet's own normal over a face; over a convex
 /// edge or vertex the direction from the surface point to the finger.
-constinit const NormalsEntry normals_facet{"facet", "the mesh's own facets", needed, nullptr, nullptr};
+constinit const NormalsEntry normals_facet{"facet", "the mesh's own facets", why_facet, nullptr, nullptr};
 
 }  // namespace fingerpad

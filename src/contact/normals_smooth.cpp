@@ -17,7 +17,7 @@ Vec3 interpolated(const TriangleTree& tree, int t, const TrianglePoint& at,
 
 /// Where half the largest turn over a smooth edge is more than the tilt that is allowed. Where the facets cut
 /// in too deep as well, and no other normals can mend it, the reason says so.
-std::string needed(const NormalsDemand& demand) {
+std::string why_smooth(const NormalsDemand& demand) {
   if (demand.part.largest_smooth_turn_rad / 2 <= demand.tilt_rad) return {};
   if (demand.part.largest_sag_m <= demand.sag_m || demand.touches_own_surface) return turn_text(demand.part);
   return turn_text(demand.part) + "; " + sag_text(demand.part) +
@@ -27,7 +27,7 @@ std::string needed(const NormalsDemand& demand) {
 }  // namespace
 
 /// Corner normals interpolated over the triangle.
-constinit const NormalsEntry normals_smooth{"smooth", "corner normals interpolated over each facet", needed,
-                                            interpolated, nullptr};
+constinit const NormalsEntry normals_smooth{"smooth", "corner normals interpolated over each facet",
+                                            why_smooth, interpolated, nullptr};
 
 }  // namespace fingerpad

@@ -6,14 +6,11 @@
 #include <cstdint>
 #include <utility>
 
+#include "part/index.hpp"
 #include "part/union_find.hpp"
 
 namespace fingerpad {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 std::vector<int> numbered_bodies(const IndexTriples& welded, const EdgeTable& edges, int* count) {
   const int n = static_cast<int>(welded.cols());

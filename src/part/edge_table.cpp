@@ -4,14 +4,11 @@
 #include <numeric>
 #include <utility>
 
+#include "part/index.hpp"
 #include "part/union_find.hpp"
 
 namespace fingerpad {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 struct Upper {
   int vertex, half_edge;

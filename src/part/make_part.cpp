@@ -6,6 +6,7 @@
 #include "part/build_part.hpp"
 #include "part/edge_table.hpp"
 #include "part/in_parallel.hpp"
+#include "part/index.hpp"
 #include "part/normals.hpp"
 #include "part/repair.hpp"
 #include "part/volume.hpp"
@@ -13,10 +14,6 @@
 
 namespace fingerpad {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Points and triangles with unused points gone and the centre taken out.
 struct Centred {

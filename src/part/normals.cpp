@@ -9,13 +9,10 @@
 #include <numeric>
 
 #include "part/in_parallel.hpp"
+#include "part/index.hpp"
 
 namespace fingerpad {
 namespace {
-
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// A sum of unit normals shorter than this points nowhere: its direction is rounding.
 constexpr double vanishing = 1e-12;

@@ -3,21 +3,19 @@
 #include <algorithm>
 #include <utility>
 
+#include "part/index.hpp"
+
 namespace fingerpad {
 namespace {
 
-std::size_t at(int i) {
-  return static_cast<std::size_t>(i);
-}
-
 /// The triangles across edges of two.
-struct Across {
+struct AcrossPairs {
   IndexTriples triangle;       ///< 3 x n, -1 where there is no single one
   std::vector<bool> same_way;  ///< 3n: both pass the edge in the same direction, so that one must be turned
 };
 
-Across across_edges(const EdgeTable& edges, const IndexTriples& corners) {
-  Across across;
+AcrossPairs across_edges(const EdgeTable& edges, const IndexTriples& corners) {
+  AcrossPairs across;
   across.triangle = IndexTriples::Constant(3, corners.cols(), -1);
   across.same_way.assign(at(static_cast<int>(corners.size())), false);
   for (int e = 0; e < edges.edge_count(); ++e) {
@@ -38,7 +36,7 @@ std::vector<bool> turns_to_one_way(const EdgeTable& edges, const IndexTriples& c
   const int n = static_cast<int>(corners.cols());
   std::vector<bool> turned(at(n), false), seen(at(n), false);
   if (count_edges(edges, corners).inconsistent == 0) return turned;
-  const Across across = across_edges(edges, corners);
+  const AcrossPairs across = across_edges(edges, corners);
   std::vector<int> piece;
   for (int start = 0; start < n; ++start) {
     if (seen[at(start)]) continue;

@@ -7,10 +7,6 @@
 namespace fingerpad {
 namespace {
 
-constexpr double depth_m = 1e-3;
-constexpr double near_radius_m = 1e-3;
-constexpr double greatest_force_n = 10;  // that `auto` is told of, its default
-
 /// What a surface's tessellations gave, one entry a level; the same place in each vector.
 struct VariantCurve {
   std::vector<RubError> errors;
@@ -27,12 +23,12 @@ struct SurfaceResult {
 
 SurfaceResult measured(const ExactSurface& surface) {
   SurfaceResult result{surface, {}, {}, std::vector<VariantCurve>(contact_variants().size()), {}};
-  const Rub rub = rub_under(surface, depth_m, 0), near = rub_under(surface, 0, near_radius_m);
+  const Rub rub = rub_under(surface, rub_depth_m, 0), near = rub_under(surface, 0, rub_radius_m);
   for (const int level : surface.levels) {
     const auto world = world_of_mesh(surface.mesh(level), surface.name);
     result.facet_mm.push_back(1000 * surface.facet_m(level));
     result.triangles.push_back(world->surfaces[0].part->triangle_count());
-    result.chosen.push_back(automatic_choice(*world, 0, greatest_force_n));
+    result.chosen.push_back(automatic_choice(*world, 0, rub_force_n));
     for (std::size_t v = 0; v < contact_variants().size(); ++v) {
       result.curves[v].errors.push_back(rub_error(world, surface, contact_variants()[v], rub));
       result.curves[v].near.push_back(rub_error(world, surface, contact_variants()[v], near));

@@ -10,14 +10,12 @@
 namespace fingerpad {
 namespace {
 
-constexpr double depth_m = 1e-3, near_radius_m = 1e-3;
-constexpr double greatest_force_n = 10;  // that `auto` is told of, its default
 constexpr std::array strike_speeds_m_per_s{0.2, 1.0, 5.0};
 constexpr std::size_t strike_every = 2;  // samples
 
 void add_path(const std::shared_ptr<const World>& world, const ExactPath& path,
               std::vector<PathCurve>& curves) {
-  const Rub deep = rub_along(path, depth_m, 0), near = rub_along(path, 0, near_radius_m);
+  const Rub deep = rub_along(path, rub_depth_m, 0), near = rub_along(path, 0, rub_radius_m);
   for (std::size_t v = 0; v < contact_variants().size(); ++v) {
     const ContactVariant& variant = contact_variants()[v];
     PathCurve& curve = curves[v];
@@ -80,7 +78,7 @@ ExactFindings exact_findings(const ExactSet& set) {
     found.triangles.push_back(mesh.part->triangle_count());
     for (std::size_t n = 0; n < found.samples.size(); ++n)
       found.samples[n].push_back(sample_error(set, mesh, *world->surfaces[0].tree, normals_table()[n]));
-    found.chosen.push_back(automatic_choice(*world, 0, greatest_force_n));
+    found.chosen.push_back(automatic_choice(*world, 0, rub_force_n));
     for (std::size_t v = 0; v < contact_variants().size(); ++v)
       found.strikes[v].push_back(strike_samples(set, world, contact_variants()[v]));
     for (std::size_t p = 0; p < set.paths.size(); ++p) add_path(world, set.paths[p], found.paths[p]);

@@ -39,6 +39,11 @@ struct AutomaticChoice {
 };
 AutomaticChoice automatic_choice(const World& world, double finger_radius_m, double greatest_force_n);
 
+/// Of the rubs of every study of contact: how deep a point goes, and the finger that stays on the surface.
+constexpr double rub_depth_m = 1e-3, rub_radius_m = 1e-3;
+/// What `auto` is told of there: its default.
+constexpr double rub_force_n = 10;
+
 /// Positions of the finger, one a tick: its centre along a surface's way at `under_m` under it, after it has
 /// come down to its start from outside over `approach_ticks`.
 struct Rub {

@@ -8,7 +8,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
+constexpr double full_turn = 2 * std::numbers::pi;
 
 TriangleSoup soup_of(const std::vector<Vec3>& vertices, const std::vector<Eigen::Vector3i>& triangles) {
   TriangleSoup soup;
@@ -26,7 +26,7 @@ constexpr double sphere_m = 0.05;
 ExactSurface sphere() {
   ExactSurface surface{"sphere", "radius 50 mm", {3, 4, 5, 6, 7}, {}, {}, {}, {}};
   surface.mesh = [](int level) { return ball_mesh(sphere_m, level); };
-  surface.facet_m = [](int level) { return sphere_m * turn / 4 / std::exp2(level); };
+  surface.facet_m = [](int level) { return sphere_m * full_turn / 4 / std::exp2(level); };
   surface.foot = [](const Vec3& p) { return ExactFoot{p.norm() - sphere_m, p.normalized()}; };
   surface.way = [](double along) {
     const double around = 0.3 + 4.1 * along, up = 0.45 * std::sin(1.3 + 5 * along);
@@ -44,7 +44,7 @@ TriangleSoup torus_mesh(int around, int across) {
   std::vector<Eigen::Vector3i> triangles;
   for (int i = 0; i < around; ++i) {
     for (int j = 0; j < across; ++j) {
-      const double u = turn * i / around, v = turn * j / across, r = ring_m + tube_m * std::cos(v);
+      const double u = full_turn * i / around, v = full_turn * j / across, r = ring_m + tube_m * std::cos(v);
       vertices.emplace_back(r * std::cos(u), r * std::sin(u), tube_m * std::sin(v));
       const int a = i * across + j, b = (i + 1) % around * across + j;
       const int c = (i + 1) % around * across + (j + 1) % across, d = i * across + (j + 1) % across;
@@ -59,7 +59,7 @@ ExactSurface torus() {
   ExactSurface surface{"torus", "50 mm to the middle of a tube of 20 mm", {16, 32, 64, 128, 256}, {}, {}, {},
                        {}};
   surface.mesh = [](int across) { return torus_mesh(2 * across, across); };
-  surface.facet_m = [](int across) { return tube_m * turn / across; };
+  surface.facet_m = [](int across) { return tube_m * full_turn / across; };
   surface.foot = [](const Vec3& p) {
     const Vec3 middle = ring_m * Vec3(p.x(), p.y(), 0).normalized();
     return ExactFoot{(p - middle).norm() - tube_m, (p - middle).normalized()};
@@ -79,7 +79,7 @@ TriangleSoup round_part_mesh(int steps) {
   const int around = 8 * steps;
   std::vector<Vec2> profile;  // radius and height, from the top's rim to the bottom's
   for (int i = 0; i <= steps; ++i) {
-    const double angle = turn / 4 * i / steps;
+    const double angle = full_turn / 4 * i / steps;
     profile.emplace_back(round_m - fillet_m * (1 - std::sin(angle)),
                          half_height_m - fillet_m * (1 - std::cos(angle)));
   }
@@ -92,8 +92,8 @@ TriangleSoup round_part_mesh(int steps) {
   const int rings = static_cast<int>(profile.size());
   for (const Vec2& at : profile) {
     for (int k = 0; k < around; ++k)
-      vertices.emplace_back(at.x() * std::cos(turn * k / around), at.x() * std::sin(turn * k / around),
-                            at.y());
+      vertices.emplace_back(at.x() * std::cos(full_turn * k / around),
+                            at.x() * std::sin(full_turn * k / around), at.y());
   }
   vertices.emplace_back(0, 0, half_height_m);
   vertices.emplace_back(0, 0, -half_height_m);
@@ -124,7 +124,7 @@ ExactFoot round_part_foot(const Vec3& p) {
 
 /// The profile at a length along it, from 7 mm off the axis over the top, the fillet and down the wall.
 Vec2 round_part_profile(double length_m) {
-  constexpr double flat_m = round_m - fillet_m - 0.007, arc_m = fillet_m * turn / 4;
+  constexpr double flat_m = round_m - fillet_m - 0.007, arc_m = fillet_m * full_turn / 4;
   if (length_m < flat_m) return {0.007 + length_m, half_height_m};
   if (length_m > flat_m + arc_m) return {round_m, half_height_m - fillet_m - (length_m - flat_m - arc_m)};
   const double angle = (length_m - flat_m) / fillet_m;
@@ -135,7 +135,7 @@ ExactSurface round_part() {
   ExactSurface surface{
       "fillet", "a cylinder of radius 20 mm, rims rounded by 5 mm", {4, 8, 16, 32, 64}, {}, {}, {}, {}};
   surface.mesh = round_part_mesh;
-  surface.facet_m = [](int steps) { return fillet_m * turn / 4 / steps; };
+  surface.facet_m = [](int steps) { return fillet_m * full_turn / 4 / steps; };
   surface.foot = round_part_foot;
   surface.way = [](double along) {
     const Vec2 at = round_part_profile(0.0125 - 0.012 * std::cos(7.1 * std::numbers::pi * along));

@@ -9,7 +9,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr double stick_stiffness_per_m = 500;
 /// A bristle creeps before it yields; only one this stiff does so over a way that the block does not notice.
 constexpr double bristle_n_per_m = 5e5;
@@ -144,7 +144,7 @@ StickSlipCycle cycle_of(const std::vector<double>& pull_n, double rate_hz, doubl
     extreme = now;
     at_s = static_cast<double>(k) / rate_hz;
   }
-  if (peak_s.size() < 3) return {nan, nan, nan, 0};
+  if (peak_s.size() < 3) return {unmeasured, unmeasured, unmeasured, 0};
   const auto mean_after_first = [](const std::vector<double>& values, std::size_t end) {
     double sum = 0;
     for (std::size_t i = 1; i < end; ++i) sum += values[i];

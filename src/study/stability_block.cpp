@@ -6,12 +6,12 @@
 namespace fingerpad {
 namespace {
 
-constexpr double rate_hz = 40000, seconds = 12;
+constexpr double block_rate_hz = 40000, block_seconds = 12;
 
 ChartCurve pull_series(const std::string& name, const CurveStyle& style, const std::vector<double>& pull_n) {
   ChartCurve series{name, style, {}, {}};
   for (std::size_t k = 0; k < pull_n.size(); k += 400) {
-    series.x.push_back(static_cast<double>(k) / rate_hz);
+    series.x.push_back(static_cast<double>(k) / block_rate_hz);
     series.y.push_back(pull_n[k]);
   }
   return series;
@@ -47,17 +47,19 @@ void study_undamped_block(StudyReport& report) {
     for (const double stiffness : {50.0, 200.0}) {
       LawSettings settings = block_settings("stick-slip");
       settings.numbers["stick_stiffness_per_m"] = stiffness;
-      const std::vector<double> pull = pull_of_block(block, "stick-slip", settings, rate_hz, seconds);
-      const auto after_first = pull.begin() + static_cast<long>(4.3 * rate_hz);
+      const std::vector<double> pull =
+          pull_of_block(block, "stick-slip", settings, block_rate_hz, block_seconds);
+      const auto after_first = pull.begin() + static_cast<long>(4.3 * block_rate_hz);
       const double first = *std::max_element(pull.begin(), after_first);
-      const double second = *std::max_element(after_first, pull.begin() + static_cast<long>(7 * rate_hz));
+      const double second =
+          *std::max_element(after_first, pull.begin() + static_cast<long>(7 * block_rate_hz));
       table.rows.push_back({damping, stiffness, first, second, rigid.peak_n, rigid.least_n, rigid.period_s});
       panel.curves.push_back(pull_series(stiffness < 100 ? "k_f = 50 1/m" : "k_f = 200 1/m",
                                          {colour, stiffness < 100 ? Dash::solid : Dash::dashed, Marker::none},
                                          pull));
       colour = 0;
     }
-    const std::vector<double> ends{0, seconds};
+    const std::vector<double> ends{0, block_seconds};
     panel.curves.push_back(
         {"F_s", {6, Dash::dotted, Marker::none}, ends, {block.static_n(), block.static_n()}});
     panel.curves.push_back(

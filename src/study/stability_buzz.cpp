@@ -7,23 +7,23 @@
 namespace fingerpad {
 namespace {
 
-const std::vector<double> rates_hz{250, 500, 1000, 2000, 4000, 10000};
+const std::vector<double> buzz_rates_hz{250, 500, 1000, 2000, 4000, 10000};
 constexpr double hand_damping_n_s_per_m = 0.5, stiffness_per_m = 1000;
 
 void laws_by_rate(StudyReport& report) {
   StudyTable table{"stick_buzz", {"law", "rate_hz", "quiet_up_to_n", "rule_2b_over_kf_t_n"}, {}};
   ChartPanel panel{"", "rate [Hz]", "normal force up to which stick is quiet [N]", true, true, {}, {}};
-  ChartCurve rule{"2 b/(k_f T)", {5, Dash::dotted, Marker::none}, rates_hz, {}};
-  for (const double hz : rates_hz) rule.y.push_back(2 * hand_damping_n_s_per_m * hz / stiffness_per_m);
+  ChartCurve rule{"2 b/(k_f T)", {5, Dash::dotted, Marker::none}, buzz_rates_hz, {}};
+  for (const double hz : buzz_rates_hz) rule.y.push_back(2 * hand_damping_n_s_per_m * hz / stiffness_per_m);
   for (const LawEntry& law : law_table()) {
     const std::string name(law.name);
-    ChartCurve series{name, law_style(name), rates_hz, {}};
-    for (std::size_t i = 0; i < rates_hz.size(); ++i) {
+    ChartCurve series{name, law_style(name), buzz_rates_hz, {}};
+    for (std::size_t i = 0; i < buzz_rates_hz.size(); ++i) {
       StuckFinger finger;
       finger.law = name;
-      finger.rate_hz = rates_hz[i];
+      finger.rate_hz = buzz_rates_hz[i];
       series.y.push_back(quiet_load_n(finger));
-      table.rows.push_back({name, rates_hz[i], series.y.back(), rule.y[i]});
+      table.rows.push_back({name, buzz_rates_hz[i], series.y.back(), rule.y[i]});
     }
     panel.curves.push_back(std::move(series));
   }

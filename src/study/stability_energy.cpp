@@ -9,16 +9,15 @@
 namespace fingerpad {
 namespace {
 
-constexpr double stiffness_per_m = 1000, first_n = 1;
-constexpr double stretch_m = 0.9 * 0.3 / stiffness_per_m;
+constexpr double spring_per_m = 1000, first_n = 1;
+constexpr double stretch_m = 0.9 * 0.3 / spring_per_m;
 
 void by_load(StudyReport& report, ChartPanel& panel) {
   const std::vector<double> loads_n{0.25, 0.5, 1, 1.5, 2, 3, 4, 5};
   StudyTable table{
       "energy_by_load", {"law", "load_stretched_n", "load_released_n", "energy_on_finger_j", "rule_j"}, {}};
   ChartCurve rule{"k_f (n2 - n1) d^2/2", {5, Dash::dotted, Marker::none}, loads_n, {}};
-  for (const double n : loads_n)
-    rule.y.push_back(stiffness_per_m * (n - first_n) * stretch_m * stretch_m / 2);
+  for (const double n : loads_n) rule.y.push_back(spring_per_m * (n - first_n) * stretch_m * stretch_m / 2);
   for (const LawEntry& law : law_table()) {
     const std::string name(law.name);
     ChartCurve series{name, law_style(name), loads_n, {}};

@@ -21,11 +21,11 @@ const NamedRemedy remedies[] = {
     {"cap", Remedy::cap, {2, Dash::dotted, Marker::diamond}},
 };
 
-constexpr double rate_hz = 1000, mu_static = 0.3;
+constexpr double remedy_rate_hz = 1000, mu_static = 0.3;
 
 /// Friction along x under a load on a motion that is followed exactly; the remedy knows b = 0.5 N s/m.
 std::vector<double> friction_of(Remedy remedy, double load_n, double (*x_m)(double)) {
-  BenchScene bench(rate_hz, "stick-slip");
+  BenchScene bench(remedy_rate_hz, "stick-slip");
   bench.scene().friction.settings.remedy = remedy;
   const double z_m = -load_n / bench.surface().stiffness_n_per_m;
   ClosedLoop loop = bench.loop(1, [&](double t_s) { return Vec3(x_m(t_s), 0, z_m); });
@@ -99,7 +99,7 @@ void study_remedies(StudyReport& report) {
       in_rub.y.push_back(rms_change(remedy.remedy, load_n, rub_m));
       // Rupture is where the spring alone has reached mu_s n.
       const double stable_n_per_m =
-          stick_remedy_reserve * 2 * StickRemedy{}.device_damping_n_s_per_m * rate_hz;
+          stick_remedy_reserve * 2 * StickRemedy{}.device_damping_n_s_per_m * remedy_rate_hz;
       const double stiffness = 1000 * load_n;
       const double held = remedy.remedy == Remedy::cap ? std::min(stiffness, stable_n_per_m) : stiffness;
       stretch.y.push_back(1e3 * mu_static * load_n / held);

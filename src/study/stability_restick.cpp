@@ -11,13 +11,13 @@ namespace {
 
 constexpr double rate_hz = 10000, seconds = 1, load_n = 1;
 
-struct Rub {
+struct SlowingRub {
   std::string name;
   std::function<double(double)> x_m;
   double shown_s;
 };
 
-std::vector<Rub> rubs() {
+std::vector<SlowingRub> rubs() {
   const auto drag = [](double v) { return [v](double t_s) { return v * t_s; }; };
   return {
       {"drag at 0.01 m/s", drag(0.01), 0.1},
@@ -32,7 +32,7 @@ struct RubRun {
   double ruptures = 0;
 };
 
-RubRun rub_with(const Rub& rub, Restick restick) {
+RubRun rub_with(const SlowingRub& rub, Restick restick) {
   BenchScene bench(rate_hz, "stick-slip");
   bench.scene().friction.settings.restick = restick;
   const double z_m = -load_n / bench.surface().stiffness_n_per_m;
@@ -67,7 +67,7 @@ void study_restick(StudyReport& report) {
                "level: stick whenever |v| <= v_min. crossing: only when |v| falls through it."},
               2,
               {}};
-  for (const Rub& rub : rubs()) {
+  for (const SlowingRub& rub : rubs()) {
     ChartPanel panel{rub.name, "time [s]", "friction [N]", false, false, {}, {}};
     for (const Restick restick : {Restick::level, Restick::crossing}) {
       const bool level = restick == Restick::level;

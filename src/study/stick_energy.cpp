@@ -9,7 +9,7 @@ namespace fingerpad {
 namespace {
 
 constexpr double stage_s = 0.01;
-constexpr double rate_hz = 100000;
+constexpr double cycle_rate_hz = 100000;
 
 /// 0 before stage `from` (counted from 0), 1 after it, linear within.
 double ramp(double t_s, int from) {
@@ -19,14 +19,14 @@ double ramp(double t_s, int from) {
 }  // namespace
 
 double energy_of_cycle(const StickCycle& cycle) {
-  BenchScene bench(rate_hz, cycle.law);
+  BenchScene bench(cycle_rate_hz, cycle.law);
   const double stiffness = bench.surface().stiffness_n_per_m;
   Touch touch(load_world(bench.scene()), bench.scene());
-  const auto ticks = static_cast<long>(4 * stage_s * rate_hz);
+  const auto ticks = static_cast<long>(4 * stage_s * cycle_rate_hz);
   double work_j = 0, last_x_m = 0, last_force_n = 0;
   for (long k = 0; k <= ticks; ++k) {
     // Stages: rest, stretch, change at rest, back.
-    const double t_s = static_cast<double>(k) / rate_hz;
+    const double t_s = static_cast<double>(k) / cycle_rate_hz;
     const double x_m = cycle.stretch_m * (ramp(t_s, 1) - ramp(t_s, 3));
     const double load_n = cycle.stretched_n + (cycle.released_n - cycle.stretched_n) * ramp(t_s, 2);
     const double angle = cycle.stretched_rad + (cycle.released_rad - cycle.stretched_rad) * ramp(t_s, 2);

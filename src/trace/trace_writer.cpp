@@ -15,7 +15,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr std::size_t block_rows = 4096;
+constexpr std::size_t flushed_rows = 4096;
 
 void write_info(const hdf5::Handle& file, const TraceInfo& info) {
   hdf5::write_flag(file, "complete", false);
@@ -54,13 +54,13 @@ class Hdf5TraceWriter final : public TraceWriter {
       if (!column.values.empty()) hdf5::write_text(datasets_.back(), "values", std::string(column.values));
     }
     hdf5::flush(file_);
-    pending_.reserve(block_rows);
+    pending_.reserve(flushed_rows);
   }
 
   void append(std::span<const TickRecord> rows) override {
     for (const TickRecord& row : rows) {
       pending_.push_back(row);
-      if (pending_.size() == block_rows) flush();
+      if (pending_.size() == flushed_rows) flush();
     }
   }
 

@@ -9,7 +9,7 @@
 
 // Outputs that would fall on one another, on an input, or on what another run is writing.
 
-namespace fingerpad {
+namespace fingerpad::collision_test {
 namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
@@ -212,4 +212,4 @@ TEST_F(TwoRuns, OfTwoShardsGoOnTogetherButNotOfOne) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::collision_test

@@ -9,7 +9,7 @@
 
 // A disk that is full, and folders and files that cannot be written: a line a job, and the reason.
 
-namespace fingerpad {
+namespace fingerpad::full_disk_test {
 namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
@@ -68,4 +68,4 @@ TEST(FullDisk, AnOutputFolderThatIsAFileIsSaidSo) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::full_disk_test

@@ -11,7 +11,7 @@
 #include "support/shapes.hpp"
 #include "support/shell.hpp"
 
-namespace fingerpad {
+namespace fingerpad::input_files_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -234,4 +234,4 @@ TEST(OutputPlaces, AStudyTriesItsFolderBeforeItWorksForAMinute) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::input_files_test

@@ -9,7 +9,7 @@
 
 // What the program says and ends with when its output has nowhere to go.
 
-namespace fingerpad {
+namespace fingerpad::lost_output_test {
 namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
@@ -113,4 +113,4 @@ TEST(LostOutput, AReaderThatIsGoneEndsTheProgramWithoutAnAbort) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::lost_output_test

@@ -7,7 +7,7 @@
 
 // What is misspelled on the command line is told with what is there.
 
-namespace fingerpad {
+namespace fingerpad::near_miss_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -76,4 +76,4 @@ TEST(NearMiss, OfADeviceIsToldWithTheDevices) {
 #endif
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::near_miss_test

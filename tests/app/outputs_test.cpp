@@ -12,7 +12,7 @@
 
 // What the program says of the files that it writes, and of names that are none for them.
 
-namespace fingerpad {
+namespace fingerpad::outputs_test {
 namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
@@ -206,4 +206,4 @@ TEST(Walls, OfAPartAreOneNumberForCheckAndForTheChoice) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::outputs_test

@@ -9,7 +9,7 @@
 
 // Pictures and windows as a user without a display meets them.
 
-namespace fingerpad {
+namespace fingerpad::pictures_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -120,5 +120,5 @@ TEST(Windows, ADisplayThatDoesNotAnswerIsToldToo) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::pictures_test
 #endif

@@ -11,7 +11,7 @@
 
 // The contract of the command line, as a user meets it: exit codes, messages, files.
 
-namespace fingerpad {
+namespace fingerpad::program_test {
 namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
@@ -193,4 +193,4 @@ TEST(Program, RanksShareABatchAndChangeNothing) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::program_test

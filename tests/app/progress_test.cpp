@@ -10,7 +10,7 @@
 
 // What a person sees of a load that takes its time: a bar on a terminal, and nothing anywhere else.
 
-namespace fingerpad {
+namespace fingerpad::progress_test {
 namespace {
 namespace fs = std::filesystem;
 using testing::HasSubstr;
@@ -93,4 +93,4 @@ TEST(JobBar, ShowsHowFarALongJobIs) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::progress_test

@@ -16,7 +16,7 @@
 // Every command that the README shows (but tools/run and tools/test, which build this very program) is run as
 // it stands, in a folder that looks like the checkout.
 
-namespace fingerpad {
+namespace fingerpad::readme_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -122,4 +122,4 @@ TEST(Readme, HasARowForEachTraceColumn) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::readme_test

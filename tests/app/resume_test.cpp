@@ -9,7 +9,7 @@
 
 // `replay --resume`: keeps what an earlier run finished of the very same batch, and nothing else.
 
-namespace fingerpad {
+namespace fingerpad::resume_test {
 namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
@@ -199,4 +199,4 @@ TEST(ResumeWithoutProof, TakesAnHdf5TraceAtItsWordAndMakesACsvAgain) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::resume_test

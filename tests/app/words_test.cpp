@@ -10,7 +10,7 @@
 #include "support/shapes.hpp"
 #include "support/shell.hpp"
 
-namespace fingerpad {
+namespace fingerpad::words_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -126,4 +126,4 @@ TEST(Words, ASceneCannotBeNamedLikeAnOptionOrAControl) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::words_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fingerpad {
+namespace fingerpad::build_identity_test {
 namespace {
 
 TEST(BuildIdentity, IsThatOfTheProgramAndStays) {
@@ -13,4 +13,4 @@ TEST(BuildIdentity, IsThatOfTheProgramAndStays) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::build_identity_test

@@ -9,7 +9,7 @@
 #include "base/unit.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::files_test {
 namespace {
 
 std::string write(const std::string& name, const std::string& text) {
@@ -92,4 +92,4 @@ TEST(Units, AreTheFourOfTheContract) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::files_test

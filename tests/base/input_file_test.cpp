@@ -16,7 +16,7 @@
 #include "base/text_lines.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::input_file_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -212,4 +212,4 @@ TEST(PrintableText, SpellsOutWhatATerminalWouldObey) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::input_file_test

@@ -8,7 +8,7 @@
 
 #include "base/random_stream.hpp"
 
-namespace fingerpad {
+namespace fingerpad::number_text_test {
 namespace {
 
 TEST(NumberText, ReadsBackAsTheSameBits) {
@@ -43,4 +43,4 @@ TEST(ParseNumber, TakesWholeWordsOnly) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::number_text_test

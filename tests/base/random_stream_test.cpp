@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace fingerpad {
+namespace fingerpad::random_stream_test {
 namespace {
 
 TEST(RandomStream, RepeatsForTheSameSeedAndStream) {
@@ -51,4 +51,4 @@ TEST(RandomStream, UniformNumbersFillTheUnitInterval) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::random_stream_test

@@ -8,7 +8,7 @@
 
 #include "base/random_stream.hpp"
 
-namespace fingerpad {
+namespace fingerpad::tangent_frame_test {
 namespace {
 
 // A handful of double operations on numbers of size 1.
@@ -122,4 +122,4 @@ TEST(Transport, TurnsByTheSmallestRotation) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::tangent_frame_test

@@ -7,7 +7,7 @@
 #include "contact/effort.hpp"
 #include "contact/tree_trials.hpp"
 
-namespace fingerpad {
+namespace fingerpad::closest_memory_test {
 namespace {
 
 using test::expect_same_bits;
@@ -148,4 +148,4 @@ TEST(ClosestMemory, WhatIsNoPointIsAnsweredAndForgotten) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::closest_memory_test

@@ -11,7 +11,7 @@
 #include "contact/effort.hpp"
 #include "support/brute_force.hpp"
 
-namespace fingerpad {
+namespace fingerpad::closest_point_test {
 namespace {
 
 using test::bare_part;
@@ -158,4 +158,4 @@ TEST(ClosestOnTriangle, WindingAndOrderOfCornersMakeNoDifference) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::closest_point_test

@@ -10,7 +10,7 @@
 #include "contact/profiles.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::curved_patch_test {
 namespace {
 
 constexpr double crease_rad = 30 * M_PI / 180;
@@ -187,4 +187,4 @@ TEST(CurvedPatch, TheTableHoldsTheSameBits) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::curved_patch_test

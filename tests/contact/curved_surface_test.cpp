@@ -14,7 +14,7 @@
 #include "contact/triangle_tree.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::curved_surface_test {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -335,4 +335,4 @@ TEST(CurvedSurface, FarPointsAndNoNumbersAreHarmless) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::curved_surface_test

@@ -15,7 +15,7 @@
 #include "contact/triangle_tree.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::hostile_points_test {
 namespace {
 
 constexpr double inf = std::numeric_limits<double>::infinity();
@@ -216,4 +216,4 @@ TEST(HostilePoints, AFarSegmentStraightThroughAPartCrossesIt) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::hostile_points_test

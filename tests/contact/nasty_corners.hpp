@@ -25,7 +25,7 @@ inline PlacedSurface part_surface(std::shared_ptr<const Part> part) {
   return surface;
 }
 
-inline PlacedSurface surface_of(const TriangleSoup& soup) {
+inline PlacedSurface creased_surface(const TriangleSoup& soup) {
   return part_surface(std::make_shared<const Part>(make_part(soup, std::numbers::pi / 6)));
 }
 
@@ -161,7 +161,7 @@ inline TriangleSoup spike_by_a_wall() {
 
 inline std::vector<NastyWorld> nasty_worlds() {
   const double degree = std::numbers::pi / 180;
-  const auto one = [](const TriangleSoup& soup) { return std::vector<PlacedSurface>{surface_of(soup)}; };
+  const auto one = [](const TriangleSoup& soup) { return std::vector<PlacedSurface>{creased_surface(soup)}; };
   const TriangleSoup ring = torus_soup(0.5, 0.3, 20, 16), bowl = reversed(sphere_soup(1, 2));
   return {
       {"valley of 90 degrees", one(roof_soup(2, -90 * degree))},
@@ -219,17 +219,17 @@ inline std::vector<NastyWorld> nasty_worlds() {
       {"three sheets in an edge", one(three_sheets())},
       {"random triangles", one(random_triangles())},
       {"ring on a plane",
-       {surface_of(moved(ring, Vec3(0, 0, 0.299))), plane_of(Vec3::Zero(), Vec3::UnitZ())}},
+       {creased_surface(moved(ring, Vec3(0, 0, 0.299))), plane_of(Vec3::Zero(), Vec3::UnitZ())}},
       {"two balls that touch",
-       {surface_of(moved(sphere_soup(0.6, 2), Vec3(-0.59, 0, 0))),
-        surface_of(moved(sphere_soup(0.6, 3), Vec3(0.59, 0, 0)))}},
+       {creased_surface(moved(sphere_soup(0.6, 2), Vec3(-0.59, 0, 0))),
+        creased_surface(moved(sphere_soup(0.6, 3), Vec3(0.59, 0, 0)))}},
       {"ball and plane in a hollow ball",
-       {surface_of(bowl), surface_of(moved(sphere_soup(0.3, 2), Vec3(0.1, 0.2, -0.6))),
+       {creased_surface(bowl), creased_surface(moved(sphere_soup(0.3, 2), Vec3(0.1, 0.2, -0.6))),
         plane_of(Vec3(0, 0, -0.7), Vec3(0.2, 0.1, 1))},
        Vec3(0.1, -0.3, 0.3)},
       {"ring in a groove by a plane",
-       {surface_of(drawn(groove(70, 0.15, 5), 4)),
-        surface_of(moved(torus_soup(0.5, 0.25, 16, 12), Vec3(0, 0.1, 0.6))),
+       {creased_surface(drawn(groove(70, 0.15, 5), 4)),
+        creased_surface(moved(torus_soup(0.5, 0.25, 16, 12), Vec3(0, 0.1, 0.6))),
         plane_of(Vec3(0, -0.5, 0), Vec3(0, 1, 0.3))}},
   };
 }

@@ -15,7 +15,7 @@
 #include "support/brute_force.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::packet_filter_test {
 namespace {
 
 Vec3 random_point(RandomStream& random, double scale) {
@@ -246,4 +246,4 @@ TEST(TriangleTree, IsExactOnAMillionAdversaries) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::packet_filter_test

@@ -12,7 +12,7 @@
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::part_measures_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -206,4 +206,4 @@ TEST(PartMeasures, OfRealPartsAreSaneAndTakeABoundedTime) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::part_measures_test

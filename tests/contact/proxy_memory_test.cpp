@@ -16,7 +16,7 @@
 
 // The proxy that remembers against the one that does not, tick by tick, each tick from the same state.
 
-namespace fingerpad {
+namespace fingerpad::proxy_memory_test {
 namespace {
 
 constexpr double crease_rad = 30 * M_PI / 180;
@@ -178,4 +178,4 @@ TEST(ProxyMemory, OneWallHoldsWithoutItsSkinWhereTheProjectionSaysSo) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_memory_test

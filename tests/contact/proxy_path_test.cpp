@@ -14,7 +14,7 @@
 // What a proxy may do without a look around (slide, hop, roll, land), held against where it must come to
 // stand.
 
-namespace fingerpad {
+namespace fingerpad::proxy_path_test {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -182,4 +182,4 @@ TEST(NearTriangle, OneLookBoundsTheGapEverywhere) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_path_test

@@ -6,7 +6,7 @@
 
 // A proxy among planes alone, where there is no part to compare lengths with.
 
-namespace fingerpad {
+namespace fingerpad::proxy_planes_test {
 namespace {
 
 class ProxyAmongPlanes : public EitherProxy {};
@@ -69,4 +69,4 @@ TEST_P(ProxyAmongPlanes, NoPlaceIsFoundBetweenPlanesThatFaceEachOtherTooNear) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_planes_test

@@ -13,7 +13,7 @@
 // What a proxy shows with shaded normals: how far its normal leans off the way from the finger, and how much
 // its push changes in a tick.
 
-namespace fingerpad {
+namespace fingerpad::proxy_shading_test {
 namespace {
 
 constexpr double dt_s = 1e-3;
@@ -243,7 +243,7 @@ TEST(ShadedProxy, IsPushedOutOfACuspAndNotIntoIt) {
     const double low = 11 * degree, middle = 13 * degree;  // the plane's slope, and half way to the facet's
     const Vec3 out(std::cos(middle), 0, std::sin(middle));
     for (const Normals normals : {Normals::smooth, Normals::curved}) {
-      Proxy proxy = fast_proxy({test::surface_of(test::drawn(arc, 4)),
+      Proxy proxy = fast_proxy({test::creased_surface(test::drawn(arc, 4)),
                                 test::plane_of(cusp, Vec3(-std::sin(low), 0, std::cos(low)))},
                                0, normals);
       ProxyContact c;
@@ -289,4 +289,4 @@ INSTANTIATE_TEST_SUITE_P(SharedData, ShadedProxyOnRealPart, testing::ValuesIn(re
                          });
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_shading_test

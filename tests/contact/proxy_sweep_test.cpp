@@ -7,7 +7,7 @@
 #include "base/random_stream.hpp"
 #include "support/brute_force.hpp"
 
-namespace fingerpad {
+namespace fingerpad::proxy_sweep_test {
 namespace {
 
 Part random_triangle(RandomStream& random, double flatness) {
@@ -66,4 +66,4 @@ TEST(ProxySweep, SaysFreeOrShowsAWallAndNeverPassesTheTouch) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_sweep_test

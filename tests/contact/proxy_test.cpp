@@ -9,7 +9,7 @@
 #include "support/brute_force.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::proxy_test {
 namespace {
 
 constexpr double dt_s = 1e-3;
@@ -241,4 +241,4 @@ TEST_P(ProxyOfEitherKind, IsTheSameInOtherUnitsAndPlacesOfTheWorld) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_test

@@ -7,7 +7,7 @@
 
 #include "base/random_stream.hpp"
 
-namespace fingerpad {
+namespace fingerpad::proxy_wall_test {
 namespace {
 
 Vec3 random_vector(RandomStream& random) {
@@ -81,4 +81,4 @@ TEST(ProxyWall, AWallGivenTwiceCountsOnce) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_wall_test

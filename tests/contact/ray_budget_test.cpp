@@ -6,7 +6,7 @@
 
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::ray_budget_test {
 namespace {
 
 /// A closed cone of needles that all meet in its tip, and again in the middle of its base.
@@ -41,4 +41,4 @@ TEST(RayBudget, FallsAsTheNeedlesGrowInNumberSoThatTheirProductDoesNot) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::ray_budget_test

@@ -13,7 +13,7 @@
 #include "support/brute_force.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::real_parts_test {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -166,4 +166,4 @@ INSTANTIATE_TEST_SUITE_P(Parts, RealParts,
                          test_name);
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::real_parts_test

@@ -13,7 +13,7 @@
 #include "support/brute_force.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::surface_point_test {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -281,4 +281,4 @@ TEST(NearestPlanePoint, IsTheFootOfThePerpendicular) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::surface_point_test

@@ -8,7 +8,7 @@
 #include "contact/triangle_tree.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::thinnest_wall_test {
 namespace {
 
 double thinnest_of(const TriangleSoup& soup) {
@@ -90,4 +90,4 @@ TEST(ThinnestWall, IsTheSameEachTime) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::thinnest_wall_test

@@ -13,7 +13,7 @@
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::tree_queries_test {
 namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
@@ -202,4 +202,4 @@ TEST(TreeQueries, OnRealPartsAreThoseOfBruteForce) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::tree_queries_test

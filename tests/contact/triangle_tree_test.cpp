@@ -38,7 +38,7 @@ std::atomic<long> allocations{0};
   std::free(memory);
 }
 
-namespace fingerpad {
+namespace fingerpad::triangle_tree_test {
 namespace {
 
 using test::bare_part;
@@ -303,4 +303,4 @@ TEST(TriangleTree, RaysLeaveThroughTheFarWall) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::triangle_tree_test

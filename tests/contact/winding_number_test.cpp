@@ -12,7 +12,7 @@
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::winding_number_test {
 namespace {
 
 Vec3 random_in_box(const Part& part, double times, RandomStream& random) {
@@ -86,4 +86,4 @@ TEST(WindingNumber, OfRealPartsIsTheSumOverAllTriangles) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::winding_number_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace fingerpad {
+namespace fingerpad::pointer_finger_test {
 namespace {
 
 const FingerSample origin{0, Vec3::Zero(), Vec3::UnitY()};
@@ -40,4 +40,4 @@ TEST(PointerFinger, StaysWhereNothingPullsIt) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::pointer_finger_test

@@ -10,7 +10,7 @@
 #include "fuzz/entries.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::corpus_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -52,4 +52,4 @@ INSTANTIATE_TEST_SUITE_P(Fuzz, Corpus,
                          [](const auto& info) { return info.param.name; });
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::corpus_test

@@ -7,7 +7,7 @@
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 
-namespace fingerpad {
+namespace fingerpad::dictionary_test {
 namespace {
 
 using testing::Contains;
@@ -38,4 +38,4 @@ TEST(SceneWords, AreInNoOtherPlace) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::dictionary_test

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::finger_path_test {
 namespace {
 
 Motion read(const std::string& text) {
@@ -135,4 +135,4 @@ TEST(ScriptedMotion, SineCircleAndLineGoWhereTheirFormulasSay) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::finger_path_test

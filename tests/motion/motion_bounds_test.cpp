@@ -8,7 +8,7 @@
 #include "motion/finger_path.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::motion_bounds_test {
 namespace {
 
 using testing::AllOf;
@@ -79,4 +79,4 @@ TEST(MotionBounds, TooManyTicksAreRefusedWithTheirNumber) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::motion_bounds_test

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace fingerpad {
+namespace fingerpad::simulated_hand_test {
 namespace {
 
 HandSettings exact_hand() {
@@ -91,4 +91,4 @@ TEST(SimulatedHand, FollowsTheMotionAlongAxesThatAreNotFree) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::simulated_hand_test

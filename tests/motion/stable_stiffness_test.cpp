@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace fingerpad {
+namespace fingerpad::stable_stiffness_test {
 namespace {
 
 struct Row {
@@ -60,4 +60,4 @@ TEST(StableStiffness, ConditionsOfTheLiterature) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::stable_stiffness_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fingerpad {
+namespace fingerpad::velocity_estimator_test {
 namespace {
 
 constexpr double quantum_m = 3e-5, dt_s = 1e-4;  // 0.03 mm at 10 kHz: a plain difference steps by 0.3 m/s
@@ -77,4 +77,4 @@ TEST(VelocityEstimator, AnswersAStopWithinAFewTicks) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::velocity_estimator_test

@@ -9,7 +9,7 @@
 #include "support/shapes.hpp"
 #include "support/signs.hpp"
 
-namespace fingerpad {
+namespace fingerpad::damaged_mesh_test {
 namespace {
 
 using namespace test;
@@ -140,4 +140,4 @@ TEST(DamagedMesh, AThousandBodiesAreCountedAndTouched) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::damaged_mesh_test

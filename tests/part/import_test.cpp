@@ -12,7 +12,7 @@
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::import_test {
 namespace {
 
 using namespace test;
@@ -395,4 +395,4 @@ TEST(Import, AFaceOfMoreCornersThanAnyModelerDrawsIsRefused) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::import_test

@@ -9,7 +9,7 @@
 #include "part/build_part.hpp"
 #include "support/shapes.hpp"
 
-namespace fingerpad {
+namespace fingerpad::make_part_test {
 namespace {
 
 using namespace test;
@@ -333,4 +333,4 @@ TEST(MakePart, SeamsThatAllShareOneEdgeTakeTheNormalOfTheFacetThere) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::make_part_test

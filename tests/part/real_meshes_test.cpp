@@ -9,7 +9,7 @@
 #include "part/import.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::real_meshes_test {
 namespace {
 
 using namespace test;
@@ -242,4 +242,4 @@ TEST(MalformedFiles, EveryFileOfTheFolderIsListedHere) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::real_meshes_test

@@ -14,7 +14,7 @@
 #include "support/shapes.hpp"
 #include "support/signs.hpp"
 
-namespace fingerpad {
+namespace fingerpad::repair_test {
 namespace {
 
 using namespace test;
@@ -230,4 +230,4 @@ TEST(Repair, RealDamageIsMended) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::repair_test

@@ -14,7 +14,7 @@
 #include "support/shapes.hpp"
 #include "support/text_variants.hpp"
 
-namespace fingerpad {
+namespace fingerpad::text_variants_test {
 namespace {
 
 using namespace test;
@@ -157,4 +157,4 @@ TEST(TextVariants, AWordThatIsNoneOfObjsIsToldWithItsLine) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::text_variants_test

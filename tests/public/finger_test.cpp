@@ -15,7 +15,7 @@
 #include "touch/world.hpp"
 #include "trace/motion_source.hpp"
 
-namespace fingerpad {
+namespace fingerpad::finger_test {
 namespace {
 
 using test::why_not;
@@ -200,4 +200,4 @@ TEST(TraceRecorder, RefusesAnEndingThatIsNoTraces) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::finger_test

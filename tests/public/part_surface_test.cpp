@@ -14,7 +14,7 @@
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
 
-namespace fingerpad {
+namespace fingerpad::part_surface_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -103,4 +103,4 @@ TEST(PartSurface, TellsTheDamagesOfAMesh) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::part_surface_test

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::batch_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -232,4 +232,4 @@ TEST(Figures, TeethOfTwoWallsOneAfterTheOtherAreNotTooCoarse) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::batch_test

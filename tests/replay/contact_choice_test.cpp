@@ -12,7 +12,7 @@
 
 // What the program chose for a scene that leaves it open is told by the job, its trace and the summary.
 
-namespace fingerpad {
+namespace fingerpad::contact_choice_test {
 namespace {
 namespace fs = std::filesystem;
 using testing::ElementsAre;
@@ -110,4 +110,4 @@ TEST(ContactChoice, OfASetIsTheSameOnAnyNumberOfThreadsAndWhenResumed) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::contact_choice_test

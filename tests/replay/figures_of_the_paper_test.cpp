@@ -10,7 +10,7 @@
 
 // The paper's flat-plane runs as scenes: what figs. 2 and 12 show, as numbers.
 
-namespace fingerpad {
+namespace fingerpad::figures_of_the_paper_test {
 namespace {
 
 std::vector<TickRecord> rows_of(const Scene& scene) {
@@ -97,4 +97,4 @@ TEST(PaperFigure2, TheSpringRisesAfterStickBeginsFallsAndBreaksAtTheOtherSide) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::figures_of_the_paper_test

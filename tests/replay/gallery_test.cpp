@@ -10,7 +10,7 @@
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 
-namespace fingerpad {
+namespace fingerpad::gallery_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -221,4 +221,4 @@ TEST(PopThroughs, AreFirstTouchesThatPushOnAndContactsThatVanish) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::gallery_test

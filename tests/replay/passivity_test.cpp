@@ -4,7 +4,7 @@
 
 #include "replay/figures.hpp"
 
-namespace fingerpad {
+namespace fingerpad::passivity_test {
 namespace {
 
 double figure(const Figures& figures, std::string_view wanted) {
@@ -61,4 +61,4 @@ TEST(Passivity, CountsTheTicksOnWhichARemedyActed) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::passivity_test

@@ -11,7 +11,7 @@
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 
-namespace fingerpad {
+namespace fingerpad::pop_throughs_test {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
@@ -129,4 +129,4 @@ TEST(PopThroughs, CountAWayThatEndsInsideUnfelt) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::pop_throughs_test

@@ -11,7 +11,7 @@
 
 // The scenes and parts that come with fingerpad hold what scenes/README.md promises.
 
-namespace fingerpad {
+namespace fingerpad::shipped_scenes_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -86,4 +86,4 @@ TEST(ShippedScenes, StayUnderEightMegabytes) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::shipped_scenes_test

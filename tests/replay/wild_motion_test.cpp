@@ -17,7 +17,7 @@
 #include "support/worlds.hpp"
 #include "trace/trace.hpp"
 
-namespace fingerpad {
+namespace fingerpad::wild_motion_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -109,4 +109,4 @@ TEST(PopThroughs, AreCountedAlongAnyWay) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::wild_motion_test

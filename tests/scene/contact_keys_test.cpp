@@ -3,7 +3,7 @@
 
 #include "scene/scene_text.hpp"
 
-namespace fingerpad {
+namespace fingerpad::contact_keys_test {
 namespace {
 
 using test::plane_scene;
@@ -61,4 +61,4 @@ TEST(SceneContact, RefusesWhatIsOutOfRangeWithLineAndColumn) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::contact_keys_test

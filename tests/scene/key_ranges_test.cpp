@@ -3,7 +3,7 @@
 
 #include "scene_text.hpp"
 
-namespace fingerpad {
+namespace fingerpad::key_ranges_test {
 namespace {
 
 using test::plane_scene;
@@ -106,4 +106,4 @@ TEST(KeyRanges, AHandThatIsTooQuickForItsTicksIsRefused) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::key_ranges_test

@@ -6,7 +6,7 @@
 
 #include "scene_text.hpp"
 
-namespace fingerpad {
+namespace fingerpad::long_set_test {
 namespace {
 
 using test::plane_scene;
@@ -37,4 +37,4 @@ TEST(LongSet, NumbersAreQuotedAsWrittenBehindLettersOfSeveralBytes) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::long_set_test

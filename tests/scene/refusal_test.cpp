@@ -6,7 +6,7 @@
 #include "scene_text.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::refusal_test {
 namespace {
 
 using test::plane_scene;
@@ -184,4 +184,4 @@ TEST(SceneRefusal, NoCutOrDamageOfASceneCrashes) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::refusal_test

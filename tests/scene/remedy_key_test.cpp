@@ -3,7 +3,7 @@
 
 #include "scene/scene_text.hpp"
 
-namespace fingerpad {
+namespace fingerpad::remedy_key_test {
 namespace {
 
 using test::plane_scene;
@@ -24,4 +24,4 @@ TEST(SceneRemedy, RefusesAnUnknownOneAtItsPlace) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::remedy_key_test

@@ -3,7 +3,7 @@
 
 #include "scene/scene_text.hpp"
 
-namespace fingerpad {
+namespace fingerpad::repair_key_test {
 namespace {
 
 using test::read_scene;
@@ -34,4 +34,4 @@ TEST(SceneRepair, RefusesWhatIsNeitherTrueNorFalse) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::repair_key_test

@@ -9,7 +9,7 @@
 #include "scene_text.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::scene_file_test {
 namespace {
 
 using test::plane_scene;
@@ -242,4 +242,4 @@ TEST(SceneFile, CreaseAnglesAreReadFromTextAlone) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::scene_file_test

@@ -9,7 +9,7 @@
 #include "friction/law_table.hpp"
 #include "scene_text.hpp"
 
-namespace fingerpad {
+namespace fingerpad::scene_key_test {
 namespace {
 
 using testing::HasSubstr;
@@ -78,4 +78,4 @@ TEST(SceneKeys, EveryKeyIsShown) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::scene_key_test

@@ -4,7 +4,7 @@
 #include "scene_text.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::set_test {
 namespace {
 
 using test::plane_scene;
@@ -206,4 +206,4 @@ TEST(SceneSet, ASetMayGiveTheMeshThatThePartLacks) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::set_test

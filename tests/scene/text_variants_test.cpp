@@ -9,7 +9,7 @@
 #include "scene_text.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::text_variants_test {
 namespace {
 
 /// Marks of UTF-8 and the line ends that TOML knows; a bare CR is none (TOML 1.0).
@@ -63,4 +63,4 @@ TEST(ProfileTextVariants, AreReadExactlyRightOrRefused) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::text_variants_test

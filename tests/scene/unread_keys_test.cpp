@@ -6,7 +6,7 @@
 #include "friction/law_table.hpp"
 #include "scene_text.hpp"
 
-namespace fingerpad {
+namespace fingerpad::unread_keys_test {
 namespace {
 
 using test::plane_scene;
@@ -102,4 +102,4 @@ TEST(UnreadKeys, TolerancesThatNothingIsChosenByAreRefused) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::unread_keys_test

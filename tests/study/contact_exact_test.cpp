@@ -13,7 +13,7 @@
 #include "study/contact_exact_findings.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::contact_exact_test {
 namespace {
 
 std::string folder() {
@@ -252,4 +252,4 @@ TEST(ExactSet, RefusesWhatIsBrokenWithItsLine) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::contact_exact_test

@@ -8,7 +8,7 @@
 #include "contact/surface_point.hpp"
 #include "study/contact_runs.hpp"
 
-namespace fingerpad {
+namespace fingerpad::contact_test {
 namespace {
 
 const ContactVariant& variant(const std::string& name) {
@@ -132,4 +132,4 @@ TEST(ContactStudy, SeesNoStrikeGetPastTheProxy) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::contact_test

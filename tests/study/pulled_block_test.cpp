@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace fingerpad {
+namespace fingerpad::pulled_block_test {
 namespace {
 
 constexpr double rate_hz = 10000;
@@ -119,4 +119,4 @@ TEST(PulledBlock, ThePapersUndampedStickRingsAndBreaksAtTheSlidingForce) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::pulled_block_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fingerpad {
+namespace fingerpad::stable_stiffness_test {
 namespace {
 
 struct Row {
@@ -30,4 +30,4 @@ TEST(StableStiffness, TheSimulatedHandFindsEveryPublishedLimit) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::stable_stiffness_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fingerpad {
+namespace fingerpad::stick_buzz_test {
 namespace {
 
 // The hand's own spring of 20 N/m and the bisection's 0.5 % stand beside the rule k_f n < 2 b/T.
@@ -39,4 +39,4 @@ TEST(StickBuzz, EveryRemedyKeepsAStickQuietThatBuzzesWithoutIt) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::stick_buzz_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace fingerpad {
+namespace fingerpad::stick_energy_test {
 namespace {
 
 TEST(StickEnergy, AStretchedSpringGivesEnergyWhenTheLoadRises) {
@@ -25,4 +25,4 @@ TEST(StickEnergy, TiltingTheFingerGivesEnergyToo) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::stick_energy_test

@@ -6,7 +6,7 @@
 #include "motion/velocity_estimator.hpp"
 #include "study/bench_scene.hpp"
 
-namespace fingerpad {
+namespace fingerpad::velocity_quantum_test {
 namespace {
 
 constexpr double quantum_m = 3e-5, v_min_m_per_s = 0.1;
@@ -58,4 +58,4 @@ TEST(VelocityQuantum, VMinWorksAtTenKilohertzThroughThreeHundredthsOfAMillimetre
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::velocity_quantum_test

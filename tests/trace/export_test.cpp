@@ -10,7 +10,7 @@
 #include "trace/trace_column.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::export_test {
 namespace {
 
 using testing::HasSubstr;
@@ -95,4 +95,4 @@ TEST(Export, AFullDeviceIsAFault) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::export_test

@@ -17,7 +17,7 @@
 #include "trace/trace_column.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::forged_trace_test {
 namespace {
 
 using test::refusal;
@@ -282,4 +282,4 @@ TEST_F(ForgedTrace, ManyThreadsReadAndWriteAtOnce) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::forged_trace_test

@@ -11,7 +11,7 @@
 #include "support/paths.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::live_recorder_test {
 namespace {
 
 using namespace std::chrono_literals;
@@ -122,4 +122,4 @@ TEST(LiveRecorder, ItsEndFinishesTheTrace) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::live_recorder_test

@@ -21,7 +21,7 @@
 #include "trace/output_file.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::lost_disk_test {
 namespace {
 
 using test::some_rows;
@@ -244,4 +244,4 @@ TEST(LostDisk, ATextFileTellsAFullDevice) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::lost_disk_test

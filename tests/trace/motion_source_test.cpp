@@ -7,7 +7,7 @@
 #include "support/paths.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::motion_source_test {
 namespace {
 
 using testing::HasSubstr;
@@ -82,4 +82,4 @@ TEST(MotionSource, RefusesScenesWithoutAMotionAndFilesThatAreNone) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::motion_source_test

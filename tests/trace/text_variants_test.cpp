@@ -9,7 +9,7 @@
 #include "trace/csv_rows.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::text_variants_test {
 namespace {
 
 std::string written(const std::string& name, const std::string& text) {
@@ -56,4 +56,4 @@ TEST(MotionTextVariants, AreReadExactlyRightOrRefused) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::text_variants_test

@@ -9,7 +9,7 @@
 #include "trace/trace_column.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::trace_reader_test {
 namespace {
 
 using test::refusal;
@@ -212,4 +212,4 @@ TEST(TraceReader, NoCutOfATraceCrashes) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::trace_reader_test

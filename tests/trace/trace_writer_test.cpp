@@ -21,7 +21,7 @@
 #include "trace/trace_column.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::trace_writer_test {
 namespace {
 
 using test::same_rows;
@@ -385,4 +385,4 @@ TEST(TraceWriter, AFullDiskIsAFaultAndNoCrash) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::trace_writer_test

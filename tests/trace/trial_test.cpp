@@ -13,7 +13,7 @@
 
 #include "base/error.hpp"
 
-namespace fingerpad {
+namespace fingerpad::trial_test {
 namespace {
 
 constexpr TrialLimits roomy{.seconds = 5, .memory_bytes = std::uint64_t{1} << 30};
@@ -143,4 +143,4 @@ TEST(Trial, SeveralThreadsMayTryAtOnce) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::trial_test

@@ -13,7 +13,7 @@
 
 // The exported VTP, read back with the reader that ParaView uses.
 
-namespace fingerpad {
+namespace fingerpad::exported_vtp_test {
 namespace {
 
 TEST(ExportedVtp, IsReadByVtkWithEveryColumnAndItsNans) {
@@ -54,4 +54,4 @@ TEST(ExportedVtp, IsReadByVtkWithEveryColumnAndItsNans) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::exported_vtp_test
