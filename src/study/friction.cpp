@@ -121,6 +121,7 @@ ChartPanel cost_panel(const std::string& title, const ErrorsByLaw& errors,
     const auto found = errors.find(law);
     if (found == errors.end()) continue;
     std::vector<double> cost_us;
+    cost_us.reserve(rates_hz.size());
     for (const double hz : rates_hz) cost_us.push_back(law_ns.at(law) * hz * 1e-3);
     panel.curves.push_back(law_series(law, cost_us, found->second));
     for (std::size_t i = 0; i < cost_us.size(); ++i) all.emplace_back(cost_us[i], panel.curves.back().y[i]);

@@ -93,7 +93,8 @@ void study_remedies(StudyReport& report) {
   ChartPanel breakaway{
       "how far the pad stretches before it slips", "normal force [N]", "stretch [mm]", true, false, {}, {}};
   for (const NamedRemedy& remedy : remedies) {
-    ChartCurve in_stick{remedy.name, remedy.style, loads_n, {}}, in_rub = in_stick, stretch = in_stick;
+    ChartCurve in_stick{remedy.name, remedy.style, loads_n, {}};
+    ChartCurve in_rub = in_stick, stretch = in_stick;
     for (const double load_n : loads_n) {
       in_stick.y.push_back(rms_change(remedy.remedy, load_n, presliding_m));
       in_rub.y.push_back(rms_change(remedy.remedy, load_n, rub_m));
