@@ -165,9 +165,9 @@ ChartLayout page_layout(const Chart& chart) {
   const double bottom = below + std::ceil(0.2 * em), top = bottom + frames_height;
   for (int i = 0; i < count; ++i) {
     ChartLayout::Panel& panel = layout.panels[static_cast<std::size_t>(i)];
-    panel.frame.left = margin + left + (i % layout.columns) * (page_frame_width + layout.gutter_x);
-    panel.frame.bottom =
-        top - page_frame_height - (i / layout.columns) * (page_frame_height + layout.gutter_y);
+    const int row = i / layout.columns, column = i % layout.columns;
+    panel.frame.left = margin + left + column * (page_frame_width + layout.gutter_x);
+    panel.frame.bottom = top - page_frame_height - row * (page_frame_height + layout.gutter_y);
     panel.y_label_x = panel.frame.left - left + 0.65 * em;
     panel.title_y = panel.frame.top() + 0.55 * em;
   }

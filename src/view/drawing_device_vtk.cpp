@@ -39,7 +39,7 @@ class DrawingDevice : public vtkContextDevice2D {
   }
   void DrawLines(float* points, int n, unsigned char*, int) override {
     if (this->Pen->GetLineType() == vtkPen::NO_PEN) return;
-    for (int i = 0; i + 1 < n; i += 2) drawing_.line(placed(points + 2 * i, 2), stroke());
+    for (; n >= 2; n -= 2, points += 4) drawing_.line(placed(points, 2), stroke());
   }
   void DrawPolygon(float* points, int n) override { fill(points, n); }
   void DrawColoredPolygon(float* points, int n, unsigned char*, int) override { fill(points, n); }
@@ -89,8 +89,9 @@ class DrawingDevice : public vtkContextDevice2D {
   }
   std::vector<Vec2> placed(const float* points, int n) const {
     std::vector<Vec2> out;
-    for (int i = 0; i < n; ++i) {
-      out.emplace_back((matrix_ * Vec3(points[2 * i], points[2 * i + 1], 1)).head<2>());
+    out.reserve(static_cast<std::size_t>(n));
+    for (int i = 0; i < n; ++i, points += 2) {
+      out.emplace_back((matrix_ * Vec3(points[0], points[1], 1)).head<2>());
     }
     return out;
   }

@@ -52,6 +52,7 @@ void GlyphMesh::bar(const Vec3& from, const Vec3& to, double from_radius, double
     const double radius = far ? to_radius : from_radius;
     if (!(radius > 0)) continue;
     std::vector<Vec3> rim;
+    rim.reserve(static_cast<std::size_t>(sides));
     for (int i = 0; i < sides; ++i) rim.push_back((far ? to : from) + around(frame, i) * radius);
     fan(far ? to : from, rim, far ? axis : Vec3(-axis), colour);
   }
