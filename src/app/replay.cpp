@@ -111,7 +111,7 @@ void tell_choices(const std::vector<BatchJob>& jobs) {
 }
 
 /// What jobs warn of themselves, each line once.
-void tell_warnings(const std::vector<BatchJob>& jobs) {
+void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
   std::set<std::string_view> told;
   for (const BatchJob& job : jobs) {
     for (const std::string& line : job.warnings) {
@@ -208,8 +208,8 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   bar.finish();
   if (!ranks.is_root()) return 0;
   if (!options.quiet) tell_choices(jobs);
-  tell(jobs);
   tell_doubts(jobs);
+  tell_warnings_of_jobs(jobs);
   const int lost_code = tell_lost(lost);
   if (!options.quiet) tell_end(jobs, !lost.empty(), batch);
   const int code = exit_code(jobs);

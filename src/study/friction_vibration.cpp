@@ -12,7 +12,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double mu_dynamic = 0.2, load_n = 1, stroke_m = 0.01;
+constexpr double drag_mu = 0.2, load_n = 1, stroke_m = 0.01;
 constexpr double half_band_hz = 30, turn = 2 * std::numbers::pi;
 
 /// The RMS of what a signal holds within a band: the sum over its own frequencies there (Parseval).
@@ -65,7 +65,7 @@ VibrationFelt vibration_felt(const VibratingDrag& drag) {
   felt.slip_share /= static_cast<double>(felt.force_n.size());
   const double peak_hz = VibrationSettings{}.frequency_hz;
   felt.band_share = band_rms(felt.force_n, drag.rate_hz, peak_hz - half_band_hz, peak_hz + half_band_hz) /
-                    (mu_dynamic * load_n);
+                    (drag_mu * load_n);
   return felt;
 }
 

@@ -6,7 +6,7 @@
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 
-namespace fingerpad {
+namespace fingerpad::recording_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -58,4 +58,4 @@ TEST(Recording, ThatIsRefusedNamesTheHeadersColumns) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::recording_test

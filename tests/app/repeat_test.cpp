@@ -10,7 +10,7 @@
 // A trace, HDF5 or CSV, as the motion of another run: the same forces, to the last bit, whatever friction was
 // told beside the finger's place.
 
-namespace fingerpad {
+namespace fingerpad::repeat_test {
 namespace {
 namespace fs = std::filesystem;
 
@@ -102,4 +102,4 @@ TEST(Repeat, ATurningFingersTraceTurnsAgain) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::repeat_test

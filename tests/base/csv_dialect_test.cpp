@@ -8,7 +8,7 @@
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
 
-namespace fingerpad {
+namespace fingerpad::csv_dialect_test {
 namespace {
 
 using testing::AllOf;
@@ -95,4 +95,4 @@ TEST(CsvDialect, AnotherSeparatorThanTheNamedOneIsToldSo) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::csv_dialect_test

@@ -7,7 +7,7 @@
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
 
-namespace fingerpad {
+namespace fingerpad::recording_format_test {
 namespace {
 
 using testing::AllOf;
@@ -84,4 +84,4 @@ TEST(RecordingFormat, BoundsAreThoseOfMetresSecondsAndNewtons) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::recording_format_test

@@ -10,7 +10,7 @@
 #include "motion/low_pass.hpp"
 #include "support/refusal.hpp"
 
-namespace fingerpad {
+namespace fingerpad::recording_test {
 namespace {
 
 using testing::HasSubstr;
@@ -201,4 +201,4 @@ TEST(Recording, VelocityOfRoundedPositionsIsTheWindows) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::recording_test

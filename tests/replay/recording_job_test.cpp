@@ -15,7 +15,7 @@
 #include "support/worlds.hpp"
 #include "trace/trace.hpp"
 
-namespace fingerpad {
+namespace fingerpad::recording_job_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -134,4 +134,4 @@ TEST(NeverTouches, KnowsTheNearestOfAllSurfacesAndTheFingersRadius) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::recording_job_test

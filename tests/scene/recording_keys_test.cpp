@@ -3,7 +3,7 @@
 
 #include "scene_text.hpp"
 
-namespace fingerpad {
+namespace fingerpad::recording_keys_test {
 namespace {
 
 using test::plane_scene;
@@ -130,4 +130,4 @@ TEST(RecordingKeys, StandBesideASetsFilesAndGoWithASetsKind) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::recording_keys_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fingerpad {
+namespace fingerpad::friction_vibration_test {
 namespace {
 
 constexpr Restick both[] = {Restick::level, Restick::crossing};
@@ -52,4 +52,4 @@ TEST(FrictionVibration, TeethBeatAtTheVibrationsOwnFrequencyWithoutAny) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::friction_vibration_test

@@ -11,7 +11,7 @@
 #include "trace/motion_source.hpp"
 #include "trace_rows.hpp"
 
-namespace fingerpad {
+namespace fingerpad::recording_source_test {
 namespace {
 
 using testing::AllOf;
@@ -159,4 +159,4 @@ TEST(RecordingSource, AHandIsAskedWhetherItIsTooQuickForTheFilesOwnRate) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::recording_source_test
