@@ -24,8 +24,9 @@ long ticks_that_differ(const fs::path& folder, const std::string& friction, cons
   std::ofstream(folder / "again.toml") << surface << friction << "[motion]\nfile = \"out/first.h5\"\n";
   std::ofstream(folder / "third.toml") << surface << friction << "[motion]\nfile = \"again.csv\"\n";
   for (const char* scene : {"first.toml", "again.toml", "third.toml"}) {
-    if (fs::exists(folder / "out/again.h5"))
+    if (fs::exists(folder / "out/again.h5")) {
       EXPECT_EQ(test::fingerpad("export out/again.h5 --out again.csv", folder).exit_code, 0);
+    }
     const auto result = test::fingerpad("replay " + std::string(scene) + " --out out --quiet", folder);
     EXPECT_EQ(result.exit_code, 0) << result.err;
   }
