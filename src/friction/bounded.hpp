@@ -64,7 +64,7 @@ class BoundedState {
   PlaneVector last_step_m() const noexcept { return within_huge(state_.last_step_m); }
   double event_share() const noexcept { return within(state_.event_share, 0, 1); }
   double softening() const noexcept { return within(state_.softening, 1e-3, 1); }
-  double last_speed_m_per_s() const noexcept { return within(state_.last_speed_m_per_s, 0, huge); }
+  PlaneVector last_velocity_m_per_s() const noexcept { return within_huge(state_.last_velocity_m_per_s); }
   double slip_force_scale() const noexcept { return within(state_.slip_force_scale, 0, huge); }
 
  private:

@@ -26,7 +26,7 @@ class Coulomb final : public FrictionLaw {
         (-m.mu_dynamic() * m.normal_force_n() * std::min(1.0, v.length / creep_speed_m_per_s_)) * v.direction;
     state.phase = Phase::slip;
     state.slip_direction = v.direction;
-    state.last_speed_m_per_s = v.length;
+    state.last_velocity_m_per_s = m.velocity_m_per_s();
     return answer;
   }
 

@@ -38,7 +38,7 @@ class Karnopp final : public FrictionLaw {
       answer.ruptures = state.phase == Phase::stick ? 1 : 0;
     }
     state.phase = answer.phase;
-    state.last_speed_m_per_s = v.length;
+    state.last_velocity_m_per_s = m.velocity_m_per_s();
     return answer;
   }
 

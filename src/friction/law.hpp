@@ -23,14 +23,14 @@ struct TangentialMotion {
 
 /// A law's memory of one contact. Value-initialised: no contact yet.
 struct FrictionState {
-  Phase phase = Phase::free;      ///< of the last tick
-  Vec2 stretch_m{0, 0};           ///< z: of the law's spring or bristle, in frame C
-  Vec2 slip_direction{0, 0};      ///< unit, of the last slip tick; for laws that restick
-  Vec2 last_step_m{0, 0};         ///< the last tick's step
-  double last_speed_m_per_s = 0;  ///< for laws that tell a fall through v_min
-  double event_share = 0;         ///< of the last tick: when its last rupture or restick was; 0: it had none
-  double softening = 1;           ///< what a remedy has softened the spring to
-  double slip_force_scale = 1;    ///< what the caller multiplied the last slip tick's force by before writing
+  Phase phase = Phase::free;         ///< of the last tick
+  Vec2 stretch_m{0, 0};              ///< z: of the law's spring or bristle, in frame C
+  Vec2 slip_direction{0, 0};         ///< unit, of the last slip tick; for laws that restick
+  Vec2 last_step_m{0, 0};            ///< the last tick's step
+  Vec2 last_velocity_m_per_s{0, 0};  ///< the last tick's, for laws that tell a fall through v_min
+  double event_share = 0;       ///< of the last tick: when its last rupture or restick was; 0: it had none
+  double softening = 1;         ///< what a remedy has softened the spring to
+  double slip_force_scale = 1;  ///< what the caller multiplied the last slip tick's force by before writing
                                 ///< it (slip vibration): a stick that follows starts at the force as written
 };
 

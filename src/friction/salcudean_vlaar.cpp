@@ -8,7 +8,10 @@ namespace {
 constexpr LawParameter slip_damping{"slip_damping_n_s_per_m", 0, 0, true,
                                     "B of the viscous slip force [N s/m]; 0 stands for mu_d n/v_min, the "
                                     "slip force of the other laws at v_min"};
-constexpr LawParameter parameters[] = {v_min_parameter, fixed_stiffness_parameter, slip_damping};
+/// The other laws' v_min with a least value: B = mu_d n/v_min grows without bound as v_min vanishes.
+constexpr LawParameter v_min{v_min_parameter.key, v_min_parameter.default_value, 1e-4, true,
+                             v_min_parameter.meaning};
+constexpr LawParameter parameters[] = {v_min, fixed_stiffness_parameter, slip_damping};
 
 /// A viscous slide, f = B v, in newtons. Stick begins at v_min, or where B v has fallen to mu_s n.
 struct ViscousSlide {
@@ -36,7 +39,7 @@ class SalcudeanVlaar final : public FrictionLaw {
     if (state.phase == Phase::free) return touch_down(motion, state);
     const BoundedMotion m(motion);
     const BoundedState last(state);
-    const double speed = length(m.velocity_m_per_s());
+    const TickVelocity velocity{last.last_velocity_m_per_s(), m.velocity_m_per_s()};
     const double limit_n = m.mu_static() * m.normal_force_n();
     const CircleSpring spring{1, stiffness_n_per_m_};
     const double scaled = damping(m) * (state.phase == Phase::slip ? last.slip_force_scale() : 1);
@@ -44,18 +47,18 @@ class SalcudeanVlaar final : public FrictionLaw {
     const PlaneVector pull_n = spring.ratio_of(last.stretch_m() + m.step_m());
     const bool nothing_happens = state.phase == Phase::stick
                                      ? !is_longer(pull_n, limit_n * (1 + 1e-12)) && !(state.event_share > 0.5)
-                                     : speed > restick && last.last_speed_m_per_s() > restick;
+                                     : velocity.is_plainly_above(restick);
     StickEnd end;
     if (nothing_happens) {
       end.phase = state.phase;
       end.ratio = pull_n;
     } else if (events_ == Events::exact) {
-      end = walked(m, spring, ViscousSlide{limit_n, damping(m), restick}, speed, state);
+      end = walked(m, spring, ViscousSlide{limit_n, damping(m), restick}, velocity, state);
     } else {
-      end = tested_at_tick(m, last, limit_n, restick, speed, state.phase);
+      end = tested_at_tick(m, last, limit_n, restick, state.phase);
     }
     state.event_share = end.last_event;
-    state.last_speed_m_per_s = speed;
+    state.last_velocity_m_per_s = m.velocity_m_per_s();
     state.last_step_m = m.step_m();
     return written(m, end, state);
   }
@@ -63,28 +66,30 @@ class SalcudeanVlaar final : public FrictionLaw {
  private:
   static Friction touch_down(const TangentialMotion& motion, FrictionState& state) noexcept {
     Friction answer = bristle_at_rest(state);
-    state.last_speed_m_per_s = length(BoundedMotion(motion).velocity_m_per_s());
+    state.last_velocity_m_per_s = BoundedMotion(motion).velocity_m_per_s();
     return answer;
   }
 
   [[gnu::noinline]] static StickEnd walked(const BoundedMotion& m, const CircleSpring& spring,
-                                           const ViscousSlide& slide, double speed,
+                                           const ViscousSlide& slide, const TickVelocity& velocity,
                                            const FrictionState& state) noexcept {
     const BoundedState last(state);
     StickWay way;
     way.ratio = spring.ratio_of(last.stretch_m());
     way.before = spring.ratio_of(last.last_step_m());
     way.now = spring.ratio_of(m.step_m());
-    way.direction_before = last.slip_direction();
-    way.direction_now = speed > 0 ? direction_of(m.velocity_m_per_s()) : last.slip_direction();
-    way.speeds = {last.last_speed_m_per_s(), speed};
+    way.velocity = velocity;
+    way.direction_before =
+        state.phase == Phase::slip ? last.slip_direction() : direction_of(velocity.before_m_per_s);
+    way.direction_now = direction_of(velocity.now_m_per_s);
+    if (!(way.direction_now.square() > 0)) way.direction_now = way.direction_before;
     way.slipped_scale = last.slip_force_scale();
     return StickWalk(spring, slide, way).run(state.phase, last.event_share());
   }
 
   /// Rupture and restick at ticks only: the force at restick is the viscous one of that tick.
   StickEnd tested_at_tick(const BoundedMotion& m, const BoundedState& last, double limit_n, double restick,
-                          double speed, Phase before) const noexcept {
+                          Phase before) const noexcept {
     StickEnd end;
     if (before == Phase::stick) {
       end.ratio = stiffness_n_per_m_ * (last.stretch_m() + m.step_m());
@@ -92,7 +97,7 @@ class SalcudeanVlaar final : public FrictionLaw {
         end.phase = Phase::slip;
         end.ruptures = 1;
       }
-    } else if (speed <= restick) {
+    } else if (!is_longer(m.velocity_m_per_s(), restick)) {
       end.ratio = (damping(m) * last.slip_force_scale()) * m.velocity_m_per_s();
       end.centre_moved = true;
     } else {
@@ -122,7 +127,7 @@ class SalcudeanVlaar final : public FrictionLaw {
 
   double damping(const BoundedMotion& m) const noexcept {
     if (damping_n_s_per_m_ > 0) return damping_n_s_per_m_;
-    return m.mu_dynamic() * m.normal_force_n() / std::max(v_min_m_per_s_, 1e-9);
+    return m.mu_dynamic() * m.normal_force_n() / v_min_m_per_s_;
   }
 
   double v_min_m_per_s_, stiffness_n_per_m_, damping_n_s_per_m_;
@@ -134,7 +139,7 @@ class SalcudeanVlaar final : public FrictionLaw {
 LawEntry salcudean_vlaar_law() noexcept {
   return {"salcudean-vlaar", "Salcudean & Vlaar 1997: stick spring, viscous slip", parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
-            return std::make_unique<SalcudeanVlaar>(v_min_m_per_s(settings),
+            return std::make_unique<SalcudeanVlaar>(std::max(v_min_m_per_s(settings), v_min.min),
                                                     bounded_number(settings, fixed_stiffness_parameter),
                                                     bounded_number(settings, slip_damping), settings.events);
           },

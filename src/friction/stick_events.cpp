@@ -3,11 +3,55 @@
 #include <cmath>
 
 namespace fingerpad {
+namespace {
+
+/// Where |before + u (now - before)| passes the limit inwards and outwards; `inwards` > `outwards`: nowhere.
+struct Passes {
+  double inwards = 1, outwards = 0;  ///< u
+};
+
+/// @pre the faster of the two is above the limit
+Passes passes_of(const TickVelocity& velocity, double limit_m_per_s) noexcept {
+  // In units of the greater speed, so that no square overflows.
+  const double unit = std::max(length(velocity.before_m_per_s), length(velocity.now_m_per_s));
+  const PlaneVector from = velocity.before_m_per_s / unit, to = velocity.now_m_per_s / unit;
+  const PlaneVector turn = to - from;
+  const double limit = limit_m_per_s / unit, a = turn.square(), b = -from.dot(turn);
+  const double from_length = length(from), c = (from_length - limit) * (from_length + limit);
+  // a u^2 - 2 b u + c = 0. A finger that turns straight back passes 0 itself, whatever the rounding.
+  const double cross = from.x() * to.y() - from.y() * to.x();
+  const double quarter = limit * limit * a - cross * cross;
+  if (!(a > 0) || quarter < -1e-28 * a) return {};
+  const double root = std::sqrt(std::max(0.0, quarter));
+  // Each root by the sum that does not cancel.
+  if (b > 0) return {c / (b + root), (b + root) / a};
+  return {(b - root) / a, root > b ? c / (b - root) : 0};
+}
+
+}  // namespace
+
+double TickVelocity::falls_to(double limit_m_per_s, double share) const noexcept {
+  if (speed_at(share) <= limit_m_per_s) return share;
+  if (share >= 0.5) return never;
+  const Passes passes = passes_of(*this, limit_m_per_s);
+  // Slow at this tick's middle: it falls by then, whatever the rounding.
+  const double latest = length(now_m_per_s) <= limit_m_per_s ? 0.5 : never;
+  const double falls = std::min(passes.inwards - 0.5, latest);
+  if (passes.outwards < passes.inwards || passes.outwards - 0.5 < share || falls > 0.5) {
+    return latest;
+  }
+  return std::max(falls, share);
+}
+
+double TickVelocity::rises_above(double limit_m_per_s, double share) const noexcept {
+  if (share >= 0.5 || !(length(now_m_per_s) > limit_m_per_s)) return never;
+  return std::clamp(passes_of(*this, limit_m_per_s).outwards - 0.5, share, 0.5);
+}
 
 double rupture_share(const PlaneVector& q, const PlaneVector& p, double limit, double left) noexcept {
   // Rounding of a spring that was set exactly on the limit must not break the stick.
   constexpr double rounding = 1 + 1e-12;
-  if (!is_longer(q + left * p, limit * rounding)) return TickSpeeds::never;
+  if (!is_longer(q + left * p, limit * rounding)) return TickVelocity::never;
   if (is_longer(q, limit)) return 0;
   // |q + s p|^2 = limit^2, in units of the limit so that no square overflows or vanishes.
   const double unit = std::max(limit, 1e-140);
@@ -33,7 +77,7 @@ Teeth many_teeth(const PlaneVector& q, const PlaneVector& way, double low, doubl
   // What the spring was stretched by: the integral of cos(angle) over the way, radius ln(sin/sin').
   const bool bends = sine > 1e-12 && end_sine > 1e-300;
   const double pulled = bends ? std::max(0.0, radius * std::log(sine / end_sine)) : along.length;
-  const double teeth = tooth > 0 ? std::min(std::floor(pulled / tooth), 1e9) : 1;
+  const double teeth = tooth > 0 ? std::min(std::floor(pulled / tooth), 1e9) : 0;
   const double last = tooth > 0 ? std::clamp(pulled - teeth * tooth, 0.0, tooth) : 0;
   const PlaneVector across = sine > 0 ? aside / sine : PlaneVector();
   const PlaneVector direction = end_cosine * along.direction + end_sine * across;

@@ -6,27 +6,37 @@
 
 namespace fingerpad {
 
-/// The finger's speed over a tick, against the share of the tick that has passed. A speed measured over a
-/// tick belongs to its middle: it runs straight from the last tick's middle (share -1/2) to this one's (1/2),
-/// and stays as it is from there on, until the next tick tells better.
-struct TickSpeeds {
+/// The finger's velocity over a tick, against the share of the tick that has passed. A velocity measured over
+/// a tick belongs to its middle: it runs straight from the last tick's middle (share -1/2) to this one's
+/// (1/2), and stays as it is from there on, until the next tick tells better. As vectors: a finger that turns
+/// back between two middles has stopped in between, however fast it is at both.
+struct TickVelocity {
   static constexpr double never = 2;  ///< a share beyond the tick
 
-  double before_m_per_s = 0, now_m_per_s = 0;
+  PlaneVector before_m_per_s, now_m_per_s;
 
   /// @pre share in -1/2 .. 1
-  double at(double share) const noexcept {
-    return share >= 0.5 ? now_m_per_s : before_m_per_s + (share + 0.5) * (now_m_per_s - before_m_per_s);
+  double speed_at(double share) const noexcept {
+    if (share >= 0.5) return length(now_m_per_s);
+    return length(before_m_per_s + (share + 0.5) * (now_m_per_s - before_m_per_s));
   }
   /// The first share from `share` on at which the speed is at or below the limit.
-  double falls_to(double limit_m_per_s, double share) const noexcept {
-    if (at(share) <= limit_m_per_s) return share;
-    if (now_m_per_s > limit_m_per_s) return never;
-    return std::max(share, (before_m_per_s - limit_m_per_s) / (before_m_per_s - now_m_per_s) - 0.5);
-  }
+  double falls_to(double limit_m_per_s, double share) const noexcept;
   /// The same, where only a fall through the limit counts, not a speed below it all the time.
   double falls_through(double limit_m_per_s, double share) const noexcept {
-    return at(share) > limit_m_per_s ? falls_to(limit_m_per_s, share) : never;
+    return speed_at(share) > limit_m_per_s ? falls_to(limit_m_per_s, share) : never;
+  }
+  /// The first share from `share` on at which the speed rises above the limit.
+  /// @pre not above it at `share`
+  double rises_above(double limit_m_per_s, double share) const noexcept;
+
+  /// Whether the speed stays above the limit from one middle to the other; false also where that is not plain
+  /// to see. |before + u (now - before)|^2 is a mean, with weights (1-u)^2, 2 u (1-u) and u^2, of these
+  /// three.
+  bool is_plainly_above(double limit_m_per_s) const noexcept {
+    const double square = limit_m_per_s * limit_m_per_s;
+    return now_m_per_s.square() > square && before_m_per_s.square() > square &&
+           before_m_per_s.dot(now_m_per_s) > square;
   }
 };
 
@@ -42,7 +52,7 @@ struct Teeth {
 };
 
 /// The teeth all at once, as the limit of small ones: q's direction follows the way as a dragged point does
-/// (a tractrix of radius (low + high)/2).
+/// (a tractrix of radius (low + high)/2). Where low = high it is dragged along and never ruptures.
 /// @param q     on the way out of a tooth's end, |q| = low
 /// @param way   what is left of the way, as a ratio
 Teeth many_teeth(const PlaneVector& q, const PlaneVector& way, double low, double high) noexcept;

@@ -64,12 +64,13 @@ template <typename Spring>
   way.ratio = spring.ratio_of(last.stretch_m());
   way.before = spring.ratio_of(last.last_step_m());
   way.now = spring.ratio_of(m.step_m());
-  way.direction_before = last.slip_direction();
+  way.velocity = {last.last_velocity_m_per_s(), m.velocity_m_per_s()};
+  way.direction_before =
+      state.phase == Phase::slip ? last.slip_direction() : direction_of(way.velocity.before_m_per_s);
   const bool is_fast = v.length > rule.v_min_m_per_s;
   // Slow and the other way about: the finger has stopped in between, and slip has ended before it did.
-  const bool has_turned = !is_fast && !(v.direction.dot(last.slip_direction()) > 0);
-  way.direction_now = has_turned ? last.slip_direction() : v.direction;
-  way.speeds = {last.last_speed_m_per_s(), v.length};
+  const bool has_turned = !is_fast && !(v.direction.dot(way.direction_before) > 0);
+  way.direction_now = has_turned && way.direction_before.square() > 0 ? way.direction_before : v.direction;
   way.slipped_scale = last.slip_force_scale();
   const CoulombSlide slide{m.mu_static(), m.mu_dynamic(), rule.v_min_m_per_s, rule.restick == Restick::level};
   const StickEnd end = StickWalk(spring, slide, way).run(state.phase, last.event_share());
@@ -104,8 +105,8 @@ template <typename Spring>
     return answer;
   }
   const double written = m.mu_dynamic() * last.slip_force_scale();
-  const bool falls =
-      !is_fast && (rule.restick == Restick::level || last.last_speed_m_per_s() > rule.v_min_m_per_s);
+  const bool falls = !is_fast && (rule.restick == Restick::level ||
+                                  is_longer(last.last_velocity_m_per_s(), rule.v_min_m_per_s));
   if (falls && written <= m.mu_static() * rounding) {
     const PlaneVector ratio = spring.ratio_at(written, m.mu_static()) * last.slip_direction();
     Friction answer = spring_force(m, spring, ratio, spring.stretch_of(ratio), Phase::stick, state);
@@ -135,7 +136,8 @@ template <typename Spring>
     is_done = !is_longer(ratio, m.mu_static() * rounding) && !(state.event_share > 0.5);
     if (is_done) answer = spring_force(m, spring, ratio, stretch_m, Phase::stick, state);
   } else if (state.phase == Phase::slip) {
-    is_done = v.length > rule.v_min_m_per_s && last.last_speed_m_per_s() > rule.v_min_m_per_s;
+    const TickVelocity velocity{last.last_velocity_m_per_s(), m.velocity_m_per_s()};
+    is_done = velocity.is_plainly_above(rule.v_min_m_per_s);
     if (is_done) answer = slip(m, spring, v.direction, state);
   } else {
     is_done = true;
@@ -148,7 +150,7 @@ template <typename Spring>
         rule.events == Events::exact ? walked(m, spring, rule, v, state) : ticked(m, spring, rule, v, state);
   }
   state.phase = answer.phase;
-  state.last_speed_m_per_s = v.length;
+  state.last_velocity_m_per_s = m.velocity_m_per_s();
   state.last_step_m = m.step_m();
   return answer;
 }

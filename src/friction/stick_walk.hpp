@@ -22,7 +22,7 @@ struct StickWay {
   PlaneVector before, now;       ///< how far q would move over the last tick and over this one
   PlaneVector direction_before;  ///< unit: of slip in the last tick and in this one
   PlaneVector direction_now;
-  TickSpeeds speeds;
+  TickVelocity velocity;
   double slipped_scale = 1;  ///< what the slip force of the last tick was multiplied by before it was written
 };
 
@@ -70,7 +70,7 @@ class StickWalk {
 
   void begin(double last_event) noexcept {
     // A tick that was slow already has been judged in its own time.
-    const bool was_fast = way_.speeds.before_m_per_s > slide_.restick_m_per_s;
+    const bool was_fast = is_longer(way_.velocity.before_m_per_s, slide_.restick_m_per_s);
     const double earliest = was_fast || end_.phase == Phase::stick ? std::max(-0.5, last_event - 1) : 0;
     if (end_.phase == Phase::slip) {
       share_ = earliest;
@@ -79,7 +79,7 @@ class StickWalk {
     }
     // It ruptured in the last tick's second half and was held to be slow; by now it is seen to have been
     // fast.
-    if (last_event > 0.5 && way_.speeds.at(earliest) > slide_.restick_m_per_s) {
+    if (last_event > 0.5 && way_.velocity.speed_at(earliest) > slide_.restick_m_per_s) {
       end_.phase = Phase::slip;
       share_ = earliest;
     }
@@ -88,7 +88,7 @@ class StickWalk {
   const PlaneVector& way() const noexcept { return share_ < 0 ? way_.before : way_.now; }
   double piece_end() const noexcept { return share_ < 0 ? 0 : 1; }
   double low() const noexcept {
-    return spring_.ratio_at(slide_.force_ratio(way_.speeds.at(share_)), slide_.mu_static);
+    return spring_.ratio_at(slide_.force_ratio(way_.velocity.speed_at(share_)), slide_.mu_static);
   }
 
   void stick_on() noexcept {
@@ -101,9 +101,14 @@ class StickWalk {
     }
     end_.ratio = end_.ratio + passed * way();
     share_ += passed;
+    const bool is_slow = slide_.sticks_at_once && !(way_.velocity.speed_at(share_) > slide_.restick_m_per_s);
+    if (is_slow && low() >= slide_.mu_static * (1 - 1e-9)) {
+      drag_on();
+      return;
+    }
     ++end_.ruptures;
     note_event();
-    if (way_.speeds.at(share_) > slide_.restick_m_per_s || !slide_.sticks_at_once) {
+    if (!is_slow) {
       end_.phase = Phase::slip;
       scale_ = 1;
       return;
@@ -113,19 +118,39 @@ class StickWalk {
     end_.centre_moved = true;
   }
 
+  /// Slow, and the force of slip is not below the limit: no tooth to fall from. The spring is dragged along
+  /// at the limit, without a rupture; that is stick by the rule of the speed, until the speed rises above it.
+  void drag_on() noexcept {
+    const double rises = way_.velocity.rises_above(slide_.restick_m_per_s, share_);
+    const double until = std::min(rises, piece_end());
+    end_.ratio = many_teeth(end_.ratio, (until - share_) * way(), slide_.mu_static, slide_.mu_static).ratio;
+    end_.centre_moved = true;
+    share_ = until;
+    if (rises > until) return;
+    ++end_.ruptures;
+    note_event();
+    end_.phase = Phase::slip;
+    slip_to_the_end();
+  }
+
+  /// Of slip at this share: where the finger turns back it stops first, and sticks as it came.
+  PlaneVector slip_direction() const noexcept {
+    const bool turns = way_.direction_before.dot(way_.direction_now) < 0;
+    return share_ < 0 || turns ? way_.direction_before : way_.direction_now;
+  }
+
   void slip_on() noexcept {
     const double v_min = slide_.restick_m_per_s;
-    const double begins = slide_.sticks_at_once ? way_.speeds.falls_to(v_min, share_)
-                                                : way_.speeds.falls_through(v_min, share_);
-    const double written = begins < 1 ? scale_ * slide_.force_ratio(way_.speeds.at(begins)) : 0;
+    const double begins = slide_.sticks_at_once ? way_.velocity.falls_to(v_min, share_)
+                                                : way_.velocity.falls_through(v_min, share_);
+    const double written = begins < 1 ? scale_ * slide_.force_ratio(way_.velocity.speed_at(begins)) : 0;
     // A spring that would start beyond its rupture limit (strong vibration) waits for the next tick.
     if (begins >= 1 || written > slide_.mu_static * (1 + 1e-12)) {
       slip_to_the_end();
       return;
     }
     share_ = begins;
-    end_.ratio = spring_.ratio_at(written, slide_.mu_static) *
-                 (share_ < 0 ? way_.direction_before : way_.direction_now);
+    end_.ratio = spring_.ratio_at(written, slide_.mu_static) * slip_direction();
     end_.phase = Phase::stick;
     end_.centre_moved = true;
     note_event();
@@ -136,7 +161,7 @@ class StickWalk {
   void slip_to_the_end() noexcept {
     const double share = std::max(share_, 0.0);
     share_ = 1;
-    if (way_.speeds.now_m_per_s > slide_.restick_m_per_s) {
+    if (is_longer(way_.velocity.now_m_per_s, slide_.restick_m_per_s)) {
       end_.ratio = low() * way_.direction_now;
     } else {
       end_.ratio = shortened(end_.ratio + (1 - share) * way_.now, low());
