@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <system_error>
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
@@ -99,7 +100,8 @@ void append_csv_row(std::string& out, std::span<const TraceColumn> columns, cons
 }
 
 bool is_csv_trace(const std::string& path) {
-  if (!std::filesystem::is_regular_file(path)) return false;
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return false;
   std::ifstream file(path, std::ios::binary);
   constexpr std::size_t longest_header = 4096;
   std::string line(longest_header, '\0');
