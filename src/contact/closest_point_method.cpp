@@ -63,6 +63,7 @@ ContactMethodEntry closest_point_method() noexcept {
           "each tick's nearest surface point; it remembers nothing",
           "holds on closed thick parts; lets go beyond the middle of a wall, and feels one wall at a time",
           false,
+          false,
           true,
           enough,
           [](std::vector<PlacedSurface> surfaces, double radius_m,

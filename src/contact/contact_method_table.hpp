@@ -31,6 +31,8 @@ struct ContactMethodEntry {
   std::string_view holds;    ///< what it holds the finger against, and what not, in a line
   /// Whether a finger that begins inside of a part is put at the nearest place outside, which is told.
   bool starts_outside;
+  /// Whether several walls can hold the finger at once.
+  bool holds_several;
   /// Whether normals with a surface of their own (`curved`) are touched there; else they only shade.
   bool touches_own_surface;
   /// Why `auto` takes this method for a part rather than those before it in the table, in words that follow

@@ -124,6 +124,7 @@ ContactMethodEntry proxy_method() noexcept {
           "a ball that follows the finger and stays outside (god-object; Zilles & Salisbury 1995)",
           "holds thin walls, knife edges, corners, open and badly wound meshes, several surfaces at once",
           true,
+          true,
           false,
           needed,
           [](std::vector<PlacedSurface> surfaces, double radius_m,

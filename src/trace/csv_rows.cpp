@@ -18,22 +18,16 @@
 namespace fingerpad {
 namespace {
 
-/// Where each column of a trace stands in the file; beyond its columns for one that an older trace lacks.
+/// Where each column of a trace stands in the file; beyond its columns for one that it lacks.
 std::vector<std::size_t> find_columns(const std::string& where, std::string_view header) {
   std::vector<std::size_t> places;
-  const auto names = csv_cells(header, ',');
-  // Where a name is no column's, a column that is missing may be that one, misspelt.
-  const bool may_be_older = std::ranges::all_of(names, [](std::string_view name) {
-    return std::ranges::any_of(trace_columns(), [&](const TraceColumn& c) { return c.name == name; });
-  });
+  const std::size_t beyond = csv_cells(header, ',').size();
   for (const TraceColumn& column : trace_columns()) {
     const auto place = csv_column(header, column.name, where);
-    const bool needed =
-        column.of == ColumnOf::every_trace || (column.of == ColumnOf::newer_traces && !may_be_older);
-    if (!place && needed) {
+    if (!place && column.of == ColumnOf::every_trace) {
       throw refused(where, fmt::format("is no trace: it has no column '{}'", column.name));
     }
-    places.push_back(place.value_or(names.size()));
+    places.push_back(place.value_or(beyond));
   }
   return places;
 }

@@ -89,7 +89,7 @@ void add_vectors(VtpArrays& arrays, const Trace& trace, std::string_view name, V
 
 void export_csv(const Trace& trace, const std::string& path) {
   OutputFile file(path);
-  const auto columns = trace_columns(trace.info);
+  const auto columns = csv_columns(trace.info);
   std::string text = csv_header(columns);
   for (const TickRecord& row : trace.rows) {
     append_csv_row(text, columns, row);

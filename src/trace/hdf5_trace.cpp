@@ -56,6 +56,7 @@ void each_field_of_info(Way& way, Info& info) {
   way(info.mesh_hashes);
   way(info.motion_file);
   way(info.motion_hash);
+  way(info.several_walls);
   way(info.in_hand);
   way(info.estimated);
   way(info.turning);

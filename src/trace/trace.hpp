@@ -25,10 +25,11 @@ struct TraceInfo {
   std::string motion_file;               ///< as written; empty for live touch and scripted motions
   std::string motion_hash;
   // What its rows say that the tick was told, beyond the finger's place:
-  bool in_hand = false;    ///< where a hand's encoders put the finger, and what the hand pushed it with
-  bool estimated = false;  ///< the velocity, which is not the positions' difference
-  bool turning = false;    ///< the direction of a finger that turns
-  bool attitudes = false;  ///< its attitude
+  bool several_walls = false;  ///< how many walls hold the finger, where several can
+  bool in_hand = false;        ///< where a hand's encoders put the finger, and what the hand pushed it with
+  bool estimated = false;      ///< the velocity, which is not the positions' difference
+  bool turning = false;        ///< the direction of a finger that turns
+  bool attitudes = false;      ///< its attitude
   std::vector<std::string>
       motion_notes;             ///< how it was read and what was made of it (LoadedMotion), a line each
   std::string profile_text;     ///< the profile file's text, empty without one

@@ -22,11 +22,12 @@ enum class ColumnKind {
 /// Which traces have a column. Where one lacks it a record is as it is made.
 enum class ColumnOf {
   every_trace,
-  newer_traces,  ///< all but those of older programs
-  hands,         ///< TraceInfo::in_hand
-  estimated,     ///< TraceInfo::estimated
-  turning,       ///< TraceInfo::turning
-  attitudes      ///< TraceInfo::attitudes
+  hdf5,           ///< HDF5 alone, but for those of older programs
+  several_walls,  ///< TraceInfo::several_walls
+  hands,          ///< TraceInfo::in_hand
+  estimated,      ///< TraceInfo::estimated
+  turning,        ///< TraceInfo::turning
+  attitudes       ///< TraceInfo::attitudes
 };
 
 /// One column of a trace: all that is known of it. Writers, readers, exports and the documentation go by
@@ -45,8 +46,9 @@ struct TraceColumn {
 
 /// All columns there are, in file order: t_s .. triangle first.
 std::span<const TraceColumn> trace_columns() noexcept;
-/// Those that a trace of this run is written with.
+/// Those that a trace of this run is written with, in HDF5 and in CSV.
 std::vector<TraceColumn> trace_columns(const TraceInfo& info);
+std::vector<TraceColumn> csv_columns(const TraceInfo& info);
 /// Tells the info of a trace that it has a column.
 void tell_of(const TraceColumn& column, TraceInfo& info) noexcept;
 

@@ -59,8 +59,10 @@ bool TraceInfo::*flag_of(ColumnOf of) noexcept {
       return &TraceInfo::turning;
     case ColumnOf::attitudes:
       return &TraceInfo::attitudes;
+    case ColumnOf::several_walls:
+      return &TraceInfo::several_walls;
     case ColumnOf::every_trace:
-    case ColumnOf::newer_traces:
+    case ColumnOf::hdf5:
       break;
   }
   return nullptr;
@@ -100,11 +102,13 @@ std::span<const TraceColumn> trace_columns() noexcept {
       column<&R::inclination_rad>("angle_rad", "rad", "the finger's inclination to the surface"),
       column<&R::surface>("part", "1", what, Kind::index),
       column<&R::triangle>("triangle", "1", what, Kind::index),
-      only(ColumnOf::newer_traces,
-           column<&R::walls>("walls", "1", "how many walls hold the finger at once; the forces are their sum",
+      only(ColumnOf::several_walls,
+           column<&R::walls>("walls", "1",
+                             "where several walls can hold the finger: how many do; the forces are their sum",
                              Kind::index)),
-      only(ColumnOf::newer_traces,
-           column<&R::ruptures>("ruptures", "1", "how often stick gave way within the tick", Kind::index)),
+      only(ColumnOf::hdf5,
+           column<&R::ruptures>("ruptures", "1", "in HDF5 alone: how often stick gave way within the tick",
+                                Kind::index)),
       only(ColumnOf::hands, column<&R::encoded_W, 0>("ex_m", "m", encoded)),
       only(ColumnOf::hands, column<&R::encoded_W, 1>("ey_m", "m", encoded)),
       only(ColumnOf::hands, column<&R::encoded_W, 2>("ez_m", "m", encoded)),
@@ -131,6 +135,12 @@ std::vector<TraceColumn> trace_columns(const TraceInfo& info) {
     const auto flag = flag_of(column.of);
     if (flag == nullptr || info.*flag) columns.push_back(column);
   }
+  return columns;
+}
+
+std::vector<TraceColumn> csv_columns(const TraceInfo& info) {
+  std::vector<TraceColumn> columns = trace_columns(info);
+  std::erase_if(columns, [](const TraceColumn& column) { return column.of == ColumnOf::hdf5; });
   return columns;
 }
 

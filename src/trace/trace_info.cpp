@@ -2,6 +2,7 @@
 
 #include "base/content_hash.hpp"
 #include "base/input_file.hpp"
+#include "contact/contact_method_table.hpp"
 #include "friction/pad_profile_file.hpp"
 #include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
@@ -29,6 +30,8 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
   const ContactChoice contact = settled_contact(scene, world);
   info.contact_method = method_in(world, contact.method);
   info.contact_normals = contact.normals->name;
+  const ContactMethodEntry* method = find_contact_method(contact.method);
+  info.several_walls = method != nullptr && method->holds_several;
   info.contact_reasons = contact.reasons;
   return info;
 }

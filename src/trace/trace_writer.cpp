@@ -107,7 +107,7 @@ class Hdf5TraceWriter final : public TraceWriter {
 class CsvTraceWriter final : public TraceWriter {
  public:
   CsvTraceWriter(const std::string& path, const TraceInfo& info)
-      : columns_(trace_columns(info)), file_(path, OutputFile::Unfinished::kept) {
+      : columns_(csv_columns(info)), file_(path, OutputFile::Unfinished::kept) {
     file_.write(csv_header(columns_));
   }
 

@@ -54,6 +54,7 @@ ContactMethodEntry brute_force_method() noexcept {
       "what closest-point holds, slowly",
       false,
       false,
+      false,
       nullptr,
       [](std::vector<PlacedSurface> surfaces, double radius_m, Normals) -> std::unique_ptr<ContactMethod> {
         return std::make_unique<BruteForce>(std::move(surfaces), radius_m);

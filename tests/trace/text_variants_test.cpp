@@ -20,7 +20,7 @@ std::string written(const std::string& name, const std::string& text) {
 
 TEST(TraceTextVariants, AreReadExactlyRightOrRefused) {
   const auto rows = test::some_rows(9);
-  const auto columns = trace_columns({});
+  const auto columns = csv_columns({});
   std::string text = csv_header(columns);
   for (const TickRecord& row : rows) append_csv_row(text, columns, row);
   for (const test::TextVariant& variant : test::text_variants()) {

@@ -34,8 +34,6 @@ inline std::vector<TickRecord> some_rows(long count) {
       r.inclination_rad = 0.78;
       r.surface = static_cast<int>(k % 2);
       r.triangle = k % 2 == 0 ? 11 : -1;
-      r.walls = static_cast<int>(1 + k % 3);
-      r.ruptures = static_cast<int>(k % 5);
     }
     if (r.phase == Phase::stick) r.stick_centre_W = Vec3(1, 2, 3);
     rows.push_back(r);
@@ -47,6 +45,7 @@ inline std::vector<TickRecord> some_rows(long count) {
 inline std::vector<TickRecord> told_rows(long count) {
   std::vector<TickRecord> rows = some_rows(count);
   for (TickRecord& r : rows) {
+    if (r.phase != Phase::free) r.walls = r.surface + 2;
     r.encoded_W = r.p_WQ + Vec3(1e-5, 0, 1.0 / 7);
     r.push_W_n = Vec3(-0.1, 1e-17, r.t_s);
     r.velocity_W = Vec3(1.0 / 3, -0.0, r.t_s);
@@ -84,7 +83,7 @@ inline TraceInfo some_info() {
 /// Of told_rows.
 inline TraceInfo told_info() {
   TraceInfo info = some_info();
-  info.in_hand = info.estimated = info.turning = info.attitudes = true;
+  info.several_walls = info.in_hand = info.estimated = info.turning = info.attitudes = true;
   return info;
 }
 
