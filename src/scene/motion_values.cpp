@@ -120,6 +120,7 @@ SceneKey recording_unit_key(std::string_view key) {
 
 SceneKey time_unit_key(std::string_view key) {
   std::vector<std::string> names;
+  names.reserve(std::size(time_units));
   for (const TimeUnit& unit : time_units) names.emplace_back(unit.name);
   return choice_key<take_time_unit>(key, names, "s", "of the file's times");
 }

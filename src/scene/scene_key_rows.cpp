@@ -152,6 +152,7 @@ std::vector<SceneKey> finger_keys() {
 /// Read as one value, read_recording_columns.
 std::vector<SceneKey> recording_column_keys() {
   std::vector<SceneKey> keys;
+  keys.reserve(recording_columns.size());
   for (const RecordingColumn& column : recording_columns)
     keys.push_back(text_key(column.key, fmt::format("\"{}\"", column.header), "", read_recording_column));
   return keys;

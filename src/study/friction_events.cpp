@@ -75,7 +75,8 @@ void study_sawtooth(StudyReport& report) {
         "period of the teeth, " + name_of(events), "rate [Hz]", "error [share]", true, true, {}, {}};
     ChartPanel mean{"mean coefficient, " + name_of(events), "rate [Hz]", "error [share]", true, true, {}, {}};
     for (const std::string law : {"stick-slip", "finger-pad", "salisbury", "contact-area"}) {
-      ChartCurve periods{law, law_style(law), rates_hz, {}}, means = periods;
+      ChartCurve periods{law, law_style(law), rates_hz, {}};
+      ChartCurve means = periods;
       for (const double hz : rates_hz) {
         const Sawtooth teeth = sawtooth_of(run_battery(battery()[0], law, hz, events), speed, hz);
         table.rows.push_back(
@@ -112,7 +113,8 @@ void study_rub(StudyReport& report) {
     for (const Events events : both_readings) {
       CurveStyle style = law_style(law);
       style.dash = events == Events::exact ? Dash::solid : Dash::dotted;
-      ChartCurve errors{law + ", " + name_of(events), style, rates_hz, {}}, counts = errors;
+      ChartCurve errors{law + ", " + name_of(events), style, rates_hz, {}};
+      ChartCurve counts = errors;
       for (const double hz : rates_hz) {
         const BatteryRun run = run_battery(rub, law, hz, events);
         const double rms = battery_error(run, fine, std::lround(fine_hz / hz)).rms;

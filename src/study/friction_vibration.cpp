@@ -111,6 +111,7 @@ ChartPanel panel(const std::string& title, const std::string& x_label, const std
 /// 30 drags from 0.003 to 1 m/s.
 std::vector<double> drag_speeds() {
   std::vector<double> speeds;
+  speeds.reserve(30);
   for (int i = 0; i < 30; ++i) speeds.push_back(0.003 * std::pow(1 / 0.003, i / 29.0));
   return speeds;
 }
@@ -119,7 +120,8 @@ constexpr std::array stroke_speeds{0.02, 0.05, 0.09, 0.1, 0.105, 0.11, 0.12, 0.1
 
 void add_drags(StudyTable& table, ChartPanel& slip, ChartPanel& band) {
   for (const Reading& reading : readings()) {
-    ChartCurve slips{reading.name, reading.style, drag_speeds(), {}}, bands = slips;
+    ChartCurve slips{reading.name, reading.style, drag_speeds(), {}};
+    ChartCurve bands = slips;
     for (const double speed : slips.x) {
       VibratingDrag drag = reading.drag;
       drag.speed_m_per_s = speed;
