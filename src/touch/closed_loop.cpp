@@ -10,19 +10,15 @@
 
 namespace fingerpad {
 
-namespace {
-
-/// The scene with the rate of the path that is followed: a recording's own where the scene has none.
-Scene at_rate(Scene scene, double rate_hz) {
-  scene.motion.rate_hz = rate_hz;
+Scene at_rate(Scene scene, const FingerPath& path) {
+  scene.motion.rate_hz = path.rate_hz();
+  scene.motion.rate_given = true;
   return scene;
 }
 
-}  // namespace
-
 ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path)
     : world_(world),
-      touch_(std::move(world), at_rate(scene, path.rate_hz())),
+      touch_(std::move(world), at_rate(scene, path)),
       path_(std::move(path)),
       turns_(path_.turns()),
       was_in_hand_(path_.was_in_hand()) {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "contact/contact_method.hpp"
 
 namespace fingerpad {
@@ -28,7 +30,8 @@ struct Walls {
 /// The walls of a contact. Holds of one surface whose normals are within 30 degrees are one wall. Where the
 /// contact's normal is shaded, the holds' normals turn with it, so that their pushes sum up to its depth
 /// along its normal.
-/// @param walls  overwritten up to its count: three of them take as long to make as a tick has to spare
+/// @param walls  written up to its count; the caller keeps it from tick to tick, as making three anew costs
+/// time
 /// @pre contact.hold_count > 0. noexcept, allocates nothing.
 void find_walls(const Contact& contact, Walls& walls) noexcept;
 

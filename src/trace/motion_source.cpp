@@ -231,10 +231,4 @@ FingerPath load_finger_path(const Scene& scene) {
   return load_motion(scene).path;
 }
 
-Scene at_rate(Scene scene, const FingerPath& path) {
-  scene.motion.rate_hz = path.rate_hz();
-  scene.motion.rate_given = true;
-  return scene;
-}
-
 }  // namespace fingerpad

@@ -24,7 +24,4 @@ LoadedMotion load_motion(const Scene& scene);
 /// The finger's way alone.
 FingerPath load_finger_path(const Scene& scene);
 
-/// The scene with the rate at which its motion is followed.
-Scene at_rate(Scene scene, const FingerPath& path);
-
 }  // namespace fingerpad

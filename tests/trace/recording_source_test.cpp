@@ -8,6 +8,7 @@
 #include "scene/scene_file.hpp"
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
+#include "touch/closed_loop.hpp"
 #include "trace/motion_source.hpp"
 #include "trace_rows.hpp"
 
