@@ -57,8 +57,10 @@ void PanelAxis::Update() {
                     now.logarithmic == marked_.logarithmic && length_px == marked_length_px_;
   if (!same && now.max > now.min) {
     marked_length_px_ = length_px;
-    const int most = upright() ? marks_along_y(length_px, look_.em) : marks_along_x(length_px, look_.em);
-    marked_ = now.logarithmic ? log_axis(now.min, now.max, most) : linear_axis(now.min, now.max, most);
+    int most = upright() ? marks_along_y(length_px, look_.em) : marks_along_x(length_px, look_.em);
+    do {
+      marked_ = now.logarithmic ? log_axis(now.min, now.max, most) : linear_axis(now.min, now.max, most);
+    } while (!upright() && numbers_meet(length_px) && --most > 0);
     vtkNew<vtkDoubleArray> at;
     vtkNew<vtkStringArray> labels;
     for (std::size_t i = 0; i < marked_.marks.size(); ++i) {
@@ -68,6 +70,18 @@ void PanelAxis::Update() {
     this->SetCustomTickPositions(at, labels);
   }
   Superclass::Update();
+}
+
+/// Whether two numbers that stand side by side along this length come nearer than half a letter's height.
+bool PanelAxis::numbers_meet(double length_px) const {
+  double end_px = -length_px;
+  for (std::size_t i = 0; i < marked_.marks.size(); ++i) {
+    const double middle_px = marked_.share(marked_.marks[i]) * length_px,
+                 half_px = 0.5 * text_width(marked_.labels[i], look_.em);
+    if (middle_px - half_px < end_px + 0.5 * look_.em) return true;
+    end_px = middle_px + half_px;
+  }
+  return false;
 }
 
 Vec2 PanelAxis::place(double value) const {

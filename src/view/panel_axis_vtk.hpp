@@ -10,7 +10,7 @@
 namespace fingerpad {
 
 /// An axis of VTK whose numbers are ours: marks at 1, 2 and 5 times powers of ten, as many as there is room
-/// for, also while it is zoomed.
+/// for by the width of their numbers, also while it is zoomed.
 class PanelAxis : public vtkAxis {
  public:
   static PanelAxis* New();
@@ -37,6 +37,7 @@ class PanelAxis : public vtkAxis {
 
  private:
   bool upright() const { return this->Position == LEFT || this->Position == RIGHT; }
+  bool numbers_meet(double length_px) const;
   Vec2 place(double value) const;
   void draw_mark(Drawing& drawing, double value, double length_px) const;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include "view/axis.hpp"
 #include "view/svg.hpp"
@@ -184,6 +185,28 @@ std::vector<Extent> extents_of_texts(const Drawing& drawing) {
     extents.push_back({text->at.x() - share * width, text->at.x() + (1 - share) * width});
   }
   return extents;
+}
+
+TEST(Chart, NumbersAlongALogarithmicAxisKeepApart) {
+  Chart chart{"", "a title", {}, 2, {}};
+  ChartPanel panel{"title", "triangles", "time [ns]", true, true, {}};
+  panel.curves.push_back({"a curve", {}, {1280, 20480, 1310720}, {110, 130, 250}});
+  chart.panels = {panel, panel};
+  const ChartPage drawn = chart_page(chart);
+  std::map<double, std::vector<Extent>> rows;
+  for (const auto& mark : drawn.drawing.marks()) {
+    const auto* text = std::get_if<Drawing::Text>(&mark);
+    if (text == nullptr || text->style.across != Across::centre || text->style.upright != Upright::top)
+      continue;
+    const double half = 0.5 * text_width(text->words, text->style.size);
+    rows[text->at.y()].push_back({text->at.x() - half, text->at.x() + half});
+  }
+  ASSERT_FALSE(rows.empty());
+  for (auto& [y, row] : rows) {
+    ASSERT_GE(row.size(), 4u) << "powers of ten at the least";
+    std::sort(row.begin(), row.end(), [](const Extent& a, const Extent& b) { return a.left < b.left; });
+    for (std::size_t i = 1; i < row.size(); ++i) EXPECT_GT(row[i].left, row[i - 1].right) << "at " << y;
+  }
 }
 
 TEST(Chart, PageHasRoomForAllItsTexts) {
