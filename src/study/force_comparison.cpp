@@ -15,6 +15,11 @@ double share_of(double part, double whole) {
   return whole > 0 ? part / whole : 0;
 }
 
+/// "6.2", "0.31", "104": two digits, or whole per cents.
+std::string percent(double share) {
+  return share < 0.995 ? fmt::format("{:.2g}", 100 * share) : fmt::format("{:.0f}", 100 * share);
+}
+
 }  // namespace
 
 Promises::Promises(const ContactSettings& contact)
@@ -82,14 +87,14 @@ std::vector<std::string> broken_promises(const ForceFigures& figures, const Prom
     broken.push_back(
         fmt::format("{} pop-through{}", figures.pop_throughs, figures.pop_throughs > 1 ? "s" : ""));
   if (figures.contact_99_share > promises.force_tolerance) {
-    broken.push_back(fmt::format(
-        "on one tick in a hundred its force is off by {:.2g} % or more, where {:.3g} % is asked for",
-        100 * figures.contact_99_share, 100 * promises.force_tolerance));
+    broken.push_back(
+        fmt::format("on one tick in a hundred its force is off by {} % or more, where {:.3g} % is asked for",
+                    percent(figures.contact_99_share), 100 * promises.force_tolerance));
   }
   if (figures.mu_error_share > promises.mu_tolerance) {
     broken.push_back(
-        fmt::format("its mean coefficient of friction is off by {:.2g} %, where {:.3g} % is asked for",
-                    100 * figures.mu_error_share, 100 * promises.mu_tolerance));
+        fmt::format("its mean coefficient of friction is off by {} %, where {:.3g} % is asked for",
+                    percent(figures.mu_error_share), 100 * promises.mu_tolerance));
   }
   return broken;
 }

@@ -88,6 +88,27 @@ StudyTable table_of(const SceneStudyInput& input, const SceneStudy& study) {
   return table;
 }
 
+/// The model's own row, the last: what it costs, against itself.
+void add_model(const SceneStudy& study, StudyTable& table) {
+  std::vector<StudyTable::Cell> row(table.columns.size(), 0.0);
+  const auto put = [&](std::string_view column, StudyTable::Cell value) {
+    row[static_cast<std::size_t>(std::find(table.columns.begin(), table.columns.end(), column) -
+                                 table.columns.begin())] = std::move(value);
+  };
+  put("method", study.model.method);
+  put("normals", std::string(study.model.normals->name));
+  put("rate_hz", study.model.rate_hz);
+  put("events", std::string(events_word(study.model.events)));
+  put("ns_per_tick", study.model_tick_ns);
+  put("keeps", std::string("true"));
+  put("mean_mu", study.prices.front().figures.model_mean_mu);
+  put("ticks", static_cast<double>(study.model_ticks));
+  put("load_share", 1e-9 * study.model_tick_ns * study.model.rate_hz);
+  put("mark", std::string("model"));
+  put("loses", std::string());
+  table.rows.push_back(std::move(row));
+}
+
 using Number = double (*)(const ChoicePrice&);
 double load_of(const ChoicePrice& price) {
   return price.load();
@@ -99,7 +120,7 @@ std::vector<ChartCurve> curves_of(const SceneStudy& study, Events events, Number
   for (const ContactVariant& variant : contact_variants()) {
     ChartCurve curve{study.has_meshes ? variant.name() : "planes", variant.style, {}, {}};
     if (events == Events::tick) {
-      curve.name += ", events at ticks";
+      curve.name.clear();  // told in the chart's notes
       curve.style.dash = Dash::dotted;
     }
     for (const ChoicePrice& price : study.prices) {
@@ -124,11 +145,12 @@ void mark_choices(const SceneStudyInput& input, const SceneStudy& study, Number 
     panel.curves.push_back(
         {"what auto chooses", {palette::ink, Dash::none, Marker::ring, 2.6}, {x(price)}, {drawn(y(price))}});
   }
-  panel.curves.push_back(
-      {chosen.keeps() ? "the cheapest that keeps the tolerances" : "the nearest; none keeps them",
-       {palette::ink, Dash::none, Marker::square, 3.2},
-       {x(chosen)},
-       {drawn(y(chosen))}});
+  // Behind the others, as a frame.
+  panel.curves.insert(panel.curves.begin(), {chosen.keeps() ? "the cheapest that keeps the tolerances"
+                                                            : "the nearest; none keeps them",
+                                             {palette::ink, Dash::none, Marker::square, 3.2},
+                                             {x(chosen)},
+                                             {drawn(y(chosen))}});
 }
 
 void add_front(ChartPanel& panel) {
@@ -230,7 +252,8 @@ Chart chart_of(const SceneStudyInput& input, const SceneStudy& study) {
                    "({}), over {:.4g} s of the scene's motion.",
                    number_text(std::begin(choice_rates_hz)[0]), number_text(*std::rbegin(choice_rates_hz)),
                    study.model.name(), study.compared_s),
-       "Thin dashed lines: the scene's tolerances. Times were measured on the machine that drew this. Errors "
+       "Dotted: events at ticks only. Thin dashed lines: the scene's tolerances. Times were measured on the "
+       "machine that drew this. Errors "
        "under "
        "1e-5 are drawn there."},
       2,
@@ -245,7 +268,9 @@ Chart chart_of(const SceneStudyInput& input, const SceneStudy& study) {
 }  // namespace
 
 StudyReport scene_report(const SceneStudyInput& input, const SceneStudy& study) {
-  return {{table_of(input, study)}, {chart_of(input, study)}};
+  StudyTable table = table_of(input, study);
+  add_model(study, table);
+  return {{std::move(table)}, {chart_of(input, study)}};
 }
 
 }  // namespace fingerpad

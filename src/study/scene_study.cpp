@@ -56,6 +56,7 @@ Model run_model(const SceneStudyInput& input, SceneStudy& study) {
     for (const Vec3& friction_n : run.friction_W_n) study.has_friction |= friction_n != Vec3::Zero();
     study.compared_s += stretch.end_s - stretch.counted_s;
   }
+  study.model_ticks = static_cast<long>(times_ns.size());
   study.model_tick_ns = mean_tick_ns(std::move(times_ns));
   if (touched == 0) {
     throw refused(

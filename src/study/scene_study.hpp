@@ -28,6 +28,7 @@ struct SceneStudy {
   std::vector<ChoicePrice> prices;  ///< in the order of touch_choices()
   TouchChoice model;
   double model_tick_ns = 0;
+  long model_ticks = 0;
   double compared_s = 0;  ///< of the motion
   bool has_friction = false, has_events = false, has_meshes = false;
 };

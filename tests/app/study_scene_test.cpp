@@ -56,9 +56,10 @@ TEST(StudyScene, WritesEveryChoiceAndTheLinesToPaste) {
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.out, AllOf(StartsWith("rub: "), HasSubstr("o/scene.toml")));
   const auto lines = lines_of(folder / "o" / "choices.csv");
-  ASSERT_EQ(lines.size(), 1u + 2 * 3 * 7 * 2);  // methods, normals, rates, events
+  ASSERT_EQ(lines.size(), 1u + 2 * 3 * 7 * 2 + 1);  // methods, normals, rates, events; and the model
   EXPECT_THAT(lines[0], StartsWith("method,normals,rate_hz,events,force_rms_share,ns_per_tick,keeps,"));
   EXPECT_THAT(lines[1], StartsWith("closest-point,facet,250,exact,"));
+  EXPECT_THAT(lines.back(), AllOf(StartsWith("proxy,curved,40000,exact,0,"), HasSubstr(",model,")));
   // What is pasted is a scene's, and is replayed.
   std::string kept = bytes_of(folder / "o" / "scene.toml");
   for (const char* word :
@@ -86,7 +87,7 @@ TEST(StudyScene, IsTheSameAtEveryRunButForTimes) {
   };
   const std::string first = untimed("o");
   EXPECT_EQ(first, untimed("p"));
-  EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 1 + 7 * 2);  // a plane searches for nothing
+  EXPECT_EQ(std::count(first.begin(), first.end(), '\n'), 1 + 7 * 2 + 1);  // a plane searches for nothing
 }
 
 TEST(StudyScene, RefusesWhatItCannotCompareWithTheMend) {
@@ -110,7 +111,7 @@ TEST(StudyScene, FollowsTheWayOfAHand) {
   EXPECT_THAT(result.err, HasSubstr("in its [hand]"));
   // SCIENCE 4: 1000 N/m is held from 1 kHz on, and no more than 500 N/m at 500 Hz.
   const auto lines = lines_of(folder / "o" / "choices.csv");
-  ASSERT_EQ(lines.size(), 1u + 7);
+  ASSERT_EQ(lines.size(), 1u + 7 + 1);
   EXPECT_THAT(lines[2],
               AllOf(HasSubstr(",500,exact,"), HasSubstr(",false,"), HasSubstr("holds no more than")));
   EXPECT_THAT(lines[3], AllOf(HasSubstr(",1000,exact,"), HasSubstr(",true,")));
