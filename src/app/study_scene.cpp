@@ -111,7 +111,8 @@ int study_one_scene(const std::string& scene_path, const std::string& out_dir) {
   input.automatic = automatic_choice_of(scene, *world, motion.path);
   const SceneStudy study =
       study_scene(input, [&bar](double done, const std::string& what) { bar.show(0.1 + 0.9 * done, what); });
-  const std::string written = write_study(scene_report(input, study), out_dir);
+  const std::string written =
+      write_study({{choices_table(input, study)}, {scene_chart(input, study)}}, out_dir);
   bar.finish();
   tell_how(as_written, motion);
   write_lines(scene_lines(input, study), out_dir + "/scene.toml");

@@ -31,8 +31,8 @@ double mean_tick_ns(std::vector<float> tick_ns) {
 std::vector<std::string> broken_promises(const ForceFigures& figures, const RateFigures& rate,
                                          const Promises& promises) {
   std::vector<std::string> broken = broken_promises(figures, promises);
-  std::string hidden = teeth_hidden_because({rate.held_mu_share, rate.unseen_teeth_share},
-                                            promises.mu_tolerance, rate.rate_hz);
+  std::string hidden = friction_hidden_because({rate.held_mu_share, rate.unseen_teeth_share},
+                                               promises.mu_tolerance, rate.rate_hz);
   if (!hidden.empty()) broken.push_back(std::move(hidden));
   return broken;
 }

@@ -38,8 +38,10 @@ struct SceneStudy {
 /// Throws Error (refused) where the model touches nothing: then nothing can be compared.
 SceneStudy study_scene(const SceneStudyInput& input, const SceneStudyProgress& progress);
 
-/// choices.csv and the chart "choices".
-StudyReport scene_report(const SceneStudyInput& input, const SceneStudy& study);
+/// choices.csv: a row a choice, the model's the last.
+StudyTable choices_table(const SceneStudyInput& input, const SceneStudy& study);
+/// The chart "choices".
+Chart scene_chart(const SceneStudyInput& input, const SceneStudy& study);
 
 /// The cheapest choice that keeps the scene's tolerances, as the lines of a scene file to paste, below
 /// comments that say why and what the next cheaper one would have lost.

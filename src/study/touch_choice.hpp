@@ -20,6 +20,7 @@ struct TouchChoice {
 
   /// "proxy, curved, 1000 Hz, events exact"
   std::string name() const;
+  bool operator==(const TouchChoice&) const = default;
 };
 
 /// As scenes write it.

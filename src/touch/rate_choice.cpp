@@ -43,28 +43,39 @@ double rise_per_m(const Scene& scene, const LawEntry& law) {
   return pad.mu_static / std::min(pad.lateral_axis_m, pad.longitudinal_axis_m);
 }
 
-/// The finger's speed now and then over a path, wherever it moves.
-std::vector<double> speeds_along(const FingerPath& path) {
-  constexpr double window_s = 1e-3;
-  constexpr long most_windows = 100000;
-  const double whole_s = path.end_s() - path.start_s();
-  const long windows = std::clamp(std::lround(whole_s / window_s), 1L, most_windows);
-  std::vector<double> speeds;
-  for (long k = 0; k < windows; ++k) {
-    const double t_s = path.start_s() + whole_s * static_cast<double>(k) / static_cast<double>(windows);
-    const FingerSample from = path.at_time(t_s);
-    const double speed = from.velocity_W ? from.velocity_W->norm()
-                                         : (path.at_time(t_s + window_s).p_WQ - from.p_WQ).norm() / window_s;
-    if (speed > 0) speeds.push_back(speed);
-  }
-  return speeds;
+/// A tick in which the finger goes.
+struct Going {
+  double speed_m_per_s = 0;
+  double turn_square = 0;  ///< |u - u_before|^2, of the directions in this tick and the one before
+};
+
+Vec3 velocity_at(const FingerPath& path, double t_s, double tick_s) {
+  const FingerSample from = path.at_time(t_s);
+  return from.velocity_W ? *from.velocity_W : Vec3((path.at_time(t_s + tick_s).p_WQ - from.p_WQ) / tick_s);
 }
 
-std::vector<double> speeds_up_to(double v_min_m_per_s) {
+/// The ticks of a path in which the finger goes; of a long one so many, evenly spread.
+std::vector<Going> ticks_along(const FingerPath& path, double tick_s) {
+  constexpr long most_ticks_seen = 100000;
+  const double whole_s = path.end_s() - path.start_s() - tick_s;
+  const long ticks = std::clamp(std::lround(whole_s / tick_s), 1L, most_ticks_seen);
+  std::vector<Going> going;
+  for (long k = 0; k < ticks; ++k) {
+    const double t_s =
+        path.start_s() + std::max(0.0, whole_s) * static_cast<double>(k) / static_cast<double>(ticks);
+    const Vec3 before = velocity_at(path, t_s, tick_s), now = velocity_at(path, t_s + tick_s, tick_s);
+    if (!(now.norm() > 0)) continue;
+    const bool both = before.norm() > 0;
+    going.push_back({now.norm(), both ? (now.normalized() - before.normalized()).squaredNorm() : 0});
+  }
+  return going;
+}
+
+std::vector<Going> speeds_up_to(double v_min_m_per_s) {
   constexpr int steps = 100;
-  std::vector<double> speeds;
-  for (int i = 1; i <= steps; ++i) speeds.push_back(v_min_m_per_s * i / steps);
-  return speeds;
+  std::vector<Going> going;
+  for (int i = 1; i <= steps; ++i) going.push_back({v_min_m_per_s * i / steps, 0});
+  return going;
 }
 
 std::string hand_text(const HandSettings& hand, double rate_hz) {
@@ -90,9 +101,11 @@ Teeth teeth_of(const Scene& scene) {
   const LawSettings& settings = scene.friction.settings;
   // A law that slips on after a slow rupture saws as little as one that never ruptures.
   const bool slips_on = law != nullptr && chooses(*law, "restick") && settings.restick == Restick::crossing;
-  if (law == nullptr || !chooses(*law, "events") || slips_on) return teeth;
+  if (law == nullptr) return teeth;
+  if (reads(*law, v_min_parameter)) teeth.v_min_m_per_s = v_min_m_per_s(settings);
+  if (!chooses(*law, "events") || slips_on) return teeth;
+  if (!reads(*law, v_min_parameter)) teeth.v_min_m_per_s = HUGE_VAL;  // it saws at any speed
   teeth.rise_per_m = rise_per_m(scene, *law);
-  teeth.v_min_m_per_s = reads(*law, v_min_parameter) ? v_min_m_per_s(settings) : HUGE_VAL;
   for (const SurfaceProperties& surface : surfaces_of(scene)) {
     const double height = surface.mu_static - surface.mu_dynamic,
                  mean = (surface.mu_static + surface.mu_dynamic) / 2;
@@ -104,36 +117,46 @@ Teeth teeth_of(const Scene& scene) {
   return teeth;
 }
 
-ShownTeeth shown_teeth(const Teeth& teeth, const FingerPath* path, double rate_hz) {
-  ShownTeeth shown;
-  if (!(teeth.height > 0) || !(teeth.rise_per_m > 0)) return shown;
-  const std::vector<double> speeds =
-      path != nullptr ? speeds_along(*path) : speeds_up_to(teeth.v_min_m_per_s);
-  double square = 0, slow = 0, travel = 0, unseen = 0;
-  for (const double speed : speeds) {
-    if (speed > teeth.v_min_m_per_s) continue;
-    const double rise = teeth.rise_per_m * speed / rate_hz;
+ShownFriction shown_friction(const Teeth& teeth, const FingerPath* path, double rate_hz) {
+  const std::vector<Going> ticks =
+      path != nullptr ? ticks_along(*path, 1 / rate_hz) : speeds_up_to(teeth.v_min_m_per_s);
+  const bool saws = teeth.height > 0 && teeth.rise_per_m > 0;
+  double square = 0, slow = 0, travel = 0, unseen = 0, turned = 0;
+  for (const Going& tick : ticks) {
+    if (tick.speed_m_per_s > teeth.v_min_m_per_s) {
+      turned += tick.turn_square;
+      continue;
+    }
+    const double rise = teeth.rise_per_m * tick.speed_m_per_s / rate_hz;
     square += held_teeth_square(teeth.height, rise);
     ++slow;
-    travel += speed;
-    if (rise > teeth.height / 2) unseen += speed;
+    travel += tick.speed_m_per_s;
+    if (rise > teeth.height / 2) unseen += tick.speed_m_per_s;
   }
-  if (slow == 0) return shown;
-  return {std::sqrt(square / slow) / teeth.mean, unseen / travel};
+  ShownFriction shown;
+  if (!ticks.empty()) shown.turn_share = std::sqrt(turned / 3 / static_cast<double>(ticks.size()));
+  if (slow == 0 || !saws) return shown;
+  shown.held_share = std::sqrt(square / slow) / teeth.mean;
+  shown.unseen_share = unseen / travel;
+  return shown;
 }
 
-std::string teeth_hidden_because(const ShownTeeth& shown, double mu_tolerance, double rate_hz) {
+std::string friction_hidden_because(const ShownFriction& shown, double mu_tolerance, double rate_hz) {
+  const std::string at = number_text(rate_hz) + " Hz";
+  const std::string allowed = fmt::format("where {:.3g} % is asked for", 100 * mu_tolerance);
   if (shown.held_share > mu_tolerance) {
     return fmt::format(
-        "held from tick to tick at {} Hz the coefficient of friction of a slow finger is off by "
-        "{:.2g} % (RMS), where {:.3g} % is asked for",
-        number_text(rate_hz), 100 * shown.held_share, 100 * mu_tolerance);
+        "held from tick to tick at {} the coefficient of friction of a slow finger is off by {:.2g} % "
+        "(RMS), {}",
+        at, 100 * shown.held_share, allowed);
   }
   if (shown.unseen_share > mu_tolerance) {
-    return fmt::format(
-        "at {} Hz {:.3g} % of the stick-slip teeth last under two ticks, which nothing shows, where "
-        "{:.3g} % are allowed",
-        number_text(rate_hz), 100 * shown.unseen_share, 100 * mu_tolerance);
+    return fmt::format("at {} {:.3g} % of the stick-slip teeth last under two ticks, which nothing shows, {}",
+                       at, 100 * shown.unseen_share, allowed);
+  }
+  if (shown.turn_share > mu_tolerance) {
+    return fmt::format("the motion turns so sharply that at {} friction is off by {:.2g} % (RMS), {}", at,
+                       100 * shown.turn_share, allowed);
   }
   return {};
 }
@@ -167,21 +190,20 @@ std::string unstable_because(const Scene& scene, double rate_hz) {
 
 RateChoice choose_rate(const Scene& scene, const FingerPath* path) {
   const Teeth teeth = teeth_of(scene);
+  const double tolerance = scene.contact.mu_tolerance;
   std::string lower;  // why the rate below would not do
   for (const double rate_hz : automatic_rates_hz) {
-    const ShownTeeth shown = shown_teeth(teeth, path, rate_hz);
+    const bool rubs = scene.friction.law != "none";
+    const ShownFriction shown = rubs ? shown_friction(teeth, path, rate_hz) : ShownFriction();
     std::string broken = unstable_because(scene, rate_hz);
-    if (broken.empty()) broken = teeth_hidden_because(shown, scene.contact.mu_tolerance, rate_hz);
-    if (!broken.empty()) {
-      lower = std::move(broken);
-      continue;
+    if (broken.empty()) broken = friction_hidden_because(shown, tolerance, rate_hz);
+    if (broken.empty()) {
+      return told(rate_hz, !lower.empty()
+                               ? "because " + lower
+                               : fmt::format("the lowest there is: it shows friction within {:.3g} %",
+                                             100 * tolerance));
     }
-    if (!lower.empty()) return told(rate_hz, "because " + lower);
-    return told(rate_hz,
-                shown.held_share > 0
-                    ? fmt::format("the lowest there is, which shows a slow finger's teeth within {:.2g} %",
-                                  100 * shown.held_share)
-                    : "the lowest there is: nothing in the scene saws or closes a loop");
+    lower = std::move(broken);
   }
   return told(*std::rbegin(automatic_rates_hz), "the highest there is, though " + lower);
 }

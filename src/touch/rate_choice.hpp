@@ -21,7 +21,7 @@ struct Teeth {
   double height = 0;         ///< mu_s - mu_d; 0: the law or the scene has no teeth
   double mean = 0;           ///< (mu_s + mu_d)/2
   double rise_per_m = 0;     ///< by which the coefficient rises in stick, with the finger's travel
-  double v_min_m_per_s = 0;  ///< above this it slips, without teeth
+  double v_min_m_per_s = 0;  ///< above this it slips, without teeth; 0: the law knows no such speed
 };
 
 /// Mean square by which the coefficient is off that was given at the last tick and is held until the next,
@@ -37,21 +37,25 @@ double held_teeth_square(double height, double rise) noexcept;
 /// its short axis at 45 degrees; those that do not scale with the load are taken at 1 N.
 Teeth teeth_of(const Scene& scene);
 
-/// How a rate shows a slow finger's teeth. Events are found between ticks, so that the teeth themselves are
-/// right at any rate.
-struct ShownTeeth {
-  double held_share = 0;    ///< RMS error of the coefficient held from tick to tick, of its mean
+/// What a rate costs friction. Events are found between ticks, so that the teeth themselves are right at any
+/// rate; what is left is what the ticks show of them, and turns of the motion within a tick.
+struct ShownFriction {
+  double held_share = 0;    ///< RMS error of a slow finger's coefficient held from tick to tick, of its mean
   double unseen_share = 0;  ///< of the teeth: those that last under two ticks, which no sampling shows
+  double turn_share = 0;    ///< RMS error of friction's direction, of friction
 };
 
-/// Over the time in which the finger goes, and not faster than v_min; zeros where it never does.
-///   held_share   = sqrt(mean over the time of held_teeth_square(h, rise_per_m |v| T)) / mean
+/// Over the ticks in which the finger goes; of slow ones, not faster than v_min, the first two.
+///   held_share   = sqrt(mean of held_teeth_square(h, rise_per_m |v| T)) / mean
 ///   unseen_share = sum of |v| where rise_per_m |v| T > h/2, over the sum of all |v|
-/// @param path  null: the finger is held live, and all speeds up to v_min are as likely
-ShownTeeth shown_teeth(const Teeth& teeth, const FingerPath* path, double rate_hz);
+///   turn_share   = sqrt(mean of |u - u_before|^2 / 3), u = v/|v|: somewhere within the tick friction turns
+///                  round, and its ends are told apart by a part of it that is even from 0 to 1
+/// Turns of a slow finger are no error: there the pad sticks, and its spring turns with the travel.
+/// @param path  null: the finger is held live, goes straight, and all speeds up to v_min are as likely
+ShownFriction shown_friction(const Teeth& teeth, const FingerPath* path, double rate_hz);
 
-/// Why teeth are not shown well enough, in words; empty where both shares are within mu_tolerance.
-std::string teeth_hidden_because(const ShownTeeth& shown, double mu_tolerance, double rate_hz);
+/// Why friction is not shown well enough, in words; empty where all shares are within mu_tolerance.
+std::string friction_hidden_because(const ShownFriction& shown, double mu_tolerance, double rate_hz);
 
 /// Why the loop of the scene's [hand] is not stable at this rate, in words; empty where it is, or the scene
 /// has no hand: a finger that follows its motion whatever it feels closes no loop. What must be held: the

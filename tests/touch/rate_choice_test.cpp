@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
@@ -64,7 +65,7 @@ TEST(RateChoice, ShowsTheTeethOfASlowRub) {
   EXPECT_EQ(chosen_hz(scene_of(), 0.03), 4000);  // 2180 Hz
   EXPECT_EQ(chosen_hz(scene_of(), 0.09), 10000);
   const FingerPath path = line_at(0.01);
-  EXPECT_NEAR(shown_teeth(teeth_of(scene_of()), &path, 727).held_share, 0.1, 5e-4);
+  EXPECT_NEAR(shown_friction(teeth_of(scene_of()), &path, 727).held_share, 0.1, 5e-4);
 }
 
 TEST(RateChoice, TakesTheLowestWhereNothingSaws) {
@@ -84,10 +85,38 @@ TEST(RateChoice, GivesAToothTwoTicks) {
   loose.contact.mu_tolerance = 0.99;
   EXPECT_EQ(chosen_hz(loose, 0.03), 1000);
   const FingerPath path = line_at(0.03);
-  EXPECT_EQ(shown_teeth(teeth_of(loose), &path, 590).unseen_share, 1);
-  EXPECT_EQ(shown_teeth(teeth_of(loose), &path, 610).unseen_share, 0);
+  EXPECT_EQ(shown_friction(teeth_of(loose), &path, 590).unseen_share, 1);
+  EXPECT_EQ(shown_friction(teeth_of(loose), &path, 610).unseen_share, 0);
   EXPECT_THAT(choose_rate(loose, &path).reason,
               HasSubstr("at 500 Hz 100 % of the stick-slip teeth last under"));
+}
+
+TEST(RateChoice, FollowsSharpTurnsOfAFastFinger) {
+  // Round a circle of 10 mm at 3 Hz, 0.19 m/s: the direction turns by 0.075 a tick of 4 ms, by 0.0188 at 1
+  // kHz.
+  ScriptedMotion circle;
+  circle.kind = ScriptedMotion::Kind::circle;
+  circle.amplitude_m = 0.01;
+  circle.direction = Vec3::UnitX();
+  circle.frequency_hz = 3;
+  circle.duration_s = 1;
+  const FingerPath round(circle, 1000, Vec3(0, 0.6, -0.8));
+  for (const double rate_hz : {250.0, 1000.0}) {
+    const double turn = 2 * std::numbers::pi * 3 / rate_hz;  // its chord is 2e-4 shorter
+    EXPECT_NEAR(shown_friction(teeth_of(scene_of()), &round, rate_hz).turn_share, turn / std::sqrt(3),
+                1e-3 * turn);
+  }
+  Scene strict = scene_of();
+  strict.contact.mu_tolerance = 0.02;
+  EXPECT_THAT(choose_rate(strict, &round).reason, HasSubstr("the motion turns so sharply that at 500 Hz"));
+  EXPECT_EQ(choose_rate(strict, &round).rate_hz, 1000);
+  strict.friction.law = "none";
+  EXPECT_EQ(choose_rate(strict, &round).rate_hz, 250);
+  // Slower than v_min the pad sticks, and its spring takes the turns; a law without v_min does not.
+  circle.frequency_hz = 1;
+  const FingerPath slow(circle, 1000, Vec3(0, 0.6, -0.8));
+  EXPECT_EQ(shown_friction(teeth_of(scene_of()), &slow, 250).turn_share, 0);
+  EXPECT_GT(shown_friction(teeth_of(scene_of("coulomb")), &slow, 250).turn_share, 0.01);
 }
 
 TEST(RateChoice, FollowsTheTolerance) {
