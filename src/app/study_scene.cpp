@@ -10,6 +10,7 @@
 #include "app/standard_streams.hpp"
 #include "app/study_output.hpp"
 #include "base/error.hpp"
+#include "base/file_identity.hpp"
 #include "replay/batch_files.hpp"
 #include "scene/scene_file.hpp"
 #include "study/scene_study.hpp"
@@ -55,7 +56,13 @@ Scene all_automatic(Scene scene) {
 /// What `auto` takes for a scene: contact as load_world chose it, the rate by its own rule.
 TouchChoice automatic_choice_of(const Scene& scene, const World& world, const FingerPath& path) {
   const ContactChoice contact = settled_contact(scene, world);
-  return {contact.method, contact.normals, choose_rate(scene, &path).rate_hz, Events::exact};
+  TouchChoice choice = touch_choices(scene, world).front();  // of planes alone the one contact that they have
+  if (method_in(world, contact.method) == contact.method) {
+    choice.method = contact.method;
+    choice.normals = contact.normals;
+  }
+  choice.rate_hz = choose_rate(scene, &path).rate_hz;
+  return choice;
 }
 
 /// The way that a finger takes in the scene's hand, which the choices then follow exactly: two closed loops

@@ -12,10 +12,13 @@ namespace {
 /// Loads that differ by less are alike.
 constexpr double alike = 1.1;
 
-/// What a choice loses, to put one before another: on the contact's force first, then on friction.
+/// Errors below are rounding, which is not to choose.
+constexpr double rounding = 1e-6;
+
+/// What a choice loses, to put one before another: ruptures first, then the contact's force, then friction.
 auto loss(const ChoicePrice& price) {
-  return std::tuple(price.figures.contact_99_share, price.choice.events == Events::tick,
-                    price.figures.mu_error_share + price.rate.held_mu_share);
+  return std::tuple(price.choice.events == Events::tick, std::max(rounding, price.figures.contact_99_share),
+                    std::max(rounding, price.figures.mu_error_share + price.rate.held_mu_share));
 }
 
 }  // namespace

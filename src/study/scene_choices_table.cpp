@@ -34,6 +34,7 @@ StudyTable table_of(const SceneStudyInput& input, const SceneStudy& study) {
                     "mu_error_share",
                     "held_mu_share",
                     "held_force_share",
+                    "unseen_teeth_share",
                     "ruptures_missed",
                     "pop_throughs",
                     "ticks",

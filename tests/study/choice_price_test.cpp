@@ -37,9 +37,13 @@ TEST(Cheapest, OfThoseThatCostAlikeIsTheMostExact) {
   std::vector<ChoicePrice> prices{price_of(200, 0.02, true), price_of(215, 0.001, true),
                                   price_of(230, 0, true)};
   EXPECT_EQ(&cheapest(prices), &prices[1]);
-  prices[0].figures.contact_99_share = 0.001;
-  prices[0].choice.events = Events::tick;
-  EXPECT_EQ(&cheapest(prices), &prices[1]);
+  // One that looks for ruptures at ticks only comes after one that finds them all.
+  prices[1].choice.events = Events::tick;
+  EXPECT_EQ(&cheapest(prices), &prices[0]);
+  // Rounding decides nothing: the first in the table does.
+  prices[0].figures.contact_99_share = 2e-16;
+  prices[1] = price_of(200, 1e-16, true);
+  EXPECT_EQ(&cheapest(prices), &prices[0]);
 }
 
 TEST(Cheapest, WhereNoneKeepsIsTheOneThatBreaksLeast) {
