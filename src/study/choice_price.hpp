@@ -14,7 +14,8 @@ struct ChoicePrice {
   TouchChoice choice;
   ForceFigures figures;
   RateFigures rate;
-  double tick_ns = 0;   ///< mean time of a tick on this machine, without the slowest in a thousand
+  double tick_ns = 0;   ///< mean time of a tick on this machine, without the slowest in a thousand; the best
+                        ///< of a few passes where there are few ticks
   long late_ticks = 0;  ///< that took longer than the rate leaves them
   std::vector<std::string> broken;  ///< promises, in words; none: it keeps them all
 

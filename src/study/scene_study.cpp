@@ -23,21 +23,37 @@ double all_ticks_hz(const std::vector<TouchChoice>& choices) {
                          [](double sum, const TouchChoice& choice) { return sum + choice.rate_hz; });
 }
 
-ChoicePrice price_of(const SceneStudyInput& input, const TouchChoice& choice, const Model& model) {
-  const Promises promises(input.scene.contact);
-  ChoicePrice price{choice, {}, rate_figures(model.runs, choice.rate_hz), 0, 0, {}};
-  ForceComparison comparison(promises);
+/// Few ticks are timed again, so that the caches' first filling is not taken for the choice's.
+constexpr std::size_t enough_ticks = 10000;
+constexpr int most_passes = 4;
+
+/// The choice over all stretches once. @returns the ticks' times [ns]
+std::vector<float> pass(const SceneStudyInput& input, const TouchChoice& choice, const Model& model,
+                        ForceComparison& comparison) {
   std::vector<float> times_ns;
   for (std::size_t i = 0; i < model.stretches.size(); ++i) {
     const StretchRun run = run_stretch(input.world, input.scene, input.path, choice, model.stretches[i]);
     comparison.add(run, model.runs[i]);
     times_ns.insert(times_ns.end(), run.tick_ns.begin(), run.tick_ns.end());
   }
+  return times_ns;
+}
+
+ChoicePrice price_of(const SceneStudyInput& input, const TouchChoice& choice, const Model& model) {
+  const Promises promises(input.scene.contact);
+  ChoicePrice price{choice, {}, rate_figures(model.runs, choice.rate_hz), 0, 0, {}};
+  ForceComparison comparison(promises);
+  const std::vector<float> times_ns = pass(input, choice, model, comparison);
   price.figures = comparison.figures();
   const double tick_ns = 1e9 / choice.rate_hz;
   price.late_ticks = std::count_if(times_ns.begin(), times_ns.end(),
                                    [&](float took_ns) { return static_cast<double>(took_ns) > tick_ns; });
-  price.tick_ns = mean_tick_ns(std::move(times_ns));
+  price.tick_ns = mean_tick_ns(times_ns);
+  for (int passes = 1;
+       passes < most_passes && times_ns.size() * static_cast<std::size_t>(passes) < enough_ticks; ++passes) {
+    ForceComparison same(promises);
+    price.tick_ns = std::min(price.tick_ns, mean_tick_ns(pass(input, choice, model, same)));
+  }
   price.broken = broken_promises(price.figures, price.rate, promises);
   const std::string unstable = unstable_because(input.scene, choice.rate_hz);
   if (!unstable.empty()) price.broken.push_back(unstable);
