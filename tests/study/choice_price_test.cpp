@@ -80,9 +80,9 @@ TEST(RateFigures, AreThoseOfTheModelHeldFromTickToTick) {
   EXPECT_EQ(rate_figures({model}, 2000).unseen_teeth_share, 0);
   EXPECT_EQ(rate_figures({model}, 40000).held_mu_share, 0);
   const Promises promises{ContactSettings()};
-  EXPECT_EQ(broken_promises({}, figures, promises).size(), 1);
-  EXPECT_EQ(broken_promises({}, RateFigures{1000, 0.09, 1, 0.09}, promises).size(), 0);
-  EXPECT_EQ(broken_promises({}, RateFigures{1000, 0.09, 1, 0.11}, promises).size(), 1);
+  EXPECT_EQ(broken_promises({}, figures, promises).size(), 1u);
+  EXPECT_EQ(broken_promises({}, RateFigures{1000, 0.09, 1, 0.09}, promises).size(), 0u);
+  EXPECT_EQ(broken_promises({}, RateFigures{1000, 0.09, 1, 0.11}, promises).size(), 1u);
 }
 
 }  // namespace

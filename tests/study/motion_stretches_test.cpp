@@ -28,7 +28,7 @@ bool is_free(const FingerPath& path, double t_s) {
 TEST(MotionStretches, AreTheWholeOfAShortMotion) {
   const FingerPath path = tapping(14.3);
   const auto stretches = motion_stretches(test::plane_world(), test::plane_scene("stick-slip"), path);
-  ASSERT_EQ(stretches.size(), 1);
+  ASSERT_EQ(stretches.size(), 1u);
   EXPECT_EQ(stretches[0].start_s, 0);
   EXPECT_EQ(stretches[0].counted_s, 0);
   EXPECT_EQ(stretches[0].end_s, 14.3);
@@ -37,7 +37,7 @@ TEST(MotionStretches, AreTheWholeOfAShortMotion) {
 TEST(MotionStretches, OfALongOneBeginWithAFreeFinger) {
   const FingerPath path = tapping(300);
   const auto stretches = motion_stretches(test::plane_world(), test::plane_scene("stick-slip"), path);
-  ASSERT_EQ(stretches.size(), 10);
+  ASSERT_EQ(stretches.size(), 10u);
   double counted_s = 0;
   int in_contact = 0;
   for (std::size_t i = 0; i < stretches.size(); ++i) {

@@ -45,7 +45,7 @@ TEST(StretchRun, OfAPlaneIsTheSameWithAllMethodsAndNormals) {
   const FingerPath path = drag_of(0.5, 0.03);
   const MotionStretch stretch{0, 0.1, 0.5};
   const StretchRun first = run_stretch(world, scene, path, {"closest-point", Normals::facet}, stretch);
-  ASSERT_EQ(first.tick_count(), 400);
+  ASSERT_EQ(first.tick_count(), 400u);
   EXPECT_NEAR(first.normal_n[0], 1, 1e-6);  // 1 mm on 1000 N/m, kept as a float
   for (const char* method : {"closest-point", "proxy"}) {
     for (const Normals normals : normals_table()) {
@@ -65,7 +65,7 @@ TEST(StretchRun, BeginsWithTheMemoryThatItsLeadInHasLeft) {
   const TouchChoice choice{"proxy", Normals::facet, 1000};
   const StretchRun whole = run_stretch(world, scene, path, choice, {0, 0, 1});
   const StretchRun part = run_stretch(world, scene, path, choice, {0, 0.6, 0.8});
-  ASSERT_EQ(part.tick_count(), 200);
+  ASSERT_EQ(part.tick_count(), 200u);
   for (std::size_t k = 0; k < part.tick_count(); ++k)
     ASSERT_LT((part.force_W_n[k] - whole.force_W_n[600 + k]).norm(), 1e-12) << k;
   // Begun there without one, the pad is unstretched.
