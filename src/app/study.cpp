@@ -8,18 +8,16 @@
 #include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
+#include "app/study_output.hpp"
+#include "app/study_scene.hpp"
 #include "base/error.hpp"
 #include "study/studies.hpp"
-#include "trace/output_file.hpp"
-#ifdef FINGERPAD_VIEW
-#include "view/plot.hpp"
-#endif
 
 namespace fingerpad {
 namespace {
 
 struct StudyOptions {
-  std::string subject, out_dir;
+  std::string subject, scene, out_dir;
   std::string exact_folder = "scenes/exact";
   bool exact_folder_given = false;
 };
@@ -48,28 +46,22 @@ StudyReport studied(const StudyOptions& options) {
   return study_contact(progress, exact_folder(options));
 }
 
+/// A scene is what `scene` studies, and what no other subject has.
+void refuse_odd_scene(const StudyOptions& options) {
+  if (options.subject == "scene" && options.scene.empty())
+    throw Error(ErrorKind::usage, "study scene", "needs a scene: fingerpad study scene SCENE.toml --out DIR");
+  if (options.subject != "scene" && !options.scene.empty())
+    throw Error(ErrorKind::usage, options.scene, fmt::format("study {} takes no scene", options.subject));
+}
+
 int study(const StudyOptions& options) {
+  refuse_odd_scene(options);
   if (options.out_dir == "-")
     throw Error(ErrorKind::usage, "--out", "a study needs a folder, not standard output");
+  if (options.subject == "scene") return study_one_scene(options.scene, options.out_dir);
   const OutputFolder folder(options.out_dir);  // before the work, which would be lost without it
   const StudyReport report = studied(options);
-  for (const StudyTable& table : report.tables) {
-    OutputFile file(options.out_dir + "/" + table.name + ".csv");
-    file.write(table.csv());
-    file.commit();
-  }
-#ifdef FINGERPAD_VIEW
-  for (const Chart& chart : report.charts) {
-    for (const char* ending : {".png", ".svg"}) {
-      write_chart(chart, options.out_dir + "/" + chart.name + ending);
-    }
-  }
-  print_out("{} tables and {} charts (PNG and SVG) in {}\n", report.tables.size(), report.charts.size(),
-            options.out_dir);
-#else
-  print_out("{} tables in {}; charts need a build with FINGERPAD_VIEW=ON\n", report.tables.size(),
-            options.out_dir);
-#endif
+  print_out("{}\n", write_study(report, options.out_dir));
   return 0;
 }
 
@@ -79,9 +71,10 @@ void add_study(CLI::App& program, Action& action) {
   auto options = std::make_shared<StudyOptions>();
   CLI::App* command =
       program.add_subcommand("study", "Measure speed against accuracy, and stability, as tables and charts");
-  command->add_option("SUBJECT", options->subject, "friction, contact or stability")
+  command->add_option("SUBJECT", options->subject, "friction, contact, stability or scene")
       ->required()
-      ->check(CLI::IsMember({"friction", "contact", "stability"}));
+      ->check(CLI::IsMember({"friction", "contact", "stability", "scene"}));
+  command->add_option("SCENE", options->scene, "scene: the scene (TOML) whose choices are compared");
   refuse_empty(command->add_option("--out", options->out_dir,
                                    "Folder for the CSV tables and the charts (PNG and SVG)"))
       ->required();
@@ -96,6 +89,10 @@ void add_study(CLI::App& program, Action& action) {
       "steps; strikes through thin walls.\n"
       "stability: largest stable stiffness by rate, damping and delay; loads at which stick buzzes; energy "
       "made; restick rules; velocity.\n"
+      "scene: every method, normals, rate and reading of events over the scene's own motion, against the "
+      "most "
+      "complete model: choices.csv, a chart, and scene.toml with the cheapest choice that keeps the scene's "
+      "tolerances; under a minute.\n"
       "Each takes ten to thirty seconds. Files named *_measured hold times of this machine; all others are "
       "the same "
       "at every run.");

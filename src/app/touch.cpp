@@ -20,6 +20,7 @@
 #include "replay/run_job.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_table.hpp"
+#include "touch/rate_choice.hpp"
 #include "touch/servo_loop.hpp"
 #include "trace/live_recorder.hpp"
 #include "view/screen.hpp"
@@ -42,8 +43,14 @@ Scene touched_scene(const TouchOptions& options) {
   }
   Scene scene = kind == SubjectKind::scene ? single_scene(options.subject)
                                            : scene_of_mesh(options.subject, metres_of(options.unit));
+  if (options.rate_hz) {
+    scene.motion.rate_hz = *options.rate_hz;
+    scene.motion.automatic_rate = false;
+  }
+  // Before the hand goes: the loop that it closes is what a person's own is taken for.
+  const std::string reason = settle_live_rate(scene);
+  if (!reason.empty()) print_err("fingerpad: {}: {}\n", scene.name, reason);
   scene.hand.reset();  // a person holds the finger
-  if (options.rate_hz) scene.motion.rate_hz = *options.rate_hz;
   return scene;
 }
 

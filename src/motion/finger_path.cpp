@@ -69,6 +69,7 @@ FingerPath::FingerPath(Motion motion, double rate_hz, const Vec3& direction_W)
     : rate_hz_(rate_hz),
       direction_W_(direction_W),
       t0_s_(motion.t_s.front()),
+      end_s_(motion.t_s.back()),
       tick_count_(ticks_between(motion.t_s.front(), motion.t_s.back(), rate_hz)) {
   motion_ = std::move(motion);
 }
@@ -77,7 +78,15 @@ FingerPath::FingerPath(const ScriptedMotion& motion, double rate_hz, const Vec3&
     : motion_(motion),
       rate_hz_(rate_hz),
       direction_W_(direction_W),
+      end_s_(motion.duration_s),
       tick_count_(ticks_between(0, motion.duration_s, rate_hz)) {}
+
+FingerPath FingerPath::with_rate(double rate_hz) const {
+  FingerPath path = *this;
+  path.rate_hz_ = rate_hz;
+  path.tick_count_ = ticks_between(t0_s_, end_s_, rate_hz);
+  return path;
+}
 
 double FingerPath::farthest_m() const noexcept {
   const auto largest = [](const auto& p) { return p.cwiseAbs().maxCoeff(); };
@@ -109,7 +118,10 @@ bool FingerPath::has_velocity() const noexcept {
 }
 
 FingerSample FingerPath::at(long k) const noexcept {
-  const double t_s = t0_s_ + static_cast<double>(k) / rate_hz_;
+  return at_time(t0_s_ + static_cast<double>(k) / rate_hz_);
+}
+
+FingerSample FingerPath::at_time(double t_s) const noexcept {
   if (const auto* scripted = std::get_if<ScriptedMotion>(&motion_))
     return {t_s, scripted->at(t_s), direction_W_};
   return interpolated(*std::get_if<Motion>(&motion_), t_s, direction_W_);

@@ -22,8 +22,14 @@ class FingerPath {
   FingerPath(Motion motion, double rate_hz, const Vec3& direction_W);
   FingerPath(const ScriptedMotion& motion, double rate_hz, const Vec3& direction_W);
 
+  /// The same motion at another rate. Throws as above.
+  FingerPath with_rate(double rate_hz) const;
+
   long tick_count() const noexcept { return tick_count_; }
   double rate_hz() const noexcept { return rate_hz_; }
+  /// Of the first tick, and of the motion's end.
+  double start_s() const noexcept { return t0_s_; }
+  double end_s() const noexcept { return end_s_; }
   /// No coordinate of the path is larger [m].
   double farthest_m() const noexcept;
   /// Whether the finger is turned otherwise at some ticks than at others.
@@ -35,12 +41,14 @@ class FingerPath {
   bool has_velocity() const noexcept;
   /// @pre 0 <= k < tick_count()
   FingerSample at(long k) const noexcept;
+  /// Between the ticks too: where the finger is at this time of the motion's own clock.
+  FingerSample at_time(double t_s) const noexcept;
 
  private:
   std::variant<Motion, ScriptedMotion> motion_;
   double rate_hz_;
   Vec3 direction_W_;
-  double t0_s_ = 0;
+  double t0_s_ = 0, end_s_ = 0;
   long tick_count_ = 0;
 };
 

@@ -7,6 +7,7 @@
 #include "public/part_surface_impl.hpp"
 #include "public/touch_world_impl.hpp"
 #include "scene/scene_file.hpp"
+#include "touch/rate_choice.hpp"
 
 namespace fingerpad {
 namespace {
@@ -14,6 +15,7 @@ namespace {
 Scene first_scene(const std::string& path) {
   SceneJob job = std::move(read_scene_file(path).jobs.front());
   if (!job.error.empty()) throw refused("", job.error);
+  settle_live_rate(job.scene);
   job.scene.hand.reset();  // the caller moves the finger
   return std::move(job.scene);
 }

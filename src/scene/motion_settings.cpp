@@ -102,7 +102,7 @@ void read_motion_settings(const TomlNode& node, Scene& scene) {
   if (motion.kind == ScriptedMotion::Kind::line)
     motion.duration_s = (motion.to_m - motion.from_m).norm() / motion.speed_m_per_s;
   if (motion.kind == ScriptedMotion::Kind::circle) settle_circle(table, motion);
-  refuse_too_many_ticks(table, motion, scene.motion.rate_hz);
+  if (!scene.motion.is_rate_open()) refuse_too_many_ticks(table, motion, scene.motion.rate_hz);
 }
 
 }  // namespace fingerpad

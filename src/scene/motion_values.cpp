@@ -30,6 +30,15 @@ void take_normal_force(Scene& scene, std::size_t word) {
   scene.motion.format.reads_normal_force = word == 1;
 }
 
+/// Whether the program is to choose a number. Throws Error (refused) for another word than that.
+bool is_automatic(const SceneKey& row, const TomlTable& table) {
+  const TomlNode& value = *table.value(row.key);
+  if (!value.is(TomlNode::Type::text)) return false;
+  if (value.text == automatic_method) return true;
+  throw table.error(row.key, fmt::format("{} must be a number or \"{}\", not \"{}\"", table.name(row.key),
+                                         automatic_method, value.text));
+}
+
 MotionSettings& motion_of(Scene& scene) {
   return scene.motion;
 }
@@ -100,8 +109,10 @@ void read_decimal(const SceneKey& row, const TomlTable& motion, Scene& scene) {
 
 SceneKey rate_key(std::string_view key) {
   SceneKey row = number_key<motion_of, &MotionSettings::rate_hz>(
-      key, 1, 1e6, "the tick; where it is not written, a file's own rate");
+      key, 1, 1e6, "the tick, or \"auto\"; where it is not written, a file's own rate");
   row.read = [](const SceneKey& self, const TomlTable& table, Scene& scene) {
+    scene.motion.automatic_rate = is_automatic(self, table);
+    if (scene.motion.automatic_rate) return;
     scene.motion.rate_hz = table.number(self.key, 0, self.range);
     scene.motion.rate_given = true;
   };

@@ -74,7 +74,8 @@ struct MotionSettings {
   std::string file_path;
   std::optional<ScriptedMotion> scripted;
   double rate_hz = 1000;
-  bool rate_given = false;  ///< else a file is followed at its own rate, which load_motion finds
+  bool rate_given = false;      ///< else a file is followed at its own rate, which load_motion finds
+  bool automatic_rate = false;  ///< `rate_hz = "auto"`: choose_rate finds it
 
   // Of a file.
   RecordingFormat format;   ///< how its table is to be read
@@ -82,7 +83,9 @@ struct MotionSettings {
   double encoder_m = 0;     ///< quantum that its positions are rounded to; 0: none
   double smoothing_hz = 0;  ///< of ZeroPhaseLowPass; 0: none
   bool given() const { return !file.empty() || scripted.has_value(); }
-  bool has_own_rate() const { return !file.empty() && !rate_given; }
+  bool has_own_rate() const { return !file.empty() && !rate_given && !automatic_rate; }
+  /// Whether the rate is known only once the motion is: rate_hz says nothing until then.
+  bool is_rate_open() const { return has_own_rate() || automatic_rate; }
 };
 
 /// A scene file as plain values; defaults are the documented ones.

@@ -44,6 +44,8 @@ struct SceneTable {
   std::string_view doc;
   std::vector<SceneKey> keys;
   std::vector<std::string_view> decided_by{};  ///< the choices of which SceneKey::only_with speaks
+  /// Keys of other tables, dotted, whose word counts among them where it is written ("motion.rate_hz").
+  std::vector<std::string_view> also_by{};
 };
 
 /// All tables with their keys, in the order in which they are read and documented.

@@ -229,7 +229,7 @@ const std::vector<SceneTable>& scene_tables() {
        part_keys()},
       {"part.rotation", "rotation of [[part]]", "", rotation_keys()},
       {"plane", "[[plane]]", "any number", plane_keys()},
-      {"contact", "[contact]", "", contact_keys(), {"method", "normals"}},
+      {"contact", "[contact]", "", contact_keys(), {"method", "normals"}, {"motion.rate_hz"}},
       {"friction", "[friction]", "a law's own keys are in the table of laws", friction_keys(), {"law"}},
       {"friction.vibration", "vibration of [friction]", "", vibration_keys()},
       {"finger", "[finger]", "", finger_keys()},

@@ -83,7 +83,7 @@ void read_hand(const TomlNode& root, Scene& scene) {
   if (node == nullptr) return;
   scene.hand.emplace();
   read_table(root, "hand", scene);
-  if (!scene.motion.has_own_rate())  // which is not known yet: load_motion asks then
+  if (!scene.motion.is_rate_open())  // which is not known yet: load_motion asks then
     refuse_hand_too_quick(*scene.hand, scene.motion.rate_hz, place_text(scene.path, node->place));
 }
 

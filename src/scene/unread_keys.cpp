@@ -18,10 +18,22 @@ std::optional<std::string> chosen_word(const SceneKey& deciding, const TomlNode&
   return known ? std::optional(entry->value.text) : std::nullopt;
 }
 
+/// The words that stand in other tables of the scene and decide here too.
+std::vector<std::string> words_elsewhere(const SceneTable& table, const TomlNode& scene) {
+  std::vector<std::string> words;
+  for (const std::string_view dotted : table.also_by) {
+    const std::size_t dot = dotted.rfind('.');
+    const TomlEntry* other = find_entry(scene, dotted.substr(0, dot));
+    if (other == nullptr) continue;
+    const TomlEntry* entry = find_entry(other->value, dotted.substr(dot + 1));
+    if (entry != nullptr && entry->value.is(TomlNode::Type::text)) words.push_back(entry->value.text);
+  }
+  return words;
+}
+
 }  // namespace
 
-void UnreadKeys::look_at(const SceneTable& table, const TomlNode& node) {
-  std::vector<std::string> words;
+void UnreadKeys::look_at(const SceneTable& table, const TomlNode& node, std::vector<std::string> words) {
   std::string chosen;
   for (const std::string_view name : table.decided_by) {
     const SceneKey& deciding = scene_key(table, name);
@@ -48,7 +60,7 @@ void UnreadKeys::look(const TomlNode& scene) {
   for (const SceneTable& table : scene_tables()) {
     if (table.decided_by.empty()) continue;
     const TomlEntry* entry = find_entry(scene, table.name);
-    if (entry != nullptr) look_at(table, entry->value);
+    if (entry != nullptr) look_at(table, entry->value, words_elsewhere(table, scene));
   }
 }
 

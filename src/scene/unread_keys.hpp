@@ -26,7 +26,7 @@ class UnreadKeys {
     std::vector<std::string> chosen{};  ///< what was chosen where it stood, each once: `law "coulomb"`
   };
 
-  void look_at(const SceneTable& table, const TomlNode& node);
+  void look_at(const SceneTable& table, const TomlNode& node, std::vector<std::string> words);
 
   std::vector<Use> uses_;
 };

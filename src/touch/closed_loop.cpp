@@ -13,6 +13,7 @@ namespace fingerpad {
 Scene at_rate(Scene scene, const FingerPath& path) {
   scene.motion.rate_hz = path.rate_hz();
   scene.motion.rate_given = true;
+  scene.motion.automatic_rate = false;
   return scene;
 }
 

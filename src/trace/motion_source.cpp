@@ -11,6 +11,7 @@
 #include "base/unit.hpp"
 #include "motion/recording.hpp"
 #include "scene/scene_reader.hpp"
+#include "touch/rate_choice.hpp"
 #include "trace/trace.hpp"
 
 namespace fingerpad {
@@ -134,7 +135,7 @@ void refuse_wild_rate(const Reading& reading, double least_hz) {
 double settled_rate_hz(Reading& reading) {
   const MotionSettings& settings = reading.settings;
   const RecordingClock& clock = reading.clock;
-  if (settings.rate_given) return settings.rate_hz;
+  if (settings.rate_given || settings.automatic_rate) return settings.rate_hz;
   if (clock.rate_hz == 0) return settings.rate_hz;  // one sample
   constexpr double fair_hz = 100;
   reading.note(fmt::format("no rate_hz: ticks at the file's own {}{}", clock_text(clock),
@@ -192,6 +193,20 @@ void refine(Reading& reading) {
                   rate_hz, settings.smoothing_hz, 1e3 * smoothing.rms_m, 1e3 * smoothing.most_m));
 }
 
+LoadedMotion scripted_motion(const Scene& scene) {
+  return {{*scene.motion.scripted, scene.motion.rate_hz, scene.finger.direction}};
+}
+
+/// At the rate that a scene leaves to the program, and that told; as it is where it leaves none.
+LoadedMotion at_chosen_rate(const Scene& scene, LoadedMotion motion) {
+  if (!scene.motion.automatic_rate) return motion;
+  const RateChoice choice = choose_rate(scene, &motion.path);
+  motion.path = motion.path.with_rate(choice.rate_hz);
+  motion.notes.push_back(fmt::format("{}: {}", scene.name, choice.reason));
+  if (scene.hand) refuse_hand_too_quick(*scene.hand, choice.rate_hz, scene.path);
+  return motion;
+}
+
 void warn_of_no_force(Reading& reading) {
   const std::vector<double>& forces_n = reading.motion.normal_force_n;
   if (forces_n.empty()) return;
@@ -209,7 +224,7 @@ LoadedMotion load_motion(const Scene& scene) {
   if (!settings.given()) {
     throw refused(scene.path, "the scene has no motion to follow; give [motion] a 'file' or a 'kind'");
   }
-  if (settings.scripted) return {{*settings.scripted, settings.rate_hz, scene.finger.direction}};
+  if (settings.scripted) return at_chosen_rate(scene, scripted_motion(scene));
   Reading reading{scene, settings, {}, {}, {}, {}};
   read_file(reading);
   reading.clock = recording_clock(reading.motion.t_s);
@@ -222,8 +237,9 @@ LoadedMotion load_motion(const Scene& scene) {
   warn_of_no_force(reading);
   if (is_refined(settings)) refine(reading);
   return in_file(settings, [&] {
-    return LoadedMotion{
-        {std::move(reading.motion), rate_hz, scene.finger.direction}, reading.notes, reading.warnings};
+    return at_chosen_rate(scene, LoadedMotion{{std::move(reading.motion), rate_hz, scene.finger.direction},
+                                              reading.notes,
+                                              reading.warnings});
   });
 }
 
