@@ -87,8 +87,10 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
                            [&](const TriangleCorners& corners, int triangle) {
                              if (before.hide(corners)) return;
                              const TriangleApproach a = approach_triangle(corners, way.from_P);
+                             const int sweeps = round.worst.sweeps;
                              round.worst.offer_triangle(world_, way, corners, triangle, a.towards,
                                                         a.distance_m - world_.clearance_m());
+                             looks_.spend(LookCosts::sweep * (round.worst.sweeps - sweeps));
                            });
 }
 
@@ -128,6 +130,7 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
           const TriangleSweep sweep =
               sweep_past_triangle(corners, way.from_P, way.to_P, world_.clearance_m(), world_.tolerance_m());
           if (sweep.blocked) share = std::min(share, sweep.reached);
+          looks_.spend(LookCosts::sweep);
         });
     if (!is_whole) return false;
   }
@@ -204,6 +207,12 @@ ProxyStep ProxySight::go_on_with_step() noexcept {
   ProxyStep so_far = m.step;
   so_far.z.setZero();
   so_far.stuck = so_far.broken_off = true;
+  if (so_far.wall_count == 0 && m.round.worst.wall) {
+    // Whatever else blocks, this does.
+    so_far.wall_count = 1;
+    so_far.walls[0] = *m.round.worst.wall;
+    so_far.share_m[0] = so_far.walls[0].lack_m(m.goal);
+  }
   return so_far;
 }
 

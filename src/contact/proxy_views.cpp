@@ -31,6 +31,7 @@ ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(wor
   }
   usual_view_ = std::min(usual_view_, Limits::most_usual_view);
   near_.reserve(static_cast<std::size_t>(std::min<long>(Limits::richest_view, triangles)));
+  found_.reserve(near_.capacity());
   views_.resize(static_cast<std::size_t>(world_.surface_count()));
   seeds_.assign(views_.size(), -1);
 }
@@ -126,19 +127,20 @@ bool ProxyViews::is_box_within(int surface, const Vec3& q_P, double distance_m) 
 /// Lists a part's triangles within reach. False where these are more than `most` in all.
 bool ProxyViews::search_part(int surface, double distance_m, int most) noexcept {
   const TriangleTree& tree = *world_.surface(surface).tree;
-  struct Listing {
-    const Part* part;
-    std::vector<NearTriangle>* near;
-  } listing{&tree.part(), &near_};
-  const auto list = [](void* context, int triangle) {
-    const Listing& to = *static_cast<Listing*>(context);
-    NearTriangle& near = to.near->emplace_back();
-    near.triangle = triangle;
-    near.corners = corners_of(*to.part, triangle);
+  const auto list = [](void* found, int triangle) {
+    static_cast<std::vector<int>*>(found)->push_back(triangle);
   };
+  found_.clear();
   SearchLimit limit{most - static_cast<int>(near_.size()), Limits::most_packets};
   const bool is_whole =
-      tree.each_within(views_[static_cast<std::size_t>(surface)].at_P, distance_m, limit, list, &listing);
+      tree.each_within(views_[static_cast<std::size_t>(surface)].at_P, distance_m, limit, list, &found_);
+  // What a pass costs depends on the order; Embree's is for views so small that each pass is paid for alike.
+  if (found_.size() > Limits::small_view) std::sort(found_.begin(), found_.end());
+  for (const int triangle : found_) {
+    NearTriangle& near = near_.emplace_back();
+    near.triangle = triangle;
+    near.corners = corners_of(tree.part(), triangle);
+  }
   // How far a search came that found too many depends on the order of Embree's tree.
   const int triangles = is_whole ? limit.triangles : limit.most_triangles;
   const int packets = is_whole ? limit.packets : 0;
@@ -224,15 +226,15 @@ bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
   if (!view.within_reach) return true;
   WorstWall& worst = round.worst;
   const std::size_t from = view.first + round.next;
-  const auto affordable = static_cast<std::size_t>(std::max(0L, looks_.left()));
-  const std::size_t end = std::min(view.end, from + affordable);
-  looks_.spend(static_cast<long>(end - from));
-  round.next += end - from;
   const PartWay way(world_, surface, view.at_P, z);
   const PartWalls before(world_, surface, walls, way.from_P);
   const double way_m = way.way_P.norm() * wider, clear_m = 2 * world_.tolerance_m();
   std::size_t worst_at = view.end;
-  for (std::size_t k = from; k < end; ++k) {
+  const bool is_small = view.end - view.first <= Limits::small_view;
+  const long look = is_small ? LookCosts::in_small_view : 1, swept = is_small ? 0 : LookCosts::sweep;
+  std::size_t k = from;
+  for (; k < view.end && !looks_.are_spent(); ++k) {
+    looks_.spend(look);
     NearTriangle& near = near_[k];
     if (near.seen) {
       // An earlier look left a half space free. Where the way begins and ends well in front of it, the
@@ -244,12 +246,15 @@ bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
     }
     if (before.hide(near.corners)) continue;
     near.look_from(way.from_P, world_.clearance_m());
+    const int sweeps = worst.sweeps;
     if (worst.offer_triangle(world_, way, near.corners, near.triangle, near.towards_P, near.gap_m))
       worst_at = k;
+    looks_.spend(swept * (worst.sweeps - sweeps));
   }
+  round.next = k - view.first;
   // It is likely the worst of the next way too, which then tells at once that others are not.
   if (worst_at != view.end) std::swap(near_[from], near_[worst_at]);
-  return end == view.end;
+  return k == view.end;
 }
 
 double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept {
