@@ -51,7 +51,8 @@ int run(const std::string& from, const std::string& chart_path) {
   Chart chart;
   chart.name = "worst_ticks";
   chart.title = "A whole tick: proxy, smooth normals, finger pad";
-  chart.notes = {"Rubbed, struck and jumped about at 1 kHz; the least of five times of each tick."};
+  chart.notes = {
+      "Rubbed, struck and jumped about at 1 kHz; the least of five times of each tick. Dashed: 200 us."};
   chart.columns = 2;
   for (const Question& question : questions) {
     ChartPanel panel = panel_of(parts, question);
