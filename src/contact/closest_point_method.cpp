@@ -1,26 +1,34 @@
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/closest_memory.hpp"
 #include "contact/contact_method_table.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/placed_surface.hpp"
+#include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
 namespace {
 
 /// Each tick's deepest surface, at its nearest point to the finger: no tick knows of the last.
+/// @tparam Hint  what a search starts from: a ClosestMemory or a BriefSearch
+template <class Hint>
 class ClosestPoint final : public ContactMethod {
  public:
-  ClosestPoint(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
-      : surfaces_(std::move(surfaces)), radius_m_(radius_m), normals_(normals), memories_(surfaces_.size()) {}
+  ClosestPoint(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals, const Hint& first)
+      : surfaces_(std::move(surfaces)),
+        radius_m_(radius_m),
+        normals_(normals),
+        first_(first),
+        hints_(surfaces_.size(), first) {}
 
   const Contact& touch(const Vec3& p_WQ, double /*dt_s*/) noexcept override {
     contact_.hold_count = 0;
     contact_.depth_m = 0;
     for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-      const WorldPoint at = nearest_point(surfaces_[i], p_WQ, normals_, memories_[i], radius_m_);
+      const WorldPoint at = nearest_point(surfaces_[i], p_WQ, normals_, hints_[i], radius_m_);
       const double depth_m = radius_m_ - at.signed_distance_m;
       if (!at.found || !(depth_m > contact_.depth_m)) continue;
       contact_.hold_count = 1;
@@ -32,15 +40,14 @@ class ClosestPoint final : public ContactMethod {
     return contact_;
   }
 
-  void reset() noexcept override {
-    for (ClosestMemory& memory : memories_) memory.forget();
-  }
+  void reset() noexcept override { std::fill(hints_.begin(), hints_.end(), first_); }
 
  private:
   std::vector<PlacedSurface> surfaces_;
   double radius_m_;
   Normals normals_;
-  std::vector<ClosestMemory> memories_;  ///< per surface: what the next search starts from
+  Hint first_;
+  std::vector<Hint> hints_;  ///< per surface: what the next search starts from
   Contact contact_;
 };
 
@@ -58,6 +65,12 @@ std::string enough(const ContactDemand& demand) {
 
 }  // namespace
 
+std::unique_ptr<ContactMethod> brief_closest_point(std::vector<PlacedSurface> surfaces, double radius_m,
+                                                   Normals normals, long most_looks) {
+  return std::make_unique<ClosestPoint<BriefSearch>>(std::move(surfaces), radius_m, normals,
+                                                     BriefSearch{most_looks});
+}
+
 ContactMethodEntry closest_point_method() noexcept {
   return {"closest-point",
           "each tick's nearest surface point; it remembers nothing",
@@ -68,7 +81,8 @@ ContactMethodEntry closest_point_method() noexcept {
           enough,
           [](std::vector<PlacedSurface> surfaces, double radius_m,
              Normals normals) -> std::unique_ptr<ContactMethod> {
-            return std::make_unique<ClosestPoint>(std::move(surfaces), radius_m, normals);
+            return std::make_unique<ClosestPoint<ClosestMemory>>(std::move(surfaces), radius_m, normals,
+                                                                 ClosestMemory{});
           }};
 }
 

@@ -17,14 +17,14 @@ struct ContactHold {
 
 /// Where the finger touches.
 struct Contact {
-  int hold_count =
-      0;  ///< 0: the finger is free, and of what is below only `started` and `placed` mean anything
+  int hold_count = 0;  ///< 0: the finger is free, and of what is below only the flags mean anything
   std::array<ContactHold, 3> holds;  ///< greatest share first
   double depth_m = 0;                ///< > 0
   Vec3 point_W = Vec3::Zero();       ///< S, the surface's point [m]
   Vec3 normal_W = Vec3::UnitZ();     ///< that the finger feels: outward, unit
   bool started = false;              ///< a method that remembers has begun anew here: see ContactMethodEntry
   bool placed = true;  ///< false: it found no place where the finger fits, and tries again with each tick
+  bool broken_off = false;  ///< the method stopped before it was at rest, so that the tick's work has a bound
 };
 
 /// How contact is found: one tick of a finger to where it touches. It may keep what it likes from tick to

@@ -7,7 +7,7 @@
 namespace fingerpad {
 
 void FacetFan::gather(const ProxyWorld& world, const ProxyWall& wall_O) noexcept {
-  count_ = 0;
+  count_ = looks_ = 0;
   for (int corner = 0; corner < 3 && wall_O.triangle >= 0; ++corner) {
     for (const int first_edge : {corner, (corner + 2) % 3}) {
       if (!go_around(world, wall_O, corner, first_edge)) break;
@@ -36,6 +36,7 @@ bool FacetFan::go_around(const ProxyWorld& world, const ProxyWall& wall_O, int c
     // Of the two edges at the vertex, the one not come by.
     edge = part.neighbours(at, next) == t ? (at + 2) % 3 : at;
     t = next;
+    ++looks_;
     const TriangleCorners corners = corners_of(part, t);
     const Vec3 normal_P = side * corners.normal;
     if (!(normal_P.dot(wall_normal_P) > 0) || !behind.hide(corners)) continue;

@@ -15,6 +15,8 @@ class FacetFan {
   std::span<const ProxyWall> neighbours_O() const noexcept {
     return {neighbours_O_.data(), static_cast<std::size_t>(count_)};
   }
+  /// How many triangles the last gathering looked at.
+  int looks() const noexcept { return looks_; }
   /// The neighbour with the finger's foot on it that is nearest to the finger; null where none is nearer than
   /// the wall, to within the tolerance.
   const ProxyWall* nearest_to(const ProxyWorld& world, const ProxyWall& wall_O,
@@ -24,7 +26,7 @@ class FacetFan {
   bool go_around(const ProxyWorld& world, const ProxyWall& wall_O, int corner, int first_edge) noexcept;
 
   std::array<ProxyWall, ProxyLimits::most_neighbours> neighbours_O_;
-  int count_ = 0;
+  int count_ = 0, looks_ = 0;
 };
 
 }  // namespace fingerpad

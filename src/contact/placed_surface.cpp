@@ -58,6 +58,11 @@ WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals
   return nearest(surface, p_WQ, normals, memory, reach_m);
 }
 
+WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals normals, BriefSearch& search,
+                         double reach_m) noexcept {
+  return nearest(surface, p_WQ, normals, search, reach_m);
+}
+
 WorldPoint nearest_on_facet(const PlacedSurface& surface, int t, const Vec3& p_WQ, Normals normals) noexcept {
   if (t < 0) return {};
   return in_world(surface, point_on_facet(*surface.tree, t, in_part(surface, p_WQ), normals));

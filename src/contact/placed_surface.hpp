@@ -7,6 +7,7 @@
 
 namespace fingerpad {
 
+struct BriefSearch;
 class ClosestMemory;
 class TriangleTree;
 struct Part;
@@ -42,6 +43,8 @@ WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals
 /// The same along a path; see TriangleTree::closest.
 WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals normals,
                          ClosestMemory& memory, double reach_m) noexcept;
+WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals normals, BriefSearch& search,
+                         double reach_m) noexcept;
 
 /// The point under p_WQ of triangle t's facet or the next; see point_on_facet.
 /// @param t  index into Part::triangles; -1, as for a plane: nothing is found

@@ -3,17 +3,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "contact/proxy_limits.hpp"
 #include "contact/proxy_report.hpp"
-#include "contact/proxy_start.hpp"
 
 namespace fingerpad {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-Proxy::Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
-    : Proxy(std::make_unique<ProxySight>(ProxyWorld(std::move(surfaces), radius_m, normals))) {}
+Proxy::Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals, Looks looks)
+    : Proxy(std::make_unique<ProxySight>(ProxyWorld(std::move(surfaces), radius_m, normals), looks)) {}
 
 Proxy::Proxy(std::unique_ptr<ProxySight> sight) : sight_(std::move(sight)) {
   reset();
@@ -25,10 +24,12 @@ void Proxy::reset() noexcept {
 
 void Proxy::resume(const ProxyState& state) noexcept {
   state_ = state;
+  start_ = {};
   sight_->forget();
 }
 
 const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
+  sight_->looks().renew();
   const Vec3 goal_O = p_WQ - world().p_WO();
   const double extent_m = world().extent_m();
   if (extent_m > 0 && !(goal_O.cwiseAbs().maxCoeff() <= ProxyLimits::farthest * extent_m)) {
@@ -41,21 +42,24 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
   state_.rest_share = std::min(1.0, dt_s / ProxyLimits::release_s);
   state_.hopped = false;
   state_.contact.started = !state_.placed;
+  const bool steps_first = std::exchange(state_.contact.broken_off, false) && state_.placed;
   if (!state_.placed) start(goal_O);
   if (!state_.placed) return state_.contact;
   state_.finger_m = (goal_O - state_.goal_O).norm();
   state_.goal_O = goal_O;
-  if (!sight_->carry(state_)) follow(budget_m());
+  // What was broken off is gone on with; all else is declined, so that no two ticks end at the same step.
+  if (steps_first || !sight_->carry(state_)) follow(budget_m(), steps_first);
   return state_.contact;
 }
 
 void Proxy::start(const Vec3& goal_O) noexcept {
   state_.contact = {};
   state_.contact.started = true;
-  const auto place_O = proxy_start(world(), goal_O);
-  state_.contact.placed = state_.placed = place_O.has_value();
+  const auto found = start_.go_on(world(), goal_O, sight_->looks());
+  state_.contact.placed = state_.placed = found == ProxyStart::End::placed;
+  state_.contact.broken_off = found == ProxyStart::End::broken_off;
   if (!state_.placed) return;
-  state_.place_O = *place_O;
+  state_.place_O = start_.place_O();
   state_.goal_O = goal_O;
 }
 
@@ -66,11 +70,11 @@ double Proxy::budget_m() const noexcept {
   return std::max(ProxyLimits::proxy_per_finger * state_.finger_m, depth_m * state_.rest_share);
 }
 
-void Proxy::follow(double budget_m) noexcept {
+void Proxy::follow(double budget_m, bool steps_first) noexcept {
   // Over smooth edges first: what a hop gains is the facets', not the finger's, and costs no budget. What
   // the proxy slides after it does. One hop that is felt is enough for a tick.
-  Way way = hop();
-  if (way == Way::blocked) way = roll(budget_m);
+  Way way = steps_first ? Way::blocked : hop();
+  if (way == Way::blocked && !steps_first) way = roll(budget_m);
   if (!has_come_to_rest(way)) settle(budget_m);
   for (int k = 0; k < ProxyLimits::most_hops && state_.contact.settled && !is_felt(); ++k) {
     sight_->note_rest(state_);
@@ -90,9 +94,21 @@ void Proxy::settle(double& budget_m) noexcept {
       state_.hold = {};
       break;
     }
-    if (advance(sight_->step(state_.place_O, goal_O, budget_m), budget_m)) return;
+    if (sight_->looks().are_spent()) return break_off({});
+    const ProxyStep step = sight_->step(state_.place_O, goal_O, budget_m);
+    if (step.broken_off) return break_off(step);
+    if (advance(step, budget_m)) return;
   }
   state_.contact.settled = goal_O == state_.place_O;
+}
+
+/// Stays, with the walls that the step has found so far, or else those of before.
+void Proxy::break_off(const ProxyStep& step) noexcept {
+  state_.contact.settled = false;
+  state_.contact.broken_off = true;
+  if (step.wall_count == 0) return;
+  state_.hold_place_O = state_.place_O;
+  state_.hold = step;
 }
 
 /// Goes the step as far as the budget lets it; true where the proxy has come to its end for this tick.
@@ -108,11 +124,12 @@ bool Proxy::advance(const ProxyStep& step, double& budget_m) noexcept {
   budget_m -= length_m;
   state_.place_O += step.z;
   if (step.truncated) return false;
+  const bool is_last = step.goal_O == state_.goal_O;
   if (step.wall_count == 0 && !step.stuck) {
-    state_.place_O = state_.goal_O;
-    return true;
+    state_.place_O = step.goal_O;
+    return is_last;
   }
-  return length_m <= world().tolerance_m() || is_at_rest(step);
+  return is_last && (length_m <= world().tolerance_m() || is_at_rest(step));
 }
 
 /// Whether each triangle that holds the proxy shows it, from its new place, the wall that the step was made
@@ -169,6 +186,7 @@ Proxy::Way Proxy::roll(double budget_m) noexcept {
 /// way, nothing is gained, or the way is longer than the budget.
 /// @param here, there  seen from the proxy's place
 Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, double budget_m) noexcept {
+  sight_->looks().spend(LookCosts::hop);
   const Vec3& goal_O = state_.goal_O;
   const Vec3 place_O = state_.place_O, goal = goal_O - place_O;
   const double depth_m = there.lack_m(goal);
@@ -178,13 +196,20 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, double 
   const double way_m = over->norm(), rest_m = (far - *over).norm();
   // Over an edge that is near, not where the planes meet at all.
   if (way_m > ProxyLimits::longest_way_over * far.norm() || way_m + rest_m > budget_m) return Way::blocked;
-  if (!sight_->is_way_free(place_O, *over, far, here)) return Way::blocked;
+  if (!sight_->is_way_free(place_O, *over, far, here)) {
+    state_.contact.broken_off |= sight_->looks().are_spent();
+    return Way::blocked;
+  }
   const Vec3 edge_O = place_O + *over;
   const double gone_m = goal.norm() - world().tolerance_m();
   if (depth_m > 0 && depth_m < gone_m && sight_->land(state_, there, edge_O, place_O + far))
     return Way::rests;
 
   const ProxyStep step = sight_->step_over(edge_O, goal_O, there.seen_from(*over), rest_m);
+  if (step.broken_off) {
+    state_.contact.broken_off = true;
+    return Way::blocked;
+  }
   const Vec3 new_place_O = edge_O + step.z;
   if (!((goal_O - new_place_O).norm() < gone_m)) return Way::blocked;
   sight_->let_go();

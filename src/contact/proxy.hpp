@@ -2,7 +2,9 @@
 
 #include <memory>
 
+#include "contact/proxy_limits.hpp"
 #include "contact/proxy_sight.hpp"
+#include "contact/proxy_start.hpp"
 
 namespace fingerpad {
 
@@ -28,14 +30,22 @@ namespace fingerpad {
 /// until then is at most as wide as it was. A hop over a smooth edge adds 7 % of the depth, which nobody
 /// feels; one that would add more is shown over as many ticks as that takes, and the next hop waits for it.
 ///
+/// Bounded work: what a tick looks at can be limited (Looks), in triangles, so that it ends at the same place
+/// on every machine. A step that is broken off is gone on with in the next tick, towards the finger's place
+/// for which it was made; until then the proxy stays where it is, and pushes where a wall is known to hold
+/// the finger back. A start that is broken off is gone on with alike: until then there is no proxy.
+///
 /// This class is the meaning: what it answers follows from its state, the finger's place and the surfaces
-/// alone. It can be given a sight that remembers (fast_proxy), which answers the same, faster.
+/// alone, and from what was broken off. It can be given a sight that remembers (fast_proxy), which answers
+/// the same, faster.
 class Proxy {
  public:
   /// @param normals  those that shade say that facets stand for a smooth surface, and what they hold back is
   /// not its shape: over edges that are no creases the proxy goes on to the neighbour that is nearer to the
   /// finger, as the closest point does
-  Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals);
+  /// @param looks  what a tick may look at
+  Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals,
+        Looks looks = Looks(Looks::unlimited));
   /// @param sight  what answers the proxy's questions about its surroundings
   explicit Proxy(std::unique_ptr<ProxySight> sight);
 
@@ -59,7 +69,10 @@ class Proxy {
   /// What the ball keeps from every surface: radius and skin [m].
   double clearance_m() const noexcept { return world().clearance_m(); }
 
-  /// All that the next move depends on besides the finger and the surfaces.
+  /// What the last move looked at.
+  const Looks& looks() const noexcept { return sight_->looks(); }
+
+  /// All that the next move depends on besides the finger, the surfaces, and what was broken off.
   const ProxyState& state() const noexcept { return state_; }
   /// Goes on from the state of another proxy among the same surfaces.
   void resume(const ProxyState& state) noexcept;
@@ -71,8 +84,9 @@ class Proxy {
   const ProxyWorld& world() const noexcept { return sight_->world(); }
   void start(const Vec3& goal_O) noexcept;
   double budget_m() const noexcept;
-  void follow(double budget_m) noexcept;
+  void follow(double budget_m, bool steps_first) noexcept;
   void settle(double& budget_m) noexcept;
+  void break_off(const ProxyStep& step) noexcept;
   bool advance(const ProxyStep& step, double& budget_m) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;
   bool has_come_to_rest(Way way) const noexcept;
@@ -82,10 +96,12 @@ class Proxy {
   Way go_over(const ProxyWall& here, const ProxyWall& there, double budget_m) noexcept;
 
   std::unique_ptr<ProxySight> sight_;
+  ProxyStart start_;
   ProxyState state_;
 };
 
 /// A proxy with a sight that remembers (ProxyMemory): what callers use.
-Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals);
+Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals,
+                 Looks looks = Looks(ProxyLimits::most_looks));
 
 }  // namespace fingerpad

@@ -40,6 +40,11 @@ struct ProxyLimits {
   /// is the shortest.
   static constexpr double least_turn_sine = 1e-9;
 
+  /// Triangles that a tick may look at, where one that a pass of a step goes over counts once (LookCosts):
+  /// some eight nanoseconds each, so an eighth of a servo's millisecond. A part that is touched here and
+  /// there takes some hundreds; what is broken off is gone on with in the next tick.
+  static constexpr long most_looks = 16000;
+
   /// Pushes that a start may take to get out of every surface. Walls that stand at right angles need one
   /// each; between walls that lean towards each other each push leaves a fixed share.
   static constexpr int most_pushes = 200;

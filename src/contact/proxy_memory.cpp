@@ -12,8 +12,9 @@ namespace fingerpad {
 
 using Limits = ProxyMemoryLimits;
 
-Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals) {
-  return Proxy(std::make_unique<ProxyMemory>(ProxyWorld(std::move(surfaces), radius_m, normals)));
+Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals, Looks looks) {
+  ProxyWorld world(std::move(surfaces), radius_m, normals);
+  return Proxy(std::make_unique<ProxyMemory>(std::move(world), looks));
 }
 
 void ProxyMemory::let_go() noexcept {
@@ -218,6 +219,7 @@ void ProxyMemory::remember_fan(const ProxyWall& wall_O) noexcept {
   fan_triangle_ = wall_O.triangle;
   fan_normal_ = wall_O.normal;
   fan_.gather(world_, wall_O);
+  looks_.spend(LookCosts::fetched * fan_.looks());
   certain_m_ = -1;
   std::size_t k = 0;
   for (const ProxyWall& wall : fan_.neighbours_O())

@@ -15,7 +15,7 @@ namespace fingerpad {
 /// Where that is not known, it declines, and the proxy asks its sight.
 class ProxyMemory : public ProxyViews {
  public:
-  explicit ProxyMemory(ProxyWorld world) : ProxyViews(std::move(world)) {}
+  ProxyMemory(ProxyWorld world, Looks looks) : ProxyViews(std::move(world), looks) {}
 
   bool carry(ProxyState& state) noexcept override;
   void note_rest(const ProxyState& state) noexcept override;

@@ -11,7 +11,9 @@
 
 namespace fingerpad {
 
-ContactMethodEntry closest_point_method() noexcept;
+/// The closest-point method with searches that look at no more than so many triangles in a tick.
+std::unique_ptr<ContactMethod> brief_closest_point(std::vector<PlacedSurface> surfaces, double radius_m,
+                                                   Normals normals, long most_looks);
 
 namespace {
 
@@ -23,13 +25,14 @@ class ProxyMethod final : public ContactMethod {
  public:
   ProxyMethod(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
       : proxy_(fast_proxy(surfaces, radius_m, normals)),
-        until_placed_(closest_point_method().make(std::move(surfaces), radius_m, normals)) {}
+        until_placed_(brief_closest_point(std::move(surfaces), radius_m, normals, ProxyLimits::most_looks)) {}
 
   const Contact& touch(const Vec3& p_WQ, double dt_s) noexcept override {
     const ProxyContact& proxy = proxy_.move(p_WQ, dt_s);
     if (!proxy.placed) contact_ = until_placed_->touch(p_WQ, dt_s);
     contact_.started = proxy.started;
     contact_.placed = proxy.placed;
+    contact_.broken_off = proxy.broken_off;
     if (!proxy.placed) return contact_;
     contact_.hold_count = proxy.touching ? proxy.hold_count : 0;
     for (std::size_t k = 0; k < static_cast<std::size_t>(contact_.hold_count); ++k) {

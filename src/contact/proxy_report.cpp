@@ -106,7 +106,16 @@ void sort_by_share(ProxyContact& contact) noexcept {
   }
 }
 
-/// The proxy has not come to rest: on its way it pushes as far as it still has to go.
+/// Whether one of the walls that are known holds the finger back.
+bool is_held_back(const ProxyState& state) noexcept {
+  const auto walls = state.hold.held_by();
+  return std::any_of(walls.begin(), walls.end(), [&state](const ProxyWall& wall) {
+    return wall.lack_m(state.goal_O - state.hold_place_O) > 0;
+  });
+}
+
+/// The proxy has not come to rest: on its way it pushes as far as it still has to go. Where it stays behind
+/// for want of looks, nothing may be in the way at all.
 void report_underway(const ProxyWorld& world, ProxyState& state) noexcept {
   ProxyContact& contact = state.contact;
   const ProxyStep& hold = state.hold;
@@ -167,11 +176,12 @@ ProxyHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m
 
 void report(const ProxyWorld& world, ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
-  if (!state.contact.settled) {
+  if (!state.contact.settled && !(state.contact.broken_off && !is_held_back(state))) {
     report_underway(world, state);
     return;
   }
   report_free(state);
+  if (!state.contact.settled) return;
   if (hold.wall_count == 0) {
     if (state.goal_O != state.place_O) report_underway(world, state);
     return;

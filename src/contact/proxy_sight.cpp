@@ -25,26 +25,46 @@ std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxySt
 
 }  // namespace
 
+/// Calls `visit(corners, triangle)` for each triangle of a part that is within reach, from `next` on. False
+/// where the looks were spent before the end.
+template <class Visit>
+bool ProxySight::each_within_reach(int surface, const Vec3& at_P, std::size_t& next, Visit visit) noexcept {
+  const TriangleTree& tree = *world_.surface(surface).tree;
+  struct Passing {
+    const Part* part;
+    Visit* visit;
+  } passing{&tree.part(), &visit};
+  const auto pass_on = [](void* context, int triangle) {
+    const Passing& p = *static_cast<Passing*>(context);
+    (*p.visit)(corners_of(*p.part, triangle), triangle);
+  };
+  const double distance_m = world_.clearance_m() + reach_m_;
+  if (!looks_.is_unlimited()) return tree.each_within(at_P, distance_m, next, looks_, pass_on, &passing);
+  tree.each_within(at_P, distance_m, pass_on, &passing);
+  return true;
+}
+
 ProxyStep ProxySight::step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept {
-  const Vec3 goal = goal_O - place_O;
+  if (is_amid_step()) return go_on_with_step();
   place_O_ = place_O;
-  reach_m_ = reach_of(std::min(goal.norm(), most_m));
-  return step_towards(goal, nullptr);
+  reach_m_ = reach_of(std::min((goal_O - place_O).norm(), most_m));
+  return step_towards(goal_O, nullptr);
 }
 
 ProxyStep ProxySight::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                                 double) noexcept {
-  const Vec3 goal = goal_O - edge_O;
   place_O_ = edge_O;
-  reach_m_ = reach_of(goal.norm());
-  return step_towards(goal, &first);
+  reach_m_ = reach_of((goal_O - edge_O).norm());
+  ProxyStep step = step_towards(goal_O, &first);
+  drop_step();
+  return step;
 }
 
 bool ProxySight::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3&,
                              const ProxyWall& here) noexcept {
   place_O_ = place_O;
   reach_m_ = reach_of(over.norm());
-  return !worst_wall(over, std::span(&here, 1), world_.tolerance_m());
+  return is_free(over, std::span(&here, 1));
 }
 
 std::optional<WallPair> ProxySight::nearer_neighbour(const ProxyState& s) noexcept {
@@ -53,41 +73,50 @@ std::optional<WallPair> ProxySight::nearer_neighbour(const ProxyState& s) noexce
   if (!wall_O) return std::nullopt;
   FacetFan fan;
   fan.gather(world_, *wall_O);
+  looks_.spend(LookCosts::fetched * fan.looks());
   const ProxyWall* nearest_O = fan.nearest_to(world_, *wall_O, s.goal_O);
   if (nearest_O == nullptr) return std::nullopt;
   return WallPair{wall_O->seen_from(s.place_O), nearest_O->seen_from(s.place_O)};
 }
 
-void ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                            WorstWall& worst) noexcept {
+bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
+                            Round& round) noexcept {
   const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
   const PartWalls before(world_, surface, walls, way.from_P);
-  each_triangle_within(*world_.surface(surface).tree, way.from_P, world_.clearance_m() + reach_m_,
-                       [&](const TriangleCorners& corners, int triangle) {
-                         if (before.hide(corners)) return;
-                         const TriangleApproach a = approach_triangle(corners, way.from_P);
-                         worst.offer_triangle(world_, way, corners, triangle, a.towards,
-                                              a.distance_m - world_.clearance_m());
-                       });
+  return each_within_reach(surface, way.from_P, round.next,
+                           [&](const TriangleCorners& corners, int triangle) {
+                             if (before.hide(corners)) return;
+                             const TriangleApproach a = approach_triangle(corners, way.from_P);
+                             const int sweeps = round.worst.sweeps;
+                             round.worst.offer_triangle(world_, way, corners, triangle, a.towards,
+                                                        a.distance_m - world_.clearance_m());
+                             looks_.spend(LookCosts::sweep * (round.worst.sweeps - sweeps));
+                           });
 }
 
-std::optional<ProxyWall> ProxySight::worst_wall(const Vec3& z, std::span<const ProxyWall> walls,
-                                                double breach_m) noexcept {
-  WorstWall worst{std::nullopt, -breach_m};
-  for (int i = 0; i < world_.surface_count(); ++i) {
-    if (world_.is_plane(i)) {
-      worst.offer_plane(world_.plane_wall(i, place_O_), z);
-    } else {
-      offer_part(i, z, walls, worst);
+/// Looks for the wall that the way by `z` breaches most. False where the looks were spent before the end.
+bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept {
+  for (; round.surface < world_.surface_count(); ++round.surface, round.next = 0) {
+    if (world_.is_plane(round.surface)) {
+      round.worst.offer_plane(world_.plane_wall(round.surface, place_O_), z);
+    } else if (!offer_part(round.surface, z, walls, round)) {
+      return false;
     }
   }
-  return worst.wall;
+  return true;
 }
 
-/// The share of the way by `z` to the first touch.
-double ProxySight::free_share(const Vec3& z) noexcept {
-  double share = 1;
-  for (int i = 0; i < world_.surface_count(); ++i) {
+bool ProxySight::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept {
+  Round round;
+  round.worst.slack_m = -world_.tolerance_m();
+  return offer_all(z, walls, round) && !round.worst.wall;
+}
+
+/// Looks for the share of the way by `z` to the first touch. False where the looks were spent before the end.
+bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
+  for (; round.surface < world_.surface_count(); ++round.surface, round.next = 0) {
+    const int i = round.surface;
+    double& share = round.free_share;
     if (world_.is_plane(i)) {
       const ProxyWall wall = world_.plane_wall(i, place_O_);
       const double along = wall.normal.dot(z);
@@ -96,53 +125,95 @@ double ProxySight::free_share(const Vec3& z) noexcept {
       continue;
     }
     const PartWay way(world_, i, world_.in_part(i, place_O_), z);
-    each_triangle_within(*world_.surface(i).tree, way.from_P, world_.clearance_m() + reach_m_,
-                         [&](const TriangleCorners& corners, int) {
-                           const TriangleSweep sweep = sweep_past_triangle(
-                               corners, way.from_P, way.to_P, world_.clearance_m(), world_.tolerance_m());
-                           if (sweep.blocked) share = std::min(share, sweep.reached);
-                         });
+    const bool is_whole =
+        each_within_reach(i, way.from_P, round.next, [&](const TriangleCorners& corners, int) {
+          const TriangleSweep sweep =
+              sweep_past_triangle(corners, way.from_P, way.to_P, world_.clearance_m(), world_.tolerance_m());
+          if (sweep.blocked) share = std::min(share, sweep.reached);
+          looks_.spend(LookCosts::sweep);
+        });
+    if (!is_whole) return false;
   }
-  return share;
+  return true;
 }
 
 /// Dual active-set method: the wall that blocks the way most is added until none blocks it. All walls have
 /// the start in front of them, so the way to the projection onto them crosses nothing, whenever it is
-/// stopped.
-/// @param goal   relative to the place looked around from
-/// @param first  a wall to begin with, or none
-ProxyStep ProxySight::step_towards(const Vec3& goal, const ProxyWall* first) noexcept {
-  ProxyStep step;
-  std::array<ProxyWall, 4> walls;
-  std::size_t count = 0;
-  if (first != nullptr) walls[count++] = *first;
+/// stopped. Where the looks are spent within, it waits in `making_` for the next tick's.
+/// @param first  a wall to begin with (seen from the place looked around from), or none
+ProxyStep ProxySight::step_towards(const Vec3& goal_O, const ProxyWall* first) noexcept {
+  Making& m = making_;
+  m.is_underway = m.is_amid_round = false;
+  m.goal = goal_O - place_O_;
+  m.step = {};
+  m.step.goal_O = goal_O;
+  m.pass = 0;
+  m.count = 0;
+  if (first != nullptr) m.walls[m.count++] = *first;
   // What the projection leaves behind a wall by rounding must not count as a breach.
   const double rounding_m =
-      ProxyLimits::rounding * goal.cwiseAbs().maxCoeff() + world_.plane_rounding_m(place_O_);
-  const double slack_m = world_.slack_m() + rounding_m, breach_m = world_.tolerance_m() + 2 * rounding_m;
-  for (int pass = 0; pass < ProxyLimits::most_passes; ++pass) {
-    const ProxyProjection p = project_onto_walls(goal, std::span(walls.data(), count), slack_m);
-    if (!p.found) {
-      step.stuck = true;
-      step.z.setZero();
-      return step;
+      ProxyLimits::rounding * m.goal.cwiseAbs().maxCoeff() + world_.plane_rounding_m(place_O_);
+  m.slack_m = world_.slack_m() + rounding_m;
+  m.breach_m = world_.tolerance_m() + 2 * rounding_m;
+  return go_on_with_step();
+}
+
+/// The projection onto the walls found so far, as far as the view shows. False where they leave nothing.
+bool ProxySight::project() noexcept {
+  Making& m = making_;
+  looks_.spend(LookCosts::projection);
+  const ProxyProjection p = project_onto_walls(m.goal, std::span(m.walls.data(), m.count), m.slack_m);
+  if (!p.found) return false;
+  m.step.wall_count = p.active_count;
+  m.step.share_m = p.share_m;
+  m.count = static_cast<std::size_t>(p.active_count);
+  // The active ones are named in rising order.
+  for (std::size_t k = 0; k < m.count; ++k)
+    m.step.walls[k] = m.walls[k] = m.walls[static_cast<std::size_t>(p.active[k])];
+  const double length_m = p.z.norm();
+  m.step.truncated = length_m > reach_m_;
+  m.step.z = m.step.truncated ? Vec3(p.z * (reach_m_ / length_m)) : p.z;
+  return true;
+}
+
+ProxyStep ProxySight::go_on_with_step() noexcept {
+  Making& m = making_;
+  m.is_underway = true;
+  for (; m.pass < ProxyLimits::most_passes; ++m.pass) {
+    if (!m.is_amid_round) {
+      m.round = {};
+      m.round.worst.slack_m = -m.breach_m;
+      if (!project()) {
+        m.is_underway = false;
+        m.step.stuck = true;
+        m.step.z.setZero();
+        return m.step;
+      }
     }
-    step.wall_count = p.active_count;
-    step.share_m = p.share_m;
-    count = static_cast<std::size_t>(p.active_count);
-    // The active ones are named in rising order.
-    for (std::size_t k = 0; k < count; ++k)
-      step.walls[k] = walls[k] = walls[static_cast<std::size_t>(p.active[k])];
-    const double length_m = p.z.norm();
-    step.truncated = length_m > reach_m_;
-    step.z = step.truncated ? Vec3(p.z * (reach_m_ / length_m)) : p.z;
-    const auto worst = worst_wall(step.z, step.held_by(), breach_m);
-    if (!worst) return step;
-    walls[count++] = *worst;
+    m.is_amid_round = !offer_all(m.step.z, m.step.held_by(), m.round);
+    if (m.is_amid_round) break;
+    m.is_underway = m.round.worst.wall.has_value();
+    if (!m.is_underway) return m.step;
+    m.walls[m.count++] = *m.round.worst.wall;
   }
-  step.stuck = true;
-  step.z *= free_share(step.z);
-  return step;
+  if (m.pass == ProxyLimits::most_passes) {
+    if (!m.is_amid_round) m.round = {};
+    m.is_amid_round = !sweep_all(m.step.z, m.round);
+    m.is_underway = m.is_amid_round;
+    m.step.stuck = true;
+    if (!m.is_underway) m.step.z *= m.round.free_share;
+  }
+  if (!m.is_underway) return m.step;
+  ProxyStep so_far = m.step;
+  so_far.z.setZero();
+  so_far.stuck = so_far.broken_off = true;
+  if (so_far.wall_count == 0 && m.round.worst.wall) {
+    // Whatever else blocks, this does.
+    so_far.wall_count = 1;
+    so_far.walls[0] = *m.round.worst.wall;
+    so_far.share_m[0] = so_far.walls[0].lack_m(m.goal);
+  }
+  return so_far;
 }
 
 }  // namespace fingerpad

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "contact/looks.hpp"
 #include "contact/proxy_state.hpp"
 #include "contact/worst_wall.hpp"
 
@@ -14,17 +15,25 @@ struct WallPair {
 };
 
 /// What a proxy asks about its surroundings, answered by asking the trees for every triangle within reach,
-/// each time anew. Each answer depends on the question alone.
+/// each time anew. Each answer depends on the question alone, and, where a tick's looks are limited, on what
+/// is left of them: then a step is broken off, and gone on with in the next tick, and all else is declined.
 ///
 /// ProxyMemory answers the same questions faster. The second half of this list are offers to it, to go on for
 /// the proxy from a state where it knows what the proxy would do; here each of them declines.
 class ProxySight {
  public:
-  explicit ProxySight(ProxyWorld world) : world_(std::move(world)) {}
+  explicit ProxySight(ProxyWorld world, Looks looks = Looks(Looks::unlimited))
+      : world_(std::move(world)), looks_(looks) {}
   virtual ~ProxySight() = default;
 
   const ProxyWorld& world() const noexcept { return world_; }
+  /// What this tick may still look at.
+  Looks& looks() noexcept { return looks_; }
+  const Looks& looks() const noexcept { return looks_; }
 
+  /// Whether the last step was broken off: the next one, from the same place, goes on with it, towards the
+  /// goal that it was made for.
+  bool is_amid_step() const noexcept { return making_.is_underway; }
   /// The step from a place that brings the ball as close to `goal` as it can get without crossing a surface.
   /// @param most_m  the proxy will go no farther: what stands beyond need not be seen
   virtual ProxyStep step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept;
@@ -56,40 +65,57 @@ class ProxySight {
   /// The proxy leaves what it rested on; steps may follow.
   virtual void let_go() noexcept {}
   /// Forgets everything, as before the first tick.
-  virtual void forget() noexcept {}
+  virtual void forget() noexcept { drop_step(); }
 
  protected:
-  ProxyStep step_towards(const Vec3& goal, const ProxyWall* first) noexcept;
-  /// The wall that the way by `z` from the place looked around from breaches most, and by more than
-  /// `breach_m`; triangles behind the given walls cannot.
-  std::optional<ProxyWall> worst_wall(const Vec3& z, std::span<const ProxyWall> walls,
-                                      double breach_m) noexcept;
-  /// Offers each triangle of a part that is within reach.
-  virtual void offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                          WorstWall& worst) noexcept;
+  /// How far a look at every surface has come.
+  struct Round {
+    int surface = 0;
+    std::size_t next = 0;  ///< of its triangles, in the order in which they are looked at
+    WorstWall worst{std::nullopt, 0};
+    double free_share = 1;
+  };
+
+  ProxyStep step_towards(const Vec3& goal_O, const ProxyWall* first) noexcept;
+  ProxyStep go_on_with_step() noexcept;
+  void drop_step() noexcept { making_.is_underway = false; }
+  static ProxyStep broken_off_step() noexcept {
+    ProxyStep step;
+    step.stuck = step.broken_off = true;
+    return step;
+  }
+  /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given
+  /// walls cannot.
+  bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;
+  /// Offers each triangle of a part that is within reach. False where it was broken off.
+  virtual bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
+                          Round& round) noexcept;
 
   ProxyWorld world_;
   Vec3 place_O_ = Vec3::Zero();  // looked around from ...
   double reach_m_ = 0;           // ... so far beyond the ball
+  Looks looks_;
 
  private:
-  double free_share(const Vec3& z) noexcept;
-};
+  /// A step in the making: see step_towards.
+  struct Making {
+    bool is_underway = false, is_amid_round = false;
+    Vec3 goal = Vec3::Zero();  ///< relative to the place looked around from
+    double slack_m = 0, breach_m = 0;
+    ProxyStep step;
+    std::array<ProxyWall, 4> walls;
+    std::size_t count = 0;
+    int pass = 0;
+    Round round;
+  };
 
-/// Calls `visit(corners, triangle)` for each triangle of a part within a distance of a point.
-template <class Visit>
-void each_triangle_within(const TriangleTree& tree, const Vec3& at_P, double distance_m, Visit visit) {
-  struct Passing {
-    const Part* part;
-    Visit* visit;
-  } passing{&tree.part(), &visit};
-  tree.each_within(
-      at_P, distance_m,
-      [](void* context, int triangle) {
-        const Passing& p = *static_cast<Passing*>(context);
-        (*p.visit)(corners_of(*p.part, triangle), triangle);
-      },
-      &passing);
-}
+  bool project() noexcept;
+  bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept;
+  bool sweep_all(const Vec3& z, Round& round) noexcept;
+  template <class Visit>
+  bool each_within_reach(int surface, const Vec3& at_P, std::size_t& next, Visit visit) noexcept;
+
+  Making making_;
+};
 
 }  // namespace fingerpad

@@ -2,35 +2,14 @@
 
 #include <array>
 #include <cmath>
+#include <limits>
+#include <optional>
 
 #include "contact/proxy_limits.hpp"
 #include "contact/surface_point.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// How much a place lacks of the clearance, and which way out is.
-struct Lack {
-  double lack_m = 0;
-  Vec3 outwards_W = Vec3::UnitZ();
-};
-
-Lack lack_at(const ProxyWorld& world, int surface, const Vec3& place_O) noexcept {
-  if (world.is_plane(surface)) {
-    const ProxyWall wall = world.plane_wall(surface, place_O);
-    return {wall.least_m, wall.normal};
-  }
-  const PlacedSurface& s = world.surface(surface);
-  const Part& part = s.tree->part();
-  const Vec3 q_P = world.in_part(surface, place_O);
-  const SurfacePoint near =
-      nearest_surface_point(*s.tree, q_P + part.centre_P, Normals::facet, -1, world.clearance_m());
-  if (near.triangle < 0) return {-1, Vec3::UnitZ()};
-  const bool behind = near.signed_distance_m < 0;
-  const bool inside = behind && s.tree->encloses(q_P);
-  if (behind && !inside) return {world.clearance_m() + near.signed_distance_m, s.R_WP * (-near.normal_P)};
-  return {world.clearance_m() - near.signed_distance_m, s.R_WP * near.normal_P};
-}
 
 /// The nearest place that keeps the clearance from every plane, by the dual active-set method: the plane that
 /// is breached most is added until none is.
@@ -61,24 +40,73 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
 
 }  // namespace
 
-std::optional<Vec3> proxy_start(const ProxyWorld& world, const Vec3& goal_O) noexcept {
-  if (!(world.extent_m() > 0)) return out_of_planes(world, goal_O);
-  Vec3 place_O = goal_O;
-  for (int push = 0; push < ProxyLimits::most_pushes; ++push) {
-    Lack worst{world.tolerance_m(), Vec3::UnitZ()};
-    bool found = false;
-    for (int surface = 0; surface < world.surface_count(); ++surface) {
-      // The pushes go outwards, and where they lead into another surface, out of that again.
-      const Lack lack = lack_at(world, surface, place_O);
-      if (lack.lack_m > worst.lack_m) {
-        worst = lack;
-        found = true;
-      }
-    }
-    if (!found) return place_O;
-    place_O += worst.lack_m * worst.outwards_W;
+/// False where it was broken off.
+bool ProxyStart::lack_at(const ProxyWorld& world, int surface, Looks& looks, Lack& lack) noexcept {
+  if (world.is_plane(surface)) {
+    const ProxyWall wall = world.plane_wall(surface, place_O_);
+    lack = {wall.least_m, wall.normal};
+    return true;
   }
-  return std::nullopt;
+  const PlacedSurface& s = world.surface(surface);
+  const Part& part = s.tree->part();
+  const Vec3 q_P = world.in_part(surface, place_O_);
+  lack = {-1, Vec3::UnitZ()};
+  if ((q_P.cwiseAbs() - part.half_extent).maxCoeff() > world.clearance_m()) return true;
+  // What lies deep inside is pushed out, however far it is to the surface.
+  constexpr double any_distance = std::numeric_limits<double>::infinity();
+  const auto closest = looks.is_unlimited() ? s.tree->closest(q_P, -1, any_distance)
+                                            : s.tree->closest(q_P, any_distance, closest_, looks);
+  if (!closest) return false;
+  const SurfacePoint near =
+      surface_point_at(*s.tree, *closest, q_P + part.centre_P, Normals::facet, world.clearance_m());
+  if (near.triangle < 0) return true;
+  const bool behind = near.signed_distance_m < 0;
+  const auto inside = behind ? s.tree->encloses(q_P, winding_, looks) : false;
+  if (!inside) return false;
+  if (behind && !*inside) {
+    lack = {world.clearance_m() + near.signed_distance_m, s.R_WP * (-near.normal_P)};
+  } else {
+    lack = {world.clearance_m() - near.signed_distance_m, s.R_WP * near.normal_P};
+  }
+  return true;
+}
+
+/// Looks for what is nearest in the place's way. False where it was broken off.
+bool ProxyStart::find_worst(const ProxyWorld& world, Looks& looks) noexcept {
+  for (; surface_ < world.surface_count(); ++surface_) {
+    Lack lack;
+    if (!lack_at(world, surface_, looks, lack)) return false;
+    closest_ = {};
+    winding_ = {};
+    if (!(lack.lack_m > worst_.lack_m)) continue;
+    worst_ = lack;
+    lacks_ = true;
+  }
+  return true;
+}
+
+ProxyStart::End ProxyStart::go_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept {
+  if (!(world.extent_m() > 0)) {
+    const auto out_O = out_of_planes(world, goal_O);
+    place_O_ = out_O.value_or(goal_O);
+    return out_O ? End::placed : End::no_place;
+  }
+  if (!is_underway_) {
+    *this = {};
+    place_O_ = goal_O;
+    worst_.lack_m = world.tolerance_m();
+  }
+  // The pushes go outwards, and where they lead into another surface, out of that again.
+  for (; pushes_ < ProxyLimits::most_pushes; ++pushes_) {
+    is_underway_ = looks.are_spent() || !find_worst(world, looks);
+    if (is_underway_) return End::broken_off;
+    if (!lacks_) return End::placed;
+    place_O_ += worst_.lack_m * worst_.outwards_W;
+    surface_ = 0;
+    worst_ = {world.tolerance_m(), Vec3::UnitZ()};
+    lacks_ = false;
+  }
+  return End::no_place;
 }
 
 }  // namespace fingerpad

@@ -1,19 +1,45 @@
 #pragma once
 
-#include <optional>
-
+#include "contact/looks.hpp"
 #include "contact/proxy_world.hpp"
+#include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
 
 /// Where a ball that appears at `goal_O` may stand: there if nothing comes nearer than the clearance, else
 /// the nearest surface point outwards, moved on where another surface is in the way. Inside of a part is
 /// where the nearest feature's pseudonormal says so and the winding number about the point is above one half:
-/// not merely behind an open sheet, and not outside a shell that is wound inside out. Nothing where no such
-/// place was found within a bounded search (a slot narrower than the ball). Among planes alone: the nearest
-/// place that is clear of all of them.
-/// @param goal_O  finite
-/// noexcept, allocates nothing. O(triangles) where the goal is behind a surface.
-std::optional<Vec3> proxy_start(const ProxyWorld& world, const Vec3& goal_O) noexcept;
+/// not merely behind an open sheet, and not outside a shell that is wound inside out. No place where none was
+/// found within a bounded search (a slot narrower than the ball). Among planes alone: the nearest place that
+/// is clear of all of them.
+class ProxyStart {
+ public:
+  enum class End { placed, no_place, broken_off };
+
+  /// A start that was broken off is gone on with, from the goal that it began with.
+  /// @param goal_O  finite
+  /// noexcept, allocates nothing. O(triangles) where the goal is behind a surface and the looks have no end.
+  End go_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
+  const Vec3& place_O() const noexcept { return place_O_; }
+
+ private:
+  /// How much a place lacks of the clearance, and which way out is.
+  struct Lack {
+    double lack_m = 0;
+    Vec3 outwards_W = Vec3::UnitZ();
+  };
+
+  bool find_worst(const ProxyWorld& world, Looks& looks) noexcept;
+  bool lack_at(const ProxyWorld& world, int surface, Looks& looks, Lack& lack) noexcept;
+
+  bool is_underway_ = false;
+  Vec3 place_O_ = Vec3::Zero();
+  int pushes_ = 0;
+  int surface_ = 0;      // to be looked at next ...
+  ClosestWalk closest_;  // ... and how far that has come
+  WindingWalk winding_;
+  Lack worst_;
+  bool lacks_ = false;  // a surface is nearer than the clearance: worst_
+};
 
 }  // namespace fingerpad

@@ -6,12 +6,14 @@ namespace fingerpad {
 
 /// A step of the proxy and the walls that hold it.
 struct ProxyStep {
-  Vec3 z = Vec3::Zero();  ///< where to, relative to where the proxy stood [m]
+  Vec3 z = Vec3::Zero();       ///< where to, relative to where the proxy stood [m]
+  Vec3 goal_O = Vec3::Zero();  ///< towards which it was made
   int wall_count = 0;
   std::array<ProxyWall, 3> walls;   ///< seen from where the proxy stood
   std::array<double, 3> share_m{};  ///< multiplier of each
   bool truncated = false;           ///< the step ends where the view of the surroundings does
   bool stuck = false;               ///< rounding left no way: z is zero or ends at the first touch
+  bool broken_off = false;          ///< for want of looks: z is zero, and more walls may come
 
   std::span<const ProxyWall> held_by() const noexcept {
     return {walls.data(), static_cast<std::size_t>(wall_count)};
@@ -33,6 +35,7 @@ struct ProxyContact {
   bool started = false;  ///< this move put the proxy down anew
   bool touching = false;
   bool settled = true;          ///< false: the proxy is still on its way to where it is closest to the finger
+  bool broken_off = false;      ///< it is not settled because the tick's looks were spent
   Vec3 proxy_W = Vec3::Zero();  ///< centre of the ball, its skin taken off [m]
   double depth_m = 0;           ///< from the finger to it
   Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to it

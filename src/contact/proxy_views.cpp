@@ -1,7 +1,10 @@
 #include "contact/proxy_views.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+
+#include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
 namespace {
@@ -19,12 +22,16 @@ int largest_fan(const Part& part) {
 
 }  // namespace
 
-ProxyViews::ProxyViews(ProxyWorld world) : ProxySight(std::move(world)) {
-  int most = Limits::usual_view;
+ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(world), looks) {
+  long triangles = 0;
   for (int i = 0; i < world_.surface_count(); ++i) {
-    if (!world_.is_plane(i)) most = std::max(most, 64 + 2 * largest_fan(world_.part(i)));
+    if (world_.is_plane(i)) continue;
+    triangles += world_.part(i).triangle_count();
+    usual_view_ = std::max(usual_view_, 64 + 2 * largest_fan(world_.part(i)));
   }
-  near_.reserve(static_cast<std::size_t>(most));
+  usual_view_ = std::min(usual_view_, Limits::most_usual_view);
+  near_.reserve(static_cast<std::size_t>(std::min<long>(Limits::richest_view, triangles)));
+  found_.reserve(near_.capacity());
   views_.resize(static_cast<std::size_t>(world_.surface_count()));
   seeds_.assign(views_.size(), -1);
 }
@@ -35,6 +42,11 @@ double ProxyViews::widest_view_m() const noexcept {
 }
 
 void ProxyViews::forget() noexcept {
+  ProxySight::forget();
+  near_.clear();
+  std::fill(seeds_.begin(), seeds_.end(), -1);
+  search_reach_m_ = -1;
+  is_cut_ = is_rich_ = overflow_ = falls_short_ = false;
   view_reach_m_ = Limits::first_view * widest_view_m();
 }
 
@@ -44,10 +56,13 @@ void ProxyViews::let_go() noexcept {
 }
 
 ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*most_m*/) noexcept {
+  if (is_amid_step()) return go_on_with_step();
   if (falls_short_ && static_cast<int>(near_.size()) <= Limits::rich_view) asked_m_ *= 2;
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
+  if (is_blind()) return broken_off_step();
   if (place_O_ == search_place_O_) suit_view();
-  ProxyStep step = step_towards(goal_O - place_O, nullptr);
+  if (overflow_) reach_m_ = (goal_O - place_O).norm() * wider;
+  ProxyStep step = step_towards(goal_O, nullptr);
   falls_short_ = step.truncated;
   return step;
 }
@@ -56,7 +71,10 @@ ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const Pr
                                 double rest_m) noexcept {
   see_from(edge_O, std::min(rest_m, Limits::serves_again * view_reach_m_), std::max(view_reach_m_, rest_m),
            Vec3::Zero());
-  return step_towards(goal_O - edge_O, &first);
+  if (is_blind() || overflow_) return broken_off_step();
+  ProxyStep step = step_towards(goal_O, &first);
+  drop_step();
+  return step;
 }
 
 bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
@@ -66,17 +84,15 @@ bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& 
 }
 
 bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept {
-  return reach_m_ >= over.norm() && !worst_wall(over, std::span(&here, 1), world_.tolerance_m());
+  return !overflow_ && reach_m_ >= over.norm() && is_free(over, std::span(&here, 1));
 }
 
 /// Makes the next views wider or narrower, after what a search has found.
 void ProxyViews::suit_view() noexcept {
   const auto count = static_cast<int>(near_.size());
   if (is_cut_) view_reach_m_ = std::min(view_reach_m_, search_reach_m_);
-  const double least_m =
-      std::max(Limits::least_ticks * finger_m_, Limits::least_share * world_.clearance_m());
   if (count > Limits::rich_view)
-    view_reach_m_ = std::min(view_reach_m_, std::max(Limits::shrinkage * search_reach_m_, least_m));
+    view_reach_m_ = std::min(view_reach_m_, std::max(Limits::shrinkage * search_reach_m_, least_view_m()));
   if (count < Limits::poor_view && search_reach_m_ >= view_reach_m_)
     view_reach_m_ = std::min(Limits::growth * view_reach_m_, widest_view_m());
 }
@@ -108,12 +124,36 @@ bool ProxyViews::is_box_within(int surface, const Vec3& q_P, double distance_m) 
   return beyond.maxCoeff() <= distance_m && beyond.norm() <= distance_m * wider;
 }
 
-/// Fills the view; overflow_ where it is too rich.
-void ProxyViews::search(const Vec3& place_O, double reach_m) noexcept {
-  overflow_ = false;
+/// Lists a part's triangles within reach. False where these are more than `most` in all.
+bool ProxyViews::search_part(int surface, double distance_m, int most) noexcept {
+  const TriangleTree& tree = *world_.surface(surface).tree;
+  const auto list = [](void* found, int triangle) {
+    static_cast<std::vector<int>*>(found)->push_back(triangle);
+  };
+  found_.clear();
+  SearchLimit limit{most - static_cast<int>(near_.size()), Limits::most_packets};
+  const bool is_whole =
+      tree.each_within(views_[static_cast<std::size_t>(surface)].at_P, distance_m, limit, list, &found_);
+  // What a pass costs depends on the order; Embree's is for views so small that each pass is paid for alike.
+  if (found_.size() > Limits::small_view) std::sort(found_.begin(), found_.end());
+  for (const int triangle : found_) {
+    NearTriangle& near = near_.emplace_back();
+    near.triangle = triangle;
+    near.corners = corners_of(tree.part(), triangle);
+  }
+  // How far a search came that found too many depends on the order of Embree's tree.
+  const int triangles = is_whole ? limit.triangles : limit.most_triangles;
+  const int packets = is_whole ? limit.packets : 0;
+  looks_.spend(LookCosts::fetched * triangles + LookCosts::packet * packets);
+  return is_whole;
+}
+
+/// Fills the view. False where it is too rich.
+bool ProxyViews::search(const Vec3& place_O, double reach_m, int most) noexcept {
   near_.clear();
   place_O_ = place_O;
-  reach_m_ = reach_m;
+  reach_m_ = search_reach_m_ = reach_m;
+  bool is_whole = true;
   const double distance_m = world_.clearance_m() + reach_m;
   for (int i = 0; i < world_.surface_count(); ++i) {
     PartView& view = views_[static_cast<std::size_t>(i)];
@@ -121,36 +161,50 @@ void ProxyViews::search(const Vec3& place_O, double reach_m) noexcept {
     if (world_.is_plane(i)) continue;
     view.at_P = world_.in_part(i, place_O);
     view.within_reach = is_box_within(i, view.at_P, distance_m);
-    if (!view.within_reach || overflow_) continue;
-    each_triangle_within(*world_.surface(i).tree, view.at_P, distance_m,
-                         [this](const TriangleCorners& corners, int triangle) {
-                           overflow_ |= near_.size() == near_.capacity();
-                           if (overflow_) return;
-                           NearTriangle& near = near_.emplace_back();
-                           near.triangle = triangle;
-                           near.corners = corners;
-                         });
+    if (view.within_reach && is_whole) is_whole = search_part(i, distance_m, most);
     view.end = near_.size();
   }
+  return is_whole;
 }
 
+/// However rich, a view reaches so far.
+double ProxyViews::least_view_m() const noexcept {
+  return std::max(Limits::least_ticks * finger_m_, Limits::least_share * world_.clearance_m());
+}
+
+/// The looks are spent; the next tick goes on with this reach.
+void ProxyViews::see_nothing(double next_reach_m) noexcept {
+  view_reach_m_ = std::min(view_reach_m_, next_reach_m);
+  reach_m_ = search_reach_m_ = -1;
+}
+
+/// Looks at less where there is too much within reach. Where a ball fits its surroundings so well that no
+/// reach is short enough, at more triangles than usual; where these are too many, the trees will be asked
+/// instead.
 void ProxyViews::search_around(const Vec3& place_O, double reach_m) noexcept {
+  if (overflow_ && place_O == search_place_O_) return;
   search_place_O_ = place_O;
-  is_cut_ = false;
-  for (int cut = 0; cut <= Limits::most_cuts; ++cut) {
-    search_reach_m_ = reach_m;
-    search(place_O, reach_m);
-    if (!overflow_) return;
+  is_cut_ = overflow_ = false;
+  double shorter_m = reach_m;
+  for (int cut = 0; cut <= Limits::most_cuts && !is_rich_; ++cut, shorter_m *= Limits::cut) {
+    if (looks_.are_spent()) return see_nothing(shorter_m);
+    if (search(place_O, shorter_m, usual_view_)) return;
     is_cut_ = true;
-    reach_m *= Limits::cut;
+    if (shorter_m < Limits::hopeless_share * world_.clearance_m()) break;
   }
+  is_rich_ = true;
+  if (looks_.are_half_spent()) return see_nothing(view_reach_m_);
+  is_cut_ = false;
+  view_reach_m_ = std::max(view_reach_m_, least_view_m());
+  overflow_ = !search(place_O, std::max(reach_m, view_reach_m_), Limits::richest_view);
+  is_rich_ = overflow_ || static_cast<int>(near_.size()) > usual_view_;
 }
 
 /// Looks at everything within `reach_m`, or, where that is too much, within less; returns how far. What the
 /// last search found serves again as long as it shows half as far.
 double ProxyViews::look_around(const Vec3& place_O, double reach_m, bool anew) noexcept {
   if (anew || !look_again(place_O, Limits::serves_again * reach_m)) search_around(place_O, reach_m);
-  return reach_m_;
+  return std::max(reach_m_, 0.0);
 }
 
 void ProxyViews::look_ahead(const Vec3& place_O, double need_m, const Vec3& ahead) noexcept {
@@ -165,19 +219,22 @@ bool ProxyViews::see_from(const Vec3& place_O, double need_m, double reach_m, co
   return true;
 }
 
-void ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                            WorstWall& worst) noexcept {
-  if (overflow_) {
-    ProxySight::offer_part(surface, z, walls, worst);
-    return;
-  }
+bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
+                            Round& round) noexcept {
+  if (overflow_) return ProxySight::offer_part(surface, z, walls, round);
   const PartView& view = views_[static_cast<std::size_t>(surface)];
-  if (!view.within_reach) return;
+  if (!view.within_reach) return true;
+  WorstWall& worst = round.worst;
+  const std::size_t from = view.first + round.next;
   const PartWay way(world_, surface, view.at_P, z);
   const PartWalls before(world_, surface, walls, way.from_P);
   const double way_m = way.way_P.norm() * wider, clear_m = 2 * world_.tolerance_m();
   std::size_t worst_at = view.end;
-  for (std::size_t k = view.first; k < view.end; ++k) {
+  const bool is_small = view.end - view.first <= Limits::small_view;
+  const long look = is_small ? LookCosts::in_small_view : 1, swept = is_small ? 0 : LookCosts::sweep;
+  std::size_t k = from;
+  for (; k < view.end && !looks_.are_spent(); ++k) {
+    looks_.spend(look);
     NearTriangle& near = near_[k];
     if (near.seen) {
       // An earlier look left a half space free. Where the way begins and ends well in front of it, the
@@ -189,15 +246,21 @@ void ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
     }
     if (before.hide(near.corners)) continue;
     near.look_from(way.from_P, world_.clearance_m());
+    const int sweeps = worst.sweeps;
     if (worst.offer_triangle(world_, way, near.corners, near.triangle, near.towards_P, near.gap_m))
       worst_at = k;
+    looks_.spend(swept * (worst.sweeps - sweeps));
   }
+  round.next = k - view.first;
   // It is likely the worst of the next way too, which then tells at once that others are not.
-  if (worst_at != view.end) std::swap(near_[view.first], near_[worst_at]);
+  if (worst_at != view.end) std::swap(near_[from], near_[worst_at]);
+  return k == view.end;
 }
 
 double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept {
-  double room_m = overflow_ ? 0.0 : search_reach_m_ - (centre_O - search_place_O_).norm() * wider;
+  if (overflow_ || looks_.left() < static_cast<long>(near_.size())) return 0;
+  looks_.spend(static_cast<long>(near_.size()));
+  double room_m = search_reach_m_ - (centre_O - search_place_O_).norm() * wider;
   for (int i = 0; i < world_.surface_count() && room_m > 0; ++i) {
     const PartView& view = views_[static_cast<std::size_t>(i)];
     if (!view.within_reach) continue;
@@ -230,10 +293,12 @@ double ProxyViews::room_m(const Vec3& place_O, double enough_m) noexcept {
       continue;
     }
     int& seed = seeds_[static_cast<std::size_t>(i)];
-    const ClosestTriangle closest = tree.closest(q_P, seed, std::max(room_m, 0.0) + world_.clearance_m());
-    if (closest.triangle < 0) continue;
-    seed = closest.triangle;
-    room_m = std::min(room_m, std::sqrt(closest.at.distance2_m2) - world_.clearance_m());
+    ClosestWalk walk{seed, 0};
+    const auto closest = tree.closest(q_P, std::max(room_m, 0.0) + world_.clearance_m(), walk, looks_);
+    if (!closest) return 0;
+    if (closest->triangle < 0) continue;
+    seed = closest->triangle;
+    room_m = std::min(room_m, std::sqrt(closest->at.distance2_m2) - world_.clearance_m());
   }
   return room_m;
 }

@@ -6,10 +6,19 @@ namespace fingerpad {
 
 /// The numbers that only the speed of a proxy depends on.
 struct ProxyMemoryLimits {
-  /// Triangles in view that are kept at hand; a vertex with a larger fan asks for more.
-  static constexpr int usual_view = 256;
+  /// Triangles in view that are kept at hand; a vertex with a larger fan asks for more, but for no more than
+  /// the second ...
+  static constexpr int usual_view = 256, most_usual_view = 1024;
+  /// ... and where a ball fits so well into its surroundings that no view has so few: a bore of its own
+  /// radius with 1,440 facets. Of more than these the trees are asked anew with each pass.
+  static constexpr int richest_view = 3072;
+  /// Packets of triangles that a search may look at; where facets are so slender that all their boxes
+  /// overlap it is as many however near one looks.
+  static constexpr int most_packets = 8192;
   /// A view of about so many triangles pays: more are sorted out for nothing, fewer are soon left behind.
   static constexpr int poor_view = 8, rich_view = 32;
+  /// Up to so many triangles a pass costs too little to be told from another.
+  static constexpr std::size_t small_view = 256;
   /// By how much a poor view grows and a rich one shrinks, a search.
   static constexpr double growth = 1.2, shrinkage = 0.7;
   /// However rich, a view reaches as far as the finger goes in so many ticks, and by this share of the
@@ -26,6 +35,8 @@ struct ProxyMemoryLimits {
   /// A view too rich for what is kept at hand is made smaller by this factor, so often.
   static constexpr double cut = 0.25;
   static constexpr int most_cuts = 6;
+  /// Where even this share of the clearance shows too many, so does any.
+  static constexpr double hopeless_share = 1.0 / 512;
   /// Farther than this from a part, in its sizes, the distance to its box is near enough to the truth.
   static constexpr double far_from_box = 4;
   /// Flights through free balls in a tick, each to this share of the ball, so that it ends in front of what
@@ -68,7 +79,7 @@ struct NearTriangle {
 /// it would not; the proxy then goes on from there.
 class ProxyViews : public ProxySight {
  public:
-  explicit ProxyViews(ProxyWorld world);
+  ProxyViews(ProxyWorld world, Looks looks);
 
   ProxyStep step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept override;
   ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
@@ -111,20 +122,28 @@ class ProxyViews : public ProxySight {
   bool see_from(const Vec3& place_O, double need_m, double reach_m, const Vec3& ahead) noexcept;
   bool look_again(const Vec3& place_O, double need_m) noexcept;
   void search_around(const Vec3& place_O, double reach_m) noexcept;
-  void search(const Vec3& place_O, double reach_m) noexcept;
+  bool search(const Vec3& place_O, double reach_m, int most) noexcept;
+  bool search_part(int surface, double distance_m, int most) noexcept;
+  /// No search showed anything before the looks were spent.
+  bool is_blind() const noexcept { return reach_m_ < 0; }
   void suit_view() noexcept;
+  double least_view_m() const noexcept;
+  void see_nothing(double next_reach_m) noexcept;
   double widest_view_m() const noexcept;
   bool is_box_within(int surface, const Vec3& q_P, double distance_m) const noexcept;
-  void offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                  WorstWall& worst) noexcept override;
+  bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
+                  Round& round) noexcept override;
 
   Vec3 search_place_O_ = Vec3::Zero();
   double search_reach_m_ = -1;
   double asked_m_ = 0;        // how far the next step is to see ...
   bool falls_short_ = false;  // ... because the last one ended where its view did
   bool is_cut_ = false;       // the last search found too many and was made again, nearer
-  bool overflow_ = false;     // near_ cannot hold even those: every pass asks the trees again
+  bool is_rich_ = false;      // it found more than usual however near
+  bool overflow_ = false;     // near_ cannot hold them: every pass asks the trees again
+  int usual_view_ = ProxyMemoryLimits::usual_view;  // triangles; more with large fans
   std::vector<NearTriangle> near_;
+  std::vector<int> found_;  // triangles, by the last search of a part
   std::vector<PartView> views_;
   std::vector<int> seeds_;
 };

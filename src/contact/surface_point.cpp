@@ -21,13 +21,21 @@ template <class Hint>
 SurfacePoint nearest(const TriangleTree& tree, const Vec3& p_P, Normals normals, Hint& hint,
                      double reach_m) noexcept {
   const Part& part = tree.part();
-  SurfacePoint result;
   const Vec3 q = p_P - part.centre_P;
-  if (outside_padded_box(part, q, reach_m + normals->strays * part.size_m())) return result;
+  if (outside_padded_box(part, q, reach_m + normals->strays * part.size_m())) return {};
   // No bound on the search: what lies deep inside is answered whatever the reach.
   const ClosestTriangle found = tree.closest(q, hint, std::numeric_limits<double>::infinity());
-  if (found.triangle < 0) return result;
+  return surface_point_at(tree, found, p_P, normals, reach_m);
+}
 
+}  // namespace
+
+SurfacePoint surface_point_at(const TriangleTree& tree, const ClosestTriangle& found, const Vec3& p_P,
+                              Normals normals, double reach_m) noexcept {
+  const Part& part = tree.part();
+  SurfacePoint result;
+  const Vec3 q = p_P - part.centre_P;
+  if (found.triangle < 0) return result;
   const int t = found.triangle;
   const Vec3 offset = q - found.at.point;
   const double distance_m =
@@ -50,8 +58,6 @@ SurfacePoint nearest(const TriangleTree& tree, const Vec3& p_P, Normals normals,
   result.normal_P = shaded_normal(tree, t, found.at, normals, result.normal_P);
   return result;
 }
-
-}  // namespace
 
 Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Normals normals,
                    const Vec3& facet_normal_P) noexcept {
@@ -87,6 +93,11 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals,
                                    ClosestMemory& memory, double reach_m) noexcept {
   return nearest(tree, p_P, normals, memory, reach_m);
+}
+
+SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals,
+                                   BriefSearch& search, double reach_m) noexcept {
+  return nearest(tree, p_P, normals, search, reach_m);
 }
 
 SurfacePoint nearest_plane_point(const Vec3& point_P, const Vec3& normal_P, const Vec3& p_P) noexcept {

@@ -7,6 +7,8 @@
 namespace fingerpad {
 
 class ClosestMemory;
+struct BriefSearch;
+struct ClosestTriangle;
 
 /// Where a point stands against a surface, frame P (the file's frame, not re-centred).
 struct SurfacePoint {
@@ -36,6 +38,13 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
 /// The same along a path; see TriangleTree::closest.
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals,
                                    ClosestMemory& memory, double reach_m) noexcept;
+SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals,
+                                   BriefSearch& search, double reach_m) noexcept;
+
+/// What the closest triangle says, where that is known already: nearest_surface_point's answer.
+/// @param closest  to p_P, of the tree
+SurfacePoint surface_point_at(const TriangleTree& tree, const ClosestTriangle& closest, const Vec3& p_P,
+                              Normals normals, double reach_m) noexcept;
 
 /// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that;
 /// `triangle` is -1 where neither has one, and for normals with a surface of their own. No other

@@ -1,25 +1,16 @@
 #include "contact/triangle_tree.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <limits>
 #include <utility>
 
 #include "contact/curved_normals.hpp"
 #include "contact/tree_parts.hpp"
+#include "contact/within_search.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// Beyond so many half extents only the direction of a point matters.
-constexpr double direction_range = 1 << 20;
-
-/// A point, or where it stands for one that far away.
-Vec3 within_direction_range(const Vec3& q, double extent_m) noexcept {
-  const double farthest = q.cwiseAbs().maxCoeff(), limit = direction_range * extent_m;
-  return farthest > limit ? Vec3(q / farthest * limit) : q;
-}
 
 float visit_closest(void* any_search, unsigned index, float radius) noexcept {
   ClosestSearch& search = *static_cast<ClosestSearch*>(any_search);
@@ -27,35 +18,6 @@ float visit_closest(void* any_search, unsigned index, float radius) noexcept {
   if (&packet == search.looked_at || !search.look_at(packet)) return radius;
   return search.radius(std::sqrt(search.winner.at.distance2_m2));
 }
-
-/// A search for all triangles within a fixed reach.
-struct WithinSearch : ScaledPoint {
-  double reach_m;
-  float rough_reach;
-  void (*found)(void* context, int triangle);
-  void* context;
-
-  void look_at(const TrianglePacket& packet) const noexcept {
-    const PacketView view(*this, packet);
-    RoughDistances distances;
-    unsigned lanes = filter(packet, view.r, view.limit2(rough_reach), distances);
-    lanes = (lanes | packet.always_exact) & packet.used;
-    const float surely_within2 = view.surely_within2(rough_reach);
-    for (; lanes != 0; lanes &= lanes - 1) {
-      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
-      if (distances.squared[lane] <= surely_within2) {
-        found(context, packet.exact[lane].triangle);
-      } else {
-        look_at(packet, static_cast<int>(lane));
-      }
-    }
-  }
-
-  void look_at(const TrianglePacket& packet, int lane) const noexcept {
-    if (exact(packet, lane).distance2_m2 <= reach_m * reach_m)
-      found(context, packet.exact[static_cast<std::size_t>(lane)].triangle);
-  }
-};
 
 float visit_within(void* any_search, unsigned index, float radius) noexcept {
   const WithinSearch& search = *static_cast<const WithinSearch*>(any_search);
@@ -99,9 +61,9 @@ std::size_t TriangleTree::memory_bytes() const noexcept {
 }
 
 bool TriangleTree::encloses(const Vec3& q) const noexcept {
-  const PackedPart& packed = impl_->packed;
-  if (!q.allFinite() || q.cwiseAbs().maxCoeff() > tree_range * packed.extent_m) return false;
-  return impl_->winding.encloses(packed, q);
+  WindingWalk walk;
+  Looks looks(Looks::unlimited);
+  return encloses(q, walk, looks).value_or(false);
 }
 
 ClosestTriangle TriangleTree::closest(const Vec3& q, int seed, double reach_m) const noexcept {
@@ -159,27 +121,16 @@ void TriangleTree::each_within(const Vec3& q, double reach_m, void (*visit)(void
     impl.far_each_within(q, reach_m, visit, context);
     return;
   }
-  const double bound_m = std::min(reach_m, q.norm() + 2 * packed.extent_m);
-  WithinSearch search{{packed, impl.filter, q}, reach_m, 0, visit, context};
-  search.rough_reach = search.rough(bound_m);
-  impl.scene.each_near(search.embree, search.radius(bound_m), visit_within, &search);
+  WithinSearch search(packed, impl.filter, q, reach_m, visit, context);
+  impl.scene.each_near(search.embree, search.radius(search.bound_m), visit_within, &search);
 }
 
 /// Every triangle in turn, as far_closest.
 void TriangleTree::Impl::far_each_within(const Vec3& q, double reach_m,
                                          void (*visit)(void* context, int triangle),
                                          void* context) const noexcept {
-  const Part& part = *packed.part;
-  const Vec3 nearer = within_direction_range(q, packed.extent_m);
-  const double tie_m = tie_distance_m(part, nearer);
-  for (const TrianglePacket& packet : packed.packets) {
-    for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
-      const FramePoint p = closest_in(exact_frame(part, packet, lane), nearer, tie_m);
-      const bool moved = nearer != q;
-      const bool within = moved ? (q - p.point).stableNorm() <= reach_m : p.distance2_m2 <= reach_m * reach_m;
-      if (within) visit(context, packet.exact[static_cast<std::size_t>(lane)].triangle);
-    }
-  }
+  const WithinSearch search(packed, filter, q, reach_m, visit, context);
+  for (const TrianglePacket& packet : packed.packets) search.look_from_afar_at(packet);
 }
 
 }  // namespace fingerpad

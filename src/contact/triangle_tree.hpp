@@ -3,8 +3,10 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 
 #include "contact/closest_point.hpp"
+#include "contact/looks.hpp"
 
 namespace fingerpad {
 
@@ -14,6 +16,34 @@ class ClosestMemory;
 struct ClosestTriangle {
   int triangle = -1;  ///< index into Part::triangles; -1 when nothing lies within the search radius
   TrianglePoint at;   ///< relative to the part's centre
+};
+
+/// A search for the closest triangle that may be broken off.
+struct ClosestWalk {
+  int triangle = -1;     ///< the closest so far; at the beginning one that is likely close, or -1
+  std::size_t next = 0;  ///< where it goes on
+};
+
+/// Along a path: the last answer, and how much a query may look at. Where that is not enough it answers with
+/// the closest of what it looked at.
+struct BriefSearch {
+  long most_looks;
+  int triangle = -1;
+};
+
+/// A sum over a part's triangles for its winding number that may be broken off.
+struct WindingWalk {
+  std::size_t next = 0;    ///< the packet to go on with
+  double half_angles = 0;  ///< so far
+  int round = 0;           ///< of sums, each better than the last
+};
+
+/// How much a search may find: no more triangles and no more packets (groups of eight) within reach.
+struct SearchLimit {
+  int most_triangles, most_packets;
+  int triangles = 0, packets = 0;  ///< found
+
+  bool is_exceeded() const noexcept { return triangles > most_triangles || packets > most_packets; }
 };
 
 /// Where a ray leaves a part.
@@ -54,6 +84,15 @@ class TriangleTree {
   /// most queries of a path that goes on slowly need no search of the tree.
   ClosestTriangle closest(const Vec3& q, ClosestMemory& memory, double reach_m) const noexcept;
 
+  /// The same in pieces: looks at what `looks` allows, a packet more at most, and goes on with the next call.
+  /// The order of the search is the part's alone, so that it ends at the same triangle on every machine.
+  /// @param walk  kept between calls with the same q and reach_m
+  /// @returns nothing where it was broken off. noexcept, allocates nothing.
+  std::optional<ClosestTriangle> closest(const Vec3& q, double reach_m, ClosestWalk& walk,
+                                         Looks& looks) const noexcept;
+
+  ClosestTriangle closest(const Vec3& q, BriefSearch& search, double reach_m) const noexcept;
+
   /// Calls `visit(context, triangle)` once for every triangle whose distance to q is at most `reach_m`, as
   /// `closest` measures it (closest_on_triangle's distance2_m2 <= reach_m * reach_m, in double): those and no
   /// others, in no order that one may rely on.
@@ -62,6 +101,19 @@ class TriangleTree {
   /// noexcept (so `visit` must not throw), allocates nothing.
   void each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
                    void* context) const noexcept;
+
+  /// The same, up to a limit. Whether that is exceeded depends on q and the reach alone, and which triangles
+  /// were visited means nothing then.
+  /// @returns false where it is exceeded
+  bool each_within(const Vec3& q, double reach_m, SearchLimit& limit,
+                   void (*visit)(void* context, int triangle), void* context) const noexcept;
+
+  /// The same in pieces, in an order that is the part's alone: looks at what `looks` allows, a packet more at
+  /// most, and goes on from `next` with the next call.
+  /// @param next  0 at the beginning; kept between calls with the same q and reach_m
+  /// @returns whether it came to its end
+  bool each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks,
+                   void (*visit)(void* context, int triangle), void* context) const noexcept;
 
   /// The first triangle that the segment from `from` to `to` crosses from the outside to the inside, that is
   /// against the facet's normal; both ends count. Watertight (Woop, Benthin & Wald 2013, in double): no
@@ -86,6 +138,9 @@ class TriangleTree {
   /// @param q  relative to the part's centre [m]; nothing lies around a point beyond 1e4 sizes, nor around
   /// one that is not finite. noexcept, allocates nothing.
   bool encloses(const Vec3& q) const noexcept;
+  /// The same in pieces: nothing where it was broken off.
+  /// @param walk  kept between calls with the same q
+  std::optional<bool> encloses(const Vec3& q, WindingWalk& walk, Looks& looks) const noexcept;
 
   const Part& part() const noexcept;
 

@@ -5,6 +5,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace fingerpad {
@@ -12,8 +13,13 @@ namespace {
 
 /// Clusters in one of the next level.
 constexpr std::size_t branching = 4;
-/// A cluster farther away than this many of its radii counts as a dipole.
-constexpr double far_away = 4;
+/// A cluster farther away than this many of its radii counts as a dipole; than the second, where it has to be
+/// known better.
+constexpr double far_away = 4, very_far_away = 10;
+/// Up to so many it is known best by summing up all triangles; of more that would take many ticks.
+constexpr std::size_t few_packets = 4096 / packet_width;
+/// What rounding to float may take off a cluster's radius, as a share of it and of the part's box.
+constexpr double radius_rounding = 1e-5, box_rounding = 1e-6;
 /// What the dipoles' error may make of a winding number, with room to spare.
 constexpr double unclear = 0.1;
 
@@ -87,34 +93,97 @@ WindingNumber::WindingNumber(const PackedPart& packed) {
   }
 }
 
+/// Adds up the half solid angles of the packets from walk.next on; a cluster that is far away in its own size
+/// counts as a dipole. False where the looks were spent before the end.
 /// @param q  [m]
-double WindingNumber::half_angles(const PackedPart& packed, std::size_t level, std::size_t index,
-                                  const Vec3& q) const noexcept {
-  const Cluster& cluster = clusters_[level_start_[level] + index];
-  const Vec3 way = cluster.centre.cast<double>() - packed.scale * q;
-  const double distance2 = way.squaredNorm(), near = far_away * static_cast<double>(cluster.radius);
-  if (distance2 > near * near)
-    return 0.5 * cluster.moment.cast<double>().dot(way) / (distance2 * std::sqrt(distance2));
-  if (level == 0) return half_angles_of(packed, index, q);
-  const std::size_t count = level_start_[level] - level_start_[level - 1];
-  double sum = 0;
-  for (std::size_t i = index * branching; i < std::min((index + 1) * branching, count); ++i)
-    sum += half_angles(packed, level - 1, i, q);
-  return sum;
+bool WindingNumber::add_half_angles(const PackedPart& packed, const Vec3& q, double far, WindingWalk& walk,
+                                    Looks& looks) const noexcept {
+  const std::size_t count = packed.packets.size(), top = level_start_.size() - 2;
+  const Vec3 at = packed.scale * q;
+  while (walk.next < count) {
+    if (looks.are_spent()) return false;
+    // The largest cluster that begins here; where it is near, its first part.
+    std::size_t level = 0, size = 1;
+    for (; level < top && walk.next % (size * branching) == 0; ++level) size *= branching;
+    for (;; --level, size /= branching) {
+      looks.spend(1);
+      const Cluster& here = cluster(level, walk.next / size);
+      const Vec3 way = here.centre.cast<double>() - at;
+      const double distance2 = way.squaredNorm(), near = far * static_cast<double>(here.radius);
+      if (distance2 > near * near) {
+        walk.half_angles += 0.5 * here.moment.cast<double>().dot(way) / (distance2 * std::sqrt(distance2));
+        break;
+      }
+      if (level > 0) continue;
+      walk.half_angles += half_angles_of(packed, walk.next, q);
+      looks.spend(LookCosts::angle * packet_width);
+      break;
+    }
+    walk.next += size;
+  }
+  return true;
 }
 
 double WindingNumber::about(const PackedPart& packed, const Vec3& q) const noexcept {
-  return clusters_.empty() ? 0 : half_angles(packed, level_start_.size() - 2, 0, q) / (2 * std::numbers::pi);
+  WindingWalk walk;
+  Looks looks(Looks::unlimited);
+  add_half_angles(packed, q, far_away, walk, looks);
+  return walk.half_angles / (2 * std::numbers::pi);
+}
+
+std::optional<bool> WindingNumber::encloses(const PackedPart& packed, const Vec3& q, WindingWalk& walk,
+                                            Looks& looks) const noexcept {
+  const bool is_small = packed.packets.size() <= few_packets;
+  const double better = is_small ? std::numeric_limits<double>::infinity() : very_far_away;
+  for (;; walk = {0, 0, 1}) {
+    if (!add_half_angles(packed, q, walk.round == 0 ? far_away : better, walk, looks)) return std::nullopt;
+    const double number = std::abs(walk.half_angles) / (2 * std::numbers::pi);
+    if (walk.round > 0 || std::abs(number - 0.5) >= unclear) return number > 0.5;
+  }
 }
 
 bool WindingNumber::encloses(const PackedPart& packed, const Vec3& q) const noexcept {
-  double number = std::abs(about(packed, q));
-  if (std::abs(number - 0.5) < unclear) {
-    double sum = 0;
-    for (std::size_t i = 0; i < packed.packets.size(); ++i) sum += half_angles_of(packed, i, q);
-    number = std::abs(sum) / (2 * std::numbers::pi);
+  WindingWalk walk;
+  Looks looks(Looks::unlimited);
+  return encloses(packed, q, walk, looks).value_or(false);
+}
+
+std::size_t WindingNumber::next_near(std::size_t packet, const Vec3& at, double radius,
+                                     long& tests) const noexcept {
+  const auto is_near = [&](const Cluster& c) {
+    const double grown = static_cast<double>(c.radius) * (1 + radius_rounding) + box_rounding + radius;
+    return (c.centre.cast<double>() - at).squaredNorm() <= grown * grown;
+  };
+  const std::size_t count = level_start_[1], top = level_start_.size() - 2;
+  while (packet < count) {
+    // The largest cluster that begins here; it is passed by as a whole, or its first part is looked at.
+    std::size_t level = 0, size = 1;
+    for (; level < top && packet % (size * branching) == 0; ++level) size *= branching;
+    for (;; --level, size /= branching) {
+      ++tests;
+      if (!is_near(cluster(level, packet / size))) break;
+      if (level == 0) return packet;
+    }
+    packet += size;
   }
-  return number > 0.5;
+  return count;
+}
+
+std::size_t WindingNumber::some_near(const Vec3& at) const noexcept {
+  std::size_t index = 0;
+  for (std::size_t level = level_start_.size() - 2; level-- > 0;) {
+    const std::size_t first = index * branching,
+                      end = std::min(first + branching, level_start_[level + 1] - level_start_[level]);
+    double least2 = std::numeric_limits<double>::infinity();
+    for (std::size_t i = first; i < end; ++i) {
+      const double distance2 = (cluster(level, i).centre.cast<double>() - at).squaredNorm();
+      if (!(distance2 < least2)) continue;
+      least2 = distance2;
+      index = i;
+    }
+    index = std::max(index, first);
+  }
+  return index;
 }
 
 }  // namespace fingerpad

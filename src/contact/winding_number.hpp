@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "contact/looks.hpp"
 #include "contact/packed_part.hpp"
+#include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
 
@@ -17,8 +20,20 @@ class WindingNumber {
   /// The winding number about q, to within 0.05 where the part is closed: 0 outside, 1 or -1 inside.
   /// @param q  relative to the part's centre [m], finite. noexcept, allocates nothing.
   double about(const PackedPart& packed, const Vec3& q) const noexcept;
-  /// Whether it is above one half in size; summed up triangle by triangle where that is not clear.
+  /// Whether it is above one half in size; where that is not clear, a small part is summed up triangle by
+  /// triangle, a large one with far fewer dipoles.
   bool encloses(const PackedPart& packed, const Vec3& q) const noexcept;
+  /// The same in pieces: nothing where it was broken off.
+  std::optional<bool> encloses(const PackedPart& packed, const Vec3& q, WindingWalk& walk,
+                               Looks& looks) const noexcept;
+
+  /// The first packet from `packet` on that may come within a radius of a point, or how many there are. Goes
+  /// from cluster to cluster in the packets' order, so that a search can be broken off anywhere.
+  /// @param at, radius  scaled
+  /// @param tests       grows by the clusters that were looked at
+  std::size_t next_near(std::size_t packet, const Vec3& at, double radius, long& tests) const noexcept;
+  /// A packet that is likely near a point. @pre there is one
+  std::size_t some_near(const Vec3& at) const noexcept;
 
   std::size_t memory_bytes() const noexcept { return clusters_.capacity() * sizeof(Cluster); }
 
@@ -31,10 +46,13 @@ class WindingNumber {
     float area = 0;
   };
 
+  const Cluster& cluster(std::size_t level, std::size_t index) const noexcept {
+    return clusters_[level_start_[level] + index];
+  }
   static Cluster cluster_of(const PackedPart& packed, std::size_t packet);
   Cluster joined(std::size_t first, std::size_t end) const;
-  double half_angles(const PackedPart& packed, std::size_t level, std::size_t index,
-                     const Vec3& q) const noexcept;
+  bool add_half_angles(const PackedPart& packed, const Vec3& q, double far_away, WindingWalk& walk,
+                       Looks& looks) const noexcept;
 
   std::vector<Cluster> clusters_;         // level by level, the packets' first
   std::vector<std::size_t> level_start_;  // of each level in clusters_, and the end of the last

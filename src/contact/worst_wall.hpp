@@ -60,6 +60,7 @@ struct PartWay {
 struct WorstWall {
   std::optional<ProxyWall> wall;  ///< seen from where the way begins
   double slack_m;                 ///< how far in front of it the way ends; < 0
+  int sweeps = 0;                 ///< how many of the triangles offered the way was swept past
 
   bool is_beaten_by(double other_slack_m, int surface, int triangle) const noexcept {
     if (!(other_slack_m == slack_m && wall)) return other_slack_m < slack_m;
@@ -68,7 +69,9 @@ struct WorstWall {
 
   void offer_plane(const ProxyWall& plane, const Vec3& z) noexcept {
     const double end_slack_m = plane.normal.dot(z) - plane.least_m;
-    if (is_beaten_by(end_slack_m, plane.surface, -1)) *this = {plane, end_slack_m};
+    if (!is_beaten_by(end_slack_m, plane.surface, -1)) return;
+    wall = plane;
+    slack_m = end_slack_m;
   }
 
   /// @param towards_P  unit, from the triangle's closest point to where the way begins
@@ -79,6 +82,7 @@ struct WorstWall {
     // The breach only shrinks as the sweep goes on from its first tangent, which is this.
     const double end_slack_m = gap_m + towards_P.dot(way.way_P);
     if (end_slack_m >= -world.tolerance_m() || end_slack_m > slack_m) return false;
+    ++sweeps;
     const TriangleSweep sweep =
         sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(), world.tolerance_m());
     if (!sweep.blocked || !is_beaten_by(sweep.end_slack_m, way.surface, triangle)) return false;

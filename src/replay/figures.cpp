@@ -6,7 +6,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr std::array<std::string_view, 20> figure_names = {"ticks",
+constexpr std::array<std::string_view, 21> figure_names = {"ticks",
                                                            "contact_ticks",
                                                            "stick_ticks",
                                                            "slip_ticks",
@@ -25,7 +25,8 @@ constexpr std::array<std::string_view, 20> figure_names = {"ticks",
                                                            "pop_throughs",
                                                            "max_force_step_n",
                                                            "max_apparent_stiffness_n_per_m",
-                                                           "nonfinite_ticks"};
+                                                           "nonfinite_ticks",
+                                                           "unsettled_ticks"};
 
 /// Fewer ticks than this in a tooth of the sawtooth and no sampling shows it.
 constexpr long ticks_that_show_a_tooth = 2;
@@ -60,7 +61,8 @@ std::vector<double> Figures::values() const {
           count(pop_throughs_.count()),
           max_step_n_,
           max_step_n_per_m_,
-          count(nonfinite_ticks_)};
+          count(nonfinite_ticks_),
+          count(unsettled_ticks_)};
 }
 
 void Figures::observe_phase(const TickRecord& record) noexcept {
@@ -120,6 +122,7 @@ void Figures::observe(const TickRecord& record) noexcept {
   last_p_WQ_ = record.p_WQ;
   remedied_ticks_ += record.remedied ? 1 : 0;
   inside_starts_ += record.started_inside ? 1 : 0;
+  unsettled_ticks_ += record.unsettled ? 1 : 0;
   ++ticks_;
   if (record.phase == Phase::free) return;
   ++contact_ticks_;

@@ -27,8 +27,9 @@ class Figures {
   /// a finger started inside of a part, so that a proxy had to be put outside, or where it does not fit, so
   /// that there was no place for a proxy; pop-throughs; the greatest
   /// change of the whole force from tick to tick; the greatest change of the normal force (as a vector) per
-  /// metre that the finger moved in the tick, which a stiffness alone explains up to its own number; and the
-  /// ticks whose force was not finite (0: promised).
+  /// metre that the finger moved in the tick, which a stiffness alone explains up to its own number; the
+  /// ticks whose force was not finite (0: promised); and those, in touch or not, whose proxy stopped before
+  /// it was at rest because the bound of a tick's work was reached, not because the finger moved little.
   std::vector<double> values() const;
 
   /// Teeth of the sawtooth, from one rupture to the next, and those of them that lasted under two ticks: no
@@ -54,7 +55,7 @@ class Figures {
   // whose first tick is in contact begins with what the surface's spring stores at that depth.
   Vec3 last_force_W_n_ = Vec3::Zero();
   double given_j_ = 0, energy_made_j_ = 0;
-  long remedied_ticks_ = 0, inside_starts_ = 0, nonfinite_ticks_ = 0;
+  long remedied_ticks_ = 0, inside_starts_ = 0, nonfinite_ticks_ = 0, unsettled_ticks_ = 0;
   PopThroughs pop_throughs_;
   Vec3 last_normal_W_n_ = Vec3::Zero();
   double max_step_n_ = 0, max_step_n_per_m_ = 0;

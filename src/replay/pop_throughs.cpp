@@ -52,7 +52,7 @@ bool PopThroughs::way_enters_a_part(const Vec3& to_W) const noexcept {
 
 bool PopThroughs::is_guide_held_back(const Vec3& to_W) noexcept {
   try {
-    if (!guide_) guide_ = fast_proxy(placed_surfaces(*world_), 0, Normals::facet);
+    if (!guide_) guide_ = fast_proxy(placed_surfaces(*world_), 0, Normals::facet, Looks(Looks::unlimited));
   } catch (const std::bad_alloc&) {
     return true;  // rather a graze too many than a crossing too few
   }

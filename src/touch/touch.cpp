@@ -230,7 +230,10 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
   const SkinMotion skin = skin_motion(sample);
   record.velocity_W = skin.velocity_W;
   const Contact& contact = method_->touch(sample.p_WQ, dt_s_);
-  const bool unplaced_before = std::exchange(unplaced_, !contact.placed);
+  record.unsettled = contact.broken_off;
+  // A search for a place that goes on with the next tick has not found that there is none.
+  const bool unplaced_before = unplaced_;
+  unplaced_ = !contact.placed && (unplaced_before || !contact.broken_off);
   record.started_inside = unplaced_ && !unplaced_before;
   if (contact.hold_count == 0) {
     release();

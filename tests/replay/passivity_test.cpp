@@ -60,5 +60,15 @@ TEST(Passivity, CountsTheTicksOnWhichARemedyActed) {
   EXPECT_EQ(figure(figures, "remedied_ticks"), 2);
 }
 
+TEST(Passivity, CountsTheTicksWhoseProxyHadNotSettledInTouchOrNot) {
+  Figures figures;
+  for (int k = 0; k < 7; ++k) {
+    TickRecord record = tick_at(k < 4 ? -1e-3 : 1e-3, k < 4 ? 1 : 0);
+    record.unsettled = k == 1 || k > 3;
+    figures.observe(record);
+  }
+  EXPECT_EQ(figure(figures, "unsettled_ticks"), 4);
+}
+
 }  // namespace
 }  // namespace fingerpad::passivity_test

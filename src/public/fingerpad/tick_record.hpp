@@ -38,6 +38,8 @@ struct TickRecord {
   bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces
   bool started_inside = false;  ///< a proxy was put down here although the finger was inside, or found no
                                 ///< place where it fits; not in traces
+  bool unsettled = false;  ///< the proxy stopped before it was at rest, so that the tick's work has a bound,
+                           ///< and goes on in the next; not in traces
 };
 
 }  // namespace fingerpad

@@ -1,0 +1,159 @@
+#include <cmath>
+#include <utility>
+
+#include "contact/tree_parts.hpp"
+#include "contact/within_search.hpp"
+
+// Searches of a tree that are bounded: up to a limit, or in pieces.
+
+namespace fingerpad {
+namespace {
+
+struct LimitedSearch : WithinSearch {
+  SearchLimit* limit;
+  void (*visit)(void* context, int triangle);
+  void* visit_context;
+};
+
+void count_triangle(void* any_search, int triangle) {
+  const LimitedSearch& search = *static_cast<LimitedSearch*>(any_search);
+  if (++search.limit->triangles <= search.limit->most_triangles) search.visit(search.visit_context, triangle);
+}
+
+/// Passes triangles on and counts them.
+struct Counting {
+  void (*visit)(void* context, int triangle);
+  void* context;
+  long count = 0;
+};
+
+void count_and_visit(void* any_counting, int triangle) {
+  Counting& counting = *static_cast<Counting*>(any_counting);
+  ++counting.count;
+  counting.visit(counting.context, triangle);
+}
+
+/// Whether a packet's box comes within the radius of a point; both scaled. Narrower than Embree's own test of
+/// the padded box, so that it alone decides, on every machine alike.
+bool is_box_near(const TrianglePacket& packet, const Vec3& at, double radius) noexcept {
+  constexpr double rounding = 1e-12;
+  double beyond2 = 0;
+  for (int i = 0; i < 3; ++i) {
+    const double beyond =
+        std::abs(at[i] - packet.origin[i]) - static_cast<double>(packet.box_half[i]) - rounding;
+    if (beyond > 0) beyond2 += beyond * beyond;
+  }
+  const double grown = radius * (1 + rounding);
+  return beyond2 <= grown * grown;
+}
+
+float visit_limited(void* any_search, unsigned index, float radius) noexcept {
+  const LimitedSearch& search = *static_cast<const LimitedSearch*>(any_search);
+  const PackedPart& packed = *search.packed;
+  if (search.limit->is_exceeded()) return 0;
+  if (!is_box_near(packed.packets[index], search.scaled, search.bound_m * packed.scale)) return radius;
+  ++search.limit->packets;
+  search.look_at(packed.packets[index]);
+  return search.limit->is_exceeded() ? 0 : radius;
+}
+
+}  // namespace
+
+bool TriangleTree::each_within(const Vec3& q, double reach_m, SearchLimit& limit,
+                               void (*visit)(void* context, int triangle), void* context) const noexcept {
+  const Impl& impl = *impl_;
+  const PackedPart& packed = impl.packed;
+  const double farthest = q.cwiseAbs().maxCoeff();
+  if (packed.packets.empty() || !q.allFinite() || !(reach_m >= 0)) return true;
+  if (impl.out_of_reach(farthest, reach_m)) return true;
+  LimitedSearch search{{packed, impl.filter, q, reach_m, count_triangle, nullptr}, &limit, visit, context};
+  search.context = &search;
+  if (farthest > tree_range * packed.extent_m) {
+    limit.packets += static_cast<int>(packed.packets.size());
+    if (!limit.is_exceeded()) impl.far_each_within(q, reach_m, count_triangle, &search);
+  } else {
+    impl.scene.each_near(search.embree, search.radius(search.bound_m), visit_limited, &search);
+  }
+  return !limit.is_exceeded();
+}
+
+bool TriangleTree::each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks,
+                               void (*visit)(void* context, int triangle), void* context) const noexcept {
+  const Impl& impl = *impl_;
+  const PackedPart& packed = impl.packed;
+  const double farthest = q.cwiseAbs().maxCoeff();
+  if (packed.packets.empty() || !q.allFinite() || !(reach_m >= 0)) return true;
+  if (impl.out_of_reach(farthest, reach_m)) return true;
+  const bool is_far = farthest > tree_range * packed.extent_m;
+  Counting counting{visit, context};
+  const WithinSearch search(packed, impl.filter, q, reach_m, count_and_visit, &counting);
+  const double radius = search.bound_m * packed.scale;
+  while (!looks.are_spent()) {
+    long tests = 0;
+    next = impl.winding.next_near(next, search.scaled, radius, tests);
+    looks.spend(tests);
+    if (next >= packed.packets.size()) return true;
+    const TrianglePacket& packet = packed.packets[next++];
+    if (is_far) {
+      search.look_from_afar_at(packet);
+    } else if (is_box_near(packet, search.scaled, radius)) {
+      search.look_at(packet);
+    }
+    looks.spend(LookCosts::packet + LookCosts::fetched * std::exchange(counting.count, 0));
+  }
+  return false;
+}
+
+std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach_m, ClosestWalk& walk,
+                                                     Looks& looks) const noexcept {
+  const Impl& impl = *impl_;
+  const PackedPart& packed = impl.packed;
+  const double farthest = q.cwiseAbs().maxCoeff();
+  if (packed.packets.empty() || !q.allFinite() || !(farthest <= tree_range * packed.extent_m))
+    return closest(q, -1, reach_m);
+  if (impl.out_of_reach(farthest, reach_m)) return ClosestTriangle{};
+  ClosestSearch search(packed, impl.filter, q, reach_m);
+  const int count = static_cast<int>(packed.slot_of.size());
+  if (walk.triangle < 0 || walk.triangle >= count) {
+    const TrianglePacket& packet = packed.packets[impl.winding.some_near(search.scaled)];
+    walk.triangle = packet.exact[0].triangle;
+  }
+  search.look_at_seed(walk.triangle);
+  const TrianglePacket* const seen = search.looked_at;
+  while (!looks.are_spent()) {
+    long tests = 0;
+    const double radius =
+        std::min(std::sqrt(search.winner.at.distance2_m2) * packed.scale, static_cast<double>(far_off));
+    walk.next = impl.winding.next_near(walk.next, search.scaled, radius, tests);
+    looks.spend(tests);
+    if (walk.next >= packed.packets.size()) {
+      const ClosestTriangle answer = search.answer();
+      if (answer.triangle >= 0) walk.triangle = answer.triangle;
+      return answer;
+    }
+    const TrianglePacket& packet = packed.packets[walk.next++];
+    if (&packet == seen || !is_box_near(packet, search.scaled, radius)) continue;
+    search.look_at(packet);
+    looks.spend(LookCosts::closest);
+  }
+  if (search.won_in != nullptr) walk.triangle = search.winner.triangle;
+  return std::nullopt;
+}
+
+std::optional<bool> TriangleTree::encloses(const Vec3& q, WindingWalk& walk, Looks& looks) const noexcept {
+  const PackedPart& packed = impl_->packed;
+  if (!q.allFinite() || q.cwiseAbs().maxCoeff() > tree_range * packed.extent_m) return false;
+  return impl_->winding.encloses(packed, q, walk, looks);
+}
+
+ClosestTriangle TriangleTree::closest(const Vec3& q, BriefSearch& search, double reach_m) const noexcept {
+  ClosestWalk walk{search.triangle, 0};
+  Looks looks(search.most_looks);
+  const auto found = closest(q, reach_m, walk, looks);
+  const ClosestTriangle nearest =
+      found ? *found : ClosestTriangle{walk.triangle, closest_on_triangle(part(), walk.triangle, q)};
+  search.triangle = nearest.triangle;
+  return nearest.at.distance2_m2 <= reach_m * reach_m ? nearest : ClosestTriangle{};
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,159 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+
+#include "base/random_stream.hpp"
+#include "contact/triangle_tree.hpp"
+#include "support/shapes.hpp"
+
+// Searches that are bounded or in pieces, against those that are neither.
+
+namespace fingerpad::tree_walks_test {
+namespace {
+
+constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+std::vector<TriangleTree> trees() {
+  std::vector<TriangleTree> trees;
+  for (const TriangleSoup& soup :
+       {test::box_soup(Vec3(1, 2, 3)), test::torus_soup(1, 0.4, 60, 40), test::sphere_soup(0.7, 4)})
+    trees.emplace_back(std::make_shared<const Part>(make_part(soup, 0.5)));
+  return trees;
+}
+
+Vec3 any(RandomStream& random, double scale) {
+  return scale * Vec3(random.normal(), random.normal(), random.normal());
+}
+
+void add(void* list, int t) {
+  static_cast<std::vector<int>*>(list)->push_back(t);
+}
+
+std::vector<int> all_within(const TriangleTree& tree, const Vec3& q, double reach_m) {
+  std::vector<int> found;
+  tree.each_within(q, reach_m, add, &found);
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+TEST(TreeWalks, FindTheSameTrianglesInPiecesAsAtOnce) {
+  RandomStream random(5);
+  for (const TriangleTree& tree : trees()) {
+    for (int k = 0; k < 100; ++k) {
+      const Vec3 q = any(random, k % 10 == 0 ? 3e4 : 1);
+      const double reach_m = k % 3 == 0 ? unbounded : q.norm() - 1 + random.uniform();
+      std::vector<int> found;
+      std::size_t next = 0;
+      int pieces = 1;
+      Looks looks(k % 2 == 0 ? 1 : 50);
+      while (!tree.each_within(q, reach_m, next, looks, add, &found)) {
+        ASSERT_LE(looks.spent(), 50 + 300) << "a packet too many at most, and the clusters on the way to it";
+        looks.renew();
+        ++pieces;
+      }
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(found, all_within(tree, q, reach_m));
+      if (found.size() > 100) {
+        EXPECT_GT(pieces, 1);
+      }
+    }
+  }
+}
+
+TEST(TreeWalks, FindTheSameClosestTriangleInPiecesAsAtOnce) {
+  RandomStream random(6);
+  for (const TriangleTree& tree : trees()) {
+    ClosestTriangle last;
+    for (int k = 0; k < 200; ++k) {
+      // Among them the middle, from where a sphere's triangles are all as near.
+      const Vec3 q = k % 20 == 0 ? Vec3::Zero() : any(random, k % 3 == 0 ? 0.1 : 1);
+      const double reach_m = k % 5 == 0 ? 0.3 : unbounded;
+      const ClosestTriangle at_once = tree.closest(q, -1, reach_m);
+      ClosestWalk walk{k % 2 == 0 ? -1 : last.triangle, 0};
+      Looks looks(k % 4 == 0 ? 1 : 40);
+      auto in_pieces = tree.closest(q, reach_m, walk, looks);
+      for (int piece = 0; !in_pieces; ++piece) {
+        ASSERT_LT(piece, tree.part().triangle_count());
+        looks.renew();
+        in_pieces = tree.closest(q, reach_m, walk, looks);
+      }
+      ASSERT_EQ(in_pieces->triangle, at_once.triangle) << k;
+      ASSERT_EQ(in_pieces->at.distance2_m2, at_once.at.distance2_m2);
+      looks.renew();
+      const auto again = tree.closest(q, reach_m, walk, looks);
+      ASSERT_TRUE(again);
+      ASSERT_EQ(again->triangle, at_once.triangle) << "asked again after its end";
+      last = at_once;
+    }
+  }
+}
+
+TEST(TreeWalks, TellTheSameInsideInPiecesAsAtOnce) {
+  RandomStream random(9);
+  int inside = 0;
+  for (const TriangleTree& tree : trees()) {
+    for (int k = 0; k < 100; ++k) {
+      const Vec3 q = any(random, 0.6);
+      WindingWalk walk;
+      Looks looks(k % 2 == 0 ? 1 : 100);
+      auto in_pieces = tree.encloses(q, walk, looks);
+      for (int piece = 0; !in_pieces; ++piece) {
+        ASSERT_LT(piece, 4 * tree.part().triangle_count());
+        looks.renew();
+        in_pieces = tree.encloses(q, walk, looks);
+      }
+      ASSERT_EQ(*in_pieces, tree.encloses(q));
+      inside += *in_pieces ? 1 : 0;
+    }
+  }
+  EXPECT_GT(inside, 30);
+}
+
+TEST(TreeWalks, ABriefSearchAnswersWithTheClosestOfWhatItLookedAt) {
+  const TriangleTree tree(std::make_shared<const Part>(make_part(test::sphere_soup(0.7, 4), 0.5)));
+  RandomStream random(7);
+  int same = 0;
+  for (int k = 0; k < 200; ++k) {
+    const Vec3 q = k % 10 == 0 ? Vec3::Zero() : any(random, 0.5);
+    const ClosestTriangle exact = tree.closest(q, -1, unbounded);
+    BriefSearch brief{60}, ample{1000000};
+    const ClosestTriangle found = tree.closest(q, brief, unbounded);
+    ASSERT_GE(found.triangle, 0);
+    EXPECT_EQ(found.at.distance2_m2, closest_on_triangle(tree.part(), found.triangle, q).distance2_m2);
+    EXPECT_GE(found.at.distance2_m2, exact.at.distance2_m2);
+    same += found.triangle == exact.triangle ? 1 : 0;
+    EXPECT_EQ(tree.closest(q, ample, unbounded).triangle, exact.triangle);
+    EXPECT_EQ(tree.closest(Vec3(9, 0, 0), brief, 0.1).triangle, -1) << "out of reach";
+  }
+  EXPECT_GT(same, 100);
+  EXPECT_LT(same, 200) << "60 looks are too few for the middle";
+}
+
+TEST(TreeWalks, ALimitIsExceededWhereMoreIsWithinReach) {
+  RandomStream random(8);
+  int exceeded = 0;
+  for (const TriangleTree& tree : trees()) {
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 q = any(random, 1);
+      const double reach_m = random.uniform();
+      const auto expected = all_within(tree, q, reach_m);
+      std::vector<int> found;
+      SearchLimit limit{20, 1000};
+      const bool is_whole = tree.each_within(q, reach_m, limit, add, &found);
+      ASSERT_EQ(is_whole, expected.size() <= 20);
+      ASSERT_LE(found.size(), 20U);
+      std::sort(found.begin(), found.end());
+      if (is_whole) {
+        ASSERT_EQ(found, expected);
+        SearchLimit fewer{1000, std::max(0, limit.packets - 1)};
+        EXPECT_EQ(tree.each_within(q, reach_m, fewer, add, &found), limit.packets == 0);
+      }
+      exceeded += is_whole ? 0 : 1;
+    }
+  }
+  EXPECT_GT(exceeded, 50);
+}
+
+}  // namespace
+}  // namespace fingerpad::tree_walks_test
