@@ -15,8 +15,8 @@ constexpr LawParameter pad_radius{
     "R: the pad's radius where it touches [m]; assumed. Matters with adhesion only"};
 constexpr LawParameter adhesion{"adhesion_j_per_m2", 0, 0, true,
                                 "gamma: work of adhesion [J/m^2]; 0 is Hertz"};
-constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_parameter, pad_radius, adhesion,
-                                       device_damping_parameter};
+constexpr LawParameter contact_area_parameters[] = {v_min_parameter, stiffness_per_newton_parameter,
+                                                    pad_radius, adhesion, device_damping_parameter};
 
 /// K a^3/R of the contact [N]: what the contact radius depends on, without the pad's modulus.
 double cubed_radius_n(double normal_force_n, double w_n) noexcept {
@@ -66,7 +66,7 @@ double JkrPad::pull_off_n() const noexcept {
 
 LawEntry contact_area_law() noexcept {
   return {"contact-area", "after Chen et al. 1997: limits that go with the JKR contact area; mu holds at 1 N",
-          parameters,
+          contact_area_parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             const JkrPad pad{bounded_number(settings, pad_radius), 1, bounded_number(settings, adhesion)};
             return std::make_unique<ContactArea>(within(pad.adhesion_load_n(), 0, huge),

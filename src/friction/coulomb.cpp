@@ -8,7 +8,7 @@ namespace {
 constexpr LawParameter creep_speed{
     "creep_speed_m_per_s", 0.01, 0, false,
     "v_t: below this speed the force falls to zero in proportion, so a push f creeps at f v_t/(mu n) [m/s]"};
-constexpr LawParameter parameters[] = {creep_speed};
+constexpr LawParameter coulomb_parameters[] = {creep_speed};
 
 /// Coulomb friction made continuous: f = -mu_d n v / max(|v|, v_t).
 ///
@@ -37,7 +37,7 @@ class Coulomb final : public FrictionLaw {
 }  // namespace
 
 LawEntry coulomb_law() noexcept {
-  return {"coulomb", "Coulomb 1785, continuous through zero speed; creeps under a push", parameters,
+  return {"coulomb", "Coulomb 1785, continuous through zero speed; creeps under a push", coulomb_parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Coulomb>(bounded_number(settings, creep_speed));
           }};

@@ -4,7 +4,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr LawParameter parameters[] = {fixed_stiffness_parameter};
+constexpr LawParameter dahl_parameters[] = {fixed_stiffness_parameter};
 
 /// Dahl 1968, as a vector and with an exact step: dz = dx - |dx| z/z_c, f = sigma z, z_c = mu_d n/sigma.
 ///
@@ -31,7 +31,7 @@ class Dahl final : public FrictionLaw {
 }  // namespace
 
 LawEntry dahl_law() noexcept {
-  return {"dahl", "Dahl 1968: a bristle that yields exponentially; mu_dynamic only", parameters,
+  return {"dahl", "Dahl 1968: a bristle that yields exponentially; mu_dynamic only", dahl_parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Dahl>(bounded_number(settings, fixed_stiffness_parameter));
           }};

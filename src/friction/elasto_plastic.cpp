@@ -14,8 +14,9 @@ constexpr LawParameter elastic_share{
     true,
     "z_ba/z_ss: share of the steady deflection within which the bristle is purely elastic",
     0.999};
-constexpr LawParameter parameters[] = {fixed_stiffness_parameter, stribeck_speed_parameter,
-                                       bristle_damping_parameter, viscous_parameter, elastic_share};
+constexpr LawParameter elasto_plastic_parameters[] = {fixed_stiffness_parameter, stribeck_speed_parameter,
+                                                      bristle_damping_parameter, viscous_parameter,
+                                                      elastic_share};
 
 /// Elasto-plastic bristle (Dupont, Hayward, Armstrong & Altpeter 2002): LuGre with its plastic term times
 /// alpha(z, v), so that small motions are purely elastic and do not drift.
@@ -96,7 +97,7 @@ class ElastoPlastic final : public FrictionLaw {
 
 LawEntry elasto_plastic_law() noexcept {
   return {"elasto-plastic", "Dupont et al. 2002: LuGre that is elastic below a share of its limit",
-          parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+          elasto_plastic_parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<ElastoPlastic>(StribeckBristle(settings),
                                                    bounded_number(settings, elastic_share));
           }};

@@ -18,8 +18,8 @@ constexpr LawParameter cubic_share{"cubic_share",
 constexpr LawParameter mu_rises_below{
     "mu_rises_below_n", 0, 0, true,
     "normal force below which both coefficients rise as (n/this)^(-1/3) [N]; 0 is off, 2 is the paper's"};
-constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_parameter, cubic_share,
-                                       mu_rises_below, device_damping_parameter};
+constexpr LawParameter finger_pad_parameters[] = {v_min_parameter, stiffness_per_newton_parameter,
+                                                  cubic_share, mu_rises_below, device_damping_parameter};
 
 /// The finger pad (paper, figs. 4-8): the stick-slip rule with an ellipse of stick whose axes lie along the
 /// finger and across it, and shrink as the finger is raised.
@@ -73,7 +73,7 @@ class FingerPad final : public FrictionLaw {
 
 LawEntry finger_pad_law() noexcept {
   return {"finger-pad", "the paper's finger pad: stick in an ellipse that shrinks with the finger's angle",
-          parameters,
+          finger_pad_parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             // Any mu serves the assumed pad: only the ratio mu/axis is used, and that is the stiffness.
             const PadProfile pad = settings.profile.value_or(

@@ -8,7 +8,7 @@ namespace {
 constexpr LawParameter zero_band{
     "zero_band_m_per_s", 0.001, 0, true,
     "D_v: speeds up to this count as rest, where friction answers the applied force [m/s]"};
-constexpr LawParameter parameters[] = {zero_band};
+constexpr LawParameter karnopp_parameters[] = {zero_band};
 
 /// Karnopp 1985: mu_d n against the motion above D_v; within the band the applied force is answered in full,
 /// up to mu_s n.
@@ -50,7 +50,7 @@ class Karnopp final : public FrictionLaw {
 
 LawEntry karnopp_law() noexcept {
   return {"karnopp", "Karnopp 1985: rigid stick within a band of speed; 0 there without a simulated hand",
-          parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+          karnopp_parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Karnopp>(bounded_number(settings, zero_band));
           }};
 }

@@ -6,7 +6,7 @@ namespace {
 
 constexpr LawParameter stick_damping{"stick_damping_n_s_per_m", 0, 0, true,
                                      "B: damping beside the stick spring [N s/m]"};
-constexpr LawParameter parameters[] = {fixed_stiffness_parameter, stick_damping};
+constexpr LawParameter kikuuwe_parameters[] = {fixed_stiffness_parameter, stick_damping};
 
 /// Kikuuwe, Takesue, Sano, Mochiyama & Fujimoto 2006, impedance form: Coulomb friction behind a spring and
 /// damper, stepped by backward Euler: e* = e + dx; f = sat_F(K e* + B dx/T); e <- (f + (B/T) e)/(K + B/T). F
@@ -38,7 +38,7 @@ class Kikuuwe final : public FrictionLaw {
 
 LawEntry kikuuwe_law() noexcept {
   return {"kikuuwe", "Kikuuwe et al. 2006: Coulomb friction behind a spring and damper; mu_dynamic only",
-          parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+          kikuuwe_parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Kikuuwe>(bounded_number(settings, fixed_stiffness_parameter),
                                              bounded_number(settings, stick_damping));
           }};

@@ -4,8 +4,8 @@
 namespace fingerpad {
 namespace {
 
-constexpr LawParameter parameters[] = {fixed_stiffness_parameter, stribeck_speed_parameter,
-                                       bristle_damping_parameter, viscous_parameter};
+constexpr LawParameter lugre_parameters[] = {fixed_stiffness_parameter, stribeck_speed_parameter,
+                                             bristle_damping_parameter, viscous_parameter};
 
 /// LuGre (Canudas de Wit, Olsson, Astrom & Lischinsky 1995), as a vector: z' = v - sigma_0 |v| z/g(v),
 /// f = sigma_0 z + sigma_1 z' + sigma_2 v, with Dahl's exact step for z (Euler needs sigma_0 |v| T/g < 2).
@@ -33,7 +33,7 @@ class LuGre final : public FrictionLaw {
 }  // namespace
 
 LawEntry lugre_law() noexcept {
-  return {"lugre", "Canudas de Wit et al. 1995: Dahl's bristle with a Stribeck limit", parameters,
+  return {"lugre", "Canudas de Wit et al. 1995: Dahl's bristle with a Stribeck limit", lugre_parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<LuGre>(StribeckBristle(settings));
           }};

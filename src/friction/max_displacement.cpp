@@ -10,7 +10,7 @@ constexpr LawParameter max_displacement{
 constexpr LawParameter stick_displacement{
     "stick_displacement_m", 0, 0, true,
     "z_stick of the smooth form, which yields gradually beyond about this [m]; 0 is the hard form"};
-constexpr LawParameter parameters[] = {max_displacement, stick_displacement};
+constexpr LawParameter max_displacement_parameters[] = {max_displacement, stick_displacement};
 
 /// Hayward & Armstrong 2000: z = x - w, f = mu_d n z/z_max. Hard form: where |z| > z_max, w follows at that
 /// distance. Smooth form: dw = |dx| alpha(z) z with alpha = z^8/(z_max (z_stick^8 + z^8)), and the hard limit
@@ -53,8 +53,8 @@ class MaxDisplacement final : public FrictionLaw {
 
 LawEntry max_displacement_law() noexcept {
   return {"max-displacement",
-          "Hayward & Armstrong 2000: a contact that lags by at most z_max; mu_dynamic only", parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+          "Hayward & Armstrong 2000: a contact that lags by at most z_max; mu_dynamic only",
+          max_displacement_parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<MaxDisplacement>(bounded_number(settings, max_displacement),
                                                      bounded_number(settings, stick_displacement));
           }};

@@ -11,7 +11,7 @@ constexpr LawParameter slip_damping{"slip_damping_n_s_per_m", 0, 0, true,
 /// The other laws' v_min with a least value: B = mu_d n/v_min grows without bound as v_min vanishes.
 constexpr LawParameter v_min{v_min_parameter.key, v_min_parameter.default_value, 1e-4, true,
                              v_min_parameter.meaning};
-constexpr LawParameter parameters[] = {v_min, fixed_stiffness_parameter, slip_damping};
+constexpr LawParameter salcudean_vlaar_parameters[] = {v_min, fixed_stiffness_parameter, slip_damping};
 
 /// A viscous slide, f = B v, in newtons. Stick begins at v_min, or where B v has fallen to mu_s n.
 struct ViscousSlide {
@@ -137,7 +137,7 @@ class SalcudeanVlaar final : public FrictionLaw {
 }  // namespace
 
 LawEntry salcudean_vlaar_law() noexcept {
-  return {"salcudean-vlaar", "Salcudean & Vlaar 1997: stick spring, viscous slip", parameters,
+  return {"salcudean-vlaar", "Salcudean & Vlaar 1997: stick spring, viscous slip", salcudean_vlaar_parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<SalcudeanVlaar>(std::max(v_min_m_per_s(settings), v_min.min),
                                                     bounded_number(settings, fixed_stiffness_parameter),

@@ -5,7 +5,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr LawParameter parameters[] = {fixed_stiffness_parameter};
+constexpr LawParameter salisbury_parameters[] = {fixed_stiffness_parameter};
 
 /// Salisbury, Brock, Massie, Swarup & Zilles 1995: f = k (x - c); where |f| > mu_s n the centre jumps to
 /// c = x - (mu_d n/k) u, u the direction of the spring. A sawtooth at every speed, between mu_d n and mu_s n.
@@ -58,7 +58,8 @@ class Salisbury final : public FrictionLaw {
 }  // namespace
 
 LawEntry salisbury_law() noexcept {
-  return {"salisbury", "Salisbury et al. 1995: a spring whose centre jumps; fixed stiffness", parameters,
+  return {"salisbury", "Salisbury et al. 1995: a spring whose centre jumps; fixed stiffness",
+          salisbury_parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Salisbury>(bounded_number(settings, fixed_stiffness_parameter),
                                                settings.events);

@@ -5,8 +5,8 @@
 namespace fingerpad {
 namespace {
 
-constexpr LawParameter parameters[] = {v_min_parameter, stiffness_per_newton_parameter,
-                                       device_damping_parameter};
+constexpr LawParameter stick_slip_parameters[] = {v_min_parameter, stiffness_per_newton_parameter,
+                                                  device_damping_parameter};
 
 /// The paper's basic model: a circle of stick of radius mu_s/k_f, eq. 1-3.
 class StickSlip final : public FrictionLaw {
@@ -26,7 +26,7 @@ class StickSlip final : public FrictionLaw {
 }  // namespace
 
 LawEntry stick_slip_law() noexcept {
-  return {"stick-slip", "the paper's basic model: stick in a circle, Coulomb slip", parameters,
+  return {"stick-slip", "the paper's basic model: stick in a circle, Coulomb slip", stick_slip_parameters,
           [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<StickSlip>(bounded_number(settings, stiffness_per_newton_parameter),
                                                stick_rule_of(settings));

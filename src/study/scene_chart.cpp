@@ -15,7 +15,7 @@ namespace {
 /// So that a logarithmic axis can show them, smaller errors are drawn here.
 constexpr double least_drawn = 1e-5;
 
-double drawn(double share) {
+double as_drawn(double share) {
   return std::isfinite(share) ? std::max(share, least_drawn) : share;
 }
 
@@ -39,7 +39,7 @@ std::vector<ChartCurve> curves_of(const SceneStudy& study, Events events, Number
           choice.events != events)
         continue;
       curve.x.push_back(x(price));
-      curve.y.push_back(drawn(y(price)));
+      curve.y.push_back(as_drawn(y(price)));
     }
     if (!curve.x.empty()) curves.push_back(std::move(curve));
   }
@@ -52,15 +52,17 @@ void mark_choices(const SceneStudyInput& input, const SceneStudy& study, Number 
   const ChoicePrice& chosen = cheapest(study.prices);
   for (const ChoicePrice& price : study.prices) {
     if (!input.automatic || *input.automatic != price.choice) continue;
-    panel.curves.push_back(
-        {"what auto chooses", {palette::ink, Dash::none, Marker::ring, 2.6}, {x(price)}, {drawn(y(price))}});
+    panel.curves.push_back({"what auto chooses",
+                            {palette::ink, Dash::none, Marker::ring, 2.6},
+                            {x(price)},
+                            {as_drawn(y(price))}});
   }
   // Behind the others, as a frame.
   panel.curves.insert(panel.curves.begin(), {chosen.keeps() ? "the cheapest that keeps the tolerances"
                                                             : "the nearest; none keeps them",
                                              {palette::ink, Dash::none, Marker::square, 3.2},
                                              {x(chosen)},
-                                             {drawn(y(chosen))}});
+                                             {as_drawn(y(chosen))}});
 }
 
 void add_front(ChartPanel& panel) {
@@ -119,8 +121,8 @@ ChartPanel rate_panel(const SceneStudyInput& input, const SceneStudy& study) {
     force.x.push_back(rate.rate_hz);
     unseen.x.push_back(rate.rate_hz);
     unseen.y.push_back(rate.unseen_teeth_share > 0 ? rate.unseen_teeth_share : HUGE_VAL);
-    mu.y.push_back(drawn(rate.held_mu_share));
-    force.y.push_back(drawn(rate.held_force_share));
+    mu.y.push_back(as_drawn(rate.held_mu_share));
+    force.y.push_back(as_drawn(rate.held_force_share));
   }
   if (study.has_friction) {
     panel.curves.push_back(std::move(mu));

@@ -8,13 +8,14 @@ namespace fingerpad {
 namespace {
 
 const std::vector<double> buzz_rates_hz{250, 500, 1000, 2000, 4000, 10000};
-constexpr double hand_damping_n_s_per_m = 0.5, stiffness_per_m = 1000;
+constexpr double hand_damping_n_s_per_m = 0.5, buzz_stiffness_per_m = 1000;
 
 void laws_by_rate(StudyReport& report) {
   StudyTable table{"stick_buzz", {"law", "rate_hz", "quiet_up_to_n", "rule_2b_over_kf_t_n"}, {}};
   ChartPanel panel{"", "rate [Hz]", "normal force up to which stick is quiet [N]", true, true, {}, {}};
   ChartCurve rule{"2 b/(k_f T)", {5, Dash::dotted, Marker::none}, buzz_rates_hz, {}};
-  for (const double hz : buzz_rates_hz) rule.y.push_back(2 * hand_damping_n_s_per_m * hz / stiffness_per_m);
+  for (const double hz : buzz_rates_hz)
+    rule.y.push_back(2 * hand_damping_n_s_per_m * hz / buzz_stiffness_per_m);
   for (const LawEntry& law : law_table()) {
     const std::string name(law.name);
     ChartCurve series{name, law_style(name), buzz_rates_hz, {}};
@@ -46,7 +47,7 @@ void pad_by_angle(StudyReport& report) {
       "", "inclination of the finger [deg]", "normal force up to which stick is quiet [N]", false, true, {},
       {}};
   for (const bool along : {false, true}) {
-    const double axis45_m = (along ? 0.8 : 1.0) * 0.3 / stiffness_per_m;
+    const double axis45_m = (along ? 0.8 : 1.0) * 0.3 / buzz_stiffness_per_m;
     ChartCurve found{along ? "finger-pad, along the finger" : "finger-pad, across it",
                      {along ? 5 : 0, Dash::none, along ? Marker::square : Marker::disc},
                      {},

@@ -21,7 +21,7 @@ const NamedRemedy remedies[] = {
     {"cap", Remedy::cap, {2, Dash::dotted, Marker::diamond}},
 };
 
-constexpr double remedy_rate_hz = 1000, mu_static = 0.3;
+constexpr double remedy_rate_hz = 1000, remedy_mu_static = 0.3;
 
 /// Friction along x under a load on a motion that is followed exactly; the remedy knows b = 0.5 N s/m.
 std::vector<double> friction_of(Remedy remedy, double load_n, double (*x_m)(double)) {
@@ -40,7 +40,7 @@ double rms_change(Remedy remedy, double load_n, double (*x_m)(double)) {
   const std::vector<double> remedied = friction_of(remedy, load_n, x_m);
   double square = 0;
   for (std::size_t k = 0; k < plain.size(); ++k) square += std::pow(remedied[k] - plain[k], 2);
-  return std::sqrt(square / static_cast<double>(plain.size())) / (mu_static * load_n);
+  return std::sqrt(square / static_cast<double>(plain.size())) / (remedy_mu_static * load_n);
 }
 
 double presliding_m(double t_s) {
@@ -103,7 +103,7 @@ void study_remedies(StudyReport& report) {
           stick_remedy_reserve * 2 * StickRemedy{}.device_damping_n_s_per_m * remedy_rate_hz;
       const double stiffness = 1000 * load_n;
       const double held = remedy.remedy == Remedy::cap ? std::min(stiffness, stable_n_per_m) : stiffness;
-      stretch.y.push_back(1e3 * mu_static * load_n / held);
+      stretch.y.push_back(1e3 * remedy_mu_static * load_n / held);
       cost.rows.push_back({remedy.name, load_n, in_stick.y.back(), in_rub.y.back(), 1e-3 * stretch.y.back()});
     }
     presliding.curves.push_back(std::move(in_stick));

@@ -9,7 +9,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double rate_hz = 10000, seconds = 1, load_n = 1;
+constexpr double rate_hz = 10000, seconds = 1, restick_load_n = 1;
 
 struct SlowingRub {
   std::string name;
@@ -35,7 +35,7 @@ struct RubRun {
 RubRun rub_with(const SlowingRub& rub, Restick restick) {
   BenchScene bench(rate_hz, "stick-slip");
   bench.scene().friction.settings.restick = restick;
-  const double z_m = -load_n / bench.surface().stiffness_n_per_m;
+  const double z_m = -restick_load_n / bench.surface().stiffness_n_per_m;
   ClosedLoop loop = bench.loop(seconds, [&](double t_s) { return Vec3(rub.x_m(t_s), 0, z_m); });
   RubRun run;
   double last_x = 0;
