@@ -13,7 +13,7 @@ namespace fingerpad {
 namespace {
 
 constexpr double drag_mu = 0.2, load_n = 1, stroke_m = 0.01;
-constexpr double half_band_hz = 30, full_turn = 2 * std::numbers::pi;
+constexpr double half_band_hz = 30, turn_rad = 2 * std::numbers::pi;
 
 /// The RMS of what a signal holds within a band: the sum over its own frequencies there (Parseval).
 double band_rms(std::span<const double> signal, double rate_hz, double low_hz, double high_hz) {
@@ -21,7 +21,7 @@ double band_rms(std::span<const double> signal, double rate_hz, double low_hz, d
   double mean = 0, square = 0;
   for (const double value : signal) mean += value / count;
   for (double bin = std::ceil(low_hz * count / rate_hz); bin <= high_hz * count / rate_hz; ++bin) {
-    const std::complex<double> step = std::polar(1.0, full_turn * bin / count);
+    const std::complex<double> step = std::polar(1.0, turn_rad * bin / count);
     std::complex<double> phase = 1, sum = 0;
     for (const double value : signal) {
       sum += (value - mean) * phase;
@@ -39,7 +39,7 @@ struct Times {
 };
 Times counted_times(const VibratingDrag& drag) {
   if (!drag.strokes) return {0.5, 4.5};  // from 0.003 m/s on it has slipped by then
-  const double period_s = full_turn * stroke_m / drag.speed_m_per_s;
+  const double period_s = turn_rad * stroke_m / drag.speed_m_per_s;
   return {period_s, period_s * (1 + std::max(1.0, std::round(2 / period_s)))};
 }
 
