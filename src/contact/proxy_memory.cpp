@@ -13,8 +13,7 @@ namespace fingerpad {
 using Limits = ProxyMemoryLimits;
 
 Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals, Looks looks) {
-  ProxyWorld world(std::move(surfaces), radius_m, normals);
-  return Proxy(std::make_unique<ProxyMemory>(std::move(world), looks));
+  return Proxy(std::make_unique<ProxyMemory>(ProxyWorld(std::move(surfaces), radius_m, normals), looks));
 }
 
 void ProxyMemory::let_go() noexcept {

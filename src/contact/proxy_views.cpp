@@ -22,18 +22,13 @@ int largest_fan(const Part& part) {
 
 }  // namespace
 
-ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(world), looks) {
-  long triangles = 0;
+ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(world), looks), near_(world_) {
   for (int i = 0; i < world_.surface_count(); ++i) {
     if (world_.is_plane(i)) continue;
-    triangles += world_.part(i).triangle_count();
     usual_view_ = std::max(usual_view_, 64 + 2 * largest_fan(world_.part(i)));
   }
   usual_view_ = std::min(usual_view_, Limits::most_usual_view);
-  near_.reserve(static_cast<std::size_t>(std::min<long>(Limits::richest_view, triangles)));
-  found_.reserve(near_.capacity());
-  views_.resize(static_cast<std::size_t>(world_.surface_count()));
-  seeds_.assign(views_.size(), -1);
+  seeds_.assign(static_cast<std::size_t>(world_.surface_count()), -1);
 }
 
 /// Without parts there is nothing to be looked for, however far.
@@ -57,7 +52,7 @@ void ProxyViews::let_go() noexcept {
 
 ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*most_m*/) noexcept {
   if (is_amid_step()) return go_on_with_step();
-  if (falls_short_ && static_cast<int>(near_.size()) <= Limits::rich_view) asked_m_ *= 2;
+  if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= 2;
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (is_blind()) return broken_off_step();
   if (place_O_ == search_place_O_) suit_view();
@@ -89,7 +84,7 @@ bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept 
 
 /// Makes the next views wider or narrower, after what a search has found.
 void ProxyViews::suit_view() noexcept {
-  const auto count = static_cast<int>(near_.size());
+  const int count = near_.count();
   if (is_cut_) view_reach_m_ = std::min(view_reach_m_, search_reach_m_);
   if (count > Limits::rich_view)
     view_reach_m_ = std::min(view_reach_m_, std::max(Limits::shrinkage * search_reach_m_, least_view_m()));
@@ -112,59 +107,15 @@ bool ProxyViews::look_again(const Vec3& place_O, double need_m) noexcept {
   if (overflow_ || !(left_m >= need_m)) return false;
   place_O_ = place_O;
   reach_m_ = left_m;
-  for (int i = 0; i < world_.surface_count(); ++i) {
-    PartView& view = views_[static_cast<std::size_t>(i)];
-    if (view.within_reach) view.at_P = world_.in_part(i, place_O);
-  }
+  near_.look_from(world_, place_O);
   return true;
-}
-
-bool ProxyViews::is_box_within(int surface, const Vec3& q_P, double distance_m) const noexcept {
-  const Vec3 beyond = (q_P.cwiseAbs() - world_.part(surface).half_extent).cwiseMax(0.0);
-  return beyond.maxCoeff() <= distance_m && beyond.norm() <= distance_m * wider;
-}
-
-/// Lists a part's triangles within reach. False where these are more than `most` in all.
-bool ProxyViews::search_part(int surface, double distance_m, int most) noexcept {
-  const TriangleTree& tree = *world_.surface(surface).tree;
-  const auto list = [](void* found, int triangle) {
-    static_cast<std::vector<int>*>(found)->push_back(triangle);
-  };
-  found_.clear();
-  SearchLimit limit{most - static_cast<int>(near_.size()), Limits::most_packets};
-  const bool is_whole =
-      tree.each_within(views_[static_cast<std::size_t>(surface)].at_P, distance_m, limit, list, &found_);
-  // What a pass costs depends on the order; Embree's is for views so small that each pass is paid for alike.
-  if (found_.size() > Limits::small_view) std::sort(found_.begin(), found_.end());
-  for (const int triangle : found_) {
-    NearTriangle& near = near_.emplace_back();
-    near.triangle = triangle;
-    near.corners = corners_of(tree.part(), triangle);
-  }
-  // How far a search came that found too many depends on the order of Embree's tree.
-  const int triangles = is_whole ? limit.triangles : limit.most_triangles;
-  const int packets = is_whole ? limit.packets : 0;
-  looks_.spend(LookCosts::fetched * triangles + LookCosts::packet * packets);
-  return is_whole;
 }
 
 /// Fills the view. False where it is too rich.
 bool ProxyViews::search(const Vec3& place_O, double reach_m, int most) noexcept {
-  near_.clear();
   place_O_ = place_O;
   reach_m_ = search_reach_m_ = reach_m;
-  bool is_whole = true;
-  const double distance_m = world_.clearance_m() + reach_m;
-  for (int i = 0; i < world_.surface_count(); ++i) {
-    PartView& view = views_[static_cast<std::size_t>(i)];
-    view.first = view.end = near_.size();
-    if (world_.is_plane(i)) continue;
-    view.at_P = world_.in_part(i, place_O);
-    view.within_reach = is_box_within(i, view.at_P, distance_m);
-    if (view.within_reach && is_whole) is_whole = search_part(i, distance_m, most);
-    view.end = near_.size();
-  }
-  return is_whole;
+  return near_.search(world_, place_O, reach_m, most, looks_);
 }
 
 /// However rich, a view reaches so far.
@@ -197,7 +148,7 @@ void ProxyViews::search_around(const Vec3& place_O, double reach_m) noexcept {
   is_cut_ = false;
   view_reach_m_ = std::max(view_reach_m_, least_view_m());
   overflow_ = !search(place_O, std::max(reach_m, view_reach_m_), Limits::richest_view);
-  is_rich_ = overflow_ || static_cast<int>(near_.size()) > usual_view_;
+  is_rich_ = overflow_ || near_.count() > usual_view_;
 }
 
 /// Looks at everything within `reach_m`, or, where that is too much, within less; returns how far. What the
@@ -222,59 +173,14 @@ bool ProxyViews::see_from(const Vec3& place_O, double need_m, double reach_m, co
 bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                             Round& round) noexcept {
   if (overflow_) return ProxySight::offer_part(surface, z, walls, round);
-  const PartView& view = views_[static_cast<std::size_t>(surface)];
-  if (!view.within_reach) return true;
-  WorstWall& worst = round.worst;
-  const std::size_t from = view.first + round.next;
-  const PartWay way(world_, surface, view.at_P, z);
-  const PartWalls before(world_, surface, walls, way.from_P);
-  const double way_m = way.way_P.norm() * wider, clear_m = 2 * world_.tolerance_m();
-  std::size_t worst_at = view.end;
-  const bool is_small = view.end - view.first <= Limits::small_view;
-  const long look = is_small ? LookCosts::in_small_view : 1, swept = is_small ? 0 : LookCosts::sweep;
-  std::size_t k = from;
-  for (; k < view.end && !looks_.are_spent(); ++k) {
-    looks_.spend(look);
-    NearTriangle& near = near_[k];
-    if (near.seen) {
-      // An earlier look left a half space free. Where the way begins and ends well in front of it, the
-      // triangle cannot block; a ball that touches is nearer than that, and looks again.
-      const double here_m = near.least_gap_m(way.from_P), there_m = near.least_gap_m(way.to_P);
-      if (std::min(here_m, there_m) >= clear_m) continue;
-      // The gap shrinks by no more than the way is long. Even so this breach would not be the worst.
-      if (here_m - way_m > worst.slack_m) continue;
-    }
-    if (before.hide(near.corners)) continue;
-    near.look_from(way.from_P, world_.clearance_m());
-    const int sweeps = worst.sweeps;
-    if (worst.offer_triangle(world_, way, near.corners, near.triangle, near.towards_P, near.gap_m))
-      worst_at = k;
-    looks_.spend(swept * (worst.sweeps - sweeps));
-  }
-  round.next = k - view.first;
-  // It is likely the worst of the next way too, which then tells at once that others are not.
-  if (worst_at != view.end) std::swap(near_[from], near_[worst_at]);
-  return k == view.end;
+  return near_.offer(world_, surface, z, walls, round.next, round.worst, looks_);
 }
 
 double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept {
-  if (overflow_ || looks_.left() < static_cast<long>(near_.size())) return 0;
-  looks_.spend(static_cast<long>(near_.size()));
-  double room_m = search_reach_m_ - (centre_O - search_place_O_).norm() * wider;
-  for (int i = 0; i < world_.surface_count() && room_m > 0; ++i) {
-    const PartView& view = views_[static_cast<std::size_t>(i)];
-    if (!view.within_reach) continue;
-    const Vec3 at_P = world_.in_part(i, centre_O);
-    const PartWalls before(world_, i, walls, view.at_P);
-    for (std::size_t k = view.first; k < view.end; ++k) {
-      NearTriangle& near = near_[k];
-      if (near.seen && near.least_gap_m(at_P) >= room_m) continue;
-      if (before.hide(near.corners)) continue;
-      near.look_from(at_P, world_.clearance_m());
-      room_m = std::min(room_m, near.gap_m);
-    }
-  }
-  return std::max(0.0, room_m);
+  if (overflow_ || looks_.left() < near_.count()) return 0;
+  looks_.spend(near_.count());
+  const double most_m = search_reach_m_ - (centre_O - search_place_O_).norm() * wider;
+  return std::max(0.0, near_.room_m(world_, walls, centre_O, most_m));
 }
 
 double ProxyViews::room_m(const Vec3& place_O, double enough_m) noexcept {

@@ -1,0 +1,74 @@
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "contact/looks.hpp"
+#include "contact/worst_wall.hpp"
+
+namespace fingerpad {
+
+/// A triangle in a proxy's view, and what is known of its distance. The distance to a triangle is a convex
+/// function of the place that changes no faster than the place does, so that one look bounds it everywhere.
+struct NearTriangle {
+  Vec3 towards_P = Vec3::Zero();  ///< unit, from the triangle to where it was looked at from
+  double level_m = 0;             ///< the gap that the tangent there leaves at the part's centre
+  double gap_m = 0;               ///< distance from there less the clearance
+  int triangle = -1;
+  bool seen = false;  ///< looked at so far; most stand behind the wall that holds the proxy and never are
+  TriangleCorners corners;
+  Vec3 seen_from_P = Vec3::Zero();
+
+  void look_from(const Vec3& place_P, double clearance_m) noexcept {
+    if (seen && seen_from_P == place_P) return;
+    const TriangleApproach approach = approach_triangle(corners, place_P);
+    seen = true;
+    seen_from_P = place_P;
+    towards_P = approach.towards;
+    gap_m = approach.distance_m - clearance_m;
+    level_m = gap_m - towards_P.dot(place_P);
+  }
+
+  /// The gap that the tangent leaves at a place; the true one is no smaller.
+  double least_gap_m(const Vec3& place_P) const noexcept { return level_m + towards_P.dot(place_P); }
+};
+
+/// The triangles that the last search of the trees found within reach of a place, and what is known of each.
+/// They are looked at from this place, or from another one near it. Allocates nothing once it is made.
+class NearTriangles {
+ public:
+  explicit NearTriangles(const ProxyWorld& world);
+
+  int count() const noexcept { return static_cast<int>(near_.size()); }
+  void clear() noexcept { near_.clear(); }
+
+  /// Lists all that the clearance and `reach_m` beyond it reach. False where these are more than `most`.
+  bool search(const ProxyWorld& world, const Vec3& place_O, double reach_m, int most, Looks& looks) noexcept;
+  /// Looks at those that are listed from another place.
+  void look_from(const ProxyWorld& world, const Vec3& place_O) noexcept;
+
+  /// Offers a part's triangles, from `next` on, as walls to the way by `z` from the place looked from;
+  /// triangles behind the given walls are passed over. False where the looks were spent before the last.
+  bool offer(const ProxyWorld& world, int surface, const Vec3& z, std::span<const ProxyWall> walls,
+             std::size_t& next, WorstWall& worst, Looks& looks) noexcept;
+  /// How far the nearest of them is from a ball about `centre_O`, triangles behind the given walls aside, and
+  /// at most `most_m` [m]. May be negative.
+  /// @param walls  seen from the place looked from
+  double room_m(const ProxyWorld& world, std::span<const ProxyWall> walls, const Vec3& centre_O,
+                double most_m) noexcept;
+
+ private:
+  struct PartView {
+    Vec3 at_P = Vec3::Zero();  ///< the place looked from
+    bool within_reach = false;
+    std::size_t first = 0, end = 0;  ///< its triangles in near_; the one that blocked last comes first
+  };
+
+  bool search_part(const ProxyWorld& world, int surface, double distance_m, int most, Looks& looks) noexcept;
+
+  std::vector<NearTriangle> near_;
+  std::vector<int> found_;  // triangles, by the last search of a part
+  std::vector<PartView> views_;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstddef>
+
+namespace fingerpad {
+
+/// The numbers that only the speed of a proxy depends on.
+struct ProxyMemoryLimits {
+  /// Triangles in view that are kept at hand; a vertex with a larger fan asks for more, but for no more than
+  /// the second ...
+  static constexpr int usual_view = 256, most_usual_view = 1024;
+  /// ... and where a ball fits so well into its surroundings that no view has so few: a bore of its own
+  /// radius with 1,440 facets. Of more than these the trees are asked anew with each pass.
+  static constexpr int richest_view = 3072;
+  /// Packets of triangles that a search may look at; where facets are so slender that all their boxes
+  /// overlap it is as many however near one looks.
+  static constexpr int most_packets = 8192;
+  /// A view of about so many triangles pays: more are sorted out for nothing, fewer are soon left behind.
+  static constexpr int poor_view = 8, rich_view = 32;
+  /// Up to so many triangles a pass costs too little to be told from another.
+  static constexpr std::size_t small_view = 256;
+  /// By how much a poor view grows and a rich one shrinks, a search.
+  static constexpr double growth = 1.2, shrinkage = 0.7;
+  /// However rich, a view reaches as far as the finger goes in so many ticks, and by this share of the
+  /// clearance: facets much smaller than either are many at any reach.
+  static constexpr double least_ticks = 2, least_share = 1.0 / 32;
+  /// The first view's reach, as a share of the extent.
+  static constexpr double first_view = 0.01;
+  /// A view that still shows this share of what was asked for serves again.
+  static constexpr double serves_again = 0.5;
+  /// Where the proxy slides on, it looks around from so much of the view's reach ahead.
+  static constexpr double lead = 0.4;
+  /// For a way over an edge so many times as much as the way is to be in view: hops come in rows.
+  static constexpr double past_edge = 3;
+  /// A view too rich for what is kept at hand is made smaller by this factor, so often.
+  static constexpr double cut = 0.25;
+  static constexpr int most_cuts = 6;
+  /// Where even this share of the clearance shows too many, so does any.
+  static constexpr double hopeless_share = 1.0 / 512;
+  /// Farther than this from a part, in its sizes, the distance to its box is near enough to the truth.
+  static constexpr double far_from_box = 4;
+  /// Flights through free balls in a tick, each to this share of the ball, so that it ends in front of what
+  /// bounds it.
+  static constexpr int most_flights = 8;
+  static constexpr double flight_share = 1 - 1e-9;
+  /// A bound that is used to leave something out is widened by this against rounding.
+  static constexpr double rounding = 1e-12;
+};
+
+}  // namespace fingerpad
