@@ -117,7 +117,7 @@ TEST(ProxyLooks, UnderARestingFingerItComesToWhereAnUnlimitedOneComes) {
       Proxy fast = limited_proxy(true, surface, trial.radius_m, Normals::facet, looks);
       Proxy whole = plain_proxy({surface}, trial.radius_m, Normals::facet);
       Shots finger(23);
-      int rests = 0, longest = 0, same = 0, fast_same = 0;
+      int rests = 0, longer = 0, same = 0, fast_same = 0;
       for (int k = 0; k < walk_ticks / 3; ++k) {
         const Vec3 goal = finger.next();
         if (k % 8 != 0 || !limited.state().placed) {
@@ -130,9 +130,10 @@ TEST(ProxyLooks, UnderARestingFingerItComesToWhereAnUnlimitedOneComes) {
         const int ticks = ticks_to_rest(limited, goal);
         ASSERT_GT(ticks, 0) << k;
         ASSERT_GT(ticks_to_rest(fast, goal), 0) << k;
-        ASSERT_GT(ticks_to_rest(whole, goal), 0) << k;
+        const int whole_ticks = ticks_to_rest(whole, goal);
+        ASSERT_GT(whole_ticks, 0) << k;
         ++rests;
-        longest = std::max(longest, ticks);
+        longer += ticks > whole_ticks ? 1 : 0;
         // Two places that are as near to the finger, to within some tolerances (2^-34 of the size), are as
         // good.
         const auto away_m = [&](const Proxy& proxy) { return (proxy.state().place_O - goal).norm(); };
@@ -145,7 +146,7 @@ TEST(ProxyLooks, UnderARestingFingerItComesToWhereAnUnlimitedOneComes) {
       // Its views may end a long step short, and another wall than the one farther on holds it from there.
       EXPECT_GE(fast_same, rests - rests / 10);
       if (looks == 1) {
-        EXPECT_GT(longest, 5) << "it was broken off";
+        EXPECT_GT(longer, 0) << "it was broken off";
       }
     }
   }
@@ -197,10 +198,11 @@ TEST(ProxyLooks, ABallInABoreOfItsOwnRadiusSlidesAlongItWithinItsLooks) {
       settled += c.placed && c.settled ? 1 : 0;
       if (k >= 20) most_behind_m = std::max(most_behind_m, std::abs(proxy.ball_W().z() - goal.z()));
     }
-    EXPECT_GT(touched, walk_ticks / 3 - 40);
+    constexpr int after_start = walk_ticks / 3 - 40;
+    EXPECT_GT(touched, after_start);
     EXPECT_LT(most_behind_m, bore.most_behind_m);
     if (bore.facets == 360) {
-      EXPECT_GT(settled, walk_ticks / 8);
+      EXPECT_GT(settled, after_start / 3);
     }
   }
 }
