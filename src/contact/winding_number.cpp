@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
@@ -12,7 +13,8 @@ namespace fingerpad {
 namespace {
 
 /// Clusters in one of the next level.
-constexpr std::size_t branching = 4;
+constexpr unsigned branching_bits = 2;
+constexpr std::size_t branching = 1U << branching_bits;
 /// A cluster farther away than this many of its radii counts as a dipole; than the second, where it has to be
 /// known better.
 constexpr double far_away = 4, very_far_away = 10;
@@ -37,6 +39,13 @@ double half_angles_of(const PackedPart& packed, std::size_t index, const Vec3& q
   for (std::size_t lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane)
     sum += half_angle(*packed.part, packet.exact[lane].triangle, q);
   return sum;
+}
+
+/// Of the largest cluster that begins at a packet.
+std::size_t widest_level(std::size_t packet, std::size_t top) {
+  return packet == 0
+             ? top
+             : std::min<std::size_t>(top, static_cast<unsigned>(std::countr_zero(packet)) / branching_bits);
 }
 
 }  // namespace
@@ -103,11 +112,10 @@ bool WindingNumber::add_half_angles(const PackedPart& packed, const Vec3& q, dou
   while (walk.next < count) {
     if (looks.are_spent()) return false;
     // The largest cluster that begins here; where it is near, its first part.
-    std::size_t level = 0, size = 1;
-    for (; level < top && walk.next % (size * branching) == 0; ++level) size *= branching;
-    for (;; --level, size /= branching) {
+    std::size_t level = widest_level(walk.next, top);
+    for (;; --level) {
       looks.spend(1);
-      const Cluster& here = cluster(level, walk.next / size);
+      const Cluster& here = cluster(level, walk.next >> (branching_bits * level));
       const Vec3 way = here.centre.cast<double>() - at;
       const double distance2 = way.squaredNorm(), near = far * static_cast<double>(here.radius);
       if (distance2 > near * near) {
@@ -119,7 +127,7 @@ bool WindingNumber::add_half_angles(const PackedPart& packed, const Vec3& q, dou
       looks.spend(LookCosts::angle * packet_width);
       break;
     }
-    walk.next += size;
+    walk.next += std::size_t{1} << (branching_bits * level);
   }
   return true;
 }
@@ -157,14 +165,13 @@ std::size_t WindingNumber::next_near(std::size_t packet, const Vec3& at, double 
   const std::size_t count = level_start_[1], top = level_start_.size() - 2;
   while (packet < count) {
     // The largest cluster that begins here; it is passed by as a whole, or its first part is looked at.
-    std::size_t level = 0, size = 1;
-    for (; level < top && packet % (size * branching) == 0; ++level) size *= branching;
-    for (;; --level, size /= branching) {
+    std::size_t level = widest_level(packet, top);
+    for (;; --level) {
       ++tests;
-      if (!is_near(cluster(level, packet / size))) break;
+      if (!is_near(cluster(level, packet >> (branching_bits * level)))) break;
       if (level == 0) return packet;
     }
-    packet += size;
+    packet += std::size_t{1} << (branching_bits * level);
   }
   return count;
 }
