@@ -4,14 +4,13 @@ namespace fingerpad {
 
 /// What a look costs, where one at a triangle that is at hand and was seen before counts once.
 struct LookCosts {
-  static constexpr long packet = 6;         ///< a float filter looks at eight triangles at once
-  static constexpr long fetched = 8;        ///< a triangle's corners are fetched, and its distance told
-  static constexpr long in_small_view = 1;  ///< a triangle, whether the way is swept past it or not
-  static constexpr long sweep = 20;         ///< the way is swept past a triangle
-  static constexpr long closest = 30;       ///< what is left of a packet's triangles is told exactly
-  static constexpr long angle = 6;          ///< the angle under which a triangle is seen
-  static constexpr long projection = 32;    ///< onto four walls
-  static constexpr long hop = 64;           ///< the way over an edge
+  static constexpr long packet = 6;       ///< a float filter looks at eight triangles at once
+  static constexpr long fetched = 8;      ///< a triangle's corners are fetched, and its distance told
+  static constexpr long sweep = 20;       ///< the way is swept past a triangle; nothing in a small view
+  static constexpr long closest = 30;     ///< what is left of a packet's triangles is told exactly
+  static constexpr long angle = 6;        ///< the angle under which a triangle is seen
+  static constexpr long projection = 32;  ///< onto four walls
+  static constexpr long hop = 64;         ///< the way over an edge
 };
 
 /// How much may still be looked at in a tick, in triangles: a bound on its work that is the same on every

@@ -86,10 +86,10 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
   const double way_m = way.way_P.norm() * longer, clear_m = 2 * world.tolerance_m();
   std::size_t worst_at = view.end;
   const bool is_small = view.end - view.first <= Limits::small_view;
-  const long look = is_small ? LookCosts::in_small_view : 1, swept = is_small ? 0 : LookCosts::sweep;
+  const long swept = is_small ? 0 : LookCosts::sweep;
   std::size_t k = from;
   for (; k < view.end && !looks.are_spent(); ++k) {
-    looks.spend(look);
+    looks.spend(1);
     NearTriangle& near = near_[k];
     if (near.seen) {
       // An earlier look left a half space free. Where the way begins and ends well in front of it, the
