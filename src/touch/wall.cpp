@@ -7,26 +7,35 @@ namespace {
 
 constexpr double cos_one_wall = 0.8660254037844387;  // 30 degrees, as creases are told by default
 
-/// v turned by the smallest rotation that takes `from` onto `to` (both unit): two reflections.
-Vec3 turned(const Vec3& v, const Vec3& from, const Vec3& to) noexcept {
-  const double cosine = from.dot(to);
-  if (cosine < -0.999) return v;
-  const Vec3 sum = from + to;
-  return v - sum * (sum.dot(v) / (1 + cosine)) + to * (2 * from.dot(v));
-}
+/// The smallest rotation that takes `from` onto `to` (both unit): two reflections.
+class Turn {
+ public:
+  Turn(const Vec3& from, const Vec3& to) noexcept
+      : from_(from), to_(to), sum_(from + to), cosine_(from.dot(to)) {}
+
+  Vec3 of(const Vec3& v) const noexcept {
+    if (cosine_ < -0.999) return v;
+    return v - sum_ * (sum_.dot(v) / (1 + cosine_)) + to_ * (2 * from_.dot(v));
+  }
+
+ private:
+  Vec3 from_, to_, sum_;
+  double cosine_;
+};
 
 void add(Walls& walls, const ContactHold& hold, const Vec3& push_m) noexcept {
-  const Vec3 normal_W = push_m.normalized();
+  const double share_m = push_m.norm();
+  const Vec3 normal_W = share_m > 0 ? Vec3(push_m / share_m) : push_m;
   for (int i = 0; i < walls.count; ++i) {
     Wall& wall = walls.walls[static_cast<std::size_t>(i)];
     if (wall.surface != hold.surface || wall.normal_W.dot(normal_W) < cos_one_wall) continue;
-    wall.share_m += push_m.norm();
+    wall.share_m += share_m;
     wall.push_m += push_m;
     wall.normal_W = wall.push_m.normalized();
     return;
   }
   walls.walls[static_cast<std::size_t>(walls.count++)] = {
-      hold.surface, hold.triangle, hold.point_W, normal_W, push_m.norm(), push_m, 0};
+      hold.surface, hold.triangle, hold.point_W, normal_W, share_m, push_m, 0};
 }
 
 void be_one_wall(const Contact& contact, Walls& walls) noexcept {
@@ -39,6 +48,19 @@ void be_one_wall(const Contact& contact, Walls& walls) noexcept {
                     contact.depth_m,
                     contact.depth_m * contact.normal_W,
                     0};
+}
+
+/// Whether no two of the holds are walls of their own: mostly, where there are several.
+bool are_one_wall(const Contact& contact) noexcept {
+  const auto holds = static_cast<std::size_t>(contact.hold_count);
+  for (std::size_t i = 0; i < holds; ++i) {
+    const ContactHold& hold = contact.holds[i];
+    if (hold.surface != contact.holds[0].surface || !(hold.share_m > 0)) return false;
+    for (std::size_t k = 0; k < i; ++k) {
+      if (hold.normal_W.dot(contact.holds[k].normal_W) < cos_one_wall) return false;
+    }
+  }
+  return true;
 }
 
 /// Greatest first; std::stable_sort would allocate.
@@ -58,13 +80,22 @@ void find_walls(const Contact& contact, Walls& walls) noexcept {
   for (std::size_t i = 0; i < holds; ++i) sum_m += contact.holds[i].share_m * contact.holds[i].normal_W;
   const double sum_length_m = sum_m.norm();
   if (!(sum_length_m > 1e-6 * greatest.share_m)) return be_one_wall(contact, walls);
+  if (are_one_wall(contact)) {
+    // Turned or not, a hold pushes as far; and turned as they are, they add up to the contact's own push.
+    double share_m = 0;
+    for (std::size_t i = 0; i < holds; ++i) share_m += contact.holds[i].share_m;
+    be_one_wall(contact, walls);
+    walls.walls[0].point_W = greatest.point_W;
+    walls.walls[0].share_m *= share_m / sum_length_m;
+    return;
+  }
   walls.count = 0;
-  const Vec3 way_W = sum_m / sum_length_m;
+  const Turn turn(sum_m / sum_length_m, contact.normal_W);
   const double scale = contact.depth_m / sum_length_m;
   for (std::size_t i = 0; i < holds; ++i) {
     const ContactHold& hold = contact.holds[i];
     if (!(hold.share_m > 0)) continue;
-    add(walls, hold, scale * hold.share_m * turned(hold.normal_W, way_W, contact.normal_W));
+    add(walls, hold, scale * hold.share_m * turn.of(hold.normal_W));
   }
   sort_by_share(walls);
 }
