@@ -47,7 +47,7 @@ bool ProxyMemory::fly(ProxyState& state) noexcept {
   const Vec3& goal_O = state.goal_O;
   for (int k = 0; k < Limits::most_flights; ++k) {
     const double way_m = (goal_O - state.place_O).norm();
-    const double free_m = room_m(state.place_O, way_m + world_.extent_m());
+    const double free_m = room_m(state.place_O, std::min(way_m, view_reach_m_), way_m + world_.extent_m());
     if (free_m >= way_m) {
       room_.kind = Room::Kind::flight;
       room_.centre_O = state.place_O;

@@ -183,7 +183,7 @@ double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3
   return std::max(0.0, near_.room_m(world_, walls, centre_O, most_m));
 }
 
-double ProxyViews::room_m(const Vec3& place_O, double enough_m) noexcept {
+double ProxyViews::room_m(const Vec3& place_O, double least_m, double enough_m) noexcept {
   double room_m = enough_m;
   for (int i = 0; i < world_.surface_count(); ++i) {
     if (world_.is_plane(i)) {
@@ -199,6 +199,10 @@ double ProxyViews::room_m(const Vec3& place_O, double enough_m) noexcept {
       continue;
     }
     int& seed = seeds_[static_cast<std::size_t>(i)];
+    if (seed >= 0) {
+      const double left_m = world_.approach(i, seed, place_O).distance_m - world_.clearance_m();
+      if (left_m < least_m) return std::min(room_m, left_m);
+    }
     ClosestWalk walk{seed, 0};
     const auto closest = tree.closest(q_P, std::max(room_m, 0.0) + world_.clearance_m(), walk, looks_);
     if (!closest) return 0;

@@ -35,8 +35,9 @@ class ProxyViews : public ProxySight {
   /// @param walls  seen from the place looked around from
   double room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept;
   /// The room around a place: no surface comes nearer to any place within it than the clearance. Negative
-  /// where the clearance is missed. Not looked for beyond `enough_m`.
-  double room_m(const Vec3& place_O, double enough_m) noexcept;
+  /// where the clearance is missed. Not looked for beyond `enough_m`; where the triangle that was closest
+  /// last leaves less than `least_m`, what it leaves is the answer, though another may leave still less.
+  double room_m(const Vec3& place_O, double least_m, double enough_m) noexcept;
   bool is_clear_of_planes(const Vec3& place_O, int but) const noexcept;
 
   /// Where the trees were searched from.

@@ -20,8 +20,9 @@ constexpr std::size_t branching = 1U << branching_bits;
 constexpr double far_away = 4, very_far_away = 10;
 /// Up to so many it is known best by summing up all triangles; of more that would take many ticks.
 constexpr std::size_t few_packets = 4096 / packet_width;
-/// What rounding to float may take off a cluster's radius, as a share of it and of the part's box.
-constexpr double radius_rounding = 1e-5, box_rounding = 1e-6;
+/// What rounding to float may take off a distance between a point and a cluster: a share of the radii, and of
+/// the part's box and the point's coordinates.
+constexpr float radius_rounding = 1e-5F, place_rounding = 2e-6F;
 /// What the dipoles' error may make of a winding number, with room to spare.
 constexpr double unclear = 0.1;
 
@@ -72,33 +73,86 @@ WindingNumber::Cluster WindingNumber::cluster_of(const PackedPart& packed, std::
   return cluster;
 }
 
-WindingNumber::Cluster WindingNumber::joined(std::size_t first, std::size_t end) const {
+WindingNumber::Cluster WindingNumber::joined(const Cluster* first, const Cluster* end) {
   Cluster cluster;
   Eigen::Vector3f weighted = Eigen::Vector3f::Zero();
-  for (std::size_t i = first; i < end; ++i) {
-    cluster.moment += clusters_[i].moment;
-    cluster.area += clusters_[i].area;
-    weighted += clusters_[i].area * clusters_[i].centre;
+  for (const Cluster* part = first; part != end; ++part) {
+    cluster.moment += part->moment;
+    cluster.area += part->area;
+    weighted += part->area * part->centre;
   }
-  cluster.centre = cluster.area > 0 ? Eigen::Vector3f(weighted / cluster.area) : clusters_[first].centre;
-  for (std::size_t i = first; i < end; ++i)
-    cluster.radius =
-        std::max(cluster.radius, (clusters_[i].centre - cluster.centre).norm() + clusters_[i].radius);
+  cluster.centre = cluster.area > 0 ? Eigen::Vector3f(weighted / cluster.area) : first->centre;
+  for (const Cluster* part = first; part != end; ++part)
+    cluster.radius = std::max(cluster.radius, (part->centre - cluster.centre).norm() + part->radius);
   return cluster;
 }
 
-WindingNumber::WindingNumber(const PackedPart& packed) {
-  std::size_t count = packed.packets.size();
-  clusters_.reserve(count + count / (branching - 1) + 64);
-  clusters_.resize(count);
-  level_start_ = {0, count};
-  tbb::parallel_for(std::size_t{0}, count, [&](std::size_t i) { clusters_[i] = cluster_of(packed, i); });
-  while (count > 1) {
-    const std::size_t below = level_start_[level_start_.size() - 2], below_end = level_start_.back();
-    count = (count + branching - 1) / branching;
-    for (std::size_t i = 0; i < count; ++i)
-      clusters_.push_back(joined(below + i * branching, std::min(below + (i + 1) * branching, below_end)));
-    level_start_.push_back(clusters_.size());
+WindingNumber::Four::Four() noexcept : moment{}, radius{} {
+  for (auto& coordinate : centre)
+    std::fill(std::begin(coordinate), std::end(coordinate), std::numeric_limits<float>::infinity());
+}
+
+void WindingNumber::Four::set(std::size_t k, const Cluster& cluster) noexcept {
+  for (int i = 0; i < 3; ++i) {
+    moment[i][k] = cluster.moment[i];
+    centre[i][k] = cluster.centre[i];
+  }
+  radius[k] = cluster.radius;
+}
+
+/// A ball about a point, as clusters are held against it.
+struct WindingNumber::Around {
+  using Floats [[gnu::vector_size(16)]] = float;
+  using Bits [[gnu::vector_size(16)]] = int;
+
+  float at[3], radius, slack;
+
+  Around(const Vec3& point, double radius_here) noexcept
+      : radius(static_cast<float>(std::min(radius_here, static_cast<double>(far_off)))), slack(1) {
+    for (int i = 0; i < 3; ++i) {
+      at[i] = static_cast<float>(point[i]);
+      slack += std::abs(at[i]);
+    }
+    slack *= place_rounding;
+  }
+
+  /// Of four clusters those that may come within the ball, a bit each.
+  unsigned near(const Four& four) const noexcept {
+    const auto load = [](const float* lanes) { return *reinterpret_cast<const Floats*>(lanes); };
+    const Floats x = load(four.centre[0]) - at[0], y = load(four.centre[1]) - at[1],
+                 z = load(four.centre[2]) - at[2];
+    const Floats reach = (load(four.radius) + radius) * (1 + radius_rounding) + slack;
+    const Bits is_near = x * x + y * y + z * z <= reach * reach;
+#if defined(__SSE__)
+    return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Floats>(is_near)));
+#else
+    unsigned near = 0;
+    for (int k = 0; k < 4; ++k) near |= static_cast<unsigned>(is_near[k] & 1) << k;
+    return near;
+#endif
+  }
+};
+
+void WindingNumber::add_level(const std::vector<Cluster>& clusters) {
+  level_start_.push_back(fours_.size());
+  fours_.resize(fours_.size() + (clusters.size() + branching - 1) / branching);
+  Four* const fours = fours_.data() + level_start_.back();
+  for (std::size_t i = 0; i < clusters.size(); ++i) fours[i / branching].set(i % branching, clusters[i]);
+}
+
+WindingNumber::WindingNumber(const PackedPart& packed) : packet_count_(packed.packets.size()) {
+  std::vector<Cluster> clusters(packet_count_);
+  tbb::parallel_for(std::size_t{0}, packet_count_,
+                    [&](std::size_t i) { clusters[i] = cluster_of(packed, i); });
+  fours_.reserve(packet_count_ / (branching - 1) + 16);  // a level rounds up by one at most
+  add_level(clusters);
+  while (clusters.size() > 1) {
+    std::vector<Cluster> next((clusters.size() + branching - 1) / branching);
+    for (std::size_t i = 0; i < next.size(); ++i)
+      next[i] =
+          joined(&clusters[i * branching], clusters.data() + std::min((i + 1) * branching, clusters.size()));
+    clusters = std::move(next);
+    add_level(clusters);
   }
 }
 
@@ -107,19 +161,20 @@ WindingNumber::WindingNumber(const PackedPart& packed) {
 /// @param q  [m]
 bool WindingNumber::add_half_angles(const PackedPart& packed, const Vec3& q, double far, WindingWalk& walk,
                                     Looks& looks) const noexcept {
-  const std::size_t count = packed.packets.size(), top = level_start_.size() - 2;
   const Vec3 at = packed.scale * q;
-  while (walk.next < count) {
+  while (walk.next < packet_count_) {
     if (looks.are_spent()) return false;
     // The largest cluster that begins here; where it is near, its first part.
-    std::size_t level = widest_level(walk.next, top);
+    std::size_t level = widest_level(walk.next, top());
     for (;; --level) {
       looks.spend(1);
-      const Cluster& here = cluster(level, walk.next >> (branching_bits * level));
-      const Vec3 way = here.centre.cast<double>() - at;
-      const double distance2 = way.squaredNorm(), near = far * static_cast<double>(here.radius);
+      const std::size_t index = walk.next >> (branching_bits * level), k = index % branching;
+      const Four& here = four(level, index);
+      const Vec3 way = Vec3(here.centre[0][k], here.centre[1][k], here.centre[2][k]) - at;
+      const double distance2 = way.squaredNorm(), near = far * static_cast<double>(here.radius[k]);
       if (distance2 > near * near) {
-        walk.half_angles += 0.5 * here.moment.cast<double>().dot(way) / (distance2 * std::sqrt(distance2));
+        const Vec3 moment(here.moment[0][k], here.moment[1][k], here.moment[2][k]);
+        walk.half_angles += 0.5 * moment.dot(way) / (distance2 * std::sqrt(distance2));
         break;
       }
       if (level > 0) continue;
@@ -158,37 +213,40 @@ bool WindingNumber::encloses(const PackedPart& packed, const Vec3& q) const noex
 
 std::size_t WindingNumber::next_near(std::size_t packet, const Vec3& at, double radius,
                                      long& tests) const noexcept {
-  const auto is_near = [&](const Cluster& c) {
-    const double grown = static_cast<double>(c.radius) * (1 + radius_rounding) + box_rounding + radius;
-    return (c.centre.cast<double>() - at).squaredNorm() <= grown * grown;
-  };
-  const std::size_t count = level_start_[1], top = level_start_.size() - 2;
-  while (packet < count) {
-    // The largest cluster that begins here; it is passed by as a whole, or its first part is looked at.
-    std::size_t level = widest_level(packet, top);
-    for (;; --level) {
+  constexpr double beyond_floats = 1e15;
+  if (!(at.cwiseAbs().maxCoeff() < beyond_floats)) return std::min(packet, packet_count_);
+  const Around around(at, radius);
+  while (packet < packet_count_) {
+    // The largest cluster that begins here, beside those after it; of the first that is near, its parts.
+    for (std::size_t level = widest_level(packet, top());; --level) {
+      const std::size_t index = packet >> (branching_bits * level);
       ++tests;
-      if (!is_near(cluster(level, packet >> (branching_bits * level)))) break;
+      const unsigned near = around.near(four(level, index)) >> (index % branching);
+      if (near == 0) {
+        packet = (index / branching + 1) << (branching_bits * (level + 1));
+        break;
+      }
+      packet = (index + static_cast<unsigned>(std::countr_zero(near))) << (branching_bits * level);
       if (level == 0) return packet;
     }
-    packet += std::size_t{1} << (branching_bits * level);
   }
-  return count;
+  return packet_count_;
 }
 
 std::size_t WindingNumber::some_near(const Vec3& at) const noexcept {
   std::size_t index = 0;
-  for (std::size_t level = level_start_.size() - 2; level-- > 0;) {
-    const std::size_t first = index * branching,
-                      end = std::min(first + branching, level_start_[level + 1] - level_start_[level]);
+  for (std::size_t level = top(); level-- > 0;) {
+    const std::size_t first = index * branching;
+    const Four& here = four(level, first);
     double least2 = std::numeric_limits<double>::infinity();
-    for (std::size_t i = first; i < end; ++i) {
-      const double distance2 = (cluster(level, i).centre.cast<double>() - at).squaredNorm();
+    index = first;
+    for (std::size_t k = 0; k < branching; ++k) {
+      const double distance2 =
+          (Vec3(here.centre[0][k], here.centre[1][k], here.centre[2][k]) - at).squaredNorm();
       if (!(distance2 < least2)) continue;
       least2 = distance2;
-      index = i;
+      index = first + k;
     }
-    index = std::max(index, first);
   }
   return index;
 }

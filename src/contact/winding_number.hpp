@@ -35,7 +35,7 @@ class WindingNumber {
   /// A packet that is likely near a point. @pre there is one
   std::size_t some_near(const Vec3& at) const noexcept;
 
-  std::size_t memory_bytes() const noexcept { return clusters_.capacity() * sizeof(Cluster); }
+  std::size_t memory_bytes() const noexcept { return fours_.capacity() * sizeof(Four); }
 
  private:
   /// A packet, or clusters that follow one another. Lengths scaled, see PackedPart.
@@ -45,17 +45,28 @@ class WindingNumber {
     float radius = 0;                                  ///< no corner is farther from there
     float area = 0;
   };
+  /// The clusters that are one in the next level, side by side, so that they are looked at as one. Where the
+  /// last of a level has fewer, those that are not are infinitely far away.
+  struct alignas(16) Four {
+    float moment[3][4], centre[3][4], radius[4];
+    Four() noexcept;
+    void set(std::size_t k, const Cluster& cluster) noexcept;
+  };
+  struct Around;
 
-  const Cluster& cluster(std::size_t level, std::size_t index) const noexcept {
-    return clusters_[level_start_[level] + index];
+  const Four& four(std::size_t level, std::size_t index) const noexcept {
+    return fours_[level_start_[level] + index / 4];
   }
   static Cluster cluster_of(const PackedPart& packed, std::size_t packet);
-  Cluster joined(std::size_t first, std::size_t end) const;
+  static Cluster joined(const Cluster* first, const Cluster* end);
+  void add_level(const std::vector<Cluster>& clusters);
+  std::size_t top() const noexcept { return level_start_.size() - 1; }
   bool add_half_angles(const PackedPart& packed, const Vec3& q, double far_away, WindingWalk& walk,
                        Looks& looks) const noexcept;
 
-  std::vector<Cluster> clusters_;         // level by level, the packets' first
-  std::vector<std::size_t> level_start_;  // of each level in clusters_, and the end of the last
+  std::size_t packet_count_ = 0;
+  std::vector<Four> fours_;               // level by level, the packets' first
+  std::vector<std::size_t> level_start_;  // of each level in fours_
 };
 
 }  // namespace fingerpad
