@@ -9,8 +9,10 @@ void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, con
   const double distance = stretch_W.norm();
   if (surface.is_plane() || !(distance > 0)) return;
   // Mostly the centre comes to lie on the facet that S is on: then nothing need be searched.
-  WorldPoint near = nearest_on_facet(surface, contact_triangle, target, normals);
-  if (!near.found) near = nearest_point(surface, target, normals, contact_triangle, distance);
+  // Where a surface of the normals' own stands for the facets it must be; shading moves no point.
+  const Normals place_only = normals->own_surface == nullptr ? Normals::facet : normals;
+  WorldPoint near = nearest_on_facet(surface, contact_triangle, target, place_only);
+  if (!near.found) near = nearest_point(surface, target, place_only, contact_triangle, distance);
   if (near.found && (near.point_W - target).norm() < distance) drag(near.point_W);
 }
 

@@ -46,6 +46,11 @@ FingerSample usable(FingerSample sample, const Vec3& normal_W) noexcept {
   return sample;
 }
 
+/// Whether a finger without an attitude has the direction it had: mostly, and then nothing need be told.
+bool lies_plainly_alike(const FingerSample& before, const FingerSample& now) noexcept {
+  return !before.attitude && !now.attitude && before.direction_W == now.direction_W;
+}
+
 std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const World& world) {
   const ContactChoice contact = settled_contact(scene, world);
   const ContactMethodEntry* entry = find_contact_method(contact.method);
@@ -91,7 +96,7 @@ SkinMotion Touch::skin_motion(const FingerSample& sample) noexcept {
   skin.dt_s = dt_s_;
   skin.velocity_W = velocity_of(sample, velocity_.next(sample.p_WQ));
   if (has_last_) skin.displacement_W = sample.p_WQ - last_W_;
-  if (radius_m_ > 0) {
+  if (radius_m_ > 0 && !(has_last_ && lies_plainly_alike(last_lay_, sample))) {
     if (has_last_) skin.turn_W = finger_turn(last_lay_, sample);
     skin.turns = skin.turn_W != Vec3::Zero();
     last_lay_ = sample;
@@ -243,10 +248,10 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
   record.started_inside |= contact.started && !unplaced_before && is_inside_part(record, *world_);
   if (meaningful(record.force_W_n)) return record;
   reset();  // a force that overflowed is no force to give to a person's hand
-  TickRecord lost;
-  lost.t_s = sample.t_s;
-  lost.p_WQ = sample.p_WQ;
-  return lost;
+  record = {};
+  record.t_s = sample.t_s;
+  record.p_WQ = sample.p_WQ;
+  return record;  // the one record that this function returns: made in the caller's place, never copied
 }
 
 }  // namespace fingerpad
