@@ -20,9 +20,9 @@ constexpr std::size_t branching = 1U << branching_bits;
 constexpr double far_away = 4, very_far_away = 10;
 /// Up to so many it is known best by summing up all triangles; of more that would take many ticks.
 constexpr std::size_t few_packets = 4096 / packet_width;
-/// What rounding to float may take off a distance between a point and a cluster: a share of the radii, and of
-/// the part's box and the point's coordinates.
-constexpr float radius_rounding = 1e-5F, place_rounding = 2e-6F;
+/// What rounding to float may take off the distance between a point and a box: a share of that, and of the
+/// part's box and the point's coordinates.
+constexpr float distance_rounding = 1e-5F, place_rounding = 2e-6F;
 /// What the dipoles' error may make of a winding number, with room to spare.
 constexpr double unclear = 0.1;
 
@@ -70,6 +70,11 @@ WindingNumber::Cluster WindingNumber::cluster_of(const PackedPart& packed, std::
   cluster.centre = centre.cast<float>();
   cluster.radius = packet.radius + static_cast<float>((centre - packet.origin).norm());
   cluster.area = static_cast<float>(area);
+  for (const double side : {-1.0, 1.0}) {
+    const Vec3 corner =
+        packet.origin + side * Vec3(packet.box_half[0], packet.box_half[1], packet.box_half[2]);
+    cluster.box.extend(corner.cast<float>());
+  }
   return cluster;
 }
 
@@ -80,6 +85,7 @@ WindingNumber::Cluster WindingNumber::joined(const Cluster* first, const Cluster
     cluster.moment += part->moment;
     cluster.area += part->area;
     weighted += part->area * part->centre;
+    cluster.box.extend(part->box);
   }
   cluster.centre = cluster.area > 0 ? Eigen::Vector3f(weighted / cluster.area) : first->centre;
   for (const Cluster* part = first; part != end; ++part)
@@ -87,15 +93,20 @@ WindingNumber::Cluster WindingNumber::joined(const Cluster* first, const Cluster
   return cluster;
 }
 
-WindingNumber::Four::Four() noexcept : moment{}, radius{} {
-  for (auto& coordinate : centre)
-    std::fill(std::begin(coordinate), std::end(coordinate), std::numeric_limits<float>::infinity());
+WindingNumber::Four::Four() noexcept : moment{}, centre{}, radius{}, box_half{} {
+  for (auto* places : {&centre, &box_middle}) {
+    for (auto& coordinate : *places)
+      std::fill(std::begin(coordinate), std::end(coordinate), std::numeric_limits<float>::infinity());
+  }
 }
 
 void WindingNumber::Four::set(std::size_t k, const Cluster& cluster) noexcept {
+  const Eigen::Vector3f middle = cluster.box.center(), half = cluster.box.sizes() / 2;
   for (int i = 0; i < 3; ++i) {
     moment[i][k] = cluster.moment[i];
     centre[i][k] = cluster.centre[i];
+    box_middle[i][k] = middle[i];
+    box_half[i][k] = half[i];
   }
   radius[k] = cluster.radius;
 }
@@ -105,10 +116,12 @@ struct WindingNumber::Around {
   using Floats [[gnu::vector_size(16)]] = float;
   using Bits [[gnu::vector_size(16)]] = int;
 
-  float at[3], radius, slack;
+  float at[3], radius2, slack;
 
-  Around(const Vec3& point, double radius_here) noexcept
-      : radius(static_cast<float>(std::min(radius_here, static_cast<double>(far_off)))), slack(1) {
+  Around(const Vec3& point, double radius) noexcept : slack(1) {
+    const float wider =
+        static_cast<float>(std::min(radius, static_cast<double>(far_off))) * (1 + distance_rounding);
+    radius2 = wider * wider;
     for (int i = 0; i < 3; ++i) {
       at[i] = static_cast<float>(point[i]);
       slack += std::abs(at[i]);
@@ -116,13 +129,16 @@ struct WindingNumber::Around {
     slack *= place_rounding;
   }
 
-  /// Of four clusters those that may come within the ball, a bit each.
+  /// Of four clusters those whose boxes come within the ball, a bit each.
   unsigned near(const Four& four) const noexcept {
     const auto load = [](const float* lanes) { return *reinterpret_cast<const Floats*>(lanes); };
-    const Floats x = load(four.centre[0]) - at[0], y = load(four.centre[1]) - at[1],
-                 z = load(four.centre[2]) - at[2];
-    const Floats reach = (load(four.radius) + radius) * (1 + radius_rounding) + slack;
-    const Bits is_near = x * x + y * y + z * z <= reach * reach;
+    Floats beyond2 = {};
+    for (int i = 0; i < 3; ++i) {
+      const Floats off = load(four.box_middle[i]) - at[i];
+      const Floats beyond = (off < 0 ? -off : off) - load(four.box_half[i]) - slack;
+      beyond2 += beyond > 0 ? beyond * beyond : Floats{};
+    }
+    const Bits is_near = beyond2 <= radius2;
 #if defined(__SSE__)
     return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Floats>(is_near)));
 #else

@@ -14,7 +14,7 @@ namespace fingerpad {
 /// that is far away in its own size counts as one dipole (Barill et al. 2018, the first term).
 class WindingNumber {
  public:
-  /// On all threads; some five bytes a triangle.
+  /// On all threads; some nine bytes a triangle.
   explicit WindingNumber(const PackedPart& packed);
 
   /// The winding number about q, to within 0.05 where the part is closed: 0 outside, 1 or -1 inside.
@@ -44,11 +44,12 @@ class WindingNumber {
     Eigen::Vector3f centre = Eigen::Vector3f::Zero();  ///< of gravity
     float radius = 0;                                  ///< no corner is farther from there
     float area = 0;
+    Eigen::AlignedBox3f box;  ///< of its packets
   };
   /// The clusters that are one in the next level, side by side, so that they are looked at as one. Where the
   /// last of a level has fewer, those that are not are infinitely far away.
   struct alignas(16) Four {
-    float moment[3][4], centre[3][4], radius[4];
+    float moment[3][4], centre[3][4], radius[4], box_middle[3][4], box_half[3][4];
     Four() noexcept;
     void set(std::size_t k, const Cluster& cluster) noexcept;
   };
