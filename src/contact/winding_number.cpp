@@ -93,22 +93,16 @@ WindingNumber::Cluster WindingNumber::joined(const Cluster* first, const Cluster
   return cluster;
 }
 
-WindingNumber::Four::Four() noexcept : moment{}, centre{}, radius{}, box_half{} {
-  for (auto* places : {&centre, &box_middle}) {
-    for (auto& coordinate : *places)
-      std::fill(std::begin(coordinate), std::end(coordinate), std::numeric_limits<float>::infinity());
-  }
+WindingNumber::Four::Four() noexcept : half{} {
+  for (auto& coordinate : middle)
+    std::fill(std::begin(coordinate), std::end(coordinate), std::numeric_limits<float>::infinity());
 }
 
-void WindingNumber::Four::set(std::size_t k, const Cluster& cluster) noexcept {
-  const Eigen::Vector3f middle = cluster.box.center(), half = cluster.box.sizes() / 2;
+void WindingNumber::Four::set(std::size_t k, const Eigen::AlignedBox3f& box) noexcept {
   for (int i = 0; i < 3; ++i) {
-    moment[i][k] = cluster.moment[i];
-    centre[i][k] = cluster.centre[i];
-    box_middle[i][k] = middle[i];
-    box_half[i][k] = half[i];
+    middle[i][k] = box.center()[i];
+    half[i][k] = box.sizes()[i] / 2;
   }
-  radius[k] = cluster.radius;
 }
 
 /// A ball about a point, as clusters are held against it.
@@ -134,8 +128,8 @@ struct WindingNumber::Around {
     const auto load = [](const float* lanes) { return *reinterpret_cast<const Floats*>(lanes); };
     Floats beyond2 = {};
     for (int i = 0; i < 3; ++i) {
-      const Floats off = load(four.box_middle[i]) - at[i];
-      const Floats beyond = (off < 0 ? -off : off) - load(four.box_half[i]) - slack;
+      const Floats off = load(four.middle[i]) - at[i];
+      const Floats beyond = (off < 0 ? -off : off) - load(four.half[i]) - slack;
       beyond2 += beyond > 0 ? beyond * beyond : Floats{};
     }
     const Bits is_near = beyond2 <= radius2;
@@ -152,8 +146,14 @@ struct WindingNumber::Around {
 void WindingNumber::add_level(const std::vector<Cluster>& clusters) {
   level_start_.push_back(fours_.size());
   fours_.resize(fours_.size() + (clusters.size() + branching - 1) / branching);
+  dipoles_.resize(branching * fours_.size());
   Four* const fours = fours_.data() + level_start_.back();
-  for (std::size_t i = 0; i < clusters.size(); ++i) fours[i / branching].set(i % branching, clusters[i]);
+  Dipole* dipole = dipoles_.data() + branching * level_start_.back();
+  for (std::size_t i = 0; i < clusters.size(); ++i, ++dipole) {
+    const Cluster& c = clusters[i];
+    fours[i / branching].set(i % branching, c.box);
+    *dipole = {{c.moment[0], c.moment[1], c.moment[2]}, {c.centre[0], c.centre[1], c.centre[2]}, c.radius};
+  }
 }
 
 WindingNumber::WindingNumber(const PackedPart& packed) : packet_count_(packed.packets.size()) {
@@ -161,6 +161,7 @@ WindingNumber::WindingNumber(const PackedPart& packed) : packet_count_(packed.pa
   tbb::parallel_for(std::size_t{0}, packet_count_,
                     [&](std::size_t i) { clusters[i] = cluster_of(packed, i); });
   fours_.reserve(packet_count_ / (branching - 1) + 16);  // a level rounds up by one at most
+  dipoles_.reserve(branching * fours_.capacity());
   add_level(clusters);
   while (clusters.size() > 1) {
     std::vector<Cluster> next((clusters.size() + branching - 1) / branching);
@@ -184,12 +185,11 @@ bool WindingNumber::add_half_angles(const PackedPart& packed, const Vec3& q, dou
     std::size_t level = widest_level(walk.next, top());
     for (;; --level) {
       looks.spend(1);
-      const std::size_t index = walk.next >> (branching_bits * level), k = index % branching;
-      const Four& here = four(level, index);
-      const Vec3 way = Vec3(here.centre[0][k], here.centre[1][k], here.centre[2][k]) - at;
-      const double distance2 = way.squaredNorm(), near = far * static_cast<double>(here.radius[k]);
+      const Dipole& here = dipole(level, walk.next >> (branching_bits * level));
+      const Vec3 way = Vec3(here.centre[0], here.centre[1], here.centre[2]) - at;
+      const double distance2 = way.squaredNorm(), near = far * static_cast<double>(here.radius);
       if (distance2 > near * near) {
-        const Vec3 moment(here.moment[0][k], here.moment[1][k], here.moment[2][k]);
+        const Vec3 moment(here.moment[0], here.moment[1], here.moment[2]);
         walk.half_angles += 0.5 * moment.dot(way) / (distance2 * std::sqrt(distance2));
         break;
       }
@@ -258,7 +258,7 @@ std::size_t WindingNumber::some_near(const Vec3& at) const noexcept {
     index = first;
     for (std::size_t k = 0; k < branching; ++k) {
       const double distance2 =
-          (Vec3(here.centre[0][k], here.centre[1][k], here.centre[2][k]) - at).squaredNorm();
+          (Vec3(here.middle[0][k], here.middle[1][k], here.middle[2][k]) - at).squaredNorm();
       if (!(distance2 < least2)) continue;
       least2 = distance2;
       index = first + k;

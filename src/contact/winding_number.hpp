@@ -35,7 +35,9 @@ class WindingNumber {
   /// A packet that is likely near a point. @pre there is one
   std::size_t some_near(const Vec3& at) const noexcept;
 
-  std::size_t memory_bytes() const noexcept { return fours_.capacity() * sizeof(Four); }
+  std::size_t memory_bytes() const noexcept {
+    return fours_.capacity() * sizeof(Four) + dipoles_.capacity() * sizeof(Dipole);
+  }
 
  private:
   /// A packet, or clusters that follow one another. Lengths scaled, see PackedPart.
@@ -46,17 +48,24 @@ class WindingNumber {
     float area = 0;
     Eigen::AlignedBox3f box;  ///< of its packets
   };
-  /// The clusters that are one in the next level, side by side, so that they are looked at as one. Where the
-  /// last of a level has fewer, those that are not are infinitely far away.
-  struct alignas(16) Four {
-    float moment[3][4], centre[3][4], radius[4], box_middle[3][4], box_half[3][4];
+  /// What is wanted of a cluster from afar.
+  struct Dipole {
+    float moment[3], centre[3], radius;
+  };
+  /// The boxes of the clusters that are one in the next level, side by side, so that they are looked at as
+  /// one. Where the last of a level has fewer, those that are not are infinitely far away.
+  struct alignas(32) Four {
+    float middle[3][4], half[3][4];
     Four() noexcept;
-    void set(std::size_t k, const Cluster& cluster) noexcept;
+    void set(std::size_t k, const Eigen::AlignedBox3f& box) noexcept;
   };
   struct Around;
 
   const Four& four(std::size_t level, std::size_t index) const noexcept {
     return fours_[level_start_[level] + index / 4];
+  }
+  const Dipole& dipole(std::size_t level, std::size_t index) const noexcept {
+    return dipoles_[4 * level_start_[level] + index];
   }
   static Cluster cluster_of(const PackedPart& packed, std::size_t packet);
   static Cluster joined(const Cluster* first, const Cluster* end);
@@ -67,6 +76,7 @@ class WindingNumber {
 
   std::size_t packet_count_ = 0;
   std::vector<Four> fours_;               // level by level, the packets' first
+  std::vector<Dipole> dipoles_;           // four of each
   std::vector<std::size_t> level_start_;  // of each level in fours_
 };
 
