@@ -1,6 +1,14 @@
 #include "touch/stick_centre.hpp"
 
+#include "contact/triangle_tree.hpp"
+
 namespace fingerpad {
+namespace {
+
+/// That the search for its place may take: a trace shows it, no force depends on it.
+constexpr long most_looks = 2000;
+
+}  // namespace
 
 void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W,
                         Normals normals, int contact_triangle) noexcept {
@@ -12,7 +20,10 @@ void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, con
   // Where a surface of the normals' own stands for the facets it must be; shading moves no point.
   const Normals place_only = normals->own_surface == nullptr ? Normals::facet : normals;
   WorldPoint near = nearest_on_facet(surface, contact_triangle, target, place_only);
-  if (!near.found) near = nearest_point(surface, target, place_only, contact_triangle, distance);
+  if (!near.found) {
+    BriefSearch search{most_looks, contact_triangle};
+    near = nearest_point(surface, target, place_only, search, distance);
+  }
   if (near.found && (near.point_W - target).norm() < distance) drag(near.point_W);
 }
 
