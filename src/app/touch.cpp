@@ -86,12 +86,13 @@ int touch(const TouchOptions& options) {
   tell_choice(*world);
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
   const auto recorder = recorder_for(options, scene, *world);
-  const auto device = find_device(options.device)->make(resting_finger(*world, scene));
+  const auto device = find_device(options.device)->make({scene, world, resting_finger(*world, scene)});
 
   const double dt_s = 1 / scene.motion.rate_hz;
   ServoLoop servo(
       Touch(world, scene), scene.motion.rate_hz, [&](double) { return device->advance(dt_s); },
       [&](const TickRecord& record) {
+        device->feel(record);
         if (recorder) recorder->push(record);
       });
   TouchWindowInput input;

@@ -39,8 +39,8 @@ FingerSample PointerFinger::advance(double dt_s) {
 
 DeviceEntry pointer_device() noexcept {
   return {"pointer", "the mouse and the keyboard, in the window",
-          [](const FingerSample& start) -> std::unique_ptr<LiveDevice> {
-            return std::make_unique<PointerFinger>(start, pointer_bandwidth_hz);
+          [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
+            return std::make_unique<PointerFinger>(setup.start, pointer_bandwidth_hz);
           }};
 }
 
