@@ -7,9 +7,10 @@ namespace fingerpad {
 // Each device is defined in the file of its name; its line here makes it known to `touch --device`, help and
 // tests.
 DeviceEntry pointer_device() noexcept;
+DeviceEntry network_device() noexcept;
 
 std::span<const DeviceEntry> device_table() noexcept {
-  static const std::array table{pointer_device()};
+  static const std::array table{pointer_device(), network_device()};
   return table;
 }
 

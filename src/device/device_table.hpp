@@ -15,6 +15,7 @@ struct DeviceEntry {
   std::string_view doc;   ///< what moves the finger, in a line
   /// @param setup  outlives the call only
   std::unique_ptr<LiveDevice> (*make)(const DeviceSetup& setup);
+  bool needs_window = false;  ///< it follows what is done there
 };
 
 /// All live devices, the default one first.

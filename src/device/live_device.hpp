@@ -1,6 +1,8 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
@@ -10,11 +12,18 @@ namespace fingerpad {
 
 struct World;
 
+/// How a device outside of the program is reached.
+struct DeviceLink {
+  std::string bind = "127.0.0.1";  ///< address that is listened on: none from outside, unless asked for
+  std::optional<int> port{};       ///< none: the device's usual one
+};
+
 /// What a live device is made from.
 struct DeviceSetup {
   const Scene& scene;
   std::shared_ptr<const World> world;
   FingerSample start;  ///< where the finger is, at rest
+  DeviceLink link{};
 };
 
 /// What moves the finger live, and feels what it touches.
@@ -31,6 +40,22 @@ class LiveDevice {
   /// Where the window's pointer would have the finger. Any thread. A device with a place of its own does not
   /// listen.
   virtual void set_target(const FingerSample& /*target*/) {}
+
+  /// Whether it shows forces to a person. Then sent_W_n() is what it was sent for the last tick, in the
+  /// world's axes; the servo's thread.
+  virtual bool has_motors() const noexcept { return false; }
+  virtual Vec3 sent_W_n() const noexcept { return Vec3::Zero(); }
+  /// Holds the device's force at 0 until it is taken back. Any thread.
+  virtual void set_emergency_stop(bool /*on*/) noexcept {}
+  virtual bool emergency_stopped() const noexcept { return false; }
+
+  /// Whether its motion is over: the tick of the last advance() is no more of it. Any thread.
+  virtual bool has_ended() const noexcept { return false; }
+
+  /// What to tell before the touch, such as where it listens, and after it. May be empty. The second ends the
+  /// device's own work: neither advance() nor feel() is called any more.
+  virtual std::string opening_words() const { return {}; }
+  virtual std::string closing_words() { return {}; }
 };
 
 }  // namespace fingerpad

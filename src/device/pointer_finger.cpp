@@ -41,7 +41,8 @@ DeviceEntry pointer_device() noexcept {
   return {"pointer", "the mouse and the keyboard, in the window",
           [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<PointerFinger>(setup.start, pointer_bandwidth_hz);
-          }};
+          },
+          true};
 }
 
 }  // namespace fingerpad
