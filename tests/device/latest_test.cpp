@@ -24,7 +24,7 @@ TEST(Latest, GivesTheNewestOnce) {
 
 TEST(Latest, NeverGivesAHalfWrittenOrAnOlderOne) {
   Latest<std::array<long, 16>> latest;
-  constexpr long last = 200'000;
+  constexpr long last = 3'000'000;
   std::thread writer([&] {
     for (long k = 1; k <= last; ++k) {
       std::array<long, 16> value;

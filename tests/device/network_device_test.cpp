@@ -6,6 +6,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <atomic>
 #include <optional>
 #include <thread>
@@ -139,9 +140,12 @@ TEST(NetworkDevice, IsNotShakenByNoise) {
   Peer peer(*rig.device);
   std::vector<unsigned char> noise(2000, 0xff);
   for (const std::size_t length : {0u, 1u, 79u, 80u, 81u, 2000u}) peer.send(std::span(noise).first(length));
+  PacketBytes good = packet_of(DevicePacket{.sequence = 5});
+  std::copy(good.begin(), good.end(), noise.begin());
+  peer.send(std::span(noise).first(81));
   peer.say(1, {0, 0, 0.05});
-  EXPECT_EQ(rig.tick_after(7).p_WQ, Vec3(0, 0, 0.05));
-  EXPECT_EQ(rig.device->counts(), (PacketGate::Counts{.accepted = 1, .malformed = 6}));
+  EXPECT_EQ(rig.tick_after(8).p_WQ, Vec3(0, 0, 0.05));
+  EXPECT_EQ(rig.device->counts(), (PacketGate::Counts{.accepted = 1, .malformed = 7}));
 }
 
 TEST(NetworkDevice, TellsWhoCannotListen) {

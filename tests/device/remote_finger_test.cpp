@@ -97,20 +97,20 @@ TEST(RemoteFinger, IsWithoutForceFromAnEmergencyStopUntilItIsTakenBack) {
 TEST(RemoteFinger, ClutchingMovesTheDeviceWithoutTheFingerAndWithoutForce) {
   Rig rig;
   for (int k = 0; k < 60; ++k) {
-    rig.say({0, 0, -0.002});
+    rig.say({0, 0, -0.003});
     rig.tick();
   }
   for (int k = 0; k <= 10; ++k) {
-    rig.say({0.01 * k, 0, -0.002}, true);
+    rig.say({0.01 * k, 0, -0.003}, true);
     ASSERT_EQ(rig.tick().force_D_n, Vec3::Zero());
-    ASSERT_NEAR((rig.sample.p_WQ - Vec3(0, 0, -0.002)).norm(), 0, 1e-15);
+    ASSERT_NEAR((rig.sample.p_WQ - Vec3(0, 0, -0.003)).norm(), 0, 1e-15);
   }
-  rig.say({0.1, 0, -0.002});
+  rig.say({0.1, 0, -0.003});
   rig.tick();
-  EXPECT_NEAR((rig.sample.p_WQ - Vec3(0, 0, -0.002)).norm(), 0, 1e-15);
-  rig.say({0.11, 0, -0.002});
+  EXPECT_NEAR((rig.sample.p_WQ - Vec3(0, 0, -0.003)).norm(), 0, 1e-15);
+  rig.say({0.11, 0, -0.003});
   rig.tick();
-  EXPECT_NEAR((rig.sample.p_WQ - Vec3(0.01, 0, -0.002)).norm(), 0, 1e-15);  // sums of a few decimals
+  EXPECT_NEAR((rig.sample.p_WQ - Vec3(0.01, 0, -0.003)).norm(), 0, 1e-15);  // sums of a few decimals
 }
 
 TEST(RemoteFinger, LiesInTheWorldAsTheSceneSays) {
