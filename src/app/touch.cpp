@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/headless.hpp"
@@ -50,11 +51,12 @@ Scene touched_scene(const TouchOptions& options) {
   if (options.rate_hz) {
     scene.motion.rate_hz = *options.rate_hz;
     scene.motion.automatic_rate = false;
+  } else if (const auto rate_hz = find_device(options.device)->rate_hz) {
+    scene.motion.rate_hz = rate_hz(scene);
   }
   // Before the hand goes: the loop that it closes is what a person's own is taken for.
   const std::string reason = settle_live_rate(scene);
   if (!reason.empty()) print_err("fingerpad: {}: {}\n", scene.name, reason);
-  scene.hand.reset();  // a person holds the finger
   return scene;
 }
 
@@ -118,6 +120,7 @@ int touch(const TouchOptions& options) {
   }
   if (!options.headless) need_display();  // before a long import
   Scene scene = touched_scene(options);
+  const auto hand = std::exchange(scene.hand, std::nullopt);  // a person holds the finger
   if (!options.record.empty()) refuse_unrecordable(options.record, scene, options.force);
   LoadBar bar(stderr_is_terminal());
   const auto world = load_world(scene, bar.progress());
@@ -126,7 +129,7 @@ int touch(const TouchOptions& options) {
   tell_choice(*world);
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
   const auto device =
-      find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link});
+      find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link, hand});
   const auto recorder = recorder_for(options, scene, *world, *device);
   tell_device(options, device->opening_words());
 

@@ -16,6 +16,8 @@ struct DeviceEntry {
   /// @param setup  outlives the call only
   std::unique_ptr<LiveDevice> (*make)(const DeviceSetup& setup);
   bool needs_window = false;  ///< it follows what is done there
+  /// The rate of its own motion, where it has one; null: the scene's.
+  double (*rate_hz)(const Scene& scene) = nullptr;
 };
 
 /// All live devices, the default one first.

@@ -24,6 +24,7 @@ struct DeviceSetup {
   std::shared_ptr<const World> world;
   FingerSample start;  ///< where the finger is, at rest
   DeviceLink link{};
+  std::optional<HandSettings> hand{};  ///< the scene's [hand]: a person takes its place in the scene
 };
 
 /// What moves the finger live, and feels what it touches.

@@ -128,8 +128,9 @@ std::string NetworkDevice::closing_words() {
 }
 
 DeviceEntry network_device() noexcept {
-  return {"network", "any device, by packets over UDP (--port, --bind)",
-          [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
+  return {.name = "network",
+          .doc = "any device, by packets over UDP (--port, --bind)",
+          .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<NetworkDevice>(setup);
           }};
 }

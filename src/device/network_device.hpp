@@ -8,6 +8,7 @@
 #include "device/live_device.hpp"
 #include "device/remote_finger.hpp"
 #include "device/udp_socket.hpp"
+#include "device/wake_up.hpp"
 
 namespace fingerpad {
 

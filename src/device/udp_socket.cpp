@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 #include <netdb.h>
 #include <netinet/in.h>
-#include <sys/eventfd.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -77,24 +76,6 @@ void UdpSocket::send(std::span<const unsigned char> bytes, const PacketSender& t
   std::memcpy(&address, to.address.data(), to.length);
   [[maybe_unused]] const ssize_t sent = sendto(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL,
                                                reinterpret_cast<const sockaddr*>(&address), to.length);
-}
-
-WakeUp::WakeUp() : descriptor_(eventfd(0, EFD_NONBLOCK | EFD_CLOEXEC)) {
-  if (descriptor_ < 0) throw Error(ErrorKind::fault, "eventfd", std::strerror(errno));
-}
-
-WakeUp::~WakeUp() {
-  close(descriptor_);
-}
-
-void WakeUp::wake() noexcept {
-  const std::uint64_t one = 1;
-  [[maybe_unused]] const ssize_t written = write(descriptor_, &one, sizeof(one));
-}
-
-void WakeUp::clear() noexcept {
-  std::uint64_t count = 0;
-  [[maybe_unused]] const ssize_t got = read(descriptor_, &count, sizeof(count));
 }
 
 }  // namespace fingerpad

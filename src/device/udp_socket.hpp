@@ -32,20 +32,4 @@ class UdpSocket {
   std::string name_;
 };
 
-/// Wakes a thread that polls it. wake() may be called by a thread that must not wait.
-class WakeUp {
- public:
-  WakeUp();
-  ~WakeUp();
-  WakeUp(const WakeUp&) = delete;
-  WakeUp& operator=(const WakeUp&) = delete;
-
-  int descriptor() const noexcept { return descriptor_; }
-  void wake() noexcept;
-  void clear() noexcept;
-
- private:
-  int descriptor_ = -1;
-};
-
 }  // namespace fingerpad
