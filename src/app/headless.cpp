@@ -3,9 +3,14 @@
 #include <semaphore.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <csignal>
 #include <ctime>
+#include <functional>
+
+#include "app/standard_streams.hpp"
+#include "device/terminal_keys.hpp"
 
 namespace fingerpad {
 namespace {
@@ -51,8 +56,8 @@ class StopSignals {
   }, before_term_{};
 };
 
-}  // namespace
-
+/// Waits for so many seconds, without end where none are given, until SIGINT or SIGTERM comes, or until
+/// `is_over` says so, which is asked many times a second.
 void wait_without_window(std::optional<double> seconds, const std::function<bool()>& is_over) {
   using Clock = std::chrono::steady_clock;
   constexpr double look_s = 0.05;
@@ -67,6 +72,24 @@ void wait_without_window(std::optional<double> seconds, const std::function<bool
     }
     if (signals.wait(wait_s) || is_over()) return;
   }
+}
+
+}  // namespace
+
+void run_headless(std::optional<double> seconds, const std::string& name, LiveDevice& device) {
+  std::atomic<bool> quit{false};
+  std::optional<TerminalKeys> keys;
+  if (device.has_motors() && has_terminal_keys()) {
+    print_err("fingerpad: {}: x: emergency stop, and the force back; q: end\n", name);
+    keys.emplace([&](std::string_view key) {
+      if (key == "q") quit = true;
+      if (key != "x") return;
+      device.set_emergency_stop(!device.emergency_stopped());
+      print_err("fingerpad: {}: {}\n", name,
+                device.emergency_stopped() ? "STOPPED, x gives the force back" : "goes on");
+    });
+  }
+  wait_without_window(seconds, [&] { return quit || device.has_ended(); });
 }
 
 }  // namespace fingerpad

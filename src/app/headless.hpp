@@ -1,13 +1,16 @@
 #pragma once
 
-#include <functional>
 #include <optional>
+#include <string>
+
+#include "device/live_device.hpp"
 
 namespace fingerpad {
 
-/// Waits where there is no window: for so many seconds, without end where none are given, until SIGINT or
-/// SIGTERM comes, or until `is_over` says so, which is asked many times a second. A second signal ends the
-/// program at once.
-void wait_without_window(std::optional<double> seconds, const std::function<bool()>& is_over);
+/// Waits for the end of a touch without a window: for so many seconds, without end where none are given,
+/// until SIGINT or SIGTERM comes, or until the device's motion is over. A second signal ends the program at
+/// once. Where there is a terminal, `x` there is the emergency stop of a device with motors, and `q` ends.
+/// @param name  of the device, for messages
+void run_headless(std::optional<double> seconds, const std::string& name, LiveDevice& device);
 
 }  // namespace fingerpad

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <optional>
 #include <utility>
 
@@ -13,19 +12,14 @@
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/subject.hpp"
+#include "app/touch_recording.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
-#include "base/file_identity.hpp"
-#include "base/output_place.hpp"
-#include "base/printable_text.hpp"
 #include "device/device_table.hpp"
-#include "replay/batch_files.hpp"
-#include "replay/run_job.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_table.hpp"
 #include "touch/rate_choice.hpp"
 #include "touch/servo_loop.hpp"
-#include "trace/live_recorder.hpp"
 #include "view/screen.hpp"
 #include "view/touch_window.hpp"
 
@@ -60,37 +54,6 @@ Scene touched_scene(const TouchOptions& options) {
   return scene;
 }
 
-std::unique_ptr<LiveRecorder> recorder_for(const TouchOptions& options, const Scene& scene,
-                                           const World& world, const LiveDevice& device) {
-  if (options.record.empty()) return nullptr;
-  const TraceFormat format = options.record.ends_with(".csv") ? TraceFormat::csv : TraceFormat::hdf5;
-  refuse_overwriting(options.record, input_files(scene));
-  TraceInfo info = trace_info(scene, world, std::string(program_version));
-  info.motion_file.clear();  // the person's, not the scene's
-  info.motion_hash.clear();
-  info.sent = device.has_motors();
-  return std::make_unique<LiveRecorder>(TraceWriter::create(options.record, format, info, world));
-}
-
-/// Before the touch, whose record could not be made again.
-void refuse_unrecordable(const std::string& path, const Scene& scene, bool force) {
-  if (path == "-") throw Error(ErrorKind::usage, "--record", "a trace needs a file, not standard output");
-  if (!is_utf8(scene.text))
-    throw Error(ErrorKind::usage, scene.name, "its name is not UTF-8, as a trace's must be: rename it");
-  refuse_unwritable(path);
-  std::error_code ignored;
-  if (!force && std::filesystem::is_regular_file(path, ignored)) {
-    throw Error(ErrorKind::usage, path,
-                "exists already; --force writes over it, or give --record another name");
-  }
-}
-
-/// A tick as its trace keeps it: with what a device with motors got of the force.
-TickRecord as_recorded(TickRecord tick, const LiveDevice& device) noexcept {
-  if (device.has_motors()) tick.sent_W_n = device.sent_W_n();
-  return tick;
-}
-
 /// Opens the window of a touch and returns when it is closed, or when its seconds are over.
 void show_window(const TouchOptions& options, const Scene& scene, const std::shared_ptr<const World>& world,
                  LiveDevice& device, ServoLoop& servo) {
@@ -101,6 +64,10 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
   input.set_target = [&](const FingerSample& target) { device.set_target(target); };
   input.latest = [&] { return servo.latest(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
+  if (device.has_motors()) {
+    input.toggle_stop = [&] { device.set_emergency_stop(!device.emergency_stopped()); };
+    input.is_stopped = [&] { return device.emergency_stopped(); };
+  }
   if (!options.record.empty()) input.note = "recording " + options.record;
   WindowOptions window;
   if (options.seconds) window.events = {{*options.seconds, WindowEvent::Kind::key, "q"}};
@@ -130,7 +97,7 @@ int touch(const TouchOptions& options) {
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
   const auto device =
       find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link, hand});
-  const auto recorder = recorder_for(options, scene, *world, *device);
+  const auto recorder = start_recording(options.record, scene, *world, *device);
   tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;
@@ -141,7 +108,7 @@ int touch(const TouchOptions& options) {
         if (recorder && !device->has_ended()) recorder->push(as_recorded(record, *device));
       });
   if (options.headless) {
-    wait_without_window(options.seconds, [&] { return device->has_ended(); });
+    run_headless(options.seconds, options.device, *device);
   } else {
     show_window(options, scene, world, *device, servo);
   }

@@ -34,10 +34,16 @@ TypedKey first_key(std::string_view typed) noexcept {
   return {{}, typed.size() > 16 ? typed.size() : 0};
 }
 
+bool has_terminal_keys() noexcept {
+  return isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) == getpgrp();
+}
+
 TerminalKeys::TerminalKeys(std::function<void(std::string_view)> take) : take_(std::move(take)) {
-  if (isatty(STDIN_FILENO) != 1 || tcgetattr(STDIN_FILENO, &terminal_before) != 0) {
-    throw Error(ErrorKind::usage, "standard input",
-                "is no terminal, and --device keyboard is moved by the keys of one: start it in one");
+  if (!has_terminal_keys() || tcgetattr(STDIN_FILENO, &terminal_before) != 0) {
+    throw Error(
+        ErrorKind::usage, "standard input",
+        "is no terminal of this program's, and --device keyboard is moved by the keys of one: start it "
+        "in one, in the foreground");
   }
   termios raw = terminal_before;
   raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // key by key, unseen; Ctrl-C still ends the program

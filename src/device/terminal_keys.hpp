@@ -28,6 +28,9 @@ class TerminalKeys {
   std::thread thread_;
 };
 
+/// Whether standard input is a terminal that this program may read now: it is none of the background.
+bool has_terminal_keys() noexcept;
+
 /// The key with which what was typed begins: its name, and how many bytes it is; 0 bytes where more must
 /// come first. What is no key of those has no name.
 struct TypedKey {

@@ -37,8 +37,11 @@ struct WebSocket::Connection {
     // Whatever is under way ends with the socket, and then its handlers run.
     ErrorCode ignored;
     stream.next_layer().close(ignored);
-    work.restart();
-    work.run_for(saying);
+    try {
+      work.restart();
+      work.run_for(saying);
+    } catch (...) {  // NOLINT(bugprone-empty-catch): nobody is left who waits for them
+    }
   }
 
   /// Runs until `done` or for so long; handlers of other work run as well.

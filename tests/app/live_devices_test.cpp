@@ -78,7 +78,7 @@ TEST(LiveKeyboard, KeysOfATerminalMoveTheFingerAndEndTheTouch) {
   EXPECT_LE(way.x(), 0.003 + 1e-12);  // three keys of 1 mm
   const auto elsewhere = test::fingerpad("touch floor.toml --headless --device keyboard", folder);
   EXPECT_EQ(elsewhere.exit_code, 2);
-  EXPECT_THAT(elsewhere.err, HasSubstr("is no terminal"));
+  EXPECT_THAT(elsewhere.err, HasSubstr("is no terminal of this program's"));
 }
 
 TEST(LiveSpacemouse, ItsDaemonsEventsDriveTheFinger) {

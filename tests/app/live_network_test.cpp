@@ -97,6 +97,54 @@ TEST(LiveNetwork, AnEmergencyStopHoldsTheForceAtZeroAndALimitIsKept) {
   EXPECT_TRUE(was_stopped);
 }
 
+TEST(LiveNetwork, AKeyOfTheTerminalStopsTheForce) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "floor.toml", floor_scene);
+  const std::string tools = (test::source_dir() / "tests" / "support" / "type_in_terminal").string();
+  const std::string bridge = (test::source_dir() / "tools" / "device_bridge").string();
+  const auto run = test::shell(
+      "'" + tools + "' 'emergency stop' x '" + test::program().string() +
+          "' touch floor.toml --headless --device network --port 0 --seconds 60 >told & live=$!\n"
+          "until grep -q STOPPED told; do kill -0 $live || exit 99; sleep 0.02; done\n"
+          "python3 '" +
+          bridge +
+          "' $(sed -n 's/.* 127.0.0.1:\\([0-9]*\\),.*/\\1/p' told) --json --seconds 0.6 >answers || exit 98\n"
+          "kill $live; wait $live; true",
+      folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err << test::bytes_of(folder / "told");
+  std::istringstream lines(test::bytes_of(folder / "answers"));
+  long answers = 0;
+  for (std::string line; std::getline(lines, line); ++answers) {
+    const json answer = json::parse(line);
+    EXPECT_NE(answer["status"].get<int>() & stopped, 0);
+    EXPECT_EQ(norm_of(answer["force_n"]), 0);
+  }
+  EXPECT_GT(answers, 10);
+}
+
+TEST(LiveNetwork, ARemovedFolderIsToldAtOnceAndTheTouchGoesOn) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "floor.toml", floor_scene);
+  for (const std::string trace : {"t.csv", "t.h5"}) {
+    const auto run =
+        test::shell("rm -f told; mkdir r; '" + test::program().string() +
+                        "' touch floor.toml --headless --device network --port 0 --seconds 60 "
+                        "--record r/" +
+                        trace +
+                        " 2>told & live=$!\n"
+                        "until grep -q listening told; do kill -0 $live || exit 99; sleep 0.02; done\n"
+                        "rm -r r\n"
+                        "until grep -q 'recorded no longer' told; do kill -0 $live || exit 98; "
+                        "sleep 0.02; done\n"
+                        "kill -0 $live || exit 97; kill $live; wait $live; code=$?; cat told >&2; "
+                        "exit $code",
+                    folder);
+    EXPECT_EQ(run.exit_code, 1) << run.err;
+    EXPECT_THAT(run.err,
+                HasSubstr("r/" + trace + ": the file, or its folder, was removed; the touch goes on"));
+  }
+}
+
 TEST(LiveNetwork, EndsAfterItsSecondsAndOverwritesNoTraceUnasked) {
   const fs::path folder = test::scratch_dir();
   test::write_file(folder, "floor.toml", floor_scene);
