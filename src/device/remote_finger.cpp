@@ -1,6 +1,7 @@
 #include "device/remote_finger.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace fingerpad {
 
@@ -36,7 +37,11 @@ DeviceAnswer RemoteFinger::feel(const TickRecord& tick, std::int64_t now_ns, boo
   // A clutched device is moved without its finger, which then must not push it.
   if (lifted_ || last_.place.clutch) guard_.release();
   const bool wanted = touching && !last_.place.clutch;
-  const MotorGuard::Sent sent = guard_.next(workspace_.force_D_n(tick.force_W_n), wanted, dt_s_);
+  // A servo that was held up makes its ticks good in a burst: what the motors may do goes by the clock then.
+  const double since_s = 1e-9 * static_cast<double>(now_ns - felt_ns_);
+  const double allowed_s = std::clamp(since_s, 1e-9, dt_s_);
+  felt_ns_ = now_ns;
+  const MotorGuard::Sent sent = guard_.next(workspace_.force_D_n(tick.force_W_n), wanted, allowed_s);
   answer.force_D_n = sent.force_D_n;
   answer.limited = sent.limited || (touching && !wanted);
   answer.torque_D_n_m = touching ? torque_D_n_m(tick, sent.force_D_n) : Vec3::Zero();

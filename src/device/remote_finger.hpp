@@ -63,6 +63,7 @@ class RemoteFinger {
   FingerSample rest_;
   double watchdog_s_, radius_m_, dt_s_ = 1;
   DeviceReading last_;
+  std::int64_t felt_ns_ = 0;
   bool lifted_ = true, tripped_ = false;
   Vec3 sent_W_n_ = Vec3::Zero();
 };

@@ -158,7 +158,9 @@ TEST(LiveHaply, ASilentServiceIsSentNoForce) {
   run.go("--states 400 --silent-at 350");
   ASSERT_EQ(run.shell.exit_code, 0) << run.shell.err;
   ASSERT_GT(run.messages.size(), 351u);
-  EXPECT_GT(HaplyRun::force_n(run.messages[348]), 0.1);
+  double before_n = 0;  // not of the last alone: on a busy machine the service may have been late before
+  for (std::size_t k = 200; k < 350; ++k) before_n = std::max(before_n, HaplyRun::force_n(run.messages[k]));
+  EXPECT_GT(before_n, 0.1);
   EXPECT_EQ(HaplyRun::force_n(run.messages[350]), 0) << "sent while the answer to the 350th was late";
 }
 

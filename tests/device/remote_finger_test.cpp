@@ -94,6 +94,20 @@ TEST(RemoteFinger, IsWithoutForceFromAnEmergencyStopUntilItIsTakenBack) {
   EXPECT_NEAR(rig.tick().force_D_n.z(), 0.1, 1e-12);
 }
 
+TEST(RemoteFinger, ABurstOfTicksMovesTheForceNoFasterThanTheClock) {
+  Rig rig;
+  for (int k = 0; k < 100; ++k) {
+    rig.say({0, 0, -0.001});
+    rig.tick();
+  }
+  rig.say({0, 0, -0.005});
+  for (int k = 0; k < 50; ++k) {
+    rig.now_ns -= ms;  // the clock stands still
+    ASSERT_NEAR(rig.tick().force_D_n.z(), 1, 1e-3);
+  }
+  EXPECT_NEAR(rig.tick().force_D_n.z(), 3, 1e-3);  // 2000 N/s for a millisecond
+}
+
 TEST(RemoteFinger, ClutchingMovesTheDeviceWithoutTheFingerAndWithoutForce) {
   Rig rig;
   for (int k = 0; k < 60; ++k) {
