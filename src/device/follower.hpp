@@ -32,6 +32,8 @@ class Follower {
     velocity_m_per_s_ = velocity_m_per_s;
   }
 
+  /// So long it is behind a target that goes on evenly.
+  double lag_s() const noexcept { return 2 / omega_; }
   const Vec3& place_m() const noexcept { return place_m_; }
   const Vec3& velocity_m_per_s() const noexcept { return velocity_m_per_s_; }
 

@@ -38,10 +38,6 @@ class LiveDevice {
   /// What the tick at the finger of the last advance() gave. Same thread, same rules.
   virtual void feel(const TickRecord& /*tick*/) noexcept {}
 
-  /// Where the window's pointer would have the finger. Any thread. A device with a place of its own does not
-  /// listen.
-  virtual void set_target(const FingerSample& /*target*/) {}
-
   /// Whether it shows forces to a person. Then sent_W_n() is what it was sent for the last tick, in the
   /// world's axes; the servo's thread.
   virtual bool has_motors() const noexcept { return false; }
@@ -57,6 +53,10 @@ class LiveDevice {
   /// device's own work: neither advance() nor feel() is called any more.
   virtual std::string opening_words() const { return {}; }
   virtual std::string closing_words() { return {}; }
+
+  /// Where the window's pointer would have the finger. Any thread. A device with a place of its own does not
+  /// listen.
+  virtual void set_target(const FingerSample& /*target*/) {}
 };
 
 }  // namespace fingerpad
