@@ -35,9 +35,6 @@ class LiveDevice {
   /// The finger dt_s later. One thread, the servo's: allocates nothing, waits for nothing.
   virtual FingerSample advance(double dt_s) = 0;
 
-  /// What the tick at the finger of the last advance() gave. Same thread, same rules.
-  virtual void feel(const TickRecord& /*tick*/) noexcept {}
-
   /// Whether it shows forces to a person. Then sent_W_n() is what it was sent for the last tick, in the
   /// world's axes; the servo's thread.
   virtual bool has_motors() const noexcept { return false; }
@@ -53,6 +50,9 @@ class LiveDevice {
   /// device's own work: neither advance() nor feel() is called any more.
   virtual std::string opening_words() const { return {}; }
   virtual std::string closing_words() { return {}; }
+
+  /// What the tick at the finger of the last advance() gave. Same thread, same rules.
+  virtual void feel(const TickRecord& /*tick*/) noexcept {}
 
   /// Where the window's pointer would have the finger. Any thread. A device with a place of its own does not
   /// listen.
