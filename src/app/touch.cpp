@@ -4,25 +4,22 @@
 
 #include <CLI/CLI.hpp>
 #include <optional>
+#include <utility>
 
 #include "app/commands.hpp"
+#include "app/headless.hpp"
 #include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/subject.hpp"
+#include "app/touch_recording.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
-#include "base/file_identity.hpp"
-#include "base/output_place.hpp"
-#include "base/printable_text.hpp"
 #include "device/device_table.hpp"
-#include "replay/batch_files.hpp"
-#include "replay/run_job.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_table.hpp"
 #include "touch/rate_choice.hpp"
 #include "touch/servo_loop.hpp"
-#include "trace/live_recorder.hpp"
 #include "view/screen.hpp"
 #include "view/touch_window.hpp"
 
@@ -33,7 +30,9 @@ struct TouchOptions {
   std::string subject, record;
   std::string device{device_table().front().name};
   std::string unit = "mm";
-  std::optional<double> rate_hz;
+  std::optional<double> rate_hz, seconds;
+  DeviceLink link;
+  bool headless = false, force = false;
 };
 
 Scene touched_scene(const TouchOptions& options) {
@@ -46,65 +45,75 @@ Scene touched_scene(const TouchOptions& options) {
   if (options.rate_hz) {
     scene.motion.rate_hz = *options.rate_hz;
     scene.motion.automatic_rate = false;
+  } else if (const auto rate_hz = find_device(options.device)->rate_hz) {
+    scene.motion.rate_hz = rate_hz(scene);
   }
   // Before the hand goes: the loop that it closes is what a person's own is taken for.
   const std::string reason = settle_live_rate(scene);
   if (!reason.empty()) print_err("fingerpad: {}: {}\n", scene.name, reason);
-  scene.hand.reset();  // a person holds the finger
   return scene;
 }
 
-std::unique_ptr<LiveRecorder> recorder_for(const TouchOptions& options, const Scene& scene,
-                                           const World& world) {
-  if (options.record.empty()) return nullptr;
-  const TraceFormat format = options.record.ends_with(".csv") ? TraceFormat::csv : TraceFormat::hdf5;
-  refuse_overwriting(options.record, input_files(scene));
-  TraceInfo info = trace_info(scene, world, std::string(program_version));
-  info.motion_file.clear();  // the person's, not the scene's
-  info.motion_hash.clear();
-  return std::make_unique<LiveRecorder>(TraceWriter::create(options.record, format, info, world));
+/// Opens the window of a touch and returns when it is closed, or when its seconds are over.
+void show_window(const TouchOptions& options, const Scene& scene, const std::shared_ptr<const World>& world,
+                 LiveDevice& device, ServoLoop& servo) {
+  TouchWindowInput input;
+  input.view.title = scene.name;
+  input.view.world = world;
+  input.view.scene = scene;
+  input.set_target = [&](const FingerSample& target) { device.set_target(target); };
+  input.latest = [&] { return servo.latest(); };
+  input.recent = [&](double seconds) { return servo.recent(seconds); };
+  if (device.has_motors()) {
+    input.toggle_stop = [&] { device.set_emergency_stop(!device.emergency_stopped()); };
+    input.is_stopped = [&] { return device.emergency_stopped(); };
+  }
+  if (!options.record.empty()) input.note = "recording " + options.record;
+  WindowOptions window;
+  if (options.seconds) window.events = {{*options.seconds, WindowEvent::Kind::key, "q"}};
+  run_touch_window(input, window);
 }
 
-/// Before the touch, whose record could not be made again.
-void refuse_unrecordable(const std::string& path, const Scene& scene) {
-  if (path == "-") throw Error(ErrorKind::usage, "--record", "a trace needs a file, not standard output");
-  if (!is_utf8(scene.text))
-    throw Error(ErrorKind::usage, scene.name, "its name is not UTF-8, as a trace's must be: rename it");
-  refuse_unwritable(path);
+void tell_device(const TouchOptions& options, const std::string& words) {
+  if (!words.empty()) print_err("fingerpad: {}: {}\n", options.device, words);
 }
 
 int touch(const TouchOptions& options) {
   if (!options.record.empty() && options.record != "-")
     refuse_other_endings(options.record, "touch --record", {".h5", ".csv"});
-  need_display();  // before a long import
+  if (options.headless && find_device(options.device)->needs_window) {
+    throw Error(ErrorKind::usage, "--headless",
+                fmt::format("--device {} is moved in a window: choose another device", options.device));
+  }
+  if (!options.headless) need_display();  // before a long import
   Scene scene = touched_scene(options);
-  if (!options.record.empty()) refuse_unrecordable(options.record, scene);
+  const auto hand = std::exchange(scene.hand, std::nullopt);  // a person holds the finger
+  if (!options.record.empty()) refuse_unrecordable(options.record, scene, options.force);
   LoadBar bar(stderr_is_terminal());
   const auto world = load_world(scene, bar.progress());
   bar.finish();
   tell_warnings(*world);
   tell_choice(*world);
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
-  const auto recorder = recorder_for(options, scene, *world);
-  const auto device = find_device(options.device)->make(resting_finger(*world, scene));
+  const auto device =
+      find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link, hand});
+  const auto recorder = start_recording(options.record, scene, *world, *device);
+  tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;
   ServoLoop servo(
       Touch(world, scene), scene.motion.rate_hz, [&](double) { return device->advance(dt_s); },
       [&](const TickRecord& record) {
-        if (recorder) recorder->push(record);
+        device->feel(record);
+        if (recorder && !device->has_ended()) recorder->push(as_recorded(record, *device));
       });
-  TouchWindowInput input;
-  input.view.title = scene.name;
-  input.view.world = world;
-  input.view.scene = scene;
-  input.set_target = [&](const FingerSample& target) { device->set_target(target); };
-  input.latest = [&] { return servo.latest(); };
-  input.recent = [&](double seconds) { return servo.recent(seconds); };
-  if (recorder) input.note = "recording " + options.record;
-  run_touch_window(input, WindowOptions{});
-
+  if (options.headless) {
+    run_headless(options.seconds, options.device, *device);
+  } else {
+    show_window(options, scene, world, *device, servo);
+  }
   servo.stop();
+  tell_device(options, device->closing_words());
   const ServoLoop::Timing timing = servo.timing();
   print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks,
             scene.motion.rate_hz, timing.late_ticks, 1e3 * timing.worst_late_s);
@@ -140,6 +149,19 @@ void add_touch(CLI::App& program, Action& action) {
       ->check(CLI::Validator(why_no_device, "NAME"))
       ->capture_default_str();
   refuse_empty(command->add_option("--record", options->record, "Write a trace of the touch (.h5, or .csv)"));
+  command->add_flag("--force", options->force, "Let --record write over a file that exists");
+  command->add_flag("--headless", options->headless,
+                    "Without a window, for a rig or a robot; ends by SIGINT or SIGTERM, its trace whole");
+  command->add_option("--seconds", options->seconds, "End after so long [s]; default: when told to")
+      ->check(CLI::Range(0.0, 1e9));
+  command
+      ->add_option("--port", options->link.port,
+                   "Port of a device outside of the program; 0: a free one; default: the device's")
+      ->check(CLI::Range(0, 65535));
+  refuse_empty(command
+                   ->add_option("--bind", options->link.bind,
+                                "Address that is listened on; another than 127.0.0.1 lets others in")
+                   ->capture_default_str());
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(CLI::Range(1.0, 100000.0));
   add_unit_option(*command, options->unit);

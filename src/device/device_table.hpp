@@ -13,8 +13,11 @@ namespace fingerpad {
 struct DeviceEntry {
   std::string_view name;  ///< as `--device` takes it
   std::string_view doc;   ///< what moves the finger, in a line
-  /// @param start  where the finger is, at rest
-  std::unique_ptr<LiveDevice> (*make)(const FingerSample& start);
+  /// @param setup  outlives the call only
+  std::unique_ptr<LiveDevice> (*make)(const DeviceSetup& setup);
+  bool needs_window = false;  ///< it follows what is done there
+  /// The rate of its own motion, where it has one; null: the scene's.
+  double (*rate_hz)(const Scene& scene) = nullptr;
 };
 
 /// All live devices, the default one first.

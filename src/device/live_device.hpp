@@ -1,16 +1,58 @@
 #pragma once
 
+#include <memory>
+#include <optional>
+#include <string>
+
 #include "motion/finger_path.hpp"
+#include "scene/scene.hpp"
+#include "touch/tick_record.hpp"
 
 namespace fingerpad {
 
-/// What moves the finger live.
+struct World;
+
+/// How a device outside of the program is reached.
+struct DeviceLink {
+  std::string bind = "127.0.0.1";  ///< address that is listened on: none from outside, unless asked for
+  std::optional<int> port{};       ///< none: the device's usual one
+};
+
+/// What a live device is made from.
+struct DeviceSetup {
+  const Scene& scene;
+  std::shared_ptr<const World> world;
+  FingerSample start;  ///< where the finger is, at rest
+  DeviceLink link{};
+  std::optional<HandSettings> hand{};  ///< the scene's [hand]: a person takes its place in the scene
+};
+
+/// What moves the finger live, and feels what it touches.
 class LiveDevice {
  public:
   virtual ~LiveDevice() = default;
 
   /// The finger dt_s later. One thread, the servo's: allocates nothing, waits for nothing.
   virtual FingerSample advance(double dt_s) = 0;
+
+  /// Whether it shows forces to a person. Then sent_W_n() is what it was sent for the last tick, in the
+  /// world's axes; the servo's thread.
+  virtual bool has_motors() const noexcept { return false; }
+  virtual Vec3 sent_W_n() const noexcept { return Vec3::Zero(); }
+  /// Holds the device's force at 0 until it is taken back. Any thread.
+  virtual void set_emergency_stop(bool /*on*/) noexcept {}
+  virtual bool emergency_stopped() const noexcept { return false; }
+
+  /// Whether its motion is over: the tick of the last advance() is no more of it. Any thread.
+  virtual bool has_ended() const noexcept { return false; }
+
+  /// What to tell before the touch, such as where it listens, and after it. May be empty. The second ends the
+  /// device's own work: neither advance() nor feel() is called any more.
+  virtual std::string opening_words() const { return {}; }
+  virtual std::string closing_words() { return {}; }
+
+  /// What the tick at the finger of the last advance() gave. Same thread, same rules.
+  virtual void feel(const TickRecord& /*tick*/) noexcept {}
 
   /// Where the window's pointer would have the finger. Any thread. A device with a place of its own does not
   /// listen.

@@ -38,10 +38,12 @@ FingerSample PointerFinger::advance(double dt_s) {
 }
 
 DeviceEntry pointer_device() noexcept {
-  return {"pointer", "the mouse and the keyboard, in the window",
-          [](const FingerSample& start) -> std::unique_ptr<LiveDevice> {
-            return std::make_unique<PointerFinger>(start, pointer_bandwidth_hz);
-          }};
+  return {.name = "pointer",
+          .doc = "the mouse and the keyboard, in the window",
+          .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
+            return std::make_unique<PointerFinger>(setup.start, pointer_bandwidth_hz);
+          },
+          .needs_window = true};
 }
 
 }  // namespace fingerpad

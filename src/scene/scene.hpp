@@ -13,6 +13,7 @@
 #include "motion/hand_settings.hpp"
 #include "motion/recording_format.hpp"
 #include "motion/scripted_motion.hpp"
+#include "scene/device_settings.hpp"
 
 namespace fingerpad {
 
@@ -100,6 +101,7 @@ struct Scene {
   FingerSettings finger;
   MotionSettings motion;
   std::optional<HandSettings> hand;
+  DeviceSettings device;
   std::string
       text;  ///< the whole scene as TOML, set keys put in: read_scene_text(text, path) gives this scene again
 };

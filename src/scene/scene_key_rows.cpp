@@ -43,6 +43,10 @@ HandSettings& hand(Scene& scene) {
   return *scene.hand;
 }
 
+DeviceSettings& device(Scene& scene) {
+  return scene.device;
+}
+
 std::vector<std::string> method_words() {
   std::vector<std::string> words{std::string(automatic_method)};
   for (const ContactMethodEntry& method : contact_method_table()) words.emplace_back(method.name);
@@ -220,6 +224,23 @@ std::vector<SceneKey> hand_keys() {
   };
 }
 
+std::vector<SceneKey> device_keys() {
+  using D = DeviceSettings;
+  return {
+      table_key("rotation", "", read_device_rotation),
+      number_key<device, &D::scale>("scale", 1e-6, 1e6, "metres of the world for a metre of the device"),
+      vector_key<device, &D::offset_m>("offset_m", "where the device's origin lies"),
+      number_key<device, &D::force_scale>("force_scale", 0, 1e3,
+                                          "newtons of the device for one of the world"),
+      number_key<device, &D::force_limit_n>("force_limit_n", 0, 1e3, "never more"),
+      number_key<device, &D::force_rate_limit_n_per_s>("force_rate_limit_n_per_s", 1e-3, 1e9,
+                                                       "never faster, but to 0 where it must stop"),
+      number_key<device, &D::watchdog_s>("watchdog_s", 1e-3, 1, "silence that lifts the finger"),
+      number_key<device, &D::soft_start_s>("soft_start_s", 0, 10,
+                                           "after a loss of contact the limit grows from 0 over this"),
+  };
+}
+
 }  // namespace
 
 const std::vector<SceneTable>& scene_tables() {
@@ -236,6 +257,9 @@ const std::vector<SceneTable>& scene_tables() {
       {"motion", "[motion]", "a file, or a scripted motion by its kind", motion_keys(), {"kind"}},
       {"motion.columns", "columns of [motion]", "", recording_column_keys()},
       {"hand", "[hand]", "optional: a simulated hand and device close the loop", hand_keys()},
+      {"device", "[device]", "optional: how a live device lies in the world, and what its motors may do",
+       device_keys()},
+      {"device.rotation", "rotation of [device]", "", rotation_keys()},
   };
   return tables;
 }

@@ -134,7 +134,7 @@ Scene read_scene(const TomlNode& root, const std::string& path, Missing missing)
                   "the scene has nothing to touch: it needs a [[part]] with 'mesh', or a [[plane]] with "
                   "'point_m' and 'normal'");
   }
-  for (const char* name : {"contact", "friction", "finger"}) read_table(root, name, scene);
+  for (const char* name : {"contact", "friction", "finger", "device"}) read_table(root, name, scene);
   if (const TomlNode* node = find_table(root, "motion", path)) read_motion_settings(*node, scene);
   read_hand(root, scene);
   if (const TomlNode* node = find_table(root, "motion", path)) refuse_measured_in_a_hand(*node, scene);

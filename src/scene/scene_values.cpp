@@ -32,6 +32,21 @@ void take_unit(Scene& scene, std::size_t word) {
   scene.parts.back().metres_per_unit = length_units[word].metres;
 }
 
+/// The rotation that stands at a key of a table.
+/// @param rows  of its axis and angle
+Mat3 rotation_of(const SceneKey& row, const TomlTable& owner, const SceneTable& rows, Scene& scene) {
+  const TomlNode& value = *owner.value(row.key);
+  if (!value.is(TomlNode::Type::table)) {
+    throw owner.error(row.key, fmt::format("{} must be {{ axis = [x, y, z], angle_deg = a }}, not {}",
+                                           owner.name(row.key), type_text(value.type)));
+  }
+  const TomlTable table = open_table(value, owner.file(), rows);
+  read_keys(rows, table, scene);
+  const Vec3 axis = table.direction("axis", Vec3::UnitZ());
+  const double angle_deg = table.number("angle_deg", 0, scene_key(rows, "angle_deg").range);
+  return Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();
+}
+
 }  // namespace
 
 std::string text_that_is_there(const SceneKey& row, const TomlTable& table) {
@@ -75,18 +90,11 @@ void read_mesh(const SceneKey& row, const TomlTable& part, Scene& scene) {
 }
 
 void read_rotation(const SceneKey& row, const TomlTable& part, Scene& scene) {
-  const TomlNode& value = *part.value(row.key);
-  if (!value.is(TomlNode::Type::table)) {
-    throw part.error(row.key, fmt::format("{} must be {{ axis = [x, y, z], angle_deg = a }}, not {}",
-                                          part.name(row.key), type_text(value.type)));
-  }
-  const SceneTable& rows = scene_table("part.rotation");
-  const TomlTable table = open_table(value, part.file(), rows);
-  read_keys(rows, table, scene);
-  const Vec3 axis = table.direction("axis", Vec3::UnitZ());
-  const double angle_deg = table.number("angle_deg", 0, scene_key(rows, "angle_deg").range);
-  scene.parts.back().rotation =
-      Eigen::AngleAxisd(angle_deg * std::numbers::pi / 180, axis).toRotationMatrix();
+  scene.parts.back().rotation = rotation_of(row, part, scene_table("part.rotation"), scene);
+}
+
+void read_device_rotation(const SceneKey& row, const TomlTable& device, Scene& scene) {
+  scene.device.rotation = rotation_of(row, device, scene_table("device.rotation"), scene);
 }
 
 void read_vibration(const SceneKey& row, const TomlTable& friction, Scene& scene) {

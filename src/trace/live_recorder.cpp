@@ -4,6 +4,8 @@
 #include <chrono>
 #include <utility>
 
+#include "base/error.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -13,7 +15,10 @@ constexpr std::chrono::milliseconds flush_interval{50};
 }  // namespace
 
 LiveRecorder::LiveRecorder(std::unique_ptr<TraceWriter> writer, std::size_t capacity)
-    : writer_(std::move(writer)), ring_(std::max<std::size_t>(capacity, 1)) {
+    : LiveRecorder(std::move(writer), Watch{}, capacity) {}
+
+LiveRecorder::LiveRecorder(std::unique_ptr<TraceWriter> writer, Watch watch, std::size_t capacity)
+    : writer_(std::move(writer)), watch_(std::move(watch)), ring_(std::max<std::size_t>(capacity, 1)) {
   batch_.reserve(ring_.size());
   thread_ = std::thread([this] { run(); });
 }
@@ -47,10 +52,13 @@ void LiveRecorder::drain() {
   try {
     writer_->append(batch_);
     writer_->flush();
+    const std::string fault = watch_.place_fault ? watch_.place_fault() : std::string();
+    if (!fault.empty()) throw Error(ErrorKind::fault, "", fault);
     recorded_.fetch_add(static_cast<long>(batch_.size()), std::memory_order_relaxed);
-  } catch (...) {
+  } catch (const std::exception& error) {
     error_ = std::current_exception();
     failed_.store(true, std::memory_order_relaxed);
+    if (watch_.tell) watch_.tell(error.what());
   }
 }
 

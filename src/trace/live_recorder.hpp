@@ -3,8 +3,10 @@
 #include <atomic>
 #include <condition_variable>
 #include <exception>
+#include <functional>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -16,8 +18,17 @@ namespace fingerpad {
 /// them and flushes at least every 0.1 s, so that the servo never waits for the disk.
 class LiveRecorder {
  public:
+  /// What to do while it records, on the writer's thread.
+  struct Watch {
+    /// What is wrong with the file's place since it was opened, asked at every flush; empty: nothing.
+    std::function<std::string()> place_fault{};
+    /// Told once, at once, when the recording can go no further.
+    std::function<void(const std::string& why)> tell{};
+  };
+
   /// @param capacity  ticks that the ring holds while the disk is slow
   explicit LiveRecorder(std::unique_ptr<TraceWriter> writer, std::size_t capacity = 1 << 15);
+  LiveRecorder(std::unique_ptr<TraceWriter> writer, Watch watch, std::size_t capacity = 1 << 15);
   LiveRecorder(const LiveRecorder&) = delete;
   LiveRecorder& operator=(const LiveRecorder&) = delete;
   /// Finishes; an error is swallowed (call finish() to hear of it).
@@ -43,6 +54,7 @@ class LiveRecorder {
   void stop();
 
   std::unique_ptr<TraceWriter> writer_;
+  Watch watch_;
   std::vector<TickRecord> ring_;
   std::atomic<std::size_t> pushed_{0},
       taken_{0};  // counts since the start; the ring's places are their remainders

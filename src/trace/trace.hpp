@@ -30,6 +30,7 @@ struct TraceInfo {
   bool estimated = false;      ///< the velocity, which is not the positions' difference
   bool turning = false;        ///< the direction of a finger that turns
   bool attitudes = false;      ///< its attitude
+  bool sent = false;           ///< what a device with motors was sent of the force
   std::vector<std::string>
       motion_notes;             ///< how it was read and what was made of it (LoadedMotion), a line each
   std::string profile_text;     ///< the profile file's text, empty without one

@@ -27,7 +27,8 @@ enum class ColumnOf {
   hands,          ///< TraceInfo::in_hand
   estimated,      ///< TraceInfo::estimated
   turning,        ///< TraceInfo::turning
-  attitudes       ///< TraceInfo::attitudes
+  attitudes,      ///< TraceInfo::attitudes
+  sent            ///< TraceInfo::sent
 };
 
 /// One column of a trace: all that is known of it. Writers, readers, exports and the documentation go by

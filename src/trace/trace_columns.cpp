@@ -46,7 +46,8 @@ constexpr std::string_view encoded = "of a `[hand]`: the finger as its encoders 
                            pushed = "of a `[hand]`: what it pushed the finger with",
                            seen = "where it is estimated from an encoder's readings: the finger's velocity",
                            pointed = "of a finger that turns: its direction, towards the tip",
-                           turned = "of a finger that turns: its attitude, finger to world";
+                           turned = "of a finger that turns: its attitude, finger to world",
+                           sent = "of a device with motors: what it was sent, in the world's axes";
 
 /// What says whether a trace has such columns; nullptr where nothing needs to.
 bool TraceInfo::*flag_of(ColumnOf of) noexcept {
@@ -59,6 +60,8 @@ bool TraceInfo::*flag_of(ColumnOf of) noexcept {
       return &TraceInfo::turning;
     case ColumnOf::attitudes:
       return &TraceInfo::attitudes;
+    case ColumnOf::sent:
+      return &TraceInfo::sent;
     case ColumnOf::several_walls:
       return &TraceInfo::several_walls;
     case ColumnOf::every_trace:
@@ -125,6 +128,9 @@ std::span<const TraceColumn> trace_columns() noexcept {
       only(ColumnOf::attitudes, column<&R::attitude, 1>("qx", "1", turned)),
       only(ColumnOf::attitudes, column<&R::attitude, 2>("qy", "1", turned)),
       only(ColumnOf::attitudes, column<&R::attitude, 3>("qz", "1", turned)),
+      only(ColumnOf::sent, column<&R::sent_W_n, 0>("sx_n", "N", sent)),
+      only(ColumnOf::sent, column<&R::sent_W_n, 1>("sy_n", "N", sent)),
+      only(ColumnOf::sent, column<&R::sent_W_n, 2>("sz_n", "N", sent)),
   };
   return table;
 }

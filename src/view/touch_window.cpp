@@ -70,6 +70,7 @@ class TouchWindow {
                                      "arrow keys: move the finger on the surface",
                                      "drag beside part: turn the view",
                                      "+, -: view nearer, farther"};
+    if (input.toggle_stop) help.insert(help.begin(), "x: emergency stop, and the force back");
     for (std::string& line : common_help()) {
       const bool taken = line.starts_with("left drag") || line.starts_with("right drag");
       if (line.starts_with("c: ")) continue;  // there is no path to colour
@@ -126,6 +127,10 @@ class TouchWindow {
   }
 
   bool touch_key(const std::string& key) {
+    if (key == "x" && input_.toggle_stop) {
+      input_.toggle_stop();
+      return true;
+    }
     const double step_m = 0.004 * stage_.scene()->GetActiveCamera()->GetParallelScale() * 1e-3 * 2;
     const Vec3 up = Vec3(stage_.scene()->GetActiveCamera()->GetViewUp());
     const Vec3 right = Vec3(stage_.scene()->GetActiveCamera()->GetDirectionOfProjection()).cross(up);
@@ -163,6 +168,10 @@ class TouchWindow {
     const TickRecord& row = history_.rows().back();
     stage_.show(row, history_.speed_m_per_s());
     stage_.expect_force(row.force_W_n.norm());
+    if (input_.is_stopped && input_.is_stopped()) {
+      stage_.show_title_note("STOPPED: no force on the device   x gives it back   h help");
+      return;
+    }
     stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", input_.note,
                                        input_.note.empty() ? "" : "   ", target_.press_n(),
                                        target_.pressing() ? "pressing" : "hovering"));

@@ -18,6 +18,9 @@ struct TouchWindowInput {
   std::function<TickRecord()> latest;
   /// The ticks of the last seconds, oldest first; may begin later.
   std::function<std::vector<TickRecord>(double seconds)> recent;
+  /// Holds the force on a device at 0, or gives it back, and whether it is held; none where it has no motors.
+  std::function<void()> toggle_stop;
+  std::function<bool()> is_stopped;
   std::string note;  ///< in the title line, as "recording run.h5"
 };
 

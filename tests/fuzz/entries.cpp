@@ -21,7 +21,9 @@ std::vector<FuzzEntry> all_entries() {
                                  {"trace_csv", fuzz_trace_csv},
                                  {"trace_hdf5", fuzz_trace_hdf5},
                                  {"trace_hdf5_bytes", fuzz_trace_hdf5_bytes},
-                                 {"trace_told", fuzz_trace_told}});
+                                 {"trace_told", fuzz_trace_told},
+                                 {"device_packets", fuzz_device_packets},
+                                 {"haply_frame", fuzz_haply_frame}});
   return entries;
 }
 

@@ -36,5 +36,9 @@ void fuzz_trace_hdf5(std::string_view bytes);
 void fuzz_trace_hdf5_bytes(std::string_view bytes);
 /// The bytes are what the child that reads an HDF5 trace tells its parent; it may have lost its mind.
 void fuzz_trace_told(std::string_view bytes);
+/// The bytes are packets of a device on the network, one behind the other.
+void fuzz_device_packets(std::string_view bytes);
+/// The bytes are a frame of Haply's Inverse Service.
+void fuzz_haply_frame(std::string_view bytes);
 
 }  // namespace fingerpad::test

@@ -70,7 +70,7 @@ TEST(AddedDevice, IsFoundToldAndMade) {
   const DeviceEntry* still = find_device("still");
   ASSERT_NE(still, nullptr);
   EXPECT_THAT(device_help_text(), HasSubstr("  still            a finger that stays where it is\n"));
-  const auto device = still->make({0, Vec3(1, 2, 3)});
+  const auto device = still->make({Scene{}, nullptr, {0, Vec3(1, 2, 3)}});
   device->set_target({0, Vec3(4, 5, 6)});
   EXPECT_EQ(device->advance(0.5).p_WQ, Vec3(1, 2, 3));
   EXPECT_EQ(find_device("stil"), nullptr);

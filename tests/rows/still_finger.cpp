@@ -19,8 +19,8 @@ class StillFinger final : public LiveDevice {
 
 DeviceEntry still_device() noexcept {
   return {"still", "a finger that stays where it is",
-          [](const FingerSample& start) -> std::unique_ptr<LiveDevice> {
-            return std::make_unique<StillFinger>(start);
+          [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
+            return std::make_unique<StillFinger>(setup.start);
           }};
 }
 

@@ -19,7 +19,7 @@ TEST(SceneKeys, EachHasItsRowOnceAndReadsOrIsReadWithItsTable) {
     std::set<std::string_view> keys;
     for (const SceneKey& row : table.keys) {
       EXPECT_TRUE(keys.insert(row.key).second) << table.heading << " " << row.key;
-      EXPECT_EQ(row.read == nullptr, table.name == "part.rotation") << row.key;
+      EXPECT_EQ(row.read == nullptr, table.name.ends_with(".rotation")) << row.key;
       EXPECT_TRUE(row.default_word.empty() ||
                   std::find(row.words.begin(), row.words.end(), row.default_word) != row.words.end())
           << row.key;
@@ -54,6 +54,9 @@ TEST(SceneKeys, TheShownFileIsASceneOfTheDefaults) {
   EXPECT_EQ(shown.friction.settings.remedy, plain.friction.settings.remedy);
   EXPECT_FALSE(shown.friction.vibration);
   EXPECT_LT((shown.finger.direction - plain.finger.direction).norm(), 1e-4);  // four digits are shown
+  EXPECT_EQ(shown.device.rotation, plain.device.rotation);
+  EXPECT_EQ(shown.device.force_limit_n, plain.device.force_limit_n);
+  EXPECT_EQ(shown.device.watchdog_s, plain.device.watchdog_s);
   EXPECT_EQ(shown.motion.rate_hz, plain.motion.rate_hz);
   EXPECT_EQ(shown.hand->mass_kg, plain.hand->mass_kg);
   EXPECT_EQ(shown.hand->encoder_m, plain.hand->encoder_m);

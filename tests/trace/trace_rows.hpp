@@ -51,6 +51,7 @@ inline std::vector<TickRecord> told_rows(long count) {
     r.velocity_W = Vec3(1.0 / 3, -0.0, r.t_s);
     r.direction_W = Vec3(0, 0.6, -0.8);
     r.attitude << 0.5, -0.5, 0.5, -0.5;
+    r.sent_W_n = Vec3(0.1, -0.0, 1.0 / 3);
   }
   return rows;
 }
@@ -83,7 +84,7 @@ inline TraceInfo some_info() {
 /// Of told_rows.
 inline TraceInfo told_info() {
   TraceInfo info = some_info();
-  info.several_walls = info.in_hand = info.estimated = info.turning = info.attitudes = true;
+  info.several_walls = info.in_hand = info.estimated = info.turning = info.attitudes = info.sent = true;
   return info;
 }
 

@@ -35,6 +35,7 @@ struct TickRecord {
   Vec3 velocity_W = Vec3::Constant(nan);   ///< of the finger, as friction was told it [m/s]
   Vec3 direction_W = Vec3::Constant(nan);  ///< of a finger that turns
   Wxyz attitude = Wxyz::Constant(nan);     ///< of a finger whose attitude is known: a unit quaternion
+  Vec3 sent_W_n = Vec3::Constant(nan);     ///< what a device with motors was sent, within its limits [N]
   bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces
   bool started_inside = false;  ///< a proxy was put down here although the finger was inside, or found no
                                 ///< place where it fits; not in traces

@@ -1,0 +1,63 @@
+#include "device/hand_finger.hpp"
+
+#include "device/device_table.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// Follows a mouse closely, yet smooths a screen's 60 positions a second.
+constexpr double chase_bandwidth_hz = 8;
+
+HandSettings felt_hand(const DeviceSetup& setup) {
+  HandSettings settings = setup.hand.value_or(HandSettings{});
+  settings.encoder_m = 0;
+  return settings;
+}
+
+}  // namespace
+
+HandFinger::HandFinger(const DeviceSetup& setup, double dt_s)
+    : settings_(felt_hand(setup)),
+      hand_(settings_, dt_s),
+      intended_(setup.start.p_WQ, chase_bandwidth_hz),
+      dt_s_(dt_s),
+      finger_(setup.start),
+      target_(setup.start),
+      seen_target_(setup.start) {
+  hand_.start(setup.start.p_WQ);
+}
+
+void HandFinger::set_target(const FingerSample& target) {
+  const std::lock_guard lock(mutex_);
+  target_ = target;
+}
+
+FingerSample HandFinger::advance(double) {
+  {
+    const std::unique_lock lock(mutex_, std::try_to_lock);
+    if (lock.owns_lock()) seen_target_ = target_;
+  }
+  finger_.p_WQ = hand_.position_W();
+  finger_.direction_W = seen_target_.direction_W;
+  return finger_;
+}
+
+/// The hand goes on under the force of this tick.
+void HandFinger::feel(const TickRecord& tick) noexcept {
+  const Vec3 intended_W = intended_.place_m();
+  // A pointer that says what to press with is followed as deep as the hand's spring needs for that.
+  const Vec3 wanted_W = seen_target_.p_WQ + seen_target_.push_W_n / settings_.stiffness_n_per_m;
+  const Vec3 next_W = intended_.advance(wanted_W.allFinite() ? wanted_W : intended_W, dt_s_);
+  hand_.advance(intended_W, next_W, tick.force_W_n);
+}
+
+DeviceEntry hand_device() noexcept {
+  return {.name = "hand",
+          .doc = "a simulated hand (the scene's [hand]) that chases the mouse, in the window",
+          .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
+            return std::make_unique<HandFinger>(setup, 1 / setup.scene.motion.rate_hz);
+          },
+          .needs_window = true};
+}
+
+}  // namespace fingerpad

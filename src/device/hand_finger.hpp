@@ -1,0 +1,33 @@
+#pragma once
+
+#include <mutex>
+
+#include "device/follower.hpp"
+#include "device/live_device.hpp"
+#include "motion/simulated_hand.hpp"
+
+namespace fingerpad {
+
+/// The simulated hand of the scene's [hand], or of its defaults, chasing the mouse: a mass on a spring that
+/// the surface pushes back. What it does to the finger is what `replay` does with a motion and a [hand], but
+/// that the finger's own place is felt, not an encoder's reading of it.
+class HandFinger final : public LiveDevice {
+ public:
+  HandFinger(const DeviceSetup& setup, double dt_s);
+
+  FingerSample advance(double dt_s) override;
+  void feel(const TickRecord& tick) noexcept override;
+  void set_target(const FingerSample& target) override;
+
+ private:
+  HandSettings settings_;
+  SimulatedHand hand_;
+  Follower intended_;  ///< where the mouse goes, as a hand would follow it
+  double dt_s_;
+  FingerSample finger_;
+  std::mutex mutex_;
+  FingerSample target_;       // guarded by mutex_
+  FingerSample seen_target_;  // servo thread
+};
+
+}  // namespace fingerpad

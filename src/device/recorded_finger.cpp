@@ -1,0 +1,43 @@
+#include "device/recorded_finger.hpp"
+
+#include <fmt/format.h>
+
+#include "device/device_table.hpp"
+#include "trace/motion_source.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// The rate at which `replay` would follow the scene's motion.
+double rate_of_motion_hz(const Scene& scene) {
+  return scene.motion.has_own_rate() ? load_motion(scene).path.rate_hz() : scene.motion.rate_hz;
+}
+
+}  // namespace
+
+RecordedFinger::RecordedFinger(const DeviceSetup& setup)
+    : path_(load_motion(setup.scene).path.with_rate(setup.scene.motion.rate_hz)) {
+  const MotionSettings& motion = setup.scene.motion;
+  words_ = fmt::format("{}, {:.4g} s, {} ticks", motion.file.empty() ? "a scripted motion" : motion.file,
+                       path_.end_s() - path_.start_s(), path_.tick_count());
+}
+
+FingerSample RecordedFinger::advance(double) {
+  if (next_ < path_.tick_count()) return path_.at(next_++);
+  ended_.store(true, std::memory_order_relaxed);
+  FingerSample last = path_.at(path_.tick_count() - 1);
+  last.velocity_W.reset();
+  last.normal_force_n.reset();
+  return last;
+}
+
+DeviceEntry recorded_device() noexcept {
+  return {.name = "recorded",
+          .doc = "the scene's own motion (a table, a trace, a script), in real time",
+          .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
+            return std::make_unique<RecordedFinger>(setup);
+          },
+          .rate_hz = rate_of_motion_hz};
+}
+
+}  // namespace fingerpad

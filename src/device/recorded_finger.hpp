@@ -1,0 +1,28 @@
+#pragma once
+
+#include <atomic>
+
+#include "device/live_device.hpp"
+
+namespace fingerpad {
+
+/// The finger of the scene's own motion, in real time: tick k of the touch is tick k of the motion, so that
+/// it feels what `replay` writes.
+class RecordedFinger final : public LiveDevice {
+ public:
+  /// Throws Error (refused) where the scene has no motion, or it cannot be read.
+  explicit RecordedFinger(const DeviceSetup& setup);
+
+  /// The next tick of the motion; after its end the last one, at rest.
+  FingerSample advance(double dt_s) override;
+  bool has_ended() const noexcept override { return ended_.load(std::memory_order_relaxed); }
+  std::string opening_words() const override { return words_; }
+
+ private:
+  FingerPath path_;
+  std::string words_;
+  long next_ = 0;
+  std::atomic<bool> ended_{false};
+};
+
+}  // namespace fingerpad

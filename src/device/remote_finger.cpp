@@ -1,0 +1,60 @@
+#include "device/remote_finger.hpp"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace fingerpad {
+
+RemoteFinger::RemoteFinger(const DeviceSettings& settings, const FingerSample& rest, double radius_m) noexcept
+    : guard_(settings),
+      workspace_(settings, rest),
+      rest_(rest),
+      watchdog_s_(settings.watchdog_s),
+      radius_m_(radius_m) {}
+
+void RemoteFinger::hear(const DeviceReading& reading) noexcept {
+  last_ = reading;
+}
+
+FingerSample RemoteFinger::advance(std::int64_t now_ns, double dt_s) noexcept {
+  dt_s_ = dt_s;
+  const double silence_s = 1e-9 * static_cast<double>(now_ns - last_.arrived_ns);
+  const bool silent = last_.accepted == 0 || silence_s >= watchdog_s_;
+  tripped_ |= silent && !lifted_;
+  lifted_ = silent;
+  return lifted_ ? rest_ : workspace_.finger(last_.place);
+}
+
+Vec3 RemoteFinger::torque_D_n_m(const TickRecord& tick, const Vec3& force_D_n) const noexcept {
+  if (!(radius_m_ > 0) || !tick.normal_W.allFinite()) return Vec3::Zero();
+  const Vec3 arm_W_m = -radius_m_ * tick.normal_W;  // from the pad's centre to where it touches
+  return (workspace_.in_device(arm_W_m) / workspace_.scale()).cross(force_D_n);
+}
+
+DeviceAnswer RemoteFinger::feel(const TickRecord& tick, std::int64_t now_ns, bool is_sent) noexcept {
+  DeviceAnswer answer;
+  const bool touching = tick.phase != Phase::free && !lifted_;
+  // A clutched device is moved without its finger, which then must not push it.
+  if (lifted_ || last_.place.clutch) guard_.release();
+  const bool wanted = touching && !last_.place.clutch;
+  // A servo that was held up makes its ticks good in a burst: what the motors may do goes by the clock then.
+  const double since_s = 1e-9 * static_cast<double>(now_ns - felt_ns_);
+  const double allowed_s = std::clamp(since_s, 1e-9, dt_s_);
+  felt_ns_ = now_ns;
+  const MotorGuard::Sent sent = guard_.next(workspace_.force_D_n(tick.force_W_n), wanted, allowed_s);
+  answer.force_D_n = sent.force_D_n;
+  answer.limited = sent.limited || (touching && !wanted);
+  answer.torque_D_n_m = touching ? torque_D_n_m(tick, sent.force_D_n) : Vec3::Zero();
+  answer.phase = touching ? tick.phase : Phase::free;
+  answer.depth_m = touching ? tick.depth_m : 0;
+  answer.watchdog_tripped = tripped_;
+  answer.stopped = guard_.stopped();
+  answer.made_ns = now_ns;
+  answer.sequence = last_.sequence;
+  answer.accepted = last_.accepted;
+  if (is_sent) tripped_ = false;
+  sent_W_n_ = workspace_.in_world(sent.force_D_n);
+  return answer;
+}
+
+}  // namespace fingerpad
