@@ -15,6 +15,7 @@ struct DeviceEntry {
   std::string_view doc;   ///< what moves the finger, in a line
   /// @param setup  outlives the call only
   std::unique_ptr<LiveDevice> (*make)(const DeviceSetup& setup);
+  std::string_view also{};  ///< another name that `--device` takes
 };
 
 /// All live devices, the default one first.

@@ -69,9 +69,9 @@ TEST(NearMiss, OfADeviceIsToldWithTheDevices) {
   const auto result = test::fingerpad("touch scenes/sweep.toml --device poiner", folder_with_scenes());
   EXPECT_EQ(result.exit_code, 2);
   EXPECT_THAT(result.err, AllOf(HasSubstr("--device"), HasSubstr("unknown device 'poiner'; did you mean "
-                                                                 "'pointer'? (known: pointer)")));
+                                                                 "'pointer'? (known: mouse, pointer)")));
   const auto help = test::fingerpad("touch --help", folder_with_scenes());
-  EXPECT_THAT(help.out, HasSubstr("  pointer          the mouse and the keyboard"));
+  EXPECT_THAT(help.out, HasSubstr("  mouse            the mouse and the keyboard"));
 }
 #endif
 
