@@ -11,6 +11,8 @@ constexpr double without_end = std::numeric_limits<double>::infinity();
 constexpr double flight_bandwidth_hz = 8;
 /// What the finger keeps from the parts where there is room, in their size, and the least of it.
 constexpr double soft_share = 0.01, least_share = 0.3;
+/// With no room at all it goes so far away from what it touches, in what it would keep.
+constexpr double least_step_share = 1e-3;
 /// Where so little of a step is left along a wall, the wall is in the way.
 constexpr double blocked_share = 0.3;
 /// How fast it goes over what is in the way [sizes of the parts a second].
@@ -93,7 +95,7 @@ Vec3 FreeFlight::within_room(const Vec3& step_W) const noexcept {
   const bool tight = free_m < 1.2 * least_m;
   const double room_m = tight ? 0.3 * free_m : free_m - least_m, length_m = step_W.norm();
   const Vec3 step = length_m > room_m ? Vec3(step_W * (room_m / length_m)) : step_W;
-  return tight ? Vec3(step + 0.4 * free_m * clearance_.away_W) : step;
+  return tight ? Vec3(step + (0.4 * free_m + least_step_share * soft_m_) * clearance_.away_W) : step;
 }
 
 /// Whether it has come no nearer to the end of its way for a while.
@@ -120,7 +122,7 @@ void FreeFlight::choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& 
   const double lacks_m = held_up ? std::max(0.0, soft_m_ - around_.at(goal_W_, soft_m_).free_m) : 0.0;
   const bool near_enough = held_up && (given_up || left_m < soft_m_ + 3 * lacks_m);
   rests_ = way_ == Way::straight && (left_m < 0.5 * soft_m_ || near_enough);
-  if (held_up && !rests_) take(Way::out);
+  if (held_up && !rests_) take(Way::up);
 }
 
 void FreeFlight::give_up() noexcept {
@@ -128,20 +130,25 @@ void FreeFlight::give_up() noexcept {
   take(Way::straight);
 }
 
+/// One step up or out, from where a way round leads to every goal that is seen.
+Vec3 FreeFlight::leave(const Vec3& here_W, const Vec3& towards_eye_W, double dt_s) noexcept {
+  const bool up = way_ == Way::up;
+  const Vec3 step_W = up ? along_walls(speed_m_per_s_ * dt_s * towards_eye_W) : out(dt_s);
+  const double left_m = up ? -here_W.dot(towards_eye_W) : trail_.length_m(place_W());
+  if (here_W.norm() > ball_m_) {
+    take(Way::round);
+  } else if (is_held_up(left_m, dt_s)) {
+    up ? take(Way::out) : give_up();
+  }
+  return step_W;
+}
+
 Vec3 FreeFlight::next_step(const Vec3& goal_W, const Vec3& straight_W, const Vec3& towards_eye_W,
                            double dt_s) noexcept {
   const Vec3 from_W = place_W(), way_W = goal_W - from_W;
   const Vec3 aside_W = way_W - way_W.dot(towards_eye_W) * towards_eye_W;
   const Vec3 here_W = from_W - around_.middle_W();
-  if (way_ == Way::out) {
-    const Vec3 step_W = out(dt_s);
-    if (here_W.norm() > ball_m_) {
-      take(Way::round);
-    } else if (is_held_up(trail_.length_m(from_W), dt_s)) {
-      give_up();
-    }
-    return step_W;
-  }
+  if (way_ == Way::up || way_ == Way::out) return leave(here_W, towards_eye_W, dt_s);
   if (way_ == Way::round) {
     const Vec3 step_W = round_all(goal_W, towards_eye_W, dt_s);
     if (way_ == Way::round && is_held_up(-here_W.normalized().dot(towards_eye_W) * ball_m_, dt_s)) give_up();

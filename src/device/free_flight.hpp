@@ -7,9 +7,11 @@
 namespace fingerpad {
 
 /// A finger on its way through free space. It goes straight to its goal, along what is in the way; where
-/// that leads nowhere, up towards the eye and over it; and where that leads nowhere either, as after the
-/// view was turned, out by the way it came, round all parts, and down to the goal from the eye's side. No
-/// step is longer than the finger is free, so it touches nothing, whatever the goal and the parts.
+/// that leads nowhere, over it, aside where it can and else up towards the eye; then up alone, above all
+/// parts, and down to the goal; and where there is no way up, as after the view was turned, out by the way by
+/// which it came and round to the eye's side. A step is no longer than the finger is free, so it touches
+/// nothing, whatever the goal and the parts; only where it has no room at all a step is a thousandth of the
+/// distance that it would keep.
 class FreeFlight {
  public:
   /// @param around  kept by reference
@@ -36,12 +38,13 @@ class FreeFlight {
   bool has_arrived() const noexcept { return rests_; }
 
  private:
-  enum class Way { straight, over, out, round };
+  enum class Way { straight, over, up, out, round };
 
   Vec3 along_walls(const Vec3& step_W) const noexcept;
   Vec3 next_step(const Vec3& goal_W, const Vec3& straight_W, const Vec3& towards_eye_W, double dt_s) noexcept;
   Vec3 over_it(const Vec3& aside_W, const Vec3& towards_eye_W, double dt_s) const noexcept;
   Vec3 out(double dt_s) noexcept;
+  Vec3 leave(const Vec3& here_W, const Vec3& towards_eye_W, double dt_s) noexcept;
   Vec3 round_all(const Vec3& goal_W, const Vec3& towards_eye_W, double dt_s) noexcept;
   Vec3 within_room(const Vec3& step_W) const noexcept;
   void choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& towards_eye_W, bool blocked,

@@ -5,19 +5,14 @@
 #include <limits>
 
 #include "device/device_table.hpp"
+#include "device/press_step.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// What a tick's step may add to the normal force by going in, in the force that is asked for.
-constexpr double step_share = 0.1;
-/// Of what the normal force lacks or has too much, so much is made good in a tick.
-constexpr double correction = 0.3;
 /// A step is made where it leaves the force below so many times what is asked for. Less than twice: what
 /// foresight cannot tell, as vibration, comes on top.
 constexpr double tried_share = 1.5, surely_share = 1.8;
-/// From so many times the force on, the finger gives way and does nothing else.
-constexpr double too_hard = 1.3;
 /// How soon a pressed finger follows the pointer aside, and how fast at most [sizes of the parts a second].
 constexpr double aside_per_s = 50, fastest_per_s = 8, slow_share = 0.05;
 /// What is farther from the finger than this does not lead it over the surface [sizes of the parts] ...
@@ -108,7 +103,7 @@ PointerFinger::Doing PointerFinger::next_doing(double dt_s) noexcept {
   }
   if (doing_ == Doing::lifts) return after_lifting();
   if (doing_ == Doing::lands) return after_landing();
-  if (!wants || is_beyond() || !(flight_.has_arrived() || is_over(4))) return Doing::flies;
+  if (!wants || !can_land(4)) return Doing::flies;
   nearest_m_ = std::numeric_limits<double>::infinity();
   delay_s_ = 0;
   return Doing::lands;
@@ -120,19 +115,17 @@ PointerFinger::Doing PointerFinger::after_lifting() const noexcept {
 }
 
 PointerFinger::Doing PointerFinger::after_landing() const noexcept {
-  if (!(wanted_n_ > 0)) return Doing::flies;
-  return is_beyond() || !(flight_.has_arrived() || is_over(8)) ? Doing::flies : Doing::lands;
+  return wanted_n_ > 0 && can_land(8) ? Doing::lands : Doing::flies;
 }
 
-/// Whether the finger is behind the place that it should press on. @pre wanted_n_ > 0
-bool PointerFinger::is_beyond() const noexcept {
-  return aim_.finger.push_W_n.dot(flight_.place_W() - aim_.finger.p_WQ) > 2 * flight_.soft_m() * wanted_n_;
-}
-
-/// Whether the place to press on is so near that a finger which comes down meets it, though the pointer goes
-/// on. @pre wanted_n_ > 0
-bool PointerFinger::is_over(double soft_shares) const noexcept {
-  return (aim_.finger.p_WQ - flight_.place_W()).norm() < soft_shares * flight_.soft_m();
+/// Whether a finger that comes down meets the place to press on, or, where it has no room there, what is
+/// beside it: it is in front of the place and near. @pre wanted_n_ > 0
+bool PointerFinger::can_land(double soft_shares) const noexcept {
+  const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W();
+  const double soft_m = flight_.soft_m(), away_m = way_W.norm();
+  if (aim_.finger.push_W_n.dot(way_W) < -2 * soft_m * wanted_n_) return false;
+  return away_m < soft_shares * soft_m ||
+         (flight_.has_arrived() && away_m < 10 * soft_m + around_.finger_radius_m());
 }
 
 /// Whether what the pointer wants can be reached over the surface.
@@ -179,7 +172,7 @@ void PointerFinger::fly(double dt_s) noexcept {
 void PointerFinger::land(double dt_s) noexcept {
   const double far_m = landing_m_per_s * dt_s;
   const double free_m = std::max(0.0, around_.at(flight_.place_W(), far_m).free_m);
-  const double into_m = step_share * wanted_n_ / around_.stiffest_n_per_m(dt_s);
+  const double into_m = press_step_share * wanted_n_ / around_.stiffest_n_per_m(dt_s);
   const Vec3 down_W = aim_.finger.push_W_n / wanted_n_;
   landed_for_W_ = aim_.finger.p_WQ;
   const Vec3 there_W = landed_for_W_ - flight_.place_W();
@@ -193,23 +186,9 @@ void PointerFinger::land(double dt_s) noexcept {
   try_step(Vec3::Zero(), std::numeric_limits<double>::infinity(), dt_s);
 }
 
-/// How much deeper the finger goes, or less deep. Along the normal, away from the place on the surface, all
-/// walls' shares grow and shrink as the depth does, whatever their angles.
-double PointerFinger::deeper_m(double dt_s) const noexcept {
-  const SurfaceProperties& surface = around_.properties(std::max(touched_.surface, 0));
-  const double stiffness_n_per_m = surface.stiffness_n_per_m + surface.damping_n_s_per_m / dt_s;
-  const double most_m = step_share * wanted_n_ / stiffness_n_per_m;
-  const double felt_n = touched_.normal_force_n, depth_m = touched_.depth_m;
-  if (!(felt_n > 0)) return most_m;
-  const double lacks = wanted_n_ / felt_n - 1;
-  if (felt_n > too_hard * wanted_n_) return depth_m * lacks;
-  // A damper answers to the step itself: the stiffer it is, the smaller the correction.
-  return std::min(depth_m * lacks * correction * surface.stiffness_n_per_m / stiffness_n_per_m, most_m);
-}
-
 /// Along the surface after the pointer; slowly where that has led no nearer for a while.
 Vec3 PointerFinger::aside(double dt_s) const noexcept {
-  if (touched_.normal_force_n > too_hard * wanted_n_) return Vec3::Zero();
+  if (touched_.normal_force_n > press_too_hard * wanted_n_) return Vec3::Zero();
   const Vec3& normal_W = touched_.normal_W;
   const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W();
   const Vec3 along_W = way_W - way_W.dot(normal_W) * normal_W;
@@ -221,7 +200,9 @@ Vec3 PointerFinger::aside(double dt_s) const noexcept {
 
 void PointerFinger::press(double dt_s) noexcept {
   flight_.note_way(flight_.place_W() + (touched_.depth_m + flight_.soft_m()) * touched_.normal_W);
-  const Vec3 deeper_W = -deeper_m(dt_s) * touched_.normal_W;
+  const Vec3 deeper_W =
+      -deeper_m(touched_, wanted_n_, around_.properties(std::max(touched_.surface, 0)), dt_s) *
+      touched_.normal_W;
   Vec3 aside_W = aside(dt_s);
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
     if (try_step(deeper_W + aside_W, tried_share * wanted_n_, dt_s)) return;
@@ -249,9 +230,13 @@ void PointerFinger::lift(double dt_s) noexcept {
     give_way(touched_.normal_force_n, dt_s);
     return;
   }
-  const double free_m = std::max(0.0, around_.at(flight_.place_W(), flight_.soft_m()).free_m);
+  const Clearance clearance = around_.at(flight_.place_W(), flight_.soft_m());
+  const double free_m = std::max(0.0, clearance.free_m);
   flight_.note_free(free_m);
-  Vec3 step_W = std::min(fast_m, 0.5 * free_m + 1e-3 * flight_.soft_m()) * out_W_;
+  // Beside what was touched another wall may stand.
+  const Vec3 way_W = out_W_ + clearance.away_W;
+  Vec3 step_W =
+      std::min(fast_m, 0.5 * free_m + 1e-3 * flight_.soft_m()) * way_W / std::max(1.0, way_W.norm());
   for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
     if (try_step(step_W, 0, dt_s)) return;
   }
@@ -259,11 +244,12 @@ void PointerFinger::lift(double dt_s) noexcept {
 }
 
 DeviceEntry pointer_device() noexcept {
-  return {"mouse", "the mouse and the keyboard, in the window: a hand of bounded force",
-          [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
+  return {.name = "mouse",
+          .doc = "the mouse and the keyboard, in the window: a hand of bounded force",
+          .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<PointerFinger>(setup);
           },
-          "pointer"};
+          .also = "pointer"};
 }
 
 }  // namespace fingerpad

@@ -32,8 +32,7 @@ class PointerFinger final : public LiveDevice {
   Doing after_lifting() const noexcept;
   Doing after_landing() const noexcept;
   bool is_touching() const noexcept { return touched_.walls > 0; }
-  bool is_beyond() const noexcept;
-  bool is_over(double soft_shares) const noexcept;
+  bool can_land(double soft_shares) const noexcept;
   bool can_follow(double dt_s) noexcept;
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;
@@ -41,7 +40,6 @@ class PointerFinger final : public LiveDevice {
   void lift(double dt_s) noexcept;
   bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
   void give_way(double most_n, double dt_s) noexcept;
-  double deeper_m(double dt_s) const noexcept;
   Vec3 aside(double dt_s) const noexcept;
 
   Surroundings around_;
