@@ -62,6 +62,7 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
   input.view.world = world;
   input.view.scene = scene;
   input.set_target = [&](const FingerSample& target) { device.set_target(target); };
+  input.look_from = [&](const Vec3& towards_eye_W) { device.look_from(towards_eye_W); };
   input.latest = [&] { return servo.latest(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
   if (device.has_motors()) {
@@ -131,7 +132,10 @@ int touch(const TouchOptions& options) {
 std::string why_no_device(const std::string& name) {
   if (find_device(name) != nullptr) return {};
   std::vector<std::string> names;
-  for (const DeviceEntry& device : device_table()) names.emplace_back(device.name);
+  for (const DeviceEntry& device : device_table()) {
+    names.emplace_back(device.name);
+    if (!device.also.empty()) names.emplace_back(device.also);
+  }
   const std::string nearest = nearest_word(name, names);
   return fmt::format("unknown device '{}'{} (known: {})", name,
                      nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), word_list(names));

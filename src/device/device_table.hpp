@@ -15,6 +15,7 @@ struct DeviceEntry {
   std::string_view doc;   ///< what moves the finger, in a line
   /// @param setup  outlives the call only
   std::unique_ptr<LiveDevice> (*make)(const DeviceSetup& setup);
+  std::string_view also{};    ///< another name that `--device` takes
   bool needs_window = false;  ///< it follows what is done there
   /// The rate of its own motion, where it has one; null: the scene's.
   double (*rate_hz)(const Scene& scene) = nullptr;

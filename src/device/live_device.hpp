@@ -54,9 +54,13 @@ class LiveDevice {
   /// What the tick at the finger of the last advance() gave. Same thread, same rules.
   virtual void feel(const TickRecord& /*tick*/) noexcept {}
 
-  /// Where the window's pointer would have the finger. Any thread. A device with a place of its own does not
-  /// listen.
+  /// Where the window's pointer would have the finger, and what to press with (push_W_n, zero: hover), at the
+  /// time of its event (t_s, on a clock of the window's). One thread, the window's. A device with a place of
+  /// its own does not listen.
   virtual void set_target(const FingerSample& /*target*/) {}
+
+  /// From which side it looks, from the next set_target on. Same thread.
+  virtual void look_from(const Vec3& /*towards_eye_W*/) {}
 };
 
 }  // namespace fingerpad

@@ -1,48 +1,255 @@
 #include "device/pointer_finger.hpp"
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <limits>
 
 #include "device/device_table.hpp"
+#include "device/press_step.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// Follows a mouse closely, yet smooths a screen's 60 positions a second.
-constexpr double pointer_bandwidth_hz = 8;
+/// A step is made where it leaves the force below so many times what is asked for. Less than twice: what
+/// foresight cannot tell, as vibration, comes on top.
+constexpr double tried_share = 1.5, surely_share = 1.8;
+/// How soon a pressed finger follows the pointer aside, and how fast at most [sizes of the parts a second].
+constexpr double aside_per_s = 50, fastest_per_s = 8, slow_share = 0.05;
+/// What is farther from the finger than this does not lead it over the surface [sizes of the parts] ...
+constexpr double leash_share = 0.25;
+/// ... nor what it has come no nearer to for this time.
+constexpr double leash_s = 0.2;
+/// How fast it comes down where nothing is near yet, and goes up [m/s].
+constexpr double landing_m_per_s = 0.3, lifting_m_per_s = 0.5;
+/// The pointer's pace is told from so much of its way; it leads the finger on by no more than a share of the
+/// parts' size.
+constexpr double pace_s = 0.03, most_lead_share = 0.1;
+constexpr int most_lift_ticks = 100;
+/// How often a step is halved before the finger does something else.
+constexpr int most_halvings = 4;
 
 }  // namespace
 
-PointerFinger::PointerFinger(const FingerSample& start, double bandwidth_hz)
-    : omega_(2 * std::numbers::pi * bandwidth_hz), target_(start), seen_target_(start), finger_(start) {}
+PointerFinger::PointerFinger(const DeviceSetup& setup)
+    : around_(setup.world, setup.scene),
+      foresight_(setup.world, setup.scene),
+      path_({setup.start, Vec3::UnitZ()}),
+      last_put_{setup.start, Vec3::UnitZ()},
+      aim_(last_put_),
+      flight_(around_, setup.start.p_WQ),
+      finger_(setup.start),
+      landed_for_W_(setup.start.p_WQ) {}
 
 void PointerFinger::set_target(const FingerSample& target) {
-  const std::lock_guard lock(mutex_);
-  target_ = target;
+  if (!target.p_WQ.allFinite() || !target.push_W_n.allFinite() || !std::isfinite(target.t_s)) return;
+  last_put_.finger = target;
+  path_.put(last_put_);
+}
+
+void PointerFinger::look_from(const Vec3& towards_eye_W) {
+  if (towards_eye_W.allFinite() && towards_eye_W.norm() > 0)
+    last_put_.towards_eye_W = towards_eye_W.normalized();
+}
+
+void PointerFinger::feel(const TickRecord& tick) noexcept {
+  touched_ = tick;
+  if (is_touching()) out_W_ = tick.normal_W;
 }
 
 FingerSample PointerFinger::advance(double dt_s) {
-  {
-    const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (lock.owns_lock()) seen_target_ = target_;
+  const Vec3 last_W = aim_.finger.p_WQ;
+  aim_ = path_.advance(dt_s);
+  pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_W) / dt_s - pace_W_);
+  wanted_n_ = aim_.finger.push_W_n.norm();
+  doing_ = next_doing(dt_s);
+  switch (doing_) {
+    case Doing::flies:
+      fly(dt_s);
+      break;
+    case Doing::lands:
+      land(dt_s);
+      break;
+    case Doing::presses:
+      press(dt_s);
+      break;
+    case Doing::lifts:
+      lift(dt_s);
+      break;
   }
-  // The closed form of the critically damped follower over dt, the target held.
-  const double decay = std::exp(-omega_ * dt_s);
-  const Vec3 offset = finger_.p_WQ - seen_target_.p_WQ;
-  const Vec3 slope = velocity_m_per_s_ + omega_ * offset;
-  finger_.p_WQ = seen_target_.p_WQ + (offset + slope * dt_s) * decay;
-  velocity_m_per_s_ = (velocity_m_per_s_ - omega_ * slope * dt_s) * decay;
-  const Vec3 direction = finger_.direction_W * decay + seen_target_.direction_W * (1 - decay);
-  if (direction.norm() > 1e-6) finger_.direction_W = direction.normalized();
+  // Rarely, between two answers that lie within rounding, the step is not what it was when it was tried.
+  const Vec3 from_W = finger_.p_WQ;
+  const double allowed_n = std::max(surely_share * wanted_n_, touched_.normal_force_n);
+  if (foresight_.go_n(flight_.place_W(), dt_s) > allowed_n) {
+    foresight_.take_back();
+    flight_.put(from_W, Vec3::Zero());
+    give_way(tried_share * wanted_n_, dt_s);
+    foresight_.go_n(flight_.place_W(), dt_s);
+  }
+  finger_.p_WQ = flight_.place_W();
+  finger_.direction_W = aim_.finger.direction_W;
   return finger_;
 }
 
+PointerFinger::Doing PointerFinger::next_doing(double dt_s) noexcept {
+  const bool wants = wanted_n_ > 0;
+  if (is_touching()) {
+    const bool stays = wants && (doing_ == Doing::lands || doing_ == Doing::presses) && can_follow(dt_s);
+    if (!stays && doing_ != Doing::lifts) lift_ticks_ = 0;
+    return stays ? Doing::presses : Doing::lifts;
+  }
+  if (doing_ == Doing::presses) {  // it fell off an edge
+    lift_ticks_ = 0;
+    return Doing::lifts;
+  }
+  if (doing_ == Doing::lifts) return after_lifting();
+  if (doing_ == Doing::lands) return after_landing();
+  if (!wants || !can_land(4)) return Doing::flies;
+  nearest_m_ = std::numeric_limits<double>::infinity();
+  delay_s_ = 0;
+  return Doing::lands;
+}
+
+PointerFinger::Doing PointerFinger::after_lifting() const noexcept {
+  return flight_.free_m() > 0.5 * flight_.soft_m() || lift_ticks_ > most_lift_ticks ? Doing::flies
+                                                                                    : Doing::lifts;
+}
+
+PointerFinger::Doing PointerFinger::after_landing() const noexcept {
+  return wanted_n_ > 0 && can_land(8) ? Doing::lands : Doing::flies;
+}
+
+/// Whether a finger that comes down meets the place to press on, or, where it has no room there, what is
+/// beside it: it is in front of the place and near. @pre wanted_n_ > 0
+bool PointerFinger::can_land(double soft_shares) const noexcept {
+  const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W();
+  const double soft_m = flight_.soft_m(), away_m = way_W.norm();
+  if (aim_.finger.push_W_n.dot(way_W) < -2 * soft_m * wanted_n_) return false;
+  return away_m < soft_shares * soft_m ||
+         (flight_.has_arrived() && away_m < 10 * soft_m + around_.finger_radius_m());
+}
+
+/// Whether what the pointer wants can be reached over the surface.
+bool PointerFinger::can_follow(double dt_s) noexcept {
+  const Vec3& wanted_W = aim_.finger.p_WQ;
+  const double away_m = (wanted_W - flight_.place_W() - touched_.depth_m * touched_.normal_W).norm();
+  const double near_m = 2 * flight_.soft_m();
+  if (away_m < near_m || away_m < 0.98 * nearest_m_) {
+    nearest_m_ = away_m;
+    delay_s_ = 0;
+  } else {
+    delay_s_ += dt_s;
+  }
+  // Landed as near as could be, it stays until the pointer goes on.
+  if ((wanted_W - landed_for_W_).norm() < near_m) return true;
+  return delay_s_ < leash_s && away_m < near_m + leash_share * around_.radius_m();
+}
+
+/// Goes so far where that presses with no more than `most_n`.
+bool PointerFinger::try_step(const Vec3& step_W, double most_n, double dt_s) noexcept {
+  const Vec3 to_W = flight_.place_W() + step_W;
+  if (foresight_.try_n(to_W, dt_s) > most_n) return false;
+  flight_.put(to_W, step_W / dt_s);
+  return true;
+}
+
+void PointerFinger::fly(double dt_s) noexcept {
+  const Vec3 from_W = flight_.place_W();
+  Vec3 goal_W = aim_.finger.p_WQ;
+  if (wanted_n_ > 0) {
+    // Over where the pointer will be: what follows it lags, and would never land.
+    const double most_m = most_lead_share * around_.radius_m(), lead_m = flight_.lag_s() * pace_W_.norm();
+    goal_W += flight_.lag_s() * pace_W_ * std::min(1.0, most_m / std::max(lead_m, most_m));
+    goal_W -= 1.5 * flight_.soft_m() / wanted_n_ * aim_.finger.push_W_n;
+  }
+  flight_.advance(goal_W, aim_.towards_eye_W, dt_s);
+  if (!(foresight_.try_n(flight_.place_W(), dt_s) > 0)) return;
+  // A contact method without memory feels walls where there are none: behind the border of an open part.
+  flight_.put(from_W, Vec3::Zero());
+  foresight_.try_n(from_W, dt_s);
+}
+
+/// Comes down: never farther than it is free and a small step more.
+void PointerFinger::land(double dt_s) noexcept {
+  const double far_m = landing_m_per_s * dt_s;
+  const double free_m = std::max(0.0, around_.at(flight_.place_W(), far_m).free_m);
+  const double into_m = press_step_share * wanted_n_ / around_.stiffest_n_per_m(dt_s);
+  const Vec3 down_W = aim_.finger.push_W_n / wanted_n_;
+  landed_for_W_ = aim_.finger.p_WQ;
+  const Vec3 there_W = landed_for_W_ - flight_.place_W();
+  const double down_m = std::max(0.0, there_W.dot(down_W)) + 2 * flight_.soft_m();
+  const Vec3 aside_W = there_W - there_W.dot(down_W) * down_W;
+  const Vec3 way_W = down_m * down_W + aside_W * std::min(1.0, down_m / std::max(aside_W.norm(), down_m));
+  Vec3 step_W = std::min(far_m, 0.5 * free_m + into_m) * way_W.normalized();
+  for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
+    if (try_step(step_W, tried_share * wanted_n_, dt_s)) return;
+  }
+  try_step(Vec3::Zero(), std::numeric_limits<double>::infinity(), dt_s);
+}
+
+/// Along the surface after the pointer; slowly where that has led no nearer for a while.
+Vec3 PointerFinger::aside(double dt_s) const noexcept {
+  if (touched_.normal_force_n > press_too_hard * wanted_n_) return Vec3::Zero();
+  const Vec3& normal_W = touched_.normal_W;
+  const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W();
+  const Vec3 along_W = way_W - way_W.dot(normal_W) * normal_W;
+  const double pull = delay_s_ > leash_s ? slow_share : 1;
+  const double share = pull * (1 - std::exp(-aside_per_s * dt_s)), length_m = along_W.norm();
+  const double most_m = pull * fastest_per_s * around_.radius_m() * dt_s;
+  return length_m * share > most_m ? Vec3(along_W * (most_m / length_m)) : Vec3(along_W * share);
+}
+
+void PointerFinger::press(double dt_s) noexcept {
+  flight_.note_way(flight_.place_W() + (touched_.depth_m + flight_.soft_m()) * touched_.normal_W);
+  const Vec3 deeper_W =
+      -deeper_m(touched_, wanted_n_, around_.properties(std::max(touched_.surface, 0)), dt_s) *
+      touched_.normal_W;
+  Vec3 aside_W = aside(dt_s);
+  for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
+    if (try_step(deeper_W + aside_W, tried_share * wanted_n_, dt_s)) return;
+  }
+  give_way(tried_share * wanted_n_, dt_s);
+}
+
+/// Straight out, as little as is enough.
+void PointerFinger::give_way(double most_n, double dt_s) noexcept {
+  for (const double share : {0.1, 0.25, 0.5, 0.75, 0.9}) {
+    if (try_step(share * touched_.depth_m * touched_.normal_W, most_n, dt_s)) return;
+  }
+  try_step(touched_.depth_m * touched_.normal_W, std::numeric_limits<double>::infinity(), dt_s);
+}
+
+/// Straight out, by as much as is free and a small step more.
+void PointerFinger::lift(double dt_s) noexcept {
+  ++lift_ticks_;
+  const double fast_m = lifting_m_per_s * dt_s;
+  if (is_touching()) {
+    Vec3 step_W = std::max(fast_m, 0.5 * touched_.depth_m) * out_W_;
+    for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
+      if (try_step(step_W, 0.9 * touched_.normal_force_n, dt_s)) return;
+    }
+    give_way(touched_.normal_force_n, dt_s);
+    return;
+  }
+  const Clearance clearance = around_.at(flight_.place_W(), flight_.soft_m());
+  const double free_m = std::max(0.0, clearance.free_m);
+  flight_.note_free(free_m);
+  // Beside what was touched another wall may stand.
+  const Vec3 way_W = out_W_ + clearance.away_W;
+  Vec3 step_W =
+      std::min(fast_m, 0.5 * free_m + 1e-3 * flight_.soft_m()) * way_W / std::max(1.0, way_W.norm());
+  for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
+    if (try_step(step_W, 0, dt_s)) return;
+  }
+  try_step(Vec3::Zero(), std::numeric_limits<double>::infinity(), dt_s);
+}
+
 DeviceEntry pointer_device() noexcept {
-  return {.name = "pointer",
-          .doc = "the mouse and the keyboard, in the window",
+  return {.name = "mouse",
+          .doc = "the mouse and the keyboard, in the window: a hand of bounded force",
           .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
-            return std::make_unique<PointerFinger>(setup.start, pointer_bandwidth_hz);
+            return std::make_unique<PointerFinger>(setup);
           },
+          .also = "pointer",
           .needs_window = true};
 }
 

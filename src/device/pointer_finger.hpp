@@ -1,32 +1,63 @@
 #pragma once
 
-#include <mutex>
-
+#include "device/foresight.hpp"
+#include "device/free_flight.hpp"
 #include "device/live_device.hpp"
+#include "device/pointer_path.hpp"
 
 namespace fingerpad {
 
-/// A finger that follows a pointer (mouse or keyboard) the way a hand would: critically damped, so that the
-/// few positions a second that a window gives become a smooth motion at the servo rate. Exact between ticks,
-/// whatever the rate: x'' = w^2 (target - x) - 2 w x'.
+/// A finger led by a pointer, as a hand of bounded force leads it. Hovering it flies round the parts and
+/// touches nothing. Pressing it comes down on the spot, pushes in along the normal that it feels until the
+/// normal force is the one asked for, and goes over the surface after the pointer. Where that leaves the
+/// surface by more than the finger can follow, it lifts, goes over and lands.
+///
+/// The bound on the force does not rest on what the pointer does: a step is tried before it is made
+/// (Foresight), and one that would press too hard is made shorter, or out of the surface instead.
 class PointerFinger final : public LiveDevice {
  public:
-  /// @param start        where the finger is, at rest
-  /// @param bandwidth_hz w / 2 pi; about 8 Hz feels direct and hides a screen's 60 Hz steps
-  PointerFinger(const FingerSample& start, double bandwidth_hz);
+  explicit PointerFinger(const DeviceSetup& setup);
 
-  /// Where the pointer is now. Any thread.
+  /// target.t_s is the time of the pointer's event; p_WQ where the finger hovers or, where push_W_n says how
+  /// hard to press, where it just touches.
   void set_target(const FingerSample& target) override;
-  /// The finger dt_s later. One thread (the servo's); keeps the last target while set_target holds the lock.
+  void look_from(const Vec3& towards_eye_W) override;
   FingerSample advance(double dt_s) override;
+  void feel(const TickRecord& tick) noexcept override;
 
  private:
-  double omega_;
-  std::mutex mutex_;
-  FingerSample target_;       // guarded by mutex_
-  FingerSample seen_target_;  // the follower's own copy
+  enum class Doing { flies, lands, presses, lifts };
+
+  Doing next_doing(double dt_s) noexcept;
+  Doing after_lifting() const noexcept;
+  Doing after_landing() const noexcept;
+  bool is_touching() const noexcept { return touched_.walls > 0; }
+  bool can_land(double soft_shares) const noexcept;
+  bool can_follow(double dt_s) noexcept;
+  void fly(double dt_s) noexcept;
+  void land(double dt_s) noexcept;
+  void press(double dt_s) noexcept;
+  void lift(double dt_s) noexcept;
+  bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
+  void give_way(double most_n, double dt_s) noexcept;
+  Vec3 aside(double dt_s) const noexcept;
+
+  Surroundings around_;
+  Foresight foresight_;
+  PointerPath path_;
+  PointerAim last_put_;  // the window's thread's
+  // The servo's thread's.
+  PointerAim aim_;
+  Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]
+  FreeFlight flight_;
   FingerSample finger_;
-  Vec3 velocity_m_per_s_ = Vec3::Zero();
+  Doing doing_ = Doing::flies;
+  double wanted_n_ = 0;         // normal force; 0 to hover
+  TickRecord touched_;          // what the last tick felt
+  Vec3 out_W_ = Vec3::UnitZ();  // the way out of what was touched last, unit
+  int lift_ticks_ = 0;
+  Vec3 landed_for_W_;                   // what the last landing was aimed at ...
+  double nearest_m_ = 0, delay_s_ = 0;  // ... how near the finger has come, and for how long no nearer
 };
 
 }  // namespace fingerpad

@@ -64,10 +64,16 @@ FingerSample TouchTarget::sample() const {
   finger.direction_W = direction_W_;
   finger.p_WQ = spot_W_;
   if (surface_ < 0) return finger;
-  const SurfaceProperties& properties = world_->surfaces[static_cast<std::size_t>(surface_)].properties;
-  const double depth_m = press_n_ / properties.stiffness_n_per_m;
-  finger.p_WQ += normal_W_ * (radius_m_ + (pressing_ ? -depth_m : hover_m_));
+  finger.p_WQ += normal_W_ * (radius_m_ + (pressing_ ? 0.0 : hover_m_));
+  if (pressing_) finger.push_W_n = -press_n_ * normal_W_;
   return finger;
+}
+
+Vec3 TouchTarget::pressed_W() const {
+  const FingerSample finger = sample();
+  if (surface_ < 0) return finger.p_WQ;
+  const SurfaceProperties& properties = world_->surfaces[static_cast<std::size_t>(surface_)].properties;
+  return finger.p_WQ + finger.push_W_n / properties.stiffness_n_per_m;
 }
 
 }  // namespace fingerpad

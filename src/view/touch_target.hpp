@@ -26,7 +26,10 @@ class TouchTarget {
   bool pressing() const noexcept { return pressing_; }
   double press_n() const noexcept { return press_n_; }
   const Vec3& normal_W() const noexcept { return normal_W_; }
+  /// Where the finger is wanted: hovering, or just touching, and push_W_n what it presses with there.
   FingerSample sample() const;
+  /// How far in that presses it.
+  Vec3 pressed_W() const;
 
  private:
   std::shared_ptr<const World> world_;

@@ -90,24 +90,29 @@ class TouchWindow {
     handlers.press = [this](int x, int y) {
       held_ = point_at(x, y);
       target_.press(held_ || latched_);
+      tell();
       return held_;
     };
     handlers.move = [this](int x, int y) {
       // Off the edge of the part a held finger stays where it was.
-      return point_at(x, y) || held_;
+      const bool points = point_at(x, y);
+      if (points) tell();
+      return points || held_;
     };
     handlers.release = [this] {
       target_.press(latched_);
+      tell();
       return std::exchange(held_, false);
     };
     handlers.wheel = [this](int steps) {
       target_.change_force(steps);
+      tell();
       return true;
     };
     handlers.frame = [this](double elapsed_s) { return frame(elapsed_s); };
     handlers.report = [this](WindowReport& report) {
       report.t_s = history_.rows().empty() ? 0 : history_.rows().back().t_s;
-      report.target_W = target_.sample().p_WQ;
+      report.target_W = target_.pressed_W();
       report.pressing = target_.pressing();
       report.press_n = target_.press_n();
     };
@@ -148,11 +153,20 @@ class TouchWindow {
     } else {
       return false;
     }
+    tell();
     return true;
   }
 
+  /// Hands on what an event has changed, with the event's time: speeds are the pointer's, not the frames'.
+  void tell() {
+    if (input_.look_from)
+      input_.look_from(-Vec3(stage_.scene()->GetActiveCamera()->GetDirectionOfProjection()));
+    FingerSample target = target_.sample();
+    target.t_s = loop_.event_s();
+    input_.set_target(target);
+  }
+
   bool frame(double elapsed_s) {
-    input_.set_target(target_.sample());
     follow();
     since_chart_s_ += elapsed_s;
     if (since_chart_s_ >= chart_period_s) {

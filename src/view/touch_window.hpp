@@ -8,12 +8,15 @@
 
 namespace fingerpad {
 
-/// A live touch as its window sees it. The functions are called on the window's thread, once a frame; they
-/// must not wait for the servo.
+/// A live touch as its window sees it. The functions are called on the window's thread; they must not wait
+/// for the servo.
 struct TouchWindowInput {
   ViewInput view;  ///< world and scene; rows empty
-  /// Where the finger is wanted: under the mouse.
+  /// Where the finger is wanted: under the mouse, at the time of its event, and what to press with
+  /// (push_W_n).
   std::function<void(const FingerSample&)> set_target;
+  /// From where the one at the mouse looks, before each set_target. May be none.
+  std::function<void(const Vec3& towards_eye_W)> look_from;
   /// The newest tick.
   std::function<TickRecord()> latest;
   /// The ticks of the last seconds, oldest first; may begin later.

@@ -88,10 +88,32 @@ void WindowLoop::observe() {
 void WindowLoop::run() {
   stage_.window()->SetWindowName("fingerpad");
   interactor_->Initialize();
+  queue_.emplace(interactor_, stage_.window());
   opened_ = std::chrono::steady_clock::now();
   render();
+  if (queue_->is_known()) {
+    handle_events();
+    return;
+  }
   interactor_->CreateRepeatingTimer(frame_ms);
   interactor_->Start();
+}
+
+/// All events that wait, then a frame: the newest is never drawn late for those before it.
+void WindowLoop::handle_events() {
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point next_frame = Clock::now();
+  while (!closing_ && !interactor_->GetDone()) {
+    while (!closing_ && !interactor_->GetDone() && queue_->pass_on()) {
+    }
+    const double early_s = std::chrono::duration<double>(next_frame - Clock::now()).count();
+    if (early_s > 0) {
+      queue_->wait(early_s);
+      continue;
+    }
+    next_frame = Clock::now() + std::chrono::milliseconds(frame_ms);
+    on_timer(nullptr, 0, nullptr);
+  }
 }
 
 void WindowLoop::close() {

@@ -4,9 +4,11 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "view/event_queue_vtk.hpp"
 #include "view/stage_vtk.hpp"
 #include "view/window.hpp"
 
@@ -38,9 +40,12 @@ class WindowLoop {
 
   void run();
   void close();
+  /// When the event that is being handled was made; now, outside of handlers. Steady [s].
+  double event_s() const { return queue_->event_s(); }
 
  private:
   void observe();
+  void handle_events();
   bool on_key(vtkObject*, unsigned long, void*);
   bool on_mouse(vtkObject*, unsigned long event, void*);
   bool swallow(vtkObject*, unsigned long, void*) { return true; }
@@ -55,6 +60,7 @@ class WindowLoop {
   const WindowOptions& options_;
   WindowHandlers handlers_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
+  std::optional<EventQueue> queue_;  ///< once the window is open
   std::chrono::steady_clock::time_point opened_;
   double last_frame_s_ = 0;
   std::size_t next_event_ = 0;

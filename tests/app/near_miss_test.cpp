@@ -71,10 +71,11 @@ TEST(NearMiss, OfADeviceIsToldWithTheDevices) {
   EXPECT_THAT(
       result.err,
       AllOf(HasSubstr("--device"),
-            HasSubstr("unknown device 'poiner'; did you mean "
-                      "'pointer'? (known: pointer, keyboard, spacemouse, recorded, hand, network, haply)")));
+            HasSubstr(
+                "unknown device 'poiner'; did you mean "
+                "'pointer'? (known: mouse, pointer, keyboard, spacemouse, recorded, hand, network, haply)")));
   const auto help = test::fingerpad("touch --help", folder_with_scenes());
-  EXPECT_THAT(help.out, HasSubstr("  pointer          the mouse and the keyboard"));
+  EXPECT_THAT(help.out, HasSubstr("  mouse            the mouse and the keyboard"));
 }
 #endif
 

@@ -1,42 +1,195 @@
 #include "device/pointer_finger.hpp"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
+#include "device/pointer_hand.hpp"
+#include "scene/scene_file.hpp"
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "support/worlds.hpp"
 
 namespace fingerpad::pointer_finger_test {
 namespace {
 
-const FingerSample origin{0, Vec3::Zero(), Vec3::UnitY()};
-const FingerSample there{0, Vec3(0.1, 0, 0), Vec3::UnitZ()};
+using test::PointedWorld;
+using test::PointerRun;
+using test::PointerWalk;
 
-TEST(PointerFinger, ArrivesWithoutOvershoot) {
-  PointerFinger finger(origin, 8);
-  finger.set_target(there);
-  double last = 0;
-  for (int k = 0; k < 1000; ++k) {
-    const FingerSample sample = finger.advance(1e-3);
-    ASSERT_GE(sample.p_WQ.x(), last - 1e-15);
-    ASSERT_LE(sample.p_WQ.x(), 0.1 + 1e-15);
-    ASSERT_NEAR(sample.direction_W.norm(), 1, 1e-12);
-    last = sample.p_WQ.x();
+#ifdef __SANITIZE_ADDRESS__
+constexpr int path_count = 18;
+#else
+constexpr int path_count = 200;
+#endif
+
+/// A real part in whatever unit makes it as large as a hand.
+PointedWorld real_part(const std::filesystem::path& mesh) {
+  Scene scene;
+  scene.name = mesh.filename().string();
+  scene.contact.automatic_normals = true;
+  PartEntry& part = scene.parts.emplace_back();
+  part.mesh = scene.name;
+  part.mesh_path = mesh.string();
+  part.metres_per_unit = 1;
+  const double radius_m = PointedWorld(scene.name, scene, load_world(scene)).radius_m;
+  scene.parts.front().metres_per_unit = 0.08 / radius_m;
+  return {scene.name, scene, load_world(scene)};
+}
+
+/// Scenes with a ball and with a plane; parts with thin walls, holes, wings, an open mesh, a slot.
+std::vector<PointedWorld> pointed_worlds() {
+  std::vector<PointedWorld> worlds;
+  for (const char* name : {"bracket", "housing", "dashboard", "laboratory"}) {
+    const auto path = test::source_dir() / "scenes" / (std::string(name) + ".toml");
+    const Scene scene = read_scene_file(path.string()).scene;
+    worlds.emplace_back(name, scene, load_world(scene));
   }
-  EXPECT_NEAR(last, 0.1, 1e-9);
+  const auto data = test::real_data();
+  if (!data) return worlds;
+  for (const char* name : {"so101_base.stl", "trimesh_plate_holes.stl", "wingnut.obj",
+                           "prius_steering_wheel.obj", "so101_waveshare_plate.stl"})
+    worlds.push_back(real_part(*data / "parts" / name));
+  return worlds;
 }
 
-TEST(PointerFinger, GoesTheSameWayAtAnyRate) {
-  PointerFinger coarse(origin, 8), fine(origin, 8);
-  coarse.set_target(there);
-  fine.set_target(there);
-  const double x_coarse = coarse.advance(0.04).p_WQ.x();
-  double x_fine = 0;
-  for (int k = 0; k < 40; ++k) x_fine = fine.advance(1e-3).p_WQ.x();
-  EXPECT_NEAR(x_coarse, x_fine, 1e-15);  // the closed form: only rounding differs
+/// Force asked for on a path: 0.05 to 20 N, as the window lets one choose; every second path hovers.
+double press_of_path_n(int k, std::size_t world_count) {
+  if (k / static_cast<int>(world_count) % 2 == 0) return 0;
+  return 0.05 * std::pow(400.0, RandomStream(static_cast<std::uint64_t>(k)).uniform());
 }
 
-TEST(PointerFinger, StaysWhereNothingPullsIt) {
-  PointerFinger finger(origin, 8);
-  for (int k = 0; k < 100; ++k) EXPECT_EQ(finger.advance(1e-3).p_WQ, Vec3::Zero());
+// Some six seconds, since a path lasts two: what a person may do with a mouse has no shorter sample.
+TEST(PointerFinger, TouchesNothingHoveringAndNeverPressesTwiceAsHardAsAsked) {
+  const auto worlds = pointed_worlds();
+  int hovering = 0, arrived = 0, pressing = 0, pressed = 0;
+  for (int k = 0; k < path_count; ++k) {
+    const PointedWorld& pointed = worlds[static_cast<std::size_t>(k) % worlds.size()];
+    SCOPED_TRACE(fmt::format("path {} over {}", k, pointed.name));
+    const double wanted_n = press_of_path_n(k, worlds.size());
+    const PointerRun run = PointerWalk(pointed, 1000 + static_cast<std::uint64_t>(k), wanted_n).run(1.2, 1.2);
+    EXPECT_LE(run.most_n, 2 * wanted_n);
+    EXPECT_LE(run.most_drawn_off_m, 3e-3);
+    if (!run.ends_on_part) continue;
+    const double hover_m = 0.06 * pointed.radius_m + pointed.scene.finger.radius_m;
+    ++(wanted_n > 0 ? pressing : hovering);
+    pressed += wanted_n > 0 && std::abs(run.last_n / wanted_n - 1) < 0.05 ? 1 : 0;
+    arrived += wanted_n == 0 && run.last_off_m < hover_m ? 1 : 0;
+  }
+  // A ball has no room at some of the spots that an eye sees, and some are a long way off.
+  EXPECT_GT(arrived, 0.85 * hovering);
+  EXPECT_GT(pressed, 0.75 * pressing);
+  fmt::print("{} of {} hover where they were wanted, {} of {} press as hard\n", arrived, hovering, pressed,
+             pressing);
+}
+
+/// Presses on (0, 0, top) of a world for a second. @returns the normal forces of its ticks
+std::vector<double> press_down(const std::shared_ptr<const World>& world, const Scene& scene, double top_m,
+                               double wanted_n) {
+  FingerSample start, target;
+  start.p_WQ = Vec3(0.01, 0, top_m + 0.03);
+  PointerFinger finger({scene, world, start});
+  Touch touch(world, scene);
+  target.p_WQ = Vec3(0, 0, top_m + scene.finger.radius_m);
+  target.push_W_n = Vec3(0, 0, -wanted_n);
+  finger.look_from(Vec3::UnitZ());
+  finger.set_target(target);
+  std::vector<double> felt_n;
+  for (int k = 0; k < 1000; ++k) {
+    const TickRecord row = touch.tick(finger.advance(1e-3));
+    finger.feel(row);
+    felt_n.push_back(row.normal_force_n);
+  }
+  return felt_n;
+}
+
+TEST(PointerFinger, RestsWithTheForceAskedForWithinAPercent) {
+  for (const double damping_n_s_per_m : {0.0, 5.0}) {
+    for (const double radius_m : {0.0, 0.007}) {
+      for (const double wanted_n : {0.05, 1.0, 20.0}) {
+        Scene scene = test::plane_scene("finger-pad");
+        scene.finger.radius_m = radius_m;
+        World world = *test::world_of(test::box_soup({0.1, 0.1, 0.1}));
+        world.surfaces[0].properties.damping_n_s_per_m = damping_n_s_per_m;
+        const auto felt_n = press_down(std::make_shared<World>(world), scene, 0.05, wanted_n);
+        EXPECT_NEAR(felt_n.back(), wanted_n, 0.01 * wanted_n);
+        EXPECT_LE(*std::max_element(felt_n.begin(), felt_n.end()), 2 * wanted_n);
+        EXPECT_EQ(felt_n.front(), 0);
+      }
+    }
+  }
+}
+
+/// A soft floor with a hard block standing in it, 1000 times as stiff.
+World soft_and_hard() {
+  World world = *test::world_of(test::box_soup({0.04, 0.04, 0.04}));
+  world.surfaces[0].properties.stiffness_n_per_m = 1e5;
+  world.surfaces.push_back(test::plane_world()->surfaces[0]);
+  world.surfaces[1].properties.stiffness_n_per_m = 100;
+  return world;
+}
+
+TEST(PointerFinger, RunsAgainstAThousandTimesStifferWallNoHarder) {
+  for (const char* method : {"closest-point", "proxy"}) {
+    const auto world = std::make_shared<World>(soft_and_hard());
+    Scene scene = test::plane_scene("none");
+    scene.contact.method = method;
+    FingerSample start, target;
+    start.p_WQ = Vec3(0.06, 0, 0.02);
+    PointerFinger finger({scene, world, start});
+    Touch touch(world, scene);
+    finger.look_from(Vec3::UnitZ());
+    double most_n = 0;
+    bool on_block = false;
+    for (int k = 0; k < 3000; ++k) {
+      target.t_s = k * 1e-3;
+      const double x_m = 0.06 - 4e-5 * k;  // over the block and beyond
+      const double top_m = std::abs(x_m) < 0.02 ? 0.02 : 0;
+      target.p_WQ = Vec3(x_m, 0, top_m);
+      target.push_W_n = Vec3(0, 0, -1);
+      if (k % 8 == 0) finger.set_target(target);
+      const TickRecord row = touch.tick(finger.advance(1e-3));
+      finger.feel(row);
+      most_n = std::max(most_n, row.normal_force_n);
+      on_block |= row.surface == 0 && row.normal_force_n > 0.9;
+    }
+    EXPECT_LE(most_n, 2) << method;
+    EXPECT_GT(most_n, 0.9) << method;
+    EXPECT_TRUE(on_block) << method;
+  }
+}
+
+TEST(PointerFinger, FliesOverAWallToTheSpotBehindIt) {
+  Scene scene = test::plane_scene("none");
+  scene.contact.method = "proxy";
+  const auto world = test::world_of(test::box_soup({0.1, 0.1, 0.004}));
+  FingerSample start, target;
+  start.p_WQ = Vec3(0, 0, 0.03);
+  PointerFinger finger({scene, world, start});
+  Touch touch(world, scene);
+  target.p_WQ = Vec3(0, 0, -0.01);  // beneath the plate, seen from the side
+  finger.look_from(Vec3(1, 0, -0.3));
+  finger.set_target(target);
+  Vec3 last_W = start.p_WQ;
+  for (int k = 0; k < 3000; ++k) {
+    const FingerSample sample = finger.advance(1e-3);
+    const TickRecord row = touch.tick(sample);
+    finger.feel(row);
+    ASSERT_EQ(row.walls, 0) << k;
+    const bool crosses = last_W.z() * sample.p_WQ.z() <= 0;
+    ASSERT_FALSE(crosses && std::abs(sample.p_WQ.x()) < 0.05 && std::abs(sample.p_WQ.y()) < 0.05) << k;
+    last_W = sample.p_WQ;
+  }
+  EXPECT_LT((last_W - target.p_WQ).norm(), 1e-3);
+}
+
+TEST(PointerFinger, TakesNoTargetThatIsNoPlace) {
+  Scene scene = test::plane_scene("none");
+  FingerSample start, target;
+  start.p_WQ = Vec3(0, 0, 0.01);
+  PointerFinger finger({scene, test::plane_world(), start});
+  target.p_WQ = Vec3(0, TickRecord::nan, 0);
+  finger.set_target(target);
+  for (int k = 0; k < 100; ++k) EXPECT_EQ(finger.advance(1e-3).p_WQ, start.p_WQ);
 }
 
 }  // namespace

@@ -74,7 +74,9 @@ TEST(AddedDevice, IsFoundToldAndMade) {
   device->set_target({0, Vec3(4, 5, 6)});
   EXPECT_EQ(device->advance(0.5).p_WQ, Vec3(1, 2, 3));
   EXPECT_EQ(find_device("stil"), nullptr);
-  EXPECT_EQ(device_table().front().name, "pointer");
+  EXPECT_EQ(device_table().front().name, "mouse");
+  EXPECT_EQ(find_device("pointer"), &device_table().front());
+  EXPECT_EQ(find_device(""), nullptr);
 }
 
 /// What src/README.md says of adding to the house.

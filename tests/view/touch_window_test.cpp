@@ -28,9 +28,9 @@ struct LiveTouch {
     const VirtualScreen screen;
     view.rows.clear();
     constexpr double rate_hz = 500;
-    PointerFinger finger(resting_finger(*view.world, *view.scene), 8);
     Scene scene = *view.scene;
     scene.motion.rate_hz = rate_hz;
+    PointerFinger finger({scene, view.world, resting_finger(*view.world, scene)});
     ServoLoop servo(
         Touch(view.world, scene), rate_hz,
         [&](double t_s) {
@@ -38,10 +38,11 @@ struct LiveTouch {
           sample.t_s = t_s;
           return sample;
         },
-        [](const TickRecord&) {});
+        [&](const TickRecord& record) { finger.feel(record); });
     TouchWindowInput input;
     input.view = view;
     input.set_target = [&](const FingerSample& target) { finger.set_target(target); };
+    input.look_from = [&](const Vec3& towards_eye_W) { finger.look_from(towards_eye_W); };
     input.latest = [&] { return servo.latest(); };
     input.recent = [&](double seconds) { return servo.recent(seconds); };
     WindowOptions options;
@@ -113,11 +114,12 @@ TEST(TouchTarget, ArrowKeysKeepTheFingerOnTheSurface) {
   target.point_at({0.05, 0, 0.02}, Vec3::UnitZ(), 0);
   target.press(true);
   for (int i = 0; i < 40; ++i) target.move_by({0.001, 0, 0});
-  const FingerSample sample = target.sample();
-  EXPECT_GT(sample.p_WQ.x(), 0.06);  // over the bend and on
-  EXPECT_LT(sample.p_WQ.z(), 0.015);
+  EXPECT_GT(target.sample().p_WQ.x(), 0.06);  // over the bend and on
+  EXPECT_LT(target.sample().p_WQ.z(), 0.015);
+  EXPECT_NEAR(target.sample().push_W_n.norm(), 1, 1e-12);
   // 1 mm deep, and the facets' own error of up to 0.2 mm.
-  EXPECT_NEAR(distance_to_torus_m(sample.p_WQ), -1e-3, 3e-4);
+  EXPECT_NEAR(distance_to_torus_m(target.pressed_W()), -1e-3, 3e-4);
+  EXPECT_NEAR(distance_to_torus_m(target.sample().p_WQ), 0, 3e-4);
 }
 
 TEST(TouchTarget, ForceStaysWithinReason) {

@@ -1,0 +1,68 @@
+#pragma once
+
+#include "device/follower.hpp"
+#include "device/surroundings.hpp"
+#include "device/trail.hpp"
+
+namespace fingerpad {
+
+/// A finger on its way through free space. It goes straight to its goal, along what is in the way; where
+/// that leads nowhere, over it, aside where it can and else up towards the eye; then up alone, above all
+/// parts, and down to the goal; and where there is no way up, as after the view was turned, out by the way by
+/// which it came and round to the eye's side. A step is no longer than the finger is free, so it touches
+/// nothing, whatever the goal and the parts; only where it has no room at all a step is a thousandth of the
+/// distance that it would keep.
+class FreeFlight {
+ public:
+  /// @param around  kept by reference
+  FreeFlight(Surroundings& around, const Vec3& start_W) noexcept;
+
+  /// dt_s later. noexcept, allocates nothing.
+  const Vec3& advance(const Vec3& goal_W, const Vec3& towards_eye_W, double dt_s) noexcept;
+
+  /// The finger was led elsewhere, by its touch.
+  void put(const Vec3& place_W, const Vec3& velocity_m_per_s) noexcept;
+  /// So far it is free where it was led.
+  void note_free(double free_m) noexcept { clearance_.free_m = free_m; }
+  /// It was led along here, and could go back this way.
+  void note_way(const Vec3& place_W) noexcept { trail_.add(place_W); }
+
+  const Vec3& place_W() const noexcept { return follower_.place_m(); }
+  /// Free space around the place that the last advance() found, at least.
+  double free_m() const noexcept { return clearance_.free_m; }
+  /// That it keeps from what it flies by, where there is room.
+  double soft_m() const noexcept { return soft_m_; }
+  /// So long it is behind a goal that goes on.
+  double lag_s() const noexcept { return follower_.lag_s(); }
+  /// Nothing leads nearer to the goal.
+  bool has_arrived() const noexcept { return rests_; }
+
+ private:
+  enum class Way { straight, over, up, out, round };
+
+  Vec3 along_walls(const Vec3& step_W) const noexcept;
+  Vec3 next_step(const Vec3& goal_W, const Vec3& straight_W, const Vec3& towards_eye_W, double dt_s) noexcept;
+  Vec3 over_it(const Vec3& aside_W, const Vec3& towards_eye_W, double dt_s) const noexcept;
+  Vec3 out(double dt_s) noexcept;
+  Vec3 leave(const Vec3& here_W, const Vec3& towards_eye_W, double dt_s) noexcept;
+  Vec3 round_all(const Vec3& goal_W, const Vec3& towards_eye_W, double dt_s) noexcept;
+  Vec3 within_room(const Vec3& step_W) const noexcept;
+  void choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& towards_eye_W, bool blocked,
+                  double dt_s) noexcept;
+  bool is_held_up(double left_m, double dt_s) noexcept;
+  void give_up() noexcept;
+  void take(Way way) noexcept;
+
+  Surroundings& around_;
+  double soft_m_, arrived_m_, ball_m_, speed_m_per_s_;
+  Follower follower_;
+  Clearance clearance_;
+  Trail trail_;
+  Way way_ = Way::straight;
+  bool rests_ = false;
+  double least_left_m_,
+      delay_s_ = 0;           ///< how near the goal it has come on this way, and since when no nearer
+  Vec3 goal_W_, given_up_W_;  ///< the last goal; one to which no way has led
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <atomic>
+
+#include "motion/finger_path.hpp"
+
+namespace fingerpad {
+
+/// A pointer on its way: what its events asked for, and from where the one who points looks.
+struct PointerAim {
+  FingerSample finger;  ///< t_s: of the event, on any clock; push_W_n: what to press with, zero to hover
+  Vec3 towards_eye_W = Vec3::UnitZ();
+};
+
+/// Plays a pointer's events back at the pace at which they were made. A window hands them over frame by
+/// frame, several at once; their own times say how fast the pointer went. One thread puts, one plays;
+/// neither waits for the other.
+class PointerPath {
+ public:
+  explicit PointerPath(const PointerAim& start) noexcept : from_(start), shown_(start) {}
+
+  /// What the pointer did next. Lost where a thousand events wait already: nobody plays them.
+  void put(const PointerAim& aim) noexcept;
+
+  /// Where the pointer was, dt_s after the last call. It runs as late as the events come, goes on evenly from
+  /// one to the next, and rests where there is none.
+  const PointerAim& advance(double dt_s) noexcept;
+
+ private:
+  static constexpr std::size_t capacity = 1024;
+
+  const PointerAim* next() const noexcept;
+  void show(const PointerAim& to) noexcept;
+
+  std::array<PointerAim, capacity> ring_;
+  std::atomic<std::size_t> put_{0}, taken_{0};  // counts; the ring's places are their remainders
+
+  // The player's own.
+  PointerAim from_, shown_;
+  double now_s_ = 0;
+  bool started_ = false, rested_ = true;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,61 @@
+#include "device/surroundings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact/contact_method_table.hpp"
+#include "scene/scene.hpp"
+
+namespace fingerpad {
+
+Surroundings::Surroundings(std::shared_ptr<const World> world, const Scene& scene)
+    : world_(std::move(world)),
+      normals_(Normals::facet),
+      finger_radius_m_(scene.finger.radius_m),
+      memories_(world_->surfaces.size()) {
+  const ContactChoice choice = settled_contact(scene, *world_);
+  const ContactMethodEntry* const method = find_contact_method(choice.method);
+  sided_ = method != nullptr && !method->starts_outside;
+  if (method != nullptr && method->touches_own_surface) normals_ = choice.normals;
+  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  for (const Surface& surface : world_->surfaces) {
+    if (surface.is_plane() || !surface.part) continue;
+    const WorldBox box = world_box(surface);
+    low = low.cwiseMin(box.middle - box.half);
+    high = high.cwiseMax(box.middle + box.half);
+  }
+  if (!low.allFinite()) return;
+  middle_W_ = (low + high) / 2;
+  radius_m_ = std::max((high - low).norm() / 2, 1e-6);
+}
+
+Clearance Surroundings::at(const Vec3& p_W, double reach_m) noexcept {
+  Clearance clearance{reach_m, Vec3::Zero()};
+  for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
+    const Surface& surface = world_->surfaces[i];
+    if (surface.part && !surface.tree) continue;
+    const WorldPoint near = nearest_point(surface, p_W, normals_, memories_[i], finger_radius_m_ + reach_m);
+    if (!near.found) continue;
+    const bool sided = sided_ || surface.is_plane();
+    const double distance_m = sided ? near.signed_distance_m : std::abs(near.signed_distance_m);
+    const double free_m = distance_m - finger_radius_m_;
+    if (!(free_m < clearance.free_m)) continue;
+    clearance.free_m = free_m;
+    const Vec3 way_W = p_W - near.point_W;
+    const double length_m = way_W.norm();
+    const bool tells = !sided && length_m > 0;
+    clearance.away_W = tells ? Vec3(way_W / length_m) : near.normal_W;
+  }
+  return clearance;
+}
+
+double Surroundings::stiffest_n_per_m(double dt_s) const noexcept {
+  double most = 0;
+  for (const Surface& surface : world_->surfaces) {
+    const SurfaceProperties& properties = surface.properties;
+    most = std::max(most, properties.stiffness_n_per_m + properties.damping_n_s_per_m / dt_s);
+  }
+  return most > 0 ? most : 1;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,61 @@
+#include "view/event_queue_vtk.hpp"
+
+#include <poll.h>
+#include <vtkRenderWindow.h>
+#include <vtkXRenderWindowInteractor.h>
+
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+
+namespace fingerpad {
+namespace {
+
+double steady_s() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+EventQueue::EventQueue(vtkRenderWindowInteractor* interactor, vtkRenderWindow* window)
+    : interactor_(interactor) {
+  if (vtkXRenderWindowInteractor::SafeDownCast(interactor) != nullptr)
+    display_ = window->GetGenericDisplayId();
+}
+
+/// The server's milliseconds begin anywhere, and anew after 49 days.
+void EventQueue::stamp(unsigned long server_ms) {
+  if (!has_first_) {
+    has_first_ = true;
+    first_ms_ = server_ms;
+    first_s_ = steady_s();
+  }
+  event_s_ = first_s_ + 1e-3 * static_cast<std::int32_t>(static_cast<std::uint32_t>(server_ms - first_ms_));
+  passing_ = true;
+}
+
+bool EventQueue::pass_on() {
+  auto* const display = static_cast<Display*>(display_);
+  if (XPending(display) == 0) return false;
+  XEvent event;
+  XNextEvent(display, &event);
+  if (event.type == MotionNotify) stamp(event.xmotion.time);
+  if (event.type == ButtonPress || event.type == ButtonRelease) stamp(event.xbutton.time);
+  if (event.type == KeyPress || event.type == KeyRelease) stamp(event.xkey.time);
+  static_cast<vtkXRenderWindowInteractor*>(interactor_)->DispatchEvent(&event);
+  passing_ = false;
+  return true;
+}
+
+void EventQueue::wait(double seconds) {
+  auto* const display = static_cast<Display*>(display_);
+  if (XPending(display) > 0) return;
+  pollfd connection{ConnectionNumber(display), POLLIN, 0};
+  poll(&connection, 1, static_cast<int>(std::ceil(1e3 * seconds)));
+}
+
+double EventQueue::event_s() const {
+  return passing_ ? event_s_ : steady_s();
+}
+
+}  // namespace fingerpad

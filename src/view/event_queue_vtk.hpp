@@ -1,0 +1,35 @@
+#pragma once
+
+class vtkRenderWindow;
+class vtkRenderWindowInteractor;
+
+namespace fingerpad {
+
+/// What the window system sends to a window, with the time at which each thing happened: a slow frame keeps
+/// events waiting, and how fast a pointer went shows in their own times alone.
+class EventQueue {
+ public:
+  /// @param interactor  initialised
+  EventQueue(vtkRenderWindowInteractor* interactor, vtkRenderWindow* window);
+
+  /// Whether the window system is one whose events are known here (X).
+  bool is_known() const noexcept { return display_ != nullptr; }
+  /// Hands the next event to the interactor; false where none waits. @pre is_known()
+  bool pass_on();
+  /// Returns when an event waits, or after so many seconds. @pre is_known()
+  void wait(double seconds);
+
+  /// When the event that is being passed on was made; now, where there is none. Steady [s].
+  double event_s() const;
+
+ private:
+  void stamp(unsigned long server_ms);
+
+  vtkRenderWindowInteractor* interactor_;
+  void* display_ = nullptr;
+  bool passing_ = false, has_first_ = false;
+  unsigned long first_ms_ = 0;
+  double first_s_ = 0, event_s_ = 0;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,74 @@
+#include "device/pointer_path.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace fingerpad::pointer_path_test {
+namespace {
+
+constexpr double dt_s = 1e-3;
+
+PointerAim aim_at(double t_s, double x_m) {
+  PointerAim aim;
+  aim.finger.t_s = t_s;
+  aim.finger.p_WQ = Vec3(x_m, 0, 0);
+  return aim;
+}
+
+/// A pointer at 0.2 m/s whose events, 125 a second, are handed over once in `frame_s`.
+double unevenness_m_per_s(double frame_s) {
+  PointerPath path(aim_at(0, 0));
+  double worst = 0, last_m = 0;
+  int event = 1;
+  for (int k = 0; k < 2000; ++k) {
+    const double handed_over_s = std::floor(k * dt_s / frame_s) * frame_s;
+    for (; event * 0.008 <= handed_over_s; ++event)
+      path.put(aim_at(100 + event * 0.008, 0.2 * event * 0.008));
+    const double x_m = path.advance(dt_s).finger.p_WQ.x();
+    if (k * dt_s > 0.5) worst = std::max(worst, std::abs((x_m - last_m) / dt_s - 0.2));
+    last_m = x_m;
+  }
+  EXPECT_NEAR(last_m, 0.4, 0.05);  // two frames late at the most
+  return worst;
+}
+
+TEST(PointerPath, GoesAsFastAsThePointerWentHoweverSlowTheFrames) {
+  EXPECT_LT(unevenness_m_per_s(0.008), 1e-9);
+  // A frame of 0.1 s, which no pointer of the frames' own pace would come through evenly.
+  EXPECT_LT(unevenness_m_per_s(0.1), 1e-9);
+}
+
+TEST(PointerPath, SetsOutAnewAfterARestWithoutCreepingThroughIt) {
+  PointerPath path(aim_at(0, 0));
+  path.put(aim_at(1, 0));
+  for (int k = 0; k < 100; ++k) path.advance(dt_s);
+  path.put(aim_at(60, 0.1));
+  int ticks = 0;
+  while (path.advance(dt_s).finger.p_WQ.x() < 0.1 && ticks < 1000) ++ticks;
+  EXPECT_LT(ticks, 20);
+}
+
+TEST(PointerPath, PressesAndLiftsInTheOrderOfTheEventsAndForgetsNone) {
+  PointerPath path(aim_at(0, 0));
+  PointerAim press = aim_at(1, 0.01);
+  press.finger.push_W_n = Vec3(0, 0, -1);
+  path.put(press);
+  path.put(aim_at(1.002, 0.01));  // a click within one frame
+  int pressed = 0;
+  for (int k = 0; k < 100; ++k) pressed += path.advance(dt_s).finger.push_W_n.z() < 0 ? 1 : 0;
+  EXPECT_GE(pressed, 1);
+  EXPECT_LE(pressed, 3);
+}
+
+TEST(PointerPath, TakesTimesThatGoBackAndMoreEventsThanItHolds) {
+  PointerPath path(aim_at(0, 0));
+  for (int k = 0; k < 5000; ++k) path.put(aim_at(10 - k, k));
+  for (int k = 0; k < 2000; ++k) ASSERT_TRUE(path.advance(dt_s).finger.p_WQ.allFinite());
+  path.put(aim_at(5, 0.5));
+  for (int k = 0; k < 100; ++k) path.advance(dt_s);
+  EXPECT_EQ(path.advance(dt_s).finger.p_WQ.x(), 0.5);
+}
+
+}  // namespace
+}  // namespace fingerpad::pointer_path_test
