@@ -43,6 +43,12 @@ double tilt_rad(const Way& way, const SurfacePlace& place, double height_m) noex
   return std::min(off, whole_force);
 }
 
+/// How much way the finger's centre has over a place at this height, of the place's area.
+double way_there(const SurfacePlace& place, double height_m, double radius_m) noexcept {
+  const bool is_reached = 1 + radius_m * place.curvature_per_m > 0;
+  return is_reached ? std::max(0.0, 1 + height_m * place.curvature_per_m) : 0;
+}
+
 /// Along it, as a length [m].
 double sag_m(const Way& way, const SurfacePlace& place) noexcept {
   return way.touches_patches ? place.patch_rad * place.width_m : place.sag_m;
@@ -80,7 +86,7 @@ ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& 
     double tilts = 0, weights = 0;
     for (std::size_t i = 0; i < places.size(); ++i) {
       const double tilt = tilt_rad(way, places[i], height_m);
-      const double weight = std::max(0.0, 1 + height_m * places[i].curvature_per_m);
+      const double weight = way_there(places[i], height_m, press.finger_radius_m);
       shares[i] = {std::hypot(press.stiffness_n_per_m * sag_m(way, places[i]) / force_n, tilt), weight};
       tilts += weight * tilt;
       weights += weight;

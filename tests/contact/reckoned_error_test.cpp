@@ -73,6 +73,8 @@ TEST(ReckonedError, CountsPlacesByTheWayThatAFingerHasThere) {
       << "and dwells in a groove";
   EXPECT_EQ(reckoned_error(places, {1000, 0.02, 10}, method("proxy"), Normals::curved).force_share, 0)
       << "where a ball cannot get";
+  EXPECT_EQ(reckoned_error(places, {1000, 0.002, 10}, method("proxy"), Normals::curved).force_share, 0)
+      << "not even one that is pressed deeper than its radius";
 }
 
 TEST(ReckonedError, LeavesAHundredthToItself) {
