@@ -40,18 +40,38 @@ bool patch_force(const Surface& surface, const Vec3& foot_P, const Vec3& normal_
   return true;
 }
 
+Vec3 in_part(const Surface& surface, const Vec3& p_W) {
+  return surface.R_WP.transpose() * (p_W - surface.p_WP) - surface.part->centre_P;
+}
+
+/// That of a finger that is clear of all facets: where they cut in, the patch over them stands out farther.
+Vec3 force_over_facets(const JudgedCase& judged, const TickRecord& record) {
+  const double radius_m = judged.scene.finger.radius_m;
+  Vec3 largest_W_n = Vec3::Zero();
+  for (const Surface& surface : judged.world->surfaces) {
+    if (surface.is_plane()) continue;
+    const Vec3 q = in_part(surface, record.p_WQ);
+    const ClosestTriangle nearest = surface.tree->closest(q, -1, HUGE_VAL);
+    if (nearest.triangle < 0) continue;
+    const Vec3 normal_P = surface.part->facet_normals.col(nearest.triangle);
+    Vec3 force_W_n;
+    if (patch_force(surface, nearest.at.point, normal_P, q, radius_m, force_W_n) &&
+        force_W_n.squaredNorm() > largest_W_n.squaredNorm())
+      largest_W_n = force_W_n;
+  }
+  return largest_W_n;
+}
+
 /// The reference's force in a tick of the most complete method.
 Vec3 complete_force(const JudgedCase& judged, const TickRecord& record) {
   const Vec3 raw_W_n = record.force_W_n - record.friction_W_n;
-  if (record.walls != 1 || record.surface < 0) return raw_W_n;
+  if (record.walls == 0) return force_over_facets(judged, record);
+  if (record.walls != 1) return raw_W_n;
   const Surface& surface = judged.world->surfaces[static_cast<std::size_t>(record.surface)];
   if (surface.is_plane()) return raw_W_n;
-  const auto in_part = [&](const Vec3& p_W) -> Vec3 {
-    return surface.R_WP.transpose() * (p_W - surface.p_WP) - surface.part->centre_P;
-  };
   Vec3 force_W_n;
-  return patch_force(surface, in_part(record.contact_W), surface.R_WP.transpose() * record.normal_W,
-                     in_part(record.p_WQ), judged.scene.finger.radius_m, force_W_n)
+  return patch_force(surface, in_part(surface, record.contact_W), surface.R_WP.transpose() * record.normal_W,
+                     in_part(surface, record.p_WQ), judged.scene.finger.radius_m, force_W_n)
              ? force_W_n
              : raw_W_n;
 }

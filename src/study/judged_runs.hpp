@@ -20,7 +20,8 @@ JudgedRun judged_run(const JudgedCase& judged, const ContactVariant& variant, in
 /// The forces that a case's runs are held against: those of the surface that is known exactly; else the most
 /// complete that can be said of a mesh, at the same rate and along the same ways: a proxy (the last method of
 /// the table) finds which wall holds the finger and whereabouts; where one smooth wall does, the force is
-/// that of the curved patch there, else the proxy's with curved normals.
+/// that of the curved patch there, else the proxy's with curved normals. Where the proxy is clear of all
+/// facets it is that of the nearest patch, which stands out over a facet that cuts in.
 ///
 /// At the same rate, since another rate is another motion: a proxy that lets go over an edge at 1 kHz and at
 /// 40 kHz does so at other places, and then feels other walls.

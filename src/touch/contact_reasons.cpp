@@ -20,6 +20,7 @@ constexpr double most_kept = 1.0 / 3, nothing_kept = std::numeric_limits<double>
 std::string percent_words(double share) {
   const double percent = 100 * share,
                unit = percent > 0 ? std::pow(10, std::floor(std::log10(percent)) - 1) : 1;
+  if (percent > 10) return fmt::format("{:.0f} %", std::ceil(percent));
   return fmt::format("{:.2g} %", std::ceil(percent / unit - 1e-9) * unit);
 }
 
