@@ -74,7 +74,8 @@ JudgedCase exact_case(const ExactSurface& surface, const MeasuredWorld& measured
 std::string place_of(const SceneJob& job) {
   std::string key = job.scene.name;
   for (const auto& [name, value] : job.set_keys) {
-    if (!name.starts_with("contact.") && !name.starts_with("friction.")) key += ' ' + name + '=' + value;
+    if (!name.starts_with("contact.") && !name.starts_with("friction."))
+      key += fmt::format(" {}={}", name, value);
   }
   return key;
 }
