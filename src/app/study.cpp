@@ -20,6 +20,7 @@ struct StudyOptions {
   std::string subject, scene, out_dir;
   std::string exact_folder = "scenes/exact";
   bool exact_folder_given = false;
+  std::string parts_folder;
 };
 
 /// The folder of the CAD part's exact surface; "" where it is not where it was looked for by default, and
@@ -43,7 +44,9 @@ StudyReport studied(const StudyOptions& options) {
   };
   if (subject == "stability") return study_stability(progress);
   if (subject == "friction") return study_friction(progress);
-  return study_contact(progress, exact_folder(options));
+  const std::string exact = exact_folder(options);
+  const std::string scenes = exact.empty() ? "" : exact + "/..";
+  return study_contact(progress, exact, {scenes, options.parts_folder});
 }
 
 /// A scene is what `scene` studies, and what no other subject has.
@@ -81,12 +84,15 @@ void add_study(CLI::App& program, Action& action) {
   const CLI::Option* exact = command->add_option(
       "--exact", options->exact_folder,
       "contact: folder of a CAD part's tessellations and points of its exact surface; default scenes/exact");
+  refuse_empty(command->add_option(
+      "--parts", options->parts_folder,
+      "contact: folder of meshes (unit mm) on which to judge auto, besides the scenes beside scenes/exact"));
   command->footer(
       "friction: every law's error against its own limit of short ticks and against exact stick-slip, by "
       "rate, beside its cost.\n"
       "contact: every method and kind of normals against exact surfaces, by tessellation, beside its cost; "
       "force "
-      "steps; strikes through thin walls.\n"
+      "steps; strikes through thin walls; what auto promises, keeps and costs.\n"
       "stability: largest stable stiffness by rate, damping and delay; loads at which stick buzzes; energy "
       "made; restick rules; velocity.\n"
       "scene: every method, normals, rate and reading of events over the scene's own motion, against the "

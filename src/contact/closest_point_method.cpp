@@ -1,11 +1,8 @@
-#include <fmt/format.h>
-
 #include <algorithm>
-#include <cmath>
 
 #include "contact/closest_memory.hpp"
+#include "contact/closest_point_rule.hpp"
 #include "contact/contact_method_table.hpp"
-#include "contact/part_measures.hpp"
 #include "contact/placed_surface.hpp"
 #include "contact/triangle_tree.hpp"
 
@@ -51,18 +48,6 @@ class ClosestPoint final : public ContactMethod {
   Contact contact_;
 };
 
-/// Why it is enough for a part that no other method is needed for.
-std::string enough(const ContactDemand& demand) {
-  if (demand.centre_depth_m <= 0)
-    return demand.press + " and no more: its centre stays outside, and it touches one wall at a time";
-  if (!std::isfinite(demand.part.thinnest_m))
-    return "it is closed and has no walls that face away from each other";
-  const bool has_walls = std::isfinite(demand.part.thinnest_wall_m);
-  return fmt::format("{} {:.3g} mm {} or more and {}", has_walls ? "walls are" : "sides that lean leave",
-                     1e3 * (has_walls ? demand.part.thinnest_wall_m : demand.part.thinnest_m),
-                     has_walls ? "thick" : "between them", demand.press);
-}
-
 }  // namespace
 
 std::unique_ptr<ContactMethod> brief_closest_point(std::vector<PlacedSurface> surfaces, double radius_m,
@@ -78,7 +63,9 @@ ContactMethodEntry closest_point_method() noexcept {
           false,
           false,
           true,
-          enough,
+          false,
+          closest_point_fails,
+          closest_point_holds,
           [](std::vector<PlacedSurface> surfaces, double radius_m,
              Normals normals) -> std::unique_ptr<ContactMethod> {
             return std::make_unique<ClosestPoint<ClosestMemory>>(std::move(surfaces), radius_m, normals,

@@ -35,15 +35,19 @@ struct ContactMethodEntry {
   bool holds_several;
   /// Whether normals with a surface of their own (`curved`) are touched there; else they only shade.
   bool touches_own_surface;
-  /// Why `auto` takes this method for a part rather than those before it in the table, in words that follow
-  /// "because"; empty where those serve. Null: `auto` never takes it.
-  std::string (*needed)(const ContactDemand& demand);
+  /// Whether a finger deep in a rounding is held by a facet for longer than the facet is the nearest.
+  bool lags_on_facets;
+  /// Why this method cannot keep a scene's forces on a part, in words that follow "because" where another is
+  /// taken; empty where it can. Null: `auto` never takes it.
+  std::string (*fails)(const ContactDemand& demand);
+  /// Why it can, in words that follow "because"; empty where nothing needs to be said.
+  std::string (*holds_here)(const ContactDemand& demand);
   /// @param surfaces  all that can be touched, in the world's order; parts with their trees
   std::unique_ptr<ContactMethod> (*make)(std::vector<PlacedSurface> surfaces, double radius_m,
                                          Normals normals);
 };
 
-/// All contact methods, the cheapest first.
+/// All contact methods, the most complete last.
 std::span<const ContactMethodEntry> contact_method_table() noexcept;
 /// The row of a name; nullptr if there is none.
 const ContactMethodEntry* find_contact_method(std::string_view name) noexcept;

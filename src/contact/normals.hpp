@@ -10,26 +10,18 @@ namespace fingerpad {
 
 class TriangleTree;
 struct ClosestTriangle;
-struct PartMeasures;
+struct SurfacePlace;
 struct SurfacePoint;
 struct TrianglePoint;
-
-/// What a scene asks of normals on one of its parts: what `auto` decides by.
-struct NormalsDemand {
-  const PartMeasures& part;
-  double tilt_rad = 0;               ///< error of the normal that is allowed
-  double sag_m = 0;                  ///< error of the surface that is allowed
-  bool touches_own_surface = false;  ///< whether the contact method touches a surface of the normals' own
-};
 
 /// One row of the table of normals: how the contact normal is made from facets. Creases and sharp vertices
 /// keep the facet rule with all of them.
 struct NormalsEntry {
   std::string_view name;     ///< as scenes write it
   std::string_view summary;  ///< in a line
-  /// Why `auto` takes these for a part rather than those before them in the table, in words that follow
-  /// "because"; empty where those serve. Null: `auto` never takes them.
-  std::string (*needed)(const NormalsDemand& demand);
+  /// How far they are off the smooth surface that the facets stand for, at one of a part's places [rad].
+  /// Null: `auto` never takes them.
+  double (*off_rad)(const SurfacePlace& place) noexcept;
   /// The normal at a smooth place of triangle t; null: what the facet rule gives there.
   /// @param facet_normal_P  that, on the facets' outer side, unit
   Vec3 (*shade)(const TriangleTree& tree, int t, const TrianglePoint& at,

@@ -3,8 +3,6 @@
 #include "contact/curved_closest.hpp"
 #include "contact/facet_rule.hpp"
 #include "contact/normals.hpp"
-#include "contact/normals_words.hpp"
-#include "contact/part_measures.hpp"
 #include "contact/surface_point.hpp"
 
 namespace fingerpad {
@@ -38,12 +36,9 @@ SurfacePoint on_patch(const TriangleTree& tree, const ClosestTriangle& facets, c
   return result;
 }
 
-/// Where besides a tilt the facets cut too deep into the surface. A proxy stands on the facets, whatever its
-/// normals: there only a finer mesh would do.
-std::string why_curved(const NormalsDemand& demand) {
-  const bool turns = demand.part.largest_smooth_turn_rad / 2 > demand.tilt_rad;
-  const bool sags = demand.part.largest_sag_m > demand.sag_m;
-  return turns && sags && demand.touches_own_surface ? sag_text(demand.part) : std::string();
+/// They are what other normals are held against: what is known of the surface.
+double curved_off_rad(const SurfacePlace& /*place*/) noexcept {
+  return 0;
 }
 
 }  // namespace
@@ -55,7 +50,7 @@ std::string why_curved(const NormalsDemand& demand) {
 constinit const NormalsEntry normals_curved{
     "curved",
     "a cubic patch over each facet is touched (a proxy stands on the facets: there it only shades)",
-    why_curved,
+    curved_off_rad,
     shown,
     on_patch,
     0.25,

@@ -1,20 +1,17 @@
 #include "contact/normals.hpp"
-#include "contact/normals_words.hpp"
-#include "contact/part_measures.hpp"
+#include "contact/surface_places.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// Good enough for every part that no other kind is needed for.
-std::string why_facet(const NormalsDemand& demand) {
-  return demand.part.largest_smooth_turn_rad == 0 ? "its faces are flat"
-                                                  : turn_text(demand.part) + " and no more";
+double facet_off_rad(const SurfacePlace& place) noexcept {
+  return place.facet_rad;
 }
 
 }  // namespace
 
 /// The gradient of the distance to the facets as they are: the facet's own normal over a face; over a convex
 /// edge or vertex the direction from the surface point to the finger.
-constinit const NormalsEntry normals_facet{"facet", "the mesh's own facets", why_facet, nullptr, nullptr};
+constinit const NormalsEntry normals_facet{"facet", "the mesh's own facets", facet_off_rad, nullptr, nullptr};
 
 }  // namespace fingerpad

@@ -1,6 +1,9 @@
 #pragma once
 
 #include <limits>
+#include <vector>
+
+#include "contact/surface_places.hpp"
 
 namespace fingerpad {
 
@@ -19,6 +22,7 @@ struct PartMeasures {
   double volume_m3 = 0;          ///< signed: < 0 where the part is inside out; means nothing where it is open
 
   double sharpest_ridge_rad = 0;   ///< largest turn across a convex edge; pi less the angle of the material
+  double sharpest_edge_rad = 0;    ///< largest turn across a convex edge that is a crease
   double sharpest_valley_rad = 0;  ///< largest turn across a concave edge that is a crease
   double tightest_hollow_m = inf;  ///< smallest radius of the surface across concave edges that are no crease
   double largest_smooth_turn_rad = 0;  ///< across an edge that is no crease
@@ -30,6 +34,10 @@ struct PartMeasures {
   int ray_count = 0;
   int overlap_count = 0;  ///< samples whose ray enters another sheet before, or where, it leaves its own:
                           ///< there bodies overlap, or a surface passes through itself
+
+  std::vector<SurfacePlace> places;  ///< how well the facets stand for a smooth surface, all over the part
+  double tightest_round_m = inf;     ///< all but a hundredth of its area is rounded less tightly, to a fifth
+  double median_round_m = inf;       ///< and half of it
 
   static constexpr double inf = std::numeric_limits<double>::infinity();
 };

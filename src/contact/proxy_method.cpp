@@ -1,12 +1,6 @@
-#include <fmt/format.h>
-
-#include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <utility>
 
 #include "contact/contact_method_table.hpp"
-#include "contact/part_measures.hpp"
 #include "contact/proxy.hpp"
 
 namespace fingerpad {
@@ -16,9 +10,6 @@ std::unique_ptr<ContactMethod> brief_closest_point(std::vector<PlacedSurface> su
                                                    Normals normals, long most_looks);
 
 namespace {
-
-constexpr double degrees = 180 / std::numbers::pi;
-constexpr double right_angle_rad = std::numbers::pi / 2;
 
 /// A proxy that stays on the surfaces: what it stands on holds the finger.
 class ProxyMethod final : public ContactMethod {
@@ -56,68 +47,8 @@ class ProxyMethod final : public ContactMethod {
   Contact contact_;
 };
 
-std::string millimetres(double length_m) {
-  return fmt::format("{:.3g} mm", 1e3 * length_m);
-}
-
-/// Why the part's inside is not known; empty where it is.
-std::string unknown_inside(const PartMeasures& part) {
-  if (part.open_edges > 0)
-    return fmt::format("the mesh is not closed ({} edges without one neighbour)", part.open_edges);
-  if (part.contradicting_edges > 0) return "its facets are wound against each other";
-  if (part.overlap_count > 0)
-    return "it overlaps itself, and inside of another body the nearest surface is no wall";
-  return part.volume_m3 < 0 ? "it is inside out" : "";
-}
-
-/// Why a pressed finger would come out on the far side; empty where it would not.
-std::string way_through(const ContactDemand& demand) {
-  const PartMeasures& part = demand.part;
-  if (demand.centre_depth_m <= 0) return {};
-  if (part.thinnest_m <= 2 * demand.centre_depth_m) {
-    if (part.thinnest_wall_m <= 2 * demand.centre_depth_m)
-      return fmt::format("walls are {} thick and {}", millimetres(part.thinnest_wall_m), demand.press);
-    return fmt::format("sides that lean towards each other leave {} between them and {}",
-                       millimetres(part.thinnest_m), demand.press);
-  }
-  if (part.sharpest_ridge_rad < opposite_turn_rad) return {};
-  return fmt::format("an edge is as sharp as {:.0f} degrees and {}", 180 - degrees * part.sharpest_ridge_rad,
-                     demand.press);
-}
-
-/// Why the finger touches more than the nearest surface; empty where the nearest is enough.
-std::string second_wall(const ContactDemand& demand) {
-  const double radius_m = demand.finger_radius_m, tolerance = demand.force_tolerance;
-  if (!(radius_m > 0)) return {};
-  if (std::sin(demand.part.sharpest_valley_rad / 2) > tolerance)
-    return fmt::format("a {} finger touches two walls at once where they meet at {:.0f} degrees",
-                       millimetres(radius_m), 180 - degrees * demand.part.sharpest_valley_rad);
-  if (demand.part.tightest_hollow_m < radius_m && std::sin(right_angle_rad / 2) > tolerance)
-    return fmt::format("a {} finger bridges hollows of {} radius", millimetres(radius_m),
-                       millimetres(demand.part.tightest_hollow_m));
+std::string nothing(const ContactDemand& /*demand*/) {
   return {};
-}
-
-/// Closest-point answers from the nearest surface, so it is wrong where that changes under the finger:
-///   - the part is open, wound against itself or inside out: its inside is not known;
-///   - bodies of the part overlap or touch over an area, or it passes through itself: the nearest sheet may
-///     be one that lies inside of another body, and its side says nothing (seen by samples: PartMeasures);
-///   - a wall is thinner than twice the depth to which the finger's centre is pressed: beyond its middle the
-///     far side is nearer;
-///   - a knife edge, whose material is sharper than 60 degrees, where the centre can get inside;
-///   - the finger has a radius and touches two walls at once: in a concave crease that turns by phi, where
-///     the nearest wall alone is wrong by sin(phi/2) of the force, or in a hollow of a smaller radius (taken
-///     as a right angle), where that is more than the force tolerance;
-///   - another surface stands nearer than the finger's width.
-/// A blunter convex edge does not: there closest-point lets the finger slip off sideways when it is as near
-/// to the other face as it is deep, but never pushes it on through.
-std::string needed(const ContactDemand& demand) {
-  std::string why = unknown_inside(demand.part);
-  if (why.empty()) why = way_through(demand);
-  if (why.empty()) why = second_wall(demand);
-  if (why.empty() && demand.has_neighbour)
-    why = "another surface is so near that the finger can touch both at once";
-  return why;
 }
 
 }  // namespace
@@ -129,7 +60,9 @@ ContactMethodEntry proxy_method() noexcept {
           true,
           true,
           false,
-          needed,
+          true,
+          nothing,
+          nothing,
           [](std::vector<PlacedSurface> surfaces, double radius_m,
              Normals normals) -> std::unique_ptr<ContactMethod> {
             return std::make_unique<ProxyMethod>(std::move(surfaces), radius_m, normals);

@@ -10,5 +10,6 @@ namespace fingerpad {
 void study_contact_accuracy(StudyReport& report, const StudyProgress& progress);
 void study_contact_exact(StudyReport& report, const ExactSet& set, const StudyProgress& progress);
 void study_contact_strikes(StudyReport& report);
+void study_contact_auto(StudyReport& report, const JudgedFolders& folders, const StudyProgress& progress);
 
 }  // namespace fingerpad

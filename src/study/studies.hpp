@@ -19,13 +19,21 @@ StudyReport study_stability(const StudyProgress& progress);
 /// cost. Some twenty seconds; tables and charts named "_measured" hold times.
 StudyReport study_friction(const StudyProgress& progress);
 
+/// Where `auto` is judged besides the surfaces that are known exactly; "": nowhere.
+struct JudgedFolders {
+  std::string scenes;  ///< of scene files, with a folder `gallery` of more
+  std::string parts;   ///< of meshes, their unit a millimetre
+};
+
 /// Every contact method with every kind of normals, on tessellations of surfaces that are known exactly:
 /// position, normal, force and force steps against the exact ones, beside the time of a tick; and how many
-/// strikes pop through thin walls. Some fifteen seconds; tables and charts named "_measured" hold times.
+/// strikes pop through thin walls; and what `auto` promises, keeps and costs. Some fifteen seconds; tables
+/// and charts named "_measured" hold times.
 /// @param exact_folder  samples of a CAD part's exact surface (a program without a CAD kernel has not got
 /// more)
 ///                      with its tessellations, as in scenes/exact; "": go without, and leave its tables out.
 ///                      Throws Error (refused) where the folder cannot be used.
-StudyReport study_contact(const StudyProgress& progress, const std::string& exact_folder);
+StudyReport study_contact(const StudyProgress& progress, const std::string& exact_folder,
+                          const JudgedFolders& judged);
 
 }  // namespace fingerpad

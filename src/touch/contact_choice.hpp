@@ -15,12 +15,21 @@ struct Scene;
 struct Surface;
 struct World;
 
+/// What a choice keeps of a scene's force_tolerance on one part.
+struct ContactLimit {
+  double kept_tolerance = 0;  ///< force_tolerance where it is kept; else what can be kept in its place
+  std::string said;  ///< what cannot be kept, and what would: "force_tolerance 0.03 cannot be kept, 0.1
+                     ///< can: its facets ...; a finer mesh or a STEP file would"; empty: all is kept
+};
+
 /// A contact method and normals for a whole world, and why.
 struct ContactChoice {
   std::string method = "closest-point";  ///< a row of contact_method_table(), never automatic
   Normals normals = Normals::smooth;
   std::vector<std::string> reasons;  ///< one for each part where the scene left something to choose:
-                                     ///< "FILE: proxy, because WHY (auto)"
+                                     ///< "FILE: proxy, because WHY (auto)"; then a line for each limit that
+                                     ///< says something: "FILE: force_tolerance 0.03 cannot ... (auto)"
+  std::vector<ContactLimit> limits;  ///< one for each part, likewise
 };
 
 /// How far a finger is taken to go on before the next tick can answer: this speed over the rate.
@@ -29,12 +38,22 @@ inline constexpr double choice_speed_m_per_s = 1;
 /// Whether a scene leaves anything to choose: only then are its parts measured.
 bool leaves_a_choice(const ContactSettings& contact) noexcept;
 
-/// The cheapest method and normals that keep the scene's tolerances, where it leaves them open: of each table
-/// the last row that says of some part that it is needed (ContactMethodEntry::needed, NormalsEntry::needed).
+/// The cheapest method and normals that keep the scene's tolerances, where it leaves them open: of all pairs
+/// of rows of both tables whose method can do on every part (ContactMethodEntry::fails), and whose reckoned
+/// error is within the tolerances on every part (reckoned_error.hpp), the one that a table of measured ratios
+/// has as the cheapest (contact_cost.hpp).
 ///
-/// What normals may cost: their tilt is an error of the force's direction, and of the coefficient of friction
-/// that is felt, so it may be at most the force tolerance and the mu tolerance times mu_dynamic; the facets'
-/// sag may be at most the force tolerance's share of the greatest depth.
+/// The promise: on 99 % of ticks the contact's force is off by at most `force_tolerance` times the larger of
+/// the true force and a tenth of `greatest_force_n`, up to `greatest_force_n`, and the finger never pops
+/// through. True is the smooth surface that the facets stand for, where it is known; else the most complete
+/// touch of the mesh at the same rate: the wall that a proxy finds, and the curved patch there. The tilt of
+/// the normals, over the whole part, is an error of the mean coefficient of friction of at most
+/// `mu_tolerance`. It speaks of ways all over the part: what is within a hundredth of its area may be worse.
+///
+/// Where no pair keeps it, because the mesh does not (its facets cut too deep into the surface, or turn by
+/// too much), or because the scene insists on a method or normals, the best is taken, and the choice says
+/// which number is not kept, what is kept in its place (on 99.9 % of the area), and what would keep it
+/// (ContactLimit).
 ///
 /// Creases are taken at the scene's word: an edge that turns by more than `crease_deg` is meant to be an
 /// edge. So a sphere of 20 facets, whose every edge turns by 42 degrees, is an icosahedron, with flat faces:

@@ -60,7 +60,9 @@ TEST(ContactChoice, IsKeptInTheJobTheTraceAndTheSummary) {
   const auto jobs =
       run({scene_in(folder, "open", plate),
            scene_in(folder, "given", plate + "[contact]\nmethod = \"closest-point\"\n"),
-           scene_in(folder, "thick", "[[part]]\nmesh = \"block.ply\"\n[contact]\nnormals = \"auto\"\n"),
+           scene_in(
+               folder, "thick",
+               "[[part]]\nmesh = \"block.ply\"\n[contact]\nnormals = \"auto\"\n[finger]\nradius_m = 0.012\n"),
            scene_in(folder, "flat", "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n")},
           folder / "out", 2);
   for (const BatchJob& job : jobs) ASSERT_EQ(job.status, "ok");

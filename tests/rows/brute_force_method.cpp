@@ -55,6 +55,8 @@ ContactMethodEntry brute_force_method() noexcept {
       false,
       false,
       false,
+      false,
+      nullptr,
       nullptr,
       [](std::vector<PlacedSurface> surfaces, double radius_m, Normals) -> std::unique_ptr<ContactMethod> {
         return std::make_unique<BruteForce>(std::move(surfaces), radius_m);

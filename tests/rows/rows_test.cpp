@@ -125,8 +125,9 @@ TEST(Rows, AutoGoesOnAsItDid) {
     const PartMeasures measures = measure_part(*world->surfaces[0].part, *world->surfaces[0].tree);
     return choose_contact(scene, world->surfaces, {&measures, 1});
   };
-  EXPECT_EQ(chosen(test::box_soup({0.1, 0.1, 0.1})).method, "closest-point");
   EXPECT_EQ(chosen(test::box_soup({0.1, 0.1, 0.001})).method, "proxy");
+  scene.finger.radius_m = 0.007;
+  EXPECT_EQ(chosen(test::sphere_soup(0.05, 5)).method, "closest-point");
   EXPECT_EQ(chosen(test::box_soup({0.1, 0.1, 0.1})).normals, Normals::facet);
 }
 

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "contact/part_measures.hpp"
+
+namespace fingerpad {
+
+/// The height over its longest edge from which a facet's normal is believed [m].
+double trusted_height_of(const Part& part);
+
+/// What all of a part's edges say: PartMeasures' edges, volume, turns, sag and hollow.
+PartMeasures measured_edges(const Part& part, double trusted_height_m);
+
+}  // namespace fingerpad

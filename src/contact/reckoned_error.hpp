@@ -1,0 +1,59 @@
+#pragma once
+
+#include <span>
+
+namespace fingerpad {
+
+struct ContactMethodEntry;
+class Normals;
+struct SurfacePlace;
+
+/// How a finger presses on a part.
+struct Press {
+  double stiffness_n_per_m = 1000;
+  double finger_radius_m = 0;
+  double greatest_force_n = 10;
+
+  /// Smaller forces are held to errors of this one [N].
+  double least_force_n() const noexcept { return greatest_force_n / 10; }
+};
+
+/// How far a way to touch is off the smooth surface that a part's facets stand for, by reckoning.
+struct ReckonedError {
+  double force_share = 0;    ///< of the force, or of Press::least_force_n, on 99 % of the finger's way, at
+                             ///< the force at which that is the largest
+  double largest_share = 0;  ///< likewise at 99.9 %
+  double mean_tilt_rad = 0;  ///< of the force's direction, over all places, under the greatest force
+};
+
+/// Reckons it place by place. With the force F, the stiffness k, the finger's centre h = radius - F/k over
+/// the surface, the surface's curvature c and u = h c:
+///
+///   along the force   the facet stands off the surface by its sag: an error of k sag, whatever the force;
+///   across it         the normal that is shown is off by `off` (NormalsEntry::off_rad) at one place, and
+///                     shown at another: the finger's foot on the facet, whose normal is turned by t, lies
+///                     off that on the surface by h t, where the surface is turned by t |u| (u < 0, the
+///                     finger's centre on the side of the centre of curvature; at most t) or t u / (1 + u):
+///                     beyond, edges of the facets hold the foot. So: F (off + t |u|).
+///                     Facets' own normals know no foot: they are off by t, less where the finger rolls over
+///                     the edges between them (t / (1 + u), u > 0), and more under a proxy inside a rounding,
+///                     which leaves a facet when the finger is past what lies straight under it:
+///                     t / (1 + u), u < 0, up to half the radius deep. Deeper it falls behind by more than a
+///                     facet (study contact: 0.7 of the force at 4/5 of a fillet's radius), which counts as
+///                     the whole force.
+///
+/// A finger dwells at a place for as long as its centre has way to go there, at the height h: (1 + u) of the
+/// place's area, the offset surface's; none where that is not above 0, in hollows too tight for a ball, and
+/// over roundings tighter than a point is deep, from which it slides off at once.
+///
+/// A method that touches the patches themselves has no foot on facets. A patch whose own normals are turned
+/// off the shown ones by s is no more certain than that: s across, and along the force the height that a
+/// slope of s makes over the facet's width.
+///
+/// Held against exact surfaces (study contact: contact_accuracy.csv, auto_judged.csv) the first is right to a
+/// tenth; the last, a bound's estimate, is between a third and four times the error.
+/// noexcept but for memory.
+ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& press,
+                             const ContactMethodEntry& method, Normals normals);
+
+}  // namespace fingerpad

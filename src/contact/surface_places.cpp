@@ -1,0 +1,110 @@
+#include "contact/surface_places.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "contact/curved_patch.hpp"
+#include "contact/normals.hpp"
+#include "contact/triangle_tree.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr std::size_t most_places = 16384, most_per_triangle = 64;
+/// A facet that leans by less is flat: its curvature is rounding.
+constexpr double flat_rad = 1e-6;
+
+struct FacetShape {
+  double area_m2 = 0, height_m = 0;
+};
+
+FacetShape shape_of(const Part& part, int t) {
+  const Vec3 p = part.vertices.col(part.triangles(0, t));
+  const Vec3 a = part.vertices.col(part.triangles(1, t)) - p, b = part.vertices.col(part.triangles(2, t)) - p;
+  const double doubled_m2 = a.cross(b).norm();
+  const double longest_m = std::sqrt(std::max({a.squaredNorm(), b.squaredNorm(), (b - a).squaredNorm()}));
+  return {doubled_m2 / 2, longest_m > 0 ? doubled_m2 / longest_m : 0};
+}
+
+double angle_of(const Vec3& a, const Vec3& b) {
+  return 2 * std::asin(std::min(1.0, (a - b).norm() / 2));
+}
+
+/// How fast the corners' normals turn along a direction in the facet, > 0 where they spread (Rusinkiewicz
+/// 2004). Not the patch's own second derivatives: they are off by as much as there is.
+double curvature_along(const CurvedPatch& patch, const Vec3& facet, const Vec3& leaning) {
+  const Vec3 e1 = patch.control[1] - patch.control[0], e2 = patch.control[2] - patch.control[0];
+  const Vec3 direction = leaning - leaning.dot(facet) * facet;
+  const double e = e1.squaredNorm(), f = e1.dot(e2), g = e2.squaredNorm(), det = e * g - f * f;
+  const double length2 = direction.squaredNorm();
+  if (!(det > 0) || !(length2 > 0)) return 0;
+  const double d1 = direction.dot(e1), d2 = direction.dot(e2);
+  const Vec3 turned = ((g * d1 - f * d2) * (patch.corner_normal[1] - patch.corner_normal[0]) +
+                       (e * d2 - f * d1) * (patch.corner_normal[2] - patch.corner_normal[0])) /
+                      det;
+  return turned.dot(direction) / length2;
+}
+
+/// @param b  barycentric coordinates of the place on triangle t
+SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
+  const Part& part = tree.part();
+  const CurvedPatch patch = curved_patch({part, tree.curved_normals()}, t);
+  const Vec3 facet = part.facet_normals.col(t);
+  SurfacePlace place;
+  const Vec3 curved = shown_normal(patch, b, facet);
+  TrianglePoint at;
+  at.feature = Feature::face;
+  at.barycentric = b;
+  const PatchPoint on = evaluate(patch, b);
+  const Vec3 flat = b[0] * patch.control[0] + b[1] * patch.control[1] + b[2] * patch.control[2];
+  place.sag_m = std::abs((on.x - flat).dot(facet));
+  place.facet_rad = angle_of(facet, curved);
+  place.smooth_rad = angle_of(normals_smooth.shade(tree, t, at, facet), curved);
+  const Vec3 cross = on.x1.cross(on.x2);
+  if (cross.dot(facet) > 0) place.patch_rad = angle_of(cross.normalized(), curved);
+  if (place.facet_rad > flat_rad) place.curvature_per_m = curvature_along(patch, facet, curved);
+  place.width_m = shape_of(part, t).height_m;
+  return std::isfinite(place.sag_m + place.curvature_per_m) ? place : SurfacePlace();
+}
+
+/// Spread evenly over triangles, whatever their number: the R2 sequence (Roberts 2018), folded.
+Vec3 spread(std::size_t i) {
+  double u = std::fmod(0.5 + static_cast<double>(i) * 0.7548776662466927, 1.0);
+  double v = std::fmod(0.5 + static_cast<double>(i) * 0.5698402909980532, 1.0);
+  if (u + v > 1) {
+    u = 1 - u;
+    v = 1 - v;
+  }
+  return {1 - u - v, u, v};
+}
+
+}  // namespace
+
+std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m) {
+  const Part& part = tree.part();
+  std::vector<double> sums_m2;
+  sums_m2.reserve(static_cast<std::size_t>(part.triangle_count()));
+  double sum_m2 = 0;
+  for (int t = 0; t < part.triangle_count(); ++t) {
+    const FacetShape shape = shape_of(part, t);
+    sums_m2.push_back(sum_m2 += shape.height_m > trusted_height_m ? shape.area_m2 : 0);
+  }
+  const std::size_t count = std::min(most_places, most_per_triangle * sums_m2.size());
+  std::vector<SurfacePlace> places(sum_m2 > 0 ? count : 0);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, places.size(), 256),
+                    [&](const tbb::blocked_range<std::size_t>& range) {
+                      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+                        const double wanted_m2 =
+                            sum_m2 * (static_cast<double>(i) + 0.5) / static_cast<double>(count);
+                        const auto found = std::upper_bound(sums_m2.begin(), sums_m2.end() - 1, wanted_m2);
+                        places[i] = place_on(tree, static_cast<int>(found - sums_m2.begin()), spread(i));
+                      }
+                    });
+  return places;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+namespace fingerpad {
+
+class TriangleTree;
+
+/// One of the places, of equal area each, at which a part's facets are held against the smooth surface that
+/// they stand for: the curved patch over the facet (curved_patch.hpp), as far as a mesh tells it. On flat
+/// faces all is 0.
+struct SurfacePlace {
+  double sag_m = 0;       ///< how far the facet stands off the patch
+  double facet_rad = 0;   ///< the facet's normal off the patch's shown one
+  double smooth_rad = 0;  ///< the corners' normals, interpolated, off it
+  double patch_rad = 0;   ///< the patch's own normal off it: how badly the patch fits its corners' normals
+  double width_m = 0;     ///< of the facet, over its longest edge
+  double curvature_per_m = 0;  ///< along the way in which the facet leans; > 0 where it is convex
+};
+
+/// At 16,384 places, and at no more than 64 times the triangles. On all threads, the same on any number of
+/// them. A facet that is lower than this over its longest edge has no normal that is believed, and no place.
+std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m);
+
+}  // namespace fingerpad

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <string>
+
+#include "study/judged_runs.hpp"
+
+namespace fingerpad {
+
+/// What becomes of `auto`'s word on a case.
+enum class JudgedWord {
+  kept,      ///< it promised the scene's force_tolerance, and kept it
+  said,      ///< it said that this cannot be kept; that is so, and what it said instead was kept
+  needless,  ///< it said so, and yet it was kept
+  broken
+};
+std::string to_string(JudgedWord word);
+
+/// One case under every pair of method and normals.
+struct JudgedRow {
+  std::string name, said;
+  double triangles = 0, radius_m = 0, tolerance = 0;
+  double promised = 0;                    ///< force_tolerance, or what it said could be kept in its place;
+                                          ///< infinity: nothing
+  bool is_exact = false;                  ///< whether the surface is known
+  std::size_t chosen = 0;                 ///< of contact_variants()
+  std::vector<double> error_99, tick_ns;  ///< by variant: on 99 % of ticks no larger than this
+  std::vector<double> cost;               ///< by variant, as the committed table has it
+  std::vector<long> pop_throughs;         ///< by variant; the last, the most complete, tells how many are the
+                                          ///< motion's: a finger that is dragged through a part's inside
+  long ticks = 0;                         ///< on which anything is felt
+
+  JudgedWord word() const;
+  /// The variant of the least `price` of those that keep the tolerance; contact_variants().size(): none.
+  std::size_t cheapest(const std::vector<double>& price) const;
+  /// What the chosen one costs in units of the cheapest that keeps it; nan where none does.
+  double price_ratio(const std::vector<double>& price) const;
+};
+
+/// @param turns  JudgedRun's
+JudgedRow judged(const JudgedCase& one, int turns);
+
+}  // namespace fingerpad

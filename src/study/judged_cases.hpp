@@ -1,0 +1,54 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "motion/finger_path.hpp"
+#include "scene/scene.hpp"
+#include "study/studies.hpp"
+#include "touch/world.hpp"
+
+namespace fingerpad {
+
+/// A finger that goes over a world for which `auto` chooses, without friction.
+struct JudgedCase {
+  std::string name;
+  Scene scene;                         ///< leaves method and normals open
+  std::shared_ptr<const World> world;  ///< with its choice
+  std::vector<FingerPath> ways = {};   ///< each begins anew, away from where the last ended
+  /// The force on the finger where the surface is known exactly [N]; else empty.
+  std::function<Vec3(const Vec3& p_WQ)> exact_force_n = {};
+};
+
+/// Takes one case after the other, as soon as it is made.
+using TakeCase = std::function<void(const JudgedCase&)>;
+
+/// Tessellations of the surfaces that are known exactly, each under a point and a ball, pressed lightly and
+/// hard.
+void take_exact_cases(const TakeCase& take);
+
+/// Scene files of a folder and of its gallery, each part and motion once, with method and normals left open.
+/// Scenes that are refused or have no mesh are passed over; a [hand] does not act.
+void take_scene_cases(const std::string& folder, const TakeCase& take);
+
+/// A mesh, its unit a millimetre, under a point and a ball that make so many short strokes all over it; none
+/// of a file that cannot be touched. A part less than 20 mm wide is touched to its scale: by a smaller ball,
+/// more slowly, and it is as much stiffer.
+void take_part_cases(const std::string& file, int strokes, const TakeCase& take);
+
+/// Those files of a folder whose ending `is_one` takes, by name.
+std::vector<std::string> files_of(const std::string& folder, bool (*is_one)(const std::string& ending));
+
+/// Strokes over a part: straight down onto places all over its outside, along for a while and up again. Every
+/// other is pressed with a tenth of the greatest force, the lightest touch that must be true, where facets
+/// that cut in count the most; the others with up to the greatest. The same at every run.
+/// @param surface  a part in its place
+/// @param scale    of the strokes' length and speed, 1 at the most
+std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene, int count, double scale);
+
+/// A way through these places, one a tick.
+FingerPath way_through(const std::vector<Vec3>& places_W, const Scene& scene);
+
+}  // namespace fingerpad

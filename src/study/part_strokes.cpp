@@ -1,0 +1,100 @@
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+#include "base/random_stream.hpp"
+#include "contact/triangle_tree.hpp"
+#include "study/judged_cases.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double down_m_per_s = 0.05, along_m_per_s = 0.1, along_s = 0.2;
+
+/// A place of a part's surface from where nothing of it lies in the way out.
+struct Landing {
+  Vec3 at_P, normal_P;
+};
+
+/// Facets by their area.
+class FacetLottery {
+ public:
+  explicit FacetLottery(const Part& part) : part_(part) {
+    double sum = 0;
+    for (int t = 0; t < part.triangle_count(); ++t) sums_.push_back(sum += area_m2(t));
+  }
+  /// A place, relative to the part's centre.
+  Landing draw(RandomStream& random) const {
+    const double wanted = random.uniform() * sums_.back();
+    const auto found = std::upper_bound(sums_.begin(), sums_.end() - 1, wanted);
+    const int t = static_cast<int>(found - sums_.begin());
+    double u = random.uniform(), v = random.uniform();
+    if (u + v > 1) {
+      u = 1 - u;
+      v = 1 - v;
+    }
+    const Vec3 a = corner(t, 0);
+    return {a + u * (corner(t, 1) - a) + v * (corner(t, 2) - a), part_.facet_normals.col(t)};
+  }
+
+ private:
+  Vec3 corner(int t, int k) const { return part_.vertices.col(part_.triangles(k, t)); }
+  double area_m2(int t) const {
+    const Vec3 a = corner(t, 0);
+    return (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
+  }
+
+  const Part& part_;
+  std::vector<double> sums_;
+};
+
+/// Whether a finger can come down there: it fits at its start, and nothing is in its centre's way.
+bool is_free(const TriangleTree& tree, const Landing& landing, double height_m, double radius_m) {
+  const Vec3 top = landing.at_P + height_m * landing.normal_P;
+  const double slack_m = 1e-6 * tree.part().size_m();
+  const Vec3 foot = landing.at_P + slack_m * landing.normal_P;
+  if (tree.closest(top, -1, radius_m).triangle >= 0) return false;
+  return tree.first_crossing(top, foot).triangle < 0 && tree.first_crossing(foot, top).triangle < 0;
+}
+
+void go_to(std::vector<Vec3>& places, const Vec3& to, double speed_m_per_s, double rate_hz) {
+  const Vec3 from = places.back();
+  const auto ticks = static_cast<int>(std::ceil((to - from).norm() / speed_m_per_s * rate_hz));
+  for (int k = 1; k <= ticks; ++k) places.emplace_back(from + (to - from) * k / ticks);
+}
+
+}  // namespace
+
+std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene, int count, double scale) {
+  const Part& part = *surface.part;
+  const double rate_hz = scene.motion.rate_hz, radius_m = scene.finger.radius_m;
+  const double greatest_m = scene.contact.greatest_force_n / surface.properties.stiffness_n_per_m;
+  const FacetLottery lottery(part);
+  RandomStream random(11);
+  std::vector<FingerPath> strokes;
+  for (int tries = 0; tries < 20 * count && static_cast<int>(strokes.size()) < count; ++tries) {
+    const Landing landing = lottery.draw(random);
+    const Vec3 n = surface.R_WP * landing.normal_P;
+    const bool is_light = strokes.size() % 2 == 0;
+    const double depth_m = is_light ? greatest_m / 10 : greatest_m * std::pow(10.0, -random.uniform());
+    const double turn = 2 * std::numbers::pi * random.uniform();
+    const Vec3 across = n.unitOrthogonal(),
+               along = std::cos(turn) * across + std::sin(turn) * n.cross(across);
+    const double height_m = 2 * radius_m + scale * 1e-3;
+    if (!is_free(*surface.tree, landing, height_m, radius_m)) continue;
+    const Vec3 on = surface.R_WP * (landing.at_P + part.centre_P) + surface.p_WP;
+    std::vector<Vec3> places{on + height_m * n};
+    const Vec3 deep = on + (radius_m - depth_m) * n;
+    const double length_m = std::min(scale * along_m_per_s * along_s, part.size_m() / 4);
+    go_to(places, deep, scale * down_m_per_s, rate_hz);
+    go_to(places, deep + length_m * along, scale * along_m_per_s, rate_hz);
+    go_to(places, deep + length_m * along + (height_m - radius_m + depth_m) * n, scale * down_m_per_s,
+          rate_hz);
+    strokes.push_back(way_through(places, scene));
+  }
+  return strokes;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,121 @@
+#include "touch/contact_case.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+
+#include "contact/contact_cost.hpp"
+#include "part/part.hpp"
+#include "scene/scene.hpp"
+#include "touch/contact_choice.hpp"
+#include "touch/world.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// The greatest press is told as "10 N at 1000 N/m presses 10 mm deep".
+ContactDemand demand_of(const Scene& scene, std::span<const Surface> surfaces, const Surface& surface,
+                        const PartMeasures& part) {
+  const double force_n = scene.contact.greatest_force_n, radius_m = scene.finger.radius_m;
+  const double stiffness_n_per_m = surface.properties.stiffness_n_per_m,
+               depth_m = force_n / stiffness_n_per_m;
+  const WorldBox box = world_box(surface);
+  ContactDemand demand{part};
+  demand.finger_radius_m = radius_m;
+  demand.force_tolerance = scene.contact.force_tolerance;
+  demand.centre_depth_m = depth_m - radius_m + choice_speed_m_per_s / scene.motion.rate_hz;
+  demand.press =
+      fmt::format("{:.3g} N at {:.4g} N/m presses {}{:.3g} mm deep", force_n, stiffness_n_per_m,
+                  radius_m > 0 ? fmt::format("a {:.3g} mm finger ", 1e3 * radius_m) : "", 1e3 * depth_m);
+  demand.has_neighbour = std::any_of(surfaces.begin(), surfaces.end(), [&](const Surface& other) {
+    return &other != &surface && comes_within(other, box, 2 * radius_m);
+  });
+  return demand;
+}
+
+/// The tilt of the normals is an error of the coefficient of friction that is felt; what a choice must keep
+/// of that is its mean.
+double allowed_mean_tilt_rad(const ContactSettings& contact, double mu) {
+  return mu > 0 ? contact.mu_tolerance * mu : std::numeric_limits<double>::infinity();
+}
+
+int triangles_of(std::span<const Surface> surfaces) {
+  int sum = 0;
+  for (const Surface& surface : surfaces) sum += surface.part ? surface.part->triangle_count() : 0;
+  return sum;
+}
+
+bool is_open(const Scene& scene, const ContactMethodEntry& method) {
+  return scene.contact.method == automatic_method ? method.fails != nullptr
+                                                  : scene.contact.method == method.name;
+}
+
+bool is_open(const Scene& scene, Normals normals) {
+  return scene.contact.automatic_normals ? normals->off_rad != nullptr : scene.contact.normals == normals;
+}
+
+}  // namespace
+
+double across_m(const Part& part) noexcept {
+  const Vec3 half = part.half_extent;
+  return 2 * std::max(std::min(half.x(), half.y()), std::min(std::max(half.x(), half.y()), half.z()));
+}
+
+std::vector<ContactCase> contact_cases(const Scene& scene, std::span<const Surface> surfaces,
+                                       std::span<const PartMeasures> measures) {
+  std::vector<ContactCase> cases;
+  for (std::size_t i = 0; i < measures.size(); ++i) {
+    const Surface& surface = surfaces[i];
+    cases.push_back(
+        {std::filesystem::path(surface.mesh).filename().string(),
+         demand_of(scene, surfaces, surface, measures[i]),
+         {surface.properties.stiffness_n_per_m, scene.finger.radius_m, scene.contact.greatest_force_n},
+         across_m(*surface.part),
+         allowed_mean_tilt_rad(scene.contact, surface.properties.mu_dynamic)});
+  }
+  return cases;
+}
+
+double force_tolerances(const ReckonedError& error, double tolerance) noexcept {
+  constexpr double most_beyond = 1.5;
+  return std::max(error.force_share, error.largest_share / most_beyond) / tolerance;
+}
+
+bool ContactPair::holds() const {
+  return std::all_of(fails.begin(), fails.end(), [](const std::string& why) { return why.empty(); });
+}
+
+double ContactPair::tolerances(std::span<const ContactCase> cases) const {
+  double most = 0;
+  for (std::size_t i = 0; i < cases.size(); ++i) {
+    most = std::max({most, force_tolerances(errors[i], cases[i].contact.force_tolerance),
+                     errors[i].mean_tilt_rad / cases[i].mean_tilt_rad});
+  }
+  return most;
+}
+
+std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surface> surfaces,
+                                       std::span<const ContactCase> cases) {
+  std::vector<ContactPair> pairs;
+  for (const ContactMethodEntry& method : contact_method_table()) {
+    for (const Normals normals : normals_table()) {
+      if (!is_open(scene, method) || !is_open(scene, normals)) continue;
+      // What no table of costs knows is taken for dearer than all that it does.
+      const auto cost =
+          contact_cost(method.name, normals->name, triangles_of(surfaces), scene.finger.radius_m > 0);
+      ContactPair pair{&method, normals, cost.value_or(std::numeric_limits<double>::infinity())};
+      for (const ContactCase& one : cases) {
+        pair.errors.push_back(normals->off_rad == nullptr
+                                  ? ReckonedError()
+                                  : reckoned_error(one.contact.part.places, one.press, method, normals));
+        pair.fails.push_back(method.fails == nullptr ? "" : method.fails(one.contact));
+      }
+      pairs.push_back(std::move(pair));
+    }
+  }
+  return pairs;
+}
+
+}  // namespace fingerpad

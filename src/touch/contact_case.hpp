@@ -1,0 +1,56 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <vector>
+
+#include "contact/contact_method_table.hpp"
+#include "contact/part_measures.hpp"
+#include "contact/reckoned_error.hpp"
+
+namespace fingerpad {
+
+struct Part;
+struct Scene;
+struct Surface;
+
+/// One part of a scene, and what the scene asks of contact with it.
+struct ContactCase {
+  std::string file;  ///< the mesh's, without its folder
+  ContactDemand contact;
+  Press press;
+  double across_m = 0;       ///< of the part
+  double mean_tilt_rad = 0;  ///< that the tolerance of friction allows; infinity where there is no friction
+};
+
+/// The second of a part's three extents: a plate is as wide as its shorter side, a rod as it is thick [m].
+double across_m(const Part& part) noexcept;
+
+/// @param surfaces  parts first
+/// @param measures  one for each part, which outlives the cases
+std::vector<ContactCase> contact_cases(const Scene& scene, std::span<const Surface> surfaces,
+                                       std::span<const PartMeasures> measures);
+
+/// The force's error in tolerances: on 99 % of the way, and, since a finger may stay where a part is at its
+/// worst, on 99.9 % of it in units half as large again.
+double force_tolerances(const ReckonedError& error, double tolerance) noexcept;
+
+/// A contact method with normals, rows of their tables, and what is reckoned of them.
+struct ContactPair {
+  const ContactMethodEntry* method;
+  Normals normals;
+  double cost = 0;                         ///< of a tick's contact (contact_cost.hpp)
+  std::vector<ReckonedError> errors = {};  ///< one a part
+  std::vector<std::string> fails = {};     ///< one a part: why the method cannot do there; empty where it can
+
+  bool touches_own_surface() const { return method->touches_own_surface && normals->own_surface != nullptr; }
+  bool holds() const;
+  /// The largest error there is in tolerances: 1 and less are kept.
+  double tolerances(std::span<const ContactCase> cases) const;
+};
+
+/// Every pair that `auto` may take for a scene: those it leaves open, with all errors reckoned.
+std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surface> surfaces,
+                                       std::span<const ContactCase> cases);
+
+}  // namespace fingerpad

@@ -1,0 +1,144 @@
+#include "touch/contact_reasons.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+namespace fingerpad {
+namespace {
+
+/// What is said instead of the tolerance leaves room for a reckoning that is right to a tenth.
+constexpr double reckoning_margin = 1.1;
+
+/// Beyond a third of the force reckoning says nothing.
+constexpr double most_kept = 1.0 / 3, nothing_kept = std::numeric_limits<double>::infinity();
+
+/// "2.1 %", "0.05 %"; never less than it is.
+std::string percent_words(double share) {
+  const double percent = 100 * share,
+               unit = percent > 0 ? std::pow(10, std::floor(std::log10(percent)) - 1) : 1;
+  if (percent > 10) return fmt::format("{:.0f} %", std::ceil(percent));
+  return fmt::format("{:.2g} %", std::ceil(percent / unit - 1e-9) * unit);
+}
+
+/// Why the method is the chosen one on part i: what forbids another there, or on another part, or its cost.
+std::string method_reason(const ContactVerdict& verdict, std::span<const ContactCase> cases, std::size_t i) {
+  const ContactMethodEntry& chosen = *verdict.chosen.method;
+  for (const ContactPair& other : verdict.all) {
+    if (other.method == &chosen || other.holds()) continue;
+    if (!other.fails[i].empty()) return other.fails[i];
+    const auto by = std::find_if(other.fails.begin(), other.fails.end(),
+                                 [](const std::string& why) { return !why.empty(); });
+    return cases[static_cast<std::size_t>(by - other.fails.begin())].file + " needs it";
+  }
+  const std::string holds = chosen.holds_here == nullptr ? "" : chosen.holds_here(cases[i].contact);
+  return holds.empty() ? "a tick costs less than with the others that would do" : holds;
+}
+
+bool is_flat(const ReckonedError& error) {
+  return error.largest_share < 1e-6;
+}
+
+/// Why the normals are the chosen ones on part i: how far the force is off with them, and with plainer ones.
+std::string normals_reason(const ContactVerdict& verdict, std::span<const ContactCase> cases, std::size_t i) {
+  const ContactPair& chosen = verdict.chosen;
+  const ReckonedError& error = chosen.errors[i];
+  const ContactPair* refused = nullptr;  // the last before the chosen one with the same method
+  for (const ContactPair& other : verdict.all) {
+    if (other.normals == chosen.normals) break;
+    if (other.method == chosen.method) refused = &other;
+  }
+  if (refused == nullptr || is_flat(refused->errors[i]))
+    return is_flat(error) ? "its faces are flat"
+                          : "they keep the force to " + percent_words(error.force_share);
+  const ReckonedError& other = refused->errors[i];
+  const std::string than =
+      fmt::format("they keep the force to {}, {} ones to {}", percent_words(error.force_share),
+                  refused->normals->name, percent_words(other.force_share));
+  const bool needs_here = force_tolerances(other, cases[i].contact.force_tolerance) > 1 ||
+                          other.mean_tilt_rad > cases[i].mean_tilt_rad || cases.size() == 1;
+  return needs_here ? than : than + ", and another part needs them";
+}
+
+/// Facets that stand for a smooth surface, in words.
+std::string facets_words(const ContactCase& on, const ReckonedError& error) {
+  const PartMeasures& part = on.contact.part;
+  const double sag_share = part.largest_sag_m * on.press.stiffness_n_per_m / on.press.least_force_n();
+  const std::string turn = fmt::format("turn by up to {:.2g} degrees where they stand for a smooth surface",
+                                       180 / std::numbers::pi * part.largest_smooth_turn_rad);
+  if (sag_share < error.force_share / 3) return "its facets " + turn;
+  return fmt::format("its facets cut up to {:.2g} mm into a smooth surface and {}", 1e3 * part.largest_sag_m,
+                     turn);
+}
+
+/// Whether a pair that touches a surface of its own could have been taken, and would keep it.
+bool patches_would(const ContactVerdict& verdict, std::span<const ContactCase> cases) {
+  return std::any_of(verdict.all.begin(), verdict.all.end(), [&](const ContactPair& pair) {
+    return pair.touches_own_surface() && pair.holds() && pair.tolerances(cases) <= 1;
+  });
+}
+
+/// A part so small, or so round, that a pressed finger slips round it; then nothing holds it.
+std::string slips_round(const ContactCase& on) {
+  const double depth_m = on.press.greatest_force_n / on.press.stiffness_n_per_m,
+               inside_m = depth_m - on.press.finger_radius_m, round_m = on.contact.part.median_round_m;
+  const std::string mend = ": a finger slips round it; a smaller greatest_force_n would";
+  if (on.across_m < depth_m)
+    return fmt::format("{}, and it is {:.2g} mm across{}", on.contact.press, 1e3 * on.across_m, mend);
+  if (round_m < inside_m)
+    return fmt::format("{}, and it is rounded by {:.2g} mm{}", on.contact.press, 1e3 * round_m, mend);
+  return {};
+}
+
+std::string mend_words(const ContactVerdict& verdict, std::span<const ContactCase> cases) {
+  if (!verdict.normals_open && !patches_would(verdict, cases) &&
+      verdict.chosen.normals != normals_table().back())
+    return "a finer mesh, a STEP file or normals = \"auto\" would do better";
+  return "a finer mesh or a STEP file would";
+}
+
+}  // namespace
+
+std::string reason_of(const ContactVerdict& verdict, std::span<const ContactCase> cases, std::size_t i) {
+  std::string line = cases[i].file + ": ";
+  if (verdict.method_open)
+    line += fmt::format("{}, because {}", verdict.chosen.method->name, method_reason(verdict, cases, i));
+  if (verdict.method_open && verdict.normals_open) line += "; ";
+  if (verdict.normals_open)
+    line += fmt::format("{} normals, because {}", verdict.chosen.normals->name,
+                        normals_reason(verdict, cases, i));
+  return line + " (auto)";
+}
+
+ContactLimit limit_of(const ContactVerdict& verdict, std::span<const ContactCase> cases, std::size_t i) {
+  const ContactPair& chosen = verdict.chosen;
+  const ContactCase& on = cases[i];
+  const ReckonedError& error = chosen.errors[i];
+  const double tolerance = on.contact.force_tolerance;
+  ContactLimit limit{tolerance, {}};
+  const std::string slips = slips_round(on);
+  if (!slips.empty()) {
+    limit.kept_tolerance = nothing_kept;
+    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept: {}", tolerance, slips);
+  } else if (!chosen.fails[i].empty()) {
+    limit.kept_tolerance = nothing_kept;
+    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept by {}: {}; method = \"auto\" would",
+                             tolerance, chosen.method->name, chosen.fails[i]);
+  } else if (force_tolerances(error, tolerance) > 1) {
+    const double kept = reckoning_margin * error.largest_share;
+    limit.kept_tolerance = kept > most_kept ? nothing_kept : kept;
+    limit.said = fmt::format(
+        "force_tolerance {:.3g} cannot be kept{}: {}; {}", tolerance,
+        kept > most_kept ? std::string(", nor anything like it") : fmt::format(", {:.2g} can", kept),
+        facets_words(on, error), mend_words(verdict, cases));
+  } else if (error.mean_tilt_rad > on.mean_tilt_rad) {
+    limit.said = fmt::format("mu_tolerance cannot be kept: {}; {}", facets_words(on, error),
+                             mend_words(verdict, cases));
+  }
+  return limit;
+}
+
+}  // namespace fingerpad

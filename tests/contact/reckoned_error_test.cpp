@@ -1,0 +1,93 @@
+#include "contact/reckoned_error.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+#include "contact/contact_method_table.hpp"
+#include "contact/surface_places.hpp"
+
+namespace fingerpad::reckoned_error_test {
+namespace {
+
+const ContactMethodEntry& method(const char* name) {
+  return *find_contact_method(name);
+}
+
+/// 1 N is felt at the least, 10 N at the most, by a point at 1000 N/m.
+const Press press{1000, 0, 10};
+
+double share(const SurfacePlace& place, const Press& how, const char* name, Normals normals) {
+  const std::vector<SurfacePlace> places(100, place);
+  return reckoned_error(places, how, method(name), normals).force_share;
+}
+
+TEST(ReckonedError, OfFlatFacesIsNone) {
+  EXPECT_EQ(share({}, press, "proxy", Normals::facet), 0);
+  EXPECT_EQ(reckoned_error({}, press, method("proxy"), Normals::facet).force_share, 0) << "no place at all";
+}
+
+TEST(ReckonedError, OfSagIsFeltTheMostByTheLightestTouch) {
+  SurfacePlace place;
+  place.sag_m = 5e-5;
+  EXPECT_NEAR(share(place, press, "proxy", Normals::facet), 0.05, 1e-12) << "0.05 N of 1 N";
+  EXPECT_NEAR(share(place, {2000, 0, 10}, "proxy", Normals::facet), 0.1, 1e-12);
+  EXPECT_NEAR(share(place, {1000, 0, 20}, "proxy", Normals::facet), 0.025, 1e-12);
+  EXPECT_EQ(share(place, press, "closest-point", Normals::curved), 0) << "the patch itself is touched";
+  EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.05, 1e-12) << "a proxy stands on the facet";
+}
+
+TEST(ReckonedError, OfNormalsIsTheirTiltAndThatOfTheFoot) {
+  SurfacePlace place;
+  place.facet_rad = 0.04;
+  place.smooth_rad = 0.01;
+  place.curvature_per_m = 20;  // a rounding of 50 mm; 10 mm deep u = -0.2
+  EXPECT_NEAR(share(place, press, "closest-point", Normals::facet), 0.04, 1e-12) << "whatever the depth";
+  EXPECT_NEAR(share(place, press, "proxy", Normals::facet), 0.04 / 0.8, 1e-12) << "it leaves the facet late";
+  EXPECT_NEAR(share(place, press, "closest-point", Normals::smooth), 0.01 + 0.2 * 0.04, 1e-12);
+  EXPECT_NEAR(share(place, press, "proxy", Normals::curved), 0.2 * 0.04, 1e-12);
+  // A ball of 12 mm: its centre is 11 mm over the surface at 1 N, u = 0.22.
+  const Press ball{1000, 0.012, 10};
+  EXPECT_NEAR(share(place, ball, "proxy", Normals::curved), 0.04 * 0.22 / 1.22, 1e-12);
+}
+
+TEST(ReckonedError, OfFacetsUnderAProxyDeepInARoundingIsTheWholeForce) {
+  SurfacePlace place;
+  place.facet_rad = 0.001;
+  place.curvature_per_m = 60;  // 10 mm deep: u = -0.6
+  EXPECT_EQ(share(place, press, "proxy", Normals::facet), 2);
+  EXPECT_LT(share(place, press, "closest-point", Normals::facet), 0.002);
+}
+
+TEST(ReckonedError, CountsPlacesByTheWayThatAFingerHasThere) {
+  SurfacePlace flat, edge;
+  edge.sag_m = 1e-3;
+  edge.curvature_per_m = 2000;  // a rounding of half a millimetre, tighter than 1 N is deep
+  std::vector<SurfacePlace> places(90, flat);
+  places.insert(places.end(), 10, edge);
+  EXPECT_EQ(reckoned_error(places, press, method("proxy"), Normals::facet).force_share, 0)
+      << "a point slides off there at once";
+  for (SurfacePlace& place : places) place.curvature_per_m = -place.curvature_per_m;
+  EXPECT_GT(reckoned_error(places, press, method("proxy"), Normals::curved).force_share, 0.9)
+      << "and dwells in a groove";
+  EXPECT_EQ(reckoned_error(places, {1000, 0.02, 10}, method("proxy"), Normals::curved).force_share, 0)
+      << "where a ball cannot get";
+  EXPECT_EQ(reckoned_error(places, {1000, 0.002, 10}, method("proxy"), Normals::curved).force_share, 0)
+      << "not even one that is pressed deeper than its radius";
+}
+
+TEST(ReckonedError, LeavesAHundredthToItself) {
+  SurfacePlace flat, bad;
+  bad.sag_m = 1e-3;
+  std::vector<SurfacePlace> places(1000, flat);
+  std::fill_n(places.begin(), 9, bad);
+  const ReckonedError few = reckoned_error(places, press, method("proxy"), Normals::facet);
+  EXPECT_EQ(few.force_share, 0);
+  EXPECT_NEAR(few.largest_share, 1, 1e-12);
+  std::fill_n(places.begin(), 11, bad);
+  EXPECT_NEAR(reckoned_error(places, press, method("proxy"), Normals::facet).force_share, 1, 1e-12);
+}
+
+}  // namespace
+}  // namespace fingerpad::reckoned_error_test

@@ -1,0 +1,76 @@
+#include "contact/surface_places.hpp"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <cmath>
+#include <cstring>
+#include <numbers>
+
+#include "contact/part_measures.hpp"
+#include "contact/triangle_tree.hpp"
+#include "support/shapes.hpp"
+
+namespace fingerpad::surface_places_test {
+namespace {
+
+PartMeasures measures_of(const TriangleSoup& soup) {
+  const auto part = std::make_shared<const Part>(make_part(soup, std::numbers::pi / 6));
+  return measure_part(*part, TriangleTree(part));
+}
+
+TEST(SurfacePlaces, OfABoxAreFlat) {
+  const PartMeasures box = measures_of(test::box_soup({0.1, 0.2, 0.003}));
+  ASSERT_EQ(box.places.size(), 12u * 64);
+  for (const SurfacePlace& place : box.places) {
+    EXPECT_LT(place.sag_m, 1e-15);
+    EXPECT_LT(place.facet_rad + place.smooth_rad + place.patch_rad, 1e-6);
+    EXPECT_EQ(place.curvature_per_m, 0);
+  }
+  EXPECT_EQ(box.tightest_round_m, PartMeasures::inf);
+}
+
+TEST(SurfacePlaces, OfASphereHaveItsSagAndItsRadius) {
+  // A facet stands off the sphere by what its corners' distance from its middle makes: at the most where the
+  // sphere over its middle is. Patches are of third order: a hundredth at this level.
+  const TriangleSoup soup = test::sphere_soup(0.05, 4);
+  double deepest_m = 0;
+  for (int t = 0; t < soup.triangles.cols(); ++t) {
+    const Vec3 a = soup.vertices_P.col(soup.triangles(0, t)), b = soup.vertices_P.col(soup.triangles(1, t)),
+               c = soup.vertices_P.col(soup.triangles(2, t));
+    deepest_m = std::max(deepest_m, 0.05 - std::abs((b - a).cross(c - a).normalized().dot(a)));
+  }
+  const PartMeasures sphere = measures_of(soup);
+  double sag_m = 0;
+  for (const SurfacePlace& place : sphere.places) {
+    sag_m = std::max(sag_m, place.sag_m);
+    EXPECT_LT(place.smooth_rad, place.facet_rad / 3 + 0.01);
+  }
+  EXPECT_NEAR(sag_m, deepest_m, 0.2 * deepest_m) << "a patch of equal sides stands a fifth too low";
+  EXPECT_NEAR(sphere.median_round_m, 0.05, 0.01);
+  EXPECT_NEAR(measures_of(test::sphere_soup(0.008, 4)).tightest_round_m, 0.008, 0.0018);
+}
+
+TEST(SurfacePlaces, OfATorusTellItsHollowFromItsRound) {
+  const PartMeasures torus = measures_of(test::torus_soup(0.04, 0.01, 96, 48));
+  double hollowest_per_m = 0, roundest_per_m = 0;
+  for (const SurfacePlace& place : torus.places) {
+    hollowest_per_m = std::min(hollowest_per_m, place.curvature_per_m);
+    roundest_per_m = std::max(roundest_per_m, place.curvature_per_m);
+  }
+  EXPECT_NEAR(roundest_per_m, 100, 10) << "the tube";
+  EXPECT_LT(hollowest_per_m, 0) << "the ring's inner side, along the ring";
+  EXPECT_GT(hollowest_per_m, -1 / 0.03 * 1.1);
+}
+
+TEST(SurfacePlaces, AreTheSameOnAnyNumberOfThreads) {
+  const TriangleSoup soup = test::torus_soup(0.04, 0.01, 96, 48);
+  const auto many = measures_of(soup).places;
+  const tbb::global_control one_thread(tbb::global_control::max_allowed_parallelism, 1);
+  const auto one = measures_of(soup).places;
+  ASSERT_EQ(one.size(), many.size());
+  EXPECT_EQ(std::memcmp(one.data(), many.data(), one.size() * sizeof(SurfacePlace)), 0);
+}
+
+}  // namespace
+}  // namespace fingerpad::surface_places_test

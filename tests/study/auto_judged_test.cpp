@@ -1,0 +1,106 @@
+#include "study/auto_judged.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "support/paths.hpp"
+
+// What `auto` promises (choose_contact), held against what is known: the force on 99 % of ticks, no
+// pop-through.
+
+namespace fingerpad::auto_judged_test {
+namespace {
+
+/// What became of auto's word, over many cases.
+struct Count {
+  int kept = 0, said = 0, needless = 0, dear = 0;
+
+  void take(const JudgedCase& one) {
+    const JudgedRow row = judged(one, 1);
+    const JudgedWord word = row.word();
+    EXPECT_NE(word, JudgedWord::broken)
+        << row.name << ": " << row.error_99[row.chosen] << " where " << row.promised << " is promised";
+    kept += word == JudgedWord::kept ? 1 : 0;
+    said += word == JudgedWord::said ? 1 : 0;
+    needless += word == JudgedWord::needless ? 1 : 0;
+    dear += word == JudgedWord::kept && row.price_ratio(row.cost) > 1.2 ? 1 : 0;
+  }
+};
+
+TEST(AutoJudged, KeepsItsWordOnSurfacesThatAreKnownExactly) {
+  Count count;
+  take_exact_cases([&](const JudgedCase& one) { count.take(one); });
+  EXPECT_EQ(count.kept + count.said + count.needless, 30);
+  EXPECT_GE(count.kept, 20) << "it does not talk itself out of everything";
+  EXPECT_LE(count.needless, 2);
+  EXPECT_LE(10 * count.dear, count.kept) << "nine of ten cost 1.2 times the cheapest at the most";
+}
+
+TEST(AutoJudged, KeepsItsWordOnTheScenes) {
+  Count count;
+  take_scene_cases((test::source_dir() / "scenes").string(), [&](const JudgedCase& one) { count.take(one); });
+  EXPECT_GE(count.kept, 15);
+}
+
+TEST(AutoJudged, KeepsItsWordOnRealParts) {
+  const auto data = test::real_data();
+  if (!data) GTEST_SKIP() << "no real parts here";
+  Count count;
+  for (const auto& part : test::real_files("parts", {".stl", ".obj", ".ply", ".off"}))
+    take_part_cases(part.string(), 6, [&](const JudgedCase& one) { count.take(one); });
+  EXPECT_GT(count.said + count.kept, count.needless);
+}
+
+/// A row whose first variant is the chosen one, of two.
+JudgedRow row_of(double error, double promised) {
+  JudgedRow row;
+  row.tolerance = 0.03;
+  row.promised = promised;
+  row.error_99 = {error, 0.01};
+  row.cost = {1, 3};
+  row.pop_throughs = {0, 0};
+  return row;
+}
+
+TEST(AutoJudged, TellsAKeptWordFromABrokenOne) {
+  EXPECT_EQ(row_of(0.02, 0.03).word(), JudgedWord::kept);
+  EXPECT_EQ(row_of(0.04, 0.03).word(), JudgedWord::broken);
+  EXPECT_EQ(row_of(0.04, 0.05).word(), JudgedWord::said);
+  EXPECT_EQ(row_of(0.06, 0.05).word(), JudgedWord::broken);
+  EXPECT_EQ(row_of(0.02, 0.05).word(), JudgedWord::needless);
+  EXPECT_EQ(row_of(0.9, std::numeric_limits<double>::infinity()).word(), JudgedWord::said);
+  JudgedRow popped = row_of(0.02, 0.03);
+  popped.pop_throughs = {1, 0};
+  EXPECT_EQ(popped.word(), JudgedWord::broken);
+  EXPECT_EQ(popped.cheapest(popped.cost), 1u);
+}
+
+TEST(AutoJudged, HoldsTheCostAgainstTheCheapestThatKeepsTheTolerance) {
+  EXPECT_EQ(row_of(0.02, 0.03).price_ratio({1, 3}), 1);
+  EXPECT_EQ(row_of(0.02, 0.03).price_ratio({3, 1}), 3);
+  EXPECT_NEAR(row_of(0.04, 0.05).price_ratio({1, 3}), 1.0 / 3, 1e-15) << "it alone does not keep it";
+}
+
+TEST(AutoJudged, TheReferenceIsTheExactSurfaceWhereItIsKnown) {
+  int cases = 0;
+  take_exact_cases([&](const JudgedCase& one) {
+    if (!one.name.starts_with("sphere of 2048") || one.scene.finger.radius_m > 0) return;
+    ++cases;
+    const std::vector<Vec3> exact_n = reference_forces(one);
+    // The patches of this mesh, whose facets are 17 % of the lightest force off, are worth the tolerance that
+    // is judged with them.
+    JudgedCase unknown = one;
+    unknown.exact_force_n = {};
+    const std::vector<Vec3> told_n = reference_forces(unknown);
+    long off = 0;
+    for (std::size_t k = 0; k < exact_n.size(); ++k)
+      off += (told_n[k] - exact_n[k]).norm() > 0.03 * std::max(1.0, exact_n[k].norm()) ? 1 : 0;
+    EXPECT_LT(100 * off, static_cast<long>(exact_n.size()));
+    EXPECT_NE(told_n.back(), exact_n.back()) << "two references";
+  });
+  EXPECT_EQ(cases, 1);
+}
+
+}  // namespace
+}  // namespace fingerpad::auto_judged_test
