@@ -29,11 +29,15 @@
 namespace fingerpad {
 namespace {
 
+/// Of the past that the window's charts may ask for.
+constexpr double servo_history_s = 10;
+
 struct TouchOptions {
   std::string subject, record;
   std::string device{device_table().front().name};
   std::string unit = "mm";
   std::optional<double> rate_hz;
+  bool real_time = false;
 };
 
 Scene touched_scene(const TouchOptions& options) {
@@ -73,6 +77,14 @@ void refuse_unrecordable(const std::string& path, const Scene& scene) {
   refuse_unwritable(path);
 }
 
+void tell_timing(const ServoTiming& timing, double rate_hz) {
+  print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks, rate_hz,
+            timing.late_ticks, 1e3 * timing.worst_late_s);
+  print_out("half of the ticks took up to {:.2g} us, 99.9 % up to {:.2g} us, the longest {:.2g} us\n",
+            1e6 * timing.tick_times.quantile_s(0.5), 1e6 * timing.tick_times.quantile_s(0.999),
+            1e6 * timing.worst_tick_s);
+}
+
 int touch(const TouchOptions& options) {
   if (!options.record.empty() && options.record != "-")
     refuse_other_endings(options.record, "touch --record", {".h5", ".csv"});
@@ -94,7 +106,9 @@ int touch(const TouchOptions& options) {
       [&](const TickRecord& record) {
         device->feel(record);
         if (recorder) recorder->push(record);
-      });
+      },
+      servo_history_s, options.real_time);
+  for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
   TouchWindowInput input;
   input.view.title = scene.name;
   input.view.world = world;
@@ -102,15 +116,16 @@ int touch(const TouchOptions& options) {
   input.set_target = [&](const FingerSample& target) { device->set_target(target); };
   input.look_from = [&](const Vec3& towards_eye_W) { device->look_from(towards_eye_W); };
   input.latest = [&] { return servo.latest(); };
+  input.timing = [&] { return servo.timing(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
   if (recorder) input.note = "recording " + options.record;
   run_touch_window(input, WindowOptions{});
 
   servo.stop();
-  const ServoLoop::Timing timing = servo.timing();
-  print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks,
-            scene.motion.rate_hz, timing.late_ticks, 1e3 * timing.worst_late_s);
+  const ServoTiming timing = servo.timing();
+  tell_timing(timing, scene.motion.rate_hz);
   if (!recorder) return 0;
+  recorder->note_timing(timing);
   recorder->finish();
   print_out("{} ticks recorded in {}\n", recorder->recorded(), options.record);
   if (recorder->dropped() > 0) {
@@ -147,6 +162,8 @@ void add_touch(CLI::App& program, Action& action) {
   refuse_empty(command->add_option("--record", options->record, "Write a trace of the touch (.h5, or .csv)"));
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(CLI::Range(1.0, 100000.0));
+  command->add_flag("--realtime", options->real_time,
+                    "Ask for SCHED_FIFO, a core and locked memory; goes on without what is not permitted");
   add_unit_option(*command, options->unit);
   command->footer(
       "Hold the left button (or space) to press; wheel, Page Up and Page Down change how hard; h shows all "

@@ -5,6 +5,7 @@
 #include <exception>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <thread>
 #include <vector>
 
@@ -27,6 +28,9 @@ class LiveRecorder {
   /// and counted.
   void push(const TickRecord& record) noexcept;
 
+  /// How the loop kept its time: said before finish(), written by it.
+  void note_timing(const ServoTiming& timing) { timing_ = timing; }
+
   /// Writes what was pushed, marks the trace complete and joins. Push nothing afterwards. Throws Error
   /// (fault) if the disk refused at any time. A second call does nothing.
   void finish();
@@ -43,6 +47,7 @@ class LiveRecorder {
   void stop();
 
   std::unique_ptr<TraceWriter> writer_;
+  std::optional<ServoTiming> timing_;
   std::vector<TickRecord> ring_;
   std::atomic<std::size_t> pushed_{0},
       taken_{0};  // counts since the start; the ring's places are their remainders

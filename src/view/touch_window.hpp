@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "motion/finger_path.hpp"
+#include "touch/time_histogram.hpp"
 #include "view/window.hpp"
 
 namespace fingerpad {
@@ -21,6 +22,8 @@ struct TouchWindowInput {
   std::function<TickRecord()> latest;
   /// The ticks of the last seconds, oldest first; may begin later.
   std::function<std::vector<TickRecord>(double seconds)> recent;
+  /// How the servo loop keeps its time, for the head-up display; may be none.
+  std::function<ServoTiming()> timing;
   std::string note;  ///< in the title line, as "recording run.h5"
 };
 
