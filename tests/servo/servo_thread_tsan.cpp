@@ -4,6 +4,7 @@
 #include <atomic>
 #include <chrono>
 #include <cstdio>
+#include <thread>
 
 #include "device/pointer_path.hpp"
 #include "touch/servo_thread.hpp"
@@ -36,29 +37,48 @@ bool is_whole(const TickRecord& record) {
   return record.depth_m == record.t_s && record.normal_force_n == record.t_s;
 }
 
+/// How many of the records that a reader got from the smallest ring were torn, as fast as a writer writes.
+long torn_in_haste() {
+  RecordRing ring(2);
+  std::atomic<bool> ends{false};
+  std::thread writer([&] {
+    for (long k = 1; !ends; ++k) ring.put(record_at(static_cast<double>(k), Vec3::Zero()));
+  });
+  long torn = 0;
+  TickRecord record;
+  for (int got = 0; got < 20000;) {
+    if (!ring.get(ring.count(), record)) continue;
+    ++got;
+    torn += is_whole(record) ? 0 : 1;
+  }
+  ends = true;
+  writer.join();
+  return torn;
+}
+
 }  // namespace
 
 int main() {
   std::atomic<long> written{0};
   LiveRecorder recorder(std::make_unique<CountingWriter>(written), 64);
   PointerPath path({});
-  long torn = 0, reads = 0;
+  long torn = torn_in_haste(), reads = 0;
   {
     ServoThread servo(
-        5000,
+        20000,
         [&](double t_s) {
-          const TickRecord record = record_at(t_s, path.advance(2e-4).finger.p_WQ);
+          const TickRecord record = record_at(t_s, path.advance(5e-5).finger.p_WQ);
           recorder.push(record);
           return record;
         },
-        0.02, false);
+        0, false);  // the smallest ring, which the reader reads to its last place
     PointerAim aim;
     const auto end = std::chrono::steady_clock::now() + std::chrono::milliseconds(600);
     while (std::chrono::steady_clock::now() < end) {
       aim.finger.t_s += 1e-4;
       path.put(aim);
       if (servo.timing().ticks > 0 && !is_whole(servo.latest())) ++torn;
-      for (const TickRecord& record : servo.recent(0.02)) torn += is_whole(record) ? 0 : 1;
+      for (const TickRecord& record : servo.recent(1)) torn += is_whole(record) ? 0 : 1;
       ++reads;
     }
   }
