@@ -26,13 +26,16 @@
 namespace fingerpad {
 namespace {
 
+/// Of the past that the window's charts may ask for.
+constexpr double servo_history_s = 10;
+
 struct TouchOptions {
   std::string subject, record;
   std::string device{device_table().front().name};
   std::string unit = "mm";
   std::optional<double> rate_hz, seconds;
   DeviceLink link;
-  bool headless = false, force = false;
+  bool headless = false, force = false, real_time = false;
 };
 
 Scene touched_scene(const TouchOptions& options) {
@@ -64,6 +67,7 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
   input.set_target = [&](const FingerSample& target) { device.set_target(target); };
   input.look_from = [&](const Vec3& towards_eye_W) { device.look_from(towards_eye_W); };
   input.latest = [&] { return servo.latest(); };
+  input.timing = [&] { return servo.timing(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
   if (device.has_motors()) {
     input.toggle_stop = [&] { device.set_emergency_stop(!device.emergency_stopped()); };
@@ -77,6 +81,14 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
 
 void tell_device(const TouchOptions& options, const std::string& words) {
   if (!words.empty()) print_err("fingerpad: {}: {}\n", options.device, words);
+}
+
+void tell_timing(const ServoTiming& timing, double rate_hz) {
+  print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks, rate_hz,
+            timing.late_ticks, 1e3 * timing.worst_late_s);
+  print_out("half of the ticks took up to {:.2g} us, 99.9 % up to {:.2g} us, the longest {:.2g} us\n",
+            1e6 * timing.tick_times.quantile_s(0.5), 1e6 * timing.tick_times.quantile_s(0.999),
+            1e6 * timing.worst_tick_s);
 }
 
 int touch(const TouchOptions& options) {
@@ -107,7 +119,9 @@ int touch(const TouchOptions& options) {
       [&](const TickRecord& record) {
         device->feel(record);
         if (recorder && !device->has_ended()) recorder->push(as_recorded(record, *device));
-      });
+      },
+      servo_history_s, options.real_time);
+  for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
   if (options.headless) {
     run_headless(options.seconds, options.device, *device);
   } else {
@@ -115,10 +129,10 @@ int touch(const TouchOptions& options) {
   }
   servo.stop();
   tell_device(options, device->closing_words());
-  const ServoLoop::Timing timing = servo.timing();
-  print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks,
-            scene.motion.rate_hz, timing.late_ticks, 1e3 * timing.worst_late_s);
+  const ServoTiming timing = servo.timing();
+  tell_timing(timing, scene.motion.rate_hz);
   if (!recorder) return 0;
+  recorder->note_timing(timing);
   recorder->finish();
   print_out("{} ticks recorded in {}\n", recorder->recorded(), options.record);
   if (recorder->dropped() > 0) {
@@ -168,6 +182,8 @@ void add_touch(CLI::App& program, Action& action) {
                    ->capture_default_str());
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(CLI::Range(1.0, 100000.0));
+  command->add_flag("--realtime", options->real_time,
+                    "Ask for SCHED_FIFO, a core and locked memory; goes on without what is not permitted");
   add_unit_option(*command, options->unit);
   command->footer(
       "Hold the left button (or space) to press; wheel, Page Up and Page Down change how hard; h shows all "

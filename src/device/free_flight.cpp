@@ -17,8 +17,9 @@ constexpr double least_step_share = 1e-3;
 constexpr double blocked_share = 0.3;
 /// How fast it goes over what is in the way [sizes of the parts a second].
 constexpr double detour_per_s = 8;
-/// After this time without coming nearer to the goal it looks for another way.
-constexpr double another_way_s = 0.1;
+/// After this time without coming nearer to the goal it looks for another way; nearer by a share at least of
+/// what it could have gone.
+constexpr double another_way_s = 0.1, least_progress = 0.02;
 
 Vec3 step_W_of(const Vec3& way_W, double step_m) noexcept {
   const double length_m = way_W.norm();
@@ -100,7 +101,7 @@ Vec3 FreeFlight::within_room(const Vec3& step_W) const noexcept {
 
 /// Whether it has come no nearer to the end of its way for a while.
 bool FreeFlight::is_held_up(double left_m, double dt_s) noexcept {
-  if (left_m < least_left_m_ - 0.1 * speed_m_per_s_ * dt_s) {
+  if (left_m < least_left_m_ - least_progress * another_way_s * speed_m_per_s_) {
     least_left_m_ = left_m;
     delay_s_ = 0;
   } else {

@@ -62,20 +62,9 @@ FingerSample PointerFinger::advance(double dt_s) {
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_W) / dt_s - pace_W_);
   wanted_n_ = aim_.finger.push_W_n.norm();
   doing_ = next_doing(dt_s);
-  switch (doing_) {
-    case Doing::flies:
-      fly(dt_s);
-      break;
-    case Doing::lands:
-      land(dt_s);
-      break;
-    case Doing::presses:
-      press(dt_s);
-      break;
-    case Doing::lifts:
-      lift(dt_s);
-      break;
-  }
+  constexpr void (PointerFinger::*steps[])(double) = {&PointerFinger::fly, &PointerFinger::land,
+                                                      &PointerFinger::press, &PointerFinger::lift};
+  (this->*steps[static_cast<int>(doing_)])(dt_s);
   // Rarely, between two answers that lie within rounding, the step is not what it was when it was tried.
   const Vec3 from_W = finger_.p_WQ;
   const double allowed_n = std::max(surely_share * wanted_n_, touched_.normal_force_n);

@@ -43,7 +43,8 @@ Clearance Surroundings::at(const Vec3& p_W, double reach_m) noexcept {
     clearance.free_m = free_m;
     const Vec3 way_W = p_W - near.point_W;
     const double length_m = way_W.norm();
-    const bool tells = !sided && length_m > 0;
+    // A finger that was let go stands on the surface, to within a proxy's skin on either side of it.
+    const bool tells = !sided && length_m > 1e-6 * radius_m_;
     clearance.away_W = tells ? Vec3(way_W / length_m) : near.normal_W;
   }
   return clearance;

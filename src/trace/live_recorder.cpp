@@ -87,6 +87,7 @@ void LiveRecorder::finish() {
   drain();
   const std::unique_ptr<TraceWriter> writer = std::move(writer_);
   if (error_) std::rethrow_exception(error_);
+  if (timing_) writer->note_timing(*timing_);
   writer->finish();
 }
 

@@ -6,6 +6,7 @@
 #include <functional>
 #include <memory>
 #include <mutex>
+#include <optional>
 #include <string>
 #include <thread>
 #include <vector>
@@ -38,6 +39,9 @@ class LiveRecorder {
   /// and counted.
   void push(const TickRecord& record) noexcept;
 
+  /// How the loop kept its time: said before finish(), written by it.
+  void note_timing(const ServoTiming& timing) { timing_ = timing; }
+
   /// Writes what was pushed, marks the trace complete and joins. Push nothing afterwards. Throws Error
   /// (fault) if the disk refused at any time. A second call does nothing.
   void finish();
@@ -55,6 +59,7 @@ class LiveRecorder {
 
   std::unique_ptr<TraceWriter> writer_;
   Watch watch_;
+  std::optional<ServoTiming> timing_;
   std::vector<TickRecord> ring_;
   std::atomic<std::size_t> pushed_{0},
       taken_{0};  // counts since the start; the ring's places are their remainders

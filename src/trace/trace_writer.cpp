@@ -35,6 +35,24 @@ void write_info(const hdf5::Handle& file, const TraceInfo& info) {
   hdf5::write_texts(file, "contact_reasons", info.contact_reasons);
 }
 
+/// The histograms of the whole run: bucket i counts what took up to its upper end and longer than the one
+/// before.
+void write_timing(const hdf5::Handle& file, const ServoTiming& timing) {
+  std::vector<double> upper_s, tick_times, latenesses;
+  for (int i = 0; i < TimeCounts::buckets; ++i) {
+    upper_s.push_back(TimeCounts::upper_s(i));
+    tick_times.push_back(static_cast<double>(timing.tick_times.counts[static_cast<std::size_t>(i)]));
+    latenesses.push_back(static_cast<double>(timing.latenesses.counts[static_cast<std::size_t>(i)]));
+  }
+  hdf5::write_whole(file, "servo_ticks", static_cast<std::uint64_t>(timing.ticks));
+  hdf5::write_whole(file, "servo_late_ticks", static_cast<std::uint64_t>(timing.late_ticks));
+  hdf5::write_numbers(file, "servo_worst_late_s", std::span(&timing.worst_late_s, 1));
+  hdf5::write_numbers(file, "servo_worst_tick_s", std::span(&timing.worst_tick_s, 1));
+  hdf5::write_numbers(file, "servo_histogram_upper_s", upper_s);
+  hdf5::write_numbers(file, "servo_tick_time_counts", tick_times);
+  hdf5::write_numbers(file, "servo_lateness_counts", latenesses);
+}
+
 hdf5::NumberType type_of(ColumnKind kind) {
   if (kind == ColumnKind::phase) return hdf5::NumberType::uint8;
   return kind == ColumnKind::index ? hdf5::NumberType::int32 : hdf5::NumberType::float64;
@@ -69,6 +87,11 @@ class Hdf5TraceWriter final : public TraceWriter {
     const hdf5::Turn turn;
     write_pending();
     hdf5::flush(file_);
+  }
+
+  void note_timing(const ServoTiming& timing) override {
+    const hdf5::Turn turn;
+    write_timing(file_, timing);
   }
 
   void finish() override {

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "touch/time_histogram.hpp"
 #include "trace/trace.hpp"
 
 namespace fingerpad {
@@ -26,6 +27,8 @@ class TraceWriter {
   virtual void append(std::span<const TickRecord> rows) = 0;
   /// Everything appended so far can be read back even if the process is killed now.
   virtual void flush() = 0;
+  /// How the loop that made the rows kept its time, for the file's attributes; CSV has no place for it.
+  virtual void note_timing(const ServoTiming& /*timing*/) {}
   /// Marks the trace complete and closes it. Without this it reads as cut short.
   virtual void finish() = 0;
 };

@@ -70,7 +70,7 @@ class OverlayPainter {
     const auto in_contact = [&](double value, int digits, const char* unit) {
       return touching ? number_with_unit(value, digits, unit) : std::string("-");
     };
-    const std::vector<std::pair<const char*, std::string>> readings = {
+    std::vector<Reading> readings = {
         {"time", number_with_unit(row.t_s, 3, "s")},
         {"phase", std::string(phase_name(row.phase))},
         {"depth", in_contact(row.depth_m * 1e3, 3, "mm")},
@@ -81,14 +81,17 @@ class OverlayPainter {
         {"finger angle", in_contact(row.inclination_rad * 180 / std::numbers::pi, 1, "deg")},
         {"on", touching ? facts_.surface_name : std::string("-")},
     };
+    readings.insert(readings.end(), facts_.readings.begin(), facts_.readings.end());
     const double line = 1.5 * em_;
     const double width = 14.5 * em_;
-    const double height = line * static_cast<double>(readings.size()) + 0.8 * em_;
+    const double bars = facts_.tick_bars.empty() ? 0 : 2.6 * em_;
+    const double height = line * static_cast<double>(readings.size()) + 0.8 * em_ + bars;
     const Box box{layout_.scene.left + 0.7 * em_, layout_.scene.top() - 0.7 * em_ - height, width, height};
     panel(box);
+    paint_tick_bars({box.left + 0.6 * em_, box.bottom + 0.5 * em_, width - 1.2 * em_, bars - 0.6 * em_});
     double y = box.top() - 0.4 * em_ - line / 2;
     for (const auto& [name, value] : readings) {
-      const bool phase = std::string_view(name) == "phase";
+      const bool phase = name == "phase";
       drawing_.text({box.left + 0.6 * em_, y}, name,
                     {.size = em_, .colour = colours::grey, .upright = Upright::middle});
       if (phase) {
@@ -103,6 +106,17 @@ class OverlayPainter {
                      .upright = Upright::middle,
                      .bold = phase});
       y -= line;
+    }
+  }
+
+  void paint_tick_bars(const Box& box) {
+    if (facts_.tick_bars.empty()) return;
+    const double step = box.width / static_cast<double>(facts_.tick_bars.size());
+    double left = box.left;
+    for (const double share : facts_.tick_bars) {
+      if (share > 0)
+        drawing_.box({left, box.bottom, 0.9 * step, std::max(1.0, share * box.height)}, colours::grey);
+      left += step;
     }
   }
 

@@ -3,6 +3,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "view/drawing.hpp"
@@ -12,6 +13,9 @@
 
 namespace fingerpad {
 
+/// A name and its value, as the head-up display has them.
+using Reading = std::pair<std::string, std::string>;
+
 /// What the flat parts of a picture (head-up display, legends, scale bar, time line) are drawn from.
 struct OverlayFacts {
   std::string title;
@@ -19,6 +23,8 @@ struct OverlayFacts {
   std::optional<TickRecord> row;   ///< the moment shown
   double speed_m_per_s = 0;        ///< tangential, nan where unknown
   std::string surface_name;        ///< of what is touched
+  std::vector<Reading> readings;   ///< beside those of the row
+  std::vector<double> tick_bars;   ///< how often ticks took how long, as heights of bars up to 1; may be none
   double mm_per_n = 1;             ///< of force arrows
   double px_per_mm = 1;            ///< of the scene
   double max_force_n = 0;          ///< the colour bar's end

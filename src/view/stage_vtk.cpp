@@ -245,6 +245,8 @@ OverlayFacts Stage::overlay_facts() {
   facts.title = input_.title;
   facts.about = about_lines(input_);
   facts.hint = hint_;
+  facts.readings = readings_;
+  facts.tick_bars = tick_bars_;
   facts.help = help_;
   facts.axes_px = axes_on_screen(scene_);
   facts.px_per_mm = px_per_mm();

@@ -54,6 +54,11 @@ class Stage {
   ChartBoard& charts() { return board_; }
   void show_hint(std::string hint, std::vector<std::string> help);
   void show_title_note(std::string note) { hint_ = std::move(note); }
+  /// More for the head-up display, and how often ticks took how long (OverlayFacts).
+  void show_readings(std::vector<Reading> readings, std::vector<double> tick_bars) {
+    readings_ = std::move(readings);
+    tick_bars_ = std::move(tick_bars);
+  }
   /// The largest force so far: arrows keep to a scale in which it fits.
   void expect_force(double force_n);
 
@@ -91,6 +96,8 @@ class Stage {
   Box inset_;
   std::string hint_;
   std::vector<std::string> help_;
+  std::vector<Reading> readings_;
+  std::vector<double> tick_bars_;
   std::optional<Chart> chart_;
   bool chart_placed_ = false;  ///< in the present layout
   ChartBoard board_;

@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <cmath>
 
 #include "view/screen.hpp"
 #include "view/touch_chart.hpp"
@@ -51,6 +52,31 @@ class History {
   const TouchWindowInput& input_;
   std::vector<TickRecord> rows_;
 };
+
+std::string short_time(double seconds) {
+  return seconds < 1e-3 ? fmt::format("{:.3g} us", 1e6 * seconds) : fmt::format("{:.2g} ms", 1e3 * seconds);
+}
+
+std::vector<Reading> timing_readings(const ServoTiming& timing) {
+  return {{"median tick", short_time(timing.tick_times.quantile_s(0.5))},
+          {"99.9 % of ticks", short_time(timing.tick_times.quantile_s(0.999))},
+          {"late ticks", fmt::format("{} ({:.2g} %)", timing.late_ticks, 100 * timing.late_share())},
+          {"latest", short_time(timing.worst_late_s)}};
+}
+
+/// A bar for each length of tick between the shortest and the longest; a single one is still to be seen.
+std::vector<double> tick_bars(const TimeCounts& times) {
+  const auto& counts = times.counts;
+  const auto some = [](std::uint64_t count) { return count > 0; };
+  const auto first = std::find_if(counts.begin(), counts.end(), some);
+  const auto last = std::find_if(counts.rbegin(), counts.rend(), some).base();
+  if (first >= last) return {};
+  const auto scale = [](std::uint64_t count) { return std::log1p(static_cast<double>(count)); };
+  const double most = scale(*std::max_element(first, last));
+  std::vector<double> bars;
+  for (auto at = first; at != last; ++at) bars.push_back(scale(*at) / most);
+  return bars;
+}
 
 class TouchWindow {
  public:
@@ -172,6 +198,10 @@ class TouchWindow {
     if (since_chart_s_ >= chart_period_s) {
       since_chart_s_ = 0;
       stage_.show_chart(live_chart(history_.rows(), levels_));
+      if (input_.timing) {
+        const ServoTiming timing = input_.timing();
+        stage_.show_readings(timing_readings(timing), tick_bars(timing.tick_times));
+      }
     }
     return true;
   }

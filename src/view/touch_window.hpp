@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "motion/finger_path.hpp"
+#include "touch/time_histogram.hpp"
 #include "view/window.hpp"
 
 namespace fingerpad {
@@ -24,6 +25,8 @@ struct TouchWindowInput {
   /// Holds the force on a device at 0, or gives it back, and whether it is held; none where it has no motors.
   std::function<void()> toggle_stop;
   std::function<bool()> is_stopped;
+  /// How the servo loop keeps its time, for the head-up display; may be none.
+  std::function<ServoTiming()> timing;
   std::string note;  ///< in the title line, as "recording run.h5"
 };
 
