@@ -62,9 +62,15 @@ FingerSample PointerFinger::advance(double dt_s) {
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_W) / dt_s - pace_W_);
   wanted_n_ = aim_.finger.push_W_n.norm();
   doing_ = next_doing(dt_s);
-  constexpr void (PointerFinger::*steps[])(double) = {&PointerFinger::fly, &PointerFinger::land,
-                                                      &PointerFinger::press, &PointerFinger::lift};
-  (this->*steps[static_cast<int>(doing_)])(dt_s);
+  if (doing_ == Doing::flies) {
+    fly(dt_s);
+  } else if (doing_ == Doing::lands) {
+    land(dt_s);
+  } else if (doing_ == Doing::presses) {
+    press(dt_s);
+  } else {
+    lift(dt_s);
+  }
   // Rarely, between two answers that lie within rounding, the step is not what it was when it was tried.
   const Vec3 from_W = finger_.p_WQ;
   const double allowed_n = std::max(surely_share * wanted_n_, touched_.normal_force_n);

@@ -26,7 +26,7 @@ class PointerFinger final : public LiveDevice {
   void feel(const TickRecord& tick) noexcept override;
 
  private:
-  enum class Doing { flies, lands, presses, lifts };  // in the order of advance()'s steps
+  enum class Doing { flies, lands, presses, lifts };
 
   Doing next_doing(double dt_s) noexcept;
   Doing after_lifting() const noexcept;
