@@ -109,8 +109,10 @@ void NetworkDevice::receive() noexcept {
 /// One answer for each packet that was accepted before the tick.
 void NetworkDevice::answer() noexcept {
   answers_.take(newest_);
-  for (; answered_ < newest_.accepted; ++answered_)
+  for (; answered_ < newest_.accepted; ++answered_) {
     socket_.send(packet_of(packet_for(newest_, ++answer_sequence_)), gate_.sender());
+    newest_.watchdog_tripped = false;  // told, and only once
+  }
 }
 
 PacketGate::Counts NetworkDevice::counts() noexcept {
