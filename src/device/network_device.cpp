@@ -109,6 +109,10 @@ void NetworkDevice::receive() noexcept {
 /// One answer for each packet that was accepted before the tick.
 void NetworkDevice::answer() noexcept {
   answers_.take(newest_);
+  if (finger_.guard().stopped()) {  // also where the stop has come since that tick
+    newest_.force_D_n = newest_.torque_D_n_m = Vec3::Zero();
+    newest_.stopped = true;
+  }
   for (; answered_ < newest_.accepted; ++answered_) {
     socket_.send(packet_of(packet_for(newest_, ++answer_sequence_)), gate_.sender());
     newest_.watchdog_tripped = false;  // told, and only once
