@@ -2,6 +2,7 @@
 
 #include <memory>
 
+#include "contact/contact_method.hpp"
 #include "contact/proxy_limits.hpp"
 #include "contact/proxy_sight.hpp"
 #include "contact/proxy_start.hpp"
@@ -99,6 +100,10 @@ class Proxy {
   ProxyStart start_;
   ProxyState state_;
 };
+
+/// Where a proxy that has its place touches: what it stands on holds the finger.
+/// @param contact  its holds and what they give together are written, where there are any
+void take_holds(const ProxyContact& proxy, Contact& contact) noexcept;
 
 /// A proxy with a sight that remembers (ProxyMemory): what callers use.
 Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals,

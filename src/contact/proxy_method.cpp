@@ -9,6 +9,17 @@ namespace fingerpad {
 std::unique_ptr<ContactMethod> brief_closest_point(std::vector<PlacedSurface> surfaces, double radius_m,
                                                    Normals normals, long most_looks);
 
+void take_holds(const ProxyContact& proxy, Contact& contact) noexcept {
+  contact.hold_count = proxy.touching ? proxy.hold_count : 0;
+  for (std::size_t k = 0; k < static_cast<std::size_t>(contact.hold_count); ++k) {
+    const ProxyHold& hold = proxy.holds[k];
+    contact.holds[k] = {hold.surface, hold.triangle, hold.point_W, hold.normal_W, hold.share_m};
+  }
+  contact.depth_m = proxy.depth_m;
+  contact.point_W = proxy.point_W;
+  contact.normal_W = proxy.normal_W;
+}
+
 namespace {
 
 /// A proxy that stays on the surfaces: what it stands on holds the finger.
@@ -25,14 +36,7 @@ class ProxyMethod final : public ContactMethod {
     contact_.placed = proxy.placed;
     contact_.broken_off = proxy.broken_off;
     if (!proxy.placed) return contact_;
-    contact_.hold_count = proxy.touching ? proxy.hold_count : 0;
-    for (std::size_t k = 0; k < static_cast<std::size_t>(contact_.hold_count); ++k) {
-      const ProxyHold& hold = proxy.holds[k];
-      contact_.holds[k] = {hold.surface, hold.triangle, hold.point_W, hold.normal_W, hold.share_m};
-    }
-    contact_.depth_m = proxy.depth_m;
-    contact_.point_W = proxy.point_W;
-    contact_.normal_W = proxy.normal_W;
+    take_holds(proxy, contact_);
     return contact_;
   }
 

@@ -1,7 +1,5 @@
 #include "device/foresight.hpp"
 
-#include <algorithm>
-
 #include "contact/contact_method_table.hpp"
 #include "scene/scene.hpp"
 
@@ -26,31 +24,23 @@ double Foresight::normal_force_n(const Contact& contact, const Vec3& p_W, double
   const Vec3 velocity_W = (p_W - last_W_) / dt_s;
   double sum_n = 0;
   for (const Wall& wall : walls_) {
-    const SurfaceProperties& surface = world_->surfaces[static_cast<std::size_t>(wall.surface)].properties;
-    const double leaving_m_per_s = wall.normal_W.dot(velocity_W) * (wall.share_m / walls_[0].share_m);
-    sum_n +=
-        std::max(0.0, surface.stiffness_n_per_m * wall.share_m - surface.damping_n_s_per_m * leaving_m_per_s);
+    const auto surface = static_cast<std::size_t>(wall.surface);
+    sum_n += spring_force_n(wall, walls_[0], world_->surfaces[surface].properties, velocity_W);
   }
   return sum_n;
 }
 
 double Foresight::normal_force_n(const ProxyContact& proxy, const Vec3& p_W, double dt_s) noexcept {
-  contact_.hold_count = proxy.placed && proxy.touching ? proxy.hold_count : 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(contact_.hold_count); ++k) {
-    const ProxyHold& hold = proxy.holds[k];
-    contact_.holds[k] = {hold.surface, hold.triangle, hold.point_W, hold.normal_W, hold.share_m};
-  }
-  contact_.depth_m = proxy.depth_m;
-  contact_.point_W = proxy.point_W;
-  contact_.normal_W = proxy.normal_W;
+  if (!proxy.placed) return 0;
+  take_holds(proxy, contact_);
   return normal_force_n(contact_, p_W, dt_s);
 }
 
 double Foresight::try_n(const Vec3& p_W, double dt_s) noexcept {
   if (method_) return normal_force_n(method_->touch(p_W, dt_s), p_W, dt_s);
   if (!tries_) return 0;
-  if (tried_) tries_->resume(goes_->state());
-  tried_ = true;
+  if (strayed_) tries_->resume(goes_->state());
+  strayed_ = true;
   tried_W_ = p_W;
   return normal_force_n(tries_->move(p_W, dt_s), p_W, dt_s);
 }
@@ -63,7 +53,7 @@ double Foresight::go_n(const Vec3& p_W, double dt_s) noexcept {
     before_ = goes_->state();
     felt_n = normal_force_n(goes_->move(p_W, dt_s), p_W, dt_s);
     // The one that tries has come along, memory and all, where the last try was this.
-    tried_ = !(tried_ && tried_W_ == p_W);
+    strayed_ = !(strayed_ && tried_W_ == p_W);
   }
   last_but_one_W_ = last_W_;
   last_W_ = p_W;
@@ -72,7 +62,7 @@ double Foresight::go_n(const Vec3& p_W, double dt_s) noexcept {
 
 void Foresight::take_back() noexcept {
   last_W_ = last_but_one_W_;
-  tried_ = true;
+  strayed_ = true;
   if (goes_) goes_->resume(before_);
 }
 

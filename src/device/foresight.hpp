@@ -37,7 +37,7 @@ class Foresight {
   std::optional<Proxy> goes_, tries_;
   ProxyState before_;                      ///< of the one that goes, before its last step
   std::unique_ptr<ContactMethod> method_;  ///< where the scene has a method without memory
-  bool tried_ = false;
+  bool strayed_ = false;                   ///< the one for trying stands elsewhere than the one that goes
   Vec3 tried_W_ = Vec3::Zero(), last_W_ = Vec3::Zero(), last_but_one_W_ = Vec3::Zero();
   Contact contact_;
   Walls walls_;

@@ -106,16 +106,10 @@ SkinMotion Touch::skin_motion(const FingerSample& sample) noexcept {
   return skin;
 }
 
-/// Every wall's own spring and damper, which acts along the wall's own normal: then no motion takes energy
-/// out of a corner. A wall of a smaller share is damped by less, so that one which comes or goes makes no
-/// jump. A damper may soften a wall's push, never pull the finger in.
 double Touch::push(const Vec3& velocity_W) noexcept {
   double sum_n = 0;
   for (Wall& wall : walls_) {
-    const SurfaceProperties& surface = surface_of(wall).properties;
-    const double leaving_m_per_s = wall.normal_W.dot(velocity_W) * (wall.share_m / walls_[0].share_m);
-    wall.normal_force_n =
-        std::max(0.0, surface.stiffness_n_per_m * wall.share_m - surface.damping_n_s_per_m * leaving_m_per_s);
+    wall.normal_force_n = spring_force_n(wall, walls_[0], surface_of(wall).properties, velocity_W);
     sum_n += wall.normal_force_n;
   }
   return sum_n;

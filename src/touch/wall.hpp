@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 
 #include "contact/contact_method.hpp"
+#include "fingerpad/surface_properties.hpp"
 
 namespace fingerpad {
 
@@ -26,6 +28,18 @@ struct Walls {
   Wall* begin() noexcept { return walls.data(); }
   Wall* end() noexcept { return walls.data() + count; }
 };
+
+/// The force of a wall's own spring and damper, which acts along the wall's own normal: then no motion takes
+/// energy out of a corner. A wall of a smaller share than the greatest is damped by less, so that one which
+/// comes or goes makes no jump. A damper may soften a wall's push, never pull the finger in.
+/// @param surface     the wall's
+/// @param velocity_W  of the finger
+inline double spring_force_n(const Wall& wall, const Wall& greatest, const SurfaceProperties& surface,
+                             const Vec3& velocity_W) noexcept {
+  const double leaving_m_per_s = wall.normal_W.dot(velocity_W) * (wall.share_m / greatest.share_m);
+  return std::max(0.0,
+                  surface.stiffness_n_per_m * wall.share_m - surface.damping_n_s_per_m * leaving_m_per_s);
+}
 
 /// The walls of a contact. Holds of one surface whose normals are within 30 degrees are one wall. Where the
 /// contact's normal is shaded, the holds' normals turn with it, so that their pushes sum up to its depth
