@@ -9,12 +9,21 @@ namespace {
 constexpr double long_rest_s = 0.1, setting_out_s = 0.016;
 /// So far behind the newest event the path is played faster: a hand that lags more feels like a rope.
 constexpr double most_lag_s = 0.15, hurry = 2;
+/// So far behind it events are not late: their clock has leapt.
+constexpr double leap_s = 1;
+
+bool presses(const PointerAim& aim) noexcept {
+  return aim.finger.push_W_n != Vec3::Zero();
+}
 
 }  // namespace
 
 void PointerPath::put(const PointerAim& aim) noexcept {
   const std::size_t put = put_.load(std::memory_order_relaxed);
-  if (put - taken_.load(std::memory_order_acquire) == capacity) return;
+  const std::size_t room = capacity - (put - taken_.load(std::memory_order_acquire));
+  const bool begins = presses(aim) && !pressed_, ends = !presses(aim) && pressed_;
+  if (room < (ends ? 1 : begins ? 2 : 3)) return;
+  pressed_ = presses(aim);
   ring_[put % capacity] = aim;
   put_.store(put + 1, std::memory_order_release);
 }
@@ -42,6 +51,7 @@ const PointerAim& PointerPath::advance(double dt_s) noexcept {
   }
   const double newest_s = ring_[(put - 1) % capacity].finger.t_s;
   now_s_ += dt_s * (newest_s - now_s_ > most_lag_s ? hurry : 1);
+  if (newest_s - now_s_ > leap_s) now_s_ = newest_s - most_lag_s;
   for (const PointerAim* to = next(); to != nullptr; to = next()) {
     if (!started_ || (rested_ && to->finger.t_s - now_s_ > long_rest_s)) {
       now_s_ = to->finger.t_s - setting_out_s;

@@ -20,7 +20,8 @@ class PointerPath {
  public:
   explicit PointerPath(const PointerAim& start) noexcept : from_(start), shown_(start) {}
 
-  /// What the pointer did next. Lost where a thousand events wait already: nobody plays them.
+  /// What the pointer did next. Lost where a thousand events wait already, since nobody plays them; but not
+  /// the end of a press that is kept: the last places are for it.
   void put(const PointerAim& aim) noexcept;
 
   /// Where the pointer was, dt_s after the last call. It runs as late as the events come, goes on evenly from
@@ -35,6 +36,7 @@ class PointerPath {
 
   std::array<PointerAim, capacity> ring_;
   std::atomic<std::size_t> put_{0}, taken_{0};  // counts; the ring's places are their remainders
+  bool pressed_ = false;                        // the last that was put; the putter's own
 
   // The player's own.
   PointerAim from_, shown_;

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fingerpad::pointer_path_test {
@@ -64,10 +65,41 @@ TEST(PointerPath, PressesAndLiftsInTheOrderOfTheEventsAndForgetsNone) {
 TEST(PointerPath, TakesTimesThatGoBackAndMoreEventsThanItHolds) {
   PointerPath path(aim_at(0, 0));
   for (int k = 0; k < 5000; ++k) path.put(aim_at(10 - k, k));
-  for (int k = 0; k < 2000; ++k) ASSERT_TRUE(path.advance(dt_s).finger.p_WQ.allFinite());
+  double farthest_m = 0;
+  for (int k = 0; k < 2000; ++k) farthest_m = std::max(farthest_m, path.advance(dt_s).finger.p_WQ.x());
+  EXPECT_GE(farthest_m, 1000) << "as many events as it has places for are played";
+  EXPECT_LT(farthest_m, 1024);
   path.put(aim_at(5, 0.5));
   for (int k = 0; k < 100; ++k) path.advance(dt_s);
   EXPECT_EQ(path.advance(dt_s).finger.p_WQ.x(), 0.5);
+}
+
+TEST(PointerPath, KeepsTheEndOfAPressWhenItIsFull) {
+  for (const int before : {500, 1019, 1020, 1021, 1022, 1023, 1024, 2000}) {
+    PointerPath path(aim_at(0, 0));
+    int event = 0;
+    const auto put = [&](double push_n) {
+      PointerAim aim = aim_at(1 + 1e-3 * ++event, 0);
+      aim.finger.push_W_n = Vec3(0, 0, -push_n);
+      path.put(aim);
+    };
+    for (int k = 0; k < before; ++k) put(0);
+    for (int press = 0; press < 3; ++press) {
+      for (int k = 0; k < 7; ++k) put(1);
+      put(0);
+    }
+    for (int k = 0; k < 5000; ++k) path.advance(dt_s);
+    EXPECT_EQ(path.advance(dt_s).finger.push_W_n, Vec3::Zero()) << before;
+  }
+}
+
+TEST(PointerPath, DoesNotWaitForAClockThatHasLeapt) {
+  PointerPath path(aim_at(0, 0));
+  const double times_s[] = {1000, 1000.008, -4000, 1000.016, 1000.024};
+  for (int k = 0; k < 5; ++k) path.put(aim_at(times_s[k], 0.1 * k));
+  int ticks = 0;
+  while (path.advance(dt_s).finger.p_WQ.x() < 0.4 && ticks < 3000) ++ticks;
+  EXPECT_LT(ticks, 200);
 }
 
 }  // namespace
