@@ -48,18 +48,36 @@ void LiveRecorder::drain() {
   batch_.clear();
   for (; taken != pushed; ++taken) batch_.push_back(ring_[taken % ring_.size()]);
   taken_.store(taken, std::memory_order_release);
-  if (batch_.empty() || failed()) return;
+  if (!batch_.empty() && !failed()) write();
+}
+
+/// A touch goes on whatever becomes of its record: no error of the disk leaves this thread.
+void LiveRecorder::write() {
   try {
     writer_->append(batch_);
     writer_->flush();
-    const std::string fault = watch_.place_fault ? watch_.place_fault() : std::string();
-    if (!fault.empty()) throw Error(ErrorKind::fault, "", fault);
-    recorded_.fetch_add(static_cast<long>(batch_.size()), std::memory_order_relaxed);
   } catch (const std::exception& error) {
-    error_ = std::current_exception();
-    failed_.store(true, std::memory_order_relaxed);
-    if (watch_.tell) watch_.tell(error.what());
+    give_up(std::current_exception(), error.what());
+    return;
   }
+  const std::string fault = watch_.place_fault ? watch_.place_fault() : std::string();
+  if (fault.empty()) {
+    recorded_.fetch_add(static_cast<long>(batch_.size()), std::memory_order_relaxed);
+  } else {
+    give_up(std::make_exception_ptr(Error(ErrorKind::fault, "", fault)), fault);
+  }
+}
+
+void LiveRecorder::give_up(std::exception_ptr error, const std::string& why) {
+  error_ = std::move(error);
+  fault_ = why;
+  failed_.store(true, std::memory_order_release);
+  if (watch_.tell) watch_.tell(why);
+}
+
+const std::string& LiveRecorder::fault() const noexcept {
+  static const std::string none;
+  return failed() ? fault_ : none;
 }
 
 void LiveRecorder::run() {

@@ -50,11 +50,15 @@ class LiveRecorder {
   /// Ticks handed to the writer so far.
   long recorded() const noexcept { return recorded_.load(std::memory_order_relaxed); }
   /// True once the disk has refused: the recording goes no further.
-  bool failed() const noexcept { return failed_.load(std::memory_order_relaxed); }
+  bool failed() const noexcept { return failed_.load(std::memory_order_acquire); }
+  /// Why; empty while it goes on. Any thread.
+  const std::string& fault() const noexcept;
 
  private:
   void run();
   void drain();
+  void write();
+  void give_up(std::exception_ptr error, const std::string& why);
   void stop();
 
   std::unique_ptr<TraceWriter> writer_;
@@ -66,6 +70,7 @@ class LiveRecorder {
   std::atomic<long> dropped_{0}, recorded_{0};
   std::atomic<bool> failed_{false};
   std::exception_ptr error_;       // writer thread, until it is joined
+  std::string fault_;              // writer thread, until failed_ is set; then nobody's to change
   std::vector<TickRecord> batch_;  // writer thread
   std::mutex mutex_;               // guards stopping_
   std::condition_variable wake_;
