@@ -11,6 +11,7 @@
 #include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
+#include "app/stop_signals.hpp"
 #include "app/subject.hpp"
 #include "app/touch_recording.hpp"
 #include "app/unit_option.hpp"
@@ -57,9 +58,11 @@ Scene touched_scene(const TouchOptions& options) {
   return scene;
 }
 
-/// Opens the window of a touch and returns when it is closed, or when its seconds are over.
+/// Opens the window of a touch and returns when it is closed, when its seconds or the device's motion are
+/// over, or when a signal asks to stop.
 void show_window(const TouchOptions& options, const Scene& scene, const std::shared_ptr<const World>& world,
-                 LiveDevice& device, ServoLoop& servo) {
+                 LiveDevice& device, ServoLoop& servo, const LiveRecorder* recorder,
+                 const StopSignals& signals) {
   TouchWindowInput input;
   input.view.title = scene.name;
   input.view.world = world;
@@ -69,14 +72,38 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
   input.latest = [&] { return servo.latest(); };
   input.timing = [&] { return servo.timing(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
+  input.is_over = [&] { return signals.has_come() || device.has_ended(); };
   if (device.has_motors()) {
-    input.toggle_stop = [&] { device.set_emergency_stop(!device.emergency_stopped()); };
+    input.set_stop = [&](bool on) { device.set_emergency_stop(on); };
     input.is_stopped = [&] { return device.emergency_stopped(); };
   }
-  if (!options.record.empty()) input.note = "recording " + options.record;
+  if (recorder != nullptr) {
+    input.note = "recording " + options.record;
+    input.alarm = [recorder] {
+      return recorder->failed() ? "NOT RECORDED any longer: " + recorder->fault() : std::string();
+    };
+  }
   WindowOptions window;
   if (options.seconds) window.events = {{*options.seconds, WindowEvent::Kind::key, "q"}};
   run_touch_window(input, window);
+}
+
+/// What was asked for that the device does not read.
+void refuse_unread(const TouchOptions& options) {
+  const DeviceEntry& device = *find_device(options.device);
+  const auto refuse = [&](const char* option, const char* what) {
+    throw Error(ErrorKind::usage, option, fmt::format("--device {} {}: leave it out", options.device, what));
+  };
+  if (options.link.port && !device.takes_port) refuse("--port", "is reached by no port");
+  if (options.link.bind && !device.takes_bind) refuse("--bind", "listens on no address");
+}
+
+void warn_of_unread(const TouchOptions& options, const Scene& scene) {
+  if (find_device(options.device)->reads_settings || scene.device == DeviceSettings{}) return;
+  print_err(
+      "fingerpad: warning: {}: [device] says how a device of its own lies in the world; --device {} does "
+      "not read it\n",
+      scene.name, options.device);
 }
 
 void tell_device(const TouchOptions& options, const std::string& words) {
@@ -98,8 +125,10 @@ int touch(const TouchOptions& options) {
     throw Error(ErrorKind::usage, "--headless",
                 fmt::format("--device {} is moved in a window: choose another device", options.device));
   }
+  refuse_unread(options);
   if (!options.headless) need_display();  // before a long import
   Scene scene = touched_scene(options);
+  warn_of_unread(options, scene);
   const auto hand = std::exchange(scene.hand, std::nullopt);  // a person holds the finger
   if (!options.record.empty()) refuse_unrecordable(options.record, scene, options.force);
   LoadBar bar(stderr_is_terminal());
@@ -108,24 +137,26 @@ int touch(const TouchOptions& options) {
   tell_warnings(*world);
   tell_choice(*world);
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
+  const StopSignals signals;  // before a device changes the terminal, or a record is begun
   const auto device =
       find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link, hand});
   const auto recorder = start_recording(options.record, scene, *world, *device);
   tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;
+  FingerSample sample;  // the servo's
   ServoLoop servo(
-      Touch(world, scene), scene.motion.rate_hz, [&](double) { return device->advance(dt_s); },
+      Touch(world, scene), scene.motion.rate_hz, [&](double) { return sample = device->advance(dt_s); },
       [&](const TickRecord& record) {
         device->feel(record);
-        if (recorder && !device->has_ended()) recorder->push(as_recorded(record, *device));
+        if (recorder && !device->has_ended()) recorder->push(as_recorded(record, sample, *device));
       },
       servo_history_s, options.real_time);
   for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
   if (options.headless) {
-    run_headless(options.seconds, options.device, *device);
+    run_headless(options.seconds, options.device, *device, signals);
   } else {
-    show_window(options, scene, world, *device, servo);
+    show_window(options, scene, world, *device, servo, recorder.get(), signals);
   }
   servo.stop();
   tell_device(options, device->closing_words());
@@ -169,17 +200,16 @@ void add_touch(CLI::App& program, Action& action) {
   refuse_empty(command->add_option("--record", options->record, "Write a trace of the touch (.h5, or .csv)"));
   command->add_flag("--force", options->force, "Let --record write over a file that exists");
   command->add_flag("--headless", options->headless,
-                    "Without a window, for a rig or a robot; ends by SIGINT or SIGTERM, its trace whole");
+                    "Without a window, for a rig or a robot; a signal ends it, its trace whole");
   command->add_option("--seconds", options->seconds, "End after so long [s]; default: when told to")
       ->check(CLI::Range(0.0, 1e9));
   command
       ->add_option("--port", options->link.port,
                    "Port of a device outside of the program; 0: a free one; default: the device's")
       ->check(CLI::Range(0, 65535));
-  refuse_empty(command
-                   ->add_option("--bind", options->link.bind,
-                                "Address that is listened on; another than 127.0.0.1 lets others in")
-                   ->capture_default_str());
+  refuse_empty(
+      command->add_option("--bind", options->link.bind,
+                          "Address that is listened on; default: 127.0.0.1; another lets others in"));
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(CLI::Range(1.0, 100000.0));
   command->add_flag("--realtime", options->real_time,

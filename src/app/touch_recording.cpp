@@ -12,6 +12,15 @@
 #include "trace/trace_info.hpp"
 
 namespace fingerpad {
+namespace {
+
+/// What cannot be told, as where a network's folder does not answer for a moment, is not gone.
+bool is_gone(const std::string& path) {
+  std::error_code ignored;
+  return std::filesystem::status(path, ignored).type() == std::filesystem::file_type::not_found;
+}
+
+}  // namespace
 
 std::unique_ptr<LiveRecorder> start_recording(const std::string& path, const Scene& scene, const World& world,
                                               const LiveDevice& device) {
@@ -21,13 +30,16 @@ std::unique_ptr<LiveRecorder> start_recording(const std::string& path, const Sce
   TraceInfo info = trace_info(scene, world, std::string(program_version));
   info.motion_file.clear();  // the person's, not the scene's
   info.motion_hash.clear();
+  const SampleParts parts = device.gives();
+  info.turning = parts.directions;
+  info.attitudes = parts.attitudes;
+  info.estimated = parts.velocities;
+  info.in_hand = parts.pushes;
   info.sent = device.has_motors();
   LiveRecorder::Watch watch;
   watch.place_fault = [path] {
-    std::error_code ignored;
-    const bool there =
-        std::filesystem::exists(path, ignored) || std::filesystem::exists(path + ".part", ignored);
-    return there ? std::string() : path + ": the file, or its folder, was removed";
+    return is_gone(path) && is_gone(path + ".part") ? path + ": the file, or its folder, was removed"
+                                                    : std::string();
   };
   watch.tell = [](const std::string& why) {
     print_err("fingerpad: warning: {}; the touch goes on, but is recorded no longer\n", why);
@@ -48,8 +60,17 @@ void refuse_unrecordable(const std::string& path, const Scene& scene, bool force
   }
 }
 
-/// A tick as its trace keeps it: with what a device with motors got of the force.
-TickRecord as_recorded(TickRecord tick, const LiveDevice& device) noexcept {
+TickRecord as_recorded(TickRecord tick, const FingerSample& sample, const LiveDevice& device) noexcept {
+  const SampleParts parts = device.gives();
+  if (parts.directions) tick.direction_W = sample.direction_W;
+  if (parts.attitudes) {
+    const Attitude attitude = sample.attitude.value_or(Attitude::Identity());
+    tick.attitude << attitude.w(), attitude.vec();
+  }
+  if (parts.pushes) {
+    tick.encoded_W = sample.p_WQ;
+    tick.push_W_n = sample.push_W_n;
+  }
   if (device.has_motors()) tick.sent_W_n = device.sent_W_n();
   return tick;
 }

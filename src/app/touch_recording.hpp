@@ -19,7 +19,8 @@ void refuse_unrecordable(const std::string& path, const Scene& scene, bool force
 std::unique_ptr<LiveRecorder> start_recording(const std::string& path, const Scene& scene, const World& world,
                                               const LiveDevice& device);
 
-/// A tick as its trace keeps it: with what a device with motors got of the force.
-TickRecord as_recorded(TickRecord tick, const LiveDevice& device) noexcept;
+/// A tick as its trace keeps it: with what the sample said beyond the finger's place, and with what a
+/// device's motors got of the force.
+TickRecord as_recorded(TickRecord tick, const FingerSample& sample, const LiveDevice& device) noexcept;
 
 }  // namespace fingerpad

@@ -4,11 +4,12 @@
 #include <cmath>
 #include <cstring>
 
+#include "device/reach.hpp"
+
 namespace fingerpad {
 namespace {
 
 constexpr unsigned char device_magic[4] = {'F', 'P', 'D', '1'}, answer_magic[4] = {'F', 'P', 'F', '1'};
-constexpr double farthest_device_m = 1e3;
 constexpr double unit_tolerance = 1e-3;
 
 /// An unsigned whole number, the low byte first.
@@ -67,7 +68,7 @@ PacketFault read_packet(std::span<const unsigned char> bytes, DevicePacket& pack
   for (const double part : read.orientation_wxyz)
     if (!std::isfinite(part)) return PacketFault::numbers;
   for (const double metres : {read.position_m.x(), read.position_m.y(), read.position_m.z()})
-    if (!(std::abs(metres) <= farthest_device_m)) return PacketFault::numbers;
+    if (!(std::abs(metres) <= device_reach_m)) return PacketFault::numbers;
   if ((read.flags & flag_has_orientation) != 0 && !is_unit(read.orientation_wxyz))
     return PacketFault::numbers;
   packet = read;

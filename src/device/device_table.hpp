@@ -15,8 +15,10 @@ struct DeviceEntry {
   std::string_view doc;   ///< what moves the finger, in a line
   /// @param setup  outlives the call only
   std::unique_ptr<LiveDevice> (*make)(const DeviceSetup& setup);
-  std::string_view also{};    ///< another name that `--device` takes
-  bool needs_window = false;  ///< it follows what is done there
+  std::string_view also{};                      ///< another name that `--device` takes
+  bool needs_window = false;                    ///< it follows what is done there
+  bool takes_port = false, takes_bind = false;  ///< of DeviceLink
+  bool reads_settings = false;                  ///< [device] of the scene: all of it, or how it lies
   /// The rate of its own motion, where it has one; null: the scene's.
   double (*rate_hz)(const Scene& scene) = nullptr;
 };

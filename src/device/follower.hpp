@@ -7,12 +7,15 @@
 
 namespace fingerpad {
 
+/// Follows a mouse closely, yet smooths a screen's 60 positions a second.
+inline constexpr double pointer_bandwidth_hz = 8;
+
 /// A place that follows another the way a hand would: critically damped, so that the few positions a second
 /// that a pointer gives become a smooth motion at the servo rate. Exact between ticks, whatever the rate:
 /// x'' = w^2 (target - x) - 2 w x'.
 class Follower {
  public:
-  /// @param bandwidth_hz  w / 2 pi; about 8 Hz feels direct and hides a screen's 60 Hz steps
+  /// @param bandwidth_hz  w / 2 pi
   Follower(const Vec3& start_m, double bandwidth_hz) noexcept
       : omega_(2 * std::numbers::pi * bandwidth_hz), place_m_(start_m) {}
 

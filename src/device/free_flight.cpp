@@ -7,8 +7,6 @@ namespace fingerpad {
 namespace {
 
 constexpr double without_end = std::numeric_limits<double>::infinity();
-/// Follows a mouse closely, yet smooths a screen's 60 positions a second.
-constexpr double flight_bandwidth_hz = 8;
 /// What the finger keeps from the parts where there is room, in their size, and the least of it.
 constexpr double soft_share = 0.01, least_share = 0.3;
 /// With no room at all it goes so far away from what it touches, in what it would keep.
@@ -34,7 +32,7 @@ FreeFlight::FreeFlight(Surroundings& around, const Vec3& start_W) noexcept
       arrived_m_(0.1 * around.radius_m() + around.finger_radius_m()),
       ball_m_(1.1 * around.radius_m() + around.finger_radius_m()),
       speed_m_per_s_(detour_per_s * around.radius_m()),
-      follower_(start_W, flight_bandwidth_hz),
+      follower_(start_W, pointer_bandwidth_hz),
       trail_(0.5 * soft_m_),
       least_left_m_(without_end),
       goal_W_(start_W),

@@ -6,12 +6,14 @@
 
 namespace fingerpad {
 
-/// A finger on its way through free space. It goes straight to its goal, along what is in the way; where
-/// that leads nowhere, over it, aside where it can and else up towards the eye; then up alone, above all
-/// parts, and down to the goal; and where there is no way up, as after the view was turned, out by the way by
-/// which it came and round to the eye's side. A step is no longer than the finger is free, so it touches
-/// nothing, whatever the goal and the parts; only where it has no room at all a step is a thousandth of the
-/// distance that it would keep.
+/// A finger on its way through free space. A step is no longer than the finger is free, so it touches
+/// nothing, whatever the goal and the parts. (With no room at all, a step is a thousandth of the distance
+/// that it would keep.) It tries these ways in turn, each where the one before leads nowhere:
+/// - straight to the goal, along what is in the way;
+/// - over what is in the way: aside towards the goal where it can, else up towards the eye;
+/// - up, above all parts, and down to the goal;
+/// - out, back on the way by which it came, and round all parts to the eye's side. That is for when the view
+///   was turned and nothing leads up.
 class FreeFlight {
  public:
   /// @param around  kept by reference
@@ -60,9 +62,10 @@ class FreeFlight {
   Trail trail_;
   Way way_ = Way::straight;
   bool rests_ = false;
-  double least_left_m_,
-      delay_s_ = 0;           ///< how near the goal it has come on this way, and since when no nearer
-  Vec3 goal_W_, given_up_W_;  ///< the last goal; one to which no way has led
+  double least_left_m_;  ///< how near the goal it has come on this way ...
+  double delay_s_ = 0;   ///< ... and for how long no nearer
+  Vec3 goal_W_;          ///< the last one
+  Vec3 given_up_W_;      ///< one to which no way has led
 };
 
 }  // namespace fingerpad

@@ -5,9 +5,6 @@
 namespace fingerpad {
 namespace {
 
-/// Follows a mouse closely, yet smooths a screen's 60 positions a second.
-constexpr double chase_bandwidth_hz = 8;
-
 HandSettings felt_hand(const DeviceSetup& setup) {
   HandSettings settings = setup.hand.value_or(HandSettings{});
   settings.encoder_m = 0;
@@ -19,24 +16,19 @@ HandSettings felt_hand(const DeviceSetup& setup) {
 HandFinger::HandFinger(const DeviceSetup& setup, double dt_s)
     : settings_(felt_hand(setup)),
       hand_(settings_, dt_s),
-      intended_(setup.start.p_WQ, chase_bandwidth_hz),
+      intended_(setup.start.p_WQ, pointer_bandwidth_hz),
       dt_s_(dt_s),
       finger_(setup.start),
-      target_(setup.start),
       seen_target_(setup.start) {
   hand_.start(setup.start.p_WQ);
 }
 
 void HandFinger::set_target(const FingerSample& target) {
-  const std::lock_guard lock(mutex_);
-  target_ = target;
+  targets_.put(target);
 }
 
-FingerSample HandFinger::advance(double) {
-  {
-    const std::unique_lock lock(mutex_, std::try_to_lock);
-    if (lock.owns_lock()) seen_target_ = target_;
-  }
+FingerSample HandFinger::advance(double) noexcept {
+  targets_.take(seen_target_);
   finger_.p_WQ = hand_.position_W();
   finger_.direction_W = seen_target_.direction_W;
   return finger_;

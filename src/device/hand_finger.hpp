@@ -1,8 +1,7 @@
 #pragma once
 
-#include <mutex>
-
 #include "device/follower.hpp"
+#include "device/latest.hpp"
 #include "device/live_device.hpp"
 #include "motion/simulated_hand.hpp"
 
@@ -15,7 +14,7 @@ class HandFinger final : public LiveDevice {
  public:
   HandFinger(const DeviceSetup& setup, double dt_s);
 
-  FingerSample advance(double dt_s) override;
+  FingerSample advance(double dt_s) noexcept override;
   void feel(const TickRecord& tick) noexcept override;
   void set_target(const FingerSample& target) override;
 
@@ -25,9 +24,8 @@ class HandFinger final : public LiveDevice {
   Follower intended_;  ///< where the mouse goes, as a hand would follow it
   double dt_s_;
   FingerSample finger_;
-  std::mutex mutex_;
-  FingerSample target_;       // guarded by mutex_
-  FingerSample seen_target_;  // servo thread
+  Latest<FingerSample> targets_;  // to the servo
+  FingerSample seen_target_;      // servo's thread
 };
 
 }  // namespace fingerpad

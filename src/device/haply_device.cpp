@@ -14,13 +14,13 @@ constexpr const char* haply_host = "localhost";
 constexpr int haply_port = 10001;
 constexpr const char* haply_profile = "fingerpad";
 constexpr int inventory_patience_ms = 2000;
+/// A service of this machine answers within milliseconds, or not at all.
+constexpr std::int64_t lost_after_ns = 500'000'000;
 
 }  // namespace
 
 HaplyDevice::HaplyDevice(const DeviceSetup& setup, DeviceClock clock)
-    : clock_(clock),
-      watchdog_s_(setup.scene.device.watchdog_s),
-      finger_(setup.scene.device, setup.start, setup.scene.finger.radius_m),
+    : RemoteDevice(setup, Answers::every_tick, clock),
       socket_(haply_host, setup.link.port.value_or(haply_port)) {
   std::string inventory;
   const std::string place = fmt::format("{}:{}", haply_host, setup.link.port.value_or(haply_port));
@@ -32,58 +32,60 @@ HaplyDevice::HaplyDevice(const DeviceSetup& setup, DeviceClock clock)
   if (frame->device_id.empty())
     throw Error(ErrorKind::usage, place, "the Inverse Service has no Inverse3: plug one in and switch it on");
   device_id_ = frame->device_id;
-  thread_ = std::thread([this] { run(); });
+  start();
 }
 
-HaplyDevice::~HaplyDevice() {
-  stop();
-}
-
-void HaplyDevice::stop() {
-  stopping_ = true;
-  wake_up_.wake();
-  if (thread_.joinable()) thread_.join();
-}
-
-FingerSample HaplyDevice::advance(double dt_s) {
-  DeviceReading reading;
-  if (readings_.take(reading)) finger_.hear(reading);
-  return finger_.advance(clock_(), dt_s);
-}
-
-void HaplyDevice::feel(const TickRecord& tick) noexcept {
-  answers_.put(finger_.feel(tick, clock_(), true));
-  if (finger_.heard() == answered_) return;  // the device's thread waits for no other
-  answered_ = finger_.heard();
-  wake_up_.wake();
+int HaplyDevice::patience_ms() const noexcept {
+  return std::max(1, static_cast<int>(1e3 * watchdog_s()));
 }
 
 void HaplyDevice::run() {
-  const int patience_ms = std::max(1, static_cast<int>(1e3 * watchdog_s_));
-  bool there = say(force_D_n()), silent = false;
+  last_ns_ = now_ns();
+  bool there = say(force_D_n());
   std::string text;
-  while (there && !stopping_) {
-    const WebSocket::Heard heard = socket_.hear(text, patience_ms);
-    if (heard == WebSocket::Heard::message) {
-      silent = false;
-      if (hear(text)) wake_up_.wait(patience_ms);  // for the tick that feels the state
-      wake_up_.clear();
-      // The answer to what was said in a silence calls for no other.
-      if (owed_ == 0) there = say(force_D_n());
-    } else if (heard == WebSocket::Heard::closed) {
-      there = false;
-    } else if (!silent) {
-      silent = true;
-      there = say(Vec3::Zero());
+  while (there && !is_stopping()) {
+    switch (socket_.hear(text, patience_ms())) {
+      case WebSocket::Heard::message:
+        there = answer(text);
+        break;
+      case WebSocket::Heard::nothing:
+        there = ask_in_silence();
+        break;
+      case WebSocket::Heard::closed:
+        there = false;
+        break;
     }
   }
   if (there) say(Vec3::Zero());
-  gone_.store(!stopping_, std::memory_order_relaxed);
+  gone_.store(!is_stopping(), std::memory_order_relaxed);
+}
+
+/// @returns false where the service is gone
+bool HaplyDevice::answer(const std::string& text) {
+  last_ns_ = now_ns();
+  if (owed_ > 0) --owed_;
+  if (hear(text)) wait_for_tick();
+  if (owed_ > 0) return true;  // the answer to what was said in a silence calls for no other
+  asked_ = false;
+  return say(force_D_n());
+}
+
+/// A force of 0, once, which the service answers as soon as it can. Where that brings not all that it owes,
+/// the rest is lost, and it is asked anew: nobody would speak again otherwise.
+bool HaplyDevice::ask_in_silence() {
+  const bool has_lost = now_ns() - last_ns_ >= lost_after_ns;
+  if (asked_ && !has_lost) return true;
+  if (has_lost) {
+    lost_ += owed_;
+    owed_ = 0;
+    last_ns_ = now_ns();
+  }
+  asked_ = true;
+  return say(Vec3::Zero());
 }
 
 /// @returns whether it is a state, which the servo then has
 bool HaplyDevice::hear(const std::string& text) {
-  if (owed_ > 0) --owed_;
   const auto frame = read_haply_frame(text);
   if (!frame || frame->device_id != device_id_) {
     ++dropped_;
@@ -91,17 +93,22 @@ bool HaplyDevice::hear(const std::string& text) {
   }
   DeviceReading reading;
   reading.place = frame->place;
-  reading.arrived_ns = clock_();
+  reading.arrived_ns = now_ns();
   reading.accepted = ++states_;
-  readings_.put(reading);
+  hand_over(reading);
   return true;
+}
+
+/// Until a tick has felt the last state; no longer than the watchdog allows.
+void HaplyDevice::wait_for_tick() noexcept {
+  while (newest_answer().accepted < states_ && wake_up().wait(patience_ms())) wake_up().clear();
 }
 
 /// The force of the last tick, unless that is too long ago.
 Vec3 HaplyDevice::force_D_n() noexcept {
-  answers_.take(newest_);
-  const double age_s = 1e-9 * static_cast<double>(clock_() - newest_.made_ns);
-  return age_s < watchdog_s_ && !finger_.guard().stopped() ? newest_.force_D_n : Vec3(Vec3::Zero());
+  const DeviceAnswer& newest = newest_answer();
+  const double age_s = 1e-9 * static_cast<double>(now_ns() - newest.made_ns);
+  return age_s < watchdog_s() ? newest.force_D_n : Vec3(Vec3::Zero());
 }
 
 bool HaplyDevice::say(const Vec3& force_D_n) {
@@ -115,7 +122,8 @@ std::string HaplyDevice::opening_words() const {
 
 std::string HaplyDevice::closing_words() {
   stop();
-  return fmt::format("{} states, {} dropped{}", states_, dropped_,
+  const std::string lost = lost_ > 0 ? fmt::format("; {} answers of the service never came", lost_) : "";
+  return fmt::format("{} states, {} dropped{}{}", states_, dropped_, lost,
                      gone_ ? "; the Inverse Service ended before the touch did" : "");
 }
 
@@ -124,7 +132,9 @@ DeviceEntry haply_device() noexcept {
           .doc = "an Inverse3 by Haply's Inverse Service on this machine (--port)",
           .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<HaplyDevice>(setup);
-          }};
+          },
+          .takes_port = true,
+          .reads_settings = true};
 }
 
 }  // namespace fingerpad

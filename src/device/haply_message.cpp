@@ -3,12 +3,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "device/reach.hpp"
+
 namespace fingerpad {
 namespace {
 
 using nlohmann::json;
 
-constexpr double farthest_cursor_m = 1e3;
 constexpr double haply_unit_tolerance = 1e-3;
 
 /// A member of an object; null where it is none or has none.
@@ -64,8 +65,7 @@ std::optional<HaplyFrame> read_haply_frame(std::string_view text) {
   const json& id = member(device, "device_id");
   double p[3];
   if (!id.is_string() || id.get_ref<const std::string&>().empty()) return std::nullopt;
-  if (!read_numbers(member(member(device, "state"), "cursor_position"), {"x", "y", "z"}, farthest_cursor_m,
-                    p))
+  if (!read_numbers(member(member(device, "state"), "cursor_position"), {"x", "y", "z"}, device_reach_m, p))
     return std::nullopt;
   read.device_id = id.get<std::string>();
   read.place.p_D = {p[0], p[1], p[2]};

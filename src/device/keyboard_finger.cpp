@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "device/device_table.hpp"
+#include "device/reach.hpp"
 
 namespace fingerpad {
 namespace {
@@ -12,7 +13,6 @@ namespace {
 /// Makes of steps a motion, as a hand would.
 constexpr double key_bandwidth_hz = 4;
 constexpr double first_step_m = 5e-4, least_step_m = 1e-6, greatest_step_m = 0.1;
-constexpr double farthest_key_m = 1e3;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void KeyboardFinger::take(std::string_view key) {
   for (const auto& [name, way] : ways) {
     if (key != name) continue;
     target_W_ += step_m_ * (axes_W_ * Vec3(way[0], way[1], way[2]));
-    target_W_ = target_W_.cwiseMax(-farthest_key_m).cwiseMin(farthest_key_m);
+    target_W_ = target_W_.cwiseMax(-device_reach_m).cwiseMin(device_reach_m);
     wanted_.put(target_W_);
     return;
   }
@@ -41,7 +41,7 @@ void KeyboardFinger::take(std::string_view key) {
   if (key == "q") ended_.store(true, std::memory_order_relaxed);
 }
 
-FingerSample KeyboardFinger::advance(double dt_s) {
+FingerSample KeyboardFinger::advance(double dt_s) noexcept {
   wanted_.take(seen_target_W_);
   finger_.p_WQ = follower_.advance(seen_target_W_, dt_s);
   return finger_;
@@ -49,8 +49,7 @@ FingerSample KeyboardFinger::advance(double dt_s) {
 
 std::string KeyboardFinger::opening_words() const {
   return "arrow keys: along x and y; page keys: along z; + and -: longer and shorter steps (0.5 mm first); "
-         "q: "
-         "end";
+         "q: end";
 }
 
 DeviceEntry keyboard_device() noexcept {
@@ -58,7 +57,8 @@ DeviceEntry keyboard_device() noexcept {
           .doc = "the keys of the terminal: arrows along x and y, page keys along z",
           .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<KeyboardFinger>(setup);
-          }};
+          },
+          .reads_settings = true};
 }
 
 }  // namespace fingerpad

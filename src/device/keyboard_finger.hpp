@@ -17,7 +17,7 @@ class KeyboardFinger final : public LiveDevice {
   /// Throws Error (usage) where standard input is no terminal.
   explicit KeyboardFinger(const DeviceSetup& setup);
 
-  FingerSample advance(double dt_s) override;
+  FingerSample advance(double dt_s) noexcept override;
   bool has_ended() const noexcept override { return ended_.load(std::memory_order_relaxed); }
   std::string opening_words() const override;
 

@@ -14,8 +14,8 @@ struct World;
 
 /// How a device outside of the program is reached.
 struct DeviceLink {
-  std::string bind = "127.0.0.1";  ///< address that is listened on: none from outside, unless asked for
-  std::optional<int> port{};       ///< none: the device's usual one
+  std::optional<std::string> bind{};  ///< address that is listened on; none: 127.0.0.1
+  std::optional<int> port{};          ///< none: the device's usual one
 };
 
 /// What a live device is made from.
@@ -27,16 +27,23 @@ struct DeviceSetup {
   std::optional<HandSettings> hand{};  ///< the scene's [hand]: a person takes its place in the scene
 };
 
+/// What a device's samples say beyond the finger's place and may change from tick to tick. A trace keeps it,
+/// so that the same touch can be made again from it.
+struct SampleParts {
+  bool directions = false, attitudes = false, velocities = false, pushes = false;
+};
+
 /// What moves the finger live, and feels what it touches.
 class LiveDevice {
  public:
   virtual ~LiveDevice() = default;
 
   /// The finger dt_s later. One thread, the servo's: allocates nothing, waits for nothing.
-  virtual FingerSample advance(double dt_s) = 0;
+  virtual FingerSample advance(double dt_s) noexcept = 0;
+  virtual SampleParts gives() const noexcept { return {}; }
 
-  /// Whether it shows forces to a person. Then sent_W_n() is what it was sent for the last tick, in the
-  /// world's axes; the servo's thread.
+  /// Whether it shows forces to a person. Then sent_W_n() is what its limits left of the last tick's force,
+  /// in the world's axes; the servo's thread.
   virtual bool has_motors() const noexcept { return false; }
   virtual Vec3 sent_W_n() const noexcept { return Vec3::Zero(); }
   /// Holds the device's force at 0 until it is taken back. Any thread.

@@ -24,13 +24,19 @@ bool PacketGate::pass(std::span<const unsigned char> bytes, const PacketSender& 
     case PacketFault::none:
       break;
   }
-  if (counts_.accepted > 0 && sender == sender_) {
-    if (!comes_after(read.sequence, last_sequence_)) {
-      ++counts_.old;
-      return false;
-    }
-  } else if (counts_.accepted > 0 && now_ns - last_ns_ < sender_silence_ns) {
+  if (read.sequence == 0) {  // they go from 1
+    ++counts_.numbers;
+    return false;
+  }
+  const bool listens_to_one = counts_.accepted > 0 && now_ns - last_ns_ < sender_silence_ns;
+  if (listens_to_one && !(sender == sender_)) {
     ++counts_.other;
+    return false;
+  }
+  // After a silence too the last packet is not news: only a device that has started anew is.
+  const bool repeated = counts_.accepted > 0 && sender == sender_ && read.sequence == last_sequence_;
+  if (repeated || (listens_to_one && !comes_after(read.sequence, last_sequence_))) {
+    ++counts_.old;
     return false;
   }
   sender_ = sender;

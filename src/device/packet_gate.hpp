@@ -24,14 +24,15 @@ constexpr bool comes_after(std::uint32_t sequence, std::uint32_t last) noexcept 
   return ahead != 0 && ahead < 0x80000000u;
 }
 
-/// Lets the packets of one sender pass, the first; another one when none of his has passed for 1 s. What does
-/// not pass is counted by its reason.
+/// Lets the packets of one sender pass, the first. When none of his has passed for 1 s, anyone may begin
+/// anew, with any sequence: another, or he himself after a restart. What does not pass is counted by its
+/// reason.
 class PacketGate {
  public:
   struct Counts {
     std::uint64_t accepted = 0;
     std::uint64_t malformed = 0;  ///< another length or magic
-    std::uint64_t numbers = 0;    ///< not finite, too far, no unit quaternion
+    std::uint64_t numbers = 0;    ///< not finite, too far, no unit quaternion; sequence 0
     std::uint64_t old = 0;        ///< an old or repeated sequence
     std::uint64_t other = 0;      ///< of another sender
     std::uint64_t dropped() const noexcept { return malformed + numbers + old + other; }

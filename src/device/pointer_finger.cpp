@@ -41,7 +41,9 @@ PointerFinger::PointerFinger(const DeviceSetup& setup)
       landed_for_W_(setup.start.p_WQ) {}
 
 void PointerFinger::set_target(const FingerSample& target) {
+  const double length = target.direction_W.norm();
   if (!target.p_WQ.allFinite() || !target.push_W_n.allFinite() || !std::isfinite(target.t_s)) return;
+  if (!(length > 0) || !std::isfinite(length)) return;
   last_put_.finger = target;
   path_.put(last_put_);
 }
@@ -56,7 +58,7 @@ void PointerFinger::feel(const TickRecord& tick) noexcept {
   if (is_touching()) out_W_ = tick.normal_W;
 }
 
-FingerSample PointerFinger::advance(double dt_s) {
+FingerSample PointerFinger::advance(double dt_s) noexcept {
   const Vec3 last_W = aim_.finger.p_WQ;
   aim_ = path_.advance(dt_s);
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_W) / dt_s - pace_W_);

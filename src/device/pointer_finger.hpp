@@ -22,7 +22,7 @@ class PointerFinger final : public LiveDevice {
   /// hard to press, where it just touches.
   void set_target(const FingerSample& target) override;
   void look_from(const Vec3& towards_eye_W) override;
-  FingerSample advance(double dt_s) override;
+  FingerSample advance(double dt_s) noexcept override;
   void feel(const TickRecord& tick) noexcept override;
 
  private:

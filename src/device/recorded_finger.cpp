@@ -22,7 +22,14 @@ RecordedFinger::RecordedFinger(const DeviceSetup& setup)
                        path_.end_s() - path_.start_s(), path_.tick_count());
 }
 
-FingerSample RecordedFinger::advance(double) {
+SampleParts RecordedFinger::gives() const noexcept {
+  return {.directions = path_.turns(),
+          .attitudes = path_.has_attitudes(),
+          .velocities = path_.has_velocity(),
+          .pushes = path_.was_in_hand()};
+}
+
+FingerSample RecordedFinger::advance(double) noexcept {
   if (next_ < path_.tick_count()) return path_.at(next_++);
   ended_.store(true, std::memory_order_relaxed);
   FingerSample last = path_.at(path_.tick_count() - 1);

@@ -14,7 +14,8 @@ class RecordedFinger final : public LiveDevice {
   explicit RecordedFinger(const DeviceSetup& setup);
 
   /// The next tick of the motion; after its end the last one, at rest.
-  FingerSample advance(double dt_s) override;
+  FingerSample advance(double dt_s) noexcept override;
+  SampleParts gives() const noexcept override;
   bool has_ended() const noexcept override { return ended_.load(std::memory_order_relaxed); }
   std::string opening_words() const override { return words_; }
 

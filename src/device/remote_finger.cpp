@@ -46,7 +46,7 @@ DeviceAnswer RemoteFinger::feel(const TickRecord& tick, std::int64_t now_ns, boo
   answer.limited = sent.limited || (touching && !wanted);
   answer.torque_D_n_m = touching ? torque_D_n_m(tick, sent.force_D_n) : Vec3::Zero();
   answer.phase = touching ? tick.phase : Phase::free;
-  answer.depth_m = touching ? tick.depth_m : 0;
+  answer.depth_m = touching ? tick.depth_m / workspace_.scale() : 0;
   answer.watchdog_tripped = tripped_;
   answer.stopped = guard_.stopped();
   answer.made_ns = now_ns;

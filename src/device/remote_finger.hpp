@@ -20,7 +20,7 @@ struct DeviceReading {
 struct DeviceAnswer {
   Vec3 force_D_n = Vec3::Zero();     ///< on the finger, within the limits
   Vec3 torque_D_n_m = Vec3::Zero();  ///< about the finger's centre
-  double depth_m = 0;
+  double depth_m = 0;                ///< as the device measures
   Phase phase = Phase::free;
   bool limited = false;           ///< the force is not the model's
   bool watchdog_tripped = false;  ///< since the last answer
@@ -31,8 +31,8 @@ struct DeviceAnswer {
 };
 
 /// The servo's side of a device that has a place and motors: where the finger is, and what the motors get.
-/// A device that is silent for too long, by the clock, lifts the finger: it rests above what can be touched,
-/// without force, until the device speaks again. One thread; allocates nothing.
+/// A device that has been silent for watchdog_s, by the clock, lifts the finger: it rests above what can be
+/// touched, without force, until the device speaks again. One thread; allocates nothing.
 class RemoteFinger {
  public:
   /// @param rest      the finger while the device is silent
@@ -52,7 +52,7 @@ class RemoteFinger {
   bool lifted() const noexcept { return lifted_; }
   /// How many readings the device has given until the one that was heard last.
   std::uint64_t heard() const noexcept { return last_.accepted; }
-  /// What the last answer has of force, in the world's axes.
+  /// What the guard let through at the last tick, in the world's axes.
   const Vec3& sent_W_n() const noexcept { return sent_W_n_; }
 
  private:

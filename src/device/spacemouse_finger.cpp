@@ -1,13 +1,15 @@
 #include "device/spacemouse_finger.hpp"
 
-#include <poll.h>
 #include <spnav.h>
+#include <sys/socket.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cstdlib>
 
 #include "base/error.hpp"
 #include "device/device_table.hpp"
+#include "device/reach.hpp"
 
 namespace fingerpad {
 namespace {
@@ -16,12 +18,18 @@ namespace {
 constexpr double full_push = 350;
 /// How fast the finger then goes.
 constexpr double fastest_m_per_s = 0.1;
-constexpr double farthest_puck_m = 1e3;
 
 /// Spacenavd's axes: x right, y up, z towards the person.
 Vec3 push_of(const spnav_event_motion& motion) noexcept {
   const Vec3 push = Vec3(motion.x, motion.y, motion.z) / full_push;
   return push.cwiseMax(-1).cwiseMin(1);
+}
+
+/// Whether nothing more will come: a signal amid a read, say, is no end.
+bool has_hung_up(int descriptor) noexcept {
+  char byte = 0;
+  const ssize_t count = recv(descriptor, &byte, 1, MSG_PEEK | MSG_DONTWAIT);
+  return count == 0 || (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
 }
 
 }  // namespace
@@ -51,25 +59,24 @@ void SpacemouseFinger::stop() {
 
 void SpacemouseFinger::run() {
   for (;;) {
-    pollfd ready[] = {{spnav_fd(), POLLIN, 0}, {stop_.descriptor(), POLLIN, 0}};
-    if (poll(ready, 2, -1) < 0) continue;  // a signal
-    if (ready[1].revents != 0) return;
+    const WakeUp::Woken woken = stop_.wait_with(spnav_fd());
+    if (woken.by_wake) return;
     spnav_event event;
     bool any = false;
-    while (spnav_poll_event(&event) != 0) {
+    while (!woken.broken && spnav_poll_event(&event) != 0) {
       any = true;
       if (event.type == SPNAV_EVENT_MOTION) pushed_.put(push_of(event.motion));
     }
-    if (!any) break;  // readable, and nothing to read: the daemon has ended
+    if (!any && (woken.broken || has_hung_up(spnav_fd()))) break;
   }
   daemon_gone_.store(true, std::memory_order_relaxed);
   pushed_.put(Vec3::Zero());
 }
 
-FingerSample SpacemouseFinger::advance(double dt_s) {
+FingerSample SpacemouseFinger::advance(double dt_s) noexcept {
   pushed_.take(seen_push_);
   finger_.p_WQ += fastest_m_per_s * dt_s * (axes_W_ * seen_push_);
-  finger_.p_WQ = finger_.p_WQ.cwiseMax(-farthest_puck_m).cwiseMin(farthest_puck_m);
+  finger_.p_WQ = finger_.p_WQ.cwiseMax(-device_reach_m).cwiseMin(device_reach_m);
   return finger_;
 }
 
@@ -87,7 +94,8 @@ DeviceEntry spacemouse_device() noexcept {
           .doc = "a 6-D mouse by its daemon, spacenavd; it shows no force",
           .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<SpacemouseFinger>(setup);
-          }};
+          },
+          .reads_settings = true};
 }
 
 }  // namespace fingerpad

@@ -18,7 +18,7 @@ class SpacemouseFinger final : public LiveDevice {
   explicit SpacemouseFinger(const DeviceSetup& setup);
   ~SpacemouseFinger() override;
 
-  FingerSample advance(double dt_s) override;
+  FingerSample advance(double dt_s) noexcept override;
   std::string opening_words() const override;
   std::string closing_words() override;
 

@@ -22,6 +22,7 @@ class Surroundings {
  public:
   Surroundings(std::shared_ptr<const World> world, const Scene& scene);
 
+  /// The room at a place.
   /// @param reach_m  look no farther. noexcept, allocates nothing.
   Clearance at(const Vec3& p_W, double reach_m) noexcept;
 

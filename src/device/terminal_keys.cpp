@@ -1,9 +1,9 @@
 #include "device/terminal_keys.hpp"
 
-#include <poll.h>
 #include <termios.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <string>
 #include <utility>
 
@@ -62,11 +62,11 @@ TerminalKeys::~TerminalKeys() {
 void TerminalKeys::run() {
   std::string typed;
   for (;;) {
-    pollfd ready[] = {{STDIN_FILENO, POLLIN, 0}, {stop_.descriptor(), POLLIN, 0}};
-    if (poll(ready, 2, -1) < 0) continue;  // a signal
-    if (ready[1].revents != 0) return;
+    const WakeUp::Woken woken = stop_.wait_with(STDIN_FILENO);
+    if (woken.by_wake || woken.broken) return;
     char buffer[64];
     const ssize_t count = read(STDIN_FILENO, buffer, sizeof(buffer));
+    if (count < 0 && errno == EINTR) continue;
     if (count <= 0) return;  // the terminal is gone
     typed.append(buffer, static_cast<std::size_t>(count));
     for (TypedKey key = first_key(typed); key.bytes > 0; key = first_key(typed)) {

@@ -15,6 +15,13 @@ class WakeUp {
   void wake() noexcept;
   /// Waits for a call of wake() since the last clear(), for at most so long. @returns whether there was one
   bool wait(int patience_ms) noexcept;
+  /// What ended a wait.
+  struct Woken {
+    bool by_wake = false, by_other = false;
+    bool broken = false;  ///< nothing can be waited for here
+  };
+  /// Waits without end for a call of wake() or for something to read at another descriptor, its end included.
+  Woken wait_with(int other_descriptor) noexcept;
   void clear() noexcept;
 
  private:

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <optional>
 
 #include "motion/finger_path.hpp"
@@ -15,7 +16,8 @@ struct DevicePlace {
 };
 
 /// How a device's space lies in the world: p_WQ = p_WD + scale R_WD p_D, and what clutching adds to it.
-/// While the clutch is held the finger stays; when it is let go, the finger goes on from there.
+/// While the clutch is held the finger stays, and stays turned as it is; when it is let go, the finger goes
+/// on from there, in place and turn.
 class Workspace {
  public:
   /// @param rest  how the finger lies while the device has said nothing of it
@@ -30,10 +32,14 @@ class Workspace {
   double scale() const noexcept { return settings_.scale; }
 
  private:
+  void turn(const Attitude& attitude_D, bool held) noexcept;
+
   DeviceSettings settings_;
   FingerSample finger_;
   Vec3 direction_W_;               ///< of a finger whose device is not turned
   Vec3 shift_W_m_ = Vec3::Zero();  ///< by all clutching so far
+  Attitude turn_ =
+      Attitude::Identity();  ///< of the finger in a device that is not turned, by all clutching so far
   bool clutched_ = false;
 };
 

@@ -14,6 +14,8 @@ struct DeviceSettings {
   double force_rate_limit_n_per_s = 2000;
   double watchdog_s = 0.02;    ///< silence of the device that lifts the finger
   double soft_start_s = 0.05;  ///< after a loss of contact the limit grows from 0 over this; 0: at once
+
+  bool operator==(const DeviceSettings&) const = default;
 };
 
 }  // namespace fingerpad

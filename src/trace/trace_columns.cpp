@@ -42,12 +42,13 @@ constexpr std::string_view
     what =
         "what is touched most: parts, then planes, from 0; the triangle in file order; -1 "
         "while free";
-constexpr std::string_view encoded = "of a `[hand]`: the finger as its encoders told it",
-                           pushed = "of a `[hand]`: what it pushed the finger with",
-                           seen = "where it is estimated from an encoder's readings: the finger's velocity",
-                           pointed = "of a finger that turns: its direction, towards the tip",
-                           turned = "of a finger that turns: its attitude, finger to world",
-                           sent = "of a device with motors: what it was sent, in the world's axes";
+constexpr std::string_view
+    encoded = "of a `[hand]`: the finger as its encoders told it",
+    pushed = "of a `[hand]`: what it pushed the finger with",
+    seen = "where it is estimated from an encoder's readings: the finger's velocity",
+    pointed = "of a finger that turns: its direction, towards the tip",
+    turned = "of a finger that turns: its attitude, finger to world",
+    sent = "of a device with motors: what its limits left of the force, in the world's axes";
 
 /// What says whether a trace has such columns; nullptr where nothing needs to.
 bool TraceInfo::*flag_of(ColumnOf of) noexcept {

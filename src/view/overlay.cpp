@@ -13,7 +13,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr Colour panel_colour{255, 255, 255, 0.86};
+constexpr Colour panel_colour{255, 255, 255, 0.86}, alarm_colour{178, 24, 32};
 
 std::string number_with_unit(double value, int digits, const char* unit) {
   if (!std::isfinite(value)) return "-";
@@ -43,6 +43,7 @@ class OverlayPainter {
     paint_scale_and_axes();
     if (facts_.inset_px_per_mm > 0) paint_inset_frame();
     if (layout_.timeline.height > 0) paint_timeline();
+    if (!facts_.alarm.empty()) paint_alarm();
     if (state_.help) paint_help();
   }
 
@@ -62,6 +63,24 @@ class OverlayPainter {
           {layout_.title.right() - 0.7 * em_, middle}, facts_.hint,
           {.size = 0.95 * em_, .colour = colours::grey, .across = Across::right, .upright = Upright::middle});
     }
+  }
+
+  double alarm_height() const { return facts_.alarm.empty() ? 0 : 2 * em_; }
+
+  /// Below the title, cut where it does not fit: the terminal has it whole.
+  void paint_alarm() {
+    const double room = layout_.scene.width - 1.4 * em_, size = 1.15 * em_;
+    std::string words = facts_.alarm, shown = words;
+    while (!words.empty() && text_width(shown, size, true) > room) {
+      while (!words.empty() && (words.back() & 0xc0) == 0x80) words.pop_back();  // the rest of a letter
+      if (!words.empty()) words.pop_back();
+      shown = words + "...";
+    }
+    const Box line{layout_.scene.left, layout_.scene.top() - alarm_height(), layout_.scene.width,
+                   alarm_height()};
+    drawing_.box(line, alarm_colour);
+    drawing_.text({line.left + 0.7 * em_, line.centre().y()}, shown,
+                  {.size = size, .colour = colours::white, .upright = Upright::middle, .bold = true});
   }
 
   void paint_readings() {
@@ -86,7 +105,8 @@ class OverlayPainter {
     const double width = 14.5 * em_;
     const double bars = facts_.tick_bars.empty() ? 0 : 2.6 * em_;
     const double height = line * static_cast<double>(readings.size()) + 0.8 * em_ + bars;
-    const Box box{layout_.scene.left + 0.7 * em_, layout_.scene.top() - 0.7 * em_ - height, width, height};
+    const Box box{layout_.scene.left + 0.7 * em_, layout_.scene.top() - alarm_height() - 0.7 * em_ - height,
+                  width, height};
     panel(box);
     paint_tick_bars({box.left + 0.6 * em_, box.bottom + 0.5 * em_, width - 1.2 * em_, bars - 0.6 * em_});
     double y = box.top() - 0.4 * em_ - line / 2;

@@ -41,6 +41,7 @@ struct OverlayFacts {
   };
   std::vector<Label> labels;      ///< of the tangent frame's axes, in the scene
   std::string hint;               ///< of keys; empty in a picture
+  std::string alarm;              ///< what has gone wrong; empty: nothing
   std::vector<std::string> help;  ///< "key: what it does", for the help page
 };
 

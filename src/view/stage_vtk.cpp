@@ -245,6 +245,7 @@ OverlayFacts Stage::overlay_facts() {
   facts.title = input_.title;
   facts.about = about_lines(input_);
   facts.hint = hint_;
+  facts.alarm = alarm_;
   facts.readings = readings_;
   facts.tick_bars = tick_bars_;
   facts.help = help_;

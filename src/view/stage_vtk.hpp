@@ -54,6 +54,9 @@ class Stage {
   ChartBoard& charts() { return board_; }
   void show_hint(std::string hint, std::vector<std::string> help);
   void show_title_note(std::string note) { hint_ = std::move(note); }
+  /// A line in red below the title; empty: none.
+  void show_alarm(std::string words) { alarm_ = std::move(words); }
+  bool has_alarm() const { return !alarm_.empty(); }
   /// More for the head-up display, and how often ticks took how long (OverlayFacts).
   void show_readings(std::vector<Reading> readings, std::vector<double> tick_bars) {
     readings_ = std::move(readings);
@@ -94,7 +97,7 @@ class Stage {
   double max_force_n_ = 0;
   double inset_px_per_mm_ = 0;
   Box inset_;
-  std::string hint_;
+  std::string hint_, alarm_;
   std::vector<std::string> help_;
   std::vector<Reading> readings_;
   std::vector<double> tick_bars_;

@@ -96,7 +96,7 @@ class TouchWindow {
                                      "arrow keys: move the finger on the surface",
                                      "drag beside part: turn the view",
                                      "+, -: view nearer, farther"};
-    if (input.toggle_stop) help.insert(help.begin(), "x: emergency stop, and the force back");
+    if (input.set_stop) help.insert(help.begin(), {"x: emergency stop", "g: give the force back"});
     for (std::string& line : common_help()) {
       const bool taken = line.starts_with("left drag") || line.starts_with("right drag");
       if (line.starts_with("c: ")) continue;  // there is no path to colour
@@ -158,8 +158,8 @@ class TouchWindow {
   }
 
   bool touch_key(const std::string& key) {
-    if (key == "x" && input_.toggle_stop) {
-      input_.toggle_stop();
+    if ((key == "x" || key == "g") && input_.set_stop) {
+      input_.set_stop(key == "x");
       return true;
     }
     const double step_m = 0.004 * stage_.scene()->GetActiveCamera()->GetParallelScale() * 1e-3 * 2;
@@ -193,6 +193,8 @@ class TouchWindow {
   }
 
   bool frame(double elapsed_s) {
+    if (input_.is_over && input_.is_over()) loop_.close();
+    if (input_.alarm) stage_.show_alarm(input_.alarm());
     follow();
     since_chart_s_ += elapsed_s;
     if (since_chart_s_ >= chart_period_s) {
@@ -213,15 +215,16 @@ class TouchWindow {
     stage_.show(row, history_.speed_m_per_s());
     stage_.expect_force(row.force_W_n.norm());
     if (input_.is_stopped && input_.is_stopped()) {
-      stage_.show_title_note("STOPPED: no force on the device   x gives it back   h help");
+      stage_.show_title_note("STOPPED: no force on the device   g gives it back   h help");
       return;
     }
-    stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", input_.note,
-                                       input_.note.empty() ? "" : "   ", target_.press_n(),
-                                       target_.pressing() ? "pressing" : "hovering"));
+    const std::string& note = stage_.has_alarm() ? no_note_ : input_.note;
+    stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", note, note.empty() ? "" : "   ",
+                                       target_.press_n(), target_.pressing() ? "pressing" : "hovering"));
   }
 
   const TouchWindowInput& input_;
+  const std::string no_note_;
   History history_;
   Stage stage_;
   TouchTarget target_;

@@ -81,6 +81,30 @@ TEST(LiveKeyboard, KeysOfATerminalMoveTheFingerAndEndTheTouch) {
   EXPECT_THAT(elsewhere.err, HasSubstr("is no terminal of this program's"));
 }
 
+/// The terminal of a windowed touch that Ctrl-C ends is as it was, and its trace is whole.
+TEST(LiveKeyboard, CtrlCEndsAWindowTooTheTerminalAsItWasTheTraceWhole) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "floor.toml", live_floor);
+  const auto typed = test::shell(
+      "xvfb-run -a " + fake("type_in_terminal") +
+          " 'page keys' '\\x1b[C|\\x03' sh -c 'trap : INT; stty -a >before; \"" + test::program().string() +
+          "\" touch floor.toml --device keyboard --record t.h5 --seconds 60; stty -a >after; exit 0'",
+      folder);
+  ASSERT_EQ(typed.exit_code, 0) << typed.out << typed.err;
+  EXPECT_EQ(test::bytes_of(folder / "before"), test::bytes_of(folder / "after"));
+  EXPECT_TRUE(read_trace((folder / "t.h5").string()).complete);
+}
+
+TEST(LiveKeyboard, ItsLastKeyEndsTheWindow) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "floor.toml", live_floor);
+  const auto typed = test::shell("xvfb-run -a " + fake("type_in_terminal") + " 'page keys' 'q' " +
+                                     quoted(test::program()) + " touch floor.toml --device keyboard",
+                                 folder);
+  EXPECT_EQ(typed.exit_code, 0) << typed.out << typed.err;
+  EXPECT_THAT(typed.out, HasSubstr(" ticks at "));
+}
+
 TEST(LiveSpacemouse, ItsDaemonsEventsDriveTheFinger) {
   const fs::path folder = test::scratch_dir();
   test::write_file(folder, "floor.toml", live_floor);
@@ -162,6 +186,18 @@ TEST(LiveHaply, ASilentServiceIsSentNoForce) {
   for (std::size_t k = 200; k < 350; ++k) before_n = std::max(before_n, HaplyRun::force_n(run.messages[k]));
   EXPECT_GT(before_n, 0.1);
   EXPECT_EQ(HaplyRun::force_n(run.messages[350]), 0) << "sent while the answer to the 350th was late";
+}
+
+TEST(LiveHaply, AStateThatNeverComesIsAskedForAnewAndTold) {
+  HaplyRun run;
+  run.go("--states 500 --skip 300");
+  ASSERT_EQ(run.shell.exit_code, 0) << run.shell.err;
+  ASSERT_EQ(run.messages.size(), 500u);
+  EXPECT_EQ(HaplyRun::force_n(run.messages[300]), 0) << "sent in the silence";
+  double after_n = 0;  // the last ones: the limit grows anew, and softly
+  for (std::size_t k = 400; k < 500; ++k) after_n = std::max(after_n, HaplyRun::force_n(run.messages[k]));
+  EXPECT_GT(after_n, 0.1);
+  EXPECT_THAT(run.shell.err, HasSubstr("; 1 answers of the service never came"));
 }
 
 TEST(LiveHaply, TellsWhatIsMissing) {

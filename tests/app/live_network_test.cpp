@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <bit>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -25,6 +26,10 @@ constexpr const char* floor_scene =
     "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\nstiffness_n_per_m = 1000\n[motion]\nrate_hz = "
     "1000\n";
 
+constexpr const char* ball_scene =
+    "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\nstiffness_n_per_m = 1000\n[finger]\nradius_m = "
+    "0.005\n[motion]\nrate_hz = 1000\n";
+
 double norm_of(const json& force_n) {
   return std::hypot(force_n[0].get<double>(), force_n[1].get<double>(), force_n[2].get<double>());
 }
@@ -32,14 +37,16 @@ double norm_of(const json& force_n) {
 /// Runs `touch` of floor.toml without a window, and the bridge until it ends; then asks `touch` to end.
 struct LiveRun {
   fs::path folder = test::scratch_dir();
+  std::string scene = floor_scene;
   test::ShellResult shell;
   std::vector<json> answers;
 
   void go(const std::string& bridge_options, const std::string& signal = "TERM") {
-    test::write_file(folder, "floor.toml", floor_scene);
+    test::write_file(folder, "floor.toml", scene);
     const std::string program = test::program().string();
     const std::string bridge = (test::source_dir() / "tools" / "device_bridge").string();
-    shell = test::shell("'" + program +
+    // A shell's job in the background is started to ignore SIGINT.
+    shell = test::shell("env --default-signal=INT '" + program +
                             "' touch floor.toml --headless --device network --port 0 --seconds 100 "
                             "--record t.csv 2>told & live=$!\n"
                             "until port=$(sed -n 's/.* 127.0.0.1:\\([0-9]*\\),.*/\\1/p' told); "
@@ -71,14 +78,54 @@ TEST(LiveNetwork, ADeviceMovesTheFingerFeelsTheForceAndTheTraceHasBoth) {
   const Trace trace = read_trace((run.folder / "t.csv").string());
   EXPECT_TRUE(trace.complete);
   EXPECT_TRUE(trace.info.sent);
-  double pressed_n = 0, sent_n = 0;
+  double pressed_n = 0;
+  int same = 0;
   for (const TickRecord& row : trace.rows) {
     ASSERT_TRUE(row.sent_W_n.allFinite());
     pressed_n = std::max(pressed_n, row.force_W_n.norm());
-    sent_n = std::max(sent_n, row.sent_W_n.norm());
+    ASSERT_LE(row.sent_W_n.norm(), 5);
+    // Once the limit has grown and the force goes on evenly, the model's force is let through.
+    if (row.force_W_n.norm() > 1.5 && row.sent_W_n == row.force_W_n) ++same;
   }
   EXPECT_NEAR(pressed_n, 2, 0.3);  // 2 mm into 1000 N/m, and friction
-  EXPECT_GT(sent_n, 0.1);
+  EXPECT_GT(same, 50);
+}
+
+/// To the last bit.
+std::vector<std::uint64_t> forces_of(const Trace& trace) {
+  std::vector<std::uint64_t> forces;
+  for (const TickRecord& row : trace.rows) {
+    for (const double newtons : row.force_W_n) forces.push_back(std::bit_cast<std::uint64_t>(newtons));
+  }
+  return forces;
+}
+
+TEST(LiveNetwork, TheTraceOfAFingerThatIsTurnedGivesTheSameForcesAgainBitForBit) {
+  LiveRun run;
+  run.scene = ball_scene;
+  run.go("--seconds 0.8 --press 0.003 --turn 3");
+  ASSERT_EQ(run.shell.exit_code, 0) << run.shell.err;
+  const Trace live = read_trace((run.folder / "t.csv").string());
+  EXPECT_TRUE(live.info.turning);
+  EXPECT_TRUE(live.info.attitudes);
+  double rubbed_n = 0, turned = 0;
+  for (const TickRecord& row : live.rows) {
+    rubbed_n = std::max(rubbed_n, row.friction_W_n.norm());
+    turned = std::max(turned, std::abs(row.attitude[1]));
+  }
+  EXPECT_GT(rubbed_n, 0.1);
+  EXPECT_GT(turned, 0.5);
+  test::write_file(run.folder, "again.toml", run.scene + "file = \"t.csv\"\n");
+  const auto replayed = test::fingerpad("replay again.toml --out r --quiet", run.folder);
+  ASSERT_EQ(replayed.exit_code, 0) << replayed.err;
+  EXPECT_EQ(forces_of(read_trace((run.folder / "r" / "again.h5").string())), forces_of(live));
+  for (const char* ending : {"csv", "h5"}) {
+    const auto felt = test::fingerpad(
+        std::string("touch again.toml --headless --device recorded --record again.") + ending, run.folder);
+    ASSERT_EQ(felt.exit_code, 0) << felt.err;
+    EXPECT_EQ(forces_of(read_trace((run.folder / (std::string("again.") + ending)).string())),
+              forces_of(live));
+  }
 }
 
 TEST(LiveNetwork, AnEmergencyStopHoldsTheForceAtZeroAndALimitIsKept) {
@@ -103,7 +150,7 @@ TEST(LiveNetwork, AKeyOfTheTerminalStopsTheForce) {
   const std::string tools = (test::source_dir() / "tests" / "support" / "type_in_terminal").string();
   const std::string bridge = (test::source_dir() / "tools" / "device_bridge").string();
   const auto run = test::shell(
-      "'" + tools + "' 'emergency stop' x '" + test::program().string() +
+      "'" + tools + "' 'emergency stop' 'x|x' '" + test::program().string() +
           "' touch floor.toml --headless --device network --port 0 --seconds 60 >told & live=$!\n"
           "until grep -q STOPPED told; do kill -0 $live || exit 99; sleep 0.02; done\n"
           "python3 '" +
@@ -161,6 +208,20 @@ TEST(LiveNetwork, EndsAfterItsSecondsAndOverwritesNoTraceUnasked) {
   EXPECT_EQ(test::fingerpad(call + " --force", folder).exit_code, 0);
 }
 
+TEST(LiveNetwork, TellsWhoReadsNoDeviceTable) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(
+      folder, "s.toml",
+      "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[device]\nscale = 2\n[motion]\nkind = "
+      "\"line\"\nfrom_m = [0, 0, 1]\nto_m = [0, 0, 1.01]\nspeed_m_per_s = 1\n");
+  const auto recorded = test::fingerpad("touch s.toml --headless --device recorded", folder);
+  EXPECT_EQ(recorded.exit_code, 0) << recorded.err;
+  EXPECT_THAT(recorded.err, HasSubstr("--device recorded does not read it"));
+  const auto network =
+      test::fingerpad("touch s.toml --headless --device network --port 0 --seconds 0.01", folder);
+  EXPECT_THAT(network.err, testing::Not(HasSubstr("does not read it")));
+}
+
 TEST(LiveNetwork, TellsWhatCannotBe) {
   const fs::path folder = test::scratch_dir();
   test::write_file(folder, "floor.toml", floor_scene);
@@ -171,6 +232,12 @@ TEST(LiveNetwork, TellsWhatCannotBe) {
       test::fingerpad("touch floor.toml --headless --device network --bind 203.0.113.7 --port 0", folder);
   EXPECT_EQ(elsewhere.exit_code, 2);
   EXPECT_THAT(elsewhere.err, HasSubstr("203.0.113.7 port 0: cannot be listened on"));
+  for (const std::string unread :
+       {"recorded --port 5", "keyboard --bind 127.0.0.1", "haply --bind 127.0.0.1"}) {
+    const auto told = test::fingerpad("touch floor.toml --headless --seconds 1 --device " + unread, folder);
+    EXPECT_EQ(told.exit_code, 2) << unread;
+    EXPECT_THAT(told.err, HasSubstr(": leave it out"));
+  }
 }
 
 }  // namespace

@@ -158,5 +158,23 @@ TEST(PacketGate, HearsOneSenderUntilItHasBeenSilentForASecond) {
   EXPECT_EQ(counts_text(g.gate.counts()), "3 packets accepted, 3 dropped: 3 of another sender");
 }
 
+TEST(PacketGate, HearsADeviceThatHasStartedAnewOnItsOwnPortAfterASecond) {
+  Gate g;
+  EXPECT_TRUE(g.pass(g.first, 5000, 0));
+  EXPECT_FALSE(g.pass(g.first, 1, 0.5)) << "old, for all that is known";
+  EXPECT_TRUE(g.pass(g.first, 500, 1.0));
+  EXPECT_FALSE(g.pass(g.first, 499, 1.1)) << "from there on it counts as ever";
+  EXPECT_TRUE(g.pass(g.first, 501, 1.2));
+  EXPECT_EQ(g.gate.counts(), (PacketGate::Counts{.accepted = 3, .old = 2}));
+}
+
+TEST(PacketGate, HearsNoSequenceZero) {
+  Gate g;
+  EXPECT_FALSE(g.pass(g.first, 0, 0)) << "they go from 1";
+  EXPECT_TRUE(g.pass(g.first, 0xffffffffu, 0));
+  EXPECT_TRUE(g.pass(g.first, 1, 0.1));
+  EXPECT_EQ(g.gate.counts(), (PacketGate::Counts{.accepted = 2, .numbers = 1}));
+}
+
 }  // namespace
 }  // namespace fingerpad::device_packet_test

@@ -92,7 +92,7 @@ TEST(HaplyMessage, AHundredThousandHostileFramesGiveNoForceThatIsNotFiniteOrAbov
   RemoteFinger finger(DeviceSettings{}, {0, Vec3(0, 0, 1), Vec3::UnitY()}, 0.004);
   std::int64_t now_ns = 0;
   DeviceReading reading;
-  long read = 0;
+  long read = 0, silent = 0;
   for (int k = 0; k < 100'000; ++k, now_ns += 1'000'000) {
     if (const auto frame = read_haply_frame(damaged(inventory, bits))) {
       reading.place = frame->place;
@@ -101,6 +101,7 @@ TEST(HaplyMessage, AHundredThousandHostileFramesGiveNoForceThatIsNotFiniteOrAbov
       finger.hear(reading);
       ++read;
     }
+    if (k % 5000 == 4999) now_ns += 19'000'000;  // and so nothing has come for 20 ms, or just did
     TickRecord tick;
     tick.p_WQ = finger.advance(now_ns, 1e-3).p_WQ;
     ASSERT_TRUE(tick.p_WQ.allFinite());
@@ -110,7 +111,11 @@ TEST(HaplyMessage, AHundredThousandHostileFramesGiveNoForceThatIsNotFiniteOrAbov
     const DeviceAnswer answer = finger.feel(tick, now_ns, true);
     ASSERT_TRUE(answer.force_D_n.allFinite() && answer.torque_D_n_m.allFinite());
     ASSERT_LE(answer.force_D_n.norm(), 5);
+    if (now_ns - reading.arrived_ns < 20'000'000) continue;
+    ASSERT_EQ(answer.force_D_n, Vec3::Zero());
+    ++silent;
   }
+  EXPECT_GT(silent, 0);
   EXPECT_GT(read, 10'000);
   EXPECT_LT(read, 90'000);
 }

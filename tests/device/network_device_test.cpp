@@ -136,6 +136,58 @@ TEST(NetworkDevice, TellsThatTheWatchdogHasTrippedAndStopsByTheBit) {
   EXPECT_TRUE(answer->status & status_stopped) << "though a packet without the bit came before the tick";
 }
 
+TEST(NetworkDevice, TellsOfATripOnceThoughItAnswersTwice) {
+  Rig rig;
+  Peer peer(*rig.device);
+  peer.say(1, {0, 0, -0.001});
+  rig.tick_after(1);
+  ASSERT_TRUE(peer.hear(long_ms));
+  test_clock_ns += 25'000'000;
+  rig.tick_after(1);
+  peer.say(2, {0, 0, -0.001});
+  peer.say(3, {0, 0, -0.001});
+  rig.tick_after(3);
+  const auto first = peer.hear(long_ms), second = peer.hear(long_ms);
+  ASSERT_TRUE(first && second);
+  EXPECT_EQ(first->status & status_watchdog, status_watchdog);
+  EXPECT_EQ(second->status & status_watchdog, 0u);
+}
+
+/// A device whose thread does nothing: its side is the test's.
+class QuietDevice final : public RemoteDevice {
+ public:
+  explicit QuietDevice(const DeviceSetup& setup)
+      : RemoteDevice(setup, Answers::to_readings, [] { return test_clock_ns.load(); }) {}
+  ~QuietDevice() override { stop(); }
+  using RemoteDevice::hand_over;
+  using RemoteDevice::newest_answer;
+
+ private:
+  void run() override {}
+};
+
+TEST(RemoteDevice, SendsNoForceOfATickBeforeAStopThatWasAccepted) {
+  Scene scene;
+  scene.device.soft_start_s = 0;
+  QuietDevice device({scene, nullptr, {0, Vec3(0, 0, 0.1), Vec3::UnitY()}});
+  DeviceReading reading;
+  reading.place.p_D = Vec3(0, 0, -0.001);
+  reading.arrived_ns = test_clock_ns;
+  reading.accepted = 1;
+  device.hand_over(reading);
+  device.advance(1e-3);
+  TickRecord tick;
+  tick.phase = Phase::slip;
+  tick.normal_W = Vec3::UnitZ();
+  tick.force_W_n = Vec3(0, 0, 1);
+  test_clock_ns += 1'000'000;
+  device.feel(tick);
+  EXPECT_EQ(device.newest_answer().force_D_n, Vec3(0, 0, 1));
+  device.set_emergency_stop(true);
+  EXPECT_EQ(device.newest_answer().force_D_n, Vec3::Zero());
+  EXPECT_TRUE(device.newest_answer().stopped);
+}
+
 TEST(NetworkDevice, IsNotShakenByNoise) {
   Rig rig;
   Peer peer(*rig.device);

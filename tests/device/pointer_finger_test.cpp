@@ -189,7 +189,16 @@ TEST(PointerFinger, TakesNoTargetThatIsNoPlace) {
   PointerFinger finger({scene, test::plane_world(), start});
   target.p_WQ = Vec3(0, TickRecord::nan, 0);
   finger.set_target(target);
-  for (int k = 0; k < 100; ++k) EXPECT_EQ(finger.advance(1e-3).p_WQ, start.p_WQ);
+  target.p_WQ = Vec3(0.01, 0, 0.01);
+  for (const Vec3& direction_W : {Vec3(TickRecord::nan, 0, 0), Vec3(0, 0, 0)}) {
+    target.direction_W = direction_W;
+    finger.set_target(target);
+  }
+  for (int k = 0; k < 100; ++k) {
+    const FingerSample sample = finger.advance(1e-3);
+    EXPECT_EQ(sample.p_WQ, start.p_WQ);
+    EXPECT_EQ(sample.direction_W, start.direction_W);
+  }
 }
 
 }  // namespace

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-#include "device/packet_gate.hpp"
+#include "device/network_device.hpp"
 
 namespace fingerpad::remote_finger_test {
 namespace {
@@ -18,9 +18,14 @@ struct Rig {
   explicit Rig(const DeviceSettings& settings = {}) : finger(settings, rest, 0) {}
 
   void say(const Vec3& p_D, bool clutch = false) {
+    DevicePlace place;
+    place.p_D = p_D;
+    place.clutch = clutch;
+    say(place);
+  }
+  void say(const DevicePlace& place) {
     DeviceReading reading;
-    reading.place.p_D = p_D;
-    reading.place.clutch = clutch;
+    reading.place = place;
     reading.arrived_ns = now_ns;
     reading.sequence = ++sequence;
     reading.accepted = sequence;
@@ -127,6 +132,37 @@ TEST(RemoteFinger, ClutchingMovesTheDeviceWithoutTheFingerAndWithoutForce) {
   EXPECT_NEAR((rig.sample.p_WQ - Vec3(0.01, 0, -0.003)).norm(), 0, 1e-15);  // sums of a few decimals
 }
 
+Attitude turned_by(double angle_rad, const Vec3& axis) {
+  const double half = angle_rad / 2;
+  return {std::cos(half), std::sin(half) * axis.x(), std::sin(half) * axis.y(), std::sin(half) * axis.z()};
+}
+
+TEST(RemoteFinger, ClutchingTurnsTheDeviceWithoutTheFinger) {
+  Workspace workspace({}, rest);
+  DevicePlace place;
+  place.attitude_D = turned_by(0.4, Vec3::UnitZ());
+  const FingerSample before = workspace.finger(place);
+  ASSERT_TRUE(before.attitude);
+  place.clutch = true;
+  for (int k = 0; k <= 10; ++k) {
+    place.attitude_D = turned_by(0.4 - 0.2 * k, Vec3(0.6, 0, 0.8));
+    const FingerSample held = workspace.finger(place);
+    ASSERT_EQ(held.direction_W, before.direction_W);
+    ASSERT_EQ(held.attitude->coeffs(), before.attitude->coeffs());
+  }
+  place.clutch = false;
+  for (int k = 0; k < 2; ++k) {  // the tick that lets go, and the next
+    const FingerSample gone_on = workspace.finger(place);
+    EXPECT_NEAR((gone_on.direction_W - before.direction_W).norm(), 0, 1e-15);
+    EXPECT_NEAR(gone_on.attitude->angularDistance(*before.attitude), 0,
+                1e-7);  // the root of a rounding error
+  }
+  // A turn of the device about an axis is then one of the finger about the same.
+  place.attitude_D = turned_by(0.3, Vec3::UnitX()) * *place.attitude_D;
+  const Vec3 wanted_W = turned_by(0.3, Vec3::UnitX()) * before.direction_W;
+  EXPECT_NEAR((workspace.finger(place).direction_W - wanted_W).norm(), 0, 1e-15);
+}
+
 TEST(RemoteFinger, LiesInTheWorldAsTheSceneSays) {
   DeviceSettings settings;
   settings.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // the device's x is the world's y
@@ -148,6 +184,15 @@ TEST(RemoteFinger, LiesInTheWorldAsTheSceneSays) {
   EXPECT_NEAR((turned.direction_W - wanted).norm(), 0, 1e-15);
 }
 
+TEST(RemoteFinger, TellsTheDepthAsTheDeviceMeasures) {
+  DeviceSettings settings;
+  settings.scale = 4;
+  Rig rig(settings);
+  rig.say({0, 0, -0.001});
+  EXPECT_EQ(rig.tick().depth_m, 0.001);
+  EXPECT_EQ(rig.sample.p_WQ.z(), -0.004);
+}
+
 TEST(RemoteFinger, AMillionHostilePacketsGiveNoForceThatIsNotFiniteOrAboveTheLimit) {
   std::mt19937_64 bits(7);
   Rig rig;
@@ -156,10 +201,15 @@ TEST(RemoteFinger, AMillionHostilePacketsGiveNoForceThatIsNotFiniteOrAboveTheLim
   PacketBytes last = packet_of(DevicePacket{});
   DevicePacket packet;
   std::uint32_t sequence = 0;
+  std::int64_t heard_ns = 0;
+  long turned = 0, silent = 0;
   for (int k = 0; k < 1'000'000; ++k) {
     DevicePacket said;
     said.sequence = ++sequence;
     said.position_m = Vec3(0, 0, -1e-5 * static_cast<double>(bits() % 1000));
+    const double half = 1e-3 * static_cast<double>(bits() % 3000);
+    said.orientation_wxyz = {std::cos(half), 0, std::sin(half), 0};
+    said.flags = static_cast<std::uint32_t>(bits() & flag_has_orientation);
     PacketBytes bytes = packet_of(said);
     // One of: as it is, some bytes changed, the last one again, noise; whole or cut.
     const std::uint64_t choice = bits();
@@ -172,16 +222,23 @@ TEST(RemoteFinger, AMillionHostilePacketsGiveNoForceThatIsNotFiniteOrAboveTheLim
     last = bytes;
     const std::size_t length = (choice >> 16 & 15) == 0 ? choice >> 20 & 63 : 80;
     const bool passed = gate.pass(std::span(bytes).first(length), sender, rig.now_ns, packet);
-    if (passed) rig.say(packet.position_m, (packet.buttons & 1) != 0);
+    if (passed) rig.say(place_of(packet));
+    if (passed) heard_ns = rig.now_ns;
+    turned += passed && (packet.flags & flag_has_orientation) != 0 ? 1 : 0;
     if (passed && gate.counts().accepted % 1000 == 0) rig.now_ns += 25 * ms;  // silence
     const DeviceAnswer answer = rig.tick(passed);
     ASSERT_TRUE(answer.force_D_n.allFinite());
     ASSERT_LE(answer.force_D_n.norm(), 5);
-    if (rig.finger.lifted()) {
+    ASSERT_TRUE(answer.torque_D_n_m.allFinite());
+    ASSERT_TRUE(rig.sample.direction_W.allFinite());
+    if (rig.finger.lifted() || rig.now_ns - ms - heard_ns >= 20 * ms) {
       ASSERT_EQ(answer.force_D_n, Vec3::Zero());
+      ++silent;
     }
     sequence = passed ? packet.sequence : sequence;
   }
+  EXPECT_GT(turned, 100'000);
+  EXPECT_GT(silent, 100);
   EXPECT_GT(gate.counts().accepted, 250'000u);
   EXPECT_GT(gate.counts().malformed, 100'000u);
   EXPECT_GT(gate.counts().numbers, 1000u);

@@ -1,9 +1,10 @@
 #include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "device/haply_message.hpp"
-#include "device/packet_gate.hpp"
-#include "device/remote_finger.hpp"
+#include "device/network_device.hpp"
 #include "fuzz/entries.hpp"
 #include "fuzz/promise.hpp"
 
@@ -25,8 +26,10 @@ class HostileDevice {
   void tick() {
     now_ns_ += device_tick_ns;
     TickRecord tick;
-    tick.p_WQ = finger_.advance(now_ns_, 1e-9 * device_tick_ns).p_WQ;
+    const FingerSample sample = finger_.advance(now_ns_, 1e-9 * device_tick_ns);
+    tick.p_WQ = sample.p_WQ;
     promise(tick.p_WQ.allFinite(), "the finger is somewhere");
+    promise(std::abs(sample.direction_W.norm() - 1) < 1e-6, "it points somewhere");
     if (tick.p_WQ.z() < 0) {
       tick.phase = Phase::slip;
       tick.normal_W = Vec3::UnitZ();
@@ -54,11 +57,8 @@ void fuzz_device_packets(std::string_view bytes) {
     const std::span<const unsigned char> packet(&all[at], std::min(packet_bytes, all.size() - at));
     DevicePacket read;
     if (gate.pass(packet, PacketSender{}, device.now_ns(), read)) {
-      DevicePlace place;
-      place.p_D = read.position_m;
-      place.clutch = (read.buttons & button_clutch) != 0;
-      device.say(place);
-      promise(packet_of(read).size() == packet.size(), "what is accepted is whole");
+      device.say(place_of(read));
+      promise(std::ranges::equal(packet_of(read), packet), "what is accepted was read to the last bit");
     }
     device.tick();
   }
@@ -72,8 +72,10 @@ void fuzz_haply_frame(std::string_view bytes) {
     device.say(frame->place);
     device.tick();
   }
-  const auto message = read_haply_frame(haply_message(frame->device_id, Vec3::UnitX(), ""));
-  promise(!message, "a message is no frame, and can be written whatever the device's name");
+  const auto message =
+      nlohmann::json::parse(haply_message(frame->device_id, Vec3::UnitX(), ""), nullptr, false);
+  promise(message.is_object(), "a message can be written whatever the device's name");
+  promise(message["inverse3"][0]["device_id"] == frame->device_id, "it goes to the device that was heard");
 }
 
 }  // namespace fingerpad::test

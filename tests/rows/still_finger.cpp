@@ -6,7 +6,7 @@ namespace {
 class StillFinger final : public LiveDevice {
  public:
   explicit StillFinger(const FingerSample& start) : finger_(start) {}
-  FingerSample advance(double dt_s) override {
+  FingerSample advance(double dt_s) noexcept override {
     finger_.t_s += dt_s;
     return finger_;
   }

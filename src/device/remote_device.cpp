@@ -1,0 +1,46 @@
+#include "device/remote_device.hpp"
+
+namespace fingerpad {
+
+RemoteDevice::RemoteDevice(const DeviceSetup& setup, Answers answers, DeviceClock clock)
+    : clock_(clock),
+      watchdog_s_(setup.scene.device.watchdog_s),
+      answers_wanted_(answers),
+      finger_(setup.scene.device, setup.start, setup.scene.finger.radius_m) {}
+
+void RemoteDevice::start() {
+  thread_ = std::thread([this] { run(); });
+}
+
+void RemoteDevice::stop() {
+  stopping_ = true;
+  wake_up_.wake();
+  if (thread_.joinable()) thread_.join();
+}
+
+FingerSample RemoteDevice::advance(double dt_s) noexcept {
+  DeviceReading reading;
+  if (readings_.take(reading)) finger_.hear(reading);
+  return finger_.advance(clock_(), dt_s);
+}
+
+void RemoteDevice::feel(const TickRecord& tick) noexcept {
+  const bool is_first = finger_.heard() != answered_,
+             is_sent = is_first || answers_wanted_ == Answers::every_tick;
+  const DeviceAnswer answer = finger_.feel(tick, clock_(), is_sent);
+  if (is_sent) answers_.put(answer);
+  if (!is_first) return;  // the device's thread waits for no other
+  answered_ = finger_.heard();
+  wake_up_.wake();
+}
+
+DeviceAnswer& RemoteDevice::newest_answer() noexcept {
+  answers_.take(newest_);
+  if (finger_.guard().stopped()) {  // also where the stop has come since that tick
+    newest_.force_D_n = newest_.torque_D_n_m = Vec3::Zero();
+    newest_.stopped = true;
+  }
+  return newest_;
+}
+
+}  // namespace fingerpad
