@@ -29,11 +29,14 @@ struct WindowReport {
   bool pressing = false;                ///< touch windows: against the surface
   double press_n = 0;                   ///< touch windows: the force aimed at
   double chart_from = 0, chart_to = 0;  ///< the range of x that the charts show
+  double arrow_force_n = 0;             ///< the force of an arrow of full length
+  bool invites = false;                 ///< touch windows: it says how to press
   std::string chart_tells;              ///< the value of the curve under the mouse; empty: none
 };
 
 struct WindowOptions {
   int width = 1280, height = 800;
+  std::string title = {};           ///< of the window, for the window manager
   std::vector<WindowEvent> events;  ///< in order of time
   std::function<void(const WindowReport&)> on_frame;
 };

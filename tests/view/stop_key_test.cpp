@@ -26,7 +26,8 @@ int stops_heard(bool has_motors) {
   WindowOptions options;
   options.width = 600;
   options.height = 400;
-  options.events = {{0.1, Kind::key, "x"}, {0.2, Kind::key, "x"}, {0.4, Kind::key, "q"}};
+  options.events = {
+      {0.1, Kind::key, "x"}, {0.15, Kind::key, "x"}, {0.2, Kind::key, "X"}, {0.4, Kind::key, "q"}};
   run_touch_window(input, options);
   return stops;
 }
