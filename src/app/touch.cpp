@@ -62,6 +62,7 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
                  LiveDevice& device, ServoLoop& servo) {
   TouchWindowInput input;
   input.view.title = scene.name;
+  input.view.file = options.subject;
   input.view.world = world;
   input.view.scene = scene;
   input.set_target = [&](const FingerSample& target) { device.set_target(target); };
@@ -70,7 +71,7 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
   input.timing = [&] { return servo.timing(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
   if (device.has_motors()) {
-    input.toggle_stop = [&] { device.set_emergency_stop(!device.emergency_stopped()); };
+    input.set_stop = [&](bool on) { device.set_emergency_stop(on); };
     input.is_stopped = [&] { return device.emergency_stopped(); };
   }
   if (!options.record.empty()) input.note = "recording " + options.record;

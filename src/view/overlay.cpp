@@ -34,6 +34,7 @@ class OverlayPainter {
     if (facts_.inset_px_per_mm > 0) paint_inset_frame();
     paint_words();
     if (layout_.timeline.height > 0) paint_timeline();
+    if (!facts_.alarm.empty()) paint_alarm();
     if (state_.help) paint_help();
   }
 
@@ -53,6 +54,15 @@ class OverlayPainter {
           {right, middle}, hint,
           {.size = 0.95 * em_, .colour = colours::grey, .across = Across::right, .upright = Upright::middle});
     }
+  }
+
+  /// Cut where it does not fit: the terminal has it whole.
+  void paint_alarm() {
+    const Box line = alarm_line(facts_, layout_);
+    drawing_.box(line, Colour{178, 24, 32});
+    drawing_.text({line.left + 0.7 * em_, line.centre().y()},
+                  fitted(facts_.alarm, 1.15 * em_, true, line.width - 1.4 * em_),
+                  {.size = 1.15 * em_, .colour = colours::white, .upright = Upright::middle, .bold = true});
   }
 
   /// What is said once: what is missing, how to press, what has just been done.
@@ -197,6 +207,11 @@ Colour ramp_colour(double share) {
         std::lround(stops[low].*channel * (1 - part) + stops[low + 1].*channel * part));
   };
   return {mix(&Colour::red), mix(&Colour::green), mix(&Colour::blue)};
+}
+
+Box alarm_line(const OverlayFacts& facts, const Layout& layout) {
+  const double height = facts.alarm.empty() ? 0 : 2 * layout.em;
+  return {layout.scene.left, layout.scene.top() - height, layout.scene.width, height};
 }
 
 Box time_slider(const Layout& layout) {

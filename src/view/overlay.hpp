@@ -51,8 +51,12 @@ struct OverlayFacts {
   std::string message;            ///< what has just been done, for a moment
   std::string notice;             ///< what is missing in the picture, and why
   std::string hint;               ///< of keys; empty in a picture
+  std::string alarm;              ///< what has gone wrong; empty: nothing
   std::vector<std::string> help;  ///< "key: what it does", for the help page
 };
+
+/// Where what has gone wrong is told: a line at the top of the scene, empty where nothing has.
+Box alarm_line(const OverlayFacts& facts, const Layout& layout);
 
 /// The time line's slider within a layout.
 Box time_slider(const Layout& layout);

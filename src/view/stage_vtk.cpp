@@ -100,9 +100,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
     window_->AddRenderer(renderer);
   }
   scene_->GradientBackgroundOn();
-  scene_->SetBackground(0.93, 0.945, 0.96);
-  scene_->SetBackground2(0.995, 0.997, 1.0);
-  close_up_->SetBackground(0.97, 0.975, 0.98);
+  paint_grounds();
   flat_->SetLayer(1);
   // The region is flat, the surface may not be: the marks are drawn over it.
   close_up_marks_->PreserveColorBufferOn();
@@ -122,6 +120,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
   add_glyphs(close_up_marks_, close_up_clear_);
   add_glyphs(close_up_marks_, close_up_solid_);
   vtkNew<vtkContextActor> flat;
+  flat->SetForceDevice(device_);
   flat->GetScene()->SetRenderer(flat_);  // by which VTK keeps a tooltip in sight
   flat->GetScene()->AddItem(under_charts_);
   if (charts_) board_.add_to(flat->GetScene());
@@ -151,7 +150,25 @@ void Stage::place_renderers() {
   world_->set_line_width(std::max(1.0, 0.09 * layout_.em));
 }
 
+void Stage::look(const LookFrom& from) {
+  set_look(scene_, input_, extent_, space_, from, layout_.scene.width / layout_.scene.height);
+}
+
+void Stage::look_at_all() {
+  const Mat3 axes = axes_on_screen(scene_);
+  look({axes.row(2), axes.row(1)});
+}
+
+void Stage::paint_grounds() {
+  const bool dark = state_.dark;
+  device_->set_dark(dark);
+  dark ? scene_->SetBackground(0.11, 0.12, 0.14) : scene_->SetBackground(0.93, 0.945, 0.96);
+  dark ? scene_->SetBackground2(0.2, 0.21, 0.24) : scene_->SetBackground2(0.995, 0.997, 1.0);
+  dark ? close_up_->SetBackground(0.16, 0.17, 0.19) : close_up_->SetBackground(0.97, 0.975, 0.98);
+}
+
 void Stage::reset_camera() {
+  if (state_.look) return look(*state_.look);
   set_scene_camera(scene_, input_, extent_, space_, layout_.scene.width / layout_.scene.height);
 }
 
@@ -212,7 +229,9 @@ void Stage::place_overlay(OverlayFacts& facts) {
   const Vec2 legend = state_.hud ? legend_size(facts, state_, layout_.em) : Vec2(0, 0);
   const double side = shows_close_up(facts.px_per_mm) ? layout_.inset.width : 0;
   using enum Corner;
-  const auto boxes = places_.place(layout_,
+  Layout below_alarm = layout_;
+  below_alarm.scene.height -= alarm_line(facts, layout_).height;
+  const auto boxes = places_.place(below_alarm,
                                    {{hud.x(), hud.y(), {top_left, top_right, bottom_right}},
                                     {side, side, {top_right, bottom_right, top_left, bottom_left}},
                                     {legend.x(), legend.y(), {bottom_left, bottom_right, top_left}}},
@@ -278,6 +297,7 @@ OverlayFacts Stage::overlay_facts() {
   facts.subtitle = subtitle_of(input_);
   facts.about = about_lines(input_);
   facts.hint = hint_;
+  facts.alarm = alarm_;
   facts.readings = readings_;
   facts.tick_bars = tick_bars_;
   facts.help = help_;
@@ -343,6 +363,8 @@ void Stage::render() {
   const ContactGlyphs glyphs = moment_ ? contact_glyphs(*moment_, space_, choice) : ContactGlyphs{};
   copy_mesh(glyphs.solid, solid_);
   copy_mesh(glyphs.clear, clear_);
+  paint_grounds();
+  world_->show_as_wires(state_.wireframe);
   world_->show_creases(state_.creases);
   world_->show_path(state_.path, state_.colouring == PathColouring::force);
   OverlayFacts facts = overlay_facts();

@@ -16,6 +16,7 @@
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
 #include "view/overlay_places.hpp"
+#include "view/theme_device_vtk.hpp"
 #include "view/view_state.hpp"
 #include "view/world_props_vtk.hpp"
 
@@ -43,9 +44,13 @@ class Stage {
   const ViewExtent& extent() const { return extent_; }
   const Layout& layout() const { return layout_; }
   ViewState& state() { return state_; }
+  const ViewInput& input() const { return input_; }
 
   void resize(int width, int height);
   void reset_camera();
+  /// All in sight from a direction.
+  void look(const LookFrom& from);
+  void look_at_all();  ///< from where it is looked now
   /// Nearer (> 1) or farther.
   void zoom(double factor);
 
@@ -57,6 +62,9 @@ class Stage {
   const ArrowScale& arrow_scale() const { return arrow_scale_; }
   void show_hint(std::string hint, std::vector<std::string> help);
   void show_title_note(std::string note) { hint_ = std::move(note); }
+  /// A line in red below the title; empty: none.
+  void show_alarm(std::string words) { alarm_ = std::move(words); }
+  bool has_alarm() const { return !alarm_.empty(); }
   /// More for the head-up display, and how often ticks took how long (OverlayFacts).
   void show_readings(std::vector<Reading> readings, TickBars tick_bars) {
     readings_ = std::move(readings);
@@ -77,6 +85,7 @@ class Stage {
 
  private:
   void place_renderers();
+  void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
   Vec2 on_screen(const Vec3& p_mm);
   bool shows_close_up(double scene_px_per_mm);
@@ -101,7 +110,7 @@ class Stage {
   OverlayPlaces places_;
   double inset_px_per_mm_ = 0, inset_half_height_mm_ = 1;
   Box inset_;
-  std::string hint_;
+  std::string hint_, alarm_;
   std::vector<std::string> help_;
   std::vector<Reading> readings_;
   TickBars tick_bars_;
@@ -114,6 +123,7 @@ class Stage {
   vtkNew<vtkRenderer> scene_, close_up_, close_up_marks_, flat_;
   vtkNew<vtkPolyData> solid_, clear_, close_up_solid_, close_up_clear_;
   vtkNew<DrawingItem> under_charts_, item_;
+  vtkNew<ThemeDevice> device_;
 };
 
 }  // namespace fingerpad

@@ -152,14 +152,7 @@ class TouchWindow {
     return true;
   }
 
-  unsigned window_kind() const {
-    return input_.toggle_stop ? windows::touch | windows::motors : windows::touch;
-  }
-
-  /// An emergency stop always stops; only the other key gives the force back.
-  void stop(bool on) {
-    if (input_.is_stopped() != on) input_.toggle_stop();
-  }
+  unsigned window_kind() const { return input_.set_stop ? windows::touch | windows::motors : windows::touch; }
 
   bool touch_key(KeyAction action) {
     const double step_m = 0.004 * stage_.scene()->GetActiveCamera()->GetParallelScale() * 1e-3 * 2;
@@ -168,7 +161,7 @@ class TouchWindow {
     switch (action) {
       case KeyAction::stop:
       case KeyAction::give_back:
-        stop(action == KeyAction::stop);
+        input_.set_stop(action == KeyAction::stop);
         return true;
       case KeyAction::press:
         latched_ = !latched_;
@@ -205,6 +198,8 @@ class TouchWindow {
   }
 
   bool frame(double elapsed_s) {
+    if (input_.is_over && input_.is_over()) loop_.close();
+    if (input_.alarm) stage_.show_alarm(input_.alarm());
     follow();
     since_chart_s_ += elapsed_s;
     if (since_chart_s_ >= chart_period_s) {
@@ -224,15 +219,16 @@ class TouchWindow {
     const TickRecord& row = history_.rows().back();
     stage_.show(row, history_.speed_m_per_s());
     if (input_.is_stopped && input_.is_stopped()) {
-      stage_.show_title_note("STOPPED: no force on the device   Shift-x gives it back   h help");
+      stage_.show_title_note("STOPPED: no force on the device   g gives it back   h help");
       return;
     }
-    stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", input_.note,
-                                       input_.note.empty() ? "" : "   ", target_.press_n(),
-                                       target_.pressing() ? "pressing" : "hovering"));
+    const std::string& note = stage_.has_alarm() ? no_note_ : input_.note;
+    stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", note, note.empty() ? "" : "   ",
+                                       target_.press_n(), target_.pressing() ? "pressing" : "hovering"));
   }
 
   const TouchWindowInput& input_;
+  const std::string no_note_;
   History history_;
   Stage stage_;
   TouchTarget target_;

@@ -23,8 +23,12 @@ struct TouchWindowInput {
   /// The ticks of the last seconds, oldest first; may begin later.
   std::function<std::vector<TickRecord>(double seconds)> recent;
   /// Holds the force on a device at 0, or gives it back, and whether it is held; none where it has no motors.
-  std::function<void()> toggle_stop;
+  std::function<void(bool on)> set_stop;
   std::function<bool()> is_stopped;
+  /// Whether the touch is over, so that the window closes; asked once a frame. May be none.
+  std::function<bool()> is_over;
+  /// What has gone wrong and is to be seen at once; empty: nothing. Asked once a frame. May be none.
+  std::function<std::string()> alarm;
   /// How the servo loop keeps its time, for the head-up display; may be none.
   std::function<ServoTiming()> timing;
   std::string note;  ///< in the title line, as "recording run.h5"

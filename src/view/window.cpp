@@ -18,6 +18,8 @@ class ViewWindow {
         stage_(input, options.width, options.height, input.rows.size() > 1, input.rows.size() > 1),
         loop_(stage_, options, handlers()) {
     if (!input.rows.empty()) playback_.emplace(input);
+    stage_.state().look = options.look;
+    stage_.reset_camera();
     if (input.rows.size() > 1) {
       stage_.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
     }

@@ -1,12 +1,21 @@
 #include "view/window_loop_vtk.hpp"
 
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "view/png_vtk.hpp"
+#include "view/screenshot.hpp"
 
 namespace fingerpad {
 namespace {
@@ -72,7 +81,12 @@ void WindowLoop::observe() {
 }
 
 void WindowLoop::run() {
-  stage_.window()->SetWindowName(options_.title.empty() ? "fingerpad" : options_.title.c_str());
+  const ViewInput& input = stage_.input();
+  const std::string name = std::filesystem::path(input.file).filename().string();
+  const std::string how = subtitle_of(input);
+  stage_.window()->SetWindowName(
+      fmt::format("{}{}{} - fingerpad", name.empty() ? input.title : name, how.empty() ? "" : ": ", how)
+          .c_str());
   interactor_->Initialize();
   queue_.emplace(interactor_, stage_.window());
   queue_->refuse_smaller(least_window_width_px, least_window_height_px);
@@ -111,6 +125,7 @@ void WindowLoop::close() {
 void WindowLoop::tell(const std::string& words) {
   constexpr double told_s = 4;
   stage_.tell(words);
+  told_ = words;
   told_until_s_ = last_frame_s_ + told_s;
   changed_ = true;
 }
@@ -120,10 +135,11 @@ bool WindowLoop::act(KeyAction action) {
   const struct {
     KeyAction action;
     bool* flag;
-  } toggles[] = {{KeyAction::path, &state.path},         {KeyAction::finger, &state.finger},
-                 {KeyAction::forces, &state.forces},     {KeyAction::frame, &state.frame},
-                 {KeyAction::close_up, &state.close_up}, {KeyAction::creases, &state.creases},
-                 {KeyAction::readings, &state.hud},      {KeyAction::help, &state.help}};
+  } toggles[] = {{KeyAction::path, &state.path},           {KeyAction::finger, &state.finger},
+                 {KeyAction::forces, &state.forces},       {KeyAction::frame, &state.frame},
+                 {KeyAction::close_up, &state.close_up},   {KeyAction::creases, &state.creases},
+                 {KeyAction::wireframe, &state.wireframe}, {KeyAction::dark, &state.dark},
+                 {KeyAction::readings, &state.hud},        {KeyAction::help, &state.help}};
   for (const auto& toggle : toggles) {
     if (action != toggle.action) continue;
     *toggle.flag = !*toggle.flag;
@@ -148,8 +164,42 @@ bool WindowLoop::act(KeyAction action) {
     case KeyAction::colouring:
       state.colouring = state.colouring == PathColouring::phase ? PathColouring::force : PathColouring::phase;
       return true;
+    case KeyAction::all_in_sight:
+      stage_.look_at_all();
+      return true;
+    case KeyAction::screenshot:
+      take_screenshot();
+      return true;
     default:
-      return false;
+      return look(action);
+  }
+}
+
+bool WindowLoop::look(KeyAction action) {
+  constexpr std::pair<KeyAction, std::string_view> names[] = {
+      {KeyAction::front, "front"},        {KeyAction::back, "back"}, {KeyAction::left, "left"},
+      {KeyAction::right, "right"},        {KeyAction::top, "top"},   {KeyAction::bottom, "bottom"},
+      {KeyAction::isometric, "isometric"}};
+  for (const auto& [preset, name] : names) {
+    if (preset != action) continue;
+    stage_.look(*named_look(name));
+    tell(fmt::format("from {}{}", action == KeyAction::isometric ? "" : "the ",
+                     action == KeyAction::isometric ? "askew" : name));
+    return true;
+  }
+  return false;
+}
+
+/// As the window stands, without what was told last.
+void WindowLoop::take_screenshot() {
+  stage_.tell("");
+  stage_.render();
+  try {
+    const std::string path = next_screenshot_name(stage_.input().file, stage_.input().title);
+    write_png(stage_.window(), path);
+    tell("wrote " + path);
+  } catch (const Error& error) {
+    tell(std::string("no screenshot: ") + error.what());
   }
 }
 
@@ -220,6 +270,7 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
   if (handlers_.frame && handlers_.frame(elapsed_s)) changed_ = true;
   if (told_until_s_ > 0 && now_s > told_until_s_) {
     stage_.tell("");
+    told_.clear();
     told_until_s_ = 0;
     changed_ = true;
   }
@@ -239,6 +290,10 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
     report.state = stage_.state();
     report.frames = frames_;
     report.since_open_s = now_s;
+    vtkCamera* const camera = stage_.scene()->GetActiveCamera();
+    report.towards_eye_W = -Vec3(camera->GetDirectionOfProjection());
+    report.half_height_mm = camera->GetParallelScale();
+    report.message = told_;
     report.arrow_force_n = stage_.arrow_scale().force_n();
     const ChartPlace charts = stage_.charts().place();
     report.chart_from = charts.x_min;

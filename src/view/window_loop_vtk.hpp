@@ -59,6 +59,8 @@ class WindowLoop {
   void play_events(double now_s);
   void play(const WindowEvent& event);
   bool act(KeyAction action);
+  bool look(KeyAction action);
+  void take_screenshot();
 
   Stage& stage_;
   const WindowOptions& options_;
@@ -73,6 +75,7 @@ class WindowLoop {
   double slow_s_ = 0;  ///< time that frames took beyond what is smooth
   bool changed_ = true;
   bool closing_ = false;
+  std::string told_;
   double told_until_s_ = 0;  ///< what was told stays so long
 };
 

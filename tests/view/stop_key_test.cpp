@@ -9,8 +9,8 @@ namespace {
 
 using Kind = WindowEvent::Kind;
 
-/// How often the key of the emergency stop was heard in a window where x is typed twice.
-int stops_heard(bool has_motors) {
+/// What the keys of the emergency stop did in a window where x, x, g and x are typed.
+std::vector<bool> stops_heard(bool has_motors) {
   const VirtualScreen screen;
   TouchWindowInput input;
   input.view = test::torus_rub(0.0);
@@ -18,23 +18,45 @@ int stops_heard(bool has_motors) {
   input.set_target = [](const FingerSample&) {};
   input.latest = [] { return TickRecord{}; };
   input.recent = [](double) { return std::vector<TickRecord>{}; };
-  int stops = 0;
+  std::vector<bool> stops;
   if (has_motors) {
-    input.toggle_stop = [&] { ++stops; };
-    input.is_stopped = [&] { return stops % 2 == 1; };
+    input.set_stop = [&](bool on) { stops.push_back(on); };
+    input.is_stopped = [&] { return !stops.empty() && stops.back(); };
   }
   WindowOptions options;
   options.width = 600;
   options.height = 400;
-  options.events = {
-      {0.1, Kind::key, "x"}, {0.15, Kind::key, "x"}, {0.2, Kind::key, "X"}, {0.4, Kind::key, "q"}};
+  options.events = {{0.1, Kind::key, "x"},
+                    {0.2, Kind::key, "x"},
+                    {0.3, Kind::key, "g"},
+                    {0.4, Kind::key, "x"},
+                    {0.6, Kind::key, "q"}};
   run_touch_window(input, options);
   return stops;
 }
 
-TEST(StopKey, OfTheWindowReachesADeviceWithMotorsAlone) {
-  EXPECT_EQ(stops_heard(true), 2);
-  EXPECT_EQ(stops_heard(false), 0);
+TEST(StopKey, AlwaysStopsAndAnotherKeyGivesTheForceBack) {
+  EXPECT_EQ(stops_heard(true), (std::vector<bool>{true, true, false, true}));
+  EXPECT_TRUE(stops_heard(false).empty()) << "a device without motors has nothing to stop";
+}
+
+/// A window of a touch that is over after so many frames, and is not closed by hand.
+TEST(TouchWindowEnd, ComesWithTheTouchs) {
+  const VirtualScreen screen;
+  TouchWindowInput input;
+  input.view = test::torus_rub(0.0);
+  input.view.rows.clear();
+  input.set_target = [](const FingerSample&) {};
+  input.latest = [] { return TickRecord{}; };
+  input.recent = [](double) { return std::vector<TickRecord>{}; };
+  int asked = 0;
+  input.is_over = [&] { return ++asked >= 5; };
+  WindowOptions options;
+  options.width = 300;
+  options.height = 200;
+  options.events = {{20, Kind::key, "q"}};
+  run_touch_window(input, options);
+  EXPECT_EQ(asked, 5);
 }
 
 }  // namespace
