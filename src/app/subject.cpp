@@ -53,6 +53,7 @@ ViewInput scene_subject(const std::string& path, LoadBar& bar) {
   ViewInput input;
   input.scene = single_scene(path);
   input.title = input.scene->name;
+  input.file = path;
   const auto motion = told_path(*input.scene);
   if (motion) input.scene = at_rate(*input.scene, *motion);
   input.world = load_world(*input.scene, bar.progress());
@@ -66,6 +67,7 @@ ViewInput scene_subject(const std::string& path, LoadBar& bar) {
 ViewInput mesh_subject(const std::string& path, double metres_per_unit, LoadBar& bar) {
   ViewInput input;
   input.title = std::filesystem::path(path).filename().string();
+  input.file = path;
   Scene scene = scene_of_mesh(path, metres_per_unit);
   scene.contact.method = "closest-point";  // only looked at: nothing to measure it for
   input.world = load_world(scene, bar.progress());

@@ -65,6 +65,7 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
                  const StopSignals& signals) {
   TouchWindowInput input;
   input.view.title = scene.name;
+  input.view.file = options.subject;
   input.view.world = world;
   input.view.scene = scene;
   input.set_target = [&](const FingerSample& target) { device.set_target(target); };

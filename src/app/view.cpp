@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
+#include "view/camera_look.hpp"
 #include "view/picture.hpp"
 #include "view/screen.hpp"
 #include "view/window.hpp"
@@ -25,6 +26,7 @@ struct ViewOptions {
   std::string subject, png;
   std::string unit = "mm";
   std::string size = "1280x800";
+  std::string camera;
   std::optional<double> at_s;
   bool quiet = false;
 };
@@ -58,7 +60,9 @@ double shown_moment(const ViewInput& input, std::optional<double> at_s) {
 void write_picture(const ViewOptions& options, const ViewInput& input, const Size& size) {
   std::string what = fmt::format("{} x {} pixels", size.width, size.height);
   if (!input.rows.empty()) what += fmt::format(", at {} s", shown_moment(input, options.at_s));
-  write_view_png(input, options.png, size.width, size.height, options.at_s, ViewState{});
+  ViewState state;
+  if (!options.camera.empty()) state.look = read_look(options.camera);
+  write_view_png(input, options.png, size.width, size.height, options.at_s, state);
   tell_written(options.quiet, options.png, what);
 }
 
@@ -68,6 +72,7 @@ int view(const ViewOptions& options) {
   if (options.at_s && !std::isfinite(*options.at_s))
     throw Error(ErrorKind::usage, "--at", "is no moment in seconds");
   // Before a long import.
+  if (!options.camera.empty()) read_look(options.camera);
   if (options.png == "-")
     throw Error(ErrorKind::usage, "--png", "a picture needs a file, not standard output");
   options.png.empty() ? need_display() : refuse_unwritable(options.png);
@@ -85,6 +90,7 @@ int view(const ViewOptions& options) {
   WindowOptions window;
   window.width = size.width;
   window.height = size.height;
+  if (!options.camera.empty()) window.look = read_look(options.camera);
   run_view_window(input, window);
   return 0;
 }
@@ -108,6 +114,12 @@ void add_view(CLI::App& program, Action& action) {
       ->capture_default_str();
   command->add_option("--at", options->at_s,
                       "The moment of the picture [s]; default: the one with the greatest friction");
+  refuse_empty(command
+                   ->add_option("--camera", options->camera,
+                                "From where: front, back, left, right, top, bottom, isometric, or "
+                                "AZIMUTH,ELEVATION in degrees (0,0 is the front, 90,0 the right); all is in "
+                                "sight, a third number zooms")
+                   ->type_name("NAME|AZ,EL[,ZOOM]"));
   add_unit_option(*command, options->unit);
   add_quiet_flag(*command, options->quiet);
   command->footer("In the window, h shows all keys. --unit is for a mesh; scenes and traces know theirs.");

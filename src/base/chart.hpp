@@ -46,6 +46,7 @@ struct ChartPanel {
   std::string short_y_label = {};  ///< where the other does not fit; empty: none
   std::vector<ChartLevel> levels = {};
   bool y_from_zero = false;  ///< the y axis holds zero
+  double least_y_span = 0;   ///< a linear y axis spans at least this: less would blow noise up to a signal
 };
 
 /// Colours behind the panels over spans of x, such as the phases of a touch.

@@ -75,6 +75,25 @@ void set_scene_camera(vtkRenderer* renderer, const ViewInput& input, const ViewE
   renderer->ResetCameraClippingRange();
 }
 
+void set_look(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& extent, const DrawSpace& space,
+              const LookFrom& look, double width_to_height) {
+  const Ball all = extent.everything();
+  const Vec3 focus = space.to_draw(all.centre_W);
+  const Vec3 eye = focus + look.towards_eye_W * 6e3 * all.radius_m;
+  vtkCamera* camera = renderer->GetActiveCamera();
+  camera->ParallelProjectionOn();
+  camera->SetFocalPoint(focus.data());
+  camera->SetPosition(eye.data());
+  camera->SetViewUp(look.up_W.data());
+  double scale_m = all.radius_m / std::min(1.0, width_to_height);
+  if (extent.parts) {
+    const double parts_m = fitting_scale(axes_on_screen(renderer), input, all.centre_W, width_to_height);
+    if (parts_m > 0) scale_m = std::min(scale_m, parts_m);
+  }
+  camera->SetParallelScale(1e3 * scale_m / look.zoom);
+  renderer->ResetCameraClippingRange();
+}
+
 void set_close_up_camera(vtkRenderer* renderer, const Vec3& contact_mm, const Mat3& frame,
                          double half_height_mm) {
   vtkCamera* camera = renderer->GetActiveCamera();

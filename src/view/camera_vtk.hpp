@@ -1,5 +1,6 @@
 #pragma once
 
+#include "view/camera_look.hpp"
 #include "view/draw_space.hpp"
 
 class vtkRenderer;
@@ -11,6 +12,10 @@ namespace fingerpad {
 /// @param width_to_height  of the renderer's viewport
 void set_scene_camera(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& extent,
                       const DrawSpace& space, double width_to_height);
+
+/// Sets a parallel camera that sees everything from a direction.
+void set_look(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& extent, const DrawSpace& space,
+              const LookFrom& look, double width_to_height);
 
 /// Sets a parallel camera straight over a contact: Cx to the right, Cy upwards, `half_height_mm` from the
 /// middle to the top edge.

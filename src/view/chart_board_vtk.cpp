@@ -89,7 +89,13 @@ std::string ChartBoard::told() const {
   return hovered_ != nullptr && hovered_->GetTooltip()->GetVisible() ? hovered_->GetTooltip()->GetText() : "";
 }
 
+void ChartBoard::set_visible(bool visible) {
+  visible_ = visible;
+  for (vtkAbstractContextItem* item : items()) item->SetVisible(visible);
+}
+
 PanelChart* ChartBoard::panel_at(int x, int y) {
+  if (!visible_) return nullptr;
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     if (layout_.panels[i].frame.holds(x, y)) return panels_[i];
   }

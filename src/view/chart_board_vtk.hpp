@@ -25,6 +25,10 @@ class ChartBoard {
   /// @param width, height  of the scene [px]
   void show(const Chart& chart, const ChartLayout& layout, int width, int height);
 
+  /// Where there is no room for it nothing of it is seen, and the mouse means nothing to it.
+  void set_visible(bool visible);
+  bool visible() const { return visible_; }
+
   /// Where its panels are and what they show now.
   ChartPlace place() const;
 
@@ -54,6 +58,7 @@ class ChartBoard {
   PanelChart* held_ = nullptr;     ///< that is panned
   PanelChart* hovered_ = nullptr;  ///< that shows a value
   int last_x_ = 0, last_y_ = 0;
+  bool visible_ = true;
 };
 
 }  // namespace fingerpad

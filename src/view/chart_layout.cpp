@@ -54,12 +54,24 @@ Axis x_axis(const Chart& chart, const ChartPanel& panel, int most_marks) {
                      : linear_axis(range.min, range.max, most_marks);
 }
 
+/// Widens a span that is less than anybody would call a signal: upwards from zero, else to both sides.
+void widen(Range& range, const ChartPanel& panel) {
+  if (panel.log_y || range.empty()) return;
+  const double lacking = panel.least_y_span - (range.max - range.min);
+  if (!(lacking > 0)) return;
+  const bool upwards = panel.y_from_zero && range.min >= 0;
+  range.max += upwards ? lacking : lacking / 2;
+  range.min -= upwards ? 0 : lacking / 2;
+}
+
 Axis y_axis(const ChartPanel& panel, int most_marks) {
   Range range;
   for (const ChartCurve& curve : panel.curves) {
     for (const double y : curve.y) range.take(y, panel.log_y);
   }
   for (const ChartLevel& level : panel.levels) range.take(level.y, panel.log_y);
+  if (panel.y_from_zero) range.take(0, panel.log_y);
+  widen(range, panel);
   return clear_axis(range, panel.log_y, 0.05, panel.y_from_zero, most_marks);
 }
 

@@ -13,6 +13,7 @@
 
 #include "view/drawing_device_vtk.hpp"
 #include "view/text_width_vtk.hpp"
+#include "view/theme_device_vtk.hpp"
 
 namespace fingerpad {
 namespace {
@@ -66,7 +67,7 @@ struct Painter {
   Strip strip;
 
   void operator()(const Drawing::Line& line) const {
-    const Colour& colour = line.stroke.colour;
+    const Colour colour = colour_on(context, line.stroke.colour);
     context->GetPen()->SetLineType(vtkPen::SOLID_LINE);
     context->GetPen()->SetColor(colour.red, colour.green, colour.blue, alpha_of(colour));
     context->GetPen()->SetWidth(static_cast<float>(line.stroke.width));
@@ -81,7 +82,8 @@ struct Painter {
 
   void operator()(const Drawing::Area& area) const {
     context->GetPen()->SetLineType(vtkPen::NO_PEN);
-    context->GetBrush()->SetColor(area.fill.red, area.fill.green, area.fill.blue, alpha_of(area.fill));
+    const Colour fill = colour_on(context, area.fill);
+    context->GetBrush()->SetColor(fill.red, fill.green, fill.blue, alpha_of(fill));
     std::vector<float> points = flat(area.points);
     context->DrawPolygon(points.data(), static_cast<int>(area.points.size()));
   }
@@ -90,8 +92,9 @@ struct Painter {
     vtkTextProperty* property = context->GetTextProp();
     const TextStyle& style = text.style;
     set_font(property, style.size, style.bold);
-    property->SetColor(style.colour.red / 255.0, style.colour.green / 255.0, style.colour.blue / 255.0);
-    property->SetOpacity(style.colour.opacity);
+    const Colour colour = colour_on(context, style.colour);
+    property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
+    property->SetOpacity(colour.opacity);
     property->SetOrientation(style.turned ? 90 : 0);
     constexpr int across[] = {VTK_TEXT_LEFT, VTK_TEXT_CENTERED, VTK_TEXT_RIGHT};
     constexpr int upright[] = {VTK_TEXT_BOTTOM, VTK_TEXT_CENTERED, VTK_TEXT_TOP};

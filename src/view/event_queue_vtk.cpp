@@ -1,5 +1,6 @@
 #include "view/event_queue_vtk.hpp"
 
+#include <X11/Xutil.h>
 #include <poll.h>
 #include <vtkRenderWindow.h>
 #include <vtkXRenderWindowInteractor.h>
@@ -18,7 +19,7 @@ double steady_s() {
 }  // namespace
 
 EventQueue::EventQueue(vtkRenderWindowInteractor* interactor, vtkRenderWindow* window)
-    : interactor_(interactor) {
+    : interactor_(interactor), window_(window) {
   if (vtkXRenderWindowInteractor::SafeDownCast(interactor) != nullptr)
     display_ = window->GetGenericDisplayId();
 }
@@ -52,6 +53,17 @@ void EventQueue::wait(double seconds) {
   if (XPending(display) > 0) return;
   pollfd connection{ConnectionNumber(display), POLLIN, 0};
   poll(&connection, 1, static_cast<int>(std::ceil(1e3 * seconds)));
+}
+
+void EventQueue::refuse_smaller(int width_px, int height_px) {
+  if (!is_known()) return;
+  XSizeHints hints{};
+  hints.flags = PMinSize;
+  hints.min_width = width_px;
+  hints.min_height = height_px;
+  // VTK gives X's number of the window as a pointer.
+  const auto id = reinterpret_cast<std::uintptr_t>(window_->GetGenericWindowId());
+  XSetWMNormalHints(static_cast<Display*>(display_), static_cast<Window>(id), &hints);
 }
 
 double EventQueue::event_s() const {

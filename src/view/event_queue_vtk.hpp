@@ -19,6 +19,9 @@ class EventQueue {
   /// Returns when an event waits, or after so many seconds. @pre is_known()
   void wait(double seconds);
 
+  /// Asks the window manager to let nobody make the window smaller.
+  void refuse_smaller(int width_px, int height_px);
+
   /// When the event that is being passed on was made; now, where there is none. Steady [s].
   double event_s() const;
 
@@ -26,6 +29,7 @@ class EventQueue {
   void stamp(unsigned long server_ms);
 
   vtkRenderWindowInteractor* interactor_;
+  vtkRenderWindow* window_;
   void* display_ = nullptr;
   bool passing_ = false, has_first_ = false;
   unsigned long first_ms_ = 0;

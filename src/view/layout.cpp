@@ -7,6 +7,7 @@ namespace fingerpad {
 
 Layout layout_for(int width, int height, bool charts, bool timeline) {
   Layout layout;
+  charts = charts && width >= least_width_with_charts_px && height >= least_height_with_charts_px;
   layout.em = std::round(std::clamp(std::min(width / 74.0, height / 52.0), 9.0, 16.0));
   const double em = layout.em;
   layout.window = {0, 0, static_cast<double>(width), static_cast<double>(height)};

@@ -10,10 +10,15 @@ struct Layout {
   Box window, title, scene;
   Box charts;              ///< empty without rows
   Box timeline;            ///< empty without rows
-  Box inset, other_inset;  ///< within scene: where the close-up stands, and where it makes way
+  Box inset, other_inset;  ///< within scene: where the close-up mostly stands, and where it makes way
 };
 
-/// @param charts    a column of charts stands on the right
+/// A window that is told to be smaller than this stays as it is, where a window manager listens.
+inline constexpr int least_window_width_px = 400, least_window_height_px = 300;
+/// Below this the charts' numbers would meet, and the scene needs the room.
+inline constexpr int least_width_with_charts_px = 540, least_height_with_charts_px = 360;
+
+/// @param charts    a column of charts stands on the right, where there is room for it
 /// @param timeline  a bar with the time stands at the bottom
 Layout layout_for(int width, int height, bool charts, bool timeline);
 

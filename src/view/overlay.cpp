@@ -5,20 +5,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numbers>
 
 #include "view/axis.hpp"
 #include "view/colours.hpp"
+#include "view/overlay_hud.hpp"
+#include "view/overlay_words.hpp"
 
 namespace fingerpad {
 namespace {
-
-constexpr Colour panel_colour{255, 255, 255, 0.86}, alarm_colour{178, 24, 32};
-
-std::string number_with_unit(double value, int digits, const char* unit) {
-  if (!std::isfinite(value)) return "-";
-  return fmt::format("{:.{}f}{}{}", value, digits, *unit != '\0' ? " " : "", unit);
-}
 
 /// Draws the overlay; holds what its parts share.
 class OverlayPainter {
@@ -33,214 +27,65 @@ class OverlayPainter {
                     {.size = 0.95 * em_, .across = Across::centre, .upright = Upright::middle});
     }
     if (state_.hud) {
-      if (facts_.row) {
-        paint_readings();
-        paint_legend();
-      } else {
-        paint_about();
-      }
+      if (facts_.hud.width > 0) paint_readings(drawing_, facts_, facts_.hud, em_);
+      if (facts_.legend.width > 0) paint_legend(drawing_, facts_, state_, facts_.legend, em_);
     }
     paint_scale_and_axes();
     if (facts_.inset_px_per_mm > 0) paint_inset_frame();
+    paint_words();
     if (layout_.timeline.height > 0) paint_timeline();
     if (!facts_.alarm.empty()) paint_alarm();
     if (state_.help) paint_help();
   }
 
  private:
-  void panel(const Box& box) {
-    drawing_.box(box, panel_colour);
-    drawing_.frame(box, {colours::pale_grey, 1});
-  }
-
   void paint_title() {
     drawing_.box(layout_.title, colours::white);
-    const double middle = layout_.title.centre().y();
-    drawing_.text({0.7 * em_, middle}, facts_.title,
-                  {.size = 1.15 * em_, .upright = Upright::middle, .bold = true});
-    if (!facts_.hint.empty()) {
+    const double middle = layout_.title.centre().y(), right = layout_.title.right() - 0.7 * em_;
+    const std::string hint = fitted(facts_.hint, 0.95 * em_, false, 0.5 * layout_.title.width);
+    const double room = right - text_width(hint, 0.95 * em_) - 2 * em_;
+    const std::string title = fitted(facts_.title, 1.15 * em_, true, room);
+    drawing_.text({0.7 * em_, middle}, title, {.size = 1.15 * em_, .upright = Upright::middle, .bold = true});
+    const double behind = 1.7 * em_ + text_width(title, 1.15 * em_, true);
+    drawing_.text({behind, middle}, fitted(facts_.subtitle, 0.95 * em_, false, room - behind),
+                  {.size = 0.95 * em_, .colour = colours::grey, .upright = Upright::middle});
+    if (!hint.empty()) {
       drawing_.text(
-          {layout_.title.right() - 0.7 * em_, middle}, facts_.hint,
+          {right, middle}, hint,
           {.size = 0.95 * em_, .colour = colours::grey, .across = Across::right, .upright = Upright::middle});
     }
   }
 
-  double alarm_height() const { return facts_.alarm.empty() ? 0 : 2 * em_; }
-
-  /// Below the title, cut where it does not fit: the terminal has it whole.
+  /// Cut where it does not fit: the terminal has it whole.
   void paint_alarm() {
-    const double room = layout_.scene.width - 1.4 * em_, size = 1.15 * em_;
-    std::string words = facts_.alarm, shown = words;
-    while (!words.empty() && text_width(shown, size, true) > room) {
-      while (!words.empty() && (words.back() & 0xc0) == 0x80) words.pop_back();  // the rest of a letter
-      if (!words.empty()) words.pop_back();
-      shown = words + "...";
-    }
-    const Box line{layout_.scene.left, layout_.scene.top() - alarm_height(), layout_.scene.width,
-                   alarm_height()};
-    drawing_.box(line, alarm_colour);
-    drawing_.text({line.left + 0.7 * em_, line.centre().y()}, shown,
-                  {.size = size, .colour = colours::white, .upright = Upright::middle, .bold = true});
+    const Box line = alarm_line(facts_, layout_);
+    drawing_.box(line, Colour{178, 24, 32});
+    drawing_.text({line.left + 0.7 * em_, line.centre().y()},
+                  fitted(facts_.alarm, 1.15 * em_, true, line.width - 1.4 * em_),
+                  {.size = 1.15 * em_, .colour = colours::white, .upright = Upright::middle, .bold = true});
   }
 
-  void paint_readings() {
-    const TickRecord& row = *facts_.row;
-    const bool touching = row.phase != Phase::free;
-    const auto in_contact = [&](double value, int digits, const char* unit) {
-      return touching ? number_with_unit(value, digits, unit) : std::string("-");
-    };
-    std::vector<Reading> readings = {
-        {"time", number_with_unit(row.t_s, 3, "s")},
-        {"phase", std::string(phase_name(row.phase))},
-        {"depth", in_contact(row.depth_m * 1e3, 3, "mm")},
-        {"normal force", in_contact(row.normal_force_n, 3, "N")},
-        {"friction", in_contact(row.friction_W_n.norm(), 3, "N")},
-        {"mu", in_contact(row.mu, 3, "")},
-        {"speed", in_contact(facts_.speed_m_per_s * 1e3, 1, "mm/s")},
-        {"finger angle", in_contact(row.inclination_rad * 180 / std::numbers::pi, 1, "deg")},
-        {"on", touching ? facts_.surface_name : std::string("-")},
-    };
-    readings.insert(readings.end(), facts_.readings.begin(), facts_.readings.end());
-    const double line = 1.5 * em_;
-    const double width = 14.5 * em_;
-    const double bars = facts_.tick_bars.empty() ? 0 : 2.6 * em_;
-    const double height = line * static_cast<double>(readings.size()) + 0.8 * em_ + bars;
-    const Box box{layout_.scene.left + 0.7 * em_, layout_.scene.top() - alarm_height() - 0.7 * em_ - height,
-                  width, height};
-    panel(box);
-    paint_tick_bars({box.left + 0.6 * em_, box.bottom + 0.5 * em_, width - 1.2 * em_, bars - 0.6 * em_});
-    double y = box.top() - 0.4 * em_ - line / 2;
-    for (const auto& [name, value] : readings) {
-      const bool phase = name == "phase";
-      drawing_.text({box.left + 0.6 * em_, y}, name,
-                    {.size = em_, .colour = colours::grey, .upright = Upright::middle});
-      if (phase) {
-        const double chip = text_width(value, em_, true) + 1.2 * em_;
-        drawing_.box({box.right() - 0.6 * em_ - chip, y - 0.68 * em_, chip, 1.36 * em_},
-                     phase_colour(row.phase));
-      }
-      drawing_.text({box.right() - (phase ? 1.2 : 0.6) * em_, y}, value,
-                    {.size = em_,
-                     .colour = phase ? colours::white : colours::ink,
-                     .across = Across::right,
-                     .upright = Upright::middle,
-                     .bold = phase});
-      y -= line;
+  /// What is said once: what is missing, how to press, what has just been done.
+  void paint_words() {
+    const Box& scene = layout_.scene;
+    Vec2 at(scene.centre().x(), scene.bottom + std::max(0.3 * scene.height, 6 * em_));
+    for (const std::string* words : {&facts_.invitation, &facts_.message}) {
+      if (!words->empty()) paint_pill(drawing_, at, fitted(*words, em_, true, scene.width - 4 * em_), em_);
+      at.y() += 3 * em_;
     }
-  }
-
-  void paint_tick_bars(const Box& box) {
-    if (facts_.tick_bars.empty()) return;
-    const double step = box.width / static_cast<double>(facts_.tick_bars.size());
-    double left = box.left;
-    for (const double share : facts_.tick_bars) {
-      if (share > 0)
-        drawing_.box({left, box.bottom, 0.9 * step, std::max(1.0, share * box.height)}, colours::grey);
-      left += step;
-    }
-  }
-
-  void paint_about() {
-    if (facts_.about.empty()) return;
+    if (facts_.notice.empty()) return;
+    const auto lines = wrapped(facts_.notice, em_, std::min(scene.width - 4 * em_, 40 * em_));
     double width = 0;
-    for (const std::string& words : facts_.about) width = std::max(width, text_width(words, em_));
-    const double line = 1.5 * em_;
-    const double height = line * static_cast<double>(facts_.about.size()) + 0.8 * em_;
-    const Box box{layout_.scene.left + 0.7 * em_, layout_.scene.top() - 0.7 * em_ - height, width + 1.4 * em_,
-                  height};
-    panel(box);
-    double y = box.top() - 0.4 * em_ - line / 2;
-    for (const std::string& words : facts_.about) {
-      drawing_.text({box.left + 0.6 * em_, y}, words, {.size = em_, .upright = Upright::middle});
-      y -= line;
+    for (const std::string& line : lines) width = std::max(width, text_width(line, em_));
+    const double height = 1.5 * em_ * static_cast<double>(lines.size()) + em_;
+    const Box box{at.x() - width / 2 - em_, at.y(), width + 2 * em_, height};
+    drawing_.box(box, Colour{255, 244, 214, 0.96});
+    drawing_.frame(box, {colours::orange, 0.12 * em_});
+    double y = box.top() - 0.5 * em_ - 0.75 * em_;
+    for (const std::string& line : lines) {
+      drawing_.text({at.x(), y}, line, {.size = em_, .across = Across::centre, .upright = Upright::middle});
+      y -= 1.5 * em_;
     }
-  }
-
-  struct Key {
-    std::string label;
-    Colour colour;
-    bool arrow;
-  };
-
-  std::vector<Key> legend_keys() const {
-    std::vector<Key> keys;
-    if (state_.forces) {
-      keys.push_back({"normal force", colours::blue, true});
-      keys.push_back({"friction", colours::vermillion, true});
-      keys.push_back({"whole force", colours::reddish_purple, true});
-    }
-    if (facts_.row->stick_centre_W.allFinite()) {
-      keys.push_back({"stick centre", colours::black, false});
-    }
-    if (facts_.region) {
-      const bool holds = facts_.row->phase == Phase::stick;
-      keys.push_back({holds ? "stick region" : "stick region, if it stuck now",
-                      holds ? phase_colour(Phase::stick) : colours::grey, false});
-    }
-    return keys;
-  }
-
-  void paint_legend() {
-    const std::vector<Key> keys = legend_keys();
-    const bool path = state_.path && facts_.path;
-    const bool bar = path && state_.colouring == PathColouring::force;
-    const double line = 1.4 * em_;
-    const double lines =
-        static_cast<double>(keys.size()) + (state_.forces ? 1 : 0) + (path ? (bar ? 3.0 : 1.0) : 0.0);
-    if (lines == 0) return;
-    double width = 15.5 * em_;
-    for (const Key& key : keys) width = std::max(width, text_width(key.label, em_) + 4 * em_);
-    const Box box{layout_.scene.left + 0.7 * em_, layout_.scene.bottom + 0.7 * em_, width,
-                  lines * line + 0.8 * em_};
-    panel(box);
-    const double left = box.left + 0.6 * em_;
-    double y = box.top() - 0.4 * em_ - line / 2;
-    for (const Key& key : keys) {
-      if (key.arrow) {
-        drawing_.line({left, y}, {left + 1.4 * em_, y}, {key.colour, 0.2 * em_});
-        drawing_.area(
-            {{left + 1.3 * em_, y - 0.35 * em_}, {left + 2 * em_, y}, {left + 1.3 * em_, y + 0.35 * em_}},
-            key.colour);
-      } else {
-        drawing_.disc({left + 1 * em_, y}, 0.4 * em_, key.colour);
-      }
-      drawing_.text({left + 2.6 * em_, y}, key.label, {.size = em_, .upright = Upright::middle});
-      y -= line;
-    }
-    if (state_.forces) {
-      drawing_.text({left, y}, fmt::format("arrows: {} mm = 1 N", plain_number(facts_.mm_per_n)),
-                    {.size = em_, .colour = colours::grey, .upright = Upright::middle});
-      y -= line;
-    }
-    if (!path) return;
-    if (bar) {
-      paint_colour_bar({left, y - 2.2 * line, width - 1.2 * em_, 0.8 * em_}, y);
-      return;
-    }
-    double x = left;
-    drawing_.text({x, y}, "path:", {.size = em_, .colour = colours::grey, .upright = Upright::middle});
-    x += text_width("path:", em_) + 0.6 * em_;
-    for (const Phase phase : {Phase::free, Phase::stick, Phase::slip}) {
-      const std::string name(phase_name(phase));
-      drawing_.box({x, y - 0.35 * em_, 0.7 * em_, 0.7 * em_}, phase_colour(phase));
-      drawing_.text({x + em_, y}, name, {.size = em_, .upright = Upright::middle});
-      x += text_width(name, em_) + 1.9 * em_;
-    }
-  }
-
-  void paint_colour_bar(const Box& box, double title_y) {
-    drawing_.text({box.left, title_y}, "path: force on the finger [N]",
-                  {.size = em_, .colour = colours::grey, .upright = Upright::middle});
-    constexpr int cells = 40;
-    for (int i = 0; i < cells; ++i) {
-      drawing_.box(
-          {box.left + box.width * i / cells, box.bottom + 1.2 * em_, box.width / cells + 0.5, box.height},
-          ramp_colour((i + 0.5) / cells));
-    }
-    const double low = box.bottom + 0.95 * em_;
-    drawing_.text({box.left, low}, "0", {.size = em_, .upright = Upright::top});
-    drawing_.text({box.right(), low}, fmt::format("{:.3g}", facts_.max_force_n),
-                  {.size = em_, .across = Across::right, .upright = Upright::top});
   }
 
   void paint_scale_and_axes() {
@@ -314,25 +159,32 @@ class OverlayPainter {
   }
 
   void paint_help() {
-    const double line = 1.6 * em_;
-    const double height = line * static_cast<double>(facts_.help.size()) + 3.4 * em_;
+    const double line = 1.6 * em_, head = 3.4 * em_;
+    const auto rows = static_cast<double>(facts_.help.size());
+    const double fit = std::max(1.0, std::floor((layout_.window.height - head - em_) / line));
+    const double columns = std::ceil(rows / fit), per_column = std::ceil(rows / columns);
+    const double height = line * per_column + head;
     const Vec2 middle = layout_.window.centre();
-    const double width = std::min(34 * em_, layout_.window.width - 2 * em_);
+    const double width = std::min(34 * em_ * columns, layout_.window.width - em_);
     const Box box{middle.x() - width / 2, middle.y() - height / 2, width, height};
     drawing_.box(box, Colour{255, 255, 255, 0.96});
     drawing_.frame(box, {colours::ink, 0.12 * em_});
-    drawing_.text({middle.x(), box.top() - 1.4 * em_}, "keys",
+    drawing_.text({middle.x(), box.top() - 1.4 * em_}, "keys and mouse",
                   {.size = 1.2 * em_, .across = Across::centre, .upright = Upright::middle, .bold = true});
-    double y = box.top() - 3.2 * em_;
-    for (const std::string& entry : facts_.help) {
+    const double column_width = (width - em_) / columns;
+    for (std::size_t i = 0; i < facts_.help.size(); ++i) {
+      const std::string& entry = facts_.help[i];
+      const double column = std::floor(static_cast<double>(i) / per_column);
+      const double left = box.left + em_ + column * column_width;
+      const double y = box.top() - 3.2 * em_ - line * (static_cast<double>(i) - column * per_column);
       const std::size_t colon = entry.find(": ");
-      drawing_.text({box.left + 1.2 * em_, y}, entry.substr(0, colon),
+      const double does = 11 * em_;
+      drawing_.text({left, y}, fitted(entry.substr(0, colon), em_, true, does - 0.4 * em_),
                     {.size = em_, .upright = Upright::middle, .bold = true});
-      if (colon != std::string::npos) {
-        drawing_.text({box.left + 11.5 * em_, y}, entry.substr(colon + 2),
-                      {.size = em_, .upright = Upright::middle});
-      }
-      y -= line;
+      if (colon == std::string::npos) continue;
+      drawing_.text({left + does, y},
+                    fitted(entry.substr(colon + 2), em_, false, column_width - does - 0.4 * em_),
+                    {.size = em_, .upright = Upright::middle});
     }
   }
 
@@ -355,6 +207,11 @@ Colour ramp_colour(double share) {
         std::lround(stops[low].*channel * (1 - part) + stops[low + 1].*channel * part));
   };
   return {mix(&Colour::red), mix(&Colour::green), mix(&Colour::blue)};
+}
+
+Box alarm_line(const OverlayFacts& facts, const Layout& layout) {
+  const double height = facts.alarm.empty() ? 0 : 2 * layout.em;
+  return {layout.scene.left, layout.scene.top() - height, layout.scene.width, height};
 }
 
 Box time_slider(const Layout& layout) {

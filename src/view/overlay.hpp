@@ -16,18 +16,25 @@ namespace fingerpad {
 /// A name and its value, as the head-up display has them.
 using Reading = std::pair<std::string, std::string>;
 
+/// How often ticks took how long: heights of bars up to 1, and what the first and the last one mean.
+struct TickBars {
+  std::vector<double> heights;  ///< may be none
+  std::string shortest, longest;
+};
+
 /// What the flat parts of a picture (head-up display, legends, scale bar, time line) are drawn from.
 struct OverlayFacts {
-  std::string title;
+  std::string title, subtitle;     ///< what is shown; with what it is touched
   std::vector<std::string> about;  ///< lines on the part, where nothing moves
   std::optional<TickRecord> row;   ///< the moment shown
   double speed_m_per_s = 0;        ///< tangential, nan where unknown
   std::string surface_name;        ///< of what is touched
   std::vector<Reading> readings;   ///< beside those of the row
-  std::vector<double> tick_bars;   ///< how often ticks took how long, as heights of bars up to 1; may be none
-  double mm_per_n = 1;             ///< of force arrows
-  double px_per_mm = 1;            ///< of the scene
-  double max_force_n = 0;          ///< the colour bar's end
+  TickBars tick_bars;
+  Box hud, legend;         ///< where readings and legend stand; empty: they have no room
+  double mm_per_n = 1;     ///< of force arrows
+  double px_per_mm = 1;    ///< of the scene
+  double max_force_n = 0;  ///< the colour bar's end
   double t_first_s = 0, t_last_s = 0;
   Mat3 axes_px = Mat3::Identity();  ///< column i: world axis i as seen on the screen (x, y, towards the eye)
   double inset_px_per_mm = 0;       ///< 0: no inset
@@ -40,10 +47,16 @@ struct OverlayFacts {
     std::string words;
   };
   std::vector<Label> labels;      ///< of the tangent frame's axes, in the scene
+  std::string invitation;         ///< how to begin, until it was done once
+  std::string message;            ///< what has just been done, for a moment
+  std::string notice;             ///< what is missing in the picture, and why
   std::string hint;               ///< of keys; empty in a picture
   std::string alarm;              ///< what has gone wrong; empty: nothing
   std::vector<std::string> help;  ///< "key: what it does", for the help page
 };
+
+/// Where what has gone wrong is told: a line at the top of the scene, empty where nothing has.
+Box alarm_line(const OverlayFacts& facts, const Layout& layout);
 
 /// The time line's slider within a layout.
 Box time_slider(const Layout& layout);

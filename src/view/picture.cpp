@@ -27,6 +27,7 @@ void with_rendered_view(const ViewInput& input, int width, int height, std::opti
   Stage stage(input, width, height, moving, moving);
   stage.window()->SetOffScreenRendering(1);
   stage.state() = state;
+  stage.reset_camera();
   if (!input.rows.empty()) {
     const auto row = static_cast<std::size_t>(at_s ? row_at(input, *at_s) : telling_row(input));
     stage.show(input.rows[row],

@@ -22,6 +22,7 @@
 #include "view/axis.hpp"
 #include "view/camera_vtk.hpp"
 #include "view/drawing_item_vtk.hpp"
+#include "view/overlay_hud.hpp"
 #include "view/surface_mesh_vtk.hpp"
 
 namespace fingerpad {
@@ -86,9 +87,12 @@ std::vector<std::string> about_lines(const ViewInput& input) {
 }  // namespace
 
 Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool timeline)
-    : input_(input), extent_(extent_of(input)), charts_(charts), timeline_(timeline) {
+    : input_(input),
+      extent_(extent_of(input)),
+      charts_(charts),
+      timeline_(timeline),
+      arrow_scale_(input.rows) {
   space_.origin_W = extent_.everything().centre_W;
-  max_force_n_ = extent_.max_force_n;
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   window_->SetMultiSamples(4);
   window_->SetNumberOfLayers(2);
@@ -96,9 +100,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
     window_->AddRenderer(renderer);
   }
   scene_->GradientBackgroundOn();
-  scene_->SetBackground(0.93, 0.945, 0.96);
-  scene_->SetBackground2(0.995, 0.997, 1.0);
-  close_up_->SetBackground(0.97, 0.975, 0.98);
+  paint_grounds();
   flat_->SetLayer(1);
   // The region is flat, the surface may not be: the marks are drawn over it.
   close_up_marks_->PreserveColorBufferOn();
@@ -118,6 +120,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
   add_glyphs(close_up_marks_, close_up_clear_);
   add_glyphs(close_up_marks_, close_up_solid_);
   vtkNew<vtkContextActor> flat;
+  flat->SetForceDevice(device_);
   flat->GetScene()->SetRenderer(flat_);  // by which VTK keeps a tooltip in sight
   flat->GetScene()->AddItem(under_charts_);
   if (charts_) board_.add_to(flat->GetScene());
@@ -147,7 +150,25 @@ void Stage::place_renderers() {
   world_->set_line_width(std::max(1.0, 0.09 * layout_.em));
 }
 
+void Stage::look(const LookFrom& from) {
+  set_look(scene_, input_, extent_, space_, from, layout_.scene.width / layout_.scene.height);
+}
+
+void Stage::look_at_all() {
+  const Mat3 axes = axes_on_screen(scene_);
+  look({axes.row(2), axes.row(1)});
+}
+
+void Stage::paint_grounds() {
+  const bool dark = state_.dark;
+  device_->set_dark(dark);
+  dark ? scene_->SetBackground(0.11, 0.12, 0.14) : scene_->SetBackground(0.93, 0.945, 0.96);
+  dark ? scene_->SetBackground2(0.2, 0.21, 0.24) : scene_->SetBackground2(0.995, 0.997, 1.0);
+  dark ? close_up_->SetBackground(0.16, 0.17, 0.19) : close_up_->SetBackground(0.97, 0.975, 0.98);
+}
+
 void Stage::reset_camera() {
+  if (state_.look) return look(*state_.look);
   set_scene_camera(scene_, input_, extent_, space_, layout_.scene.width / layout_.scene.height);
 }
 
@@ -160,7 +181,10 @@ void Stage::zoom(double factor) {
 
 void Stage::show(const std::optional<TickRecord>& row, double speed_m_per_s) {
   moment_.reset();
-  if (row) moment_ = contact_moment(input_, *row);
+  if (row) {
+    moment_ = contact_moment(input_, *row);
+    arrow_scale_.see(*row);
+  }
   speed_m_per_s_ = speed_m_per_s;
 }
 
@@ -174,34 +198,58 @@ void Stage::show_hint(std::string hint, std::vector<std::string> help) {
   help_ = std::move(help);
 }
 
-void Stage::expect_force(double force_n) {
-  max_force_n_ = std::max(max_force_n_, force_n);
-}
-
 double Stage::px_per_mm() const {
   return layout_.scene.height / (2 * scene_->GetActiveCamera()->GetParallelScale());
 }
 
-void Stage::place_close_up(double scene_px_per_mm) {
+/// Whether the close-up is worth its room, and how much it shows.
+bool Stage::shows_close_up(double scene_px_per_mm) {
   inset_px_per_mm_ = 0;
-  const bool touching = moment_ && moment_->row.phase != Phase::free;
-  double half_height_mm = 1;
-  if (touching && moment_->region) {
-    half_height_mm = 2e3 * std::max(moment_->region->axes.lateral_m, moment_->region->axes.longitudinal_m);
+  if (!moment_ || moment_->row.phase == Phase::free || !state_.close_up) return false;
+  inset_half_height_mm_ = 1;
+  if (moment_->region) {
+    inset_half_height_mm_ =
+        2e3 * std::max(moment_->region->axes.lateral_m, moment_->region->axes.longitudinal_m);
   }
-  const double px_per_mm = layout_.inset.height / (2 * half_height_mm);
-  const bool shown = touching && state_.close_up && px_per_mm > 1.2 * scene_px_per_mm;
+  const double px_per_mm = layout_.inset.height / (2 * inset_half_height_mm_);
+  if (!(px_per_mm > 1.2 * scene_px_per_mm)) return false;
+  inset_px_per_mm_ = px_per_mm;
+  return true;
+}
+
+/// Finds room for readings, legend and close-up, none over the contact, its arrows above all.
+void Stage::place_overlay(OverlayFacts& facts) {
+  std::optional<Vec2> contact_px;
+  if (moment_ && moment_->row.phase != Phase::free) {
+    contact_px = on_screen(space_.to_draw(moment_->row.contact_W));
+  } else if (moment_) {
+    contact_px = on_screen(space_.to_draw(moment_->row.p_WQ));
+  }
+  const Vec2 hud = state_.hud ? readings_size(facts, layout_.em) : Vec2(0, 0);
+  const Vec2 legend = state_.hud ? legend_size(facts, state_, layout_.em) : Vec2(0, 0);
+  const double side = shows_close_up(facts.px_per_mm) ? layout_.inset.width : 0;
+  using enum Corner;
+  Layout below_alarm = layout_;
+  below_alarm.scene.height -= alarm_line(facts, layout_).height;
+  const auto boxes = places_.place(below_alarm,
+                                   {{hud.x(), hud.y(), {top_left, top_right, bottom_right}},
+                                    {side, side, {top_right, bottom_right, top_left, bottom_left}},
+                                    {legend.x(), legend.y(), {bottom_left, bottom_right, top_left}}},
+                                   contact_px);
+  facts.hud = boxes[0];
+  inset_ = boxes[1];
+  facts.legend = boxes[2];
+  if (inset_.width == 0) inset_px_per_mm_ = 0;
+  facts.inset = inset_;
+  facts.inset_px_per_mm = inset_px_per_mm_;
+}
+
+void Stage::place_close_up() {
+  const bool shown = inset_px_per_mm_ > 0;
+  const double half_height_mm = inset_half_height_mm_;
   close_up_->SetDraw(shown ? 1 : 0);
   close_up_marks_->SetDraw(shown ? 1 : 0);
   if (!shown) return;
-  inset_px_per_mm_ = px_per_mm;
-  // The close-up must not hide the contact, nor its arrows above all.
-  const Vec2 contact_px = on_screen(space_.to_draw(moment_->row.contact_W));
-  const double clear = 3 * layout_.em;
-  const Box& usual = layout_.inset;
-  const Box wide{usual.left - clear, usual.bottom - 3 * clear, usual.width + 2 * clear,
-                 usual.height + 4 * clear};
-  inset_ = wide.holds(contact_px.x(), contact_px.y()) ? layout_.other_inset : usual;
   place(close_up_, inset_);
   place(close_up_marks_, inset_);
   const TickRecord& row = moment_->row;
@@ -232,17 +280,21 @@ void Stage::project_labels(OverlayFacts& facts, double size_mm) {
   constexpr const char* names[] = {"Cx", "Cy", "n"};
   for (int axis = 0; axis < 3; ++axis) {
     const Vec3 at = contact + frame.col(axis) * (axis == 2 ? 3.5 : 2.8) * size_mm;
-    const Vec2 px = on_screen(at);
-    if (!layout_.scene.holds(px[0], px[1]) || (inset_px_per_mm_ > 0 && inset_.holds(px[0], px[1]))) continue;
-    const bool beside = axis == 2;  // the normal force lies along n
-    const double aside = facts.axes_px.row(0).dot(frame.col(1)) > 0 ? -layout_.em : layout_.em;
-    facts.labels.push_back({{px[0] + (beside ? aside : 0), px[1]}, names[axis]});
+    Vec2 px = on_screen(at);
+    if (axis == 2)  // the normal force lies along n
+      px.x() += facts.axes_px.row(0).dot(frame.col(1)) > 0 ? -layout_.em : layout_.em;
+    // An axis seen from its end would have its letter on the contact.
+    if ((px - on_screen(contact)).norm() < 2 * layout_.em || !layout_.scene.holds(px[0], px[1])) continue;
+    const auto hides = [&px](const Box& box) { return box.width > 0 && box.holds(px[0], px[1]); };
+    if (hides(inset_) || hides(facts.hud) || hides(facts.legend)) continue;
+    facts.labels.push_back({px, names[axis]});
   }
 }
 
 OverlayFacts Stage::overlay_facts() {
   OverlayFacts facts;
   facts.title = input_.title;
+  facts.subtitle = subtitle_of(input_);
   facts.about = about_lines(input_);
   facts.hint = hint_;
   facts.alarm = alarm_;
@@ -251,10 +303,11 @@ OverlayFacts Stage::overlay_facts() {
   facts.help = help_;
   facts.axes_px = axes_on_screen(scene_);
   facts.px_per_mm = px_per_mm();
-  facts.inset_px_per_mm = inset_px_per_mm_;
-  facts.inset = inset_;
+  facts.invitation = invitation_;
+  facts.message = message_;
+  facts.notice = input_.notice;
   facts.path = input_.rows.size() > 1;
-  facts.max_force_n = max_force_n_;
+  facts.max_force_n = extent_.max_force_n;
   facts.speed_m_per_s = speed_m_per_s_;
   facts.grid_mm = world_->grid_m() * 1e3;
   if (moment_) {
@@ -272,6 +325,9 @@ OverlayFacts Stage::overlay_facts() {
 void Stage::place_chart() {
   if (!charts_ || !chart_ || chart_placed_) return;
   chart_placed_ = true;
+  board_.set_visible(layout_.charts.width > 0);
+  under_charts_->show({});
+  if (!board_.visible()) return;
   auto under = std::make_shared<Drawing>();
   under->box(layout_.charts, colours::white);
   under_charts_->show({std::move(under)});
@@ -300,22 +356,25 @@ void Stage::render() {
   GlyphChoice choice;
   choice.size_mm = 1.15 * layout_.em / px;
   const double longest_mm = 0.3 * std::min(layout_.scene.width, layout_.scene.height) / px;
-  choice.mm_per_n = round_down_125(longest_mm / std::max(max_force_n_, 1e-6));
+  choice.mm_per_n = round_down_125(longest_mm / arrow_scale_.force_n());
   choice.finger = state_.finger;
   choice.forces = state_.forces;
   choice.frame = state_.frame;
   const ContactGlyphs glyphs = moment_ ? contact_glyphs(*moment_, space_, choice) : ContactGlyphs{};
   copy_mesh(glyphs.solid, solid_);
   copy_mesh(glyphs.clear, clear_);
+  paint_grounds();
+  world_->show_as_wires(state_.wireframe);
   world_->show_creases(state_.creases);
   world_->show_path(state_.path, state_.colouring == PathColouring::force);
-  place_close_up(px);
+  OverlayFacts facts = overlay_facts();
+  facts.mm_per_n = choice.mm_per_n;
+  place_overlay(facts);
+  place_close_up();
 
   place_chart();
   std::vector<std::shared_ptr<const Drawing>> drawings;
-  if (charts_ && chart_ && timeline_ && moment_) drawings.push_back(chart_cursor());
-  OverlayFacts facts = overlay_facts();
-  facts.mm_per_n = choice.mm_per_n;
+  if (charts_ && chart_ && timeline_ && moment_ && board_.visible()) drawings.push_back(chart_cursor());
   project_labels(facts, choice.size_mm);
   drawings.push_back(std::make_shared<const Drawing>(overlay_drawing(facts, state_, layout_)));
   item_->show(std::move(drawings));
@@ -330,7 +389,8 @@ std::optional<double> Stage::time_at(double x_px, double y_px) const {
     const Box slider = time_slider(layout_);
     return first + std::clamp((x_px - slider.left) / slider.width, 0.0, 1.0) * (last - first);
   }
-  if (charts_ && chart_ && layout_.charts.holds(x_px, y_px)) return board_.place().x_at(x_px);
+  if (charts_ && chart_ && board_.visible() && layout_.charts.holds(x_px, y_px))
+    return board_.place().x_at(x_px);
   return std::nullopt;
 }
 

@@ -8,12 +8,15 @@
 #include <string>
 #include <vector>
 
+#include "view/arrow_scale.hpp"
 #include "view/chart_board_vtk.hpp"
 #include "view/contact_glyphs.hpp"
 #include "view/draw_space.hpp"
 #include "view/drawing_item_vtk.hpp"
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
+#include "view/overlay_places.hpp"
+#include "view/theme_device_vtk.hpp"
 #include "view/view_state.hpp"
 #include "view/world_props_vtk.hpp"
 
@@ -41,9 +44,13 @@ class Stage {
   const ViewExtent& extent() const { return extent_; }
   const Layout& layout() const { return layout_; }
   ViewState& state() { return state_; }
+  const ViewInput& input() const { return input_; }
 
   void resize(int width, int height);
   void reset_camera();
+  /// All in sight from a direction.
+  void look(const LookFrom& from);
+  void look_at_all();  ///< from where it is looked now
   /// Nearer (> 1) or farther.
   void zoom(double factor);
 
@@ -52,18 +59,20 @@ class Stage {
   void show_chart(Chart chart);
   /// The chart column: zoomed by the wheel, panned by a drag, asked by the mouse over it.
   ChartBoard& charts() { return board_; }
+  const ArrowScale& arrow_scale() const { return arrow_scale_; }
   void show_hint(std::string hint, std::vector<std::string> help);
   void show_title_note(std::string note) { hint_ = std::move(note); }
   /// A line in red below the title; empty: none.
   void show_alarm(std::string words) { alarm_ = std::move(words); }
   bool has_alarm() const { return !alarm_.empty(); }
   /// More for the head-up display, and how often ticks took how long (OverlayFacts).
-  void show_readings(std::vector<Reading> readings, std::vector<double> tick_bars) {
+  void show_readings(std::vector<Reading> readings, TickBars tick_bars) {
     readings_ = std::move(readings);
     tick_bars_ = std::move(tick_bars);
   }
-  /// The largest force so far: arrows keep to a scale in which it fits.
-  void expect_force(double force_n);
+  /// How to begin, until it was done once; what has just been done. Empty: nothing.
+  void invite(std::string words) { invitation_ = std::move(words); }
+  void tell(std::string words) { message_ = std::move(words); }
 
   /// Brings everything in line with state, camera and moment, and renders.
   void render();
@@ -76,9 +85,12 @@ class Stage {
 
  private:
   void place_renderers();
+  void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
   Vec2 on_screen(const Vec3& p_mm);
-  void place_close_up(double px_per_mm);
+  bool shows_close_up(double scene_px_per_mm);
+  void place_close_up();
+  void place_overlay(OverlayFacts& facts);
   double px_per_mm() const;
   OverlayFacts overlay_facts();
   void place_chart();
@@ -94,13 +106,15 @@ class Stage {
   std::unique_ptr<WorldProps> world_;
   std::optional<ContactMoment> moment_;
   double speed_m_per_s_ = 0;
-  double max_force_n_ = 0;
-  double inset_px_per_mm_ = 0;
+  ArrowScale arrow_scale_;
+  OverlayPlaces places_;
+  double inset_px_per_mm_ = 0, inset_half_height_mm_ = 1;
   Box inset_;
   std::string hint_, alarm_;
   std::vector<std::string> help_;
   std::vector<Reading> readings_;
-  std::vector<double> tick_bars_;
+  TickBars tick_bars_;
+  std::string invitation_, message_;
   std::optional<Chart> chart_;
   bool chart_placed_ = false;  ///< in the present layout
   ChartBoard board_;
@@ -109,6 +123,7 @@ class Stage {
   vtkNew<vtkRenderer> scene_, close_up_, close_up_marks_, flat_;
   vtkNew<vtkPolyData> solid_, clear_, close_up_solid_, close_up_clear_;
   vtkNew<DrawingItem> under_charts_, item_;
+  vtkNew<ThemeDevice> device_;
 };
 
 }  // namespace fingerpad

@@ -13,6 +13,11 @@ namespace {
 
 constexpr double line_weight = 1.12;
 
+// What the axes span at the least. A fingertip feels some 0.02 N and tells places 0.1 mm apart only just;
+// what is less is rounding, an encoder's step or a filter's tail, and would fill a panel as if it were
+// something.
+constexpr double least_force_n = 0.05, least_way_mm = 0.1, least_speed_mm_per_s = 1, least_mu = 0.05;
+
 ChartCurve line(const TouchSeries& series, std::string name, int colour, std::vector<double> y,
                 Dash dash = Dash::solid) {
   return {std::move(name), {colour, dash, Marker::none, line_weight}, series.t_s, std::move(y)};
@@ -83,6 +88,7 @@ ChartPanel speed_panel(const TouchSeries& series, const TouchLevels& levels) {
       levels.v_min_m_per_s > 0) {
     speed.levels.push_back({"v_min", levels.v_min_m_per_s * 1e3, palette::reddish_purple});
   }
+  speed.least_y_span = least_speed_mm_per_s;
   add_slip_ends(speed, series);
   return speed;
 }
@@ -95,8 +101,10 @@ void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& leve
       {line(series, "normal", palette::blue, series.normal_force_n),
        line(series, "friction along " + series.direction_name, palette::vermillion, series.friction_n)},
       true));
+  chart.panels.back().least_y_span = least_force_n;
   ChartPanel mu = panel_over_time("coefficient of friction [1]", "mu [1]",
                                   {line(series, "mu", palette::ink, series.mu)}, true);
+  mu.least_y_span = least_mu;
   add_slip_ends(mu, series);
   if (levels.mu_static > 0) mu.levels.push_back({"mu_s", levels.mu_static, palette::bluish_green});
   if (levels.mu_dynamic > 0) mu.levels.push_back({"mu_d", levels.mu_dynamic, palette::orange});
@@ -135,6 +143,7 @@ Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, con
        line(series, "stick", palette::blue, where_phase(position_mm, series.phase, true), Dash::dotted),
        line(series, "stick centre", palette::vermillion, scaled(series.centre_m, 1e3), Dash::dashed)},
       false));
+  chart.panels.back().least_y_span = least_way_mm;
   add_panels(chart, series, levels);
   return chart;
 }
@@ -152,6 +161,7 @@ Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
       position.curves[static_cast<std::size_t>(axis)].y.push_back(row.p_WQ[axis] * 1e3);
     }
   }
+  position.least_y_span = least_way_mm;
   chart.panels.push_back(std::move(position));
   add_panels(chart, series, levels);
   // The direction of a hand that goes anywhere wanders from frame to frame: magnitudes stay put.

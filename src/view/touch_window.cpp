@@ -19,6 +19,7 @@ namespace {
 
 constexpr double chart_s = 4;            // what the strip charts hold
 constexpr double chart_period_s = 0.06;  // they need not follow each frame
+constexpr const char* invitation = "hold the left button, or space, to press";
 
 /// The ticks of the last seconds, gathered from frame to frame.
 class History {
@@ -65,7 +66,7 @@ std::vector<Reading> timing_readings(const ServoTiming& timing) {
 }
 
 /// A bar for each length of tick between the shortest and the longest; a single one is still to be seen.
-std::vector<double> tick_bars(const TimeCounts& times) {
+TickBars tick_bars(const TimeCounts& times) {
   const auto& counts = times.counts;
   const auto some = [](std::uint64_t count) { return count > 0; };
   const auto first = std::find_if(counts.begin(), counts.end(), some);
@@ -73,8 +74,13 @@ std::vector<double> tick_bars(const TimeCounts& times) {
   if (first >= last) return {};
   const auto scale = [](std::uint64_t count) { return std::log1p(static_cast<double>(count)); };
   const double most = scale(*std::max_element(first, last));
-  std::vector<double> bars;
-  for (auto at = first; at != last; ++at) bars.push_back(scale(*at) / most);
+  TickBars bars;
+  for (auto at = first; at != last; ++at) bars.heights.push_back(scale(*at) / most);
+  const auto upper = [&](auto at) {
+    return short_time(TimeCounts::upper_s(static_cast<int>(at - counts.begin())));
+  };
+  bars.shortest = upper(first);
+  bars.longest = upper(last - 1);
   return bars;
 }
 
@@ -89,21 +95,8 @@ class TouchWindow {
                 resting_finger(*input.view.world, input.view.scene.value_or(Scene{}))),
         levels_(touch_levels(input.view)),
         loop_(stage_, options, handlers()) {
-    std::vector<std::string> help = {"move the mouse: the finger follows over the part",
-                                     "hold left button: press on the part",
-                                     "space: press without holding, lift",
-                                     "wheel, Page keys: press harder, softer",
-                                     "arrow keys: move the finger on the surface",
-                                     "drag beside part: turn the view",
-                                     "+, -: view nearer, farther"};
-    if (input.set_stop) help.insert(help.begin(), {"x: emergency stop", "g: give the force back"});
-    for (std::string& line : common_help()) {
-      const bool taken = line.starts_with("left drag") || line.starts_with("right drag");
-      if (line.starts_with("c: ")) continue;  // there is no path to colour
-      if (!taken) help.push_back(std::move(line));
-    }
-    stage_.show_hint("", std::move(help));
-    stage_.expect_force(1.5);
+    stage_.show_hint("", help_lines(window_kind()));
+    stage_.invite(invitation);
     follow();
   }
 
@@ -112,7 +105,8 @@ class TouchWindow {
  private:
   WindowHandlers handlers() {
     WindowHandlers handlers;
-    handlers.key = [this](const std::string& key) { return touch_key(key); };
+    handlers.window = window_kind();
+    handlers.act = [this](KeyAction action) { return touch_key(action); };
     handlers.press = [this](int x, int y) {
       held_ = point_at(x, y);
       target_.press(held_ || latched_);
@@ -141,6 +135,7 @@ class TouchWindow {
       report.target_W = target_.pressed_W();
       report.pressing = target_.pressing();
       report.press_n = target_.press_n();
+      report.invites = invites_;
     };
     return handlers;
   }
@@ -157,27 +152,35 @@ class TouchWindow {
     return true;
   }
 
-  bool touch_key(const std::string& key) {
-    if ((key == "x" || key == "g") && input_.set_stop) {
-      input_.set_stop(key == "x");
-      return true;
-    }
+  unsigned window_kind() const { return input_.set_stop ? windows::touch | windows::motors : windows::touch; }
+
+  bool touch_key(KeyAction action) {
     const double step_m = 0.004 * stage_.scene()->GetActiveCamera()->GetParallelScale() * 1e-3 * 2;
     const Vec3 up = Vec3(stage_.scene()->GetActiveCamera()->GetViewUp());
     const Vec3 right = Vec3(stage_.scene()->GetActiveCamera()->GetDirectionOfProjection()).cross(up);
-    if (key == "space") {
-      latched_ = !latched_;
-      target_.press(latched_ || held_);
-    } else if (key == "Left" || key == "Right") {
-      target_.move_by(right * (key == "Left" ? -step_m : step_m));
-    } else if (key == "Up" || key == "Down") {
-      target_.move_by(up * (key == "Down" ? -step_m : step_m));
-    } else if (key == "Prior" || key == "Next") {
-      target_.change_force(key == "Prior" ? 1 : -1);
-    } else if (key == "plus" || key == "equal" || key == "minus") {
-      stage_.zoom(key == "minus" ? 1 / 1.15 : 1.15);
-    } else {
-      return false;
+    switch (action) {
+      case KeyAction::stop:
+      case KeyAction::give_back:
+        input_.set_stop(action == KeyAction::stop);
+        return true;
+      case KeyAction::press:
+        latched_ = !latched_;
+        target_.press(latched_ || held_);
+        break;
+      case KeyAction::go_left:
+      case KeyAction::go_right:
+        target_.move_by(right * (action == KeyAction::go_left ? -step_m : step_m));
+        break;
+      case KeyAction::go_up:
+      case KeyAction::go_down:
+        target_.move_by(up * (action == KeyAction::go_down ? -step_m : step_m));
+        break;
+      case KeyAction::harder:
+      case KeyAction::softer:
+        target_.change_force(action == KeyAction::harder ? 1 : -1);
+        break;
+      default:
+        return false;
     }
     tell();
     return true;
@@ -185,6 +188,8 @@ class TouchWindow {
 
   /// Hands on what an event has changed, with the event's time: speeds are the pointer's, not the frames'.
   void tell() {
+    if (target_.pressing()) invites_ = false;
+    stage_.invite(invites_ ? invitation : "");
     if (input_.look_from)
       input_.look_from(-Vec3(stage_.scene()->GetActiveCamera()->GetDirectionOfProjection()));
     FingerSample target = target_.sample();
@@ -213,7 +218,6 @@ class TouchWindow {
     if (history_.rows().empty()) return;
     const TickRecord& row = history_.rows().back();
     stage_.show(row, history_.speed_m_per_s());
-    stage_.expect_force(row.force_W_n.norm());
     if (input_.is_stopped && input_.is_stopped()) {
       stage_.show_title_note("STOPPED: no force on the device   g gives it back   h help");
       return;
@@ -229,7 +233,7 @@ class TouchWindow {
   Stage stage_;
   TouchTarget target_;
   TouchLevels levels_;
-  bool held_ = false, latched_ = false;
+  bool held_ = false, latched_ = false, invites_ = true;
   double since_chart_s_ = chart_period_s;
   WindowLoop loop_;
 };

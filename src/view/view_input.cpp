@@ -1,11 +1,14 @@
 #include "view/view_input.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "contact/triangle_tree.hpp"
 #include "scene/scene_file.hpp"
+#include "touch/contact_choice.hpp"
 #include "touch/world.hpp"
 #include "trace/trace.hpp"
 
@@ -30,14 +33,44 @@ ViewInput view_of_trace(Trace trace, const std::string& path) {
   input.world = std::move(trace.world);
   input.rows = std::move(trace.rows);
   if (input.world) input.world = with_trees(*input.world);
-  if (trace.info.scene_text.empty()) return input;
+  input.file = path;
+  if (!trace.info.contact_method.empty())
+    input.contact_words = trace.info.contact_method + " " + trace.info.contact_normals;
+  if (trace.info.scene_text.empty()) {
+    if (!input.world)
+      input.notice = "The parts are not shown: a trace in CSV has neither scene nor meshes (HDF5 has both).";
+    return input;
+  }
   // The trace was recorded elsewhere perhaps: a scene whose files are gone costs its labels, not the picture.
   try {
     input.scene = read_recorded_scene(trace.info.scene_text, trace.info.profile_text, path);
     if (!input.world) input.world = load_world(*input.scene);
-  } catch (const Error&) {
+  } catch (const Error& error) {
+    if (!input.world) input.notice = fmt::format("The parts are not shown: {}", error.what());
   }
   return input;
+}
+
+std::string subtitle_of(const ViewInput& input) {
+  std::vector<std::string> words;
+  if (input.world && !input.world->surfaces.empty()) {
+    const Surface& first = input.world->surfaces.front();
+    std::string name = first.part ? std::filesystem::path(first.mesh).filename().string() : "plane";
+    const std::size_t more = input.world->surfaces.size() - 1;
+    if (more > 0) name += fmt::format(" and {} more", more);
+    words.push_back(name);
+  }
+  if (!input.scene) return fmt::format("{}", fmt::join(words, ", "));
+  words.push_back(input.scene->friction.law);
+  if (input.world && !input.world->surfaces.empty()) {
+    const SurfaceProperties& surface = input.world->surfaces.front().properties;
+    words.push_back(fmt::format("mu {:.3g}/{:.3g}", surface.mu_static, surface.mu_dynamic));
+    const ContactChoice contact = settled_contact(*input.scene, *input.world);
+    words.push_back(input.contact_words.empty()
+                        ? fmt::format("{} {}", method_in(*input.world, contact.method), contact.normals->name)
+                        : input.contact_words);
+  }
+  return fmt::format("{}", fmt::join(words, ", "));
 }
 
 }  // namespace fingerpad

@@ -17,14 +17,20 @@ struct World;
 /// replayed) or a trace.
 struct ViewInput {
   std::string title;
+  std::string file = {};  ///< of what is shown, as it was named: window titles and screenshots go by it
+  std::string contact_words = {};  ///< method and normals that served, where a trace says so
+  std::string notice = {};         ///< what cannot be shown, and why; empty: all can
   std::shared_ptr<const World>
       world;                     ///< empty where the surfaces are not known: then the path alone is shown
   std::optional<Scene> scene;    ///< the law, the finger and its direction, where known
   std::vector<TickRecord> rows;  ///< in order of time; empty for a mesh
 };
 
+/// What is touched and how, for a title: mesh, law, coefficients, method; "" where nothing is known of it.
+std::string subtitle_of(const ViewInput& input);
+
 /// A trace with the scene that it holds. Surfaces that the trace has not embedded are loaded from the meshes
-/// its scene names; where those cannot be read the world stays empty.
+/// its scene names; where those cannot be read the world stays empty, and the notice says why.
 /// @param path  of the trace: where relative paths of its scene start, and the title of a trace without name
 ViewInput view_of_trace(Trace trace, const std::string& path);
 

@@ -1,5 +1,9 @@
 #pragma once
 
+#include <optional>
+
+#include "view/camera_look.hpp"
+
 #include <string>
 
 namespace fingerpad {
@@ -12,6 +16,8 @@ struct ViewState {
   PathColouring colouring = PathColouring::phase;
   bool path = true, finger = true, forces = true, frame = true, close_up = true, creases = true, hud = true;
   bool help = false;
+  bool wireframe = false, dark = false;
+  std::optional<LookFrom> look = {};  ///< the view at first; none: the contact from its outside
   bool playing = false;
   double speed = 1;  ///< of playing, against the clock
 };

@@ -18,21 +18,12 @@ class ViewWindow {
         stage_(input, options.width, options.height, input.rows.size() > 1, input.rows.size() > 1),
         loop_(stage_, options, handlers()) {
     if (!input.rows.empty()) playback_.emplace(input);
+    stage_.state().look = options.look;
+    stage_.reset_camera();
     if (input.rows.size() > 1) {
       stage_.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
     }
-    std::vector<std::string> help;
-    if (playback_) {
-      help = {"space: play, pause",
-              "left, right: one tick back, on",
-              "Page Up, Down: a twentieth of all back, on",
-              "Home, End: first tick, last tick",
-              "+, -: play faster, slower",
-              "click on a chart: go to that time",
-              "drag time line: go to that time"};
-    }
-    for (std::string& line : common_help()) help.push_back(std::move(line));
-    stage_.show_hint(playback_ ? "space plays   h help" : "h help", std::move(help));
+    stage_.show_hint(playback_ ? "space plays   h help" : "h help", help_lines(window_kind()));
     show_moment();
   }
 
@@ -41,7 +32,8 @@ class ViewWindow {
  private:
   WindowHandlers handlers() {
     WindowHandlers handlers;
-    handlers.key = [this](const std::string& key) { return playback_ && player_key(key); };
+    handlers.window = window_kind();
+    handlers.act = [this](KeyAction action) { return playback_ && player_key(action); };
     handlers.press = [this](int x, int y) {
       const auto t_s = stage_.time_at(x, y);
       dragging_ = playback_ && t_s.has_value();
@@ -65,24 +57,34 @@ class ViewWindow {
     return handlers;
   }
 
-  bool player_key(const std::string& key) {
+  unsigned window_kind() const { return input_.rows.empty() ? windows::still : windows::trace; }
+
+  bool player_key(KeyAction action) {
     const auto twentieth = static_cast<long>(input_.rows.size() / 20 + 1);
-    if (key == "space") {
-      playback_->toggle();
-    } else if (key == "Left" || key == "Right") {
-      playback_->step(key == "Left" ? -1 : 1);
-    } else if (key == "Prior" || key == "Next") {
-      playback_->step(key == "Prior" ? -twentieth : twentieth);
-    } else if (key == "Home") {
-      playback_->go_to(input_.rows.front().t_s);
-    } else if (key == "End") {
-      playback_->go_to(input_.rows.back().t_s);
-    } else if (key == "plus" || key == "equal" || key == "KP_Add") {
-      playback_->change_speed(true);
-    } else if (key == "minus" || key == "KP_Subtract") {
-      playback_->change_speed(false);
-    } else {
-      return false;
+    switch (action) {
+      case KeyAction::play:
+        playback_->toggle();
+        break;
+      case KeyAction::tick_back:
+      case KeyAction::tick_on:
+        playback_->step(action == KeyAction::tick_on ? 1 : -1);
+        break;
+      case KeyAction::leap_back:
+      case KeyAction::leap_on:
+        playback_->step(action == KeyAction::leap_on ? twentieth : -twentieth);
+        break;
+      case KeyAction::to_first:
+        playback_->go_to(input_.rows.front().t_s);
+        break;
+      case KeyAction::to_last:
+        playback_->go_to(input_.rows.back().t_s);
+        break;
+      case KeyAction::faster:
+      case KeyAction::slower:
+        playback_->change_speed(action == KeyAction::faster);
+        break;
+      default:
+        return false;
     }
     show_moment();
     return true;

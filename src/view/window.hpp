@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,18 @@ struct WindowReport {
   bool pressing = false;                ///< touch windows: against the surface
   double press_n = 0;                   ///< touch windows: the force aimed at
   double chart_from = 0, chart_to = 0;  ///< the range of x that the charts show
+  double arrow_force_n = 0;             ///< the force of an arrow of full length
+  bool invites = false;                 ///< touch windows: it says how to press
+  Vec3 towards_eye_W = Vec3::UnitZ();   ///< from where it is looked
+  double half_height_mm = 0;            ///< how much of the scene is seen
+  std::string message;                  ///< what has just been told
   std::string chart_tells;              ///< the value of the curve under the mouse; empty: none
 };
 
 struct WindowOptions {
   int width = 1280, height = 800;
-  std::vector<WindowEvent> events;  ///< in order of time
+  std::optional<LookFrom> look = {};  ///< the view at first; none: the usual
+  std::vector<WindowEvent> events;    ///< in order of time
   std::function<void(const WindowReport&)> on_frame;
 };
 

@@ -1,12 +1,21 @@
 #include "view/window_loop_vtk.hpp"
 
+#include <vtkCamera.h>
 #include <vtkCommand.h>
 #include <vtkInteractorStyleTrackballCamera.h>
 #include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
+#include <vtkRenderer.h>
+
+#include <fmt/format.h>
 
 #include <algorithm>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "view/png_vtk.hpp"
+#include "view/screenshot.hpp"
 
 namespace fingerpad {
 namespace {
@@ -41,20 +50,6 @@ constexpr float before_the_style = 10;  // the priority of observers that may ke
 
 }  // namespace
 
-std::vector<std::string> common_help() {
-  return {"left drag: turn the view",
-          "middle drag: move the view",
-          "right drag, wheel: zoom",
-          "wheel on a chart: zoom; drag: move along",
-          "mouse over a curve: its value",
-          "r: view and charts as at first",
-          "c: colour the path by phase or by force",
-          "p, f, a, n: show path, finger, forces, tangent frame",
-          "i, e, o: show close-up, edges, readings",
-          "h: this page",
-          "q, Escape: close"};
-}
-
 WindowLoop::WindowLoop(Stage& stage, const WindowOptions& options, WindowHandlers handlers)
     : stage_(stage), options_(options), handlers_(std::move(handlers)) {
   interactor_->SetRenderWindow(stage_.window());
@@ -86,9 +81,15 @@ void WindowLoop::observe() {
 }
 
 void WindowLoop::run() {
-  stage_.window()->SetWindowName("fingerpad");
+  const ViewInput& input = stage_.input();
+  const std::string name = std::filesystem::path(input.file).filename().string();
+  const std::string how = subtitle_of(input);
+  stage_.window()->SetWindowName(
+      fmt::format("{}{}{} - fingerpad", name.empty() ? input.title : name, how.empty() ? "" : ": ", how)
+          .c_str());
   interactor_->Initialize();
   queue_.emplace(interactor_, stage_.window());
+  queue_->refuse_smaller(least_window_width_px, least_window_height_px);
   opened_ = std::chrono::steady_clock::now();
   render();
   if (queue_->is_known()) {
@@ -121,38 +122,91 @@ void WindowLoop::close() {
   interactor_->TerminateApp();
 }
 
-bool WindowLoop::common_key(const std::string& key) {
+void WindowLoop::tell(const std::string& words) {
+  constexpr double told_s = 4;
+  stage_.tell(words);
+  told_ = words;
+  told_until_s_ = last_frame_s_ + told_s;
+  changed_ = true;
+}
+
+bool WindowLoop::act(KeyAction action) {
   ViewState& state = stage_.state();
   const struct {
-    const char* key;
+    KeyAction action;
     bool* flag;
-  } toggles[] = {{"p", &state.path},     {"f", &state.finger},  {"a", &state.forces}, {"n", &state.frame},
-                 {"i", &state.close_up}, {"e", &state.creases}, {"o", &state.hud},    {"h", &state.help}};
+  } toggles[] = {{KeyAction::path, &state.path},           {KeyAction::finger, &state.finger},
+                 {KeyAction::forces, &state.forces},       {KeyAction::frame, &state.frame},
+                 {KeyAction::close_up, &state.close_up},   {KeyAction::creases, &state.creases},
+                 {KeyAction::wireframe, &state.wireframe}, {KeyAction::dark, &state.dark},
+                 {KeyAction::readings, &state.hud},        {KeyAction::help, &state.help}};
   for (const auto& toggle : toggles) {
-    if (key != toggle.key) continue;
+    if (action != toggle.action) continue;
     *toggle.flag = !*toggle.flag;
     return true;
   }
-  if (key == "q" || (key == "Escape" && !state.help)) {
-    close();
-  } else if (key == "Escape") {
-    state.help = false;
-  } else if (key == "r") {
-    stage_.reset_camera();
-    stage_.charts().show_all();
-  } else if (key == "c") {
-    const bool phase = state.colouring == PathColouring::phase;
-    state.colouring = phase ? PathColouring::force : PathColouring::phase;
-  } else {
-    return false;
+  switch (action) {
+    case KeyAction::leave:
+      if (!state.help) close();
+      state.help = false;
+      return true;
+    case KeyAction::close:
+      close();
+      return true;
+    case KeyAction::first_view:
+      stage_.reset_camera();
+      stage_.charts().show_all();
+      return true;
+    case KeyAction::nearer:
+    case KeyAction::farther:
+      stage_.zoom(action == KeyAction::nearer ? 1.15 : 1 / 1.15);
+      return true;
+    case KeyAction::colouring:
+      state.colouring = state.colouring == PathColouring::phase ? PathColouring::force : PathColouring::phase;
+      return true;
+    case KeyAction::all_in_sight:
+      stage_.look_at_all();
+      return true;
+    case KeyAction::screenshot:
+      take_screenshot();
+      return true;
+    default:
+      return look(action);
   }
-  return true;
+}
+
+bool WindowLoop::look(KeyAction action) {
+  constexpr std::pair<KeyAction, std::string_view> names[] = {
+      {KeyAction::front, "front"},        {KeyAction::back, "back"}, {KeyAction::left, "left"},
+      {KeyAction::right, "right"},        {KeyAction::top, "top"},   {KeyAction::bottom, "bottom"},
+      {KeyAction::isometric, "isometric"}};
+  for (const auto& [preset, name] : names) {
+    if (preset != action) continue;
+    stage_.look(*named_look(name));
+    tell(fmt::format("from {}{}", action == KeyAction::isometric ? "" : "the ",
+                     action == KeyAction::isometric ? "askew" : name));
+    return true;
+  }
+  return false;
+}
+
+/// As the window stands, without what was told last.
+void WindowLoop::take_screenshot() {
+  stage_.tell("");
+  stage_.render();
+  try {
+    const std::string path = next_screenshot_name(stage_.input().file, stage_.input().title);
+    write_png(stage_.window(), path);
+    tell("wrote " + path);
+  } catch (const Error& error) {
+    tell(std::string("no screenshot: ") + error.what());
+  }
 }
 
 bool WindowLoop::on_key(vtkObject*, unsigned long, void*) {
   const char* symbol = interactor_->GetKeySym();
-  const std::string key = symbol != nullptr ? symbol : "";
-  if ((handlers_.key && handlers_.key(key)) || common_key(key)) changed_ = true;
+  const auto action = action_of(symbol != nullptr ? symbol : "", handlers_.window);
+  if (action && ((handlers_.act && handlers_.act(*action)) || act(*action))) changed_ = true;
   return true;
 }
 
@@ -177,7 +231,10 @@ bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
     case vtkCommand::MouseWheelForwardEvent:
     case vtkCommand::MouseWheelBackwardEvent: {
       const int steps = event == vtkCommand::MouseWheelForwardEvent ? 1 : -1;
-      const bool theirs = charts.wheel(at[0], at[1], steps) || (handlers_.wheel && handlers_.wheel(steps));
+      // All over the charts' column the wheel is theirs: beside a panel it does nothing.
+      const bool on_charts = charts.visible() && stage_.layout().charts.holds(at[0], at[1]);
+      const bool theirs =
+          charts.wheel(at[0], at[1], steps) || on_charts || (handlers_.wheel && handlers_.wheel(steps));
       if (!theirs) stage_.zoom(steps > 0 ? 1.15 : 1 / 1.15);
       taken = true;
       break;
@@ -211,6 +268,12 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
   const double elapsed_s = now_s - last_frame_s_;
   last_frame_s_ = now_s;
   if (handlers_.frame && handlers_.frame(elapsed_s)) changed_ = true;
+  if (told_until_s_ > 0 && now_s > told_until_s_) {
+    stage_.tell("");
+    told_.clear();
+    told_until_s_ = 0;
+    changed_ = true;
+  }
   play_events(now_s);
   const int* size = stage_.window()->GetSize();
   if (size[0] != static_cast<int>(stage_.layout().window.width) ||
@@ -227,6 +290,11 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
     report.state = stage_.state();
     report.frames = frames_;
     report.since_open_s = now_s;
+    vtkCamera* const camera = stage_.scene()->GetActiveCamera();
+    report.towards_eye_W = -Vec3(camera->GetDirectionOfProjection());
+    report.half_height_mm = camera->GetParallelScale();
+    report.message = told_;
+    report.arrow_force_n = stage_.arrow_scale().force_n();
     const ChartPlace charts = stage_.charts().place();
     report.chart_from = charts.x_min;
     report.chart_to = charts.x_max;

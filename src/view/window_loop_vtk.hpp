@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "view/event_queue_vtk.hpp"
+#include "view/key_table.hpp"
 #include "view/stage_vtk.hpp"
 #include "view/window.hpp"
 
@@ -20,7 +21,8 @@ namespace fingerpad {
 /// What a window's own keys and mouse do; true means that the event went no further. What they leave turns
 /// the camera.
 struct WindowHandlers {
-  std::function<bool(const std::string& key)> key;
+  unsigned window = windows::still;  ///< which rows of key_table() hold
+  std::function<bool(KeyAction action)> act;
   std::function<bool(int x, int y)> press, move;
   std::function<bool()> release;
   std::function<bool(int steps)> wheel;
@@ -40,6 +42,8 @@ class WindowLoop {
 
   void run();
   void close();
+  /// Shows some words for a moment.
+  void tell(const std::string& words);
   /// When the event that is being handled was made; now, outside of handlers. Steady [s].
   double event_s() const { return queue_->event_s(); }
 
@@ -54,7 +58,9 @@ class WindowLoop {
   void render();
   void play_events(double now_s);
   void play(const WindowEvent& event);
-  bool common_key(const std::string& key);
+  bool act(KeyAction action);
+  bool look(KeyAction action);
+  void take_screenshot();
 
   Stage& stage_;
   const WindowOptions& options_;
@@ -69,9 +75,8 @@ class WindowLoop {
   double slow_s_ = 0;  ///< time that frames took beyond what is smooth
   bool changed_ = true;
   bool closing_ = false;
+  std::string told_;
+  double told_until_s_ = 0;  ///< what was told stays so long
 };
-
-/// The keys that every window has, for its help page.
-std::vector<std::string> common_help();
 
 }  // namespace fingerpad

@@ -107,6 +107,14 @@ void WorldProps::show_path(bool shown, bool by_force) {
   path_->GetMapper()->SelectColorArray(by_force ? "force" : "phase");
 }
 
+void WorldProps::show_as_wires(bool wires) {
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    if (!meshes_[i]) continue;
+    vtkProperty* property = surfaces_[i]->GetProperty();
+    wires ? property->SetRepresentationToWireframe() : property->SetRepresentationToSurface();
+  }
+}
+
 void WorldProps::set_line_width(double px) {
   for (const auto* actors : {&creases_, &grids_}) {
     for (const auto& actor : *actors) actor->GetProperty()->SetLineWidth(static_cast<float>(px));

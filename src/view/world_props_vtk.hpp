@@ -31,6 +31,8 @@ class WorldProps {
   void show_creases(bool shown);
   void show_path(bool shown, bool by_force);
   void set_line_width(double px);
+  /// Parts as the edges of their facets.
+  void show_as_wires(bool wires);
 
   /// The first surface on the way from a to b, draw space [mm]. Locators are built on the first call.
   std::optional<SurfaceHit> first_hit(const Vec3& a_mm, const Vec3& b_mm);

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "view/overlay.hpp"
+
+namespace fingerpad {
+
+/// The readings of the moment shown; where nothing moves, what there is to say of the parts.
+Vec2 readings_size(const OverlayFacts& facts, double em);
+void paint_readings(Drawing& drawing, const OverlayFacts& facts, const Box& box, double em);
+
+/// What arrows and colours mean. (0, 0) where nothing is to be explained.
+Vec2 legend_size(const OverlayFacts& facts, const ViewState& state, double em);
+void paint_legend(Drawing& drawing, const OverlayFacts& facts, const ViewState& state, const Box& box,
+                  double em);
+
+}  // namespace fingerpad

@@ -1,0 +1,67 @@
+#include "view/overlay_places.hpp"
+
+#include <algorithm>
+
+namespace fingerpad {
+namespace {
+
+Box in_corner(const Layout& layout, const Placed& box, Corner corner) {
+  const double gap = 0.7 * layout.em;
+  // The axes and the scale bar stand in the lower right corner.
+  const double foot = corner == Corner::bottom_right ? 6.2 * layout.em : gap;
+  const bool left = corner == Corner::top_left || corner == Corner::bottom_left;
+  const bool top = corner == Corner::top_left || corner == Corner::top_right;
+  return {left ? layout.scene.left + gap : layout.scene.right() - gap - box.width,
+          top ? layout.scene.top() - gap - box.height : layout.scene.bottom + foot, box.width, box.height};
+}
+
+Box widened(const Box& box, double by) {
+  return {box.left - by, box.bottom - by, box.width + 2 * by, box.height + 2 * by};
+}
+
+bool meet(const Box& a, const Box& b) {
+  return a.left < b.right() && b.left < a.right() && a.bottom < b.top() && b.bottom < a.top();
+}
+
+bool within(const Box& box, const Box& around) {
+  return box.left >= around.left && box.right() <= around.right() && box.bottom >= around.bottom &&
+         box.top() <= around.top();
+}
+
+}  // namespace
+
+std::vector<Box> OverlayPlaces::place(const Layout& layout, const std::vector<Placed>& boxes,
+                                      const std::optional<Vec2>& contact_px) {
+  before_.resize(boxes.size());
+  std::vector<Box> places;
+  const auto is_free = [&](const Box& box, double clear_em) {
+    const bool hides =
+        contact_px && widened(box, clear_em * layout.em).holds(contact_px->x(), contact_px->y());
+    return !hides && within(box, layout.scene) &&
+           std::none_of(places.begin(), places.end(),
+                        [&](const Box& other) { return other.width > 0 && meet(box, other); });
+  };
+  for (std::size_t i = 0; i < boxes.size(); ++i) {
+    Box chosen;
+    const Placed& box = boxes[i];
+    if (box.width > 0) {
+      constexpr double near_em = 1, far_em = 3;
+      // Where it was, unless the contact comes near; else where it is clear of it by more.
+      if (before_[i] && *before_[i] == box.liked.front() &&
+          is_free(in_corner(layout, box, *before_[i]), near_em)) {
+        chosen = in_corner(layout, box, *before_[i]);
+      }
+      for (const double clear_em : {far_em, near_em}) {
+        for (const Corner corner : box.liked) {
+          if (chosen.width > 0 || !is_free(in_corner(layout, box, corner), clear_em)) continue;
+          chosen = in_corner(layout, box, corner);
+          before_[i] = corner;
+        }
+      }
+    }
+    places.push_back(chosen);
+  }
+  return places;
+}
+
+}  // namespace fingerpad

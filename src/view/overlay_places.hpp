@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "view/layout.hpp"
+
+namespace fingerpad {
+
+enum class Corner { top_left, top_right, bottom_left, bottom_right };
+
+/// A box that lies over the scene: how large it is, and which corners it likes, best first.
+struct Placed {
+  double width = 0, height = 0;  ///< [px]; 0: not there
+  std::vector<Corner> liked;
+};
+
+/// Finds corners of the scene for the boxes over it, so that none hides the contact and none lies over
+/// another. A box stays where it was until the contact is near it: a finger that goes along a border makes
+/// nothing jump to and fro.
+class OverlayPlaces {
+ public:
+  /// Boxes in order of rank; one that fits nowhere is left out (empty box).
+  /// @param contact_px  what must stay in sight; none: nothing
+  std::vector<Box> place(const Layout& layout, const std::vector<Placed>& boxes,
+                         const std::optional<Vec2>& contact_px);
+
+ private:
+  std::vector<std::optional<Corner>> before_;
+};
+
+}  // namespace fingerpad
