@@ -45,7 +45,8 @@ double least_span(std::string_view label) noexcept {
 
 Axis linear_axis(double min, double max, int most_marks) {
   Axis axis;
-  if (!(max > min)) {
+  const double greatest = std::max(std::abs(min), std::abs(max));
+  if (!(max - min > 1e-12 * greatest)) {  // marks so near one another are the same number
     const double half = std::max(std::abs(min) * 0.05, 1e-3);
     min -= half;
     max += half;

@@ -27,7 +27,7 @@ TEST(JobIndex, SaysWhatVariesInATracesJob) {
 TEST(JobIndex, ThatIsNoneIsPassedOver) {
   const auto folder = test::scratch_dir();
   EXPECT_EQ(varied_in_job((folder / "none" / "t-0001.h5").string()), "");
-  std::ofstream(folder / "jobs.csv") << "name,salary\nt-0001.h5,3\n";
+  std::ofstream(folder / "jobs.csv") << "what,file,scene,mesh,motion,salary\n1,t-0001.h5,t,,,3\n";
   EXPECT_EQ(varied_in_job((folder / "t-0001.h5").string()), "");
 }
 
