@@ -9,6 +9,8 @@
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
 #include "app/pad_charts.hpp"
+#include "app/standard_streams.hpp"
+#include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 #include "trace/trace.hpp"
@@ -17,17 +19,21 @@ namespace fingerpad {
 namespace {
 
 struct PlotOptions {
-  std::string trace, out, show = "history";
+  std::vector<std::string> inputs, columns;
+  std::string out, show = "history", over = "t";
   bool quiet = false;
   int width = plot_page_width;
   double from_s = -std::numeric_limits<double>::infinity(), to_s = std::numeric_limits<double>::infinity();
 };
 
-int plot(const PlotOptions& options) {
-  refuse_other_endings(options.out, "plot", {".png", ".svg"});
-  refuse_overwriting(options.out, {options.trace});
-  refuse_unwritable(options.out);
-  ViewInput input = view_of_trace(read_trace(options.trace), options.trace);
+Over over_of(const std::string& name) {
+  return name == "s" ? Over::travel : name == "angle" ? Over::turn : Over::time;
+}
+
+/// One trace, by itself.
+void plot_alone(const PlotOptions& options) {
+  const std::string& path = options.inputs[0];
+  ViewInput input = view_of_trace(read_trace(path), path);
   std::erase_if(input.rows,
                 [&](const TickRecord& row) { return row.t_s < options.from_s || row.t_s > options.to_s; });
   if (options.show == "stick-region") {
@@ -36,9 +42,42 @@ int plot(const PlotOptions& options) {
     write_chart(force_displacement_chart(input), options.out);
   } else {
     const PlotSubject subject = options.show == "spectrum" ? PlotSubject::spectrum : PlotSubject::history;
-    write_plot(input, options.out, options.width, subject);
+    write_plot(input, options.out, options.width, subject, over_of(options.over));
   }
   tell_written(options.quiet, options.out, fmt::format("{} of {} ticks", options.show, input.rows.size()));
+}
+
+/// Several, or measurements.
+void plot_overlaid(const PlotOptions& options) {
+  constexpr std::size_t most = 8;  // colours that are told apart
+  if (options.inputs.size() > most)
+    throw Error(ErrorKind::usage, "plot", fmt::format("overlays at most {} at once", most));
+  if (options.show != "history")
+    throw Error(ErrorKind::usage, "--show " + options.show, "shows one trace; name only one");
+  const Over over = over_of(options.over);
+  std::vector<ComparedRun> runs;
+  for (const std::string& path : options.inputs) {
+    runs.push_back(read_compared_run(path, over, options.from_s, options.to_s));
+  }
+  const Comparison comparison = compare_runs(std::move(runs), options.columns, over);
+  write_comparison(comparison, over, options.out, options.width);
+  if (!options.quiet) {
+    for (const std::string& words : comparison.notes) print_out("{}\n", words);
+    for (const std::string& words : residual_words(comparison)) print_out("{}\n", words);
+  }
+  tell_written(options.quiet, options.out, fmt::format("{} overlaid", comparison.runs.size()));
+}
+
+int plot(const PlotOptions& options) {
+  refuse_other_endings(options.out, "plot", {".png", ".svg"});
+  refuse_overwriting(options.out, options.inputs);
+  refuse_unwritable(options.out);
+  const bool table = options.inputs.size() == 1 && is_measured_table(options.inputs[0]);
+  if (options.inputs.size() > 1 || !options.columns.empty() || table) {
+    plot_overlaid(options);
+  } else {
+    plot_alone(options);
+  }
   return 0;
 }
 
@@ -46,10 +85,13 @@ int plot(const PlotOptions& options) {
 
 void add_plot(CLI::App& program, Action& action) {
   auto options = std::make_shared<PlotOptions>();
-  CLI::App* command = program.add_subcommand("plot", "Plot a trace as the paper lays out its figures");
+  CLI::App* command =
+      program.add_subcommand("plot", "Plot a trace as the paper lays out its figures, or several overlaid");
   command
-      ->add_option("TRACE", options->trace,
-                   "Trace (HDF5, or CSV up to 2 GiB); - is a CSV trace on standard input")
+      ->add_option("TRACE", options->inputs,
+                   "Trace (HDF5, or CSV up to 2 GiB); - is a CSV trace on standard input. Several are "
+                   "overlaid and compared with the first; then a table with t_s and columns named as a "
+                   "trace's (fx_n, fn_n) will do too")
       ->required();
   refuse_empty(command->add_option("--out", options->out, "Picture to write, .png or .svg"))->required();
   add_quiet_flag(*command, options->quiet);
@@ -60,11 +102,24 @@ void add_plot(CLI::App& program, Action& action) {
           "7; 8; 11)")
       ->check(CLI::IsMember({"history", "stick-region", "force-displacement", "spectrum"}))
       ->capture_default_str();
+  command
+      ->add_option("--over", options->over,
+                   "What a history is drawn over: t, time; s, how far the finger has gone along the surface; "
+                   "angle, by how much the surface has turned under it, summed up")
+      ->check(CLI::IsMember({"t", "s", "angle"}))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--columns", options->columns,
+          "What is overlaid: a trace's columns, or friction, which is along the sliding direction and "
+          "negative where it holds the finger back; parted by commas")
+      ->delimiter(',')
+      ->default_str("fn_n,friction,mu, or the forces that all have");
   command->add_option("--from", options->from_s, "Leave out what is earlier [s]")->default_str("start");
   command->add_option("--to", options->to_s, "Leave out what is later [s]")->default_str("end");
   command
       ->add_option("--width", options->width,
-                   "Width of a history or spectrum in pixels; 10000 take a gigabyte of memory")
+                   "Width of a history, spectrum or overlay in pixels; 10000 take a gigabyte of memory")
       ->check(CLI::Range(300, 10000))
       ->capture_default_str();
   command->footer(
@@ -74,6 +129,9 @@ void add_plot(CLI::App& program, Action& action) {
       "stick-region: where the pad stuck about its stick centre, by the finger's angle, with the law's "
       "region.\n"
       "force-displacement: friction against displacement in stick.  spectrum: of the forces, alone.\n"
+      "Overlaid: a panel a column and one of what each has beyond the first, with its RMS, at the ticks of "
+      "the "
+      "one that has fewer; the finer is interpolated linearly.\n"
       "Needs no screen: a virtual one is started where there is none.");
   command->callback([options, &action] { action = [options] { return plot(*options); }; });
 }

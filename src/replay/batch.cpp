@@ -200,6 +200,8 @@ std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& op
                              const std::function<void(const BatchJob&)>& on_done) {
   const std::shared_ptr<void> claim = claimed_folder(jobs, options, ranks);
   const std::vector<std::size_t> ours = share(jobs.size(), options, ranks);
+  std::vector<Error> lost;  // before the jobs: then a killed run has said which is which
+  if (ranks.is_root()) lost = write_job_index(jobs, options);
   MeshStore meshes(static_cast<std::size_t>(options.threads) + 1, options.on_load);
   std::mutex done_mutex;
   // Where the process may run on fewer processors than it is given threads (mpirun binds each rank to its
@@ -224,7 +226,8 @@ std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& op
   });
   for (const std::string& text : ranks.gather(outcomes_text(jobs, ours))) take_outcomes(jobs, text);
   if (!ranks.is_root()) return {};
-  return write_summary(jobs, options);
+  for (const Error& error : write_summary(jobs, options)) lost.push_back(error);
+  return lost;
 }
 
 }  // namespace fingerpad

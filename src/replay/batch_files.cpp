@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -27,19 +28,20 @@ fs::path canonical_path(const fs::path& path) {
 /// Who writes each file: a table, or a job.
 using Writers = std::map<std::string, std::string>;
 
-Writers table_writers(const BatchOptions& options) {
+Writers table_writers(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   Writers writers;
   for (int shard = 1; shard <= options.shard_count; ++shard) {
     const TableNames names = table_names(shard, options.shard_count);
     for (const std::string& name : {names.summary, names.timing})
       writers.emplace(name, "the batch's own table");
+    if (has_index(jobs)) writers.emplace(names.jobs, "the batch's own table");
   }
   return writers;
 }
 
 /// Every file of the batch with who writes it.
 Writers writers_of(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
-  Writers writers = table_writers(options);
+  Writers writers = table_writers(jobs, options);
   for (const BatchJob& batch_job : jobs) {
     const SceneJob& job = batch_job.job;
     if (!job.error.empty()) continue;
@@ -74,7 +76,11 @@ std::string trace_name(const SceneJob& job, TraceFormat format) {
 
 TableNames table_names(int shard, int shard_count) {
   const std::string which = shard_count > 1 ? fmt::format("-{}of{}", shard, shard_count) : std::string();
-  return {"summary" + which + ".csv", "timing" + which + ".csv"};
+  return {"summary" + which + ".csv", "timing" + which + ".csv", "jobs" + which + ".csv"};
+}
+
+bool has_index(const std::vector<BatchJob>& jobs) noexcept {
+  return std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.job.number > 0; });
 }
 
 bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept {
@@ -96,6 +102,7 @@ std::vector<std::string> input_files(const Scene& scene) {
 std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   const TableNames tables = table_names(options.shard, options.shard_count);
   std::vector<std::string> names = {tables.summary, tables.timing};
+  if (has_index(jobs)) names.push_back(tables.jobs);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (is_of_shard(i, options) && jobs[i].job.error.empty())
       names.push_back(trace_name(jobs[i].job, options.format));

@@ -10,11 +10,15 @@ namespace fingerpad {
 /// The trace's file name: `<scene>.h5`, or `<scene>-0001.h5` for a job of a set.
 std::string trace_name(const SceneJob& job, TraceFormat format);
 
-/// The file names of the two tables of a batch, or of a shard's own: `summary-2of8.csv`.
+/// The file names of the tables of a batch, or of a shard's own: `summary-2of8.csv`. The index of jobs is for
+/// sets alone.
 struct TableNames {
-  std::string summary, timing;
+  std::string summary, timing, jobs;
 };
 TableNames table_names(int shard, int shard_count);
+
+/// Whether a batch has jobs that are numbered, and so an index of them.
+bool has_index(const std::vector<BatchJob>& jobs) noexcept;
 
 /// Whether this call runs job i (from 0) of its batch.
 bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept;

@@ -9,6 +9,7 @@
 #include "base/csv_cell.hpp"
 #include "base/number_text.hpp"
 #include "replay/batch_files.hpp"
+#include "trace/job_index.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
@@ -72,7 +73,28 @@ void write_table(const std::filesystem::path& path, const std::string& text, std
   }
 }
 
+/// The index of this shard's numbered jobs.
+std::string index_text(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  std::vector<JobIndexRow> rows;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    const SceneJob& job = jobs[i].job;
+    if (job.number == 0 || !is_of_shard(i, options)) continue;
+    const std::string mesh = job.scene.parts.empty() ? "" : job.scene.parts.front().mesh;
+    rows.push_back({job.number, trace_name(job, options.format), job.scene.name, mesh, job.scene.motion.file,
+                    job.set_keys});
+  }
+  return job_index_text(rows);
+}
+
 }  // namespace
+
+std::vector<Error> write_job_index(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  std::vector<Error> lost;
+  if (!has_index(jobs)) return lost;
+  const std::string name = table_names(options.shard, options.shard_count).jobs;
+  write_table(std::filesystem::path(options.out_dir) / name, index_text(jobs, options), lost);
+  return lost;
+}
 
 std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   const TableNames names = table_names(options.shard, options.shard_count);

@@ -13,4 +13,8 @@ namespace fingerpad {
 /// @returns why, for each of the two that could not be written
 std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
 
+/// Writes the index of a set's jobs: which file is of which mesh, motion and values. Nothing for a batch
+/// without sets. Returns as write_summary.
+std::vector<Error> write_job_index(const std::vector<BatchJob>& jobs, const BatchOptions& options);
+
 }  // namespace fingerpad

@@ -30,9 +30,23 @@ double Axis::value_at(double share) const {
   return min + (max - min) * share;
 }
 
+double least_span(std::string_view label) noexcept {
+  struct Floor {
+    std::string_view unit;
+    double span;
+  };
+  static constexpr Floor floors[] = {{"[mm]", 1e-3},   {"[N]", 1e-3},   {"[1]", 1e-3},
+                                     {"[mm/s]", 1e-2}, {"[deg]", 1e-2}, {"[m]", 1e-6}};
+  for (const Floor& floor : floors) {
+    if (label.ends_with(floor.unit)) return floor.span;
+  }
+  return 0;
+}
+
 Axis linear_axis(double min, double max, int most_marks) {
   Axis axis;
-  if (!(max > min)) {
+  const double greatest = std::max(std::abs(min), std::abs(max));
+  if (!(max - min > 1e-12 * greatest)) {  // marks so near one another are the same number
     const double half = std::max(std::abs(min) * 0.05, 1e-3);
     min -= half;
     max += half;

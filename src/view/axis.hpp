@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fingerpad {
@@ -17,6 +18,11 @@ struct Axis {
   double share(double value) const;
   double value_at(double share) const;
 };
+
+/// The least that a linear axis spans, in the unit that its label ends with in brackets: a thousandth of a
+/// millimetre, a newton, or 1; a hundredth of a mm/s or a degree; 1e-6 m. What differs by less is rounding,
+/// and is drawn flat. 0 for any other unit.
+double least_span(std::string_view label) noexcept;
 
 /// An axis over these values with marks at multiples of 1, 2 or 5 times a power of ten, at most `most_marks`
 /// and one.

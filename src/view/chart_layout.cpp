@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <string_view>
 
 namespace fingerpad {
 namespace {
@@ -17,10 +18,22 @@ struct Range {
     max = std::max(max, value);
   }
   bool empty() const { return !(max >= min); }
+  /// Widens what spans less than an axis may. A range that begins at zero goes on to.
+  void widen(double least, bool from_zero) {
+    if (empty() || max - min >= least) return;
+    if (from_zero && min == 0) {
+      max = least;
+      return;
+    }
+    const double centre = min + (max - min) / 2, half = std::max(least / 2, 0.05 * std::abs(centre));
+    min = centre - half;
+    max = centre + half;
+  }
 };
 
 /// Ends beyond the values by a share of their span, so that curves keep clear of the frame.
-Axis clear_axis(Range range, bool logarithmic, double share, bool from_zero, int most_marks) {
+Axis clear_axis(Range range, std::string_view label, bool logarithmic, double share, bool from_zero,
+                int most_marks) {
   if (logarithmic) {
     if (range.empty()) return log_axis(1, 10, most_marks);
     // A floor of rounding says nothing: eight decades are kept.
@@ -30,6 +43,7 @@ Axis clear_axis(Range range, bool logarithmic, double share, bool from_zero, int
   }
   if (from_zero) range.take(0, false);
   if (range.empty()) return linear_axis(0, 1, most_marks);
+  range.widen(least_span(label), from_zero);
   const double span = range.max > range.min ? range.max - range.min : std::max(std::abs(range.max), 1e-3);
   const bool foot = from_zero && range.min == 0;
   return linear_axis(foot ? 0 : range.min - share * span, range.max + share * span, most_marks);
@@ -46,7 +60,7 @@ Axis x_axis(const Chart& chart, const ChartPanel& panel, int most_marks) {
   };
   if (!chart.stacked) {
     take(panel);
-    return clear_axis(range, panel.log_x, panel.log_x ? 0.05 : 0.02, false, most_marks);
+    return clear_axis(range, panel.x_label, panel.log_x, panel.log_x ? 0.05 : 0.02, false, most_marks);
   }
   for (const ChartPanel& one : chart.panels) take(one);
   if (range.empty() || !(range.max > range.min)) return linear_axis(0, 1, most_marks);
@@ -72,7 +86,7 @@ Axis y_axis(const ChartPanel& panel, int most_marks) {
   for (const ChartLevel& level : panel.levels) range.take(level.y, panel.log_y);
   if (panel.y_from_zero) range.take(0, panel.log_y);
   widen(range, panel);
-  return clear_axis(range, panel.log_y, 0.05, panel.y_from_zero, most_marks);
+  return clear_axis(range, panel.y_label, panel.log_y, 0.05, panel.y_from_zero, most_marks);
 }
 
 /// Widens the axis that has fewer units a pixel.

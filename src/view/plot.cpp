@@ -37,23 +37,35 @@ std::string subtitle_of(const ViewInput& input, const Vec3& direction_W) {
 }
 
 /// @returns where the page below its title begins
-double draw_title(Drawing& page, const ViewInput& input, const std::string& subtitle, int width, int height,
-                  double em) {
-  const double top = height - 1.0 * em;
-  page.text({width / 2.0, top}, input.title,
-            {.size = 1.5 * em, .across = Across::centre, .upright = Upright::top, .bold = true});
-  page.text({width / 2.0, top - 2.1 * em}, subtitle,
-            {.size = em, .colour = colours::grey, .across = Across::centre, .upright = Upright::top});
-  return top - 4.0 * em;
+double draw_title(Drawing& page, const std::string& title, const std::vector<std::string>& subtitles,
+                  int width, int height, double em) {
+  const auto fitting = [&](const std::string& words, double size) {
+    return size * std::min(1.0, (width - 2 * em) / std::max(1.0, text_width(words, size)));
+  };
+  double top = height - 1.0 * em;
+  page.text(
+      {width / 2.0, top}, title,
+      {.size = fitting(title, 1.5 * em), .across = Across::centre, .upright = Upright::top, .bold = true});
+  top -= 2.1 * em;
+  for (const std::string& words : subtitles) {
+    page.text({width / 2.0, top}, words,
+              {.size = fitting(words, em),
+               .colour = colours::grey,
+               .across = Across::centre,
+               .upright = Upright::top});
+    top -= 1.9 * em;
+  }
+  return top;
 }
 
-Drawing history_drawing(const ViewInput& input, int width, int height) {
+Drawing history_drawing(const ViewInput& input, Over over, int width, int height) {
   Drawing page;
   const double em = width / 62.0, margin = 0.8 * em;
   const Vec3 direction_W = main_direction(input.rows);
-  const double top = draw_title(page, input, subtitle_of(input, direction_W), width, height, em);
+  const double top = draw_title(page, input.title, {subtitle_of(input, direction_W)}, width, height, em);
   const Chart spectrum = spectrum_chart(touch_series(input.rows, direction_W));
-  const Chart touch = touch_chart(input.rows, direction_W, touch_levels(input));
+  Chart touch = touch_chart(input.rows, direction_W, touch_levels(input));
+  if (over != Over::time) put_over(touch, abscissa(input.rows, over), abscissa_label(over));
   const double spectrum_height = spectrum.panels.empty() ? 0 : 0.2 * height + 0.8 * em;
   const double bottom = 0.6 * em + spectrum_height;
   const Box above{margin, bottom, width - 2 * margin, top - bottom};
@@ -89,12 +101,35 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   const ChartCurve& first = spectrum.panels[0].curves[0];
   const std::string subtitle =
       fmt::format("{}; {} peaks at {:.0f} Hz", subtitle_of(input, direction_W), first.name, peak_hz(first));
-  const double top = draw_title(page, input, subtitle, width, height, em);
+  const double top = draw_title(page, input.title, {subtitle}, width, height, em);
   draw_chart(page, spectrum, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
   return page;
 }
 
+/// Under each of its panels one of residuals, where there are any.
+Drawing comparison_drawing(const Chart& chart, int width, int height) {
+  Drawing page;
+  const double em = width / 62.0, margin = 0.8 * em;
+  const double top = draw_title(page, chart.title, chart.notes, width, height, em);
+  draw_chart(page, chart, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
+  return page;
+}
+
+void refuse_other_widths(const std::string& path, int page_width) {
+  if (page_width < 300 || page_width > 10000)
+    throw Error(ErrorKind::usage, path, "a page is 300 to 10000 pixels wide");
+}
+
 }  // namespace
+
+void write_comparison(const Comparison& comparison, Over over, const std::string& path, int page_width) {
+  refuse_other_widths(path, page_width);
+  const Chart chart = comparison_chart(comparison, over);
+  const auto panels = static_cast<int>(chart.panels.size());
+  const auto notes = static_cast<int>(chart.notes.size());
+  const int height = page_width * (16 + 6 * notes + 36 * panels) / 200;
+  write_drawing(comparison_drawing(chart, page_width, height), page_width, height, chart.title, path);
+}
 
 void write_drawing(const Drawing& drawing, int width, int height, const std::string& title,
                    const std::string& path) {
@@ -112,17 +147,17 @@ void write_chart(const Chart& chart, const std::string& path) {
   write_drawing(page.drawing, page.width, page.height, chart.title, path);
 }
 
-void write_plot(const ViewInput& input, const std::string& path, int page_width, PlotSubject subject) {
-  if (page_width < 300 || page_width > 10000) {
-    throw Error(ErrorKind::usage, path, "a page is 300 to 10000 pixels wide");
-  }
+void write_plot(const ViewInput& input, const std::string& path, int page_width, PlotSubject subject,
+                Over over) {
+  refuse_other_widths(path, page_width);
   if (input.rows.size() < 2 || !(input.rows.back().t_s > input.rows.front().t_s)) {
     throw refused(input.title, "holds fewer than two moments: nothing to plot against time");
   }
   const bool history = subject == PlotSubject::history;
+  if (history) refuse_standstill(abscissa(input.rows, over), over, input.title);
   const int height = history ? page_width * 6 / 5 : page_width / 2;
-  const Drawing drawing =
-      history ? history_drawing(input, page_width, height) : spectrum_drawing(input, page_width, height);
+  const Drawing drawing = history ? history_drawing(input, over, page_width, height)
+                                  : spectrum_drawing(input, page_width, height);
   write_drawing(drawing, page_width, height, input.title, path);
 }
 

@@ -96,11 +96,12 @@ ChartPanel speed_panel(const TouchSeries& series, const TouchLevels& levels) {
 /// The panels below the position.
 void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& levels) {
   chart.panels.push_back(speed_panel(series, levels));
-  chart.panels.push_back(panel_over_time(
-      "force on the finger [N]", "force [N]",
-      {line(series, "normal", palette::blue, series.normal_force_n),
-       line(series, "friction along " + series.direction_name, palette::vermillion, series.friction_n)},
-      true));
+  chart.panels.push_back(
+      panel_over_time("force on the finger [N]", "force [N]",
+                      {line(series, "normal", palette::blue, series.normal_force_n),
+                       line(series, series.friction_name + " (" + series.friction_sign + ")",
+                            palette::vermillion, series.friction_n)},
+                      true));
   chart.panels.back().least_y_span = least_force_n;
   ChartPanel mu = panel_over_time("coefficient of friction [1]", "mu [1]",
                                   {line(series, "mu", palette::ink, series.mu)}, true);
@@ -190,7 +191,7 @@ Chart spectrum_chart(const TouchSeries& series) {
                    "power density [N\xC2\xB2/Hz]",
                    false,
                    true,
-                   {curve("friction along " + series.direction_name, palette::vermillion, series.friction_n),
+                   {curve(series.friction_name, palette::vermillion, series.friction_n),
                     curve("normal force", palette::blue, series.normal_force_n)}};
   panel.short_y_label = "N\xC2\xB2/Hz";
   // A force that is held constant has no spectrum but that of rounding.

@@ -19,7 +19,48 @@ std::string name_of(const Vec3& direction_W) {
   return "s";
 }
 
+/// Whether the finger rubs along one line over a place where the surface does not turn, to half a degree.
+bool rubs_straight(std::span<const TickRecord> rows, const Vec3& direction_W) {
+  constexpr double half_degree = 0.0087;
+  const TickRecord* first = nullptr;
+  double along_squared = 0, across_squared = 0;
+  for (const TickRecord& row : rows) {
+    if (row.phase == Phase::free) continue;
+    if (first == nullptr) first = &row;
+    if (std::abs(row.normal_W.dot(direction_W)) > half_degree) return false;
+    const Vec3 way = row.contact_W - first->contact_W;
+    const double along = way.dot(direction_W);
+    along_squared += along * along;
+    across_squared += (way - along * direction_W).squaredNorm();
+  }
+  return across_squared <= half_degree * half_degree * along_squared;
+}
+
+/// What the finger goes in the tangent plane from one tick to the next; zero unless both touch.
+Vec3 tangential_step(const TickRecord& before, const TickRecord& row) {
+  if (row.phase == Phase::free || before.phase == Phase::free) return Vec3::Zero();
+  const Vec3 step = row.p_WQ - before.p_WQ;
+  return step - step.dot(row.normal_W) * row.normal_W;
+}
+
 }  // namespace
+
+std::vector<double> friction_along_sliding(std::span<const TickRecord> rows) {
+  constexpr double resting_share = 1e-3;
+  double fastest = 0;
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    const double speed = tangential_speed(rows[i - 1], rows[i]);
+    if (speed > fastest) fastest = speed;
+  }
+  std::vector<double> friction_n;
+  Vec3 way = Vec3::Zero();
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (i > 0 && tangential_speed(rows[i - 1], rows[i]) > resting_share * fastest)
+      way = tangential_step(rows[i - 1], rows[i]).normalized();
+    friction_n.push_back(rows[i].phase == Phase::free ? 0 : rows[i].friction_W_n.dot(way));
+  }
+  return friction_n;
+}
 
 Vec3 main_direction(std::span<const TickRecord> rows) {
   bool any_contact = false;
@@ -50,8 +91,7 @@ Vec3 main_direction(std::span<const TickRecord> rows) {
 double tangential_speed(const TickRecord& before, const TickRecord& row) {
   const double dt_s = row.t_s - before.t_s;
   if (row.phase == Phase::free || before.phase == Phase::free || !(dt_s > 0)) return TickRecord::nan;
-  const Vec3 step = row.p_WQ - before.p_WQ;
-  return (step - step.dot(row.normal_W) * row.normal_W).norm() / dt_s;
+  return tangential_step(before, row).norm() / dt_s;
 }
 
 TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction_W) {
@@ -68,14 +108,19 @@ TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction
     series.centre_m.push_back((row.stick_centre_W - origin).dot(direction_W));
     series.speed_m_per_s.push_back(i > 0 ? tangential_speed(rows[i - 1], row) : TickRecord::nan);
     series.normal_force_n.push_back(row.normal_force_n);
-    Vec3 along = free ? direction_W : Vec3(direction_W - direction_W.dot(row.normal_W) * row.normal_W);
-    if (along.norm() > 1e-9) along.normalize();
-    series.friction_n.push_back(row.friction_W_n.dot(along));
+    series.friction_n.push_back(row.friction_W_n.dot(direction_W));
     series.mu.push_back(free ? TickRecord::nan : row.mu);
     const bool is_stick_after_slip =
         !series.phase.empty() && series.phase.back() == Phase::slip && row.phase == Phase::stick;
     series.slip_ends.push_back(is_stick_after_slip && row.walls <= 1);
     series.phase.push_back(row.phase);
+  }
+  series.friction_name = "friction along " + series.direction_name;
+  series.friction_sign = "+ pushes towards +" + series.direction_name;
+  if (!rubs_straight(rows, direction_W)) {
+    series.friction_n = friction_along_sliding(rows);
+    series.friction_name = "friction along the sliding direction";
+    series.friction_sign = "- against it";
   }
   return series;
 }

@@ -18,8 +18,12 @@ struct TouchSeries {
   std::vector<double> centre_m;       ///< of the stick centre; nan unless sticking
   std::vector<double> speed_m_per_s;  ///< tangential; nan while free and on the first tick of a contact
   std::vector<double> normal_force_n;
-  std::vector<double> friction_n;  ///< component along the direction, within the tangent plane
-  std::vector<double> mu;          ///< nan while free
+  /// Along the direction where the finger rubs straight over a flat place: then it is the friction's
+  /// component in the world. Elsewhere friction_along_sliding.
+  std::vector<double> friction_n;
+  std::string friction_name;  ///< "friction along x", "friction along the sliding direction"
+  std::string friction_sign;  ///< what its sign means: "- against it"
+  std::vector<double> mu;     ///< nan while free
   std::vector<Phase> phase;
   /// Slip has just given way to stick (the paper's points a, fig. 9) on the one wall that holds the finger:
   /// of several the phase is the greatest's, and passes from one to another without an end of slip.
@@ -31,6 +35,11 @@ struct TouchSeries {
 Vec3 main_direction(std::span<const TickRecord> rows);
 
 TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction_W);
+
+/// The friction on the finger along the way that the finger slides in the tangent plane [N]: negative where
+/// it holds the finger back, positive where a stretched pad still pushes it on. Where the finger is slower
+/// than a thousandth of its fastest, the way is the one that it had before. 0 while free.
+std::vector<double> friction_along_sliding(std::span<const TickRecord> rows);
 
 /// Tangential speed from one tick to the next [m/s]; nan unless both are in contact.
 double tangential_speed(const TickRecord& before, const TickRecord& row);

@@ -5,12 +5,12 @@
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "base/input_file.hpp"
 #include "contact/triangle_tree.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/contact_choice.hpp"
 #include "touch/world.hpp"
 #include "trace/trace.hpp"
+#include "view/run_title.hpp"
 
 namespace fingerpad {
 namespace {
@@ -27,9 +27,7 @@ std::shared_ptr<const World> with_trees(World world) {
 
 ViewInput view_of_trace(Trace trace, const std::string& path) {
   ViewInput input;
-  input.title = !trace.info.scene_name.empty() ? trace.info.scene_name
-                : path == "-"                  ? input_name(path)
-                                               : std::filesystem::path(path).stem().string();
+  input.title = run_title(trace.info, path);
   input.world = std::move(trace.world);
   input.rows = std::move(trace.rows);
   if (input.world) input.world = with_trees(*input.world);

@@ -65,7 +65,8 @@ TEST(Outputs, OfAnEndingThatIsNotTheirsAreRefusedWithWhatThereIs) {
               "q.mat: query writes .csv files");
   EXPECT_EQ(test::fingerpad("query box.stl points.csv --out plain", folder).exit_code, 0)
       << "a name without an ending promises nothing";
-  expect_told(test::fingerpad("export o/calm.h5 --out e.mat", folder), 2, "export writes .csv or .vtp files");
+  expect_told(test::fingerpad("export o/calm.h5 --out e.mat", folder), 2,
+              "export writes .csv, .vtp or .vtm files");
 #ifdef FINGERPAD_VIEW
   expect_told(test::fingerpad("view box.stl --png v.jpg", folder), 2, "v.jpg: view --png writes .png files");
   expect_told(test::fingerpad("plot o/calm.h5 --out p.bmp", folder), 2, "plot writes .png or .svg files");

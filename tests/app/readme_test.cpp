@@ -36,7 +36,8 @@ std::vector<std::string> readme_commands() {
 }
 
 bool needs_view(const std::string& command) {
-  return command.find("fingerpad view") != std::string::npos ||
+  return command.find("--with-parts") != std::string::npos ||
+         command.find("fingerpad view") != std::string::npos ||
          command.find("fingerpad plot") != std::string::npos ||
          command.find("fingerpad touch") != std::string::npos ||
          command.find("fingerpad study") != std::string::npos;  // it draws its charts

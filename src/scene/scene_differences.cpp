@@ -1,0 +1,92 @@
+#include "scene/scene_differences.hpp"
+
+#include <algorithm>
+#include <filesystem>
+#include <map>
+#include <optional>
+
+#include "scene/toml_tree.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// Every value of a scene by its dotted key; the second of an array of tables is "part 2".
+using FlatScene = std::map<std::string, std::string>;
+
+bool holds_tables(const TomlNode& node) {
+  return node.is(TomlNode::Type::array) && !node.items.empty() &&
+         node.items.front().is(TomlNode::Type::table);
+}
+
+void flatten(const TomlNode& table, const std::string& prefix, FlatScene& flat) {
+  for (const TomlEntry& entry : table.entries) {
+    const std::string key = prefix + entry.key;
+    if (key == "name" || key == "set") continue;
+    if (entry.value.is(TomlNode::Type::table)) {
+      flatten(entry.value, key + ".", flat);
+    } else if (holds_tables(entry.value)) {
+      for (std::size_t i = 0; i < entry.value.items.size(); ++i) {
+        flatten(entry.value.items[i], key + (i > 0 ? " " + std::to_string(i + 1) : "") + ".", flat);
+      }
+    } else {
+      const bool is_text = entry.value.is(TomlNode::Type::text);
+      flat[key] = is_text ? entry.value.text : write_toml_value(entry.value);
+    }
+  }
+}
+
+bool names_file(const std::string& key) {
+  return key.ends_with(".mesh") || key == "motion.file" || key == "finger.profile";
+}
+
+/// "mu_static 0.3"; a file by its name alone.
+std::string words_for(const std::string& key, const std::string& label,
+                      const std::optional<std::string>& value) {
+  if (!value) return label + " as by default";
+  if (names_file(key)) return std::filesystem::path(*value).filename().string();
+  return label + " " + *value;
+}
+
+/// The last part of each key, or the whole of it where two end alike.
+std::map<std::string, std::string> labels_of(const std::vector<std::string>& keys) {
+  std::map<std::string, int> ends;
+  const auto end_of = [](const std::string& key) { return key.substr(key.rfind('.') + 1); };
+  for (const std::string& key : keys) ++ends[end_of(key)];
+  std::map<std::string, std::string> labels;
+  for (const std::string& key : keys) labels[key] = ends[end_of(key)] > 1 ? key : end_of(key);
+  return labels;
+}
+
+std::optional<std::string> value_of(const FlatScene& scene, const std::string& key) {
+  const auto found = scene.find(key);
+  return found != scene.end() ? std::optional(found->second) : std::nullopt;
+}
+
+}  // namespace
+
+std::vector<std::string> scene_differences(const std::vector<std::string>& scene_texts) {
+  std::vector<FlatScene> scenes;
+  FlatScene all;
+  for (const std::string& text : scene_texts) {
+    scenes.emplace_back();
+    flatten(parse_toml(text, "the scene"), "", scenes.back());
+    all.insert(scenes.back().begin(), scenes.back().end());
+  }
+  std::vector<std::string> keys;
+  for (const auto& [key, value] : all) {
+    const auto differs = [&](const FlatScene& scene) { return value_of(scene, key) != value; };
+    if (std::any_of(scenes.begin(), scenes.end(), differs)) keys.push_back(key);
+  }
+  const auto labels = labels_of(keys);
+  std::vector<std::string> words;
+  for (const FlatScene& scene : scenes) {
+    words.emplace_back();
+    for (const std::string& key : keys) {
+      if (!words.back().empty()) words.back() += ", ";
+      words.back() += words_for(key, labels.at(key), value_of(scene, key));
+    }
+  }
+  return words;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace fingerpad {
+
+/// One job of a set in the index that stands beside its traces.
+struct JobIndexRow {
+  int number = 0;
+  std::string file, scene, mesh, motion;
+  std::vector<std::pair<std::string, std::string>> values;  ///< set key and value as written
+};
+
+/// The index's name in the folder of the traces; a shard's is `jobs-2of8.csv`.
+inline constexpr const char* job_index_name = "jobs.csv";
+
+/// The index as CSV: number, file, scene, mesh, motion, then every set key in the order of first appearance.
+std::string job_index_text(const std::vector<JobIndexRow>& rows);
+
+/// What varies in a trace's job beside its mesh, by the indices in its folder: "mu_static 0.3, law dahl".
+/// Empty where there is no index, or none that knows the trace; an index that cannot be read is none.
+std::string varied_in_job(const std::string& trace_path);
+
+}  // namespace fingerpad

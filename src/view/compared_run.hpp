@@ -1,0 +1,40 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "view/abscissa.hpp"
+
+namespace fingerpad {
+
+/// One quantity of a run against what it is compared over.
+struct ComparedColumn {
+  std::string name;            ///< as the trace calls it, or "friction" along the sliding direction
+  std::string unit;            ///< "N", "m"
+  std::vector<double> values;  ///< one a tick; nan where there is none
+};
+
+/// A trace, or a table of measurements, as far as it can be laid over another.
+struct ComparedRun {
+  std::string name;          ///< what tells it from the others, for the legend
+  std::string scene, title;  ///< of a trace: its scene's name, and with its meshes; else the file's
+  std::string path;
+  std::string scene_text;  ///< empty where it holds none
+  bool is_trace = false;
+  std::vector<double> x;  ///< never goes back
+  std::vector<ComparedColumn> columns;
+};
+
+/// Reads a trace, or a table with a column t_s and others named as a trace's (fx_n, fn_n, x_m). Over
+/// something else than time only a trace can be drawn: it knows the surface. Throws Error (refused) for a
+/// file that is neither, and as read_trace and read_csv_columns.
+/// @param from_s, to_s  what is earlier or later is left out
+ComparedRun read_compared_run(const std::string& path, Over over, double from_s, double to_s);
+
+/// Whether a file of text names a time t_s and is no trace. False for a stream, and for what cannot be read.
+bool is_measured_table(const std::string& path);
+
+/// Gives each the name that tells it from the others: what its scene differs in, or else its file.
+void name_apart(std::vector<ComparedRun>& runs);
+
+}  // namespace fingerpad

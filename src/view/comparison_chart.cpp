@@ -1,0 +1,112 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "view/comparison.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// Told apart by colour, and by dashes where colours are not seen.
+CurveStyle style_of(std::size_t run) {
+  constexpr Dash dashes[] = {Dash::solid, Dash::dashed, Dash::dotted, Dash::dash_dot};
+  return {static_cast<int>(run), dashes[run % 4], Marker::none, 1.12};
+}
+
+/// Lengths are drawn in millimetres.
+struct Shown {
+  double factor = 1;
+  std::string unit;
+};
+Shown shown_in(const std::string& unit) {
+  if (unit == "m") return {1e3, "mm"};
+  if (unit == "m/s") return {1e3, "mm/s"};
+  if (unit == "rad") return {180 / 3.14159265358979323846, "deg"};
+  return {1, unit};
+}
+
+std::vector<double> scaled_by(const std::vector<double>& values, double factor) {
+  std::vector<double> out(values);
+  for (double& value : out) value *= factor;
+  return out;
+}
+
+std::string words_for_column(const std::string& name) {
+  if (name == "friction") return "friction along sliding (- against it)";
+  return name;
+}
+
+/// " N"; nothing for a pure number.
+std::string unit_words(const std::string& unit) {
+  return unit == "1" ? "" : " " + unit;
+}
+
+ChartPanel panel_of(const std::string& y_label, const std::string& short_y_label, Over over) {
+  ChartPanel panel{"", std::string(abscissa_label(over)), y_label, false, false, {}};
+  panel.short_y_label = short_y_label;
+  return panel;
+}
+
+void add_column_panels(Chart& chart, const Comparison& comparison, const std::string& name, Over over) {
+  const auto of_name = [&](const auto& column) { return column.name == name; };
+  const auto& of_first = comparison.runs[0].columns;
+  const Shown shown = shown_in(std::find_if(of_first.begin(), of_first.end(), of_name)->unit);
+  ChartPanel values = panel_of(fmt::format("{} [{}]", words_for_column(name), shown.unit),
+                               fmt::format("{} [{}]", name, shown.unit), over);
+  for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
+    const ComparedRun& run = comparison.runs[i];
+    const auto column = std::find_if(run.columns.begin(), run.columns.end(), of_name);
+    values.curves.push_back({run.name, style_of(i), run.x, scaled_by(column->values, shown.factor)});
+  }
+  chart.panels.push_back(std::move(values));
+  if (comparison.runs.size() < 2) return;
+  ChartPanel left = panel_of(fmt::format("residual of {} [{}]", name, shown.unit),
+                             fmt::format("residual [{}]", shown.unit), over);
+  for (const Residual& residual : comparison.residuals) {
+    if (residual.column != name) continue;
+    const std::string legend = fmt::format("{}: RMS {:.4g}{}", comparison.runs[residual.run].name,
+                                           shown.factor * residual.rms, unit_words(shown.unit));
+    left.curves.push_back(
+        {legend, style_of(residual.run), residual.x, scaled_by(residual.values, shown.factor)});
+  }
+  left.y_from_zero = true;
+  chart.panels.push_back(std::move(left));
+}
+
+/// What all runs have in common, or else what each is called.
+std::string title_of(const std::vector<ComparedRun>& runs) {
+  constexpr std::size_t most = 3;
+  for (const auto member : {&ComparedRun::title, &ComparedRun::scene}) {
+    const auto same = [&](const ComparedRun& run) { return run.*member == runs[0].*member; };
+    if (std::all_of(runs.begin(), runs.end(), same)) return runs[0].*member;
+  }
+  std::string title = runs[0].title;
+  for (std::size_t i = 1; i < std::min(runs.size(), most); ++i) title += " and " + runs[i].title;
+  return runs.size() > most ? title + ", ..." : title;
+}
+
+}  // namespace
+
+Chart comparison_chart(const Comparison& comparison, Over over) {
+  Chart chart;
+  chart.stacked = true;
+  chart.title = title_of(comparison.runs);
+  chart.notes = comparison.notes;
+  for (const std::string& name : comparison.columns) add_column_panels(chart, comparison, name, over);
+  return chart;
+}
+
+std::vector<std::string> residual_words(const Comparison& comparison) {
+  std::vector<std::string> words;
+  for (const Residual& residual : comparison.residuals) {
+    const auto ticks = std::count_if(residual.values.begin(), residual.values.end(),
+                                     [](double value) { return std::isfinite(value); });
+    words.push_back(fmt::format("{}: RMS {:.6g}{}, '{}' less '{}', {} ticks", residual.column, residual.rms,
+                                unit_words(residual.unit), comparison.runs[residual.run].name,
+                                comparison.runs[0].name, ticks));
+  }
+  return words;
+}
+
+}  // namespace fingerpad

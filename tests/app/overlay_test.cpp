@@ -1,0 +1,96 @@
+#ifdef FINGERPAD_VIEW
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// Plots of several traces, and of traces beside measurements.
+
+namespace fingerpad::overlay_test {
+namespace {
+namespace fs = std::filesystem;
+using ::testing::HasSubstr;
+using ::testing::Not;
+
+/// Two jobs on a mesh, which differ in mu_dynamic.
+fs::path folder_with_set() {
+  const fs::path folder = test::scratch_dir();
+  fs::copy(test::source_dir() / "scenes" / "parts" / "bracket_coarse.stl", folder / "bracket.stl");
+  std::ofstream(folder / "t.toml")
+      << "name = \"t\"\n[[part]]\nmesh = \"bracket.stl\"\n[contact]\nmethod = \"proxy\"\nnormals = "
+         "\"smooth\"\n"
+         "[motion]\nkind = \"circle\"\ncentre_m = [0.06, 0.04, 0.003]\nradius_m = 0.01\nfrequency_hz = 2\n"
+         "duration_s = 0.5\n[[set]]\npart.mu_dynamic = [0.2, 0.1]\n";
+  EXPECT_EQ(test::fingerpad("replay t.toml --out o --quiet", folder).exit_code, 0);
+  return folder;
+}
+
+TEST(Overlay, OfTwoJobsTellsWhatDiffersAndByHowMuch) {
+  const fs::path folder = folder_with_set();
+  const auto result = test::fingerpad("plot o/t-0001.h5 o/t-0002.h5 --out p.svg", folder);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("friction: RMS 0.36"));  // 3 to 5 N pressed, 0.1 between the coefficients
+  EXPECT_THAT(result.out, HasSubstr("'mu_dynamic 0.1' less 'mu_dynamic 0.2', 501 ticks"));
+  const std::string svg = test::bytes_of(folder / "p.svg");
+  for (const char* label : {">t: bracket.stl<", ">mu_dynamic 0.2<", ">mu_dynamic 0.1<",
+                            "mu_dynamic 0.1: RMS 0.36", ">time [s]<", "residual"}) {
+    EXPECT_NE(svg.find(label), std::string::npos) << label;
+  }
+}
+
+TEST(Overlay, LaysMeasuredForcesOverATrace) {
+  const fs::path folder = folder_with_set();
+  std::ofstream(folder / "measured.csv") << "t_s,x_m,fz_n,fn_n\n0,0,0,0\n0.25,0,1,1\n0.5,0,0,0\n";
+  const auto result = test::fingerpad("plot o/t-0001.h5 measured.csv --columns fz_n --out p.svg", folder);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("'measured' less 't-0001', 3 ticks"));
+  EXPECT_THAT(test::bytes_of(folder / "p.svg"), HasSubstr(">fz_n [N]<"));
+  EXPECT_EQ(test::fingerpad("plot measured.csv --out q.svg", folder).exit_code, 0) << "a table alone";
+}
+
+TEST(Overlay, OverTravelAndTurnNamesItsAxis) {
+  const fs::path folder = folder_with_set();
+  EXPECT_EQ(test::fingerpad("plot o/t-0001.h5 o/t-0002.h5 --over s --out p.svg", folder).exit_code, 0);
+  EXPECT_THAT(test::bytes_of(folder / "p.svg"), HasSubstr(">travel along the surface [mm]<"));
+  EXPECT_EQ(test::fingerpad("plot o/t-0001.h5 --over s --out q.svg", folder).exit_code, 0);
+  EXPECT_THAT(test::bytes_of(folder / "q.svg"), HasSubstr(">travel along the surface [mm]<"));
+  std::ofstream(folder / "flat.toml") << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\n"
+                                         "kind = \"sine\"\ncentre_m = [0, 0, -0.001]\ndirection = [1, 0, 0]\n"
+                                         "amplitude_m = 0.05\nfrequency_hz = 1\nduration_s = 1\n";
+  ASSERT_EQ(test::fingerpad("replay flat.toml --out o --quiet", folder).exit_code, 0);
+  const auto flat = test::fingerpad("plot o/flat.h5 --over angle --out r.svg", folder);
+  EXPECT_EQ(flat.exit_code, 3);
+  EXPECT_THAT(flat.err, HasSubstr("stays where the surface does not turn: nothing to plot over its turn"));
+}
+
+TEST(Overlay, ThatCannotBeIsRefusedForAPerson) {
+  const fs::path folder = folder_with_set();
+  std::ofstream(folder / "tea.csv") << "tea,milk\n1,2\n";
+  const auto tea = test::fingerpad("plot o/t-0001.h5 tea.csv --out p.svg", folder);
+  EXPECT_EQ(tea.exit_code, 3);
+  EXPECT_THAT(tea.err, HasSubstr("tea.csv:1: no column 't_s'"));
+  const auto show = test::fingerpad("plot o/t-0001.h5 o/t-0002.h5 --show spectrum --out p.svg", folder);
+  EXPECT_EQ(show.exit_code, 2);
+  EXPECT_THAT(show.err, HasSubstr("shows one trace; name only one"));
+  EXPECT_FALSE(fs::exists(folder / "p.svg"));
+}
+
+TEST(Titles, NameMeshJobAndWhatVaries) {
+  const fs::path folder = folder_with_set();
+  EXPECT_EQ(test::bytes_of(folder / "o" / "jobs.csv"),
+            "number,file,scene,mesh,motion,part.mu_dynamic\n1,t-0001.h5,t,bracket.stl,,0.2\n"
+            "2,t-0002.h5,t,bracket.stl,,0.1\n");
+  EXPECT_EQ(test::fingerpad("plot o/t-0002.h5 --out p.svg", folder).exit_code, 0);
+  EXPECT_THAT(test::bytes_of(folder / "p.svg"),
+              HasSubstr(">t: bracket.stl \xC2\xB7 job 2 \xC2\xB7 mu_dynamic 0.1<"));
+  fs::remove(folder / "o" / "jobs.csv");
+  EXPECT_EQ(test::fingerpad("plot o/t-0002.h5 --out p.svg", folder).exit_code, 0);
+  EXPECT_THAT(test::bytes_of(folder / "p.svg"), HasSubstr(">t: bracket.stl \xC2\xB7 job 2<"));
+}
+
+}  // namespace
+}  // namespace fingerpad::overlay_test
+#endif

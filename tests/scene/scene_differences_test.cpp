@@ -1,0 +1,33 @@
+#include "scene/scene_differences.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fingerpad::scene_differences_test {
+namespace {
+
+using Words = std::vector<std::string>;
+
+TEST(SceneDifferences, NameOnlyWhatDiffers) {
+  const auto scene = [](const std::string& mu, const std::string& name) {
+    return "name = \"" + name + "\"\n[[part]]\nmesh = \"a.stl\"\nmu_static = " + mu +
+           "\n[motion]\nrate_hz = 1000\n";
+  };
+  EXPECT_EQ(scene_differences({scene("0.30", "a"), scene("0.4", "b")}),
+            (Words{"mu_static 0.3", "mu_static 0.4"}));
+  EXPECT_EQ(scene_differences({scene("0.3", "a"), scene("0.3", "a")}), (Words{"", ""}));
+}
+
+TEST(SceneDifferences, CallFilesByTheirNamesAndTellDefaults) {
+  EXPECT_EQ(scene_differences({"[[part]]\nmesh = \"x/a.stl\"\n[friction]\nlaw = \"dahl\"\n",
+                               "[[part]]\nmesh = \"y/b.stl\"\n"}),
+            (Words{"law dahl, a.stl", "law as by default, b.stl"}));
+}
+
+TEST(SceneDifferences, TellKeysThatEndAlikeApart) {
+  EXPECT_EQ(scene_differences({"[[part]]\nmu_static = 0.1\n[[part]]\nmu_static = 0.2\n",
+                               "[[part]]\nmu_static = 0.3\n[[part]]\nmu_static = 0.4\n"}),
+            (Words{"part 2.mu_static 0.2, part.mu_static 0.1", "part 2.mu_static 0.4, part.mu_static 0.3"}));
+}
+
+}  // namespace
+}  // namespace fingerpad::scene_differences_test

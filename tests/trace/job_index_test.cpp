@@ -1,0 +1,35 @@
+#include "trace/job_index.hpp"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/paths.hpp"
+
+namespace fingerpad::job_index_test {
+namespace {
+
+TEST(JobIndex, SaysWhatVariesInATracesJob) {
+  const std::string text = job_index_text(
+      {{1, "t-0001.h5", "t", "a.stl", "m/rub.csv", {{"mesh", "a.stl"}, {"part.mu_static", "0.3"}}},
+       {2, "t-0002.h5", "t", "b.stl", "m/tap.csv", {{"motion", "m/tap.csv"}, {"law", "a, b"}}}});
+  EXPECT_EQ(text,
+            "number,file,scene,mesh,motion,mesh,part.mu_static,motion,law\n"
+            "1,t-0001.h5,t,a.stl,m/rub.csv,a.stl,0.3,,\n"
+            "2,t-0002.h5,t,b.stl,m/tap.csv,,,m/tap.csv,\"a, b\"\n");
+  const auto folder = test::scratch_dir();
+  std::ofstream(folder / "jobs-2of3.csv") << text;
+  EXPECT_EQ(varied_in_job((folder / "t-0001.h5").string()), "mu_static 0.3");
+  EXPECT_EQ(varied_in_job((folder / "t-0002.h5").string()), "tap.csv, law a, b");
+  EXPECT_EQ(varied_in_job((folder / "t-0003.h5").string()), "");
+}
+
+TEST(JobIndex, ThatIsNoneIsPassedOver) {
+  const auto folder = test::scratch_dir();
+  EXPECT_EQ(varied_in_job((folder / "none" / "t-0001.h5").string()), "");
+  std::ofstream(folder / "jobs.csv") << "what,file,scene,mesh,motion,salary\n1,t-0001.h5,t,,,3\n";
+  EXPECT_EQ(varied_in_job((folder / "t-0001.h5").string()), "");
+}
+
+}  // namespace
+}  // namespace fingerpad::job_index_test

@@ -1,0 +1,177 @@
+#include "view/comparison.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <fstream>
+#include <limits>
+
+#include "base/error.hpp"
+#include "support/paths.hpp"
+#include "support/refusal.hpp"
+#include "view/chart_layout.hpp"
+#include "view/rub.hpp"
+#include "view/touch_series.hpp"
+
+namespace fingerpad::comparison_test {
+namespace {
+
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+/// A run of one column that goes linearly, so that interpolation is exact.
+ComparedRun line_run(const std::string& path, double from_s, double to_s, double step_s, double offset) {
+  ComparedRun run{"", "scene", "scene: a.stl", path, "", true, {}, {{"fn_n", "N", {}}}};
+  for (int i = 0; from_s + i * step_s <= to_s + 1e-9; ++i) {
+    run.x.push_back(from_s + i * step_s);
+    run.columns[0].values.push_back(2 * run.x.back() + offset);
+  }
+  return run;
+}
+
+TEST(Comparison, OfOtherRatesIsAtTheTicksOfTheCoarser) {
+  const Comparison comparison = compare_runs(
+      {line_run("fine.h5", 0, 1, 0.001, 0), line_run("coarse.h5", 0.35, 2, 0.1, 0.25)}, {}, Over::time);
+  ASSERT_EQ(comparison.residuals.size(), 1u);
+  const Residual& left = comparison.residuals[0];
+  ASSERT_EQ(left.values.size(), 7u) << "0.35 to 0.95 s";
+  for (const double value : left.values)
+    EXPECT_NEAR(value, 0.25, 1e-12) << "coarse less fine, and lines are exact";
+  EXPECT_NEAR(left.rms, 0.25, 1e-12);
+  EXPECT_THAT(comparison.notes,
+              ElementsAre("residuals: less the first, fine",
+                          "coarse: 0.35 to 1 s, at its own ticks, the first interpolated linearly"));
+  EXPECT_THAT(residual_words(comparison), ElementsAre("fn_n: RMS 0.25 N, 'coarse' less 'fine', 7 ticks"));
+}
+
+TEST(Comparison, InterpolatesTheOtherWhereThatIsFiner) {
+  const Comparison comparison = compare_runs(
+      {line_run("coarse.h5", 0, 1, 0.1, 0), line_run("fine.h5", 0, 1, 0.03, -0.5)}, {}, Over::time);
+  EXPECT_EQ(comparison.residuals[0].values.size(), 10u) << "0 to 0.9 s";
+  EXPECT_NEAR(comparison.residuals[0].rms, 0.5, 1e-12);
+  EXPECT_THAT(comparison.notes[1], HasSubstr("interpolated linearly at the ticks of the first"));
+}
+
+TEST(Comparison, LeavesOutTicksWithoutANumber) {
+  ComparedRun a = line_run("a.h5", 0, 1, 0.1, 0), b = line_run("b.h5", 0, 1, 0.1, 1);
+  b.columns[0].values[3] = std::nan("");
+  const Comparison comparison = compare_runs({a, b}, {}, Over::time);
+  EXPECT_NEAR(comparison.residuals[0].rms, 1, 1e-12);
+  EXPECT_THAT(residual_words(comparison)[0], HasSubstr("10 ticks"));
+}
+
+TEST(Comparison, TellsWhatCannotBeCompared) {
+  const auto words = [](std::vector<ComparedRun> runs, const std::vector<std::string>& columns) {
+    return test::why_not([&] { compare_runs(runs, columns, Over::time); });
+  };
+  ComparedRun other = line_run("b.csv", 0, 1, 0.1, 0);
+  other.columns[0].name = "fx_n";
+  EXPECT_THAT(words({line_run("a.h5", 0, 1, 0.1, 0), other}, {}),
+              HasSubstr("b.csv: has no column in common with a.h5: fn_n there, fx_n here"));
+  EXPECT_THAT(words({line_run("a.h5", 0, 1, 0.1, 0), line_run("b.h5", 2, 3, 0.1, 0)}, {}),
+              HasSubstr("b.h5: has no time in common with a.h5: 2 to 3 here, 0 to 1 there"));
+  EXPECT_THAT(words({line_run("a.h5", 0, 1, 0.1, 0), line_run("b.h5", 0, 1, 0.1, 0)}, {"tea"}),
+              HasSubstr("a.h5: has no column 'tea'; it has fn_n"));
+}
+
+TEST(Comparison, HasAResidualUnderEachPanelAndOneLegendForWhatDiffers) {
+  ComparedRun a = line_run("a.h5", 0, 1, 0.1, 0), b = line_run("b.h5", 0, 1, 0.1, 1);
+  a.scene_text = "[[part]]\nmu_static = 0.3\n";
+  b.scene_text = "[[part]]\nmu_static = 0.4\n";
+  const Chart chart = comparison_chart(compare_runs({a, b}, {}, Over::time), Over::time);
+  EXPECT_EQ(chart.title, "scene: a.stl");
+  ASSERT_EQ(chart.panels.size(), 2u);
+  EXPECT_EQ(chart.panels[0].curves[0].name, "mu_static 0.3");
+  EXPECT_EQ(chart.panels[0].curves[1].name, "mu_static 0.4");
+  EXPECT_NE(chart.panels[0].curves[0].style.dash, chart.panels[0].curves[1].style.dash)
+      << "not by colour alone";
+  EXPECT_EQ(chart.panels[1].curves[0].name, "mu_static 0.4: RMS 1 N");
+}
+
+TEST(ComparedRun, OfATableHasItsMeasuredColumns) {
+  const auto folder = test::scratch_dir();
+  std::ofstream(folder / "rub.csv") << "t_s;x_m;fx_n;note\n0;0;0,5;1\n0,1;1;0,75;2\n";
+  std::ofstream(folder / "point.csv") << "t_s;x_m;fx_n;note\n0;0;0.5;1\n0.1;1;0.75;2\n0.2;1;0.75;2\n";
+  constexpr double all = std::numeric_limits<double>::infinity();
+  const ComparedRun run = read_compared_run((folder / "point.csv").string(), Over::time, -all, 0.15);
+  EXPECT_TRUE(is_measured_table((folder / "point.csv").string()));
+  ASSERT_EQ(run.columns.size(), 2u);
+  EXPECT_EQ(run.columns[1].name, "fx_n");
+  EXPECT_THAT(run.columns[1].values, ElementsAre(0.5, 0.75)) << "up to 0.15 s";
+  std::ofstream(folder / "tea.csv") << "tea,milk\n1,2\n";
+  const auto read = [&](const char* name, Over over) {
+    return test::why_not([&] { read_compared_run((folder / name).string(), over, -all, all); });
+  };
+  EXPECT_THAT(read("tea.csv", Over::time), HasSubstr("plot takes traces, and tables with t_s"));
+  EXPECT_THAT(read("point.csv", Over::travel), HasSubstr("only traces are drawn over travel or turn"));
+  std::ofstream(folder / "back.csv") << "t_s,fx_n\n1,2\n0.5,2\n";
+  EXPECT_THAT(read("back.csv", Over::time), HasSubstr("back.csv:3: its time goes back"));
+}
+
+TEST(Abscissa, OfARoundRubIsItsArcAndItsTurn) {
+  const ViewInput input = test::torus_rub(0.25);
+  const std::vector<double> travel_mm = abscissa(input.rows, Over::travel);
+  const std::vector<double> turn_deg = abscissa(input.rows, Over::turn);
+  // A quarter of a second later the finger has swung through 0.5 rad, from the middle to the end of its
+  // swing, less what it had done in the air: round the torus' axis at the finger's own radius.
+  const auto& rows = input.rows;
+  const auto around = [](const TickRecord& row) { return std::atan2(row.p_WQ.y(), row.p_WQ.x()); };
+  double swung_rad = 0;
+  for (std::size_t i = 101; i < rows.size(); ++i)
+    swung_rad += std::abs(around(rows[i]) - around(rows[i - 1]));
+  const double radius_m = std::hypot(rows.back().p_WQ.x(), rows.back().p_WQ.y());
+  EXPECT_NEAR(travel_mm.back(), 1e3 * radius_m * swung_rad, 0.01 * travel_mm.back());
+  // The normal leans 1.2 rad out of the plane of the swing.
+  EXPECT_NEAR(turn_deg.back(), swung_rad * std::cos(1.2) * 180 / 3.14159265, 0.01 * turn_deg.back());
+  EXPECT_EQ(travel_mm[100], 0) << "in the air";
+}
+
+TEST(Friction, OnARoundPartIsAlongTheSlidingAndSaysSo) {
+  const ViewInput input = test::torus_rub(1.0);
+  const TouchSeries series = touch_series(input.rows, main_direction(input.rows));
+  EXPECT_EQ(series.friction_name, "friction along the sliding direction");
+  EXPECT_EQ(series.friction_sign, "- against it");
+  for (std::size_t i = 101; i < input.rows.size(); ++i) {
+    const TickRecord& row = input.rows[i];
+    if (row.phase != Phase::slip) continue;
+    EXPECT_NEAR(series.friction_n[i], -row.friction_W_n.norm(), 1e-3) << "to and fro alike; i = " << i;
+  }
+}
+
+TEST(Friction, OnAFlatPartRubbedStraightIsTheWorldsComponent) {
+  std::vector<TickRecord> rows(200);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].t_s = 0.01 * static_cast<double>(i);
+    rows[i].phase = Phase::slip;
+    rows[i].contact_W = Vec3(0.01 * std::sin(5 * rows[i].t_s), 0, 0);
+    rows[i].p_WQ = rows[i].contact_W - Vec3(0, 0, 1e-3);
+    rows[i].normal_W = Vec3::UnitZ();
+    rows[i].friction_W_n = Vec3(-0.2 * std::cos(5 * rows[i].t_s), 0.1, 0);
+  }
+  const TouchSeries series = touch_series(rows, main_direction(rows));
+  EXPECT_EQ(series.friction_name, "friction along x");
+  EXPECT_EQ(series.friction_sign, "+ pushes towards +x");
+  EXPECT_EQ(series.friction_n[7], rows[7].friction_W_n.x());
+}
+
+TEST(LeastSpan, KeepsRoundingFlat) {
+  EXPECT_EQ(least_span("force on the finger [N]"), 1e-3);
+  EXPECT_EQ(least_span("time [s]"), 0);
+  ChartPanel panel{
+      "", "displacement [mm]", "friction [N]", false, false, {{"", {}, {-1e-15, 1e-15}, {0.7, 0.7 + 1e-16}}}};
+  const ChartLayout layout = page_layout({"", "", {}, 1, {panel}});
+  const Axis &x = layout.panels[0].x, &y = layout.panels[0].y;
+  EXPECT_GE(x.max - x.min, 1e-3) << "a micrometre";
+  EXPECT_LE(x.max - x.min, 1.1e-3);
+  EXPECT_GE(y.max - y.min, 0.07) << "a tenth of what is nearly constant";
+  panel.curves[0].x = {0, 0.5};
+  panel.curves[0].y = {0, 2e-17};
+  panel.y_from_zero = true;
+  const Axis from_zero = page_layout({"", "", {}, 1, {panel}}).panels[0].y;
+  EXPECT_EQ(from_zero.min, 0);
+  EXPECT_GE(from_zero.max, 1e-3);
+}
+
+}  // namespace
+}  // namespace fingerpad::comparison_test
