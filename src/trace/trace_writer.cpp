@@ -132,6 +132,7 @@ class CsvTraceWriter final : public TraceWriter {
   CsvTraceWriter(const std::string& path, const TraceInfo& info)
       : columns_(csv_columns(info)), file_(path, OutputFile::Unfinished::kept) {
     file_.write(csv_header(columns_));
+    file_.flush();  // from here on it can be read, whatever becomes of the program
   }
 
   void append(std::span<const TickRecord> rows) override {

@@ -7,7 +7,6 @@
 
 #include <chrono>
 #include <cmath>
-#include <cstdint>
 
 namespace fingerpad {
 namespace {
@@ -24,14 +23,8 @@ EventQueue::EventQueue(vtkRenderWindowInteractor* interactor, vtkRenderWindow* w
     display_ = window->GetGenericDisplayId();
 }
 
-/// The server's milliseconds begin anywhere, and anew after 49 days.
 void EventQueue::stamp(unsigned long server_ms) {
-  if (!has_first_) {
-    has_first_ = true;
-    first_ms_ = server_ms;
-    first_s_ = steady_s();
-  }
-  event_s_ = first_s_ + 1e-3 * static_cast<std::int32_t>(static_cast<std::uint32_t>(server_ms - first_ms_));
+  event_s_ = clock_.time_s(server_ms, steady_s());
   passing_ = true;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include "view/event_clock.hpp"
+
 class vtkRenderWindow;
 class vtkRenderWindowInteractor;
 
@@ -31,9 +33,9 @@ class EventQueue {
   vtkRenderWindowInteractor* interactor_;
   vtkRenderWindow* window_;
   void* display_ = nullptr;
-  bool passing_ = false, has_first_ = false;
-  unsigned long first_ms_ = 0;
-  double first_s_ = 0, event_s_ = 0;
+  bool passing_ = false;
+  EventClock clock_;
+  double event_s_ = 0;
 };
 
 }  // namespace fingerpad

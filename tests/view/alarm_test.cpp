@@ -1,0 +1,63 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "view/event_clock.hpp"
+#include "view/png_vtk.hpp"
+#include "view/rub.hpp"
+#include "view/screen.hpp"
+#include "view/stage_vtk.hpp"
+
+namespace fingerpad::alarm_test {
+namespace {
+
+long red_pixels(const Pixels& pixels) {
+  long count = 0;
+  for (std::size_t i = 0; i + 2 < pixels.rgb.size(); i += 3)
+    count += pixels.rgb[i] > 150 && pixels.rgb[i + 1] < 60 && pixels.rgb[i + 2] < 60 ? 1 : 0;
+  return count;
+}
+
+TEST(Alarm, IsALineInRedAcrossTheScene) {
+  const VirtualScreen screen;
+  const ViewInput input = test::torus_rub(0.2);
+  Stage stage(input, 900, 600, true, true);
+  stage.show(input.rows.front(), 0);
+  stage.render();
+  const long before = red_pixels(pixels_of(stage.window()));
+  stage.show_alarm("NOT RECORDED any longer: run.h5: cannot be written: No space left on device");
+  EXPECT_TRUE(stage.has_alarm());
+  stage.render();
+  const Box scene = stage.layout().scene;
+  // Nearly two lines high, but for its letters.
+  EXPECT_GT(red_pixels(pixels_of(stage.window())) - before, scene.width * stage.layout().em);
+  stage.show_alarm("");
+  stage.render();
+  EXPECT_EQ(red_pixels(pixels_of(stage.window())), before);
+}
+
+TEST(EventClock, KeepsTheServersOwnSteps) {
+  EventClock clock;
+  EXPECT_EQ(clock.time_s(5000, 100), 100);
+  EXPECT_NEAR(clock.time_s(5008, 100.1), 100.008, 1e-9) << "it waited for a slow frame";
+  EXPECT_NEAR(clock.time_s(5900, 100.9), 100.9, 1e-9);
+}
+
+TEST(EventClock, TakesTheArrivalForATimeThatMakesNoSense) {
+  EventClock clock;
+  EXPECT_EQ(clock.time_s(5000, 100), 100);
+  EXPECT_EQ(clock.time_s(0, 101), 101);
+  EXPECT_EQ(clock.time_s(17, 101.1), 101.1) << "made up, or long ago";
+  EXPECT_NEAR(clock.time_s(6200, 101.3), 101.2, 1e-9);
+  EXPECT_EQ(clock.time_s(90'000, 102), 102) << "the server's clock has leapt ...";
+  EXPECT_NEAR(clock.time_s(90'010, 102.05), 102.01, 1e-9) << "... and goes on from there";
+}
+
+TEST(EventClock, GoesRoundAfter49Days) {
+  EventClock clock;
+  EXPECT_EQ(clock.time_s(0xffffffffUL, 7), 7);
+  EXPECT_NEAR(clock.time_s(9, 7.02), 7.01, 1e-9);
+}
+
+}  // namespace
+}  // namespace fingerpad::alarm_test
