@@ -49,6 +49,7 @@ void ChartBoard::build(const ChartLayout& layout) {
 }
 
 void ChartBoard::show(const Chart& chart, const ChartLayout& layout, int width, int height) {
+  ++changes_;
   const bool fits = panels_.size() == layout.panels.size() && layout_.columns == layout.columns;
   if (!fits) build(layout);
   layout_ = layout;
@@ -82,6 +83,7 @@ bool ChartBoard::zoomed() const {
 }
 
 void ChartBoard::show_all() {
+  ++changes_;
   for (const auto& panel : panels_) panel->show_all();
 }
 
@@ -109,6 +111,7 @@ void ChartBoard::follow(const PanelChart& leader) {
 bool ChartBoard::wheel(int x, int y, int steps) {
   PanelChart* const panel = panel_at(x, y);
   if (panel == nullptr) return false;
+  ++changes_;
   panel->MouseWheelEvent(mouse_event(x, y, x, y, vtkContextMouseEvent::NO_BUTTON), steps);
   follow(*panel);
   return true;
@@ -119,6 +122,7 @@ bool ChartBoard::press(int x, int y) {
   last_x_ = x;
   last_y_ = y;
   if (held_ == nullptr) return false;
+  ++changes_;
   held_->MouseButtonPressEvent(mouse_event(x, y, x, y, vtkContextMouseEvent::LEFT_BUTTON));
   return true;
 }
@@ -129,6 +133,7 @@ bool ChartBoard::move(int x, int y) {
     hovered_->MouseLeaveEvent(mouse_event(x, y, last_x_, last_y_, vtkContextMouseEvent::NO_BUTTON));
   }
   const bool left_one = hovered_ != nullptr && panel == nullptr;
+  if (left_one || panel != nullptr) ++changes_;
   hovered_ = panel;
   if (panel == nullptr) return left_one;
   const int button = held_ != nullptr ? vtkContextMouseEvent::LEFT_BUTTON : vtkContextMouseEvent::NO_BUTTON;
@@ -143,6 +148,7 @@ bool ChartBoard::move(int x, int y) {
 
 bool ChartBoard::release(int x, int y) {
   if (held_ == nullptr) return false;
+  ++changes_;
   held_->MouseButtonReleaseEvent(mouse_event(x, y, last_x_, last_y_, vtkContextMouseEvent::LEFT_BUTTON));
   held_ = nullptr;
   return true;

@@ -4,6 +4,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,9 @@ class ChartBoard {
   /// The value that the mouse asks for; empty: none.
   std::string told() const;
 
+  /// How often what it paints has changed, by show or by the mouse.
+  std::uint64_t changes() const { return changes_; }
+
   std::vector<vtkAbstractContextItem*> items();
 
  private:
@@ -59,6 +63,7 @@ class ChartBoard {
   PanelChart* hovered_ = nullptr;  ///< that shows a value
   int last_x_ = 0, last_y_ = 0;
   bool visible_ = true;
+  std::uint64_t changes_ = 0;
 };
 
 }  // namespace fingerpad

@@ -1,15 +1,11 @@
 #include "view/stage_vtk.hpp"
 
 #include <fmt/format.h>
-#include <vtkActor.h>
 #include <vtkCamera.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
-#include <vtkLight.h>
 #include <vtkMapper.h>
 #include <vtkPolyData.h>
-#include <vtkPolyDataMapper.h>
-#include <vtkProperty.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
@@ -28,31 +24,10 @@
 namespace fingerpad {
 namespace {
 
-void add_glyphs(vtkRenderer* renderer, vtkPolyData* mesh) {
-  vtkNew<vtkPolyDataMapper> mapper;
-  mapper->SetInputData(mesh);
-  mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-3, -20);
-  vtkNew<vtkActor> actor;
-  actor->SetMapper(mapper);
-  actor->GetProperty()->SetAmbient(0.35);
-  actor->GetProperty()->SetDiffuse(0.65);
-  renderer->AddActor(actor);
-}
-
-/// A key light over the left shoulder and a fill light: both move with the camera.
-void light(vtkRenderer* renderer) {
-  renderer->AutomaticLightCreationOff();
-  const struct {
-    double x, y, z, strength;
-  } lamps[] = {{-0.5, 0.8, 1, 0.85}, {0.9, -0.2, 0.8, 0.4}, {0, -1, 0.6, 0.25}};
-  for (const auto& lamp : lamps) {
-    vtkNew<vtkLight> one;
-    one->SetLightTypeToCameraLight();
-    one->SetPosition(lamp.x, lamp.y, lamp.z);
-    one->SetIntensity(lamp.strength);
-    renderer->AddLight(one);
-  }
-}
+/// A frame that takes longer is not smooth.
+constexpr double smooth_frame_s = 0.04;
+/// A view that has not turned for so long rests.
+constexpr std::chrono::milliseconds rest{250};
 
 std::string surface_name(const World& world, int index, std::size_t longest) {
   if (index < 0 || static_cast<std::size_t>(index) >= world.surfaces.size()) return "-";
@@ -96,38 +71,53 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   window_->SetMultiSamples(4);
   window_->SetNumberOfLayers(2);
-  for (vtkRenderer* renderer : {scene_.Get(), close_up_.Get(), close_up_marks_.Get(), flat_.Get()}) {
+  world_ = std::make_unique<WorldProps>(input, space_, extent_);
+  close_up_ = std::make_unique<CloseUp>(input, space_, *world_);
+  add_renderers();
+  world_->add_still_to(scene_);
+  world_->add_clear_to(moving_);
+  add_glyphs(moving_, solid_);
+  add_glyphs(moving_, clear_);
+  add_charts();
+  resize(width, height);
+  reset_camera();
+}
+
+void Stage::add_renderers() {
+  window_->AddRenderer(scene_);
+  window_->AddRenderer(moving_);
+  close_up_->add_to(window_);
+  for (vtkRenderer* renderer : {chart_paper_.Get(), static_cast<vtkRenderer*>(chart_marks_), flat_.Get()}) {
     window_->AddRenderer(renderer);
+    renderer->InteractiveOff();
   }
   scene_->GradientBackgroundOn();
   paint_grounds();
-  flat_->SetLayer(1);
-  // The region is flat, the surface may not be: the marks are drawn over it.
-  close_up_marks_->PreserveColorBufferOn();
-  close_up_marks_->SetActiveCamera(close_up_->GetActiveCamera());
-  close_up_->InteractiveOff();
-  close_up_marks_->InteractiveOff();
-  flat_->InteractiveOff();
   light(scene_);
-  light(close_up_);
-  light(close_up_marks_);
+  moving_->PreserveColorBufferOn();
+  moving_->PreserveDepthBufferOn();
+  moving_->SetActiveCamera(scene_->GetActiveCamera());
+  moving_->InteractiveOff();
+  light(moving_);
+  chart_marks_->PreserveColorBufferOn();
+  chart_marks_->AutomaticLightCreationOff();
+  chart_marks_->keep_box_of(chart_paper_);
+  flat_->SetLayer(1);
+}
 
-  world_ = std::make_unique<WorldProps>(input, space_, extent_);
-  world_->add_to(scene_);
-  world_->add_to(close_up_);
-  add_glyphs(scene_, solid_);
-  add_glyphs(scene_, clear_);
-  add_glyphs(close_up_marks_, close_up_clear_);
-  add_glyphs(close_up_marks_, close_up_solid_);
-  vtkNew<vtkContextActor> flat;
+void Stage::add_charts() {
+  chart_paper_->SetDraw(charts_ ? 1 : 0);
+  chart_marks_->SetDraw(charts_ ? 1 : 0);
+  // By its renderer VTK keeps a tooltip in sight.
+  vtkNew<vtkContextActor> charts, flat;
+  charts->SetForceDevice(chart_device_);
   flat->SetForceDevice(device_);
-  flat->GetScene()->SetRenderer(flat_);  // by which VTK keeps a tooltip in sight
-  flat->GetScene()->AddItem(under_charts_);
-  if (charts_) board_.add_to(flat->GetScene());
+  charts->GetScene()->SetRenderer(chart_marks_);
+  if (charts_) board_.add_to(charts->GetScene());
+  chart_marks_->AddActor(charts);
+  flat->GetScene()->SetRenderer(flat_);
   flat->GetScene()->AddItem(item_);
   flat_->AddActor(flat);
-  resize(width, height);
-  reset_camera();
 }
 
 Stage::~Stage() = default;
@@ -147,6 +137,8 @@ void Stage::place(vtkRenderer* renderer, const Box& box) {
 
 void Stage::place_renderers() {
   place(scene_, layout_.scene);
+  place(moving_, layout_.scene);
+  if (charts_) place(chart_paper_, layout_.charts);
   world_->set_line_width(std::max(1.0, 0.09 * layout_.em));
 }
 
@@ -161,10 +153,15 @@ void Stage::look_at_all() {
 
 void Stage::paint_grounds() {
   const bool dark = state_.dark;
+  if (dark != device_->dark()) redraw_charts();
   device_->set_dark(dark);
+  chart_device_->set_dark(dark);
+  const Colour paper = dark ? in_the_dark(colours::white) : colours::white;
+  chart_paper_->SetBackground(paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
   dark ? scene_->SetBackground(0.11, 0.12, 0.14) : scene_->SetBackground(0.93, 0.945, 0.96);
   dark ? scene_->SetBackground2(0.2, 0.21, 0.24) : scene_->SetBackground2(0.995, 0.997, 1.0);
-  dark ? close_up_->SetBackground(0.16, 0.17, 0.19) : close_up_->SetBackground(0.97, 0.975, 0.98);
+  dark ? close_up_->scene()->SetBackground(0.16, 0.17, 0.19)
+       : close_up_->scene()->SetBackground(0.97, 0.975, 0.98);
 }
 
 void Stage::reset_camera() {
@@ -245,25 +242,17 @@ void Stage::place_overlay(OverlayFacts& facts) {
 }
 
 void Stage::place_close_up() {
-  const bool shown = inset_px_per_mm_ > 0;
-  const double half_height_mm = inset_half_height_mm_;
-  close_up_->SetDraw(shown ? 1 : 0);
-  close_up_marks_->SetDraw(shown ? 1 : 0);
-  if (!shown) return;
-  place(close_up_, inset_);
-  place(close_up_marks_, inset_);
+  if (!(inset_px_per_mm_ > 0)) {
+    close_up_->hide();
+    return;
+  }
   const TickRecord& row = moment_->row;
   double mu_static = 0;
   const auto surface = static_cast<std::size_t>(row.surface);
   if (row.surface >= 0 && input_.world && surface < input_.world->surfaces.size()) {
     mu_static = input_.world->surfaces[surface].properties.mu_static;
   }
-  const ContactGlyphs glyphs =
-      close_up_glyphs(*moment_, space_, mu_static * row.normal_force_n, half_height_mm);
-  copy_mesh(glyphs.solid, close_up_solid_);
-  copy_mesh(glyphs.clear, close_up_clear_);
-  set_close_up_camera(close_up_, space_.to_draw(row.contact_W),
-                      tangent_frame(row.normal_W, moment_->finger_direction_W), half_height_mm);
+  close_up_->show(*moment_, inset_, layout_.window, inset_half_height_mm_, mu_static * row.normal_force_n);
 }
 
 Vec2 Stage::on_screen(const Vec3& p_mm) {
@@ -325,12 +314,11 @@ OverlayFacts Stage::overlay_facts() {
 void Stage::place_chart() {
   if (!charts_ || !chart_ || chart_placed_) return;
   chart_placed_ = true;
+  ++chart_changes_;
   board_.set_visible(layout_.charts.width > 0);
-  under_charts_->show({});
+  chart_paper_->SetDraw(board_.visible() ? 1 : 0);
+  chart_marks_->SetDraw(board_.visible() ? 1 : 0);
   if (!board_.visible()) return;
-  auto under = std::make_shared<Drawing>();
-  under->box(layout_.charts, colours::white);
-  under_charts_->show({std::move(under)});
   const double em = layout_.em;
   const Box inner{layout_.charts.left + 0.4 * em, layout_.charts.bottom + 0.4 * em,
                   layout_.charts.width - 0.8 * em, layout_.charts.height - 0.8 * em};
@@ -364,7 +352,7 @@ void Stage::render() {
   copy_mesh(glyphs.solid, solid_);
   copy_mesh(glyphs.clear, clear_);
   paint_grounds();
-  world_->show_as_wires(state_.wireframe);
+  world_->show_wireframe(state_.wireframe);
   world_->show_creases(state_.creases);
   world_->show_path(state_.path, state_.colouring == PathColouring::force);
   OverlayFacts facts = overlay_facts();
@@ -378,8 +366,74 @@ void Stage::render() {
   project_labels(facts, choice.size_mm);
   drawings.push_back(std::make_shared<const Drawing>(overlay_drawing(facts, state_, layout_)));
   item_->show(std::move(drawings));
-  scene_->ResetCameraClippingRange();
+  draw();
+}
+
+/// The same for all moments, as far as that goes, so that what is still keeps its depths: a ball around
+/// everything that is still, doubled until the finger and its arrows are within it.
+void Stage::set_clipping_range() {
+  vtkBoundingBox still = world_->bounds_mm();
+  if (!still.IsValid()) still.AddPoint(0, 0, 0);
+  Vec3 centre;
+  still.GetCenter(centre.data());
+  double reach_mm = std::max(0.55 * still.GetDiagonalLength(), 1e3 * extent_.everything().radius_m);
+  const double most_mm = 1e3 * reach_mm;  // farther away depths would tell nothing of the parts
+  for (vtkPolyData* glyphs : {solid_.Get(), clear_.Get()}) {
+    if (glyphs->GetNumberOfPoints() == 0) continue;
+    const vtkBoundingBox moving(glyphs->GetBounds());
+    double corner[3];
+    for (int i = 0; i < 8; ++i) {
+      moving.GetCorner(i, corner);
+      const double needed_mm = std::min((Vec3(corner) - centre).norm(), most_mm);
+      while (reach_mm < needed_mm) reach_mm *= 2;
+    }
+  }
+  vtkCamera* const camera = scene_->GetActiveCamera();
+  const double along_mm =
+      (centre - Vec3(camera->GetPosition())).dot(Vec3(camera->GetDirectionOfProjection()));
+  const double far_mm = std::max(along_mm + reach_mm, 1e-3 * reach_mm);
+  camera->SetClippingRange(std::max(along_mm - reach_mm, 1e-3 * far_mm), far_mm);
+}
+
+void Stage::watch_camera() {
+  vtkCamera* const camera = scene_->GetActiveCamera();
+  std::vector<double> now = {camera->GetParallelScale()};
+  for (const double* vector : {camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp()})
+    now.insert(now.end(), vector, vector + 3);
+  if (!camera_then_.empty() && now != camera_then_) turned_at_ = Clock::now();
+  camera_then_ = std::move(now);
+}
+
+bool Stage::has_come_to_rest() const {
+  return shown_coarse_ && Clock::now() - *turned_at_ >= rest;
+}
+
+void Stage::choose_coarseness() {
+  watch_camera();
+  const bool may = pace_ == Pace::coarse || (pace_ == Pace::smooth && is_slow_);
+  if (may && !coarse_) coarse_ = std::make_unique<CoarseMeshes>(input_.world, space_);
+  const bool turns = turned_at_ && Clock::now() - *turned_at_ < rest;
+  shown_coarse_ = may && turns && coarse_->are_ready();
+  if (shown_coarse_) world_->set_coarse(coarse_->meshes());
+  world_->show_coarse(shown_coarse_);
+}
+
+void Stage::draw() {
+  set_clipping_range();
+  scene_->set_keeping(keeping_);
+  // What is told of a value may reach beyond the charts.
+  chart_marks_->set_keeping(keeping_ && board_.told().empty());
+  chart_marks_->set_content(chart_changes_ + board_.changes());
+  choose_coarseness();
+  const long drawn_before = still_drawn();
+  const auto start = Clock::now();
   window_->Render();
+  const double took_s = std::chrono::duration<double>(Clock::now() - start).count();
+  if (still_drawn() != drawn_before && !shown_coarse_) is_slow_ = took_s > smooth_frame_s;
+  // Without a graphics card smooth edges cost most of a frame; a smooth motion is worth more.
+  constexpr double patience_s = 0.5;
+  slow_s_ = std::max(0.0, slow_s_ + took_s - smooth_frame_s);
+  if (slow_s_ > patience_s && pace_ != Pace::exact) window_->SetMultiSamples(0);
 }
 
 std::optional<double> Stage::time_at(double x_px, double y_px) const {

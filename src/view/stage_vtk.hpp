@@ -3,6 +3,7 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
+#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -10,9 +11,12 @@
 
 #include "view/arrow_scale.hpp"
 #include "view/chart_board_vtk.hpp"
+#include "view/close_up_vtk.hpp"
+#include "view/coarse_meshes_vtk.hpp"
 #include "view/contact_glyphs.hpp"
 #include "view/draw_space.hpp"
 #include "view/drawing_item_vtk.hpp"
+#include "view/kept_renderer_vtk.hpp"
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
 #include "view/overlay_places.hpp"
@@ -45,6 +49,22 @@ class Stage {
   const Layout& layout() const { return layout_; }
   ViewState& state() { return state_; }
   const ViewInput& input() const { return input_; }
+
+  /// What is given up where frames are slow, as they are without a graphics card: nothing, as in a picture;
+  /// smooth edges; and while the view turns most triangles of large parts as well, as soon as coarse meshes
+  /// are made. `coarse` does not wait until frames are slow.
+  enum class Pace { exact, smooth_edges_only, smooth, coarse };
+  void set_pace(Pace pace) { pace_ = pace; }
+  /// Whether the view has come to rest since the last frame, so that another one is to be drawn.
+  bool has_come_to_rest() const;
+  bool shows_coarse() const { return shown_coarse_; }
+  /// False: every frame draws everything anew. True (the default) draws anew what is stale (KeptRenderer).
+  void set_keeping(bool keeping) { keeping_ = keeping; }
+  /// For what has changed by other means than actors and show_chart: the charts' colours.
+  void redraw_charts() { ++chart_changes_; }
+  /// How often what is still was drawn rather than put back, and the charts.
+  long still_drawn() const { return scene_->drawn(); }
+  long charts_drawn() const { return chart_marks_->drawn(); }
 
   void resize(int width, int height);
   void reset_camera();
@@ -84,9 +104,15 @@ class Stage {
   std::pair<Vec3, Vec3> line_of_sight(double x_px, double y_px);
 
  private:
+  void add_renderers();
+  void add_charts();
   void place_renderers();
   void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
+  void set_clipping_range();
+  void watch_camera();
+  void choose_coarseness();
+  void draw();
   Vec2 on_screen(const Vec3& p_mm);
   bool shows_close_up(double scene_px_per_mm);
   void place_close_up();
@@ -118,12 +144,27 @@ class Stage {
   std::optional<Chart> chart_;
   bool chart_placed_ = false;  ///< in the present layout
   ChartBoard board_;
+  std::uint64_t chart_changes_ = 0;
+
+  bool keeping_ = true;
+  Pace pace_ = Pace::exact;
+  double slow_s_ = 0;  ///< time that frames took beyond what is smooth
+  using Clock = std::chrono::steady_clock;
+  std::vector<double> camera_then_;  ///< at the last frame
+  std::optional<Clock::time_point> turned_at_;
+  bool shown_coarse_ = false;  ///< in the last frame
+  bool is_slow_ = false;       ///< the last frame that drew whole parts was
+  std::unique_ptr<CoarseMeshes> coarse_;
 
   vtkNew<vtkRenderWindow> window_;
-  vtkNew<vtkRenderer> scene_, close_up_, close_up_marks_, flat_;
-  vtkNew<vtkPolyData> solid_, clear_, close_up_solid_, close_up_clear_;
-  vtkNew<DrawingItem> under_charts_, item_;
-  vtkNew<ThemeDevice> device_;
+  // From the back to the front: what is still, and what moves, by one camera; the charts and their paper; all
+  // that is flat.
+  vtkNew<KeptRenderer> scene_, chart_marks_;
+  vtkNew<vtkRenderer> moving_, chart_paper_, flat_;
+  vtkNew<vtkPolyData> solid_, clear_;
+  vtkNew<DrawingItem> item_;
+  vtkNew<ThemeDevice> device_, chart_device_;
+  std::unique_ptr<CloseUp> close_up_;
 };
 
 }  // namespace fingerpad

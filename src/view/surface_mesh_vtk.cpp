@@ -11,61 +11,12 @@
 #include <cmath>
 
 #include "base/tangent_frame.hpp"
-#include "part/part.hpp"
 #include "touch/world.hpp"
 #include "view/overlay.hpp"
+#include "view/part_mesh_vtk.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// From a part's own vertices to the draw space.
-struct PartPlacement {
-  Mat3 turn;
-  Vec3 shift_mm;
-  PartPlacement(const Surface& surface, const DrawSpace& space)
-      : turn(surface.R_WP), shift_mm(space.to_draw(surface.p_WP + surface.R_WP * surface.part->centre_P)) {}
-  Vec3 operator()(const Vec3& vertex) const { return turn * vertex * 1e3 + shift_mm; }
-};
-
-/// Points that differ by their vertex or its normal, numbered as they come.
-class SharedCorners {
- public:
-  SharedCorners(Eigen::Index vertices, vtkPoints* points, vtkFloatArray* normals)
-      : first_(static_cast<std::size_t>(vertices), -1), points_(points), normals_(normals) {}
-
-  template <typename MakePoint>
-  vtkIdType id_of(int vertex, const Eigen::Vector3f& normal, MakePoint make_point) {
-    for (vtkIdType id = first_[static_cast<std::size_t>(vertex)]; id >= 0;
-         id = next_[static_cast<std::size_t>(id)]) {
-      if (known_[static_cast<std::size_t>(id)] == normal) return id;
-    }
-    const Vec3 at = make_point();
-    const vtkIdType id = points_->InsertNextPoint(at.data());
-    normals_->InsertNextTypedTuple(normal.data());
-    known_.push_back(normal);
-    next_.push_back(first_[static_cast<std::size_t>(vertex)]);
-    first_[static_cast<std::size_t>(vertex)] = id;
-    return id;
-  }
-
- private:
-  std::vector<vtkIdType> first_, next_;  // points of one vertex, as a list through next_
-  std::vector<Eigen::Vector3f> known_;
-  vtkPoints* points_;
-  vtkFloatArray* normals_;
-};
-
-vtkSmartPointer<vtkFloatArray> new_normals() {
-  auto normals = vtkSmartPointer<vtkFloatArray>::New();
-  normals->SetNumberOfComponents(3);
-  normals->SetName("Normals");
-  return normals;
-}
-
-void add_segment(vtkPoints* points, vtkCellArray* lines, const Vec3& a, const Vec3& b) {
-  const vtkIdType ids[] = {points->InsertNextPoint(a.data()), points->InsertNextPoint(b.data())};
-  lines->InsertNextCell(2, ids);
-}
 
 vtkSmartPointer<vtkUnsignedCharArray> new_colours(const char* name, int components) {
   auto colours = vtkSmartPointer<vtkUnsignedCharArray>::New();
@@ -75,50 +26,6 @@ vtkSmartPointer<vtkUnsignedCharArray> new_colours(const char* name, int componen
 }
 
 }  // namespace
-
-vtkSmartPointer<vtkPolyData> part_mesh(const Surface& surface, const DrawSpace& space) {
-  const Part& part = *surface.part;
-  const PartPlacement place(surface, space);
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  const auto normals = new_normals();
-  auto cells = vtkSmartPointer<vtkCellArray>::New();
-  cells->AllocateExact(part.triangle_count(), 3 * static_cast<vtkIdType>(part.triangle_count()));
-  SharedCorners corners(part.vertices.cols(), points, normals);
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    vtkIdType ids[3];
-    for (int k = 0; k < 3; ++k) {
-      const int vertex = part.triangles(k, t);
-      const Eigen::Vector3f normal = (place.turn * part.corner_normals.col(3 * t + k)).cast<float>();
-      ids[k] = corners.id_of(vertex, normal, [&] { return place(part.vertices.col(vertex)); });
-    }
-    cells->InsertNextCell(3, ids);
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetPolys(cells);
-  mesh->GetPointData()->SetNormals(normals);
-  return mesh;
-}
-
-vtkSmartPointer<vtkPolyData> crease_lines(const Surface& surface, const DrawSpace& space) {
-  const Part& part = *surface.part;
-  const PartPlacement place(surface, space);
-  auto points = vtkSmartPointer<vtkPoints>::New();
-  auto lines = vtkSmartPointer<vtkCellArray>::New();
-  for (int t = 0; t < part.triangle_count(); ++t) {
-    for (int k = 0; k < 3; ++k) {
-      const bool crease = (part.creases[static_cast<std::size_t>(t)] >> k & 1) != 0;
-      const int neighbour = part.neighbours(k, t);
-      if (!crease || (neighbour >= 0 && neighbour < t)) continue;
-      add_segment(points, lines, place(part.vertices.col(part.triangles(k, t))),
-                  place(part.vertices.col(part.triangles((k + 1) % 3, t))));
-    }
-  }
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  mesh->SetPoints(points);
-  mesh->SetLines(lines);
-  return mesh;
-}
 
 PlanePatch plane_patch(const Surface& plane, const DrawSpace& space, const Vec3& about_W, double half_side_m,
                        double grid_m) {

@@ -10,13 +10,6 @@ class vtkPolyData;
 
 namespace fingerpad {
 
-/// A part's triangles in the draw space with the normals of their corners; corners of a vertex that have the
-/// same normal share a point. Cell t is triangle t.
-vtkSmartPointer<vtkPolyData> part_mesh(const Surface& surface, const DrawSpace& space);
-
-/// The edges that a part marks as creases, each once.
-vtkSmartPointer<vtkPolyData> crease_lines(const Surface& surface, const DrawSpace& space);
-
 /// A square of a plane about the point nearest to `about_W`, and the lines of its grid.
 struct PlanePatch {
   vtkSmartPointer<vtkPolyData> square, grid;

@@ -57,6 +57,7 @@ WindowLoop::WindowLoop(Stage& stage, const WindowOptions& options, WindowHandler
   style->SetMotionFactor(8);
   interactor_->SetInteractorStyle(style);
   interactor_->EnableRenderOff();  // frames are the timer's
+  stage_.set_pace(Stage::Pace::smooth);
   observe();
 }
 
@@ -252,14 +253,8 @@ bool WindowLoop::on_camera(vtkObject*, unsigned long, void*) {
 }
 
 void WindowLoop::render() {
-  const auto start = std::chrono::steady_clock::now();
   stage_.render();
   ++frames_;
-  // Without a graphics card smooth edges cost most of a frame; a smooth motion is worth more.
-  constexpr double smooth_frame_s = 0.04, patience_s = 0.5;
-  slow_s_ += std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count() - smooth_frame_s;
-  slow_s_ = std::max(0.0, slow_s_);
-  if (slow_s_ > patience_s) stage_.window()->SetMultiSamples(0);
 }
 
 bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
@@ -281,7 +276,7 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
     stage_.resize(size[0], size[1]);
     changed_ = true;
   }
-  if (changed_ && !closing_) {
+  if ((changed_ || stage_.has_come_to_rest()) && !closing_) {
     changed_ = false;
     render();
   }

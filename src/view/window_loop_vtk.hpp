@@ -72,7 +72,6 @@ class WindowLoop {
   std::size_t next_event_ = 0;
   double events_late_s_ = 0;
   long frames_ = 0;
-  double slow_s_ = 0;  ///< time that frames took beyond what is smooth
   bool changed_ = true;
   bool closing_ = false;
   std::string told_;

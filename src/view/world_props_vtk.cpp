@@ -7,10 +7,12 @@
 #include <vtkStaticCellLocator.h>
 
 #include <algorithm>
+#include <string_view>
 
 #include "part/part.hpp"
 #include "touch/world.hpp"
 #include "view/axis.hpp"
+#include "view/part_mesh_vtk.hpp"
 #include "view/surface_mesh_vtk.hpp"
 
 namespace fingerpad {
@@ -25,15 +27,14 @@ vtkSmartPointer<vtkActor> actor_of(vtkPolyData* mesh) {
   return actor;
 }
 
-void paint(vtkActor* actor, const Colour& colour) {
-  vtkProperty* property = actor->GetProperty();
+void paint(vtkProperty* property, const Colour& colour) {
   property->SetColor(colour.red / 255.0, colour.green / 255.0, colour.blue / 255.0);
   property->SetOpacity(colour.opacity);
 }
 
 vtkSmartPointer<vtkActor> line_actor(vtkPolyData* mesh, const Colour& colour) {
   auto actor = actor_of(mesh);
-  paint(actor, colour);
+  paint(actor->GetProperty(), colour);
   actor->GetProperty()->LightingOff();
   // In front of the faces that the lines lie on.
   actor->GetMapper()->SetRelativeCoincidentTopologyLineOffsetParameters(-1, -4);
@@ -43,7 +44,18 @@ vtkSmartPointer<vtkActor> line_actor(vtkPolyData* mesh, const Colour& colour) {
 }  // namespace
 
 WorldProps::WorldProps(const ViewInput& input, const DrawSpace& space, const ViewExtent& extent)
-    : world_(input.world), space_(space) {
+    : world_(input.world),
+      space_(space),
+      part_property_(vtkSmartPointer<vtkProperty>::New()),
+      crease_property_(vtkSmartPointer<vtkProperty>::New()) {
+  paint(part_property_, colours::metal);
+  part_property_->SetInterpolationToPhong();
+  part_property_->SetAmbient(0.2);
+  part_property_->SetDiffuse(0.82);
+  part_property_->SetSpecular(0.22);
+  part_property_->SetSpecularPower(28);
+  paint(crease_property_, {52, 60, 70});
+  crease_property_->LightingOff();
   if (world_) {
     for (const Surface& surface : world_->surfaces) {
       if (surface.part) {
@@ -60,83 +72,135 @@ WorldProps::WorldProps(const ViewInput& input, const DrawSpace& space, const Vie
   path_->GetMapper()->ScalarVisibilityOn();
   path_->GetMapper()->SetScalarModeToUseCellFieldData();
   path_->GetMapper()->SelectColorArray("phase");
+  bounds_mm_.AddBounds(line->GetBounds());
 }
 
 void WorldProps::add_part(const Surface& surface) {
-  meshes_.push_back(part_mesh(surface, space_));
-  auto body = actor_of(meshes_.back());
-  paint(body, colours::metal);
-  vtkProperty* property = body->GetProperty();
-  property->SetInterpolationToPhong();
-  property->SetAmbient(0.2);
-  property->SetDiffuse(0.82);
-  property->SetSpecular(0.22);
-  property->SetSpecularPower(28);
-  surfaces_.push_back(body);
-  creases_.push_back(line_actor(crease_lines(surface, space_), {52, 60, 70}));
+  SurfaceProps props;
+  props.mesh = part_mesh(surface, space_);
+  props.body = actor_of(props.mesh);
+  props.body->SetProperty(part_property_);
+  props.creases = line_actor(crease_lines(surface, space_), {});
+  props.creases->SetProperty(crease_property_);
+  bounds_mm_.AddBounds(props.mesh->GetBounds());
+  surfaces_.push_back(std::move(props));
 }
 
 void WorldProps::add_plane(const Surface& surface, const ViewExtent& extent) {
-  meshes_.emplace_back();
   const Ball about = extent.path ? *extent.path : extent.everything();
   const double half_side_m = std::max(1.35 * about.radius_m, extent.parts ? extent.parts->radius_m : 1e-3);
   grid_m_ = round_down_125(half_side_m / 4);
   const PlanePatch patch = plane_patch(surface, space_, about.centre_W, half_side_m, grid_m_);
-  auto square = actor_of(patch.square);
-  paint(square, Colour{206, 214, 224, extent.parts ? 0.45 : 0.8});
-  square->GetProperty()->SetAmbient(0.5);
-  square->GetProperty()->SetDiffuse(0.5);
-  surfaces_.push_back(square);
-  grids_.push_back(line_actor(patch.grid, {150, 162, 176}));
+  SurfaceProps props;
+  props.square = actor_of(patch.square);
+  paint(props.square->GetProperty(), Colour{206, 214, 224, extent.parts ? 0.45 : 0.8});
+  props.square->GetProperty()->SetAmbient(0.5);
+  props.square->GetProperty()->SetDiffuse(0.5);
+  props.grid = line_actor(patch.grid, {150, 162, 176});
+  bounds_mm_.AddBounds(patch.grid->GetBounds());
+  surfaces_.push_back(std::move(props));
 }
 
-void WorldProps::add_to(vtkRenderer* renderer) const {
-  for (const auto* actors : {&surfaces_, &grids_, &creases_}) {
-    for (const auto& actor : *actors) renderer->AddActor(actor);
+void WorldProps::add_still_to(vtkRenderer* renderer) {
+  for (const auto which : {&SurfaceProps::body, &SurfaceProps::grid, &SurfaceProps::creases}) {
+    for (const SurfaceProps& props : surfaces_) {
+      if (props.*which) renderer->AddActor(props.*which);
+    }
+  }
+  if (path_) renderer->AddActor(path_);
+  still_in_ = renderer;
+}
+
+void WorldProps::add_clear_to(vtkRenderer* renderer) const {
+  for (const SurfaceProps& props : surfaces_) {
+    if (props.square) renderer->AddActor(props.square);
+  }
+}
+
+void WorldProps::add_surroundings_to(vtkRenderer* renderer) const {
+  add_clear_to(renderer);
+  for (const SurfaceProps& props : surfaces_) {
+    if (props.grid) renderer->AddActor(props.grid);
   }
   if (path_) renderer->AddActor(path_);
 }
 
+void WorldProps::apply_visibility() {
+  const auto show = [](vtkActor* actor, bool shown) {
+    if (actor != nullptr) actor->SetVisibility(shown ? 1 : 0);
+  };
+  for (const SurfaceProps& props : surfaces_) {
+    const bool coarse = coarse_ && props.coarse_body;
+    show(props.body, props.shown && !coarse);
+    show(props.coarse_body, props.shown && coarse);
+    show(props.creases, props.shown && creases_shown_ && !coarse);
+    show(props.square, props.shown);
+    show(props.grid, props.shown);
+  }
+}
+
+void WorldProps::show_surface(std::size_t index, bool shown) {
+  surfaces_[index].shown = shown;
+  apply_visibility();
+}
+
+void WorldProps::show_wireframe(bool wireframe) {
+  part_property_->SetRepresentation(wireframe ? VTK_WIREFRAME : VTK_SURFACE);
+}
+
 void WorldProps::show_creases(bool shown) {
-  for (const auto& actor : creases_) actor->SetVisibility(shown ? 1 : 0);
+  creases_shown_ = shown;
+  apply_visibility();
+}
+
+void WorldProps::set_coarse(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes) {
+  for (std::size_t i = 0; i < surfaces_.size() && i < meshes.size(); ++i) {
+    if (!meshes[i] || surfaces_[i].coarse_body) continue;
+    surfaces_[i].coarse_body = actor_of(meshes[i]);
+    surfaces_[i].coarse_body->SetProperty(part_property_);
+    if (still_in_ != nullptr) still_in_->AddActor(surfaces_[i].coarse_body);
+  }
+  apply_visibility();
+}
+
+void WorldProps::show_coarse(bool coarse) {
+  if (coarse == coarse_) return;
+  coarse_ = coarse;
+  apply_visibility();
 }
 
 void WorldProps::show_path(bool shown, bool by_force) {
   if (!path_) return;
   path_->SetVisibility(shown ? 1 : 0);
-  path_->GetMapper()->SelectColorArray(by_force ? "force" : "phase");
-}
-
-void WorldProps::show_as_wires(bool wires) {
-  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
-    if (!meshes_[i]) continue;
-    vtkProperty* property = surfaces_[i]->GetProperty();
-    wires ? property->SetRepresentationToWireframe() : property->SetRepresentationToSurface();
-  }
+  const std::string_view now = path_->GetMapper()->GetArrayName(), wanted = by_force ? "force" : "phase";
+  if (now != wanted)
+    path_->GetMapper()->SelectColorArray(wanted.data());  // which makes all that is kept stale
 }
 
 void WorldProps::set_line_width(double px) {
-  for (const auto* actors : {&creases_, &grids_}) {
-    for (const auto& actor : *actors) actor->GetProperty()->SetLineWidth(static_cast<float>(px));
+  crease_property_->SetLineWidth(static_cast<float>(px));
+  for (const SurfaceProps& props : surfaces_) {
+    if (props.grid) props.grid->GetProperty()->SetLineWidth(static_cast<float>(px));
   }
   if (path_) path_->GetProperty()->SetLineWidth(static_cast<float>(2.6 * px));
 }
 
 void WorldProps::build_locators() {
-  for (const auto& mesh : meshes_) {
+  for (const SurfaceProps& props : surfaces_) {
     locators_.emplace_back();
-    if (!mesh) continue;
+    if (!props.mesh) continue;
     locators_.back() = vtkSmartPointer<vtkStaticCellLocator>::New();
-    locators_.back()->SetDataSet(mesh);
+    locators_.back()->SetDataSet(props.mesh);
     locators_.back()->BuildLocator();
   }
 }
 
 std::optional<SurfaceHit> WorldProps::first_hit(const Vec3& a_mm, const Vec3& b_mm) {
   if (!world_) return std::nullopt;
-  if (locators_.size() != meshes_.size()) build_locators();
+  if (locators_.size() != surfaces_.size()) build_locators();
   std::optional<SurfaceHit> first;
   for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
+    if (!surfaces_[i].shown) continue;
     const Surface& surface = world_->surfaces[i];
     SurfaceHit hit;
     hit.surface = static_cast<int>(i);

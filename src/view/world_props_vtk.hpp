@@ -1,6 +1,8 @@
 #pragma once
 
 #include <vtkActor.h>
+#include <vtkBoundingBox.h>
+#include <vtkProperty.h>
 #include <vtkSmartPointer.h>
 
 #include <vector>
@@ -27,31 +29,61 @@ class WorldProps {
  public:
   WorldProps(const ViewInput& input, const DrawSpace& space, const ViewExtent& extent);
 
-  void add_to(vtkRenderer* renderer) const;
+  /// What is opaque and moves never: parts, creases, grids, path.
+  void add_still_to(vtkRenderer* renderer);
+  /// The squares of planes, through which one sees.
+  void add_clear_to(vtkRenderer* renderer) const;
+  /// All but the parts and their creases.
+  void add_surroundings_to(vtkRenderer* renderer) const;
+
+  /// A part or plane with all that belongs to it; what is not shown is not under the mouse either.
+  void show_surface(std::size_t index, bool shown);
+  bool is_shown(std::size_t index) const { return surfaces_[index].shown; }
+  /// Parts as the edges of their facets.
+  void show_wireframe(bool wireframe);
   void show_creases(bool shown);
+  bool creases_shown() const { return creases_shown_; }
   void show_path(bool shown, bool by_force);
   void set_line_width(double px);
-  /// Parts as the edges of their facets.
-  void show_as_wires(bool wires);
+
+  /// Meshes to be shown for parts while show_coarse(true), one a surface; one that is empty is shown whole.
+  void set_coarse(const std::vector<vtkSmartPointer<vtkPolyData>>& meshes);
+  void show_coarse(bool coarse);
+  /// How a part is painted, and its creases.
+  vtkProperty* part_property() const { return part_property_; }
+  vtkProperty* crease_property() const { return crease_property_; }
 
   /// The first surface on the way from a to b, draw space [mm]. Locators are built on the first call.
   std::optional<SurfaceHit> first_hit(const Vec3& a_mm, const Vec3& b_mm);
 
   /// Distance between the lines of a plane's grid [m]; 0 without a plane.
   double grid_m() const noexcept { return grid_m_; }
+  /// Around everything, shown or not, draw space.
+  const vtkBoundingBox& bounds_mm() const { return bounds_mm_; }
 
  private:
+  /// A part has a body and creases, a plane a square and a grid.
+  struct SurfaceProps {
+    vtkSmartPointer<vtkPolyData> mesh;  ///< empty for a plane
+    vtkSmartPointer<vtkActor> body, creases, square, grid;
+    vtkSmartPointer<vtkActor> coarse_body;  ///< in place of the body; may be none
+    bool shown = true;
+  };
   void add_part(const Surface& surface);
   void add_plane(const Surface& surface, const ViewExtent& extent);
   void build_locators();
+  void apply_visibility();
 
   std::shared_ptr<const World> world_;
   DrawSpace space_;
-  std::vector<vtkSmartPointer<vtkPolyData>> meshes_;  ///< one a surface, empty for a plane
+  std::vector<SurfaceProps> surfaces_;
   std::vector<vtkSmartPointer<vtkStaticCellLocator>> locators_;
-  std::vector<vtkSmartPointer<vtkActor>> surfaces_, creases_, grids_;
+  vtkSmartPointer<vtkProperty> part_property_, crease_property_;
   vtkSmartPointer<vtkActor> path_;
+  bool creases_shown_ = true, coarse_ = false;
   double grid_m_ = 0;
+  vtkBoundingBox bounds_mm_;
+  vtkRenderer* still_in_ = nullptr;  ///< that shows what is still
 };
 
 }  // namespace fingerpad

@@ -3,6 +3,10 @@
 // bench_frames [--seconds S] [--size WxH] [--unit U] MESH...
 
 #include <fmt/format.h>
+#include <sys/resource.h>
+#include <vtkCamera.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
 #include <chrono>
@@ -20,8 +24,7 @@
 #include "touch/world.hpp"
 #include "view/screen.hpp"
 #include "view/stage_vtk.hpp"
-#include "view/touch_window.hpp"
-#include "view/window.hpp"
+#include "view/touch_chart.hpp"
 
 namespace fingerpad::bench {
 namespace {
@@ -80,114 +83,100 @@ std::vector<TickRecord> rows_on_what_is_seen(const ViewInput& input, int width, 
   return rows;
 }
 
-/// As many turns as it takes.
-std::vector<TickRecord> repeated(const std::vector<TickRecord>& rows, double seconds) {
-  std::vector<TickRecord> all;
-  for (std::size_t i = 0; static_cast<double>(i) < 1e3 * seconds; ++i) {
-    all.push_back(rows[i % rows.size()]);
-    all.back().t_s = 1e-3 * static_cast<double>(i);
-  }
-  return all;
-}
-
-struct Paces {
-  double first_s = 0, still_hz = 0, turning_hz = 0;
+/// What a frame costs: by the clock, and of all the processor's cores together.
+struct Pace {
+  double frames_per_s = 0, processor_ms = 0;
 };
 
-constexpr double settle_s = 1.5;  // what a window makes of its first frames is not asked for
-
-/// What a window is told: nothing for a while, then a drag beside the part, to and fro, which turns the view.
-std::vector<WindowEvent> to_and_fro(const Settings& settings) {
-  using Kind = WindowEvent::Kind;
-  const double begin_s = settle_s + settings.seconds, end_s = begin_s + settle_s + settings.seconds;
-  const int y = settings.height / 10;
-  std::vector<WindowEvent> events = {{begin_s, Kind::press, "", 20, y}};
-  for (double at_s = begin_s; at_s < end_s; at_s += 0.016) {
-    const double turn = 3 * (at_s - begin_s);
-    events.push_back({at_s, Kind::move, "", static_cast<int>(120 - 100 * std::cos(turn)), y});
-  }
-  events.push_back({end_s, Kind::release, "", 20, y});
-  events.push_back({end_s, Kind::key, "q"});
-  return events;
+double processor_s() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  const auto seconds = [](const timeval& time) {
+    return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+  };
+  return seconds(usage.ru_utime) + seconds(usage.ru_stime);
 }
 
-/// Frames between two moments.
-struct Count {
-  double from_s, to_s;
-  long first = -1, last = -1;
-  double first_s = 0, last_s = 0;
-  void see(const WindowReport& report) {
-    if (report.since_open_s < from_s || report.since_open_s > to_s) return;
-    if (first < 0) first = report.frames, first_s = report.since_open_s;
-    last = report.frames, last_s = report.since_open_s;
+template <typename Frame>
+Pace pace(double seconds, Frame frame) {
+  // What a window makes of its first frames is not asked for.
+  for (const auto start = Clock::now(); since(start) < 1.5;) frame(since(start));
+  const auto start = Clock::now();
+  const double processor_before_s = processor_s();
+  int frames = 0;
+  for (; since(start) < seconds || frames < 3; ++frames) frame(since(start));
+  return {frames / since(start), 1e3 * (processor_s() - processor_before_s) / frames};
+}
+
+/// A window's stage, and what its window does with it for each frame.
+class Window {
+ public:
+  Window(const ViewInput& input, const std::vector<TickRecord>& rows, bool live, const Settings& settings,
+         bool keep)
+      : rows_(rows),
+        live_(live),
+        levels_(touch_levels(input)),
+        stage_(input, settings.width, settings.height, true, !live) {
+    stage_.set_keeping(keep);
+    stage_.set_pace(keep ? Stage::Pace::smooth : Stage::Pace::smooth_edges_only);
+    if (!live) stage_.show_chart(touch_chart(rows, Vec3::UnitX(), levels_));
   }
-  double hz() const { return last_s > first_s ? static_cast<double>(last - first) / (last_s - first_s) : 0; }
+
+  vtkCamera* camera() { return stage_.scene()->GetActiveCamera(); }
+
+  void frame(double t_s) {
+    const auto k = static_cast<std::size_t>(1e3 * t_s) % rows_.size();
+    stage_.show(rows_[k], 0.1);
+    stage_.expect_force(1.5);
+    stage_.show_title_note(fmt::format("press {:.2f} N (pressing)   h help", rows_[k].normal_force_n));
+    constexpr double chart_period_s = 0.06;
+    if (live_ && std::abs(t_s - chart_at_s_) > chart_period_s) show_last_seconds(t_s, k);
+    stage_.render();
+  }
+
+ private:
+  void show_last_seconds(double t_s, std::size_t k) {
+    chart_at_s_ = t_s;
+    std::vector<TickRecord> last(rows_.begin() + static_cast<long>(k), rows_.end());
+    last.insert(last.end(), rows_.begin(), rows_.begin() + static_cast<long>(k));
+    for (std::size_t i = 0; i < last.size(); ++i) last[i].t_s = t_s - 4 + 1e-3 * static_cast<double>(i);
+    stage_.show_chart(live_chart(last, levels_));
+    stage_.show_readings({{"median tick", "8.3 us"}, {"late ticks", fmt::format("{}", k)}}, {0.1, 1, 0.4});
+  }
+
+  const std::vector<TickRecord>& rows_;
+  bool live_;
+  TouchLevels levels_;
+  Stage stage_;
+  double chart_at_s_ = -1;
 };
 
-template <typename Run>
-Paces measure(const Settings& settings, std::vector<WindowEvent> events, Run run) {
-  Paces paces;
-  WindowOptions options;
-  options.width = settings.width;
-  options.height = settings.height;
-  options.events = std::move(events);
-  Count still{settle_s, settle_s + settings.seconds}, turning = still;
-  turning.from_s = still.to_s + settle_s;
-  turning.to_s = turning.from_s + settings.seconds;
+void measure(const ViewInput& input, const std::vector<TickRecord>& rows, bool live, bool keep,
+             const Settings& settings) {
   const auto start = Clock::now();
-  options.on_frame = [&](const WindowReport& report) {
-    if (paces.first_s == 0) paces.first_s = since(start);
-    still.see(report);
-    turning.see(report);
-  };
-  run(options);
-  paces.still_hz = still.hz();
-  paces.turning_hz = turning.hz();
-  return paces;
-}
-
-Paces measure_live(const ViewInput& input, const std::vector<TickRecord>& rows, const Settings& settings) {
-  const auto start = Clock::now();
-  const auto row_now = [&](double t_s) {
-    TickRecord row = rows[static_cast<std::size_t>(1e3 * t_s) % rows.size()];
-    row.t_s = t_s;
-    return row;
-  };
-  TouchWindowInput touch;
-  touch.view = input;
-  touch.set_target = [](const FingerSample&) {};
-  touch.latest = [&] { return row_now(4 + since(start)); };
-  touch.recent = [&](double seconds) {
-    std::vector<TickRecord> last;
-    const double now_s = 4 + since(start);
-    for (double t_s = now_s - seconds; t_s <= now_s; t_s += 1e-3) last.push_back(row_now(t_s));
-    return last;
-  };
-  touch.timing = [] { return ServoTiming{}; };
-  return measure(settings, to_and_fro(settings),
-                 [&](const WindowOptions& options) { run_touch_window(touch, options); });
-}
-
-Paces measure_trace(const ViewInput& input, const Settings& settings) {
-  std::vector<WindowEvent> events = to_and_fro(settings);
-  events.insert(events.begin(), {0, WindowEvent::Kind::key, "space"});
-  return measure(settings, std::move(events),
-                 [&](const WindowOptions& options) { run_view_window(input, options); });
+  Window window(input, rows, live, settings, keep);
+  window.frame(0);
+  const double first_s = since(start);
+  const Pace still = pace(settings.seconds, [&](double t_s) { window.frame(t_s); });
+  const Pace turning = pace(settings.seconds, [&](double t_s) {
+    window.camera()->Azimuth(2);
+    window.frame(t_s);
+  });
+  fmt::print("| {} | {} | {} | {:.2f} | {:.1f} ({:.0f}) | {:.1f} ({:.0f}) |\n",
+             input.world->surfaces[0].part->triangle_count(), live ? "touch" : "trace",
+             keep ? "as it is" : "all anew", first_s, still.frames_per_s, still.processor_ms,
+             turning.frames_per_s, turning.processor_ms);
+  std::fflush(stdout);
 }
 
 void measure_mesh(const std::string& path, const Settings& settings) {
   const auto start = Clock::now();
   ViewInput input = mesh_input(path, settings.metres_per_unit);
-  const double load_s = since(start);
+  fmt::print(stderr, "{}: loaded in {:.2f} s\n", input.title, since(start));
   const std::vector<TickRecord> rows = rows_on_what_is_seen(input, settings.width, settings.height);
-  const int triangles = input.world->surfaces[0].part->triangle_count();
-  fmt::print("{}: {} triangles, loaded in {:.2f} s\n", input.title, triangles, load_s);
   for (const bool live : {true, false}) {
-    if (!live) input.rows = repeated(rows, 4 * (settle_s + settings.seconds));
-    const Paces paces = live ? measure_live(input, rows, settings) : measure_trace(input, settings);
-    fmt::print("| {} | first frame {:.2f} s | still {:.1f} /s | turning {:.1f} /s |\n",
-               live ? "live" : "trace", paces.first_s, paces.still_hz, paces.turning_hz);
-    std::fflush(stdout);
+    input.rows = live ? std::vector<TickRecord>{} : rows;
+    for (const bool keep : {false, true}) measure(input, rows, live, keep, settings);
   }
 }
 
@@ -216,6 +205,10 @@ int main(int argc, char** argv) {
   try {
     const bench::Settings settings = bench::read_settings(argc, argv);
     const VirtualScreen screen;
+    fmt::print(
+        "| triangles | window | drawn | first frame, s | frames a second, still (ms of processor) | turning "
+        "|\n");
+    fmt::print("|---|---|---|---|---|---|\n");
     for (const std::string& mesh : settings.meshes) bench::measure_mesh(mesh, settings);
     return 0;
   } catch (const std::exception& error) {

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <vtkNew.h>
+#include <vtkSmartPointer.h>
+
+#include <vector>
+
+#include "view/contact_glyphs.hpp"
+#include "view/layout.hpp"
+#include "view/world_props_vtk.hpp"
+
+class vtkActor;
+class vtkPolyData;
+class vtkRenderWindow;
+class vtkRenderer;
+
+namespace fingerpad {
+
+/// The contact from near by, in a box over the scene. Of the parts it draws what is near the contact, or it
+/// would cost as much as the scene.
+class CloseUp {
+ public:
+  /// @param input, world  kept by reference
+  CloseUp(const ViewInput& input, const DrawSpace& space, WorldProps& world);
+
+  void add_to(vtkRenderWindow* window);
+  std::vector<vtkRenderer*> renderers() { return {scene_, marks_}; }
+  vtkRenderer* scene() { return scene_; }
+
+  void hide();
+  /// @param box      in the window [px]
+  /// @param limit_n  mu_s n at this moment [N]
+  void show(const ContactMoment& moment, const Box& box, const Box& window, double half_height_mm,
+            double limit_n);
+
+ private:
+  void show_parts_near(const Vec3& contact_W, double reach_m);
+
+  const ViewInput& input_;
+  DrawSpace space_;
+  WorldProps& world_;
+  vtkNew<vtkRenderer> scene_, marks_;
+  vtkNew<vtkPolyData> solid_, clear_;
+  struct Near {
+    vtkSmartPointer<vtkActor> body, creases;
+  };
+  std::vector<Near> near_;  ///< one a surface; empty for planes
+};
+
+/// Adds an actor for marks, in front of the surface that they lie on.
+void add_glyphs(vtkRenderer* renderer, vtkPolyData* mesh);
+
+/// A key light over the left shoulder and a fill light: both move with the camera.
+void light(vtkRenderer* renderer);
+
+}  // namespace fingerpad
