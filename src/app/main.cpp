@@ -14,10 +14,10 @@
 namespace {
 
 constexpr fingerpad::AddCommand commands[] = {
-    fingerpad::add_check,  fingerpad::add_query, fingerpad::add_replay,
-    fingerpad::add_export, fingerpad::add_study,
+    fingerpad::add_check, fingerpad::add_query, fingerpad::add_replay,  fingerpad::add_export,
+    fingerpad::add_study, fingerpad::add_merge, fingerpad::add_compare,
 #ifdef FINGERPAD_VIEW
-    fingerpad::add_touch,  fingerpad::add_view,  fingerpad::add_plot,
+    fingerpad::add_touch, fingerpad::add_view,  fingerpad::add_plot,
 #endif
 };
 
@@ -28,7 +28,7 @@ constexpr const char* description =
 
 constexpr const char* footer =
     "Exit codes: 0 done, 1 fault of the program, 2 usage, 3 an input was refused, 4 a batch finished with "
-    "failed jobs.\n"
+    "failed jobs, or what is compared differs.\n"
     "`fingerpad SUBCOMMAND --help` tells each subcommand's options, defaults and units.";
 
 int report(const char* what, int code) {

@@ -88,7 +88,7 @@ std::string outcomes_text(const std::vector<BatchJob>& jobs, const std::vector<s
     for (const double figure : job.figures) figures.push_back(std::bit_cast<std::uint64_t>(figure));
     outcomes.push_back({i, job.status, job.exit_code, job.seconds, figures, job.contact_method,
                         job.contact_normals, job.contact_reasons, job.kept, job.left_behind, job.motion_notes,
-                        job.warnings});
+                        job.warnings, job.not_begun});
   }
   return outcomes.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
@@ -108,6 +108,7 @@ void take_outcomes(std::vector<BatchJob>& jobs, const std::string& text) {
     job.left_behind = outcome[9];
     job.motion_notes = outcome[10].get<std::vector<std::string>>();
     job.warnings = outcome[11].get<std::vector<std::string>>();
+    job.not_begun = outcome[12];
   }
 }
 
@@ -217,6 +218,10 @@ std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& op
           for (std::size_t i = range.begin(); i < range.end(); ++i) {
             // Isolated: while Embree builds a tree inside, this thread must not pick up a job that waits for
             // that tree.
+            if (options.should_stop && options.should_stop()) {
+              jobs[ours[i]].not_begun = true;
+              continue;
+            }
             tbb::this_task_arena::isolate([&] { run_one(jobs[ours[i]], meshes, options); });
             const std::lock_guard lock(done_mutex);
             on_done(jobs[ours[i]]);

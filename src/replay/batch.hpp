@@ -29,6 +29,9 @@ struct BatchOptions {
   /// Told, on the root, of runs that had begun to write the same folder and ended before they were done:
   /// "OUT: process 12 on HOST (COMMAND) ...". May be empty.
   std::function<void(const std::string&)> on_unfinished;
+  /// Asked before each job by the thread that would do it; where it says so, no further job of this rank is
+  /// begun. May be empty.
+  std::function<bool()> should_stop;
 };
 
 /// One job of a batch, and how it ended.
@@ -42,6 +45,7 @@ struct BatchJob {
   std::vector<std::string> warnings;            ///< of its motion, and of what that touches
   double seconds = 0;
   int exit_code = 0;        ///< of this job alone
+  bool not_begun = false;   ///< the batch was asked to stop before it; without status
   bool kept = false;        ///< an earlier run's trace was kept (BatchOptions::resume)
   std::string left_behind;  ///< of a job that failed: an earlier run's trace that is still in its place
 };

@@ -73,17 +73,17 @@ void write_table(const std::filesystem::path& path, const std::string& text, std
   }
 }
 
-/// The index of this shard's numbered jobs.
+/// The index of this shard's jobs.
 std::string index_text(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   std::vector<JobIndexRow> rows;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     const SceneJob& job = jobs[i].job;
-    if (job.number == 0 || !is_of_shard(i, options)) continue;
+    if (!is_of_shard(i, options)) continue;
     const std::string mesh = job.scene.parts.empty() ? "" : job.scene.parts.front().mesh;
     rows.push_back({job.number, trace_name(job, options.format), job.scene.name, mesh, job.scene.motion.file,
                     job.set_keys});
   }
-  return job_index_text(rows);
+  return job_index_text(set_keys(jobs), rows);
 }
 
 }  // namespace

@@ -24,15 +24,11 @@ namespace fs = std::filesystem;
 constexpr std::size_t max_text_bytes = std::size_t{4} << 20;
 constexpr std::size_t max_job_text_bytes = std::size_t{512} << 20;
 
-std::size_t job_count(const std::vector<SetEntry>& entries, const std::string& path, std::size_t text_bytes) {
+std::size_t count_jobs(const std::vector<SetEntry>& entries, const std::string& path,
+                       std::size_t text_bytes) {
   std::size_t total = 0;
   for (const SetEntry& entry : entries) {
-    std::size_t product = 1;
-    for (const SetAxis& axis : entry) {
-      product *= axis.values.size();
-      if (product > max_jobs) break;
-    }
-    total += product;
+    total += job_count(entry);
     if (total > max_jobs || total * text_bytes > max_job_text_bytes) {
       throw refused(
           path, fmt::format("the set has over {} jobs; at most {} of this scene are run from one file",
@@ -48,10 +44,11 @@ SceneJob make_job(const TomlNode& root, const std::string& path, const SetEntry&
                   const std::vector<std::size_t>& choice, UnreadKeys& unread_keys) {
   SceneJob job;
   TomlNode filled = root;
-  for (std::size_t i = 0; i < entry.size(); ++i) {
-    const SetValue& value = entry[i].values[choice[i]];
-    job.set_keys.emplace_back(entry[i].key, value.written);
-    put_value(filled, entry[i].target, value.value);
+  for (std::size_t i = 0; i < entry.axes.size(); ++i) {
+    const SetAxis& axis = entry.axes[i];
+    const SetValue& value = axis.values[choice[i]];
+    job.set_keys.emplace_back(axis.key, value.written);
+    put_value(filled, axis.target, value.value);
   }
   unread_keys.look(filled);
   try {
@@ -65,9 +62,9 @@ SceneJob make_job(const TomlNode& root, const std::string& path, const SetEntry&
 
 void add_jobs(SceneFile& file, const TomlNode& root, const std::string& path, const SetEntry& entry,
               UnreadKeys& unread_keys) {
-  std::vector<std::size_t> choice(entry.size(), 0);
-  while (true) {
-    SceneJob job = make_job(root, path, entry, choice, unread_keys);
+  const std::size_t count = job_count(entry);
+  for (std::size_t i = 0; i < count; ++i) {
+    SceneJob job = make_job(root, path, entry, choice_of_job(entry, i), unread_keys);
     job.number = static_cast<int>(file.jobs.size()) + 1;
     if (!job.error.empty()) {
       job.scene = Scene();
@@ -75,9 +72,6 @@ void add_jobs(SceneFile& file, const TomlNode& root, const std::string& path, co
       job.scene.path = path;
     }
     file.jobs.push_back(std::move(job));
-    std::size_t key = entry.size();
-    while (key > 0 && ++choice[key - 1] == entry[key - 1].values.size()) choice[--key] = 0;
-    if (key == 0) return;
   }
 }
 
@@ -87,13 +81,13 @@ void read_jobs(SceneFile& file, TomlNode root, const std::string& path, UnreadKe
   const std::vector<SetEntry> entries = read_set(*find_entry(root, "set"), path);
   std::erase_if(root.entries, [](const TomlEntry& entry) { return entry.key == "set"; });
   const auto gives_mesh = [](const SetEntry& entry) {
-    return std::any_of(entry.begin(), entry.end(),
+    return std::any_of(entry.axes.begin(), entry.axes.end(),
                        [](const SetAxis& axis) { return axis.target == "part.mesh"; });
   };
   const bool mesh_from_set = std::all_of(entries.begin(), entries.end(), gives_mesh);
   file.scene = read_scene(root, path, mesh_from_set ? Missing::mesh : Missing::nothing);
   file.scene.text = write_toml(root);
-  file.jobs.reserve(job_count(entries, path, file.scene.text.size()));
+  file.jobs.reserve(count_jobs(entries, path, file.scene.text.size()));
   for (const SetEntry& entry : entries) add_jobs(file, root, path, entry, unread_keys);
 }
 

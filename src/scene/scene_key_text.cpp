@@ -75,6 +75,8 @@ constexpr std::string_view set_text = R"(
 [[set]]                        # optional, any number: the product of the lists is the jobs
 mesh = "parts/*.stl"           # a glob; `mesh` is the first part's, `motion` the motion's file
 friction.law = ["stick-slip", "finger-pad"]
+part.mu_static = { from = 0.3, to = 0.5, steps = 3 }   # 0.3, 0.4, 0.5; any scene key has values, a list or a range
+zip = false                    # true: the lists go side by side, not every value with every other
 )";
 
 }  // namespace

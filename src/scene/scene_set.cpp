@@ -11,6 +11,7 @@
 #include "base/printable_text.hpp"
 #include "scene/scene_key.hpp"
 #include "scene/scene_values.hpp"
+#include "scene/set_range.hpp"
 #include "scene/toml_table.hpp"
 
 namespace fingerpad {
@@ -28,7 +29,7 @@ struct Leaf {
 void collect_leaves(const TomlNode& table, const std::string& prefix, std::vector<Leaf>& leaves) {
   for (const TomlEntry& entry : table.entries) {
     const std::string key = prefix + entry.key;
-    if (entry.value.is(TomlNode::Type::table)) {
+    if (entry.value.is(TomlNode::Type::table) && !is_set_range(entry.value)) {
       collect_leaves(entry.value, key + ".", leaves);
     } else {
       leaves.push_back({key, entry.place, &entry.value});
@@ -103,9 +104,10 @@ SetAxis read_axis(const Leaf& leaf, const std::string& path) {
                     leaf.key, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
   }
   SetAxis axis{leaf.key, *target, {}};
-  const TomlNode& value = *leaf.value;
+  const bool is_range = is_set_range(*leaf.value);
+  const TomlNode value = is_range ? range_values(*leaf.value, leaf.key, path) : *leaf.value;
   const auto is_list = [](const TomlNode& item) { return item.is(TomlNode::Type::array); };
-  const bool list = is_list(value) && (!is_vector_key(*target) || value.items.empty() ||
+  const bool list = is_list(value) && (is_range || !is_vector_key(*target) || value.items.empty() ||
                                        std::any_of(value.items.begin(), value.items.end(), is_list));
   if (!list) {
     add_value(axis, value, path);
@@ -123,6 +125,18 @@ SetAxis read_axis(const Leaf& leaf, const std::string& path) {
   return axis;
 }
 
+/// Lists that go side by side are equally long.
+void refuse_other_lengths(const std::vector<SetAxis>& axes, const std::string& place) {
+  const SetAxis* first = nullptr;
+  for (const SetAxis& axis : axes) {
+    if (axis.values.size() < 2) continue;
+    if (first == nullptr) first = &axis;
+    if (axis.values.size() == first->values.size()) continue;
+    throw refused(place, fmt::format("with zip the lists go side by side, but '{}' has {} values and '{}' {}",
+                                     first->key, first->values.size(), axis.key, axis.values.size()));
+  }
+}
+
 SetEntry read_entry(const TomlNode& table, const std::string& path) {
   std::vector<Leaf> leaves;
   collect_leaves(table, "", leaves);
@@ -130,14 +144,22 @@ SetEntry read_entry(const TomlNode& table, const std::string& path) {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
   });
   SetEntry entry;
+  std::vector<SetAxis>& axes = entry.axes;
   for (const Leaf& leaf : leaves) {
-    entry.push_back(read_axis(leaf, path));
-    for (std::size_t i = 0; i + 1 < entry.size(); ++i) {
-      if (entry[i].target != entry.back().target) continue;
+    if (leaf.key == "zip") {
+      if (!leaf.value->is(TomlNode::Type::boolean))
+        throw refused(place_text(path, leaf.place), "'zip' in [[set]] is true or false");
+      entry.zip = leaf.value->boolean;
+      continue;
+    }
+    axes.push_back(read_axis(leaf, path));
+    for (std::size_t i = 0; i + 1 < axes.size(); ++i) {
+      if (axes[i].target != axes.back().target) continue;
       throw refused(place_text(path, leaf.place),
-                    fmt::format("'{}' and '{}' in [[set]] are the same key", entry[i].key, leaf.key));
+                    fmt::format("'{}' and '{}' in [[set]] are the same key", axes[i].key, leaf.key));
     }
   }
+  if (entry.zip) refuse_other_lengths(axes, place_text(path, table.place));
   return entry;
 }
 

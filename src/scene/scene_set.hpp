@@ -25,12 +25,22 @@ struct SetAxis {
   std::vector<SetValue> values;  ///< no more than max_jobs + 1: that many are too many whatever they are
 };
 
-/// One [[set]] entry: its keys in the order written. Its jobs are their product, last key fastest.
-using SetEntry = std::vector<SetAxis>;
+/// One [[set]] entry: its keys in the order written. Its jobs are their product, last key fastest; with
+/// `zip = true` its lists go side by side, and a key of one value goes with all of them.
+struct SetEntry {
+  std::vector<SetAxis> axes;
+  bool zip = false;
+};
+
+/// The jobs that an entry has, or max_jobs + 1 where it has more.
+std::size_t job_count(const SetEntry& entry) noexcept;
+
+/// Which value of each axis a job of an entry has. @param job  from 0
+std::vector<std::size_t> choice_of_job(const SetEntry& entry, std::size_t job);
 
 /// Reads the `set` of a scene file and expands globs against the scene's folder. Throws Error (refused,
-/// `file:line:column`) for keys that no scene has, keys given twice, lists without values, and globs that
-/// match nothing.
+/// `file:line:column`) for keys that no scene has, keys given twice, lists without values, globs that
+/// match nothing, and lists of several lengths where they go side by side.
 std::vector<SetEntry> read_set(const TomlEntry& set, const std::string& path);
 
 /// Puts a value at a full dotted name. `part.` and `plane.` name the first one; tables that are missing are

@@ -15,16 +15,6 @@ namespace {
 /// Before the set keys.
 constexpr std::size_t fixed_columns = 5;
 
-std::vector<std::string> keys_of(const std::vector<JobIndexRow>& rows) {
-  std::vector<std::string> keys;
-  for (const JobIndexRow& row : rows) {
-    for (const auto& [key, value] : row.values) {
-      if (std::find(keys.begin(), keys.end(), key) == keys.end()) keys.push_back(key);
-    }
-  }
-  return keys;
-}
-
 /// "mu_static 0.3, law dahl" of a row; the mesh has its own place in a title.
 std::string words_of(const std::vector<std::string>& keys, const std::vector<std::string_view>& cells) {
   std::string words;
@@ -60,8 +50,7 @@ std::string varied_by(const std::filesystem::path& index, const std::string& fil
 
 }  // namespace
 
-std::string job_index_text(const std::vector<JobIndexRow>& rows) {
-  const std::vector<std::string> keys = keys_of(rows);
+std::string job_index_text(const std::vector<std::string>& keys, const std::vector<JobIndexRow>& rows) {
   std::string text = "number,file,scene,mesh,motion";
   for (const std::string& key : keys) text += "," + csv_cell(key);
   text += "\n";

@@ -6,9 +6,9 @@
 
 namespace fingerpad {
 
-/// One job of a set in the index that stands beside its traces.
+/// One job in the index that stands beside its traces.
 struct JobIndexRow {
-  int number = 0;
+  int number = 0;  ///< 0 of a scene without a set
   std::string file, scene, mesh, motion;
   std::vector<std::pair<std::string, std::string>> values;  ///< set key and value as written
 };
@@ -16,8 +16,8 @@ struct JobIndexRow {
 /// The index's name in the folder of the traces; a shard's is `jobs-2of8.csv`.
 inline constexpr const char* job_index_name = "jobs.csv";
 
-/// The index as CSV: number, file, scene, mesh, motion, then every set key in the order of first appearance.
-std::string job_index_text(const std::vector<JobIndexRow>& rows);
+/// The index as CSV: number, file, scene, mesh, motion, then these set keys.
+std::string job_index_text(const std::vector<std::string>& keys, const std::vector<JobIndexRow>& rows);
 
 /// What varies in a trace's job beside its mesh, by the indices in its folder: "mu_static 0.3, law dahl".
 /// Empty where there is no index, or none that knows the trace; an index that cannot be read is none.

@@ -205,5 +205,40 @@ TEST(SceneSet, ASetMayGiveTheMeshThatThePartLacks) {
               StartsWith("s.toml:1:1: [[part]] needs"));
 }
 
+TEST(SceneSet, ARangeIsItsEvenValuesAndAListMayBeNamedSo) {
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nplane.mu_static = { from = 0.2, to = 0.5, steps = 4 }\n"),
+              ElementsAre("0.2", "0.3", "0.4", "0.5"));
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nseed = { from = 1, to = 5, steps = 3 }\n"),
+              ElementsAre("1", "3", "5"));
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nmotion.rate_hz = { values = [500, 1000] }\n"),
+              ElementsAre("500", "1000"));
+  const SceneFile file = read_scene_text(
+      plane_scene + "[[set]]\nplane.mu_static = { from = 0.5, to = 0.2, steps = 4 }\n", "s.toml");
+  EXPECT_EQ(file.jobs[2].scene.planes[0].surface.mu_static, 0.3) << "and not 0.30000000000000004";
+}
+
+TEST(SceneSet, ZippedListsGoSideBySide) {
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nzip = true\nseed = [1, 2, 3]\nmotion.rate_hz = 700\n"
+                                    "plane.mu_static = { from = 0.2, to = 0.4, steps = 3 }\n"),
+              ElementsAre("1 700 0.2", "2 700 0.3", "3 700 0.4"));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nzip = true\nseed = [1, 2, 3]\nmotion.rate_hz = [700, 800]\n"),
+              HasSubstr("the lists go side by side, but 'seed' has 3 values and 'motion.rate_hz' 2"));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nzip = 1\nseed = [1, 2]\n"),
+              HasSubstr("'zip' in [[set]] is true or false"));
+}
+
+TEST(SceneSet, ARangeThatIsNoneIsTold) {
+  const auto told = [](const std::string& range) {
+    return refusal(plane_scene + "[[set]]\nseed = " + range + "\n");
+  };
+  EXPECT_THAT(told("{ from = 1, to = 3 }"), HasSubstr("'seed' in [[set]] lacks 'steps'; write { from = 0.2"));
+  EXPECT_THAT(told("{ from = 1, to = 3, steps = 1 }"), HasSubstr("needs steps of 2 or more"));
+  EXPECT_THAT(told("{ from = 1, to = \"b\", steps = 2 }"), HasSubstr("has no number for 'to'"));
+  EXPECT_THAT(told("{ from = 1, till = 3, steps = 2 }"), HasSubstr("knows no 'till'"));
+  EXPECT_THAT(told("{ values = 3 }"), HasSubstr("has values that are no list"));
+  EXPECT_THAT(told("{ values = [3], steps = 2 }"), HasSubstr("has values and a range"));
+  EXPECT_THAT(told("{ from = 1, to = 2, steps = 2000000 }"), HasSubstr("over 100000 jobs"));
+}
+
 }  // namespace
 }  // namespace fingerpad::set_test

@@ -10,9 +10,10 @@ namespace fingerpad::job_index_test {
 namespace {
 
 TEST(JobIndex, SaysWhatVariesInATracesJob) {
-  const std::string text = job_index_text(
-      {{1, "t-0001.h5", "t", "a.stl", "m/rub.csv", {{"mesh", "a.stl"}, {"part.mu_static", "0.3"}}},
-       {2, "t-0002.h5", "t", "b.stl", "m/tap.csv", {{"motion", "m/tap.csv"}, {"law", "a, b"}}}});
+  const std::vector<JobIndexRow> rows{
+      {1, "t-0001.h5", "t", "a.stl", "m/rub.csv", {{"mesh", "a.stl"}, {"part.mu_static", "0.3"}}},
+      {2, "t-0002.h5", "t", "b.stl", "m/tap.csv", {{"motion", "m/tap.csv"}, {"law", "a, b"}}}};
+  const std::string text = job_index_text({"mesh", "part.mu_static", "motion", "law"}, rows);
   EXPECT_EQ(text,
             "number,file,scene,mesh,motion,mesh,part.mu_static,motion,law\n"
             "1,t-0001.h5,t,a.stl,m/rub.csv,a.stl,0.3,,\n"

@@ -1,0 +1,66 @@
+#include "app/job_bar.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "app/standard_streams.hpp"
+
+namespace fingerpad {
+
+JobBar::JobBar(std::size_t total, Shown shown, std::chrono::milliseconds between_lines)
+    : total_(std::max<std::size_t>(total, 1)),
+      shown_(shown),
+      between_lines_(between_lines),
+      start_(Clock::now()),
+      last_line_(start_),
+      bar_(shown == Shown::bar, std::chrono::milliseconds(0), ProgressBar::End::kept) {}
+
+void JobBar::advance(const BatchJob& job) {
+  {
+    const std::lock_guard lock(mutex_);
+    ++done_;
+    under_way_.erase(&job);
+  }
+  show(job.job.scene.name);
+}
+
+void JobBar::load(std::string_view stage, double done) {
+  show(fmt::format("{} {:.0f}%", stage, 100 * done));
+}
+
+void JobBar::run(const BatchJob& job, double share_done) {
+  {
+    const std::lock_guard lock(mutex_);
+    under_way_[&job] = share_done;
+  }
+  show(fmt::format("{} {:.0f}%", job.job.scene.name, 100 * share_done));
+}
+
+void JobBar::show(const std::string& what) {
+  if (shown_ == Shown::nothing) return;
+  const std::lock_guard lock(mutex_);
+  auto done = static_cast<double>(done_);
+  for (const auto& [job, share] : under_way_) done += share;
+  const double share = std::min(1.0, done / static_cast<double>(total_));
+  const Clock::time_point now = Clock::now();
+  const std::string pace = pace_words(done, std::chrono::duration<double>(now - start_).count());
+  if (shown_ == Shown::bar) {
+    bar_.show(share, fmt::format("{}/{}{} {}", done_, total_, pace, what));
+  } else if (now - last_line_ >= between_lines_) {
+    last_line_ = now;
+    print_err("fingerpad: {} of {} jobs done, {:.0f}%{}\n", done_, total_, 100 * share, pace);
+  }
+}
+
+/// ", 2.5 jobs/s, 40 s left"; nothing before anything can be said.
+std::string JobBar::pace_words(double done, double seconds) const {
+  constexpr double least_s = 0.5, minute_s = 60;
+  if (seconds < least_s || !(done > 0)) return "";
+  const double left_s = (static_cast<double>(total_) - done) * seconds / done;
+  const std::string left =
+      left_s < 2 * minute_s ? fmt::format("{:.0f} s", left_s) : fmt::format("{:.0f} min", left_s / minute_s);
+  return fmt::format(", {:.3g} jobs/s, {} left", done / seconds, left);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,132 @@
+#include "app/replay_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <set>
+#include <string_view>
+
+#include "app/standard_streams.hpp"
+#include "replay/batch_files.hpp"
+
+namespace fingerpad {
+namespace {
+
+double figure(const BatchJob& job, std::string_view wanted) {
+  const auto names = Figures::names();
+  return job.figures[static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin())];
+}
+
+/// "3, 6, 9 and 15 more": of jobs of one scene.
+std::string numbers_of(const std::vector<const BatchJob*>& jobs) {
+  constexpr std::size_t most = 6;
+  std::string words;
+  for (std::size_t i = 0; i < std::min(jobs.size(), most); ++i) {
+    const SceneJob& job = jobs[i]->job;
+    words += (i > 0 ? ", " : "") + (job.number > 0 ? std::to_string(job.number) : job.scene.name);
+  }
+  return jobs.size() > most ? words + fmt::format(" and {} more", jobs.size() - most) : words;
+}
+
+/// Each reason once, in the order of the first job that it stopped.
+void tell_failures(const std::vector<BatchJob>& jobs) {
+  std::vector<std::string_view> reasons;
+  std::map<std::string_view, std::vector<const BatchJob*>> stopped;
+  for (const BatchJob& job : jobs) {
+    if (job.status.empty() || job.status == "ok") continue;
+    if (stopped[job.status].empty()) reasons.push_back(job.status);
+    stopped[job.status].push_back(&job);
+  }
+  for (const std::string_view reason : reasons) {
+    const std::vector<const BatchJob*>& failed = stopped[reason];
+    if (failed.size() > 1) {
+      print_err("fingerpad: error: {} jobs ({}): {}\n", failed.size(), numbers_of(failed), reason);
+    } else {
+      print_err("fingerpad: error: {}\n", reason);
+    }
+    for (const BatchJob* job : failed) {
+      if (!job->left_behind.empty())
+        print_err("fingerpad: warning: {}: is an earlier run's, since this one failed\n", job->left_behind);
+    }
+  }
+}
+
+}  // namespace
+
+void tell_doubts(const std::vector<BatchJob>& jobs) {
+  tell_failures(jobs);
+  long coarse_jobs = 0;
+  double coarse_teeth = 0, remedied_ticks = 0, inside_starts = 0;
+  for (const BatchJob& job : jobs) {
+    if (job.status != "ok") continue;
+    const double coarse = figure(job, "coarse_teeth");
+    coarse_jobs += coarse > 0 ? 1 : 0;
+    coarse_teeth += coarse;
+    remedied_ticks += figure(job, "remedied_ticks");
+    inside_starts += figure(job, "inside_starts");
+  }
+  if (remedied_ticks > 0) {
+    print_err(
+        "fingerpad: warning: the stick spring was too stiff for the loop on {} ticks, and "
+        "friction.remedy acted (remedied_ticks in summary.csv)\n",
+        remedied_ticks);
+  }
+  if (inside_starts > 0) {
+    print_err(
+        "fingerpad: warning: {} of the motions start inside of a part, or where the finger does not fit; the "
+        "proxy was put at the nearest place outside, where there is one (inside_starts in summary.csv)\n",
+        inside_starts);
+  }
+  if (coarse_jobs == 0) return;
+  print_err(
+      "fingerpad: warning: {} stick-slip teeth in {} {} lasted under two ticks, too short for any sampling "
+      "to "
+      "show (coarse_teeth in summary.csv); raise motion.rate_hz or soften the pad\n",
+      coarse_teeth, coarse_jobs, coarse_jobs == 1 ? "trace" : "traces");
+}
+
+void tell_choices(const std::vector<BatchJob>& jobs) {
+  std::set<std::string_view> told;
+  for (const BatchJob& job : jobs) {
+    for (const auto* lines : {&job.motion_notes, &job.contact_reasons}) {
+      for (const std::string& line : *lines) {
+        if (told.insert(line).second) print_err("fingerpad: {}\n", line);
+      }
+    }
+  }
+}
+
+void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
+  std::set<std::string_view> told;
+  for (const BatchJob& job : jobs) {
+    for (const std::string& line : job.warnings) {
+      if (told.insert(line).second) print_err("fingerpad: warning: {}\n", line);
+    }
+  }
+}
+
+int tell_lost(const std::vector<Error>& lost) {
+  for (const Error& error : lost) print_err("fingerpad: error: {}\n", error.what());
+  return lost.empty() ? 0 : static_cast<int>(ErrorKind::fault);
+}
+
+void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const BatchOptions& batch) {
+  const auto count = [&jobs](auto which) { return std::count_if(jobs.begin(), jobs.end(), which); };
+  const auto ran = count([](const BatchJob& job) { return !job.status.empty(); });
+  const auto good = count([](const BatchJob& job) { return job.status == "ok"; });
+  const auto kept = count([](const BatchJob& job) { return job.kept; });
+  print_out("{} of {} {} done{}, traces{} in {}\n", good, ran, ran == 1 ? "job" : "jobs",
+            kept > 0 ? fmt::format(" ({} kept from before)", kept) : "",
+            any_table_lost ? "" : " and " + table_names(batch.shard, batch.shard_count).summary,
+            batch.out_dir);
+}
+
+void tell_stopped(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
+  const auto count = [&jobs](auto which) { return std::count_if(jobs.begin(), jobs.end(), which); };
+  const auto left = count([](const BatchJob& job) { return job.not_begun; });
+  print_err("fingerpad: warning: stopped before {} {}; the same command with --resume does the rest in {}\n",
+            left, left == 1 ? "job was begun" : "jobs were begun", batch.out_dir);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,36 @@
+#include "app/stop_request.hpp"
+
+#include <atomic>
+
+namespace fingerpad {
+namespace {
+
+// A handler reaches nothing but what is global.
+std::atomic<bool> stop_requested{false};
+
+void request_stop(int) {
+  stop_requested = true;
+}
+
+}  // namespace
+
+StopRequest::StopRequest() {
+  stop_requested = false;
+  struct sigaction action {};
+  action.sa_handler = request_stop;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;
+  sigemptyset(&action.sa_mask);
+  sigaction(SIGINT, &action, &before_int_);
+  sigaction(SIGTERM, &action, &before_term_);
+}
+
+StopRequest::~StopRequest() {
+  sigaction(SIGINT, &before_int_, nullptr);
+  sigaction(SIGTERM, &before_term_, nullptr);
+}
+
+bool StopRequest::come() const noexcept {
+  return stop_requested;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,150 @@
+#include "replay/folder_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+#include <set>
+
+#include "base/content_hash.hpp"
+#include "base/csv_cells.hpp"
+#include "base/error.hpp"
+#include "base/path_words.hpp"
+#include "base/text_lines.hpp"
+#include "trace/job_index.hpp"
+#include "trace/trace.hpp"
+#include "trace/trace_column.hpp"
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The traces in a folder, by name.
+std::set<std::string> traces_in(const std::string& folder) {
+  std::set<std::string> names;
+  std::error_code failure;
+  for (fs::directory_iterator at(folder, failure); !failure && at != fs::directory_iterator();
+       at.increment(failure)) {
+    std::error_code none;
+    if (!at->is_regular_file(none)) continue;
+    const std::string path = at->path().string();
+    if (path.ends_with(".h5") || (path.ends_with(".csv") && is_csv_trace(path)))
+      names.insert(at->path().filename().string());
+  }
+  if (failure) throw refused(folder, "cannot be read: " + path_words(folder, failure.value()));
+  return names;
+}
+
+/// How far a column of two traces is apart.
+struct ColumnChange {
+  std::size_t ticks = 0;
+  double most = 0, at_s = 0;
+};
+
+/// 0 for equal numbers and two that are none; infinite where only one is none.
+double distance_between(double a, double b) {
+  if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
+  const double apart = std::abs(a - b);
+  return std::isnan(apart) ? HUGE_VAL : apart;
+}
+
+ColumnChange change_of(const TraceColumn& column, const Trace& a, const Trace& b, double tolerance) {
+  ColumnChange change;
+  for (std::size_t i = 0; i < std::min(a.rows.size(), b.rows.size()); ++i) {
+    const double apart = distance_between(column.get(a.rows[i]), column.get(b.rows[i]));
+    if (!(apart > tolerance)) continue;
+    ++change.ticks;
+    if (apart <= change.most) continue;
+    change.most = apart;
+    change.at_s = a.rows[i].t_s;
+  }
+  return change;
+}
+
+/// "s-0003.h5 (mu_static 0.3)".
+std::string name_of_job(const std::string& folder, const std::string& name) {
+  const std::string varied = varied_in_job((fs::path(folder) / name).string());
+  return varied.empty() ? name : fmt::format("{} ({})", name, varied);
+}
+
+/// Adds a line for each column that differs. @returns whether any does
+bool compare_traces(const std::string& job, const Trace& a, const Trace& b, double tolerance,
+                    std::vector<std::string>& changes) {
+  const std::size_t before = changes.size();
+  if (a.rows.size() != b.rows.size())
+    changes.push_back(fmt::format("{}: {} ticks, then {}", job, a.rows.size(), b.rows.size()));
+  for (const TraceColumn& column : trace_columns()) {
+    const ColumnChange change = change_of(column, a, b, tolerance);
+    if (change.ticks == 0) continue;
+    const std::string unit = column.unit == "1" ? "" : " " + std::string(column.unit);
+    const std::string most = std::isinf(change.most) ? "from a number to none"
+                                                     : fmt::format("by up to {:.6g}{}", change.most, unit);
+    changes.push_back(fmt::format("{}: {} differs {} at t = {:.6g} s, in {} of {} ticks", job, column.name,
+                                  most, change.at_s, change.ticks, std::min(a.rows.size(), b.rows.size())));
+  }
+  return changes.size() > before;
+}
+
+/// The status of each job in a folder's summary; empty where it has none.
+std::map<std::string, std::string> statuses_in(const std::string& folder) {
+  std::map<std::string, std::string> statuses;
+  const std::string path = (fs::path(folder) / "summary.csv").string();
+  std::error_code none;
+  if (!fs::is_regular_file(path, none)) return statuses;
+  TextLines lines(path, {"a summary", std::uint64_t{2} << 30});
+  std::string_view line;
+  if (!lines.next(line)) return statuses;
+  std::vector<std::string> header;
+  for (const std::string_view cell : csv_cells(line, ',')) header.emplace_back(cell);
+  const auto status =
+      static_cast<std::size_t>(std::find(header.begin(), header.end(), "status") - header.begin());
+  while (lines.next(line)) {
+    const auto cells = csv_cells(line, ',');
+    if (cells.size() > status && cells.size() > 1)
+      statuses[fmt::format("{} job {}", cells[0], cells[1])] = std::string(cells[status]);
+  }
+  return statuses;
+}
+
+void compare_statuses(const std::string& folder_a, const std::string& folder_b,
+                      std::vector<std::string>& changes) {
+  const auto b = statuses_in(folder_b);
+  for (const auto& [job, status] : statuses_in(folder_a)) {
+    const auto other = b.find(job);
+    if (other != b.end() && other->second != status)
+      changes.push_back(fmt::format("{}: was '{}', is '{}'", job, status, other->second));
+  }
+}
+
+}  // namespace
+
+FolderComparison compare_folders(const std::string& folder_a, const std::string& folder_b, double tolerance) {
+  const std::set<std::string> in_a = traces_in(folder_a), in_b = traces_in(folder_b);
+  std::set<std::string> all = in_a;
+  all.insert(in_b.begin(), in_b.end());
+  if (all.empty()) throw refused(folder_a, "holds no trace, and neither does " + folder_b);
+  FolderComparison comparison;
+  comparison.traces = all.size();
+  for (const std::string& name : all) {
+    const bool both = in_a.contains(name) && in_b.contains(name);
+    const std::string job = name_of_job(in_a.contains(name) ? folder_a : folder_b, name);
+    if (!both) {
+      ++comparison.changed;
+      comparison.changes.push_back(
+          fmt::format("{}: is in {} alone", job, in_a.contains(name) ? folder_a : folder_b));
+      continue;
+    }
+    const std::string a = (fs::path(folder_a) / name).string(), b = (fs::path(folder_b) / name).string();
+    if (file_hash(a) == file_hash(b)) continue;
+    const bool changed = compare_traces(job, read_trace(a, TraceContents::rows),
+                                        read_trace(b, TraceContents::rows), tolerance, comparison.changes);
+    comparison.changed += changed ? 1 : 0;
+  }
+  compare_statuses(folder_a, folder_b, comparison.changes);
+  return comparison;
+}
+
+}  // namespace fingerpad

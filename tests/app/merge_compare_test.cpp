@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// Shards put together, and results set against each other.
+
+namespace fingerpad::merge_compare_test {
+namespace {
+namespace fs = std::filesystem;
+using test::bytes_of;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A set of five jobs over a plane.
+fs::path folder_with_set(const std::string& mu = "0.2") {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\nmu_dynamic = " << mu
+      << "\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.02, 0, -0.001]\nspeed_m_per_s = "
+         "0.2\n"
+         "[[set]]\nseed = { from = 1, to = 5, steps = 5 }\n";
+  return folder;
+}
+
+TEST(Merge, OfShardsIsByteForByteASingleRun) {
+  const fs::path folder = folder_with_set();
+  std::ofstream(folder / "plain.toml") << "[[part]]\nmesh = \"none.stl\"\n[motion]\nfile = \"none.csv\"\n";
+  const std::string scenes = "replay s.toml plain.toml --quiet --out ";
+  EXPECT_EQ(test::fingerpad(scenes + "whole", folder).exit_code, 4) << "plain.toml has no mesh";
+  for (const char* shard : {"1", "2", "3"}) {
+    test::fingerpad(scenes + "apart" + shard + " --shard " + shard + "/3", folder);
+    test::fingerpad(scenes + "beside --shard " + std::string(shard) + "/3", folder);
+  }
+  const auto merged = test::fingerpad("merge apart2 apart1 apart3 --out merged", folder);
+  ASSERT_EQ(merged.exit_code, 0) << merged.err;
+  EXPECT_EQ(merged.out, "3 shards: 6 jobs, 5 traces and summary.csv in merged\n");
+  ASSERT_EQ(test::fingerpad("merge beside --out beside", folder).exit_code, 0);
+  for (const char* name :
+       {"summary.csv", "jobs.csv", "s-0001.h5", "s-0005.h5", ".fingerpad/s-0004.h5.proof"}) {
+    EXPECT_EQ(bytes_of(folder / "whole" / name), bytes_of(folder / "merged" / name)) << name;
+    EXPECT_EQ(bytes_of(folder / "whole" / name), bytes_of(folder / "beside" / name)) << name;
+  }
+}
+
+TEST(Merge, OfWhatIsNoWholeBatchIsRefused) {
+  const fs::path folder = folder_with_set();
+  for (const char* shard : {"1/3", "2/3", "1/2"}) {
+    const std::string out = std::string("o") + shard[0] + shard[2];
+    ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out " + out + " --shard " + shard, folder).exit_code,
+              0);
+  }
+  const auto told = [&](const std::string& folders) {
+    const auto result = test::fingerpad("merge " + folders + " --out m", folder);
+    EXPECT_EQ(result.exit_code, 3) << folders;
+    return result.err;
+  };
+  EXPECT_THAT(told("o13 o23"), HasSubstr("shard 3 of 3 is in none of the folders"));
+  EXPECT_THAT(told("o13 o13 o23"), HasSubstr("shard 1 of 3 is there twice"));
+  EXPECT_THAT(told("o13 o12"), HasSubstr("merge one batch at a time"));
+  fs::create_directory(folder / "empty");
+  EXPECT_THAT(told("empty"), HasSubstr("empty: holds no shard of a batch"));
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out o13 --shard 3/3", folder).exit_code, 0);
+  fs::remove(folder / "o23" / "s-0002.h5");
+  EXPECT_THAT(told("o13 o23"), HasSubstr("s-0002.h5: is gone, but its shard's summary has it as done"));
+  const std::string summary = bytes_of(folder / "o13" / "summary-1of3.csv");
+  std::ofstream(folder / "o13" / "summary-1of3.csv") << summary.substr(0, summary.rfind("s,4,"));
+  EXPECT_THAT(told("o13 o23"), HasSubstr("summary-1of3.csv: has 1 of 2 jobs: run that shard to its end"));
+  std::ofstream(folder / "o13" / "summary-1of3.csv") << summary;
+  std::ofstream(folder / "o13" / "summary-3of3.csv") << "scene,job,seed,status\ns,3,3,ok\n";
+  EXPECT_THAT(told("o13 o23"), HasSubstr("it is of another batch"));
+  EXPECT_FALSE(fs::exists(folder / "m"));
+}
+
+TEST(Compare, TellsWhatChangedByJobAndColumn) {
+  const fs::path folder = folder_with_set();
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b --format h5 --jobs 1", folder).exit_code, 0);
+  const auto alike = test::fingerpad("compare a b", folder);
+  EXPECT_EQ(alike.exit_code, 0) << alike.out;
+  EXPECT_EQ(alike.out, "0 of 5 traces changed from a to b\n");
+
+  std::string text = bytes_of(folder / "s.toml");
+  text.replace(text.find("mu_dynamic = 0.2"), 16, "mu_dynamic = 0.1");
+  std::ofstream(folder / "s.toml") << text;
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out c", folder).exit_code, 0);
+  fs::remove(folder / "c" / "s-0005.h5");
+  const auto changed = test::fingerpad("compare a c", folder);
+  EXPECT_EQ(changed.exit_code, 4);
+  EXPECT_THAT(changed.out, HasSubstr("s-0002.h5 (seed 2): ffx_n differs by up to 0.1 N at t = "));
+  EXPECT_THAT(changed.out, HasSubstr("s-0005.h5 (seed 5): is in a alone"));
+  EXPECT_THAT(changed.out, Not(HasSubstr(": fn_n differs")));
+  EXPECT_THAT(changed.out, HasSubstr("5 of 5 traces changed from a to c"));
+  fs::remove(folder / "a" / "s-0005.h5");
+  const auto tolerated = test::fingerpad("compare a c --tolerance 2", folder);
+  EXPECT_EQ(tolerated.exit_code, 0) << tolerated.out;
+  fs::create_directory(folder / "none");
+  EXPECT_EQ(test::fingerpad("compare none none", folder).exit_code, 3);
+}
+
+}  // namespace
+}  // namespace fingerpad::merge_compare_test
