@@ -10,6 +10,7 @@
 #include "app/headless.hpp"
 #include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
+#include "app/size_option.hpp"
 #include "app/standard_streams.hpp"
 #include "app/subject.hpp"
 #include "app/touch_recording.hpp"
@@ -33,6 +34,7 @@ struct TouchOptions {
   std::string subject, record;
   std::string device{device_table().front().name};
   std::string unit = "mm";
+  std::string size = "1280x800";
   std::optional<double> rate_hz, seconds;
   DeviceLink link;
   bool headless = false, force = false, real_time = false;
@@ -59,7 +61,7 @@ Scene touched_scene(const TouchOptions& options) {
 
 /// Opens the window of a touch and returns when it is closed, or when its seconds are over.
 void show_window(const TouchOptions& options, const Scene& scene, const std::shared_ptr<const World>& world,
-                 LiveDevice& device, ServoLoop& servo) {
+                 LiveDevice& device, ServoLoop& servo, TouchSwap& swap) {
   TouchWindowInput input;
   input.view.title = scene.name;
   input.view.file = options.subject;
@@ -67,6 +69,7 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
   input.view.scene = scene;
   input.set_target = [&](const FingerSample& target) { device.set_target(target); };
   input.look_from = [&](const Vec3& towards_eye_W) { device.look_from(towards_eye_W); };
+  input.swap = &swap;
   input.latest = [&] { return servo.latest(); };
   input.timing = [&] { return servo.timing(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
@@ -76,6 +79,9 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
   }
   if (!options.record.empty()) input.note = "recording " + options.record;
   WindowOptions window;
+  const PictureSize size = read_size(options.size);
+  window.width = size.width;
+  window.height = size.height;
   if (options.seconds) window.events = {{*options.seconds, WindowEvent::Kind::key, "q"}};
   run_touch_window(input, window);
 }
@@ -99,7 +105,10 @@ int touch(const TouchOptions& options) {
     throw Error(ErrorKind::usage, "--headless",
                 fmt::format("--device {} is moved in a window: choose another device", options.device));
   }
-  if (!options.headless) need_display();  // before a long import
+  if (!options.headless) {  // before a long import
+    need_display();
+    read_size(options.size);
+  }
   Scene scene = touched_scene(options);
   const auto hand = std::exchange(scene.hand, std::nullopt);  // a person holds the finger
   if (!options.record.empty()) refuse_unrecordable(options.record, scene, options.force);
@@ -111,7 +120,9 @@ int touch(const TouchOptions& options) {
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
   const auto device =
       find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link, hand});
-  const auto recorder = start_recording(options.record, scene, *world, *device);
+  TouchSwap swap(world, scene);
+  swap.schedule(device->scene_changes());
+  const auto recorder = start_recording(options.record, scene, *world, *device, swap);
   tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;
@@ -121,12 +132,13 @@ int touch(const TouchOptions& options) {
         device->feel(record);
         if (recorder && !device->has_ended()) recorder->push(as_recorded(record, *device));
       },
-      servo_history_s, options.real_time);
+      servo_history_s, options.real_time, &swap,
+      [&](const World& changed) { device->surfaces_changed(changed); });
   for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
   if (options.headless) {
     run_headless(options.seconds, options.device, *device);
   } else {
-    show_window(options, scene, world, *device, servo);
+    show_window(options, scene, world, *device, servo, swap);
   }
   servo.stop();
   tell_device(options, device->closing_words());
@@ -181,6 +193,7 @@ void add_touch(CLI::App& program, Action& action) {
                    ->add_option("--bind", options->link.bind,
                                 "Address that is listened on; another than 127.0.0.1 lets others in")
                    ->capture_default_str());
+  add_size_option(*command, options->size, "the window");
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(CLI::Range(1.0, 100000.0));
   command->add_flag("--realtime", options->real_time,

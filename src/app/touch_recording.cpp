@@ -14,7 +14,7 @@
 namespace fingerpad {
 
 std::unique_ptr<LiveRecorder> start_recording(const std::string& path, const Scene& scene, const World& world,
-                                              const LiveDevice& device) {
+                                              const LiveDevice& device, TouchSwap& swap) {
   if (path.empty()) return nullptr;
   const TraceFormat format = path.ends_with(".csv") ? TraceFormat::csv : TraceFormat::hdf5;
   refuse_overwriting(path, input_files(scene));
@@ -29,6 +29,7 @@ std::unique_ptr<LiveRecorder> start_recording(const std::string& path, const Sce
         std::filesystem::exists(path, ignored) || std::filesystem::exists(path + ".part", ignored);
     return there ? std::string() : path + ": the file, or its folder, was removed";
   };
+  watch.changes = [&swap](std::size_t from) { return swap.taken(from); };
   watch.tell = [](const std::string& why) {
     print_err("fingerpad: warning: {}; the touch goes on, but is recorded no longer\n", why);
   };

@@ -50,6 +50,11 @@ void LiveRecorder::drain() {
   taken_.store(taken, std::memory_order_release);
   if (batch_.empty() || failed()) return;
   try {
+    if (watch_.changes) {
+      const std::vector<SceneChange> changes = watch_.changes(changes_);
+      writer_->note_changes(changes);
+      changes_ += changes.size();
+    }
     writer_->append(batch_);
     writer_->flush();
     const std::string fault = watch_.place_fault ? watch_.place_fault() : std::string();

@@ -53,6 +53,7 @@ WorldProps::WorldProps(const ViewInput& input, const DrawSpace& space, const Vie
       }
     }
   }
+  shown_.assign(surfaces_.size(), true);
   if (input.rows.size() < 2) return;
   const auto line = path_line(input, space, extent);
   path_ = line_actor(line, colours::ink);
@@ -97,8 +98,17 @@ void WorldProps::add_to(vtkRenderer* renderer) const {
   if (path_) renderer->AddActor(path_);
 }
 
+// Parts come before planes: creases are counted as parts are, grids as planes.
 void WorldProps::show_creases(bool shown) {
-  for (const auto& actor : creases_) actor->SetVisibility(shown ? 1 : 0);
+  for (std::size_t i = 0; i < creases_.size(); ++i) creases_[i]->SetVisibility(shown && shown_[i] ? 1 : 0);
+  creases_shown_ = shown;
+}
+
+void WorldProps::show_surface(std::size_t index, bool shown) {
+  shown_[index] = shown;
+  surfaces_[index]->SetVisibility(shown ? 1 : 0);
+  if (index >= creases_.size()) grids_[index - creases_.size()]->SetVisibility(shown ? 1 : 0);
+  show_creases(creases_shown_);
 }
 
 void WorldProps::show_path(bool shown, bool by_force) {
@@ -138,6 +148,7 @@ std::optional<SurfaceHit> WorldProps::first_hit(const Vec3& a_mm, const Vec3& b_
   std::optional<SurfaceHit> first;
   for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
     const Surface& surface = world_->surfaces[i];
+    if (!shown_[i]) continue;
     SurfaceHit hit;
     hit.surface = static_cast<int>(i);
     if (surface.part) {

@@ -31,6 +31,9 @@ class WorldProps {
   void show_creases(bool shown);
   void show_path(bool shown, bool by_force);
   void set_line_width(double px);
+  /// A hidden surface is neither seen nor pointed at; it is felt all the same.
+  void show_surface(std::size_t index, bool shown);
+  bool shows_surface(std::size_t index) const { return shown_[index]; }
   /// Parts as the edges of their facets.
   void show_as_wires(bool wires);
 
@@ -50,6 +53,8 @@ class WorldProps {
   std::vector<vtkSmartPointer<vtkPolyData>> meshes_;  ///< one a surface, empty for a plane
   std::vector<vtkSmartPointer<vtkStaticCellLocator>> locators_;
   std::vector<vtkSmartPointer<vtkActor>> surfaces_, creases_, grids_;
+  std::vector<bool> shown_;  ///< one a surface
+  bool creases_shown_ = true;
   vtkSmartPointer<vtkActor> path_;
   double grid_m_ = 0;
 };
