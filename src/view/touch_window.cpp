@@ -57,6 +57,7 @@ class History {
 };
 
 std::string short_time(double seconds) {
+  if (seconds >= 1) return fmt::format("{:.2g} s", seconds);
   return seconds < 1e-3 ? fmt::format("{:.3g} us", 1e6 * seconds) : fmt::format("{:.2g} ms", 1e3 * seconds);
 }
 

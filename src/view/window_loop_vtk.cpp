@@ -393,6 +393,7 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
   if (changed_ && !closing_) {
     changed_ = false;
     render();
+    stage_.charts().ask_again();
   }
   if (options_.on_frame) {
     WindowReport report;
