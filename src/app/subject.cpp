@@ -19,8 +19,9 @@ namespace fingerpad {
 namespace {
 
 std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const World>& world,
-                                 const FingerPath& path) {
-  ClosedLoop loop(world, scene, path);
+                                 const LoadedMotion& motion) {
+  const FingerPath& path = motion.path;
+  ClosedLoop loop(world, scene, path, motion.changes);
   constexpr long most_rows = 20'000'000;  // some 6 GB
   if (loop.tick_count() > most_rows) {
     throw refused(scene.path,
@@ -40,13 +41,13 @@ std::vector<TickRecord> replayed(const Scene& scene, const std::shared_ptr<const
   return rows;
 }
 
-/// The way that a scene's finger goes, told as it is read; nothing where the scene has none.
-std::optional<FingerPath> told_path(const Scene& scene) {
+/// What a scene's finger follows, told as it is read; nothing where the scene has none.
+std::optional<LoadedMotion> told_motion(const Scene& scene) {
   if (!scene.motion.given()) return std::nullopt;
   LoadedMotion motion = load_motion(scene);
   for (const std::string& note : motion.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : motion.warnings) print_err("fingerpad: warning: {}\n", warning);
-  return std::move(motion.path);
+  return motion;
 }
 
 ViewInput scene_subject(const std::string& path, LoadBar& bar) {
@@ -54,13 +55,15 @@ ViewInput scene_subject(const std::string& path, LoadBar& bar) {
   input.scene = single_scene(path);
   input.title = input.scene->name;
   input.file = path;
-  const auto motion = told_path(*input.scene);
-  if (motion) input.scene = at_rate(*input.scene, *motion);
+  const auto motion = told_motion(*input.scene);
+  if (motion) input.scene = at_rate(*input.scene, motion->path);
   input.world = load_world(*input.scene, bar.progress());
   bar.finish();
   tell_warnings(*input.world);
   tell_choice(*input.world);
-  if (motion) input.rows = replayed(*input.scene, input.world, *motion);
+  if (!motion) return input;
+  input.changes = motion->changes;
+  input.rows = replayed(*input.scene, input.world, *motion);
   return input;
 }
 

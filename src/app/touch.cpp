@@ -10,6 +10,7 @@
 #include "app/headless.hpp"
 #include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
+#include "app/size_option.hpp"
 #include "app/standard_streams.hpp"
 #include "app/stop_signals.hpp"
 #include "app/subject.hpp"
@@ -34,6 +35,7 @@ struct TouchOptions {
   std::string subject, record;
   std::string device{device_table().front().name};
   std::string unit = "mm";
+  std::string size = "1280x800";
   std::optional<double> rate_hz, seconds;
   DeviceLink link;
   bool headless = false, force = false, real_time = false;
@@ -61,7 +63,7 @@ Scene touched_scene(const TouchOptions& options) {
 /// Opens the window of a touch and returns when it is closed, when its seconds or the device's motion are
 /// over, or when a signal asks to stop.
 void show_window(const TouchOptions& options, const Scene& scene, const std::shared_ptr<const World>& world,
-                 LiveDevice& device, ServoLoop& servo, const LiveRecorder* recorder,
+                 LiveDevice& device, ServoLoop& servo, TouchSwap& swap, const LiveRecorder* recorder,
                  const StopSignals& signals) {
   TouchWindowInput input;
   input.view.title = scene.name;
@@ -70,6 +72,7 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
   input.view.scene = scene;
   input.set_target = [&](const FingerSample& target) { device.set_target(target); };
   input.look_from = [&](const Vec3& towards_eye_W) { device.look_from(towards_eye_W); };
+  input.swap = &swap;
   input.latest = [&] { return servo.latest(); };
   input.timing = [&] { return servo.timing(); };
   input.recent = [&](double seconds) { return servo.recent(seconds); };
@@ -85,6 +88,9 @@ void show_window(const TouchOptions& options, const Scene& scene, const std::sha
     };
   }
   WindowOptions window;
+  const PictureSize size = read_size(options.size);
+  window.width = size.width;
+  window.height = size.height;
   if (options.seconds) window.events = {{*options.seconds, WindowEvent::Kind::key, "q"}};
   run_touch_window(input, window);
 }
@@ -127,7 +133,10 @@ int touch(const TouchOptions& options) {
                 fmt::format("--device {} is moved in a window: choose another device", options.device));
   }
   refuse_unread(options);
-  if (!options.headless) need_display();  // before a long import
+  if (!options.headless) {  // before a long import
+    need_display();
+    read_size(options.size);
+  }
   Scene scene = touched_scene(options);
   warn_of_unread(options, scene);
   const auto hand = std::exchange(scene.hand, std::nullopt);  // a person holds the finger
@@ -141,7 +150,9 @@ int touch(const TouchOptions& options) {
   const StopSignals signals;  // before a device changes the terminal, or a record is begun
   const auto device =
       find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link, hand});
-  const auto recorder = start_recording(options.record, scene, *world, *device);
+  TouchSwap swap(world, scene);
+  swap.schedule(device->scene_changes());
+  const auto recorder = start_recording(options.record, scene, *world, *device, swap);
   tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;
@@ -152,12 +163,13 @@ int touch(const TouchOptions& options) {
         device->feel(record);
         if (recorder && !device->has_ended()) recorder->push(as_recorded(record, sample, *device));
       },
-      servo_history_s, options.real_time);
+      servo_history_s, options.real_time, &swap,
+      [&](const World& changed) { device->surfaces_changed(changed); });
   for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
   if (options.headless) {
     run_headless(options.seconds, options.device, *device, signals);
   } else {
-    show_window(options, scene, world, *device, servo, recorder.get(), signals);
+    show_window(options, scene, world, *device, servo, swap, recorder.get(), signals);
   }
   servo.stop();
   tell_device(options, device->closing_words());
@@ -211,6 +223,7 @@ void add_touch(CLI::App& program, Action& action) {
   refuse_empty(
       command->add_option("--bind", options->link.bind,
                           "Address that is listened on; default: 127.0.0.1; another lets others in"));
+  add_size_option(*command, options->size, "the window");
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(CLI::Range(1.0, 100000.0));
   command->add_flag("--realtime", options->real_time,

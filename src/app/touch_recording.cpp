@@ -23,7 +23,7 @@ bool is_gone(const std::string& path) {
 }  // namespace
 
 std::unique_ptr<LiveRecorder> start_recording(const std::string& path, const Scene& scene, const World& world,
-                                              const LiveDevice& device) {
+                                              const LiveDevice& device, TouchSwap& swap) {
   if (path.empty()) return nullptr;
   const TraceFormat format = path.ends_with(".csv") ? TraceFormat::csv : TraceFormat::hdf5;
   refuse_overwriting(path, input_files(scene));
@@ -41,6 +41,7 @@ std::unique_ptr<LiveRecorder> start_recording(const std::string& path, const Sce
     return is_gone(path) && is_gone(path + ".part") ? path + ": the file, or its folder, was removed"
                                                     : std::string();
   };
+  watch.changes = [&swap](std::size_t from) { return swap.taken(from); };
   watch.tell = [](const std::string& why) {
     print_err("fingerpad: warning: {}; the touch goes on, but is recorded no longer\n", why);
   };

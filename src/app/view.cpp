@@ -2,12 +2,13 @@
 
 #include <CLI/CLI.hpp>
 #include <cmath>
-#include <cstdio>
 #include <optional>
+#include <utility>
 
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
+#include "app/size_option.hpp"
 #include "app/standard_streams.hpp"
 #include "app/subject.hpp"
 #include "app/unit_option.hpp"
@@ -31,20 +32,6 @@ struct ViewOptions {
   bool quiet = false;
 };
 
-struct Size {
-  int width = 0, height = 0;
-};
-
-Size read_size(const std::string& text) {
-  Size size;
-  char extra = 0;
-  // Five digits, since more do not fit into an int and are too many in any case.
-  if (std::sscanf(text.c_str(), "%5dx%5d%c", &size.width, &size.height, &extra) != 2) {
-    throw Error(ErrorKind::usage, "--size", "'" + text + "' is not WxH in pixels, as 1280x800");
-  }
-  return size;
-}
-
 /// The moment of the picture, told where it is not the one that was asked for.
 double shown_moment(const ViewInput& input, std::optional<double> at_s) {
   const TickRecord& row =
@@ -57,7 +44,7 @@ double shown_moment(const ViewInput& input, std::optional<double> at_s) {
   return row.t_s;
 }
 
-void write_picture(const ViewOptions& options, const ViewInput& input, const Size& size) {
+void write_picture(const ViewOptions& options, const ViewInput& input, const PictureSize& size) {
   std::string what = fmt::format("{} x {} pixels", size.width, size.height);
   if (!input.rows.empty()) what += fmt::format(", at {} s", shown_moment(input, options.at_s));
   ViewState state;
@@ -66,9 +53,28 @@ void write_picture(const ViewOptions& options, const ViewInput& input, const Siz
   tell_written(options.quiet, options.png, what);
 }
 
+/// A window, and in its place another one for each file that is dropped onto it and can be shown.
+void show_windows(ViewInput input, double metres_per_unit, WindowOptions window) {
+  std::optional<ViewInput> dropped;
+  window.on_drop = [&](const std::string& path) -> std::string {
+    try {
+      LoadBar bar(stderr_is_terminal());
+      dropped = load_subject(path, metres_per_unit, bar);
+      bar.finish();
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
+  for (;;) {
+    run_view_window(input, window);
+    if (!dropped) return;
+    input = *std::exchange(dropped, std::nullopt);
+  }
+}
+
 int view(const ViewOptions& options) {
-  const Size size = read_size(options.size);
-  refuse_picture_size(size.width, size.height);
+  const PictureSize size = read_size(options.size);
   if (options.at_s && !std::isfinite(*options.at_s))
     throw Error(ErrorKind::usage, "--at", "is no moment in seconds");
   // Before a long import.
@@ -81,7 +87,7 @@ int view(const ViewOptions& options) {
     refuse_other_endings(options.png, "view --png", {".png"});
   }
   LoadBar bar(stderr_is_terminal());
-  const ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);
+  ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);
   bar.finish();
   if (!options.png.empty()) {
     write_picture(options, input, size);
@@ -91,7 +97,7 @@ int view(const ViewOptions& options) {
   window.width = size.width;
   window.height = size.height;
   if (!options.camera.empty()) window.look = read_look(options.camera);
-  run_view_window(input, window);
+  show_windows(std::move(input), metres_of(options.unit), window);
   return 0;
 }
 
@@ -107,11 +113,7 @@ void add_view(CLI::App& program, Action& action) {
                    "input, whose paths start in the current folder")
       ->required();
   refuse_empty(command->add_option("--png", options->png, "Write a picture instead; needs no screen"));
-  command
-      ->add_option("--size", options->size,
-                   "Size of the window or picture in pixels: 200 to 8192 each way, 10 million in all (1 GB)")
-      ->type_name("WxH")
-      ->capture_default_str();
+  add_size_option(*command, options->size, "the window or picture");
   command->add_option("--at", options->at_s,
                       "The moment of the picture [s]; default: the one with the greatest friction");
   refuse_empty(command

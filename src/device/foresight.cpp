@@ -5,7 +5,8 @@
 
 namespace fingerpad {
 
-Foresight::Foresight(std::shared_ptr<const World> world, const Scene& scene) : world_(std::move(world)) {
+Foresight::Foresight(std::shared_ptr<const World> world, const Scene& scene)
+    : kept_(std::move(world)), world_(kept_.get()) {
   const ContactChoice choice = settled_contact(scene, *world_);
   const ContactMethodEntry* const entry = find_contact_method(choice.method);
   if (entry == nullptr) return;

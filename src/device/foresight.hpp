@@ -25,6 +25,8 @@ class Foresight {
   double try_n(const Vec3& p_W, double dt_s) noexcept;
   /// The finger goes there. @returns the normal force that its tick will give
   double go_n(const Vec3& p_W, double dt_s) noexcept;
+  /// The same surfaces with other properties; they outlive this.
+  void surfaces_changed(const World& world) noexcept { world_ = &world; }
   /// As if the last go_n() had not been.
   void take_back() noexcept;
 
@@ -32,7 +34,8 @@ class Foresight {
   double normal_force_n(const Contact& contact, const Vec3& p_W, double dt_s) noexcept;
   double normal_force_n(const ProxyContact& proxy, const Vec3& p_W, double dt_s) noexcept;
 
-  std::shared_ptr<const World> world_;
+  std::shared_ptr<const World> kept_;
+  const World* world_;  ///< kept_, until its surfaces have other properties
   // Where the scene has a proxy: one that goes as the touch's does, its memory too, and one for trying.
   std::optional<Proxy> goes_, tries_;
   ProxyState before_;                      ///< of the one that goes, before its last step

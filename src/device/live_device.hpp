@@ -6,6 +6,7 @@
 
 #include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_change.hpp"
 #include "touch/tick_record.hpp"
 
 namespace fingerpad {
@@ -60,6 +61,12 @@ class LiveDevice {
 
   /// What the tick at the finger of the last advance() gave. Same thread, same rules.
   virtual void feel(const TickRecord& /*tick*/) noexcept {}
+
+  /// The surfaces have other properties from the next advance() on; they outlive the device. Same thread,
+  /// same rules.
+  virtual void surfaces_changed(const World& /*world*/) noexcept {}
+  /// What its motion changes in the scene on the way, as it was recorded. Before the first advance().
+  virtual std::vector<SceneChange> scene_changes() const { return {}; }
 
   /// Where the window's pointer would have the finger, and what to press with (push_W_n, zero: hover), at the
   /// time of its event (t_s, on a clock of the window's). One thread, the window's. A device with a place of

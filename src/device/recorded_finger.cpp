@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "device/device_table.hpp"
-#include "trace/motion_source.hpp"
 
 namespace fingerpad {
 namespace {
@@ -15,10 +14,12 @@ double rate_of_motion_hz(const Scene& scene) {
 
 }  // namespace
 
-RecordedFinger::RecordedFinger(const DeviceSetup& setup)
-    : path_(load_motion(setup.scene).path.with_rate(setup.scene.motion.rate_hz)) {
-  const MotionSettings& motion = setup.scene.motion;
-  words_ = fmt::format("{}, {:.4g} s, {} ticks", motion.file.empty() ? "a scripted motion" : motion.file,
+RecordedFinger::RecordedFinger(const DeviceSetup& setup) : RecordedFinger(setup, load_motion(setup.scene)) {}
+
+RecordedFinger::RecordedFinger(const DeviceSetup& setup, const LoadedMotion& motion)
+    : path_(motion.path.with_rate(setup.scene.motion.rate_hz)), changes_(motion.changes) {
+  const std::string& file = setup.scene.motion.file;
+  words_ = fmt::format("{}, {:.4g} s, {} ticks", file.empty() ? "a scripted motion" : file,
                        path_.end_s() - path_.start_s(), path_.tick_count());
 }
 

@@ -9,7 +9,8 @@
 namespace fingerpad {
 
 Surroundings::Surroundings(std::shared_ptr<const World> world, const Scene& scene)
-    : world_(std::move(world)),
+    : kept_(std::move(world)),
+      world_(kept_.get()),
       normals_(Normals::facet),
       finger_radius_m_(scene.finger.radius_m),
       memories_(world_->surfaces.size()) {

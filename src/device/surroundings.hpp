@@ -26,6 +26,8 @@ class Surroundings {
   /// @param reach_m  look no farther. noexcept, allocates nothing.
   Clearance at(const Vec3& p_W, double reach_m) noexcept;
 
+  /// The same surfaces with other properties; they outlive this.
+  void surfaces_changed(const World& world) noexcept { world_ = &world; }
   const SurfaceProperties& properties(int surface) const noexcept {
     return world_->surfaces[static_cast<std::size_t>(surface)].properties;
   }
@@ -38,7 +40,8 @@ class Surroundings {
   double finger_radius_m() const noexcept { return finger_radius_m_; }
 
  private:
-  std::shared_ptr<const World> world_;
+  std::shared_ptr<const World> kept_;
+  const World* world_;  ///< kept_, until its surfaces have other properties
   Normals normals_;
   bool sided_ = false;  ///< the contact method takes all that is behind a facet for the part's inside
   double finger_radius_m_;

@@ -47,7 +47,7 @@ std::optional<std::vector<double>> recounted(const std::string& path, const Trac
 std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& world, const FingerPath& path,
                         const TraceInfo& info, const JobOutput& output) {
   Figures figures(world);
-  ClosedLoop loop(world, scene, path);
+  ClosedLoop loop(world, scene, path, info.changes);
   const auto writer = TraceWriter::create(output.path, output.format, info, *world);
   constexpr long block_ticks = 4096;
   std::vector<TickRecord> block;
@@ -87,6 +87,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, const JobOut
   const auto world = load_world(scene, meshes);
   TraceInfo info = trace_info(scene, *world, path, output.version);
   info.motion_notes = motion.notes;
+  info.changes = motion.changes;
   JobResult result{{},           info.contact_method, info.contact_normals, info.contact_reasons,
                    motion.notes, motion.warnings};
   const std::string digest = run_digest(info, output.format);

@@ -17,12 +17,17 @@ Scene at_rate(Scene scene, const FingerPath& path) {
   return scene;
 }
 
-ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path)
+ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path,
+                       const std::vector<SceneChange>& changes)
     : world_(world),
       touch_(std::move(world), at_rate(scene, path)),
       path_(std::move(path)),
       turns_(path_.turns()),
       was_in_hand_(path_.was_in_hand()) {
+  if (!changes.empty()) {
+    swap_ = std::make_unique<TouchSwap>(world_, at_rate(scene, path_));
+    swap_->schedule(changes);
+  }
   if (!scene.hand) return;
   hand_settings_ = *scene.hand;
   double scene_m = 1 + path_.farthest_m();
@@ -34,6 +39,7 @@ ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, F
 
 TickRecord ClosedLoop::next() noexcept {
   const FingerSample intended = path_.at(tick_);
+  if (swap_) swap_->before_tick(touch_, intended.t_s);
   TickRecord record = hand_ ? next_in_hand(intended) : touch_.tick(intended);
   if (was_in_hand_ && !hand_) {
     record.encoded_W = intended.p_WQ;

@@ -3,10 +3,12 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "motion/finger_path.hpp"
 #include "motion/simulated_hand.hpp"
 #include "touch/touch.hpp"
+#include "touch/touch_swap.hpp"
 
 namespace fingerpad {
 
@@ -17,7 +19,10 @@ Scene at_rate(Scene scene, const FingerPath& path);
 /// has a [hand], a simulated hand holds the finger, feels the force and closes the loop.
 class ClosedLoop {
  public:
-  ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path);
+  /// @param changes  of the scene on the way, as a recording has them. Throws Error (refused) for one that
+  /// the scene cannot have.
+  ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path,
+             const std::vector<SceneChange>& changes = {});
 
   long tick_count() const noexcept { return path_.tick_count(); }
   /// The next tick. With a hand the record's position is the finger's true one; the touch saw the encoders'.
@@ -37,6 +42,7 @@ class ClosedLoop {
 
   std::shared_ptr<const World> world_;
   Touch touch_;
+  std::unique_ptr<TouchSwap> swap_;  ///< where there are changes
   FingerPath path_;
   std::optional<SimulatedHand> hand_;
   HandSettings hand_settings_;

@@ -65,12 +65,13 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
       normals_(settled_contact(scene, *world_).normals),
       radius_m_(scene.finger.radius_m),
       dt_s_(1 / scene.motion.rate_hz),
+      method_row_(find_contact_method(settled_contact(scene, *world_).method)),
+      law_row_(find_law(scene.friction.law)),
       method_(make_contact_method(scene, *world_)),
       velocity_(scene.hand ? scene.hand->encoder_m : 0, dt_s_) {
-  const LawEntry* entry = find_law(scene.friction.law);
-  if (entry == nullptr)
+  if (law_row_ == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
-  law_ = entry->make(scene.friction.settings);
+  law_ = law_row_->make(scene.friction.settings);
   if (!scene.friction.vibration) return;
   const VibrationSettings& vibration = *scene.friction.vibration;
   vibration_amplitude_ = vibration.amplitude;

@@ -15,6 +15,8 @@
 
 namespace fingerpad {
 
+struct ContactMethodEntry;
+struct LawEntry;
 struct Scene;
 
 /// One finger in one world: the tick that live touch, replay and study share.
@@ -29,6 +31,13 @@ class Touch {
   /// noexcept, allocates nothing; no force is ever non-finite, whatever the sample (one that is not finite is
   /// free).
   TickRecord tick(const FingerSample& sample) noexcept;
+
+  /// Goes on from where another touch of the same surfaces stands, which is of no use afterwards: with its
+  /// velocity estimate and last position, its contact method's place where method and normals are the same,
+  /// its walls with their frames, their friction where the law is the same (a stick goes on, to its new
+  /// limit; another law begins with the contact as if it had only now been touched), and its random stream.
+  /// noexcept, allocates nothing.
+  void take_over(Touch& before) noexcept;
 
   /// Forgets the contact and the last position, as before the first tick.
   void reset() noexcept;
@@ -65,6 +74,8 @@ class Touch {
   double radius_m_;
   double dt_s_;
 
+  const ContactMethodEntry* method_row_;
+  const LawEntry* law_row_;
   std::unique_ptr<ContactMethod> method_;
   VelocityEstimator velocity_;
   bool has_last_ = false;

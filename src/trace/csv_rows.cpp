@@ -13,6 +13,7 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/text_lines.hpp"
+#include "trace/change_log.hpp"
 #include "trace/trace_column.hpp"
 
 namespace fingerpad {
@@ -124,6 +125,7 @@ Trace read_csv_trace(const std::string& path) {
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k] != cell_count) tell_of(trace_columns()[k], trace.info);
   }
+  trace.info.changes = read_scene_changes(read_change_file(path), change_file_name(path));
   trace.complete = !path.ends_with(".part");
   while (lines.next(line)) {
     if (!lines.ended() && !trace.complete) break;  // the row that was under way

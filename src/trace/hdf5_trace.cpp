@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "touch/world.hpp"
+#include "trace/change_log.hpp"
 #include "trace/embedded_surfaces.hpp"
 #include "trace/hdf5_file.hpp"
 #include "trace/trace_column.hpp"
@@ -189,6 +190,7 @@ void tell_trace(const std::string& path, TraceContents contents, Teller& tell) {
   tell(complete);
   const TraceInfo info = read_info(file);
   each_field_of_info(tell, info);
+  tell(read_change_log(file));
   tell_rows(file, open_columns(file, complete), complete, tell);
   if (contents == TraceContents::all) {
     read_surfaces(file, [&tell](const EmbeddedSurface& surface) {
@@ -204,6 +206,9 @@ Trace hear_trace(const std::string& path, TraceContents contents, Hearer& hear) 
   Trace trace;
   hear(trace.complete);
   each_field_of_info(hear, trace.info);
+  std::string changes;
+  hear(changes);
+  trace.info.changes = read_scene_changes(changes, path);
   hear_rows(path, hear, trace);
   trace.world = hear_surfaces(path, hear);
   if (contents == TraceContents::rows) trace.world = nullptr;

@@ -54,6 +54,11 @@ void LiveRecorder::drain() {
 /// A touch goes on whatever becomes of its record: no error of the disk leaves this thread.
 void LiveRecorder::write() {
   try {
+    if (watch_.changes) {
+      const std::vector<SceneChange> changes = watch_.changes(changes_);
+      writer_->note_changes(changes);
+      changes_ += changes.size();
+    }
     writer_->append(batch_);
     writer_->flush();
   } catch (const std::exception& error) {

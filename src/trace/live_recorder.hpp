@@ -23,6 +23,9 @@ class LiveRecorder {
   struct Watch {
     /// What is wrong with the file's place since it was opened, asked at every flush; empty: nothing.
     std::function<std::string()> place_fault{};
+    /// Changes of the scene since the start but for the first `from`, asked for before the rows that were
+    /// felt under them are written.
+    std::function<std::vector<SceneChange>(std::size_t from)> changes{};
     /// Told once, at once, when the recording can go no further.
     std::function<void(const std::string& why)> tell{};
   };
@@ -72,6 +75,7 @@ class LiveRecorder {
   std::exception_ptr error_;       // writer thread, until it is joined
   std::string fault_;              // writer thread, until failed_ is set; then nobody's to change
   std::vector<TickRecord> batch_;  // writer thread
+  std::size_t changes_ = 0;        // writer thread: handed to the writer so far
   std::mutex mutex_;               // guards stopping_
   std::condition_variable wake_;
   bool stopping_ = false;

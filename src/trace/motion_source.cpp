@@ -31,8 +31,9 @@ void take_attitude(const std::string& path, std::size_t i, const TickRecord& row
 }
 
 /// The finger's way in a trace, as the run's friction was told it: of a hand the encoders' positions.
-Motion motion_of_trace(const std::string& path, bool reads_normal_force) {
-  const Trace trace = read_trace(path, TraceContents::rows);
+Motion motion_of_trace(const std::string& path, bool reads_normal_force, std::vector<SceneChange>& changes) {
+  Trace trace = read_trace(path, TraceContents::rows);
+  changes = std::move(trace.info.changes);
   if (trace.rows.empty()) throw refused(path, "the trace has no rows");
   const auto count = static_cast<Eigen::Index>(trace.rows.size());
   Motion motion;
@@ -92,6 +93,7 @@ struct Reading {
   const MotionSettings& settings;
   Motion motion;
   RecordingClock clock;
+  std::vector<SceneChange> changes;
   std::vector<std::string> notes, warnings;
 
   /// Files are named as the scene names them: what a trace keeps holds no path of one machine.
@@ -110,7 +112,10 @@ void read_file(Reading& reading) {
                                 "(HDF5), which says itself what it holds: leave the key out",
                                 settings.table_key, settings.file));
     }
-    reading.motion = motion_of_trace(settings.file_path, reads_force);
+    reading.motion = motion_of_trace(settings.file_path, reads_force, reading.changes);
+    if (!reading.changes.empty())
+      reading.note(fmt::format("with the {} changes of the scene that were made while it was touched",
+                               reading.changes.size()));
     return;
   }
   char separator = found_separator;
@@ -225,7 +230,7 @@ LoadedMotion load_motion(const Scene& scene) {
     throw refused(scene.path, "the scene has no motion to follow; give [motion] a 'file' or a 'kind'");
   }
   if (settings.scripted) return at_chosen_rate(scene, scripted_motion(scene));
-  Reading reading{scene, settings, {}, {}, {}, {}};
+  Reading reading{scene, settings, {}, {}, {}, {}, {}};
   read_file(reading);
   reading.clock = recording_clock(reading.motion.t_s);
   if (settings.has_own_rate() || is_refined(settings))
@@ -239,6 +244,7 @@ LoadedMotion load_motion(const Scene& scene) {
   return in_file(settings, [&] {
     return at_chosen_rate(scene, LoadedMotion{{std::move(reading.motion), rate_hz, scene.finger.direction},
                                               reading.notes,
+                                              reading.changes,
                                               reading.warnings});
   });
 }

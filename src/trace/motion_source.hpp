@@ -5,6 +5,7 @@
 
 #include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
+#include "scene/scene_change.hpp"
 
 namespace fingerpad {
 
@@ -12,6 +13,7 @@ namespace fingerpad {
 struct LoadedMotion {
   FingerPath path;                         ///< at the scene's rate, or at the recording's own
   std::vector<std::string> notes = {};     ///< how the file was read and what was made of it, for people
+  std::vector<SceneChange> changes = {};   ///< of the scene, made while a trace was recorded live
   std::vector<std::string> warnings = {};  ///< what in it is not as it should be
 };
 

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "scene/scene_change.hpp"
 #include "touch/tick_record.hpp"
 
 namespace fingerpad {
@@ -32,10 +33,11 @@ struct TraceInfo {
   bool attitudes = false;      ///< its attitude
   bool sent = false;           ///< what a device with motors was sent of the force
   std::vector<std::string>
-      motion_notes;             ///< how it was read and what was made of it (LoadedMotion), a line each
-  std::string profile_text;     ///< the profile file's text, empty without one
-  std::string contact_method;   ///< that served: a row's name, or "plane" without a part
-  std::string contact_normals;  ///< a row's name
+      motion_notes;                  ///< how it was read and what was made of it (LoadedMotion), a line each
+  std::string profile_text;          ///< the profile file's text, empty without one
+  std::string contact_method;        ///< that served: a row's name, or "plane" without a part
+  std::string contact_normals;       ///< a row's name
+  std::vector<SceneChange> changes;  ///< made while it was touched, in order of time
   std::vector<std::string> contact_reasons;  ///< why, where the scene left it open: a line a part
 };
 

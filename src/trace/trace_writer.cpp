@@ -5,6 +5,7 @@
 
 #include "base/error.hpp"
 #include "touch/world.hpp"
+#include "trace/change_log.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/embedded_surfaces.hpp"
 #include "trace/file_seal.hpp"
@@ -71,6 +72,7 @@ class Hdf5TraceWriter final : public TraceWriter {
                                               std::string(column.unit)));
       if (!column.values.empty()) hdf5::write_text(datasets_.back(), "values", std::string(column.values));
     }
+    change_log_.add(file_, info.changes);
     hdf5::flush(file_);
     pending_.reserve(flushed_rows);
   }
@@ -89,6 +91,11 @@ class Hdf5TraceWriter final : public TraceWriter {
     hdf5::flush(file_);
   }
 
+  void note_changes(std::span<const SceneChange> changes) override {
+    const hdf5::Turn turn;
+    change_log_.add(file_, changes);
+  }
+
   void note_timing(const ServoTiming& timing) override {
     const hdf5::Turn turn;
     write_timing(file_, timing);
@@ -103,6 +110,7 @@ class Hdf5TraceWriter final : public TraceWriter {
       hdf5::write_flag(file_, "complete", true);
       hdf5::flush(file_);
       datasets_.clear();
+      change_log_.close();
       hdf5::close_file(std::move(file_));
     }
     seal_file(path);
@@ -125,13 +133,15 @@ class Hdf5TraceWriter final : public TraceWriter {
   std::vector<hdf5::Handle> datasets_;  // one a column
   std::vector<TickRecord> pending_;
   std::size_t rows_ = 0;  // in the file
+  Hdf5ChangeLog change_log_;
 };
 
 class CsvTraceWriter final : public TraceWriter {
  public:
   CsvTraceWriter(const std::string& path, const TraceInfo& info)
-      : columns_(csv_columns(info)), file_(path, OutputFile::Unfinished::kept) {
+      : columns_(csv_columns(info)), file_(path, OutputFile::Unfinished::kept), change_file_(path) {
     file_.write(csv_header(columns_));
+    change_file_.add(info.changes);
     file_.flush();  // from here on it can be read, whatever becomes of the program
   }
 
@@ -142,13 +152,17 @@ class CsvTraceWriter final : public TraceWriter {
     }
   }
 
+  void note_changes(std::span<const SceneChange> changes) override { change_file_.add(changes); }
+
   void flush() override {
+    change_file_.flush();  // before the rows that were felt under them
     write_text();
     file_.flush();
   }
 
   void finish() override {
     write_text();
+    change_file_.commit();
     file_.commit();
   }
 
@@ -160,6 +174,7 @@ class CsvTraceWriter final : public TraceWriter {
 
   std::vector<TraceColumn> columns_;
   OutputFile file_;
+  ChangeFile change_file_;
   std::string text_;
 };
 

@@ -27,6 +27,9 @@ class TraceWriter {
   virtual void append(std::span<const TickRecord> rows) = 0;
   /// Everything appended so far can be read back even if the process is killed now.
   virtual void flush() = 0;
+  /// Changes of the scene beyond those of the info, in order of time; flushed with the rows. Throws as
+  /// append.
+  virtual void note_changes(std::span<const SceneChange> /*changes*/) {}
   /// How the loop that made the rows kept its time, for the file's attributes; CSV has no place for it.
   virtual void note_timing(const ServoTiming& /*timing*/) {}
   /// Marks the trace complete and closes it. Without this it reads as cut short.

@@ -146,6 +146,10 @@ bool ChartBoard::move(int x, int y) {
   return true;
 }
 
+void ChartBoard::ask_again() {
+  if (hovered_ != nullptr && held_ == nullptr) move(last_x_, last_y_);
+}
+
 bool ChartBoard::release(int x, int y) {
   if (held_ == nullptr) return false;
   ++changes_;

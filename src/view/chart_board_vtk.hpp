@@ -42,6 +42,8 @@ class ChartBoard {
   bool move(int x, int y);
   bool release(int x, int y);
 
+  /// Asks anew what the mouse is over, when the curves have gone on under it; after they were painted.
+  void ask_again();
   /// The value that the mouse asks for; empty: none.
   std::string told() const;
 

@@ -32,6 +32,7 @@ class OverlayPainter {
     }
     paint_scale_and_axes();
     if (facts_.inset_px_per_mm > 0) paint_inset_frame();
+    paint_marks();
     paint_words();
     if (layout_.timeline.height > 0) paint_timeline();
     if (!facts_.alarm.empty()) paint_alarm();
@@ -54,6 +55,19 @@ class OverlayPainter {
           {right, middle}, hint,
           {.size = 0.95 * em_, .colour = colours::grey, .across = Across::right, .upright = Upright::middle});
     }
+  }
+
+  void paint_marks() {
+    if (facts_.marks.empty()) return;
+    if (facts_.marks.size() > 1)
+      drawing_.line(facts_.marks[0], facts_.marks[1], {colours::ink, 0.14 * em_, 0.5 * em_, 0.3 * em_});
+    Vec2 middle(0, 0);
+    for (const Vec2& mark : facts_.marks) {
+      drawing_.disc(mark, 0.36 * em_, colours::white);
+      drawing_.disc(mark, 0.25 * em_, colours::reddish_purple);
+      middle += mark / static_cast<double>(facts_.marks.size());
+    }
+    paint_pill(drawing_, middle + Vec2(0, 1.9 * em_), facts_.marks_words, em_);
   }
 
   /// Cut where it does not fit: the terminal has it whole.

@@ -50,6 +50,8 @@ struct OverlayFacts {
   std::string invitation;         ///< how to begin, until it was done once
   std::string message;            ///< what has just been done, for a moment
   std::string notice;             ///< what is missing in the picture, and why
+  std::vector<Vec2> marks;        ///< places that were marked, on the screen
+  std::string marks_words;        ///< the distance of two, or where the one is
   std::string hint;               ///< of keys; empty in a picture
   std::string alarm;              ///< what has gone wrong; empty: nothing
   std::vector<std::string> help;  ///< "key: what it does", for the help page

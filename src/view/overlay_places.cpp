@@ -31,15 +31,17 @@ bool within(const Box& box, const Box& around) {
 }  // namespace
 
 std::vector<Box> OverlayPlaces::place(const Layout& layout, const std::vector<Placed>& boxes,
-                                      const std::optional<Vec2>& contact_px) {
+                                      const std::optional<Vec2>& contact_px, const std::vector<Box>& taken) {
   before_.resize(boxes.size());
   std::vector<Box> places;
+  const auto meets = [](const Box& box) {
+    return [&box](const Box& other) { return other.width > 0 && meet(box, other); };
+  };
   const auto is_free = [&](const Box& box, double clear_em) {
     const bool hides =
         contact_px && widened(box, clear_em * layout.em).holds(contact_px->x(), contact_px->y());
-    return !hides && within(box, layout.scene) &&
-           std::none_of(places.begin(), places.end(),
-                        [&](const Box& other) { return other.width > 0 && meet(box, other); });
+    return !hides && within(box, layout.scene) && std::none_of(places.begin(), places.end(), meets(box)) &&
+           std::none_of(taken.begin(), taken.end(), meets(box));
   };
   for (std::size_t i = 0; i < boxes.size(); ++i) {
     Box chosen;

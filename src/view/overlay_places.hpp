@@ -22,8 +22,9 @@ class OverlayPlaces {
  public:
   /// Boxes in order of rank; one that fits nowhere is left out (empty box).
   /// @param contact_px  what must stay in sight; none: nothing
+  /// @param taken       boxes that stand already
   std::vector<Box> place(const Layout& layout, const std::vector<Placed>& boxes,
-                         const std::optional<Vec2>& contact_px);
+                         const std::optional<Vec2>& contact_px, const std::vector<Box>& taken = {});
 
  private:
   std::vector<std::optional<Corner>> before_;

@@ -13,8 +13,10 @@
 #include <cmath>
 #include <filesystem>
 
+#include "base/error.hpp"
 #include "base/tangent_frame.hpp"
 #include "part/part.hpp"
+#include "touch/touch_swap.hpp"
 #include "view/axis.hpp"
 #include "view/camera_vtk.hpp"
 #include "view/drawing_item_vtk.hpp"
@@ -67,6 +69,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
       charts_(charts),
       timeline_(timeline),
       arrow_scale_(input.rows) {
+  put_recorded(-HUGE_VAL);
   space_.origin_W = extent_.everything().centre_W;
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   window_->SetMultiSamples(4);
@@ -179,10 +182,40 @@ void Stage::zoom(double factor) {
 void Stage::show(const std::optional<TickRecord>& row, double speed_m_per_s) {
   moment_.reset();
   if (row) {
-    moment_ = contact_moment(input_, *row);
+    put_recorded(row->t_s);
+    moment_ = contact_moment(now_, *row);
     arrow_scale_.see(*row);
   }
   speed_m_per_s_ = speed_m_per_s;
+}
+
+void Stage::put(const Scene& scene) {
+  now_.scene = scene;
+  if (now_.world) now_.world = changed_world(*now_.world, scene);
+}
+
+/// What the recording had changed by then.
+void Stage::put_recorded(double t_s) {
+  const auto& changes = input_.changes;
+  const auto due = static_cast<std::size_t>(std::count_if(
+      changes.begin(), changes.end(), [t_s](const SceneChange& one) { return one.t_s <= t_s; }));
+  const bool first = !now_.scene && !now_.world;
+  if (due == changes_put_ && !first) return;
+  changes_put_ = due;
+  now_.scene = input_.scene;
+  now_.world = input_.world;
+  now_.contact_words = input_.contact_words;
+  if (due == 0 || !input_.scene) return;
+  Scene scene = *input_.scene;
+  try {
+    for (std::size_t i = 0; i < due; ++i) {
+      apply(changes[i], scene);
+      if (changes[i].key.starts_with("contact.")) now_.contact_words.clear();
+    }
+  } catch (const Error&) {  // a trace of another program's: its picture is worth more than its words
+    return;
+  }
+  put(scene);
 }
 
 void Stage::show_chart(Chart chart) {
@@ -232,7 +265,7 @@ void Stage::place_overlay(OverlayFacts& facts) {
                                    {{hud.x(), hud.y(), {top_left, top_right, bottom_right}},
                                     {side, side, {top_right, bottom_right, top_left, bottom_left}},
                                     {legend.x(), legend.y(), {bottom_left, bottom_right, top_left}}},
-                                   contact_px);
+                                   contact_px, panels_.boxes(below_alarm));
   facts.hud = boxes[0];
   inset_ = boxes[1];
   facts.legend = boxes[2];
@@ -249,8 +282,8 @@ void Stage::place_close_up() {
   const TickRecord& row = moment_->row;
   double mu_static = 0;
   const auto surface = static_cast<std::size_t>(row.surface);
-  if (row.surface >= 0 && input_.world && surface < input_.world->surfaces.size()) {
-    mu_static = input_.world->surfaces[surface].properties.mu_static;
+  if (row.surface >= 0 && now_.world && surface < now_.world->surfaces.size()) {
+    mu_static = now_.world->surfaces[surface].properties.mu_static;
   }
   close_up_->show(*moment_, inset_, layout_.window, inset_half_height_mm_, mu_static * row.normal_force_n);
 }
@@ -280,10 +313,20 @@ void Stage::project_labels(OverlayFacts& facts, double size_mm) {
   }
 }
 
+void Stage::project_marks(OverlayFacts& facts) {
+  for (const Vec3& mark_W : marks_W_) facts.marks.push_back(on_screen(space_.to_draw(mark_W)));
+  if (marks_W_.empty()) return;
+  const Vec3 last_mm = 1e3 * marks_W_.back();
+  facts.marks_words =
+      marks_W_.size() < 2
+          ? fmt::format("x {:.3f}, y {:.3f}, z {:.3f} mm", last_mm.x(), last_mm.y(), last_mm.z())
+          : fmt::format("{:.3f} mm", 1e3 * (marks_W_[1] - marks_W_[0]).norm());
+}
+
 OverlayFacts Stage::overlay_facts() {
   OverlayFacts facts;
   facts.title = input_.title;
-  facts.subtitle = subtitle_of(input_);
+  facts.subtitle = subtitle_of(now_);
   facts.about = about_lines(input_);
   facts.hint = hint_;
   facts.alarm = alarm_;
@@ -364,7 +407,11 @@ void Stage::render() {
   std::vector<std::shared_ptr<const Drawing>> drawings;
   if (charts_ && chart_ && timeline_ && moment_ && board_.visible()) drawings.push_back(chart_cursor());
   project_labels(facts, choice.size_mm);
-  drawings.push_back(std::make_shared<const Drawing>(overlay_drawing(facts, state_, layout_)));
+  project_marks(facts);
+  auto overlay = std::make_shared<Drawing>();
+  if (!state_.help) panels_.paint(*overlay, layout_);
+  overlay->append(overlay_drawing(facts, state_, layout_));
+  drawings.push_back(std::move(overlay));
   item_->show(std::move(drawings));
   draw();
 }

@@ -20,6 +20,7 @@
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
 #include "view/overlay_places.hpp"
+#include "view/side_panels.hpp"
 #include "view/theme_device_vtk.hpp"
 #include "view/view_state.hpp"
 #include "view/world_props_vtk.hpp"
@@ -76,6 +77,14 @@ class Stage {
 
   /// The moment shown; `speed_m_per_s` may be nan. Without a row only the surfaces are shown.
   void show(const std::optional<TickRecord>& row, double speed_m_per_s);
+  /// The law, the method and the surfaces' properties from now on, where they change while it is touched.
+  void put(const Scene& scene);
+  /// The scene and the surfaces as they are at the moment shown; without rows.
+  const ViewInput& now() const { return now_; }
+  /// Lists over the scene.
+  SidePanels& panels() { return panels_; }
+  /// Places that somebody marked, and the distance of two.
+  void show_marks(std::vector<Vec3> marks_W) { marks_W_ = std::move(marks_W); }
   void show_chart(Chart chart);
   /// The chart column: zoomed by the wheel, panned by a drag, asked by the mouse over it.
   ChartBoard& charts() { return board_; }
@@ -123,7 +132,14 @@ class Stage {
   std::shared_ptr<const Drawing> chart_cursor() const;
   void project_labels(OverlayFacts& facts, double size_mm);
 
+  void put_recorded(double t_s);
+  void project_marks(OverlayFacts& facts);
+
   const ViewInput& input_;
+  ViewInput now_;
+  std::size_t changes_put_ = 0;  ///< of the input's, in now_
+  SidePanels panels_;
+  std::vector<Vec3> marks_W_;
   ViewExtent extent_;
   DrawSpace space_;
   bool charts_, timeline_;

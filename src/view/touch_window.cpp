@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "view/material_panel.hpp"
 #include "view/screen.hpp"
 #include "view/touch_chart.hpp"
 #include "view/touch_target.hpp"
@@ -19,6 +20,7 @@ namespace {
 
 constexpr double chart_s = 4;            // what the strip charts hold
 constexpr double chart_period_s = 0.06;  // they need not follow each frame
+constexpr const char* material_panel = "material";
 constexpr const char* invitation = "hold the left button, or space, to press";
 
 /// The ticks of the last seconds, gathered from frame to frame.
@@ -55,6 +57,7 @@ class History {
 };
 
 std::string short_time(double seconds) {
+  if (seconds >= 1) return fmt::format("{:.2g} s", seconds);
   return seconds < 1e-3 ? fmt::format("{:.3g} us", 1e6 * seconds) : fmt::format("{:.2g} ms", 1e3 * seconds);
 }
 
@@ -95,6 +98,7 @@ class TouchWindow {
                 resting_finger(*input.view.world, input.view.scene.value_or(Scene{}))),
         levels_(touch_levels(input.view)),
         loop_(stage_, options, handlers()) {
+    if (input.swap != nullptr) material_.emplace(*input.swap, *input.view.world);
     stage_.show_hint("", help_lines(window_kind()));
     stage_.invite(invitation);
     follow();
@@ -129,6 +133,12 @@ class TouchWindow {
       tell();
       return true;
     };
+    handlers.panel = [this](const PanelHit& hit) {
+      if (hit.panel != material_panel || !material_) return;
+      if (hit.steps != 0) return change_material(hit.row, hit.steps);
+      if (hit.row >= 0 && hit.row < MaterialPanel::row_count) material_->select(hit.row);
+      stage_.panels().show(material_->panel());
+    };
     handlers.frame = [this](double elapsed_s) { return frame(elapsed_s); };
     handlers.report = [this](WindowReport& report) {
       report.t_s = history_.rows().empty() ? 0 : history_.rows().back().t_s;
@@ -154,7 +164,37 @@ class TouchWindow {
 
   unsigned window_kind() const { return input_.set_stop ? windows::touch | windows::motors : windows::touch; }
 
+  void change_material(int row, int steps) {
+    const std::string told = material_->step(row, steps);
+    if (!told.empty()) loop_.tell(told);
+    stage_.panels().show(material_->panel());
+    stage_.put(input_.swap->scene());
+    levels_ = touch_levels(stage_.now());
+  }
+
+  /// Keys of the material, which also open its panel.
+  bool material_key(KeyAction action) {
+    if (!material_) return false;
+    const bool shown = stage_.panels().shows(material_panel);
+    switch (action) {
+      case KeyAction::materials:
+        shown ? stage_.panels().hide(material_panel) : stage_.panels().show(material_->panel());
+        return true;
+      case KeyAction::next_row:
+        if (shown) material_->select((material_->selected() + 1) % MaterialPanel::row_count);
+        stage_.panels().show(material_->panel());
+        return true;
+      case KeyAction::less:
+      case KeyAction::more:
+        change_material(material_->selected(), action == KeyAction::more ? 1 : -1);
+        return true;
+      default:
+        return false;
+    }
+  }
+
   bool touch_key(KeyAction action) {
+    if (material_key(action)) return true;
     const double step_m = 0.004 * stage_.scene()->GetActiveCamera()->GetParallelScale() * 1e-3 * 2;
     const Vec3 up = Vec3(stage_.scene()->GetActiveCamera()->GetViewUp());
     const Vec3 right = Vec3(stage_.scene()->GetActiveCamera()->GetDirectionOfProjection()).cross(up);
@@ -233,6 +273,7 @@ class TouchWindow {
   Stage stage_;
   TouchTarget target_;
   TouchLevels levels_;
+  std::optional<MaterialPanel> material_;
   bool held_ = false, latched_ = false, invites_ = true;
   double since_chart_s_ = chart_period_s;
   WindowLoop loop_;

@@ -5,6 +5,7 @@
 
 #include "motion/finger_path.hpp"
 #include "touch/time_histogram.hpp"
+#include "touch/touch_swap.hpp"
 #include "view/window.hpp"
 
 namespace fingerpad {
@@ -29,6 +30,8 @@ struct TouchWindowInput {
   std::function<bool()> is_over;
   /// What has gone wrong and is to be seen at once; empty: nothing. Asked once a frame. May be none.
   std::function<std::string()> alarm;
+  /// Through which the material is changed while it is touched; may be none.
+  TouchSwap* swap = nullptr;
   /// How the servo loop keeps its time, for the head-up display; may be none.
   std::function<ServoTiming()> timing;
   std::string note;  ///< in the title line, as "recording run.h5"

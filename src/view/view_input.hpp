@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "scene/scene.hpp"
+#include "scene/scene_change.hpp"
 #include "touch/tick_record.hpp"
 
 namespace fingerpad {
@@ -24,6 +25,7 @@ struct ViewInput {
       world;                     ///< empty where the surfaces are not known: then the path alone is shown
   std::optional<Scene> scene;    ///< the law, the finger and its direction, where known
   std::vector<TickRecord> rows;  ///< in order of time; empty for a mesh
+  std::vector<SceneChange> changes = {};  ///< made while it was touched
 };
 
 /// What is touched and how, for a title: mesh, law, coefficients, method; "" where nothing is known of it.

@@ -43,6 +43,8 @@ struct WindowOptions {
   std::optional<LookFrom> look = {};  ///< the view at first; none: the usual
   std::vector<WindowEvent> events;    ///< in order of time
   std::function<void(const WindowReport&)> on_frame;
+  /// A file was dropped onto the window. @returns why it cannot be shown; empty: the window closes for it
+  std::function<std::string(const std::string& path)> on_drop = {};
 };
 
 /// Opens a window on a mesh, a scene or a trace and returns when it is closed (q, Escape, or by the window

@@ -7,6 +7,7 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
+#include <vtkStringArray.h>
 
 #include <fmt/format.h>
 
@@ -14,6 +15,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "touch/world.hpp"
 #include "view/png_vtk.hpp"
 #include "view/screenshot.hpp"
 
@@ -46,6 +48,7 @@ class SharingTrackball : public vtkInteractorStyleTrackballCamera {
 vtkStandardNewMacro(SharingTrackball);
 
 constexpr int frame_ms = 16;
+constexpr const char* parts_panel = "parts";
 constexpr float before_the_style = 10;  // the priority of observers that may keep events from the camera
 
 }  // namespace
@@ -77,28 +80,35 @@ void WindowLoop::observe() {
   for (const auto event : {vtkCommand::InteractionEvent, vtkCommand::EndInteractionEvent}) {
     from->GetInteractorStyle()->AddObserver(event, this, &WindowLoop::on_camera, before_the_style);
   }
+  from->AddObserver(vtkCommand::DropFilesEvent, this, &WindowLoop::on_drop, before_the_style);
   from->AddObserver(vtkCommand::ConfigureEvent, this, &WindowLoop::on_camera, before_the_style);
   from->AddObserver(vtkCommand::ExposeEvent, this, &WindowLoop::on_camera, before_the_style);
 }
 
 void WindowLoop::run() {
-  const ViewInput& input = stage_.input();
-  const std::string name = std::filesystem::path(input.file).filename().string();
-  const std::string how = subtitle_of(input);
-  stage_.window()->SetWindowName(
-      fmt::format("{}{}{} - fingerpad", name.empty() ? input.title : name, how.empty() ? "" : ": ", how)
-          .c_str());
+  stage_.window()->SetWindowName("fingerpad");
   interactor_->Initialize();
   queue_.emplace(interactor_, stage_.window());
   queue_->refuse_smaller(least_window_width_px, least_window_height_px);
   opened_ = std::chrono::steady_clock::now();
   render();
+  name_window();
   if (queue_->is_known()) {
     handle_events();
     return;
   }
   interactor_->CreateRepeatingTimer(frame_ms);
   interactor_->Start();
+}
+
+/// By what it shows. Only now: who looks for a window by its name finds one that listens.
+void WindowLoop::name_window() {
+  const ViewInput& input = stage_.input();
+  const std::string name = std::filesystem::path(input.file).filename().string();
+  const std::string how = subtitle_of(input);
+  stage_.window()->SetWindowName(
+      fmt::format("{}{}{} - fingerpad", name.empty() ? input.title : name, how.empty() ? "" : ": ", how)
+          .c_str());
 }
 
 /// All events that wait, then a frame: the newest is never drawn late for those before it.
@@ -168,6 +178,12 @@ bool WindowLoop::act(KeyAction action) {
     case KeyAction::all_in_sight:
       stage_.look_at_all();
       return true;
+    case KeyAction::parts:
+      show_parts(!stage_.panels().shows(parts_panel));
+      return true;
+    case KeyAction::mark:
+      mark();
+      return true;
     case KeyAction::screenshot:
       take_screenshot();
       return true;
@@ -189,6 +205,52 @@ bool WindowLoop::look(KeyAction action) {
     return true;
   }
   return false;
+}
+
+void WindowLoop::show_parts(bool shown) {
+  const auto& world = stage_.input().world;
+  if (!shown || !world) return stage_.panels().hide(parts_panel);
+  SidePanel panel{parts_panel, "parts", {}};
+  constexpr std::size_t most_rows = 24;  // that a window has room for
+  const std::size_t count = world->surfaces.size();
+  for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {
+    const Surface& surface = world->surfaces[i];
+    const std::string name =
+        surface.part ? std::filesystem::path(surface.mesh).filename().string() : std::string("plane");
+    panel.rows.push_back(
+        {PanelRow::Kind::check, fmt::format("{}  {}", i, name), "", stage_.world().is_shown(i), false});
+  }
+  panel.rows.push_back({PanelRow::Kind::note,
+                        count > most_rows ? fmt::format("and {} more, not listed", count - most_rows)
+                                          : "hidden parts are felt all the same",
+                        "", false, false});
+  stage_.panels().show(std::move(panel));
+}
+
+void WindowLoop::on_panel(const PanelHit& hit) {
+  if (hit.panel != parts_panel) {
+    if (handlers_.panel) handlers_.panel(hit);
+    return;
+  }
+  const auto row = static_cast<std::size_t>(hit.row);
+  if (hit.row < 0 || row >= stage_.input().world->surfaces.size()) return;
+  stage_.world().show_surface(row, !stage_.world().is_shown(row));
+  show_parts(true);
+}
+
+/// The place of a part under the mouse; a third one begins anew.
+void WindowLoop::mark() {
+  const int* at = interactor_->GetEventPosition();
+  const auto [near, far] = stage_.line_of_sight(at[0], at[1]);
+  const auto hit = stage_.world().first_hit(near, far);
+  if (marks_W_.size() == 2) marks_W_.clear();
+  if (hit) {
+    marks_W_.push_back(hit->point_W);
+  } else {
+    marks_W_.clear();
+    tell("no part under the mouse: marks are gone");
+  }
+  stage_.show_marks(marks_W_);
 }
 
 /// As the window stands, without what was told last.
@@ -215,6 +277,10 @@ bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
   const int* at = interactor_->GetEventPosition();
   ChartBoard& charts = stage_.charts();
   bool taken = false;
+  if (on_panels(event, at[0], at[1])) {
+    changed_ = true;
+    return true;
+  }
   switch (event) {
     case vtkCommand::LeftButtonPressEvent:
       // All of a chart that is not zoomed is in sight: there is nowhere to move it.
@@ -245,6 +311,49 @@ bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
   }
   changed_ = changed_ || taken;
   return taken;
+}
+
+/// What the mouse does on a panel goes no further; a button pressed beside it is not its.
+bool WindowLoop::on_panels(unsigned long event, int x, int y) {
+  const auto hit = stage_.panels().hit(stage_.layout(), x, y);
+  switch (event) {
+    case vtkCommand::LeftButtonPressEvent:
+      on_panel_ = hit.has_value();
+      beside_panels_ = !on_panel_;
+      if (hit) on_panel(*hit);
+      return on_panel_;
+    case vtkCommand::LeftButtonReleaseEvent:
+      beside_panels_ = false;
+      return std::exchange(on_panel_, false);
+    case vtkCommand::MouseMoveEvent:
+      return on_panel_ || (hit && !beside_panels_);
+    default:
+      break;
+  }
+  if (!hit) return false;
+  if (hit->panel != parts_panel) {
+    PanelHit turned = *hit;
+    turned.steps = event == vtkCommand::MouseWheelForwardEvent ? 1 : -1;
+    on_panel(turned);
+  }
+  return true;
+}
+
+/// The first of the files that were dropped.
+bool WindowLoop::on_drop(vtkObject*, unsigned long, void* paths) {
+  const auto* const files = static_cast<vtkStringArray*>(paths);
+  if (files == nullptr || files->GetNumberOfValues() == 0) return true;
+  if (!options_.on_drop) {
+    tell("a touch goes on: drop the file onto a window of `view`");
+    return true;
+  }
+  const std::string why = options_.on_drop(const_cast<vtkStringArray*>(files)->GetValue(0));
+  if (why.empty()) {
+    close();
+  } else {
+    tell(why);
+  }
+  return true;
 }
 
 bool WindowLoop::on_camera(vtkObject*, unsigned long, void*) {
@@ -279,6 +388,7 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
   if ((changed_ || stage_.has_come_to_rest()) && !closing_) {
     changed_ = false;
     render();
+    stage_.charts().ask_again();
   }
   if (options_.on_frame) {
     WindowReport report;

@@ -26,6 +26,8 @@ struct WindowHandlers {
   std::function<bool(int x, int y)> press, move;
   std::function<bool()> release;
   std::function<bool(int steps)> wheel;
+  /// A click (steps 0) or steps on a row of a panel that is not the loop's own.
+  std::function<void(const PanelHit& hit)> panel;
   /// Once a frame. @returns whether anything is new to see
   std::function<bool(double elapsed_s)> frame;
   std::function<void(WindowReport&)> report;
@@ -49,11 +51,13 @@ class WindowLoop {
 
  private:
   void observe();
+  void name_window();
   void handle_events();
   bool on_key(vtkObject*, unsigned long, void*);
   bool on_mouse(vtkObject*, unsigned long event, void*);
   bool swallow(vtkObject*, unsigned long, void*) { return true; }
   bool on_timer(vtkObject*, unsigned long, void*);
+  bool on_drop(vtkObject*, unsigned long, void* paths);
   bool on_camera(vtkObject*, unsigned long, void*);
   void render();
   void play_events(double now_s);
@@ -61,6 +65,10 @@ class WindowLoop {
   bool act(KeyAction action);
   bool look(KeyAction action);
   void take_screenshot();
+  void on_panel(const PanelHit& hit);
+  bool on_panels(unsigned long event, int x, int y);
+  void show_parts(bool shown);
+  void mark();
 
   Stage& stage_;
   const WindowOptions& options_;
@@ -73,6 +81,8 @@ class WindowLoop {
   double events_late_s_ = 0;
   long frames_ = 0;
   bool changed_ = true;
+  bool on_panel_ = false, beside_panels_ = false;  ///< where the button is held that was pressed there
+  std::vector<Vec3> marks_W_;                      ///< the last two marked places
   bool closing_ = false;
   std::string told_;
   double told_until_s_ = 0;  ///< what was told stays so long

@@ -36,7 +36,8 @@ class WorldProps {
   /// All but the parts and their creases.
   void add_surroundings_to(vtkRenderer* renderer) const;
 
-  /// A part or plane with all that belongs to it; what is not shown is not under the mouse either.
+  /// A part or plane with all that belongs to it: hidden it is neither seen nor pointed at, and felt all the
+  /// same.
   void show_surface(std::size_t index, bool shown);
   bool is_shown(std::size_t index) const { return surfaces_[index].shown; }
   /// Parts as the edges of their facets.

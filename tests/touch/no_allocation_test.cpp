@@ -104,6 +104,13 @@ TEST(ServoLoop, AllocatesNothingFromItsFirstTickOn) {
     scene.contact.method = method.name;
     scene.motion.rate_hz = 2000;
     ServoCount count;
+    scene.parts.emplace_back();
+    // Changes of the scene are made ready before: taking them is part of the tick.
+    TouchSwap swap(world, scene);
+    swap.schedule({{0.05, "part.0.mu_static", "0.6"},
+                   {0.1, "friction.law", "stick-slip"},
+                   {0.15, "contact.normals", "facet"},
+                   {0.2, "contact.method", "closest-point"}});
     ServoLoop loop(
         Touch(world, scene), scene.motion.rate_hz,
         [&count](double t_s) {
@@ -115,12 +122,13 @@ TEST(ServoLoop, AllocatesNothingFromItsFirstTickOn) {
         [&count, &scene](const TickRecord& record) {
           if (record.t_s >= ticks / scene.motion.rate_hz && count.last < 0) count.last = allocations.load();
         },
-        0.1);
+        0.1, false, &swap);
     for (int i = 0; i < 1000 && count.last < 0; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(10));
     loop.stop();
     ASSERT_GE(count.last, 0) << "the loop did not get that far";
     EXPECT_EQ(count.last - count.first, 0);
+    EXPECT_EQ(swap.taken(0).size(), 4u);
   }
 }
 

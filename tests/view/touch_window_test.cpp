@@ -4,6 +4,7 @@
 
 #include "device/pointer_finger.hpp"
 #include "touch/servo_loop.hpp"
+#include "view/layout.hpp"
 #include "view/rub.hpp"
 #include "view/screen.hpp"
 #include "view/touch_target.hpp"
@@ -106,6 +107,36 @@ TEST(TouchWindow, DrawingDoesNotHoldTheServoUp) {
   const double open_s = touch.reports.back().since_open_s;
   // Every tick happened: at 500 Hz over the time that the window was open, but for a tenth for starting.
   EXPECT_GT(static_cast<double>(touch.timing.ticks), 0.9 * 500 * open_s);
+}
+
+TEST(TouchWindow, ItsRunningChartsZoomMoveAlongAndTellValues) {
+  const Layout layout = layout_for(600, 400, true, false);
+  const int x = static_cast<int>(layout.charts.left + 0.75 * layout.charts.width);
+  const int low_y = static_cast<int>(layout.charts.bottom + 0.17 * layout.charts.height);
+  std::vector<WindowEvent> events = {
+      {0, Kind::move, "", ring_x, ring_y},  {0.3, Kind::key, "space"},
+      {1.0, Kind::wheel_up, "", x, low_y},  {1.0, Kind::wheel_up, "", x, low_y},
+      {1.0, Kind::wheel_up, "", x, low_y},  {1.2, Kind::press, "", x, low_y},
+      {1.2, Kind::move, "", x + 40, low_y}, {1.2, Kind::release, "", x + 40, low_y}};
+  // Somewhere on this way up through a panel it meets a curve; there it stays.
+  for (int i = 0; i < 40; ++i) events.push_back({1.4 + 0.03 * i, Kind::move, "", x, low_y - 30 + 3 * i});
+  LiveTouch touch;
+  touch.play(events, 2.8);
+  double least_s = 1;  // of all
+  bool told = false, moved = false;
+  double from_before = -1;
+  for (const WindowReport& report : touch.reports) {
+    const double span_s = report.chart_to - report.chart_from;
+    least_s = std::min(least_s, span_s / report.t_s);
+    told |= !report.chart_tells.empty();
+    if (span_s > 0.8 * report.t_s) continue;
+    moved |= report.chart_from < from_before - 0.01;
+    from_before = report.chart_from;
+  }
+  EXPECT_LT(least_s, 0.7) << "three steps of the wheel";
+  EXPECT_TRUE(moved) << "dragged to the right: earlier times come into sight";
+  EXPECT_TRUE(told);
+  EXPECT_EQ(touch.reports.back().press_n, 1) << "the wheel was not the force's";
 }
 
 TEST(TouchTarget, ArrowKeysKeepTheFingerOnTheSurface) {

@@ -3,6 +3,8 @@
 
 #include <set>
 
+#include "support/paths.hpp"
+#include "support/shell.hpp"
 #include "view/key_table.hpp"
 
 namespace fingerpad::window_keys_test {
@@ -30,6 +32,12 @@ TEST(KeyTable, TheHelpPageAndTheKeysAreItsRows) {
   EXPECT_THAT(lines, testing::Contains("hold left button: press on the part"));
   EXPECT_THAT(lines, testing::Not(testing::Contains(testing::HasSubstr("emergency"))));
   for (const KeyRow& row : key_table()) EXPECT_FALSE(row.does.empty());
+}
+
+TEST(KeyTable, StandsInTheReadme) {
+  const std::string readme = test::bytes_of(test::source_dir() / "README.md");
+  EXPECT_NE(readme.find("\n" + key_table_text()), std::string::npos) << "put this there:\n"
+                                                                     << key_table_text();
 }
 
 }  // namespace

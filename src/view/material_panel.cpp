@@ -1,0 +1,135 @@
+#include "view/material_panel.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+
+#include "base/error.hpp"
+#include "base/number_text.hpp"
+#include "contact/contact_method_table.hpp"
+#include "friction/law_table.hpp"
+#include "part/part.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double mu_step = 0.05, most_mu = 2, least_stiffness = 10, most_stiffness = 1e5, damping_step = 0.5,
+                 most_damping = 100;
+constexpr const char* row_labels[] = {"part",    "mu static", "mu dynamic", "stiffness",
+                                      "damping", "law",       "normals",    "method"};
+
+double to_step(double value, int steps, double step, double least, double most) {
+  // Hundredths: numbers that a person reads, and that read back as themselves.
+  return std::clamp(std::round((value + steps * step) * 100) / 100, least, most);
+}
+
+/// A quarter more a step, to three digits.
+double stepped_stiffness(double value, int steps) {
+  const double wanted = std::clamp(value * std::pow(1.25, steps), least_stiffness, most_stiffness);
+  const double unit = std::pow(10.0, std::floor(std::log10(wanted)) - 2);
+  return unit < 1 ? std::round(wanted / unit) / std::round(1 / unit) : std::round(wanted / unit) * unit;
+}
+
+template <typename Table, typename NameOf>
+std::string next_name(const Table& table, const std::string& now, int steps, NameOf name_of) {
+  std::vector<std::string> names;
+  for (const auto& row : table) names.emplace_back(name_of(row));
+  const auto at = std::find(names.begin(), names.end(), now) - names.begin();
+  const auto count = static_cast<std::ptrdiff_t>(names.size());
+  return names[static_cast<std::size_t>(((at + steps) % count + count) % count)];
+}
+
+}  // namespace
+
+MaterialPanel::MaterialPanel(TouchSwap& swap, const World& world) : swap_(swap), world_(world) {}
+
+bool MaterialPanel::is_plane_world() const {
+  return std::all_of(world_.surfaces.begin(), world_.surfaces.end(),
+                     [](const Surface& surface) { return surface.is_plane(); });
+}
+
+std::vector<std::string> MaterialPanel::values(const Scene& scene) const {
+  const SurfaceProperties& surface = surface_properties(scene, surface_);
+  const Surface& touched = world_.surfaces[static_cast<std::size_t>(surface_)];
+  const ContactChoice contact = settled_contact(scene, world_);
+  const bool planes = is_plane_world();
+  return {touched.part ? std::filesystem::path(touched.mesh).filename().string() : "plane",
+          number_text(surface.mu_static),
+          number_text(surface.mu_dynamic),
+          number_text(surface.stiffness_n_per_m) + " N/m",
+          number_text(surface.damping_n_s_per_m) + " N s/m",
+          scene.friction.law,
+          planes ? "-" : std::string(contact.normals->name),
+          planes ? "plane" : contact.method};
+}
+
+SidePanel MaterialPanel::panel() const {
+  SidePanel panel{"material", "material", {}};
+  const std::vector<std::string> shown = values(swap_.scene());
+  for (int row = 0; row < row_count; ++row) {
+    const auto i = static_cast<std::size_t>(row);
+    panel.rows.push_back({PanelRow::Kind::value, row_labels[i], shown[i], false, row == selected_});
+  }
+  panel.rows.push_back({PanelRow::Kind::note,
+                        swap_.is_scheduled() ? "as recorded: the recording changes it"
+                                             : "click, wheel, or Tab and [ ]; kept in the trace",
+                        "", false, false});
+  return panel;
+}
+
+/// The row's value so many steps on, and the key that it is the value of.
+std::string MaterialPanel::stepped(int row, int steps, const Scene& scene, std::string& key) const {
+  const SurfaceProperties& surface = surface_properties(scene, surface_);
+  const ContactChoice contact = settled_contact(scene, world_);
+  switch (row) {
+    case mu_static:
+      key = surface_key(surface_, "mu_static");
+      return number_text(to_step(surface.mu_static, steps, mu_step, surface.mu_dynamic, most_mu));
+    case mu_dynamic:
+      key = surface_key(surface_, "mu_dynamic");
+      return number_text(to_step(surface.mu_dynamic, steps, mu_step, 0, surface.mu_static));
+    case stiffness:
+      key = surface_key(surface_, "stiffness_n_per_m");
+      return number_text(stepped_stiffness(surface.stiffness_n_per_m, steps));
+    case damping:
+      key = surface_key(surface_, "damping_n_s_per_m");
+      return number_text(to_step(surface.damping_n_s_per_m, steps, damping_step, 0, most_damping));
+    case law:
+      key = "friction.law";
+      return next_name(law_table(), scene.friction.law, steps,
+                       [](const LawEntry& entry) { return entry.name; });
+    case normals:
+      key = "contact.normals";
+      return next_name(normals_table(), std::string(contact.normals->name), steps,
+                       [](Normals entry) { return entry->name; });
+    default:
+      key = "contact.method";
+      return next_name(contact_method_table(), contact.method, steps,
+                       [](const ContactMethodEntry& entry) { return entry.name; });
+  }
+}
+
+std::string MaterialPanel::step(int row, int steps) {
+  if (row < 0 || row >= row_count || steps == 0) return {};
+  selected_ = row;
+  const auto count = static_cast<int>(world_.surfaces.size());
+  if (row == part) {
+    surface_ = ((surface_ + steps) % count + count) % count;
+    return {};
+  }
+  if (swap_.is_scheduled()) return "the recording that is followed changes the material itself";
+  if ((row == normals || row == method) && is_plane_world()) return "a plane needs no method";
+  const Scene scene = swap_.scene();
+  SceneChange change;
+  change.value = stepped(row, steps, scene, change.key);
+  try {
+    swap_.change(change);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return fmt::format("{}: {}", row_labels[row], values(swap_.scene())[static_cast<std::size_t>(row)]);
+}
+
+}  // namespace fingerpad

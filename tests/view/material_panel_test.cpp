@@ -1,0 +1,193 @@
+#include "view/material_panel.hpp"
+
+#include <gtest/gtest.h>
+
+#include "view/rub.hpp"
+#include "view/screen.hpp"
+#include "view/touch_window.hpp"
+
+namespace fingerpad::material_panel_test {
+namespace {
+
+using Row = MaterialPanel::Row;
+using Kind = WindowEvent::Kind;
+
+Scene torus_scene() {
+  Scene scene;
+  scene.parts.emplace_back();
+  scene.contact.method = "proxy";
+  return scene;
+}
+
+std::string value_of(const MaterialPanel& material, int row) {
+  return material.panel().rows[static_cast<std::size_t>(row)].value;
+}
+
+TEST(MaterialPanel, StepsValuesWithinWhatASceneCanHave) {
+  const ViewInput view = test::torus_rub(0.0);
+  TouchSwap swap(view.world, torus_scene());
+  MaterialPanel material(swap, *view.world);
+  EXPECT_EQ(value_of(material, Row::mu_static), "0.3");
+  EXPECT_EQ(material.step(Row::mu_static, 1), "mu static: 0.35");
+  material.step(Row::mu_static, -100);
+  EXPECT_EQ(value_of(material, Row::mu_static), "0.2") << "not below mu dynamic";
+  material.step(Row::mu_dynamic, 100);
+  EXPECT_EQ(value_of(material, Row::mu_dynamic), "0.2") << "not above mu static";
+  material.step(Row::stiffness, 3);
+  EXPECT_EQ(value_of(material, Row::stiffness), "1950 N/m");
+  material.step(Row::damping, 1);
+  EXPECT_EQ(value_of(material, Row::damping), "0.5 N s/m");
+  material.step(Row::law, 1);
+  EXPECT_NE(swap.scene().friction.law, "finger-pad");
+  material.step(Row::law, -1);
+  EXPECT_EQ(swap.scene().friction.law, "finger-pad");
+  material.step(Row::normals, 1);
+  EXPECT_NE(swap.scene().contact.normals->name, "smooth");
+  material.step(Row::method, 1);
+  EXPECT_EQ(swap.scene().contact.method, "closest-point");
+  EXPECT_EQ(value_of(material, Row::method), "closest-point");
+}
+
+TEST(MaterialPanel, LeavesARecordingsOwnChangesAlone) {
+  const ViewInput view = test::torus_rub(0.0);
+  TouchSwap swap(view.world, torus_scene());
+  swap.schedule({{1, "part.0.mu_static", "0.5"}});
+  MaterialPanel material(swap, *view.world);
+  EXPECT_NE(material.step(Row::mu_static, 1).find("recording"), std::string::npos);
+  EXPECT_EQ(swap.scene().parts[0].surface.mu_static, 0.5);
+}
+
+TEST(SidePanels, AreHitWhereTheyAreDrawn) {
+  const Layout layout = layout_for(1280, 800, true, false);
+  SidePanels panels;
+  panels.show({"a", "first", {{PanelRow::Kind::check, "one", "", true, false}}});
+  panels.show({"b", "second", {{PanelRow::Kind::value, "x", "1", false, false}}});
+  const auto boxes = panels.boxes(layout);
+  ASSERT_EQ(boxes.size(), 2u);
+  const Box& second = boxes[1];
+  EXPECT_LT(second.top(), boxes[0].bottom);
+  const double y = second.bottom + 1.3 * layout.em;  // the row above the foot
+  const auto more = panels.hit(layout, second.right() - 1.2 * layout.em, y);
+  ASSERT_TRUE(more);
+  EXPECT_EQ(more->panel, "b");
+  EXPECT_EQ(more->row, 0);
+  EXPECT_EQ(more->steps, 1);
+  EXPECT_EQ(panels.hit(layout, second.right() - 3 * layout.em, y)->steps, -1);
+  EXPECT_EQ(panels.hit(layout, second.left + 1, y)->steps, 0);
+  EXPECT_FALSE(panels.hit(layout, second.left - 1, y));
+  panels.hide("a");
+  EXPECT_FALSE(panels.shows("a"));
+  EXPECT_EQ(panels.boxes(layout).front().top(), boxes[0].top()) << "the other one moves up";
+}
+
+/// A live window on the torus whose servo stands still.
+struct StillTouch {
+  ViewInput view = test::torus_rub(0.0);
+  Scene scene = torus_scene();
+  TouchSwap swap{view.world, scene};
+  std::vector<WindowReport> reports;
+  FingerSample target;
+
+  void play(std::vector<WindowEvent> events, double end_s) {
+    const VirtualScreen screen;
+    TouchWindowInput input;
+    view.rows.clear();
+    view.scene = scene;
+    input.view = view;
+    input.swap = &swap;
+    input.set_target = [this](const FingerSample& aim) { target = aim; };
+    input.latest = [] { return TickRecord{}; };
+    input.recent = [](double) { return std::vector<TickRecord>(1); };
+    WindowOptions options;
+    options.width = 900;
+    options.height = 600;
+    events.push_back({end_s, Kind::key, "q"});
+    options.events = std::move(events);
+    options.on_frame = [this](const WindowReport& report) { reports.push_back(report); };
+    run_touch_window(input, options);
+  }
+};
+
+TEST(MaterialPanel, IsOpenedByAKeyAndChangedByTheMouseAndTheKeys) {
+  const Layout layout = layout_for(900, 600, true, false);
+  StillTouch touch;
+  SidePanels same;
+  same.show(MaterialPanel(touch.swap, *touch.view.world).panel());
+  const Box box = same.boxes(layout).front();
+  const int more_x = static_cast<int>(box.right() - 1.2 * layout.em);
+  const int row_y = static_cast<int>(box.top() - layout.em * (2.1 + 1.75 * 1.5));  // mu static
+  touch.play({{0.1, Kind::key, "m"},
+              {0.2, Kind::press, "", more_x, row_y},
+              {0.2, Kind::release, "", more_x, row_y},
+              {0.3, Kind::wheel_up, "", more_x, row_y},
+              {0.4, Kind::key, "Tab"},
+              {0.4, Kind::key, "bracketleft"}},
+             0.7);
+  const SurfaceProperties& surface = touch.swap.scene().parts[0].surface;
+  EXPECT_EQ(surface.mu_static, 0.4);
+  EXPECT_EQ(surface.mu_dynamic, 0.15);
+  ASSERT_FALSE(touch.reports.empty());
+  EXPECT_FALSE(touch.reports.back().pressing) << "a click on the panel is no press";
+  EXPECT_EQ(touch.reports.back().press_n, 1) << "the wheel was the panel's";
+  EXPECT_EQ(touch.reports.back().message, "mu dynamic: 0.15");
+}
+
+TEST(PartTree, HidesAPartByAClickSoThatTheMouseGoesThroughIt) {
+  const Layout layout = layout_for(900, 600, true, false);
+  SidePanels same;
+  same.show({"parts", "", {{PanelRow::Kind::check, "0  torus.stl", "", true, false}, {}}});
+  const Box box = same.boxes(layout).front();
+  const int x = static_cast<int>(box.left + 1.2 * layout.em);
+  const int y = static_cast<int>(box.top() - layout.em * (2.1 + 0.9));
+  // The near side of the ring, of which the window of 600 x 400 has it at 189, 90.
+  const int ring_x = static_cast<int>(layout.scene.centre().x());
+  const int ring_y = static_cast<int>(layout.scene.bottom + 0.25 * layout.scene.height);
+  StillTouch shown, hidden;
+  shown.play({{0.1, Kind::move, "", ring_x, ring_y}, {0.2, Kind::press, "", ring_x, ring_y}}, 0.5);
+  EXPECT_TRUE(shown.reports.back().pressing);
+  hidden.play({{0.1, Kind::key, "t"},
+               {0.2, Kind::press, "", x, y},
+               {0.2, Kind::release, "", x, y},
+               {0.3, Kind::move, "", ring_x, ring_y},
+               {0.4, Kind::press, "", ring_x, ring_y}},
+              0.7);
+  EXPECT_FALSE(hidden.reports.back().pressing);
+}
+
+TEST(TouchWindow, SaysHowToPressUntilItWasDoneOnce) {
+  const Layout layout = layout_for(900, 600, true, false);
+  const int x = static_cast<int>(layout.scene.centre().x());
+  const int y = static_cast<int>(layout.scene.bottom + 0.25 * layout.scene.height);
+  StillTouch touch;
+  // The first event comes late by as long as the first frame takes, and with it the others.
+  touch.play({{0, Kind::move, "", 1, 1}, {0.3, Kind::press, "", x, y}, {0.4, Kind::release, "", x, y}}, 0.7);
+  EXPECT_TRUE(touch.reports.front().invites);
+  EXPECT_FALSE(touch.reports.back().invites);
+}
+
+TEST(TouchWindow, TheWheelOverTheChartsIsTheirsAllOver) {
+  const Layout layout = layout_for(900, 600, true, false);
+  StillTouch touch;
+  // Beside the panels, left of the frames.
+  touch.play({{0.2, Kind::wheel_up, "", static_cast<int>(layout.charts.left) + 3, 300}}, 0.5);
+  EXPECT_EQ(touch.reports.back().press_n, 1);
+}
+
+TEST(CameraKeys, LookFromTheSidesAndBringAllIntoSight) {
+  StillTouch touch;
+  touch.play(
+      {{0.1, Kind::key, "5"}, {0.3, Kind::key, "plus"}, {0.3, Kind::key, "plus"}, {0.5, Kind::key, "0"}},
+      0.8);
+  EXPECT_LT((touch.reports.back().towards_eye_W - Vec3::UnitZ()).norm(), 1e-6);
+  double least_mm = 1e9, from_top_mm = 0;
+  for (const WindowReport& report : touch.reports) {
+    if ((report.towards_eye_W - Vec3::UnitZ()).norm() > 1e-6) continue;
+    if (from_top_mm == 0) from_top_mm = report.half_height_mm;
+    least_mm = std::min(least_mm, report.half_height_mm);
+  }
+  EXPECT_LT(least_mm, 0.8 * from_top_mm);
+  EXPECT_NEAR(touch.reports.back().half_height_mm, from_top_mm, 1e-9);
+}
+
+}  // namespace
+}  // namespace fingerpad::material_panel_test
