@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -14,6 +15,8 @@
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
+#include "view/movie.hpp"
+#include "view/movie_encoder.hpp"
 #include "view/picture.hpp"
 #include "view/screen.hpp"
 #include "view/window.hpp"
@@ -22,11 +25,15 @@ namespace fingerpad {
 namespace {
 
 struct ViewOptions {
-  std::string subject, png;
+  std::string subject, png, movie;
   std::string unit = "mm";
   std::string size = "1280x800";
   std::optional<double> at_s;
+  double frames_per_s = 30, speed = 1;
   bool quiet = false;
+
+  /// Empty where a window is to be opened.
+  const std::string& output() const { return png.empty() ? movie : png; }
 };
 
 struct Size {
@@ -62,22 +69,57 @@ void write_picture(const ViewOptions& options, const ViewInput& input, const Siz
   tell_written(options.quiet, options.png, what);
 }
 
+void write_movie(const ViewOptions& options, const ViewInput& input, const MovieChoice& choice) {
+  if (input.rows.size() < 2)
+    throw Error(ErrorKind::usage, "--movie",
+                "nothing moves in " + input.title + ": --png makes a picture of it");
+  const long frames = movie_frames(input, choice);
+  ProgressBar bar(stderr_is_terminal(), std::chrono::milliseconds(500), ProgressBar::End::wiped);
+  write_view_movie(input, options.movie, choice, ViewState{}, [&](long done) {
+    bar.show(static_cast<double>(done) / static_cast<double>(frames),
+             fmt::format("frame {} of {}", done, frames));
+  });
+  bar.finish();
+  tell_written(options.quiet, options.movie,
+               fmt::format("{} frames of {} x {} pixels, {:.4g} s", frames, choice.width, choice.height,
+                           static_cast<double>(frames) / choice.frames_per_s));
+}
+
+/// Before a long import.
+void refuse_output(const ViewOptions& options, const MovieChoice& choice) {
+  if (!options.png.empty() && !options.movie.empty())
+    throw Error(ErrorKind::usage, "--movie", "and --png are two calls: one file is written at a time");
+  const bool movie = !options.movie.empty();
+  if (options.output() == "-") {
+    throw Error(
+        ErrorKind::usage, movie ? "--movie" : "--png",
+        movie ? "a movie needs a file, not standard output" : "a picture needs a file, not standard output");
+  }
+  refuse_unwritable(options.output());
+  refuse_overwriting(options.output(), subject_files(options.subject));
+  if (!movie) {
+    refuse_other_endings(options.png, "view --png", {".png"});
+    return;
+  }
+  refuse_other_endings(options.movie, "view --movie", {MovieEncoder::endings[0], MovieEncoder::endings[1]});
+  refuse_movie_choice(choice);
+  need_movie_encoder();
+}
+
 int view(const ViewOptions& options) {
   const Size size = read_size(options.size);
   refuse_picture_size(size.width, size.height);
   if (options.at_s && !std::isfinite(*options.at_s))
     throw Error(ErrorKind::usage, "--at", "is no moment in seconds");
-  // Before a long import.
-  if (options.png == "-")
-    throw Error(ErrorKind::usage, "--png", "a picture needs a file, not standard output");
-  options.png.empty() ? need_display() : refuse_unwritable(options.png);
-  if (!options.png.empty()) {
-    refuse_overwriting(options.png, subject_files(options.subject));
-    refuse_other_endings(options.png, "view --png", {".png"});
-  }
+  const MovieChoice movie{size.width, size.height, options.frames_per_s, options.speed};
+  options.output().empty() ? need_display() : refuse_output(options, movie);
   LoadBar bar(stderr_is_terminal());
   const ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);
   bar.finish();
+  if (!options.movie.empty()) {
+    write_movie(options, input, movie);
+    return 0;
+  }
   if (!options.png.empty()) {
     write_picture(options, input, size);
     return 0;
@@ -108,6 +150,15 @@ void add_view(CLI::App& program, Action& action) {
       ->capture_default_str();
   command->add_option("--at", options->at_s,
                       "The moment of the picture [s]; default: the one with the greatest friction");
+  CLI::Option* const movie = command->add_option(
+      "--movie", options->movie, "Write a movie (.mp4, .ogv) of a trace instead; needs ffmpeg, no screen");
+  refuse_empty(movie);
+  command->add_option("--fps", options->frames_per_s, "Frames a second of the movie")
+      ->needs(movie)
+      ->capture_default_str();
+  command->add_option("--speed", options->speed, "Of the movie: 1 as it was, 0.25 four times slower")
+      ->needs(movie)
+      ->capture_default_str();
   add_unit_option(*command, options->unit);
   add_quiet_flag(*command, options->quiet);
   command->footer("In the window, h shows all keys. --unit is for a mesh; scenes and traces know theirs.");
