@@ -13,24 +13,12 @@
 #include <cstdlib>
 
 #include "base/error.hpp"
+#include "view/find_program.hpp"
 
 namespace fingerpad {
 namespace {
 
 constexpr int start_timeout_ms = 20'000;  // Xvfb needs a tenth of a second; a loaded machine may take long
-
-/// The first program of this name in PATH; empty if there is none.
-std::string find_program(const std::string& name) {
-  const char* path = std::getenv("PATH");
-  std::string folders = path != nullptr ? path : "/usr/local/bin:/usr/bin:/bin";
-  for (std::size_t start = 0; start <= folders.size();) {
-    const std::size_t end = std::min(folders.find(':', start), folders.size());
-    std::string candidate = folders.substr(start, end - start) + "/" + name;
-    if (access(candidate.c_str(), X_OK) == 0) return candidate;
-    start = end + 1;
-  }
-  return "";
-}
 
 /// In the child, between fork and exec: only calls that are safe there.
 [[noreturn]] void become_xvfb(const char* program, int number_pipe, pid_t parent) {

@@ -50,6 +50,31 @@ TEST(Pictures, OfASceneAndATraceNeedNoScreen) {
   }
 }
 
+TEST(Movies, OfASceneNeedNoScreen) {
+  const fs::path folder = folder_with_plane();
+  if (test::shell("command -v ffmpeg", folder).exit_code != 0) GTEST_SKIP() << "ffmpeg is not installed";
+  const auto result =
+      test::fingerpad("view plane.toml --movie a.mp4 --size 320x240 --fps 5 --speed 2", folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "wrote a.mp4 (3 frames of 320 x 240 pixels, 0.6 s)\n");
+  EXPECT_GT(fs::file_size(folder / "a.mp4"), 1000u);
+}
+
+TEST(Movies, OfWhatDoesNotMoveOrByOtherNamesAreRefused) {
+  const fs::path folder = folder_with_plane();
+  fs::copy(test::source_dir() / "scenes/parts/bracket_coarse.stl", folder / "bracket.stl");
+  for (const char* call :
+       {"view bracket.stl --movie a.mp4", "view plane.toml --movie a.avi", "view plane.toml --movie -",
+        "view plane.toml --fps 5 --png a.png", "view plane.toml --movie a.mp4 --png a.png",
+        "view plane.toml --movie a.mp4 --fps 0", "view plane.toml --movie a.mp4 --speed nan",
+        "view plane.toml --movie a.mp4 --size 321x240", "view plane.toml --movie missing/a.mp4"}) {
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 2) << call << "\n" << result.err;
+    EXPECT_NE(result.err.find("fingerpad: error: "), std::string::npos) << call;
+  }
+  EXPECT_FALSE(fs::exists(folder / "a.mp4"));
+}
+
 TEST(Pictures, OfTheDenseMeshAreDrawnToo) {
   const auto meshes = test::real_files("dense", {".ply"});
   if (meshes.empty()) GTEST_SKIP() << "the shared meshes are not here";
