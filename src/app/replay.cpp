@@ -12,6 +12,7 @@
 #include "app/commands.hpp"
 #include "app/job_bar.hpp"
 #include "app/output_name.hpp"
+#include "app/plan_words.hpp"
 #include "app/replay_words.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
@@ -30,6 +31,7 @@ struct ReplayOptions {
   std::string format = "h5";
   std::string shard = "1/1";
   bool quiet = false;
+  bool dry_run = false;
   double progress_s = 10;  ///< between lines where there is no terminal
 };
 
@@ -80,6 +82,7 @@ void refuse_streams(const std::vector<std::string>& scenes, const Ranks& ranks) 
 
 int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ranks) {
   std::vector<BatchJob> jobs = batch_jobs(options.scenes);
+  if (options.dry_run) return ranks.is_root() ? tell_plan(plan_batch(jobs, batch), batch) : 0;
   const auto share = static_cast<std::size_t>(ranks.count()) * static_cast<std::size_t>(batch.shard_count);
   const bool silent = options.quiet || !ranks.is_root();
   JobBar bar((jobs.size() + share - 1) / share,
@@ -168,6 +171,9 @@ void add_replay(CLI::App& program, Action& action) {
   command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")
       ->type_name("K/N")
       ->capture_default_str();
+  command->add_flag(
+      "--dry-run", options->dry_run,
+      "Write nothing; list the jobs with their ticks, and reckon time and disk from a short try");
   command
       ->add_option("--progress", options->progress_s,
                    "Where standard error is no terminal, tell how far the jobs are every so many seconds")

@@ -43,7 +43,7 @@ TEST(LongBatch, TellsAReasonOnceForAllTheJobsThatItStopped) {
 TEST(LongBatch, ToldToStopFinishesWhatItBeganAndIsResumedToTheSameBytes) {
   const fs::path folder = test::scratch_dir();
   constexpr int jobs = 60;
-  write_set(folder, jobs, 10000);
+  write_set(folder, jobs, 4000);
   for (const std::string signal : {"INT", "TERM"}) {
     fs::remove_all(folder / "o");
     const auto stopped = test::shell("'" + test::program().string() +

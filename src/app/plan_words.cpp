@@ -1,0 +1,69 @@
+#include "app/plan_words.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "app/standard_streams.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::string file_name(const std::string& path) {
+  return std::filesystem::path(path).filename().string();
+}
+
+std::string duration_words(double seconds) {
+  constexpr double minute_s = 60, hour_s = 3600;
+  if (seconds < 2 * minute_s) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 2 * hour_s) return fmt::format("{:.0f} min", seconds / minute_s);
+  return fmt::format("{:.1f} h", seconds / hour_s);
+}
+
+std::string size_words(double bytes) {
+  constexpr const char* units[] = {"kB", "MB", "GB", "TB"};
+  int unit = 0;
+  for (bytes /= 1e3; bytes >= 1e3 && unit < 3; bytes /= 1e3) ++unit;
+  return fmt::format("{:.3g} {}", bytes, units[unit]);
+}
+
+/// "t-0003.h5: knob.stl, rub.csv, mu_static 0.3: 501 ticks".
+void tell_job(const PlannedJob& job) {
+  std::string what;
+  for (const std::string& words : {file_name(job.mesh), file_name(job.motion), job.values}) {
+    if (!words.empty()) what += (what.empty() ? "" : ", ") + words;
+  }
+  print_out("{}: {}{}{}\n", job.file, what, what.empty() ? "" : ": ",
+            job.error.empty() ? fmt::format("{} ticks", job.ticks) : "would fail: " + job.error);
+}
+
+/// The room on the disk of a folder that may not be there yet.
+double room_for(const std::string& folder) {
+  std::error_code none;
+  std::filesystem::path place = std::filesystem::absolute(folder, none);
+  while (!std::filesystem::exists(place, none) && place.has_relative_path()) place = place.parent_path();
+  const std::filesystem::space_info space = std::filesystem::space(place, none);
+  return none ? HUGE_VAL : static_cast<double>(space.available);
+}
+
+}  // namespace
+
+int tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
+  constexpr int jobs_would_fail_code = 4;
+  for (const PlannedJob& job : plan.jobs) tell_job(job);
+  const auto failing = std::count_if(plan.jobs.begin(), plan.jobs.end(),
+                                     [](const PlannedJob& job) { return !job.error.empty(); });
+  print_out(
+      "{} {}, {:.0f} ticks: about {} on {} {}, {} in {} (from {} of {} kinds of jobs tried; nothing was "
+      "written)\n",
+      plan.jobs.size(), plan.jobs.size() == 1 ? "job" : "jobs", plan.ticks, duration_words(plan.seconds),
+      batch.threads, batch.threads == 1 ? "thread" : "threads", size_words(plan.bytes), batch.out_dir,
+      plan.measured, plan.kinds);
+  const double room = room_for(batch.out_dir);
+  if (plan.bytes > room)
+    print_err("fingerpad: warning: {}: the disk has room for {} only\n", batch.out_dir, size_words(room));
+  return failing > 0 ? jobs_would_fail_code : 0;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "replay/batch.hpp"
+
+namespace fingerpad {
+
+/// One job as it would be run.
+struct PlannedJob {
+  std::string file, mesh, motion;
+  std::string values;  ///< its set keys: "mu_static 0.3, law dahl"
+  long ticks = 0;
+  std::string error;  ///< why it would fail, as far as that is seen before the run; empty if nothing is
+};
+
+/// What a batch would take.
+struct BatchPlan {
+  std::vector<PlannedJob> jobs;  ///< of this call's shard
+  double ticks = 0;
+  double seconds = 0;  ///< on the batch's threads
+  double bytes = 0;
+  int measured = 0, kinds = 0;  ///< of so many kinds of jobs, by their parts and contact, so many were tried
+};
+
+/// Plans a batch without writing into its folder. The ticks are counted; time and disk are reckoned from a
+/// short try of one job for each set of parts with its contact method, at most eight, whose trace goes to the
+/// system's folder for temporary files and is removed again; further kinds are taken for as slow and large as
+/// the slowest tried.
+BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& options);
+
+}  // namespace fingerpad

@@ -1,0 +1,52 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// What `replay --dry-run` says before anything is written.
+
+namespace fingerpad::dry_run_test {
+namespace {
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+TEST(DryRun, ListsJobsWithTheirTicksAndReckonsTimeAndDisk) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"sine\"\n"
+         "centre_m = [0, 0, -0.001]\ndirection = [1, 0, 0]\namplitude_m = 0.05\nfrequency_hz = 1\n"
+         "duration_s = 10\n[[set]]\nmotion.rate_hz = [500, 1000]\nplane.mu_static = { from = 0.3, to = 0.4, "
+         "steps = 2 }\n";
+  const auto planned = test::fingerpad("replay s.toml --out o --dry-run --jobs 1", folder);
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  EXPECT_THAT(planned.out, HasSubstr("s-0001.h5: rate_hz 500, mu_static 0.3: 5001 ticks\n"));
+  EXPECT_THAT(planned.out, HasSubstr("s-0004.h5: rate_hz 1000, mu_static 0.4: 10001 ticks\n"));
+  EXPECT_THAT(planned.out, HasSubstr("4 jobs, 30004 ticks: about "));
+  EXPECT_THAT(planned.out, HasSubstr("on 1 thread, "));
+  EXPECT_FALSE(fs::exists(folder / "o")) << "nothing is written";
+
+  // A row is some 200 bytes: the disk is reckoned to a fifth.
+  ASSERT_EQ(test::fingerpad("replay s.toml --out o --quiet", folder).exit_code, 0);
+  double bytes = 0;
+  for (const char* name : {"s-0001.h5", "s-0002.h5", "s-0003.h5", "s-0004.h5"}) {
+    bytes += static_cast<double>(fs::file_size(folder / "o" / name));
+  }
+  const std::size_t at = planned.out.find("thread, ");
+  EXPECT_NEAR(std::stod(planned.out.substr(at + 8)) * 1e6, bytes, 0.2 * bytes) << planned.out;
+}
+
+TEST(DryRun, TellsTheJobsThatWouldFail) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[part]]\nmesh = \"none.stl\"\n[motion]\nkind = \"line\"\n"
+         "from_m = [0, 0, 0]\nto_m = [0.1, 0, 0]\nspeed_m_per_s = 1\n[[set]]\nseed = [1, 2]\n";
+  const auto planned = test::fingerpad("replay s.toml --out o --dry-run", folder);
+  EXPECT_EQ(planned.exit_code, 4);
+  EXPECT_THAT(planned.out, HasSubstr("s-0002.h5: none.stl, seed 2: would fail: none.stl: cannot be read"));
+}
+
+}  // namespace
+}  // namespace fingerpad::dry_run_test
