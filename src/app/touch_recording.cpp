@@ -2,6 +2,7 @@
 
 #include <filesystem>
 
+#include "app/commands.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
