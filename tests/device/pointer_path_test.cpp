@@ -95,7 +95,7 @@ TEST(PointerPath, KeepsTheEndOfAPressWhenItIsFull) {
 
 TEST(PointerPath, DoesNotWaitForAClockThatHasLeapt) {
   PointerPath path(aim_at(0, 0));
-  const double times_s[] = {1000, 1000.008, -4000, 1000.016, 1000.024};
+  const double times_s[] = {1000, 0, 1000.016, 1000.024, 9000};
   for (int k = 0; k < 5; ++k) path.put(aim_at(times_s[k], 0.1 * k));
   int ticks = 0;
   while (path.advance(dt_s).finger.p_WQ.x() < 0.4 && ticks < 3000) ++ticks;
