@@ -165,6 +165,7 @@ void Stage::look_at_all() {
 void Stage::paint_grounds() {
   const bool dark = state_.dark;
   device_->set_dark(dark);
+  board_.set_dark(dark);
   dark ? scene_->SetBackground(0.11, 0.12, 0.14) : scene_->SetBackground(0.93, 0.945, 0.96);
   dark ? scene_->SetBackground2(0.2, 0.21, 0.24) : scene_->SetBackground2(0.995, 0.997, 1.0);
   dark ? close_up_->SetBackground(0.16, 0.17, 0.19) : close_up_->SetBackground(0.97, 0.975, 0.98);
