@@ -64,6 +64,7 @@ void ChartBoard::show(const Chart& chart, const ChartLayout& layout, int width, 
   const ChartBand* const band = chart.band ? &*chart.band : nullptr;
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     panels_[i]->show(chart.panels[i], layout.panels[i], layout.em, band, i == 0 ? layout.strip : Box{});
+    panels_[i]->set_dark(dark_);
   }
   words_->show({std::make_shared<const Drawing>(chart_words(chart, layout))});
 }
@@ -89,6 +90,11 @@ void ChartBoard::show_all() {
 
 std::string ChartBoard::told() const {
   return hovered_ != nullptr && hovered_->GetTooltip()->GetVisible() ? hovered_->GetTooltip()->GetText() : "";
+}
+
+void ChartBoard::set_dark(bool dark) {
+  dark_ = dark;
+  for (const auto& panel : panels_) panel->set_dark(dark);
 }
 
 void ChartBoard::set_visible(bool visible) {

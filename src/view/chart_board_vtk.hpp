@@ -29,6 +29,7 @@ class ChartBoard {
   /// Where there is no room for it nothing of it is seen, and the mouse means nothing to it.
   void set_visible(bool visible);
   bool visible() const { return visible_; }
+  void set_dark(bool dark);
 
   /// Where its panels are and what they show now.
   ChartPlace place() const;
@@ -64,7 +65,7 @@ class ChartBoard {
   PanelChart* held_ = nullptr;     ///< that is panned
   PanelChart* hovered_ = nullptr;  ///< that shows a value
   int last_x_ = 0, last_y_ = 0;
-  bool visible_ = true;
+  bool visible_ = true, dark_ = false;
   std::uint64_t changes_ = 0;
 };
 

@@ -58,13 +58,18 @@ class OverlayPainter {
   }
 
   void paint_marks() {
-    if (facts_.marks.empty()) return;
+    const auto behind = [this](const Vec2& mark) {
+      return facts_.inset_px_per_mm > 0 && facts_.inset.holds(mark.x(), mark.y());
+    };
+    if (facts_.marks.empty() || std::all_of(facts_.marks.begin(), facts_.marks.end(), behind)) return;
     if (facts_.marks.size() > 1)
       drawing_.line(facts_.marks[0], facts_.marks[1], {colours::ink, 0.14 * em_, 0.5 * em_, 0.3 * em_});
     Vec2 middle(0, 0);
     for (const Vec2& mark : facts_.marks) {
-      drawing_.disc(mark, 0.36 * em_, colours::white);
-      drawing_.disc(mark, 0.25 * em_, colours::reddish_purple);
+      if (!behind(mark)) {
+        drawing_.disc(mark, 0.36 * em_, colours::white);
+        drawing_.disc(mark, 0.25 * em_, colours::reddish_purple);
+      }
       middle += mark / static_cast<double>(facts_.marks.size());
     }
     paint_pill(drawing_, middle + Vec2(0, 1.9 * em_), facts_.marks_words, em_);

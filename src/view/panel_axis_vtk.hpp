@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkAxis.h>
+#include <vtkPen.h>
 
 #include <string>
 
@@ -24,6 +25,7 @@ class PanelAxis : public vtkAxis {
     double label_at = 0;
   };
   void set_look(const Look& look);
+  void set_grid(const Colour& colour) { this->GridPen->SetColor(colour.red, colour.green, colour.blue); }
 
   /// Shows this range and lets nobody zoom or move out of it.
   void set_ends(const Axis& ends);

@@ -12,6 +12,7 @@
 
 #include "view/panel_plots_vtk.hpp"
 #include "view/text_width_vtk.hpp"
+#include "view/theme_device_vtk.hpp"
 
 namespace fingerpad {
 
@@ -70,6 +71,11 @@ void PanelChart::show(const ChartPanel& panel, const ChartLayout::Panel& placed,
     this->AddPlot(plot);
   }
   this->PlotTransformValid = false;  // until it is painted in its new place
+}
+
+void PanelChart::set_dark(bool dark) {
+  const Colour grid = dark ? in_the_dark(colours::pale_grey) : colours::pale_grey;
+  for (PanelAxis* axis : {left_, bottom_, right_, top_}) axis->set_grid(grid);
 }
 
 void PanelChart::set_ranges(const ChartLayout::Panel& placed) {

@@ -31,6 +31,9 @@ class PanelChart : public vtkChartXY {
   /// Shows the range of x that another panel shows.
   void follow(const PanelChart& other);
 
+  /// Of the grid, which VTK paints itself.
+  void set_dark(bool dark);
+
   bool MouseWheelEvent(const vtkContextMouseEvent& mouse, int steps) override;
 
  protected:

@@ -161,6 +161,7 @@ void Stage::paint_grounds() {
   chart_device_->set_dark(dark);
   const Colour paper = dark ? in_the_dark(colours::white) : colours::white;
   chart_paper_->SetBackground(paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
+  board_.set_dark(dark);
   dark ? scene_->SetBackground(0.11, 0.12, 0.14) : scene_->SetBackground(0.93, 0.945, 0.96);
   dark ? scene_->SetBackground2(0.2, 0.21, 0.24) : scene_->SetBackground2(0.995, 0.997, 1.0);
   dark ? close_up_->scene()->SetBackground(0.16, 0.17, 0.19)

@@ -67,6 +67,7 @@ TEST(Theme, DarkPicturesHaveDarkPaperAndKeepTheColoursOfPhases) {
   const Box strip{layout.charts.left, layout.charts.top() - 3 * layout.em, layout.charts.width,
                   3 * layout.em};
   EXPECT_GT(test::share_of(dark, strip, colours::orange), 0.02);
+  EXPECT_LT(test::share_of(dark, layout.charts, colours::pale_grey), 0.005) << "the grid is dark too";
 }
 
 TEST(Wireframe, ShowsTheGroundBetweenTheEdges) {
