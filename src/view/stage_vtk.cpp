@@ -106,6 +106,9 @@ void Stage::add_renderers() {
   chart_marks_->AutomaticLightCreationOff();
   chart_marks_->keep_box_of(chart_paper_);
   flat_->SetLayer(1);
+  // They have no use for depths, and to clear them takes time without a graphics card.
+  chart_marks_->PreserveDepthBufferOn();
+  flat_->PreserveDepthBufferOn();
 }
 
 void Stage::add_charts() {
@@ -468,11 +471,11 @@ void Stage::choose_coarseness() {
 
 void Stage::draw() {
   set_clipping_range();
-  scene_->set_keeping(keeping_);
+  choose_coarseness();
+  scene_->set_keeping(keeping_ && !shown_coarse_);  // what turns is stale before it is put back
   // What is told of a value may reach beyond the charts.
   chart_marks_->set_keeping(keeping_ && board_.told().empty());
   chart_marks_->set_content(chart_changes_ + board_.changes());
-  choose_coarseness();
   const long drawn_before = still_drawn();
   const auto start = Clock::now();
   window_->Render();
