@@ -115,6 +115,10 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
 
 int replay(ReplayOptions options) {
   read_shard(options.shard, options.batch);
+  options.batch.traces = options.format != "none";
+  if (!options.batch.traces && options.batch.resume)
+    throw Error(ErrorKind::usage, "--resume",
+                "keeps traces, of which --format none writes none; leave one out");
   options.batch.format = options.format == "csv" ? TraceFormat::csv : TraceFormat::hdf5;
   options.batch.version = program_version;
   const Ranks ranks;
@@ -163,8 +167,8 @@ void add_replay(CLI::App& program, Action& action) {
                    "Threads that share the jobs; results do not depend on it")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
-  command->add_option("--format", options->format, "h5 or csv")
-      ->check(CLI::IsMember({"h5", "csv"}))
+  command->add_option("--format", options->format, "h5, csv, or none: summary.csv alone")
+      ->check(CLI::IsMember({"h5", "csv", "none"}))
       ->capture_default_str();
   command->add_flag("--resume", options->batch.resume,
                     "Keep complete traces of the very same runs instead of making them again");

@@ -49,8 +49,9 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
   const auto start = std::chrono::steady_clock::now();
   const SceneJob& job = batch_job.job;
   const std::string path =
-      (std::filesystem::path(options.out_dir) / trace_name(job, options.format)).string();
-  const auto before = state_of(path);
+      options.traces ? (std::filesystem::path(options.out_dir) / trace_name(job, options.format)).string()
+                     : "";
+  const auto before = options.traces ? state_of(path) : std::nullopt;
   try {
     if (!job.error.empty()) throw Error(ErrorKind::refused, "", job.error);
     JobOutput output{path, options.format, options.version, options.resume, {}};

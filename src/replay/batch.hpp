@@ -18,6 +18,7 @@ struct BatchJob;
 struct BatchOptions {
   std::string out_dir;
   TraceFormat format = TraceFormat::hdf5;
+  bool traces = true;  ///< false: the figures alone are kept, in the summary
   int threads = 1;
   bool resume = false;
   int shard = 1;        ///< this call's share of the jobs, from 1

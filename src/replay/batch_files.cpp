@@ -44,7 +44,7 @@ Writers writers_of(const std::vector<BatchJob>& jobs, const BatchOptions& option
   Writers writers = table_writers(jobs, options);
   for (const BatchJob& batch_job : jobs) {
     const SceneJob& job = batch_job.job;
-    if (!job.error.empty()) continue;
+    if (!options.traces || !job.error.empty()) continue;
     const std::string name = trace_name(job, options.format);
     const auto [other, is_new] = writers.emplace(name, words_for(job));
     if (is_new) continue;
@@ -104,7 +104,7 @@ std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const B
   std::vector<std::string> names = {tables.summary, tables.timing};
   if (has_index(jobs)) names.push_back(tables.jobs);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
-    if (is_of_shard(i, options) && jobs[i].job.error.empty())
+    if (options.traces && is_of_shard(i, options) && jobs[i].job.error.empty())
       names.push_back(trace_name(jobs[i].job, options.format));
   }
   return names;

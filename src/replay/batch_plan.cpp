@@ -66,9 +66,12 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   cost.load_s = seconds_since(start);
   const TryFile file(options.format);
   ClosedLoop loop(world, scene, motion.path);
-  const auto writer = TraceWriter::create(file.path, options.format,
-                                          trace_info(scene, *world, motion.path, options.version), *world);
-  writer->flush();
+  std::unique_ptr<TraceWriter> writer;
+  if (options.traces) {
+    const TraceInfo info = trace_info(scene, *world, motion.path, options.version);
+    writer = TraceWriter::create(file.path, options.format, info, *world);
+    writer->flush();
+  }
   cost.bytes = file.bytes();
   const Clock::time_point run = Clock::now();
   std::vector<TickRecord> block;
@@ -77,9 +80,9 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
     block.clear();
     const long end = std::min(ticks + block_ticks, loop.tick_count());
     for (; ticks < end && !loop.has_diverged(); ++ticks) block.push_back(loop.next());
-    writer->append(block);
+    if (writer) writer->append(block);
   }
-  writer->finish();
+  if (writer) writer->finish();
   if (ticks == 0) return cost;
   cost.s_per_tick = seconds_since(run) / static_cast<double>(ticks);
   cost.bytes_per_tick = std::max(0.0, file.bytes() - cost.bytes) / static_cast<double>(ticks);

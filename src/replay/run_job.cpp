@@ -48,7 +48,8 @@ std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& 
                         const TraceInfo& info, const JobOutput& output) {
   Figures figures(world);
   ClosedLoop loop(world, scene, path, info.changes);
-  const auto writer = TraceWriter::create(output.path, output.format, info, *world);
+  std::unique_ptr<TraceWriter> writer;
+  if (!output.path.empty()) writer = TraceWriter::create(output.path, output.format, info, *world);
   constexpr long block_ticks = 4096;
   std::vector<TickRecord> block;
   block.reserve(block_ticks);
@@ -58,15 +59,15 @@ std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& 
       block.push_back(loop.next());
       figures.observe(block.back());
     }
-    writer->append(block);
+    if (writer) writer->append(block);
     if (output.on_ticks)
       output.on_ticks(static_cast<double>(first + static_cast<long>(block.size())) /
                       static_cast<double>(loop.tick_count()));
     if (!loop.has_diverged()) continue;
-    writer->flush();  // what there was until then stays behind
+    if (writer) writer->flush();  // what there was until then stays behind
     throw refused(scene.path, loop.divergence());
   }
-  writer->finish();
+  if (writer) writer->finish();
   return figures.values();
 }
 
@@ -90,6 +91,11 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, const JobOut
   info.changes = motion.changes;
   JobResult result{{},           info.contact_method, info.contact_normals, info.contact_reasons,
                    motion.notes, motion.warnings};
+  if (output.path.empty()) {
+    result.figures = run(scene, world, path, info, output);
+    warn_of_no_touch(scene, *world, path, result);
+    return result;
+  }
   const std::string digest = run_digest(info, output.format);
   if (output.resume) {
     auto figures = proven_figures(output.path, digest);

@@ -14,7 +14,7 @@ namespace fingerpad {
 
 /// Where one scene's run goes.
 struct JobOutput {
-  std::string path;
+  std::string path;  ///< empty: no trace is written, and the figures are all
   TraceFormat format = TraceFormat::hdf5;
   std::string version;  ///< of the program, kept in the trace
   bool resume = false;  ///< keep a complete trace of the very same run instead of making it again

@@ -80,8 +80,8 @@ std::string index_text(const std::vector<BatchJob>& jobs, const BatchOptions& op
     const SceneJob& job = jobs[i].job;
     if (!is_of_shard(i, options)) continue;
     const std::string mesh = job.scene.parts.empty() ? "" : job.scene.parts.front().mesh;
-    rows.push_back({job.number, trace_name(job, options.format), job.scene.name, mesh, job.scene.motion.file,
-                    job.set_keys});
+    rows.push_back({job.number, options.traces ? trace_name(job, options.format) : "", job.scene.name, mesh,
+                    job.scene.motion.file, job.set_keys});
   }
   return job_index_text(set_keys(jobs), rows);
 }

@@ -48,5 +48,22 @@ TEST(DryRun, TellsTheJobsThatWouldFail) {
   EXPECT_THAT(planned.out, HasSubstr("s-0002.h5: none.stl, seed 2: would fail: none.stl: cannot be read"));
 }
 
+TEST(FormatNone, KeepsTheSummaryAlone) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\n"
+         "from_m = [0, 0, -0.001]\nto_m = [0.02, 0, -0.001]\nspeed_m_per_s = 0.2\n[[set]]\nseed = [1, 2]\n";
+  const auto result = test::fingerpad("replay s.toml --out o --format none", folder);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "2 of 2 jobs done, summary.csv in o\n");
+  ASSERT_EQ(test::fingerpad("replay s.toml --out traced --quiet", folder).exit_code, 0);
+  EXPECT_EQ(test::bytes_of(folder / "o" / "summary.csv"), test::bytes_of(folder / "traced" / "summary.csv"));
+  EXPECT_EQ(test::bytes_of(folder / "o" / "jobs.csv"),
+            "number,file,scene,mesh,motion,seed\n1,,s,,,1\n2,,s,,,2\n");
+  EXPECT_FALSE(fs::exists(folder / "o" / "s-0001.h5"));
+  EXPECT_FALSE(fs::exists(folder / "o" / ".fingerpad" / "s-0001.h5.proof"));
+  EXPECT_EQ(test::fingerpad("replay s.toml --out o --format none --resume", folder).exit_code, 2);
+}
+
 }  // namespace
 }  // namespace fingerpad::dry_run_test
