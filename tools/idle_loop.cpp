@@ -11,10 +11,10 @@ namespace {
 volatile std::sig_atomic_t is_over = 0;
 }
 
-int main() {
+int main(int count, char**) {
   std::signal(SIGTERM, [](int) { is_over = 1; });
   fingerpad::ServoThread loop(
-      1000, [](double) { return fingerpad::TickRecord(); }, 0.1, false);
+      1000, [](double) { return fingerpad::TickRecord(); }, 0.1, count > 1);
   while (is_over == 0) std::this_thread::sleep_for(std::chrono::milliseconds(20));
   loop.stop();
   const fingerpad::ServoTiming timing = loop.timing();

@@ -104,7 +104,7 @@ TEST(NetworkFuzz, GivesNoForceThatIsNotFiniteOrAboveTheLimitAndNoneInSilence) {
   EXPECT_GT(most_n, 0.1);
   for (PacketGate::Counts before, now = device.counts(); !(before == now); now = device.counts()) {
     before = now;
-    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
   }
   tick(device);
   EXPECT_EQ(device.sent_W_n(), Vec3::Zero()) << "nothing has come for 20 ms";
