@@ -85,6 +85,7 @@ MovieEncoder::MovieEncoder(const std::string& path, int width, int height, doubl
   std::vector<std::string> words = encoder_arguments(path, width, height, frames_per_s);
   words.push_back(fmt::format("/proc/self/fd/{}", movie_));
   std::vector<char*> arguments;
+  arguments.reserve(words.size() + 1);
   for (std::string& word : words) arguments.push_back(word.data());
   arguments.push_back(nullptr);
   const pid_t parent = getpid();

@@ -195,6 +195,7 @@ TEST(Coarse, ViewIsShownWhileItTurnsAndTheWholeOneAtRest) {
   const VirtualScreen screen;
   Shown shown(fine_torus_rub());
   shown.stage.set_pace(Stage::Pace::coarse);
+  shown.stage.window()->SetMultiSamples(0);  // or slow frames would give smooth edges up in between
   vtkCamera* const camera = shown.stage.scene()->GetActiveCamera();
   shown.at(0);
   EXPECT_FALSE(shown.stage.shows_coarse());
