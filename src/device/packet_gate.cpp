@@ -24,8 +24,8 @@ bool PacketGate::pass(std::span<const unsigned char> bytes, const PacketSender& 
     case PacketFault::none:
       break;
   }
-  if (read.sequence == 0) {  // they go from 1
-    ++counts_.numbers;
+  if (read.sequence == 0) {  // they go from 1, and past the last number from 1 again
+    ++counts_.old;
     return false;
   }
   const bool listens_to_one = counts_.accepted > 0 && now_ns - last_ns_ < sender_silence_ns;

@@ -32,8 +32,8 @@ class PacketGate {
   struct Counts {
     std::uint64_t accepted = 0;
     std::uint64_t malformed = 0;  ///< another length or magic
-    std::uint64_t numbers = 0;    ///< not finite, too far, no unit quaternion; sequence 0
-    std::uint64_t old = 0;        ///< an old or repeated sequence
+    std::uint64_t numbers = 0;    ///< not finite, too far, no unit quaternion
+    std::uint64_t old = 0;        ///< an old or repeated sequence, or 0
     std::uint64_t other = 0;      ///< of another sender
     std::uint64_t dropped() const noexcept { return malformed + numbers + old + other; }
     bool operator==(const Counts&) const = default;

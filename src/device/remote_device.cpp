@@ -6,7 +6,7 @@ RemoteDevice::RemoteDevice(const DeviceSetup& setup, Answers answers, DeviceCloc
     : clock_(clock),
       watchdog_s_(setup.scene.device.watchdog_s),
       answers_wanted_(answers),
-      finger_(setup.scene.device, setup.start, setup.scene.finger.radius_m) {}
+      finger_(setup.scene.device, setup.start) {}
 
 void RemoteDevice::start() {
   thread_ = std::thread([this] { run(); });

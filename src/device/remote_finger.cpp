@@ -5,12 +5,8 @@
 
 namespace fingerpad {
 
-RemoteFinger::RemoteFinger(const DeviceSettings& settings, const FingerSample& rest, double radius_m) noexcept
-    : guard_(settings),
-      workspace_(settings, rest),
-      rest_(rest),
-      watchdog_s_(settings.watchdog_s),
-      radius_m_(radius_m) {}
+RemoteFinger::RemoteFinger(const DeviceSettings& settings, const FingerSample& rest) noexcept
+    : guard_(settings), workspace_(settings, rest), rest_(rest), watchdog_s_(settings.watchdog_s) {}
 
 void RemoteFinger::hear(const DeviceReading& reading) noexcept {
   last_ = reading;
@@ -25,10 +21,13 @@ FingerSample RemoteFinger::advance(std::int64_t now_ns, double dt_s) noexcept {
   return lifted_ ? rest_ : workspace_.finger(last_.place);
 }
 
-Vec3 RemoteFinger::torque_D_n_m(const TickRecord& tick, const Vec3& force_D_n) const noexcept {
-  if (!(radius_m_ > 0) || !tick.normal_W.allFinite()) return Vec3::Zero();
-  const Vec3 arm_W_m = -radius_m_ * tick.normal_W;  // from the pad's centre to where it touches
-  return (workspace_.in_device(arm_W_m) / workspace_.scale()).cross(force_D_n);
+/// Limited by as much as the force is, and of arms as long as the device sees them.
+Vec3 RemoteFinger::torque_D_n_m(const TickRecord& tick, const Vec3& wanted_D_n,
+                                const Vec3& sent_D_n) const noexcept {
+  const double wanted_n = wanted_D_n.norm();
+  if (!(wanted_n > 0) || !tick.torque_W_n_m.allFinite()) return Vec3::Zero();
+  const double share = std::min(1.0, sent_D_n.norm() / wanted_n);
+  return workspace_.force_D_n(tick.torque_W_n_m) * (share / workspace_.scale());
 }
 
 DeviceAnswer RemoteFinger::feel(const TickRecord& tick, std::int64_t now_ns, bool is_sent) noexcept {
@@ -41,10 +40,11 @@ DeviceAnswer RemoteFinger::feel(const TickRecord& tick, std::int64_t now_ns, boo
   const double since_s = 1e-9 * static_cast<double>(now_ns - felt_ns_);
   const double allowed_s = std::clamp(since_s, 1e-9, dt_s_);
   felt_ns_ = now_ns;
-  const MotorGuard::Sent sent = guard_.next(workspace_.force_D_n(tick.force_W_n), wanted, allowed_s);
+  const Vec3 wanted_D_n = workspace_.force_D_n(tick.force_W_n);
+  const MotorGuard::Sent sent = guard_.next(wanted_D_n, wanted, allowed_s);
   answer.force_D_n = sent.force_D_n;
   answer.limited = sent.limited || (touching && !wanted);
-  answer.torque_D_n_m = touching ? torque_D_n_m(tick, sent.force_D_n) : Vec3::Zero();
+  answer.torque_D_n_m = touching ? torque_D_n_m(tick, wanted_D_n, sent.force_D_n) : Vec3::Zero();
   answer.phase = touching ? tick.phase : Phase::free;
   answer.depth_m = touching ? tick.depth_m / workspace_.scale() : 0;
   answer.watchdog_tripped = tripped_;

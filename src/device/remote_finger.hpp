@@ -19,7 +19,7 @@ struct DeviceReading {
 /// What a tick has for a device.
 struct DeviceAnswer {
   Vec3 force_D_n = Vec3::Zero();     ///< on the finger, within the limits
-  Vec3 torque_D_n_m = Vec3::Zero();  ///< about the finger's centre
+  Vec3 torque_D_n_m = Vec3::Zero();  ///< of friction about the finger's centre
   double depth_m = 0;                ///< as the device measures
   Phase phase = Phase::free;
   bool limited = false;           ///< the force is not the model's
@@ -35,9 +35,8 @@ struct DeviceAnswer {
 /// touched, without force, until the device speaks again. One thread; allocates nothing.
 class RemoteFinger {
  public:
-  /// @param rest      the finger while the device is silent
-  /// @param radius_m  of the finger's pad
-  RemoteFinger(const DeviceSettings& settings, const FingerSample& rest, double radius_m) noexcept;
+  /// @param rest  the finger while the device is silent
+  RemoteFinger(const DeviceSettings& settings, const FingerSample& rest) noexcept;
 
   /// What the device has said since the last tick, the last of it.
   void hear(const DeviceReading& reading) noexcept;
@@ -56,12 +55,12 @@ class RemoteFinger {
   const Vec3& sent_W_n() const noexcept { return sent_W_n_; }
 
  private:
-  Vec3 torque_D_n_m(const TickRecord& tick, const Vec3& force_D_n) const noexcept;
+  Vec3 torque_D_n_m(const TickRecord& tick, const Vec3& wanted_D_n, const Vec3& sent_D_n) const noexcept;
 
   MotorGuard guard_;
   Workspace workspace_;
   FingerSample rest_;
-  double watchdog_s_, radius_m_, dt_s_ = 1;
+  double watchdog_s_, dt_s_ = 1;
   DeviceReading last_;
   std::int64_t felt_ns_ = 0;
   bool lifted_ = true, tripped_ = false;

@@ -160,9 +160,14 @@ Touch::Forces Touch::forces(const SkinMotion& skin, const FingerSample& sample, 
     const double inclined_rad =
         alone ? record.inclination_rad : inclination_rad(sample.direction_W, wall.normal_W);
     const Friction friction = rub(wall, share_of_push, inclined_rad, skin, sample, memory);
-    (friction.phase == Phase::slip ? forces.slip_W_n : forces.stick_W_n) +=
-        memory.frame_WC.leftCols<2>() * friction.force_n;
-    forces.any_slips |= friction.phase == Phase::slip;
+    const bool slips = friction.phase == Phase::slip;
+    const Vec3 friction_W_n = memory.frame_WC.leftCols<2>() * friction.force_n;
+    (slips ? forces.slip_W_n : forces.stick_W_n) += friction_W_n;
+    // By the arm with which turning rolls the skin (tangential_motion): F . v + torque . turn is then the
+    // power that friction takes.
+    if (radius_m_ > 0)
+      (slips ? forces.slip_W_n_m : forces.stick_W_n_m) += (wall.point_W - sample.p_WQ).cross(friction_W_n);
+    forces.any_slips |= slips;
     forces.normal_W_n += (wall.normal_force_n / wall.share_m) * wall.push_m;
     record.ruptures += friction.ruptures;
     record.remedied |= friction.remedied;
@@ -182,6 +187,7 @@ void Touch::vibrate(Forces& forces) noexcept {
   const double signal = vibration_->next();
   const double scale = vibration_force_scale(vibration_amplitude_, signal);
   forces.slip_W_n *= scale;
+  forces.slip_W_n_m *= scale;
   for (int i = 0; i < memories_.count(); ++i) {
     FrictionState& friction = memories_[i].friction;
     if (friction.phase == Phase::slip) friction.slip_force_scale = scale;
@@ -209,6 +215,7 @@ void Touch::answer(const Contact& contact, const FingerSample& given, const Skin
   // Adding zero turns a minus zero, which a trace would show as "-0", into a plain one.
   record.friction_W_n = sum.slip_W_n + sum.stick_W_n + Vec3::Zero();
   record.force_W_n = sum.normal_W_n + record.friction_W_n;
+  record.torque_W_n_m = sum.slip_W_n_m + sum.stick_W_n_m;
   record.mu = sum.pushed_n > 0 ? record.friction_W_n.norm() / sum.pushed_n : 0.0;
   record.walls = walls_.count;
   const Wall& greatest = walls_[0];

@@ -47,6 +47,7 @@ class Touch {
   struct Forces {
     double pushed_n = 0;  ///< the sum of the normal forces' sizes
     Vec3 normal_W_n = Vec3::Zero(), slip_W_n = Vec3::Zero(), stick_W_n = Vec3::Zero();
+    Vec3 slip_W_n_m = Vec3::Zero(), stick_W_n_m = Vec3::Zero();  ///< about the finger's centre
     bool any_slips = false;
   };
 

@@ -173,7 +173,7 @@ TEST(PacketGate, HearsNoSequenceZero) {
   EXPECT_FALSE(g.pass(g.first, 0, 0)) << "they go from 1";
   EXPECT_TRUE(g.pass(g.first, 0xffffffffu, 0));
   EXPECT_TRUE(g.pass(g.first, 1, 0.1));
-  EXPECT_EQ(g.gate.counts(), (PacketGate::Counts{.accepted = 2, .numbers = 1}));
+  EXPECT_EQ(g.gate.counts(), (PacketGate::Counts{.accepted = 2, .old = 1}));
 }
 
 }  // namespace

@@ -89,7 +89,7 @@ std::string damaged(std::string text, std::mt19937& bits) {
 
 TEST(HaplyMessage, AHundredThousandHostileFramesGiveNoForceThatIsNotFiniteOrAboveTheLimit) {
   std::mt19937 bits(11);
-  RemoteFinger finger(DeviceSettings{}, {0, Vec3(0, 0, 1), Vec3::UnitY()}, 0.004);
+  RemoteFinger finger(DeviceSettings{}, {0, Vec3(0, 0, 1), Vec3::UnitY()});
   std::int64_t now_ns = 0;
   DeviceReading reading;
   long read = 0, silent = 0;

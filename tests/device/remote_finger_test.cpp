@@ -15,7 +15,7 @@ constexpr std::int64_t ms = 1'000'000;
 
 /// A device on a clock of the test's own, at 1000 ticks a second, over a floor at z = 0 of 1000 N/m.
 struct Rig {
-  explicit Rig(const DeviceSettings& settings = {}) : finger(settings, rest, 0) {}
+  explicit Rig(const DeviceSettings& settings = {}) : finger(settings, rest) {}
 
   void say(const Vec3& p_D, bool clutch = false) {
     DevicePlace place;
@@ -39,6 +39,7 @@ struct Rig {
       record.phase = Phase::stick;
       record.depth_m = -sample.p_WQ.z();
       record.force_W_n = Vec3(0, 0, 1000 * record.depth_m);
+      record.torque_W_n_m = Vec3(record.depth_m, 0, 0);
       record.normal_W = Vec3::UnitZ();
     }
     const DeviceAnswer answer = finger.feel(record, now_ns, is_sent);
@@ -182,6 +183,22 @@ TEST(RemoteFinger, LiesInTheWorldAsTheSceneSays) {
   const FingerSample turned = workspace.finger(place);
   const Vec3 wanted(-0.8, 0.6, 0);
   EXPECT_NEAR((turned.direction_W - wanted).norm(), 0, 1e-15);
+}
+
+TEST(RemoteFinger, LimitsATorqueByAsMuchAsTheForceAndScalesItsArm) {
+  DeviceSettings settings;
+  settings.rotation << 0, -1, 0, 1, 0, 0, 0, 0, 1;  // the world's x is the device's -y
+  settings.scale = 4;
+  settings.force_scale = 0.5;
+  settings.soft_start_s = 0;
+  settings.force_rate_limit_n_per_s = 1e9;
+  Rig rig(settings);
+  rig.say({0, 0, -0.001});  // 4 N, of which it is shown 2, and 4 mN m
+  EXPECT_NEAR((rig.tick().torque_D_n_m - Vec3(0, -0.004 * 0.5 / 4, 0)).norm(), 0, 1e-15);
+  rig.say({0, 0, -0.005});  // 20 N, of which it would be shown 10 and is shown 5
+  const DeviceAnswer limited = rig.tick();
+  EXPECT_TRUE(limited.limited);
+  EXPECT_NEAR((limited.torque_D_n_m - Vec3(0, -0.020 * 0.25 / 4, 0)).norm(), 0, 1e-15);
 }
 
 TEST(RemoteFinger, TellsTheDepthAsTheDeviceMeasures) {

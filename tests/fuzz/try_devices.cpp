@@ -42,7 +42,7 @@ class HostileDevice {
   std::int64_t now_ns() const { return now_ns_; }
 
  private:
-  RemoteFinger finger_{DeviceSettings{}, {0, Vec3::UnitZ(), Vec3::UnitY()}, 0.005};
+  RemoteFinger finger_{DeviceSettings{}, {0, Vec3::UnitZ(), Vec3::UnitY()}};
   std::int64_t now_ns_ = 0;
   std::uint64_t said_ = 0;
 };

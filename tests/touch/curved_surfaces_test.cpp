@@ -154,6 +154,20 @@ TEST(CurvedSurfaces, PureRollingStretchesNothing) {
   }
 }
 
+TEST(CurvedSurfaces, ForceAndTorqueTogetherTakeWhatTheSkinsSlipTakes) {
+  Scene scene = plane_scene("stick-slip");
+  scene.finger.radius_m = 0.008;
+  // 0.4 m/s along y while the skin below goes back half as fast: it slips by 0.2 mm a tick, under 0.2 N.
+  const double way_m = 4e-4, turn_rad = -0.5 * way_m / 0.007;
+  const auto rows = run_finger(plane_world(), scene, 101, [&](long k) {
+    return rolling(way_m * static_cast<double>(k), turn_rad * static_cast<double>(k), true);
+  });
+  const TickRecord& last = rows.back();
+  ASSERT_EQ(last.phase, Phase::slip);
+  EXPECT_NEAR(last.friction_W_n.y() * way_m + last.torque_W_n_m.x() * turn_rad, -0.2 * 0.5 * way_m, 1e-12);
+  EXPECT_NEAR((last.torque_W_n_m - Vec3(-0.2 * 0.007, 0, 0)).norm(), 0, 1e-12) << "7 mm below, not 8";
+}
+
 TEST(CurvedSurfaces, APointHasNoSkinToRoll) {
   Scene scene = plane_scene("stick-slip");
   const auto rows = run_finger(plane_world(), scene, 100, [&](long k) {

@@ -56,6 +56,20 @@ TEST(SeveralWalls, AGrooveMultipliesFrictionByItsWedge) {
   }
 }
 
+TEST(SeveralWalls, FrictionsTorqueIsTheSumOverTheWalls) {
+  const TickRecord last = along(groove(45 * deg), 45 * deg, 0.2, 4e-4).back();
+  ASSERT_EQ(last.walls, 2);
+  // The proxy rests in the middle of the groove, the finger below and beside it.
+  const Vec3 to_proxy_m(-4e-4, 0, 0.001);
+  Vec3 torque_W_n_m = Vec3::Zero();
+  for (const double side : {1.0, -1.0}) {
+    const Vec3 normal = Vec3(side, 0, 1).normalized();
+    const double friction_n = 0.2 * 1000 * to_proxy_m.dot(normal);
+    torque_W_n_m += (to_proxy_m - 0.004 * normal).cross(Vec3(0, -friction_n, 0));
+  }
+  EXPECT_NEAR((last.torque_W_n_m - torque_W_n_m).norm(), 0, 1e-9);
+}
+
 TEST(SeveralWalls, EachRubsWithItsOwnCoefficientsAndNoneJumpsAsideBy1Um) {
   auto world = groove(45 * deg);
   world->surfaces[0].properties.mu_dynamic = 0.2;

@@ -22,6 +22,7 @@ struct TickRecord {
   double normal_force_n = 0;                  ///< the sum of the walls' [N]; several do not push one way
   Vec3 force_W_n = Vec3::Zero();              ///< whole force on the finger [N]
   Vec3 friction_W_n = Vec3::Zero();           ///< its friction part [N]
+  Vec3 torque_W_n_m = Vec3::Zero();           ///< of friction about the finger's centre; not in traces
   double mu = 0;                              ///< |friction| / normal force, 0 while free; see walls
   Vec3 stick_centre_W = Vec3::Constant(nan);  ///< nan unless sticking
   double inclination_rad = nan;               ///< asin |direction . n|; nan while free
