@@ -73,9 +73,9 @@ std::vector<std::string> scene_differences(const std::vector<std::string>& scene
     all.insert(scenes.back().begin(), scenes.back().end());
   }
   std::vector<std::string> keys;
-  for (const auto& [key, value] : all) {
-    const auto differs = [&](const FlatScene& scene) { return value_of(scene, key) != value; };
-    if (std::any_of(scenes.begin(), scenes.end(), differs)) keys.push_back(key);
+  for (const auto& entry : all) {
+    const auto differs = [&](const FlatScene& scene) { return value_of(scene, entry.first) != entry.second; };
+    if (std::any_of(scenes.begin(), scenes.end(), differs)) keys.push_back(entry.first);
   }
   const auto labels = labels_of(keys);
   std::vector<std::string> words;

@@ -30,8 +30,11 @@ std::string why(const SceneStudyInput& input, const SceneStudy& study, const Cho
     return fmt::format("none of {} choices keeps {}; this one is nearest ({}), but {}", study.prices.size(),
                        tolerances_of(input.scene), cost_of(chosen), fmt::join(chosen.broken, "; "));
   }
-  return fmt::format("the cheapest of {} choices that keep {} over {:.4g} s of this motion: {}",
-                     study.prices.size(), tolerances_of(input.scene), study.compared_s, cost_of(chosen));
+  return fmt::format(
+      "of {} choices the cheapest that keeps {} over {:.4g} s of this motion, and of those within a tenth of "
+      "its "
+      "cost the truest: {}",
+      study.prices.size(), tolerances_of(input.scene), study.compared_s, cost_of(chosen));
 }
 
 /// What the next cheaper choice would have lost; empty where the chosen one keeps nothing itself.
@@ -39,8 +42,8 @@ std::string what_next_loses(const SceneStudy& study, const ChoicePrice& chosen) 
   if (!chosen.keeps()) return {};
   const ChoicePrice* next = next_cheaper(study.prices, chosen);
   if (next == nullptr) return "no choice is cheaper by more than a tenth";
-  return fmt::format("the next cheaper one ({}: {}) would have lost: {}", words_of(study, next->choice),
-                     cost_of(*next), fmt::join(next->broken, "; "));
+  return fmt::format("the next one that is cheaper by more than a tenth ({}: {}) would have lost: {}",
+                     words_of(study, next->choice), cost_of(*next), fmt::join(next->broken, "; "));
 }
 
 /// Lines of comment of at most 100 columns, the first letter large.

@@ -47,14 +47,25 @@ void add_page_legend(Drawing& drawing, const Chart& chart, const ChartLayout& la
   }
 }
 
-/// Entries side by side from the left; those that no longer fit are left out.
+/// A curve's name, without what it explains where that is too long.
+std::string fitted_name(const std::string& name, double size, double room) {
+  for (const char* from : {"", " (", " along "}) {
+    const std::string shown = *from == '\0' ? name : name.substr(0, name.find(from));
+    if (text_width(shown, size) <= room) return shown;
+  }
+  return "";
+}
+
+/// Entries side by side from the left, shortened where they do not fit; those that still do not are left out.
 void add_stacked_legend(Drawing& drawing, const ChartPanel& panel, const ChartLayout::Panel& placed,
                         double em) {
   const double size = 0.92 * em, key = 1.6 * em;
   double x = placed.frame.left;
-  const auto entry = [&](const std::string& name, const auto& look) {
+  const auto entry = [&](const std::string& whole_name, const auto& look) {
+    const double room = placed.frame.right() + em - (x + key + 0.3 * em);
+    const std::string name = fitted_name(whole_name, size, room);
+    if (name.empty()) return;
     const double width = key + 0.3 * em + text_width(name, size);
-    if (name.empty() || x + width > placed.frame.right() + em) return;
     draw_key(drawing, look, {x, placed.title_y}, key, em);
     drawing.text({x + key + 0.3 * em, placed.title_y}, name, {.size = size, .upright = Upright::middle});
     x += width + 0.9 * em;

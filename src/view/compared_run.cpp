@@ -35,7 +35,9 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
     for (const TickRecord& row : trace.rows) values.values.push_back(column.get(row));
     run.columns.push_back(std::move(values));
   }
-  run.columns.push_back({"friction", "N", friction_along_sliding(trace.rows)});
+  // As one run is drawn: a straight rub over a flat place along the world's axis, or every reversal that
+  // falls between two ticks would count as twice the friction.
+  run.columns.push_back({"friction", "N", touch_series(trace.rows, main_direction(trace.rows)).friction_n});
   return run;
 }
 

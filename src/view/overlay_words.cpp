@@ -1,5 +1,7 @@
 #include "view/overlay_words.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace fingerpad {
@@ -27,7 +29,7 @@ std::vector<std::string> wrapped(const std::string& words, double size, double w
   for (std::size_t from = 0; from < words.size();) {
     const std::size_t space = std::min(words.find(' ', from), words.size());
     const std::string word = words.substr(from, space - from);
-    const std::string longer = line.empty() ? word : line + " " + word;
+    const std::string longer = line.empty() ? word : fmt::format("{} {}", line, word);
     if (!line.empty() && text_width(longer, size) > width) {
       lines.push_back(line);
       line = word;

@@ -24,8 +24,11 @@ std::optional<Scene> scene_of(const Trace& trace, const std::string& path) {
 /// What has become of the mesh of a part whose shape the trace holds; nothing where that is as it was.
 std::string fate_of(const PartEntry& entry, const std::string& hash) {
   std::error_code none;
-  if (!std::filesystem::is_regular_file(entry.mesh_path, none))
+  if (!std::filesystem::is_regular_file(entry.mesh_path, none)) {
+    // A trace does not know the folder of its scene: from elsewhere a mesh beside that cannot be missed.
+    if (std::filesystem::path(entry.mesh).is_relative()) return "";
     return fmt::format("{}: is no longer there; the shape is the one that the trace holds", entry.mesh_path);
+  }
   if (!hash.empty() && file_hash(entry.mesh_path) != hash)
     return fmt::format("{}: has changed since; the shape is the one that the trace holds", entry.mesh_path);
   return "";

@@ -263,6 +263,13 @@ class TouchWindow {
       return;
     }
     const std::string& note = stage_.has_alarm() ? no_note_ : input_.note;
+    if (stage_.charts().zoomed()) {
+      // What they are zoomed to is forgotten after a while; nothing is left to show then.
+      if (stage_.charts().place().x_min < history_.rows().front().t_s)
+        stage_.charts().show_all();
+      else
+        return stage_.show_title_note("charts held: r lets them run on   h help");
+    }
     stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", note, note.empty() ? "" : "   ",
                                        target_.press_n(), target_.pressing() ? "pressing" : "hovering"));
   }

@@ -97,19 +97,21 @@ TEST(ExportedBlocks, ThatChangedOrVanishedAreTold) {
          "   vertex 0 1 0\n  endloop\n endfacet\nendsolid a\n";
   Trace trace = rub_trace();
   trace.info.scene_text =
-      "[[part]]\nmesh = \"a.stl\"\n[[part]]\nmesh = \"gone.stl\"\n[motion]\nkind = \"line\"\nfrom_m = "
+      "[[part]]\nmesh = \"a.stl\"\n[[part]]\nmesh = \"/gone/from/here.stl\"\n[[part]]\nmesh = "
+      "\"elsewhere.stl\"\n[motion]\nkind = \"line\"\nfrom_m = "
       "[0,0,0]\n"
       "to_m = [1,0,0]\nspeed_m_per_s = 1\n";
   trace.info.mesh_hashes = {"0123", "4567"};
   const std::string of_trace = (folder / "t.h5").string(), out = (folder / "t.vtm").string();
   EXPECT_THAT(export_blocks(trace, of_trace, out),
               ElementsAre(HasSubstr("a.stl: has changed since; the shape is the one that the trace holds"),
-                          HasSubstr("gone.stl: is no longer there")));
+                          HasSubstr("/gone/from/here.stl: is no longer there")));
   EXPECT_EQ(read_back(out).size(), 5u);
   trace.world = nullptr;  // as of parts too large for a trace
   EXPECT_THAT(export_blocks(trace, of_trace, out),
               ElementsAre(HasSubstr("a.stl: has changed since the trace was made; it is shown as it is now"),
-                          HasSubstr("the trace does not hold its shape, so it is left out")));
+                          HasSubstr("the trace does not hold its shape, so it is left out"),
+                          HasSubstr("elsewhere.stl: cannot be read")));
   EXPECT_EQ(read_back(out).size(), 3u) << "a.stl, path and contact points: no block of before is left";
   trace.info.scene_text.clear();
   EXPECT_THAT(export_blocks(trace, "t.csv", out),
