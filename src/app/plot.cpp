@@ -69,6 +69,9 @@ void plot_overlaid(const PlotOptions& options) {
 }
 
 int plot(const PlotOptions& options) {
+  if (options.from_s > options.to_s)
+    throw Error(ErrorKind::usage, "--from",
+                fmt::format("{} s is later than --to, {} s", options.from_s, options.to_s));
   refuse_other_endings(options.out, "plot", {".png", ".svg"});
   refuse_overwriting(options.out, options.inputs);
   refuse_unwritable(options.out);

@@ -18,6 +18,9 @@
 namespace fingerpad {
 namespace {
 
+/// What differs between two scenes that have little in common is no name.
+constexpr std::size_t longest_name = 60;
+
 bool is_comparable(const TraceColumn& column) {
   return column.name != "t_s" && column.kind != ColumnKind::phase && column.kind != ColumnKind::index;
 }
@@ -113,7 +116,9 @@ void name_apart(std::vector<ComparedRun>& runs) {
   const bool any_unknown =
       std::any_of(texts.begin(), texts.end(), [](const auto& text) { return text.empty(); });
   std::vector<std::string> names = any_unknown ? stems : scene_differences(texts);
-  if (!all_differ(names)) names = all_differ(stems) ? stems : paths;
+  const bool any_long =
+      std::any_of(names.begin(), names.end(), [](const auto& name) { return name.size() > longest_name; });
+  if (any_long || !all_differ(names)) names = all_differ(stems) ? stems : paths;
   for (std::size_t i = 0; i < runs.size(); ++i) runs[i].name = names[i];
 }
 

@@ -127,6 +127,9 @@ TEST(Plots, OfWhatATraceDoesNotHoldAreRefused) {
   EXPECT_NE(no_scene.err.find("HDF5"), std::string::npos) << no_scene.err;
   EXPECT_EQ(test::fingerpad("plot o/plane.csv --from 5 --out p.svg", folder).exit_code, 3);
   EXPECT_EQ(test::fingerpad("plot o/plane.csv --show tea --out p.svg", folder).exit_code, 2);
+  const auto backwards = test::fingerpad("plot o/plane.csv --from 5 --to 2 --out p.svg", folder);
+  EXPECT_EQ(backwards.exit_code, 2);
+  EXPECT_NE(backwards.err.find("5 s is later than --to, 2 s"), std::string::npos) << backwards.err;
 }
 
 TEST(Windows, WithoutADisplayEndTwoWithOneLine) {

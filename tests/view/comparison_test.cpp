@@ -45,6 +45,17 @@ TEST(Comparison, OfOtherRatesIsAtTheTicksOfTheCoarser) {
   EXPECT_THAT(residual_words(comparison), ElementsAre("fn_n: RMS 0.25 N, 'coarse' less 'fine', 7 ticks"));
 }
 
+TEST(Comparison, NamesRunsOfScenesWithLittleInCommonByTheirFiles) {
+  std::vector<ComparedRun> runs = {line_run("a.h5", 0, 1, 0.1, 0), line_run("b.h5", 0, 1, 0.1, 0)};
+  runs[0].scene_text = "[friction]\nlaw = \"dahl\"\n";
+  runs[1].scene_text = "[friction]\nlaw = \"lugre\"\n";
+  name_apart(runs);
+  EXPECT_EQ(runs[1].name, "law lugre");
+  runs[1].scene_text += "[contact]\nmethod = \"proxy\"\nnormals = \"curved\"\n[finger]\nradius_m = 0.007\n";
+  name_apart(runs);
+  EXPECT_EQ(runs[1].name, "b");
+}
+
 TEST(Comparison, InterpolatesTheOtherWhereThatIsFiner) {
   const Comparison comparison = compare_runs(
       {line_run("coarse.h5", 0, 1, 0.1, 0), line_run("fine.h5", 0, 1, 0.03, -0.5)}, {}, Over::time);
