@@ -4,8 +4,8 @@
 
 #include <limits>
 
-#include "contact/effort.hpp"
 #include "contact/tree_trials.hpp"
+#include "support/effort.hpp"
 
 namespace fingerpad::closest_memory_test {
 namespace {

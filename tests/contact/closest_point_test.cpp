@@ -8,8 +8,8 @@
 
 #include "base/random_stream.hpp"
 #include "contact/bare_part.hpp"
-#include "contact/effort.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 
 namespace fingerpad::closest_point_test {
 namespace {

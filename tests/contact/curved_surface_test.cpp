@@ -8,10 +8,10 @@
 
 #include "base/random_stream.hpp"
 #include "contact/curved_patch.hpp"
-#include "contact/effort.hpp"
 #include "contact/profiles.hpp"
 #include "contact/surface_point.hpp"
 #include "contact/triangle_tree.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad::curved_surface_test {

@@ -8,11 +8,11 @@
 
 #include "base/random_stream.hpp"
 #include "contact/bare_part.hpp"
-#include "contact/effort.hpp"
 #include "contact/packed_part.hpp"
 #include "contact/packet_grouping.hpp"
 #include "contact/triangle_tree.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad::packet_filter_test {

@@ -5,12 +5,12 @@
 
 #include "base/random_stream.hpp"
 #include "contact/curved_patch.hpp"
-#include "contact/effort.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/surface_point.hpp"
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 
 namespace fingerpad::real_parts_test {

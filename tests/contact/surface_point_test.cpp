@@ -8,9 +8,9 @@
 #include <memory>
 
 #include "base/random_stream.hpp"
-#include "contact/effort.hpp"
 #include "contact/triangle_tree.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad::surface_point_test {

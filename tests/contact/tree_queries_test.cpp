@@ -6,10 +6,10 @@
 
 #include "base/random_stream.hpp"
 #include "contact/bare_part.hpp"
-#include "contact/effort.hpp"
 #include "contact/segment_crossing.hpp"
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 

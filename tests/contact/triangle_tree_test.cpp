@@ -14,10 +14,10 @@
 #include "base/random_stream.hpp"
 #include "contact/bare_part.hpp"
 #include "contact/closest_memory.hpp"
-#include "contact/effort.hpp"
 #include "contact/surface_point.hpp"
 #include "contact/tree_trials.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 
 namespace {

@@ -5,10 +5,10 @@
 #include <cmath>
 
 #include "base/random_stream.hpp"
-#include "contact/effort.hpp"
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 

@@ -4,19 +4,25 @@
 
 #include <cmath>
 
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 
 // What `auto` promises (choose_contact), held against what is known: the force on 99 % of ticks, no
 // pop-through.
+//
+// Under a sanitizer one case of ten is judged, and none is counted: the plain build judges them all.
 
 namespace fingerpad::auto_judged_test {
 namespace {
 
+constexpr int one_case_of = 100 / test::samples(100);
+
 /// What became of auto's word, over many cases.
 struct Count {
-  int kept = 0, said = 0, needless = 0, dear = 0;
+  int cases = 0, kept = 0, said = 0, needless = 0, dear = 0;
 
   void take(const JudgedCase& one) {
+    if (cases++ % one_case_of != 0) return;
     const JudgedRow row = judged(one, 1);
     const JudgedWord word = row.word();
     EXPECT_NE(word, JudgedWord::broken)
@@ -31,7 +37,8 @@ struct Count {
 TEST(AutoJudged, KeepsItsWordOnSurfacesThatAreKnownExactly) {
   Count count;
   take_exact_cases([&](const JudgedCase& one) { count.take(one); });
-  EXPECT_EQ(count.kept + count.said + count.needless, 30);
+  EXPECT_EQ(count.cases, 30);
+  if (one_case_of > 1) return;
   EXPECT_GE(count.kept, 20) << "it does not talk itself out of everything";
   EXPECT_LE(count.needless, 2);
   EXPECT_LE(10 * count.dear, count.kept) << "nine of ten cost 1.2 times the cheapest at the most";
@@ -40,6 +47,8 @@ TEST(AutoJudged, KeepsItsWordOnSurfacesThatAreKnownExactly) {
 TEST(AutoJudged, KeepsItsWordOnTheScenes) {
   Count count;
   take_scene_cases((test::source_dir() / "scenes").string(), [&](const JudgedCase& one) { count.take(one); });
+  EXPECT_GE(count.cases, 15);
+  if (one_case_of > 1) return;
   EXPECT_GE(count.kept, 15);
 }
 
@@ -47,8 +56,11 @@ TEST(AutoJudged, KeepsItsWordOnRealParts) {
   const auto data = test::real_data();
   if (!data) GTEST_SKIP() << "no real parts here";
   Count count;
-  for (const auto& part : test::real_files("parts", {".stl", ".obj", ".ply", ".off"}))
-    take_part_cases(part.string(), 6, [&](const JudgedCase& one) { count.take(one); });
+  const auto parts = test::real_files("parts", {".stl", ".obj", ".ply", ".off"});
+  for (std::size_t i = 0; i < parts.size(); i += one_case_of)
+    take_part_cases(parts[i].string(), 6, [&](const JudgedCase& one) { count.take(one); });
+  EXPECT_GT(count.cases, 0);
+  if (one_case_of > 1) return;
   EXPECT_GT(count.said + count.kept, count.needless);
 }
 
