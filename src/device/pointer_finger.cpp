@@ -5,30 +5,12 @@
 #include <limits>
 
 #include "device/device_table.hpp"
+#include "device/pointer_limits.hpp"
 #include "device/press_step.hpp"
 
 namespace fingerpad {
-namespace {
 
-/// A step is made where it leaves the force below so many times what is asked for. Less than twice: what
-/// foresight cannot tell, as vibration, comes on top.
-constexpr double tried_share = 1.5, surely_share = 1.8;
-/// How soon a pressed finger follows the pointer aside, and how fast at most [sizes of the parts a second].
-constexpr double aside_per_s = 50, fastest_per_s = 8, slow_share = 0.05;
-/// What is farther from the finger than this does not lead it over the surface [sizes of the parts] ...
-constexpr double leash_share = 0.25;
-/// ... nor what it has come no nearer to for this time.
-constexpr double leash_s = 0.2;
-/// How fast it comes down where nothing is near yet, and goes up [m/s].
-constexpr double landing_m_per_s = 0.3, lifting_m_per_s = 0.5;
-/// The pointer's pace is told from so much of its way; it leads the finger on by no more than a share of the
-/// parts' size.
-constexpr double pace_s = 0.03, most_lead_share = 0.1;
-constexpr int most_lift_ticks = 100;
-/// How often a step is halved before the finger does something else.
-constexpr int most_halvings = 4;
-
-}  // namespace
+using namespace pointer_limits;
 
 PointerFinger::PointerFinger(const DeviceSetup& setup)
     : around_(setup.world, setup.scene),

@@ -13,38 +13,10 @@
 #include "scene/scene.hpp"
 #include "touch/finger_turn.hpp"
 #include "touch/inside_start.hpp"
+#include "touch/usable_sample.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// Beyond this a position (in m), velocity or force is a broken input, not a finger: products of a few such
-/// numbers must stay far from overflow.
-constexpr double largest_meaningful = 1e60;
-
-bool meaningful(const Vec3& v) noexcept {
-  // Of what is no number neither is true.
-  return std::abs(v.x()) <= largest_meaningful && std::abs(v.y()) <= largest_meaningful &&
-         std::abs(v.z()) <= largest_meaningful;
-}
-
-/// The velocity that the motion knows, or else the one that its positions show.
-Vec3 velocity_of(const FingerSample& sample, const Vec3& shown_W) noexcept {
-  return sample.velocity_W && meaningful(*sample.velocity_W) ? *sample.velocity_W : shown_W;
-}
-
-/// None where it is no number.
-double usable_force_n(double measured_n) noexcept {
-  return measured_n > 0 && measured_n <= largest_meaningful ? measured_n : 0;
-}
-
-/// The sample with a unit direction (straight down the normal where its own is unusable) and a finite push.
-FingerSample usable(FingerSample sample, const Vec3& normal_W) noexcept {
-  const double length = sample.direction_W.norm();
-  sample.direction_W =
-      std::isfinite(length) && length > 0 ? Vec3(sample.direction_W / length) : Vec3(-normal_W);
-  if (!meaningful(sample.push_W_n)) sample.push_W_n.setZero();
-  return sample;
-}
 
 /// Whether a finger without an attitude has the direction it had: mostly, and then nothing need be told.
 bool lies_plainly_alike(const FingerSample& before, const FingerSample& now) noexcept {

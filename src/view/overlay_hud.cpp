@@ -62,6 +62,7 @@ struct LegendKey {
   std::string label;
   Colour colour;
   bool arrow;
+  bool rimmed = false;  ///< the colour within a rim: what is as dark as the paper
 };
 
 std::vector<LegendKey> legend_keys(const OverlayFacts& facts, const ViewState& state) {
@@ -71,7 +72,10 @@ std::vector<LegendKey> legend_keys(const OverlayFacts& facts, const ViewState& s
     keys.push_back({"friction", colours::vermillion, true});
     keys.push_back({"whole force", colours::reddish_purple, true});
   }
-  if (facts.row->stick_centre_W.allFinite()) keys.push_back({"stick centre", colours::black, false});
+  if (facts.row->stick_centre_W.allFinite()) {
+    // Flat parts turn black and white in the dark, the ball on the part stays black.
+    keys.push_back({"stick centre", state.dark ? colours::white : colours::black, false, state.dark});
+  }
   if (facts.region) {
     const bool holds = facts.row->phase == Phase::stick;
     keys.push_back({holds ? "stick region" : "stick region, if it stuck now",
@@ -113,6 +117,7 @@ void paint_legend_key(Drawing& drawing, const LegendKey& key, double left, doubl
     drawing.area({{left + 1.3 * em, y - 0.35 * em}, {left + 2 * em, y}, {left + 1.3 * em, y + 0.35 * em}},
                  key.colour);
   } else {
+    if (key.rimmed) drawing.disc({left + 1 * em, y}, 0.48 * em, colours::ink);
     drawing.disc({left + 1 * em, y}, 0.4 * em, key.colour);
   }
   drawing.text({left + 2.6 * em, y}, key.label, {.size = em, .upright = Upright::middle});

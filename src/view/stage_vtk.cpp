@@ -1,6 +1,5 @@
 #include "view/stage_vtk.hpp"
 
-#include <fmt/format.h>
 #include <vtkCamera.h>
 #include <vtkContextActor.h>
 #include <vtkContextScene.h>
@@ -11,17 +10,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "base/error.hpp"
 #include "base/tangent_frame.hpp"
-#include "part/part.hpp"
 #include "touch/touch_swap.hpp"
 #include "view/axis.hpp"
 #include "view/camera_vtk.hpp"
+#include "view/clipping_range_vtk.hpp"
 #include "view/drawing_item_vtk.hpp"
 #include "view/overlay_hud.hpp"
 #include "view/surface_mesh_vtk.hpp"
+#include "view/surface_words.hpp"
 
 namespace fingerpad {
 namespace {
@@ -30,36 +29,6 @@ namespace {
 constexpr double smooth_frame_s = 0.04;
 /// A view that has not turned for so long rests.
 constexpr std::chrono::milliseconds rest{250};
-
-std::string surface_name(const World& world, int index, std::size_t longest) {
-  if (index < 0 || static_cast<std::size_t>(index) >= world.surfaces.size()) return "-";
-  const Surface& surface = world.surfaces[static_cast<std::size_t>(index)];
-  std::string name =
-      surface.part ? std::filesystem::path(surface.mesh).filename().string() : std::string("plane");
-  if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
-  return name.empty() ? fmt::format("part {}", index) : name;
-}
-
-/// What is to say about the parts where nothing moves.
-std::vector<std::string> about_lines(const ViewInput& input) {
-  std::vector<std::string> lines;
-  if (!input.world) return lines;
-  for (std::size_t i = 0; i < input.world->surfaces.size() && i < 6; ++i) {
-    const Surface& surface = input.world->surfaces[i];
-    if (!surface.part) continue;
-    const Vec3 size_mm = 2e3 * surface.part->half_extent;
-    lines.push_back(fmt::format("{}: {} triangles", surface_name(*input.world, static_cast<int>(i), 40),
-                                surface.part->triangle_count()));
-    lines.push_back(fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size_mm.x(), size_mm.y(), size_mm.z()));
-    if (i >= input.world->verdicts.size()) continue;
-    const Verdict& verdict = input.world->verdicts[i];
-    lines.emplace_back(verdict.closed ? "closed" : "open");
-    const std::size_t warnings = verdict.warnings.size();
-    if (warnings > 0)
-      lines.push_back(fmt::format("{} warning{} (see check)", warnings, warnings > 1 ? "s" : ""));
-  }
-  return lines;
-}
 
 }  // namespace
 
@@ -318,13 +287,8 @@ void Stage::project_labels(OverlayFacts& facts, double size_mm) {
 }
 
 void Stage::project_marks(OverlayFacts& facts) {
-  for (const Vec3& mark_W : marks_W_) facts.marks.push_back(on_screen(space_.to_draw(mark_W)));
-  if (marks_W_.empty()) return;
-  const Vec3 last_mm = 1e3 * marks_W_.back();
-  facts.marks_words =
-      marks_W_.size() < 2
-          ? fmt::format("x {:.3f}, y {:.3f}, z {:.3f} mm", last_mm.x(), last_mm.y(), last_mm.z())
-          : fmt::format("{:.3f} mm", 1e3 * (marks_W_[1] - marks_W_[0]).norm());
+  for (const Vec3& mark_W : marks_.places_W()) facts.marks.push_back(on_screen(space_.to_draw(mark_W)));
+  facts.marks_words = marks_.words();
 }
 
 OverlayFacts Stage::overlay_facts() {
@@ -420,32 +384,6 @@ void Stage::render() {
   draw();
 }
 
-/// The same for all moments, as far as that goes, so that what is still keeps its depths: a ball around
-/// everything that is still, doubled until the finger and its arrows are within it.
-void Stage::set_clipping_range() {
-  vtkBoundingBox still = world_->bounds_mm();
-  if (!still.IsValid()) still.AddPoint(0, 0, 0);
-  Vec3 centre;
-  still.GetCenter(centre.data());
-  double reach_mm = std::max(0.55 * still.GetDiagonalLength(), 1e3 * extent_.everything().radius_m);
-  const double most_mm = 1e3 * reach_mm;  // farther away depths would tell nothing of the parts
-  for (vtkPolyData* glyphs : {solid_.Get(), clear_.Get()}) {
-    if (glyphs->GetNumberOfPoints() == 0) continue;
-    const vtkBoundingBox moving(glyphs->GetBounds());
-    double corner[3];
-    for (int i = 0; i < 8; ++i) {
-      moving.GetCorner(i, corner);
-      const double needed_mm = std::min((Vec3(corner) - centre).norm(), most_mm);
-      while (reach_mm < needed_mm) reach_mm *= 2;
-    }
-  }
-  vtkCamera* const camera = scene_->GetActiveCamera();
-  const double along_mm =
-      (centre - Vec3(camera->GetPosition())).dot(Vec3(camera->GetDirectionOfProjection()));
-  const double far_mm = std::max(along_mm + reach_mm, 1e-3 * reach_mm);
-  camera->SetClippingRange(std::max(along_mm - reach_mm, 1e-3 * far_mm), far_mm);
-}
-
 void Stage::watch_camera() {
   vtkCamera* const camera = scene_->GetActiveCamera();
   std::vector<double> now = {camera->GetParallelScale()};
@@ -470,7 +408,8 @@ void Stage::choose_coarseness() {
 }
 
 void Stage::draw() {
-  set_clipping_range();
+  set_clipping_range(scene_->GetActiveCamera(), world_->bounds_mm(), 1e3 * extent_.everything().radius_m,
+                     {solid_.Get(), clear_.Get()});
   choose_coarseness();
   scene_->set_keeping(keeping_ && !shown_coarse_);  // what turns is stale before it is put back
   // What is told of a value may reach beyond the charts.

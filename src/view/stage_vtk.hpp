@@ -20,6 +20,7 @@
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
 #include "view/overlay_places.hpp"
+#include "view/place_marks.hpp"
 #include "view/side_panels.hpp"
 #include "view/theme_device_vtk.hpp"
 #include "view/view_state.hpp"
@@ -84,7 +85,7 @@ class Stage {
   /// Lists over the scene.
   SidePanels& panels() { return panels_; }
   /// Places that somebody marked, and the distance of two.
-  void show_marks(std::vector<Vec3> marks_W) { marks_W_ = std::move(marks_W); }
+  void show_marks(PlaceMarks marks) { marks_ = std::move(marks); }
   void show_chart(Chart chart);
   /// The chart column: zoomed by the wheel, panned by a drag, asked by the mouse over it.
   ChartBoard& charts() { return board_; }
@@ -118,7 +119,6 @@ class Stage {
   void place_renderers();
   void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
-  void set_clipping_range();
   void watch_camera();
   void choose_coarseness();
   void draw();
@@ -139,7 +139,7 @@ class Stage {
   ViewInput now_;
   std::size_t changes_put_ = 0;  ///< of the input's, in now_
   SidePanels panels_;
-  std::vector<Vec3> marks_W_;
+  PlaceMarks marks_;
   ViewExtent extent_;
   DrawSpace space_;
   bool charts_, timeline_;

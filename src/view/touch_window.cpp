@@ -6,11 +6,11 @@
 #include <vtkRenderer.h>
 
 #include <Eigen/Geometry>
-#include <algorithm>
-#include <cmath>
 
 #include "view/material_panel.hpp"
+#include "view/recent_ticks.hpp"
 #include "view/screen.hpp"
+#include "view/tick_readings.hpp"
 #include "view/touch_chart.hpp"
 #include "view/touch_target.hpp"
 #include "view/window_loop_vtk.hpp"
@@ -23,75 +23,11 @@ constexpr double chart_period_s = 0.06;  // they need not follow each frame
 constexpr const char* material_panel = "material";
 constexpr const char* invitation = "hold the left button, or space, to press";
 
-/// The ticks of the last seconds, gathered from frame to frame.
-class History {
- public:
-  explicit History(const TouchWindowInput& input) : input_(input) {}
-
-  void gather() {
-    const TickRecord newest = input_.latest();
-    const double last_s = rows_.empty() ? newest.t_s - chart_s : rows_.back().t_s;
-    if (!rows_.empty() && !(newest.t_s > last_s)) return;
-    for (const TickRecord& row : input_.recent(newest.t_s - last_s + 0.05)) {
-      if (rows_.empty() || row.t_s > rows_.back().t_s) rows_.push_back(row);
-    }
-    const auto keep = std::find_if(rows_.begin(), rows_.end(),
-                                   [&](const TickRecord& row) { return row.t_s >= newest.t_s - chart_s; });
-    rows_.erase(rows_.begin(), keep);
-  }
-
-  const std::vector<TickRecord>& rows() const { return rows_; }
-
-  /// Tangential speed over the last 20 ms: from tick to tick a quantised position makes noise.
-  double speed_m_per_s() const {
-    if (rows_.empty()) return TickRecord::nan;
-    const TickRecord& last = rows_.back();
-    auto first = rows_.rbegin();
-    while (first + 1 != rows_.rend() && (first + 1)->t_s >= last.t_s - 0.02) ++first;
-    return tangential_speed(*first, last);
-  }
-
- private:
-  const TouchWindowInput& input_;
-  std::vector<TickRecord> rows_;
-};
-
-std::string short_time(double seconds) {
-  if (seconds >= 1) return fmt::format("{:.2g} s", seconds);
-  return seconds < 1e-3 ? fmt::format("{:.3g} us", 1e6 * seconds) : fmt::format("{:.2g} ms", 1e3 * seconds);
-}
-
-std::vector<Reading> timing_readings(const ServoTiming& timing) {
-  return {{"median tick", short_time(timing.tick_times.quantile_s(0.5))},
-          {"99.9 % of ticks", short_time(timing.tick_times.quantile_s(0.999))},
-          {"late ticks", fmt::format("{} ({:.2g} %)", timing.late_ticks, 100 * timing.late_share())},
-          {"latest", short_time(timing.worst_late_s)}};
-}
-
-/// A bar for each length of tick between the shortest and the longest; a single one is still to be seen.
-TickBars tick_bars(const TimeCounts& times) {
-  const auto& counts = times.counts;
-  const auto some = [](std::uint64_t count) { return count > 0; };
-  const auto first = std::find_if(counts.begin(), counts.end(), some);
-  const auto last = std::find_if(counts.rbegin(), counts.rend(), some).base();
-  if (first >= last) return {};
-  const auto scale = [](std::uint64_t count) { return std::log1p(static_cast<double>(count)); };
-  const double most = scale(*std::max_element(first, last));
-  TickBars bars;
-  for (auto at = first; at != last; ++at) bars.heights.push_back(scale(*at) / most);
-  const auto upper = [&](auto at) {
-    return short_time(TimeCounts::upper_s(static_cast<int>(at - counts.begin())));
-  };
-  bars.shortest = upper(first);
-  bars.longest = upper(last - 1);
-  return bars;
-}
-
 class TouchWindow {
  public:
   TouchWindow(const TouchWindowInput& input, const WindowOptions& options)
       : input_(input),
-        history_(input),
+        history_(chart_s),
         stage_(input.view, options.width, options.height, true, false),
         target_(input.view.world, input.view.scene.value_or(Scene{}),
                 0.05 * stage_.extent().everything().radius_m,
@@ -254,7 +190,7 @@ class TouchWindow {
   }
 
   void follow() {
-    history_.gather();
+    history_.gather(input_);
     if (history_.rows().empty()) return;
     const TickRecord& row = history_.rows().back();
     stage_.show(row, history_.speed_m_per_s());
@@ -276,7 +212,7 @@ class TouchWindow {
 
   const TouchWindowInput& input_;
   const std::string no_note_;
-  History history_;
+  RecentTicks history_;
   Stage stage_;
   TouchTarget target_;
   TouchLevels levels_;

@@ -2,8 +2,6 @@
 
 #include <vtkCamera.h>
 #include <vtkCommand.h>
-#include <vtkInteractorStyleTrackballCamera.h>
-#include <vtkObjectFactory.h>
 #include <vtkRenderWindow.h>
 #include <vtkRenderWindowInteractor.h>
 #include <vtkRenderer.h>
@@ -11,50 +9,28 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 
 #include "base/error.hpp"
-#include "touch/world.hpp"
 #include "view/png_vtk.hpp"
 #include "view/screenshot.hpp"
+#include "view/sharing_trackball_vtk.hpp"
+#include "view/view_keys.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// The trackball without its grip on the focus: that would keep timers and keys from us while it turns.
-class SharingTrackball : public vtkInteractorStyleTrackballCamera {
- public:
-  static SharingTrackball* New();
-  vtkTypeMacro(SharingTrackball, vtkInteractorStyleTrackballCamera);
-
-  void OnLeftButtonDown() override {
-    if (find_renderer()) this->StartRotate();
-  }
-  void OnMiddleButtonDown() override {
-    if (find_renderer()) this->StartPan();
-  }
-  void OnRightButtonDown() override {
-    if (find_renderer()) this->StartDolly();
-  }
-
- private:
-  bool find_renderer() {
-    const int* at = this->Interactor->GetEventPosition();
-    this->FindPokedRenderer(at[0], at[1]);
-    return this->CurrentRenderer != nullptr;
-  }
-};
-vtkStandardNewMacro(SharingTrackball);
-
 constexpr int frame_ms = 16;
-constexpr const char* parts_panel = "parts";
 constexpr float before_the_style = 10;  // the priority of observers that may keep events from the camera
 
 }  // namespace
 
 WindowLoop::WindowLoop(Stage& stage, const WindowOptions& options, WindowHandlers handlers)
-    : stage_(stage), options_(options), handlers_(std::move(handlers)) {
+    : stage_(stage),
+      options_(options),
+      handlers_(std::move(handlers)),
+      script_(options.events, interactor_),
+      parts_(stage.input().world, stage.panels(), stage.world()) {
   interactor_->SetRenderWindow(stage_.window());
   vtkNew<SharingTrackball> style;
   style->SetMotionFactor(8);
@@ -143,19 +119,7 @@ void WindowLoop::tell(const std::string& words) {
 
 bool WindowLoop::act(KeyAction action) {
   ViewState& state = stage_.state();
-  const struct {
-    KeyAction action;
-    bool* flag;
-  } toggles[] = {{KeyAction::path, &state.path},           {KeyAction::finger, &state.finger},
-                 {KeyAction::forces, &state.forces},       {KeyAction::frame, &state.frame},
-                 {KeyAction::close_up, &state.close_up},   {KeyAction::creases, &state.creases},
-                 {KeyAction::wireframe, &state.wireframe}, {KeyAction::dark, &state.dark},
-                 {KeyAction::readings, &state.hud},        {KeyAction::help, &state.help}};
-  for (const auto& toggle : toggles) {
-    if (action != toggle.action) continue;
-    *toggle.flag = !*toggle.flag;
-    return true;
-  }
+  if (toggle(action, state)) return true;
   switch (action) {
     case KeyAction::leave:
       if (!state.help) close();
@@ -179,7 +143,7 @@ bool WindowLoop::act(KeyAction action) {
       stage_.look_at_all();
       return true;
     case KeyAction::parts:
-      show_parts(!stage_.panels().shows(parts_panel));
+      parts_.toggle();
       return true;
     case KeyAction::mark:
       mark();
@@ -193,64 +157,27 @@ bool WindowLoop::act(KeyAction action) {
 }
 
 bool WindowLoop::look(KeyAction action) {
-  constexpr std::pair<KeyAction, std::string_view> names[] = {
-      {KeyAction::front, "front"},        {KeyAction::back, "back"}, {KeyAction::left, "left"},
-      {KeyAction::right, "right"},        {KeyAction::top, "top"},   {KeyAction::bottom, "bottom"},
-      {KeyAction::isometric, "isometric"}};
-  for (const auto& [preset, name] : names) {
-    if (preset != action) continue;
-    stage_.look(*named_look(name));
-    tell(fmt::format("from {}{}", action == KeyAction::isometric ? "" : "the ",
-                     action == KeyAction::isometric ? "askew" : name));
-    return true;
-  }
-  return false;
-}
-
-void WindowLoop::show_parts(bool shown) {
-  const auto& world = stage_.input().world;
-  if (!shown || !world) return stage_.panels().hide(parts_panel);
-  SidePanel panel{parts_panel, "parts", {}};
-  constexpr std::size_t most_rows = 24;  // that a window has room for
-  const std::size_t count = world->surfaces.size();
-  for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {
-    const Surface& surface = world->surfaces[i];
-    const std::string name =
-        surface.part ? std::filesystem::path(surface.mesh).filename().string() : std::string("plane");
-    panel.rows.push_back(
-        {PanelRow::Kind::check, fmt::format("{}  {}", i, name), "", stage_.world().is_shown(i), false});
-  }
-  panel.rows.push_back({PanelRow::Kind::note,
-                        count > most_rows ? fmt::format("and {} more, not listed", count - most_rows)
-                                          : "hidden parts are felt all the same",
-                        "", false, false});
-  stage_.panels().show(std::move(panel));
+  const auto preset = preset_look(action);
+  if (!preset) return false;
+  stage_.look(preset->from);
+  tell(preset->words);
+  return true;
 }
 
 void WindowLoop::on_panel(const PanelHit& hit) {
-  if (hit.panel != parts_panel) {
+  if (!parts_.owns(hit)) {
     if (handlers_.panel) handlers_.panel(hit);
     return;
   }
-  const auto row = static_cast<std::size_t>(hit.row);
-  if (hit.row < 0 || row >= stage_.input().world->surfaces.size()) return;
-  stage_.world().show_surface(row, !stage_.world().is_shown(row));
-  show_parts(true);
+  parts_.click(hit);
 }
 
-/// The place of a part under the mouse; a third one begins anew.
+/// Under the mouse.
 void WindowLoop::mark() {
   const int* at = interactor_->GetEventPosition();
   const auto [near, far] = stage_.line_of_sight(at[0], at[1]);
-  const auto hit = stage_.world().first_hit(near, far);
-  if (marks_W_.size() == 2) marks_W_.clear();
-  if (hit) {
-    marks_W_.push_back(hit->point_W);
-  } else {
-    marks_W_.clear();
-    tell("no part under the mouse: marks are gone");
-  }
-  stage_.show_marks(marks_W_);
+  if (!marks_.mark(stage_.world().first_hit(near, far))) tell("no part under the mouse: marks are gone");
+  stage_.show_marks(marks_);
 }
 
 /// As the window stands, without what was told last.
@@ -331,7 +258,7 @@ bool WindowLoop::on_panels(unsigned long event, int x, int y) {
       break;
   }
   if (!hit) return false;
-  if (hit->panel != parts_panel) {
+  if (!parts_.owns(*hit)) {
     PanelHit turned = *hit;
     turned.steps = event == vtkCommand::MouseWheelForwardEvent ? 1 : -1;
     on_panel(turned);
@@ -378,7 +305,7 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
     told_until_s_ = 0;
     changed_ = true;
   }
-  play_events(now_s);
+  script_.play(now_s, [this] { return !closing_; });
   const int* size = stage_.window()->GetSize();
   if (size[0] != static_cast<int>(stage_.layout().window.width) ||
       size[1] != static_cast<int>(stage_.layout().window.height)) {
@@ -408,31 +335,6 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
     options_.on_frame(report);
   }
   return true;
-}
-
-void WindowLoop::play_events(double now_s) {
-  while (!closing_ && next_event_ < options_.events.size()) {
-    const WindowEvent& event = options_.events[next_event_];
-    if (event.at_s + events_late_s_ > now_s) return;
-    // A slow frame delays all that follow too: events never come closer together than they were meant.
-    events_late_s_ = now_s - event.at_s;
-    ++next_event_;
-    play(event);
-  }
-}
-
-void WindowLoop::play(const WindowEvent& event) {
-  if (event.kind == WindowEvent::Kind::key) {
-    interactor_->SetKeySym(event.key.c_str());
-    interactor_->InvokeEvent(vtkCommand::KeyPressEvent);
-    return;
-  }
-  constexpr vtkCommand::EventIds ids[] = {
-      vtkCommand::KeyPressEvent,          vtkCommand::LeftButtonPressEvent,
-      vtkCommand::MouseMoveEvent,         vtkCommand::LeftButtonReleaseEvent,
-      vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent};
-  interactor_->SetEventInformation(event.x, event.y);
-  interactor_->InvokeEvent(ids[static_cast<int>(event.kind)]);
 }
 
 }  // namespace fingerpad

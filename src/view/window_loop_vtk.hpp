@@ -6,10 +6,12 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "view/event_queue_vtk.hpp"
+#include "view/event_script_vtk.hpp"
 #include "view/key_table.hpp"
+#include "view/parts_panel_vtk.hpp"
+#include "view/place_marks.hpp"
 #include "view/stage_vtk.hpp"
 #include "view/window.hpp"
 
@@ -60,29 +62,26 @@ class WindowLoop {
   bool on_drop(vtkObject*, unsigned long, void* paths);
   bool on_camera(vtkObject*, unsigned long, void*);
   void render();
-  void play_events(double now_s);
-  void play(const WindowEvent& event);
   bool act(KeyAction action);
   bool look(KeyAction action);
   void take_screenshot();
   void on_panel(const PanelHit& hit);
   bool on_panels(unsigned long event, int x, int y);
-  void show_parts(bool shown);
   void mark();
 
   Stage& stage_;
   const WindowOptions& options_;
   WindowHandlers handlers_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
+  EventScript script_;
+  PartsPanel parts_;
   std::optional<EventQueue> queue_;  ///< once the window is open
   std::chrono::steady_clock::time_point opened_;
   double last_frame_s_ = 0;
-  std::size_t next_event_ = 0;
-  double events_late_s_ = 0;
   long frames_ = 0;
   bool changed_ = true;
   bool on_panel_ = false, beside_panels_ = false;  ///< where the button is held that was pressed there
-  std::vector<Vec3> marks_W_;                      ///< the last two marked places
+  PlaceMarks marks_;
   bool closing_ = false;
   std::string told_;
   double told_until_s_ = 0;  ///< what was told stays so long

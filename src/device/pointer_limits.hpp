@@ -1,0 +1,24 @@
+#pragma once
+
+/// The numbers by which the pointer's finger presses, follows, lands and lifts.
+namespace fingerpad::pointer_limits {
+
+/// A step is made where it leaves the force below so many times what is asked for. Less than twice: what
+/// foresight cannot tell, as vibration, comes on top.
+inline constexpr double tried_share = 1.5, surely_share = 1.8;
+/// How soon a pressed finger follows the pointer aside, and how fast at most [sizes of the parts a second].
+inline constexpr double aside_per_s = 50, fastest_per_s = 8, slow_share = 0.05;
+/// What is farther from the finger than this does not lead it over the surface [sizes of the parts] ...
+inline constexpr double leash_share = 0.25;
+/// ... nor what it has come no nearer to for this time.
+inline constexpr double leash_s = 0.2;
+/// How fast it comes down where nothing is near yet, and goes up [m/s].
+inline constexpr double landing_m_per_s = 0.3, lifting_m_per_s = 0.5;
+/// The pointer's pace is told from so much of its way; it leads the finger on by no more than a share of the
+/// parts' size.
+inline constexpr double pace_s = 0.03, most_lead_share = 0.1;
+inline constexpr int most_lift_ticks = 100;
+/// How often a step is halved before the finger does something else.
+inline constexpr int most_halvings = 4;
+
+}  // namespace fingerpad::pointer_limits

@@ -1,0 +1,41 @@
+#include "view/surface_words.hpp"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "part/part.hpp"
+#include "touch/world.hpp"
+
+namespace fingerpad {
+
+std::string surface_name(const World& world, int index, std::size_t longest) {
+  if (index < 0 || static_cast<std::size_t>(index) >= world.surfaces.size()) return "-";
+  const Surface& surface = world.surfaces[static_cast<std::size_t>(index)];
+  std::string name =
+      surface.part ? std::filesystem::path(surface.mesh).filename().string() : std::string("plane");
+  if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
+  return name.empty() ? fmt::format("part {}", index) : name;
+}
+
+std::vector<std::string> about_lines(const ViewInput& input) {
+  std::vector<std::string> lines;
+  if (!input.world) return lines;
+  for (std::size_t i = 0; i < input.world->surfaces.size() && i < 6; ++i) {
+    const Surface& surface = input.world->surfaces[i];
+    if (!surface.part) continue;
+    const Vec3 size_mm = 2e3 * surface.part->half_extent;
+    lines.push_back(fmt::format("{}: {} triangles", surface_name(*input.world, static_cast<int>(i), 40),
+                                surface.part->triangle_count()));
+    lines.push_back(fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size_mm.x(), size_mm.y(), size_mm.z()));
+    if (i >= input.world->verdicts.size()) continue;
+    const Verdict& verdict = input.world->verdicts[i];
+    lines.emplace_back(verdict.closed ? "closed" : "open");
+    const std::size_t warnings = verdict.warnings.size();
+    if (warnings > 0)
+      lines.push_back(fmt::format("{} warning{} (see check)", warnings, warnings > 1 ? "s" : ""));
+  }
+  return lines;
+}
+
+}  // namespace fingerpad
