@@ -13,6 +13,7 @@
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
+#include "part/unit_hint.hpp"
 
 namespace fingerpad {
 namespace {
@@ -91,6 +92,8 @@ int check(const CheckOptions& options) {
       write_stream(stdout, verdict_text(imported.verdict));
       if (std::isfinite(wall_m)) print_out("  thinnest wall  {:.4g} mm\n", 1e3 * wall_m);
     }
+    const std::string hint = unit_hint(imported.verdict, metres_of(options.unit));
+    if (!hint.empty()) print_err("fingerpad: {}: {}\n", imported.verdict.file, hint);
     if (!imported.verdict.touchable) {
       all_touchable = false;
       print_err("fingerpad: error: {}\n", refusal_text(imported.verdict));

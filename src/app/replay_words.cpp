@@ -117,10 +117,11 @@ void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const Batc
   const auto good = count([](const BatchJob& job) { return job.status == "ok"; });
   const auto kept = count([](const BatchJob& job) { return job.kept; });
   const std::string table = any_table_lost ? "" : table_names(batch.shard, batch.shard_count).summary;
-  const char* both = batch.traces && !table.empty() ? " and " : "";
+  const bool traces = batch.traces && good > 0;
+  const char* both = traces && !table.empty() ? " and " : "";
   print_out("{} of {} {} done{}, {}{}{} in {}\n", good, ran, ran == 1 ? "job" : "jobs",
-            kept > 0 ? fmt::format(" ({} kept from before)", kept) : "", batch.traces ? "traces" : "", both,
-            table.empty() && !batch.traces ? "nothing" : table, batch.out_dir);
+            kept > 0 ? fmt::format(" ({} kept from before)", kept) : "", traces ? "traces" : "", both,
+            table.empty() && !traces ? "nothing" : table, batch.out_dir);
 }
 
 void tell_stopped(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {

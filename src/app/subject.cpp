@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <filesystem>
 #include <optional>
 
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "part/unit_hint.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/never_touches.hpp"
 #include "scene/scene_file.hpp"
@@ -60,6 +62,7 @@ ViewInput scene_subject(const std::string& path, LoadBar& bar) {
   input.world = load_world(*input.scene, bar.progress());
   bar.finish();
   tell_warnings(*input.world);
+  tell_unit_hints(*input.world, *input.scene);
   tell_choice(*input.world);
   if (!motion) return input;
   input.changes = motion->changes;
@@ -76,6 +79,7 @@ ViewInput mesh_subject(const std::string& path, double metres_per_unit, LoadBar&
   input.world = load_world(scene, bar.progress());
   bar.finish();
   tell_warnings(*input.world);
+  tell_unit_hints(*input.world, scene);
   return input;
 }
 
@@ -114,7 +118,23 @@ std::vector<std::string> subject_files(const std::string& path) {
 
 void tell_choice(const World& world) {
   if (!world.contact) return;
-  for (const std::string& reason : world.contact->reasons) print_err("fingerpad: {}\n", reason);
+  // A tolerance that a wider one would replace is for who computes with the forces: replay and study tell it.
+  const auto is_for_figures = [&](const std::string& reason) {
+    return std::any_of(world.contact->limits.begin(), world.contact->limits.end(), [&](const auto& limit) {
+      return std::isfinite(limit.kept_tolerance) && !limit.said.empty() &&
+             reason.ends_with(limit.said + " (auto)");
+    });
+  };
+  for (const std::string& reason : world.contact->reasons)
+    if (!is_for_figures(reason)) print_err("fingerpad: {}\n", reason);
+}
+
+void tell_unit_hints(const World& world, const Scene& scene) {
+  for (std::size_t i = 0; i < std::min(world.verdicts.size(), scene.parts.size()); ++i) {
+    const Verdict& verdict = world.verdicts[i];
+    const std::string hint = unit_hint(verdict, scene.parts[i].metres_per_unit);
+    if (!hint.empty()) print_err("fingerpad: {}: {}\n", verdict.file, hint);
+  }
 }
 
 void tell_warnings(const World& world) {

@@ -28,7 +28,11 @@ std::vector<std::string> subject_files(const std::string& path);
 /// Prints the verdicts' warnings to standard error, as `fingerpad: warning: FILE: WHAT`.
 void tell_warnings(const World& world);
 
-/// Prints what was chosen where the scene left its contact open, and why, a line a part, to standard error.
+/// Prints a line to standard error for each part that was read in an unlikely unit.
+void tell_unit_hints(const World& world, const Scene& scene);
+
+/// Prints what was chosen where the scene left its contact open, and why, a line a part, to standard error;
+/// but for tolerances that the forces of a window's finger are not taken for.
 void tell_choice(const World& world);
 
 }  // namespace fingerpad

@@ -145,6 +145,7 @@ int touch(const TouchOptions& options) {
   const auto world = load_world(scene, bar.progress());
   bar.finish();
   tell_warnings(*world);
+  tell_unit_hints(*world, scene);
   tell_choice(*world);
   scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
   const StopSignals signals;  // before a device changes the terminal, or a record is begun
@@ -156,11 +157,13 @@ int touch(const TouchOptions& options) {
   tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;
-  FingerSample sample;  // the servo's
+  FingerSample sample;  // the servo's, as are:
+  long after_end = 0;   // ticks between the end of what moves the finger and the loop's
   ServoLoop servo(
       Touch(world, scene), scene.motion.rate_hz, [&](double) { return sample = device->advance(dt_s); },
       [&](const TickRecord& record) {
         device->feel(record);
+        if (device->has_ended()) ++after_end;
         if (recorder && !device->has_ended()) recorder->push(as_recorded(record, sample, *device));
       },
       servo_history_s, options.real_time, &swap,
@@ -178,7 +181,8 @@ int touch(const TouchOptions& options) {
   if (!recorder) return 0;
   recorder->note_timing(timing);
   recorder->finish();
-  print_out("{} ticks recorded in {}\n", recorder->recorded(), options.record);
+  print_out("{} ticks recorded in {}{}\n", recorder->recorded(), options.record,
+            after_end > 0 ? fmt::format("; {} came after the end", after_end) : "");
   if (recorder->dropped() > 0) {
     print_err("fingerpad: warning: {}: {} ticks were lost because the disk was too slow\n", options.record,
               recorder->dropped());

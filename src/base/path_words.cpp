@@ -44,15 +44,14 @@ std::string not_a_folder_words(const fs::path& path) {
 }
 
 std::string forbidden_words(const fs::path& path) {
-  const fs::path folder = path.parent_path();
-  if (!folder.empty() && faccessat(AT_FDCWD, folder.c_str(), X_OK, AT_EACCESS) != 0) {
+  // Of a path to be made no folder may be there but the first.
+  fs::path folder = nearest_there(path.parent_path());
+  if (folder.empty()) folder = ".";
+  if (faccessat(AT_FDCWD, folder.c_str(), X_OK, AT_EACCESS) != 0)
     return fmt::format("permission denied: you may not look into its folder {}", folder.string());
-  }
   std::error_code ignored;
-  if (!fs::exists(path, ignored) &&
-      faccessat(AT_FDCWD, folder.empty() ? "." : folder.c_str(), W_OK, AT_EACCESS) != 0)
-    return fmt::format("permission denied: you may not write into the folder {}",
-                       folder.empty() ? "." : folder.string());
+  if (!fs::exists(path, ignored) && faccessat(AT_FDCWD, folder.c_str(), W_OK, AT_EACCESS) != 0)
+    return fmt::format("permission denied: you may not write into the folder {}", folder.string());
   return "permission denied: you have no right to it (chmod gives it)";
 }
 

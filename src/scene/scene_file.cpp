@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
@@ -113,10 +114,23 @@ std::string near_scene_file(const fs::path& path) {
   return near.empty() ? "" : (folder / (near + ".toml")).string();
 }
 
+bool begins_as_hdf5(const std::string& path) {
+  constexpr InputKind any{"a file", std::numeric_limits<std::uint64_t>::max()};
+  if (stream_descriptor(path) || why_unreadable(path, any)) return false;
+  std::string start(8, '\0');
+  return InputFile(path, any).read(start.data(), 8) == 8 && start == "\x89HDF\r\n\x1a\n";
+}
+
 }  // namespace
 
 SceneFile read_scene_file(const std::string& path) {
   const InputKind kind{"a scene file", max_text_bytes, true};
+  if (begins_as_hdf5(path)) {
+    throw refused(
+        path,
+        "is a trace, a run that was made already: view, plot and export show it, and a scene follows "
+        "its finger again by [motion] file");
+  }
   try {
     return read_scene_text(read_whole_file(path, kind), path);
   } catch (const Error& error) {

@@ -130,6 +130,11 @@ Trace read_csv_trace(const std::string& path) {
   while (lines.next(line)) {
     if (!lines.ended() && !trace.complete) break;  // the row that was under way
     if (is_blank(line)) continue;
+    // A recording that was cut short may have been given another name since.
+    if (!lines.ended() && csv_cells(line, ',').size() < cell_count) {
+      trace.complete = false;
+      break;
+    }
     trace.rows.push_back(read_row(lines, line, places, cell_count));
   }
   return trace;

@@ -43,6 +43,29 @@ double least_span(std::string_view label) noexcept {
   return 0;
 }
 
+namespace {
+
+void mark_multiples(Axis& axis, double step) {
+  axis.marks.clear();
+  axis.labels.clear();
+  for (double k = std::ceil(axis.min / step - 1e-9); k * step <= axis.max + 1e-9 * step; ++k) {
+    axis.marks.push_back(k * step);
+    axis.labels.push_back(plain_number(std::abs(k) < 0.5 ? 0 : k * step));
+  }
+}
+
+/// The ends of a finer ladder: a single number tells no scale.
+void mark_twice(Axis& axis, double step) {
+  while (axis.marks.size() < 2) {
+    step = round_down_125(step / 1.9);
+    mark_multiples(axis, step);
+  }
+  axis.marks = {axis.marks.front(), axis.marks.back()};
+  axis.labels = {axis.labels.front(), axis.labels.back()};
+}
+
+}  // namespace
+
 Axis linear_axis(double min, double max, int most_marks) {
   Axis axis;
   const double greatest = std::max(std::abs(min), std::abs(max));
@@ -55,10 +78,8 @@ Axis linear_axis(double min, double max, int most_marks) {
   while ((max - min) / step > most_marks) step = round_down_125(step * 2.6);
   axis.min = min;
   axis.max = max;
-  for (double k = std::ceil(axis.min / step - 1e-9); k * step <= axis.max + 1e-9 * step; ++k) {
-    axis.marks.push_back(k * step);
-    axis.labels.push_back(plain_number(std::abs(k) < 0.5 ? 0 : k * step));
-  }
+  mark_multiples(axis, step);
+  if (axis.marks.size() < 2) mark_twice(axis, step);
   return axis;
 }
 

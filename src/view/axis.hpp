@@ -25,7 +25,7 @@ struct Axis {
 double least_span(std::string_view label) noexcept;
 
 /// An axis over these values with marks at multiples of 1, 2 or 5 times a power of ten, at most `most_marks`
-/// and one.
+/// and one; at least two.
 Axis linear_axis(double min, double max, int most_marks);
 
 /// A logarithmic axis over these values with marks at 1, 2 and 5 times the powers of ten where at most

@@ -62,7 +62,7 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
   chart.panels.push_back(std::move(values));
   if (comparison.runs.size() < 2) return;
   ChartPanel left = panel_of(fmt::format("residual of {} [{}]", name, shown.unit),
-                             fmt::format("residual [{}]", shown.unit), over);
+                             fmt::format("res. {} [{}]", name, shown.unit), over);
   for (const Residual& residual : comparison.residuals) {
     if (residual.column != name) continue;
     const std::string legend = fmt::format("{}: RMS {:.4g}{}", comparison.runs[residual.run].name,

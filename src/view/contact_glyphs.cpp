@@ -28,7 +28,10 @@ void add_region(ContactGlyphs& glyphs, const ContactMoment& moment, std::vector<
 
 /// The finger towards its tip at Q: a fingertip of its radius, or a slender stylus for a point.
 void add_finger(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSpace& space, double size_mm) {
-  const Vec3 tip = space.to_draw(moment.row.p_WQ);
+  Vec3 tip = space.to_draw(moment.row.p_WQ);
+  // Pressed far into a small part it would be out of sight behind it: so it stands near the surface then.
+  const double buried_mm = 1e3 * moment.row.depth_m - size_mm;
+  if (moment.row.phase != Phase::free && buried_mm > 0) tip += buried_mm * moment.row.normal_W;
   const Vec3 back = -moment.finger_direction_W;
   const double radius_mm = moment.finger_radius_m * 1e3;
   if (radius_mm > 0) {
@@ -52,6 +55,10 @@ ContactMoment contact_moment(const ViewInput& input, const TickRecord& row) {
   const auto surface = static_cast<std::size_t>(row.surface);
   if (row.surface >= 0 && input.world && surface < input.world->surfaces.size()) {
     moment.region = stick_region(*input.scene, input.world->surfaces[surface].properties, row);
+    if (!moment.region) return moment;
+    moment.region_reach_m = std::max(moment.region->axes.lateral_m, moment.region->axes.longitudinal_m);
+    // Several walls have a region each, of which the record tells no more than the greatest wall's centre.
+    if (row.walls > 1) moment.region.reset();
     if (moment.region) moment.rings = region_rings(*moment.region, input.world->surfaces[surface]);
   }
   return moment;
@@ -73,7 +80,7 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
   if (choice.frame) {
     const Mat3 frame = tangent_frame(row.normal_W, moment.finger_direction_W);
     for (int axis = 0; axis < 3; ++axis) {
-      glyphs.solid.arrow(contact, contact + frame.col(axis) * (axis == 2 ? 3.0 : 2.2) * size, 0.05 * size,
+      glyphs.solid.arrow(contact, contact + frame.col(axis) * frame_axis_sizes(axis) * size, 0.05 * size,
                          colours::ink);
     }
   }

@@ -11,7 +11,8 @@ namespace fingerpad {
 /// One moment of a touch with all that a picture of it needs.
 struct ContactMoment {
   TickRecord row;
-  std::optional<StickRegion> region;     ///< empty while free, and for laws without one
+  std::optional<StickRegion> region;     ///< empty while free, on several walls, and for laws without one
+  double region_reach_m = 0;             ///< its greater axis, on several walls too; 0: the law has none
   std::vector<std::vector<Vec3>> rings;  ///< of the region, on the surface; see region_rings
   Vec3 finger_direction_W = -Vec3::UnitZ();
   double finger_radius_m = 0;
@@ -30,6 +31,11 @@ struct GlyphChoice {
 struct ContactGlyphs {
   GlyphMesh solid, clear;
 };
+
+/// How long the frame's axes are drawn: n beyond the others [GlyphChoice::size_mm].
+constexpr double frame_axis_sizes(int axis) {
+  return axis == 2 ? 3.0 : 2.2;
+}
 
 /// The finger, the contact point, the tangent frame (Cx across the finger, Cy along it, n outwards), the
 /// stick region and its centre at true place and size, and the forces on the finger.

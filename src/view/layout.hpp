@@ -18,6 +18,9 @@ inline constexpr int least_window_width_px = 400, least_window_height_px = 300;
 /// Below this the charts' numbers would meet, and the scene needs the room.
 inline constexpr int least_width_with_charts_px = 540, least_height_with_charts_px = 360;
 
+/// So high above the scene's foot are the axes in its lower right corner, whichever of them points upwards.
+inline constexpr double axes_foot_em = 7.2;
+
 /// @param charts    a column of charts stands on the right, where there is room for it
 /// @param timeline  a bar with the time stands at the bottom
 Layout layout_for(int width, int height, bool charts, bool timeline);

@@ -10,6 +10,7 @@
 #include "base/number_text.hpp"
 #include "contact/contact_method_table.hpp"
 #include "friction/law_table.hpp"
+#include "motion/stable_stiffness.hpp"
 #include "part/part.hpp"
 
 namespace fingerpad {
@@ -72,11 +73,26 @@ SidePanel MaterialPanel::panel() const {
     const auto i = static_cast<std::size_t>(row);
     panel.rows.push_back({PanelRow::Kind::value, row_labels[i], shown[i], false, row == selected_});
   }
+  const std::string unstable = unstable_words(swap_.scene());
+  if (!unstable.empty()) panel.rows.push_back({PanelRow::Kind::note, unstable, "", false, false});
   panel.rows.push_back({PanelRow::Kind::note,
                         swap_.is_scheduled() ? "as recorded: the recording changes it"
                                              : "click, wheel, or Tab and [ ]; kept in the trace",
                         "", false, false});
   return panel;
+}
+
+/// Whether a device in a hand would shake against the surface at the tick's rate (SCIENCE 4); empty: not.
+std::string MaterialPanel::unstable_words(const Scene& scene) const {
+  const SurfaceProperties& surface = surface_properties(scene, surface_);
+  const HandSettings hand = scene.hand.value_or(HandSettings{});
+  const double most = stable_stiffness({.mass_kg = hand.mass_kg,
+                                        .damping_n_s_per_m = hand.damping_n_s_per_m,
+                                        .wall_damping_n_s_per_m = surface.damping_n_s_per_m,
+                                        .tick_s = 1 / scene.motion.rate_hz,
+                                        .delay_ticks = hand.delay_ticks});
+  if (surface.stiffness_n_per_m <= most) return {};
+  return fmt::format("a motor shakes: over {:.3g} N/m at {} Hz", most, number_text(scene.motion.rate_hz));
 }
 
 /// The row's value so many steps on, and the key that it is the value of.
@@ -129,7 +145,9 @@ std::string MaterialPanel::step(int row, int steps) {
   } catch (const Error& error) {
     return error.what();
   }
-  return fmt::format("{}: {}", row_labels[row], values(swap_.scene())[static_cast<std::size_t>(row)]);
+  const std::string unstable = row == stiffness || row == damping ? unstable_words(swap_.scene()) : "";
+  return fmt::format("{}: {}{}{}", row_labels[row], values(swap_.scene())[static_cast<std::size_t>(row)],
+                     unstable.empty() ? "" : "; ", unstable);
 }
 
 }  // namespace fingerpad

@@ -62,7 +62,7 @@ void write_view_movie(const ViewInput& input, const std::string& path, const Mov
   for (long k = 0; k < frames; ++k) {
     const std::size_t row = movie_row(input, choice, k);
     stage.show(input.rows[row],
-               row > 0 ? tangential_speed(input.rows[row - 1], input.rows[row]) : TickRecord::nan);
+               row > 0 ? shown_speed(input.rows[row - 1], input.rows[row]) : TickRecord::nan);
     stage.render();
     encoder.add(pixels_of(stage.window()));
     progress(k + 1);

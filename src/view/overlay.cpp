@@ -9,6 +9,7 @@
 #include "view/axis.hpp"
 #include "view/colours.hpp"
 #include "view/overlay_hud.hpp"
+#include "view/overlay_notice.hpp"
 #include "view/overlay_words.hpp"
 
 namespace fingerpad {
@@ -92,19 +93,7 @@ class OverlayPainter {
       if (!words->empty()) paint_pill(drawing_, at, fitted(*words, em_, true, scene.width - 4 * em_), em_);
       at.y() += 3 * em_;
     }
-    if (facts_.notice.empty()) return;
-    const auto lines = wrapped(facts_.notice, em_, std::min(scene.width - 4 * em_, 40 * em_));
-    double width = 0;
-    for (const std::string& line : lines) width = std::max(width, text_width(line, em_));
-    const double height = 1.5 * em_ * static_cast<double>(lines.size()) + em_;
-    const Box box{at.x() - width / 2 - em_, at.y(), width + 2 * em_, height};
-    drawing_.box(box, Colour{255, 244, 214, 0.96});
-    drawing_.frame(box, {colours::orange, 0.12 * em_});
-    double y = box.top() - 0.5 * em_ - 0.75 * em_;
-    for (const std::string& line : lines) {
-      drawing_.text({at.x(), y}, line, {.size = em_, .across = Across::centre, .upright = Upright::middle});
-      y -= 1.5 * em_;
-    }
+    paint_notice(drawing_, facts_, layout_);
   }
 
   void paint_scale_and_axes() {
@@ -144,13 +133,19 @@ class OverlayPainter {
     drawing_.box({box.left, box.top() - 1.5 * em_, box.width, 1.5 * em_}, panel_colour);
     const double zoom = facts_.inset_px_per_mm / facts_.px_per_mm;
     drawing_.text({box.centre().x(), box.top() - 0.75 * em_},
-                  fmt::format("contact, {:.{}f}x", zoom, zoom < 10 ? 1 : 0),
+                  fmt::format("contact, {}{:.{}f}x", walls_words(), zoom, zoom < 10 ? 1 : 0),
                   {.size = em_, .across = Across::centre, .upright = Upright::middle});
     drawing_.box({box.left, box.bottom, box.width, 2.3 * em_}, panel_colour);
     drawing_.text({box.left + 0.6 * em_, box.bottom + 1.15 * em_}, "up: finger",
                   {.size = em_, .colour = colours::grey, .upright = Upright::middle});
     const double length_mm = round_down_125(0.4 * box.width / facts_.inset_px_per_mm);
     paint_scale_bar({box.right() - 0.8 * em_, box.bottom + 0.6 * em_}, length_mm, facts_.inset_px_per_mm);
+  }
+
+  /// Of several the region is not drawn: a record has the greatest wall's centre and the mean of their
+  /// normals.
+  std::string walls_words() const {
+    return facts_.row && facts_.row->walls > 1 ? fmt::format("{} walls, ", facts_.row->walls) : "";
   }
 
   void paint_timeline() {

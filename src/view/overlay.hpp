@@ -31,6 +31,7 @@ struct OverlayFacts {
   std::string surface_name;        ///< of what is touched
   std::vector<Reading> readings;   ///< beside those of the row
   TickBars tick_bars;
+  bool brief = false;      ///< in a small window: phase and forces alone, and no legend
   Box hud, legend;         ///< where readings and legend stand; empty: they have no room
   double mm_per_n = 1;     ///< of force arrows
   double px_per_mm = 1;    ///< of the scene

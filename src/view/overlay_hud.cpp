@@ -33,11 +33,18 @@ std::vector<Reading> all_readings(const OverlayFacts& facts) {
       {"normal force", in_contact(row.normal_force_n, 3, "N")},
       {"friction", in_contact(row.friction_W_n.norm(), 3, "N")},
       {"mu", in_contact(row.mu, 3, "")},
-      {"speed", in_contact(facts.speed_m_per_s * 1e3, 1, "mm/s")},
+      {"speed", number_with_unit(facts.speed_m_per_s * 1e3, 1, "mm/s")},
       {"finger angle", in_contact(row.inclination_rad * 180 / std::numbers::pi, 1, "deg")},
       {"on", touching ? facts.surface_name : std::string("-")},
   };
-  readings.insert(readings.end(), facts.readings.begin(), facts.readings.end());
+  if (!facts.brief) {
+    readings.insert(readings.end(), facts.readings.begin(), facts.readings.end());
+    return readings;
+  }
+  const auto is_left_out = [](const Reading& reading) {
+    return reading.first != "phase" && reading.first != "normal force" && reading.first != "friction";
+  };
+  readings.erase(std::remove_if(readings.begin(), readings.end(), is_left_out), readings.end());
   return readings;
 }
 
@@ -74,7 +81,8 @@ std::vector<LegendKey> legend_keys(const OverlayFacts& facts, const ViewState& s
   }
   if (facts.row->stick_centre_W.allFinite()) {
     // Flat parts turn black and white in the dark, the ball on the part stays black.
-    keys.push_back({"stick centre", state.dark ? colours::white : colours::black, false, state.dark});
+    keys.push_back({facts.row->walls > 1 ? "stick centre on one wall" : "stick centre",
+                    state.dark ? colours::white : colours::black, false, state.dark});
   }
   if (facts.region) {
     const bool holds = facts.row->phase == Phase::stick;
@@ -123,6 +131,10 @@ void paint_legend_key(Drawing& drawing, const LegendKey& key, double left, doubl
   drawing.text({left + 2.6 * em, y}, key.label, {.size = em, .upright = Upright::middle});
 }
 
+bool has_bars(const OverlayFacts& facts) {
+  return !facts.brief && !facts.tick_bars.heights.empty();
+}
+
 bool explains_path(const OverlayFacts& facts, const ViewState& state) {
   return state.path && facts.path;
 }
@@ -132,8 +144,8 @@ bool explains_path(const OverlayFacts& facts, const ViewState& state) {
 Vec2 readings_size(const OverlayFacts& facts, double em) {
   if (facts.row) {
     const auto lines = static_cast<double>(all_readings(facts).size());
-    return {14.5 * em,
-            reading_line_em * em * lines + 0.8 * em + (facts.tick_bars.heights.empty() ? 0 : bars_em * em)};
+    return {readings_width_em * em,
+            reading_line_em * em * lines + 0.8 * em + (has_bars(facts) ? bars_em * em : 0)};
   }
   if (facts.about.empty()) return {0, 0};
   double width = 0;
@@ -152,7 +164,7 @@ void paint_readings(Drawing& drawing, const OverlayFacts& facts, const Box& box,
     }
     return;
   }
-  if (!facts.tick_bars.heights.empty()) {
+  if (has_bars(facts)) {
     paint_tick_bars(drawing, facts,
                     {box.left + 0.6 * em, box.bottom + 0.5 * em, box.width - 1.2 * em, (bars_em - 0.6) * em},
                     em);
@@ -177,7 +189,7 @@ void paint_readings(Drawing& drawing, const OverlayFacts& facts, const Box& box,
 }
 
 Vec2 legend_size(const OverlayFacts& facts, const ViewState& state, double em) {
-  if (!facts.row) return {0, 0};
+  if (!facts.row || facts.brief) return {0, 0};
   const std::vector<LegendKey> keys = legend_keys(facts, state);
   const bool bar = state.colouring == PathColouring::force;
   const double path_lines = explains_path(facts, state) ? (bar ? 3.0 : 1.0) : 0.0;

@@ -8,7 +8,7 @@ namespace {
 Box in_corner(const Layout& layout, const Placed& box, Corner corner) {
   const double gap = 0.7 * layout.em;
   // The axes and the scale bar stand in the lower right corner.
-  const double foot = corner == Corner::bottom_right ? 6.2 * layout.em : gap;
+  const double foot = corner == Corner::bottom_right ? axes_foot_em * layout.em : gap;
   const bool left = corner == Corner::top_left || corner == Corner::bottom_left;
   const bool top = corner == Corner::top_left || corner == Corner::top_right;
   return {left ? layout.scene.left + gap : layout.scene.right() - gap - box.width,

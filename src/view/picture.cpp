@@ -31,7 +31,7 @@ void with_rendered_view(const ViewInput& input, int width, int height, std::opti
   if (!input.rows.empty()) {
     const auto row = static_cast<std::size_t>(at_s ? row_at(input, *at_s) : telling_row(input));
     stage.show(input.rows[row],
-               row > 0 ? tangential_speed(input.rows[row - 1], input.rows[row]) : TickRecord::nan);
+               row > 0 ? shown_speed(input.rows[row - 1], input.rows[row]) : TickRecord::nan);
   }
   if (moving) stage.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
   stage.render();

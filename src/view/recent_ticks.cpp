@@ -23,7 +23,7 @@ double RecentTicks::speed_m_per_s() const {
   const TickRecord& last = rows_.back();
   auto first = rows_.rbegin();
   while (first + 1 != rows_.rend() && (first + 1)->t_s >= last.t_s - 0.02) ++first;
-  return tangential_speed(*first, last);
+  return shown_speed(*first, last);
 }
 
 }  // namespace fingerpad

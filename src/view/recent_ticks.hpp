@@ -17,7 +17,7 @@ class RecentTicks {
   /// Oldest first.
   const std::vector<TickRecord>& rows() const { return rows_; }
 
-  /// Tangential speed over the last 20 ms: from tick to tick a quantised position makes noise.
+  /// Speed (shown_speed) over the last 20 ms: from tick to tick a quantised position makes noise.
   /// @returns nan without ticks
   double speed_m_per_s() const;
 

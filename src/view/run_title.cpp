@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <string_view>
 
 #include "base/input_file.hpp"
 #include "trace/job_index.hpp"
@@ -43,6 +44,16 @@ std::string run_title(const TraceInfo& info, const std::string& path) {
   if (job.empty()) return title;
   const std::string varied = path == "-" ? "" : varied_in_job(path);
   return title + dot + "job " + job + (varied.empty() ? "" : dot + varied);
+}
+
+std::string varied_words(const std::string& title) {
+  const std::string_view between = dot;
+  const std::size_t job = title.find(std::string(between) + "job ");
+  if (job == std::string::npos) return "";
+  std::string words = title.substr(job + between.size());
+  for (std::size_t at = words.find(between); at != std::string::npos; at = words.find(between))
+    words.replace(at, between.size(), ", ");
+  return words;
 }
 
 }  // namespace fingerpad

@@ -12,6 +12,9 @@ namespace fingerpad {
 /// @param path  of the trace
 std::string run_title(const TraceInfo& info, const std::string& path);
 
+/// What such a title says of a set's job: "job 3, mu_static 0.3"; empty where it says nothing of one.
+std::string varied_words(const std::string& title);
+
 /// Its scene and meshes alone: "t: knob.stl".
 std::string scene_title(const TraceInfo& info, const std::string& path);
 

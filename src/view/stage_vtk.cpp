@@ -18,6 +18,7 @@
 #include "view/camera_vtk.hpp"
 #include "view/clipping_range_vtk.hpp"
 #include "view/drawing_item_vtk.hpp"
+#include "view/frame_labels.hpp"
 #include "view/overlay_hud.hpp"
 #include "view/surface_mesh_vtk.hpp"
 #include "view/surface_words.hpp"
@@ -112,13 +113,14 @@ void Stage::place(vtkRenderer* renderer, const Box& box) {
 
 void Stage::place_renderers() {
   place(scene_, layout_.scene);
+  make_way_for_readings();
   place(moving_, layout_.scene);
   if (charts_) place(chart_paper_, layout_.charts);
   world_->set_line_width(std::max(1.0, 0.09 * layout_.em));
 }
 
 void Stage::look(const LookFrom& from) {
-  set_look(scene_, input_, extent_, space_, from, layout_.scene.width / layout_.scene.height);
+  set_look(scene_, input_, extent_, space_, from, width_to_height());
 }
 
 void Stage::look_at_all() {
@@ -142,7 +144,28 @@ void Stage::paint_grounds() {
 
 void Stage::reset_camera() {
   if (state_.look) return look(*state_.look);
-  set_scene_camera(scene_, input_, extent_, space_, layout_.scene.width / layout_.scene.height);
+  set_scene_camera(scene_, input_, extent_, space_, width_to_height());
+}
+
+void Stage::keep_clear_of_readings() {
+  clear_of_readings_ = true;
+  make_way_for_readings();
+  reset_camera();
+}
+
+/// The strip at the left in which the readings stand, where the scene is wide enough to spare it.
+double Stage::readings_strip_px() const {
+  const double strip = (readings_width_em + 1.4) * layout_.em;
+  return clear_of_readings_ && layout_.scene.width > 3 * strip ? strip : 0;
+}
+
+double Stage::width_to_height() const {
+  return (layout_.scene.width - readings_strip_px()) / layout_.scene.height;
+}
+
+/// What is in the middle comes to the middle of what is left of the scene; views still turn round it.
+void Stage::make_way_for_readings() {
+  scene_->GetActiveCamera()->SetWindowCenter(-readings_strip_px() / layout_.scene.width, 0);
 }
 
 void Stage::zoom(double factor) {
@@ -210,10 +233,7 @@ bool Stage::shows_close_up(double scene_px_per_mm) {
   inset_px_per_mm_ = 0;
   if (!moment_ || moment_->row.phase == Phase::free || !state_.close_up) return false;
   inset_half_height_mm_ = 1;
-  if (moment_->region) {
-    inset_half_height_mm_ =
-        2e3 * std::max(moment_->region->axes.lateral_m, moment_->region->axes.longitudinal_m);
-  }
+  if (moment_->region_reach_m > 0) inset_half_height_mm_ = 2e3 * moment_->region_reach_m;
   const double px_per_mm = layout_.inset.height / (2 * inset_half_height_mm_);
   if (!(px_per_mm > 1.2 * scene_px_per_mm)) return false;
   inset_px_per_mm_ = px_per_mm;
@@ -228,6 +248,12 @@ void Stage::place_overlay(OverlayFacts& facts) {
   } else if (moment_) {
     contact_px = on_screen(space_.to_draw(moment_->row.p_WQ));
   }
+  const Vec2 whole = readings_size(facts, layout_.em);
+  // Of a small scene they would hide too much.
+  constexpr double most_share = 0.2;
+  facts.brief = whole.x() * whole.y() > most_share * layout_.scene.width * layout_.scene.height ||
+                layout_.window.width < least_width_with_charts_px ||
+                layout_.window.height < least_height_with_charts_px;
   const Vec2 hud = state_.hud ? readings_size(facts, layout_.em) : Vec2(0, 0);
   const Vec2 legend = state_.hud ? legend_size(facts, state_, layout_.em) : Vec2(0, 0);
   const double side = shows_close_up(facts.px_per_mm) ? layout_.inset.width : 0;
@@ -268,22 +294,26 @@ Vec2 Stage::on_screen(const Vec3& p_mm) {
   return {px[0], px[1]};
 }
 
-void Stage::project_labels(OverlayFacts& facts, double size_mm) {
+void Stage::project_labels(OverlayFacts& facts, const GlyphChoice& choice) {
   if (!moment_ || moment_->row.phase == Phase::free || !state_.frame) return;
-  const Mat3 frame = tangent_frame(moment_->row.normal_W, moment_->finger_direction_W);
-  const Vec3 contact = space_.to_draw(moment_->row.contact_W);
-  constexpr const char* names[] = {"Cx", "Cy", "n"};
-  for (int axis = 0; axis < 3; ++axis) {
-    const Vec3 at = contact + frame.col(axis) * (axis == 2 ? 3.5 : 2.8) * size_mm;
-    Vec2 px = on_screen(at);
-    if (axis == 2)  // the normal force lies along n
-      px.x() += facts.axes_px.row(0).dot(frame.col(1)) > 0 ? -layout_.em : layout_.em;
-    // An axis seen from its end would have its letter on the contact.
-    if ((px - on_screen(contact)).norm() < 2 * layout_.em || !layout_.scene.holds(px[0], px[1])) continue;
-    const auto hides = [&px](const Box& box) { return box.width > 0 && box.holds(px[0], px[1]); };
-    if (hides(inset_) || hides(facts.hud) || hides(facts.legend)) continue;
-    facts.labels.push_back({px, names[axis]});
+  const TickRecord& row = moment_->row;
+  const Vec3 contact = space_.to_draw(row.contact_W);
+  const auto seen = [&](const Vec3& way_mm) {
+    return ScreenArrow{on_screen(contact), on_screen(contact + way_mm)};
+  };
+  const Mat3 frame = tangent_frame(row.normal_W, moment_->finger_direction_W);
+  std::vector<NamedAxis> axes;
+  for (const int axis : {2, 0, 1}) {
+    constexpr const char* names[] = {"Cx", "Cy", "n"};
+    axes.push_back({names[axis], seen(frame.col(axis) * frame_axis_sizes(axis) * choice.size_mm)});
   }
+  std::vector<ScreenArrow> forces;
+  if (choice.forces) {
+    for (const Vec3& force_W_n : {Vec3(row.normal_W * row.normal_force_n), row.friction_W_n, row.force_W_n})
+      forces.push_back(seen(force_W_n * choice.mm_per_n));
+  }
+  const Box boxes[] = {inset_, facts.hud, facts.legend};
+  facts.labels = frame_labels(axes, forces, boxes, layout_.scene, layout_.em);
 }
 
 void Stage::project_marks(OverlayFacts& facts) {
@@ -374,7 +404,7 @@ void Stage::render() {
   place_chart();
   std::vector<std::shared_ptr<const Drawing>> drawings;
   if (charts_ && chart_ && timeline_ && moment_ && board_.visible()) drawings.push_back(chart_cursor());
-  project_labels(facts, choice.size_mm);
+  project_labels(facts, choice);
   project_marks(facts);
   auto overlay = std::make_shared<Drawing>();
   if (!state_.help) panels_.paint(*overlay, layout_);

@@ -70,6 +70,8 @@ class Stage {
 
   void resize(int width, int height);
   void reset_camera();
+  /// From now on what is looked at stands beside the readings, where the window has room for both.
+  void keep_clear_of_readings();
   /// All in sight from a direction.
   void look(const LookFrom& from);
   void look_at_all();  ///< from where it is looked now
@@ -127,10 +129,13 @@ class Stage {
   void place_close_up();
   void place_overlay(OverlayFacts& facts);
   double px_per_mm() const;
+  double readings_strip_px() const;
+  double width_to_height() const;
+  void make_way_for_readings();
   OverlayFacts overlay_facts();
   void place_chart();
   std::shared_ptr<const Drawing> chart_cursor() const;
-  void project_labels(OverlayFacts& facts, double size_mm);
+  void project_labels(OverlayFacts& facts, const GlyphChoice& choice);
 
   void put_recorded(double t_s);
   void project_marks(OverlayFacts& facts);
@@ -143,6 +148,7 @@ class Stage {
   ViewExtent extent_;
   DrawSpace space_;
   bool charts_, timeline_;
+  bool clear_of_readings_ = false;
   Layout layout_;
   ViewState state_;
   std::unique_ptr<WorldProps> world_;

@@ -94,6 +94,13 @@ double tangential_speed(const TickRecord& before, const TickRecord& row) {
   return tangential_step(before, row).norm() / dt_s;
 }
 
+double shown_speed(const TickRecord& before, const TickRecord& row) {
+  const double dt_s = row.t_s - before.t_s;
+  const bool in_contact = row.phase != Phase::free && before.phase != Phase::free;
+  if (in_contact || !(dt_s > 0)) return tangential_speed(before, row);
+  return (row.p_WQ - before.p_WQ).norm() / dt_s;
+}
+
 TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction_W) {
   TouchSeries series;
   series.direction_W = direction_W;

@@ -44,4 +44,7 @@ std::vector<double> friction_along_sliding(std::span<const TickRecord> rows);
 /// Tangential speed from one tick to the next [m/s]; nan unless both are in contact.
 double tangential_speed(const TickRecord& before, const TickRecord& row);
 
+/// For a reading: the same in contact; in the air the finger's own.
+double shown_speed(const TickRecord& before, const TickRecord& row);
+
 }  // namespace fingerpad

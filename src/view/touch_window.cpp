@@ -37,6 +37,7 @@ class TouchWindow {
     if (input.swap != nullptr) material_.emplace(*input.swap, *input.view.world);
     stage_.show_hint("", help_lines(window_kind()));
     stage_.invite(invitation);
+    stage_.keep_clear_of_readings();
     follow();
   }
 
@@ -48,21 +49,20 @@ class TouchWindow {
     handlers.window = window_kind();
     handlers.act = [this](KeyAction action) { return touch_key(action); };
     handlers.press = [this](int x, int y) {
-      held_ = point_at(x, y);
-      target_.press(held_ || latched_);
-      tell();
+      held_ = over_ = point_at(x, y);
+      press();
       return held_;
     };
     handlers.move = [this](int x, int y) {
-      // Off the edge of the part a held finger stays where it was.
-      const bool points = point_at(x, y);
-      if (points) tell();
-      return points || held_;
+      over_ = point_at(x, y);
+      // Off the edge of the part a held finger lifts until the pointer is back.
+      if (over_ || held_) press();
+      return over_ || held_;
     };
     handlers.release = [this] {
-      target_.press(latched_);
-      tell();
-      return std::exchange(held_, false);
+      const bool was_held = std::exchange(held_, false);
+      press();
+      return was_held;
     };
     handlers.wheel = [this](int steps) {
       target_.change_force(steps);
@@ -141,8 +141,8 @@ class TouchWindow {
         return true;
       case KeyAction::press:
         latched_ = !latched_;
-        target_.press(latched_ || held_);
-        break;
+        press();
+        return true;
       case KeyAction::go_left:
       case KeyAction::go_right:
         target_.move_by(right * (action == KeyAction::go_left ? -step_m : step_m));
@@ -160,6 +160,12 @@ class TouchWindow {
     }
     tell();
     return true;
+  }
+
+  /// Whether, by the button and the key that latches; which is not ended by a pointer that goes elsewhere.
+  void press() {
+    target_.press(latched_ || (held_ && over_));
+    tell();
   }
 
   /// Hands on what an event has changed, with the event's time: speeds are the pointer's, not the frames'.
@@ -217,7 +223,7 @@ class TouchWindow {
   TouchTarget target_;
   TouchLevels levels_;
   std::optional<MaterialPanel> material_;
-  bool held_ = false, latched_ = false, invites_ = true;
+  bool held_ = false, over_ = false, latched_ = false, invites_ = true;
   double since_chart_s_ = chart_period_s;
   WindowLoop loop_;
 };

@@ -101,7 +101,7 @@ class ViewWindow {
     stage_.state().playing = playback_->playing();
     stage_.state().speed = playback_->speed();
     stage_.show(input_.rows[row],
-                row > 0 ? tangential_speed(input_.rows[row - 1], input_.rows[row]) : TickRecord::nan);
+                row > 0 ? shown_speed(input_.rows[row - 1], input_.rows[row]) : TickRecord::nan);
   }
 
   const ViewInput& input_;

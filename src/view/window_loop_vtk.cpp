@@ -13,6 +13,7 @@
 
 #include "base/error.hpp"
 #include "view/png_vtk.hpp"
+#include "view/run_title.hpp"
 #include "view/screenshot.hpp"
 #include "view/sharing_trackball_vtk.hpp"
 #include "view/view_keys.hpp"
@@ -81,7 +82,8 @@ void WindowLoop::run() {
 void WindowLoop::name_window() {
   const ViewInput& input = stage_.input();
   const std::string name = std::filesystem::path(input.file).filename().string();
-  const std::string how = subtitle_of(input);
+  const std::string varies = varied_words(input.title), with = subtitle_of(input);
+  const std::string how = varies.empty() ? with : varies;
   stage_.window()->SetWindowName(
       fmt::format("{}{}{} - fingerpad", name.empty() ? input.title : name, how.empty() ? "" : ": ", how)
           .c_str());

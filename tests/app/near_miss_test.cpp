@@ -44,6 +44,17 @@ TEST(NearMiss, ThatIsNearToNothingHasNoHint) {
   EXPECT_EQ(result.err, "fingerpad: error: scenes/dashboard.toml: cannot be read: there is no such file\n");
 }
 
+TEST(NearMiss, OfATraceForASceneSaysWhatOneDoesWithATrace) {
+  const fs::path folder = folder_with_scenes();
+  test::write_file(folder, "run.h5", std::string("\x89HDF\r\n\x1a\n", 8) + std::string(5 << 20, 'x'));
+  const auto result = test::fingerpad("replay run.h5 scenes/sweep.toml --out o", folder);
+  EXPECT_EQ(result.exit_code, 4) << "the other job is done";
+  EXPECT_THAT(result.err,
+              HasSubstr("run.h5: is a trace, a run that was made already: view, plot and export"));
+  const auto alone = test::fingerpad("replay run.h5 --out p", folder);
+  EXPECT_THAT(alone.out, testing::Not(HasSubstr("traces"))) << "none was written";
+}
+
 TEST(NearMiss, InABatchFailsItsJobAlone) {
   const auto result =
       test::fingerpad("replay scenes/bracket.toml scenes/swep.toml --out o", folder_with_scenes());

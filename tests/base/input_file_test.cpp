@@ -12,6 +12,7 @@
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
+#include "base/path_words.hpp"
 #include "base/printable_text.hpp"
 #include "base/text_lines.hpp"
 #include "support/paths.hpp"
@@ -81,6 +82,8 @@ TEST(InputFile, ToldThatAPermissionIsMissing) {
   std::ofstream(folder / "shut" / "file") << "x";
   fs::permissions(folder / "forbidden", fs::perms::none);
   fs::permissions(folder / "shut", fs::perms::none);
+  fs::create_directory(folder / "fixed");
+  fs::permissions(folder / "fixed", fs::perms(0555));
   // Root may read all: a child gives its rights away first.
   const pid_t child = fork();
   if (child == 0) {
@@ -88,7 +91,11 @@ TEST(InputFile, ToldThatAPermissionIsMissing) {
     if (!fs::exists(folder)) _exit(2);
     const bool file = why(folder / "forbidden").find("you have no right to it") != std::string::npos;
     const bool inside = why(folder / "shut" / "file").find("look into its folder") != std::string::npos;
-    _exit(file && inside ? 0 : 1);
+    const bool deeper = path_words(folder / "shut" / "new" / "file", EACCES).find("look into its folder") !=
+                        std::string::npos;
+    const std::string denied = "you may not write into the folder " + (folder / "fixed").string();
+    const bool beside = path_words(folder / "fixed" / "new" / "", EACCES).ends_with(denied);
+    _exit(file && inside && deeper && beside ? 0 : 1);
   }
   int status = 0;
   waitpid(child, &status, 0);

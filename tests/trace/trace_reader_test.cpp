@@ -132,6 +132,22 @@ TEST(TraceReader, BadCsvCellsNameTheirLine) {
   EXPECT_THAT(with(",-1,-1\n", ",-1,1.5\n"), HasSubstr("bad.csv:2: a part or triangle"));
 }
 
+TEST(TraceReader, OfACsvCutShortTheLastRowIsLeftOutWhateverItsName) {
+  const auto folder = test::scratch_dir();
+  test::write_trace(folder / "t.csv", TraceFormat::csv, some_rows(3));
+  const std::string whole = test::bytes_of(folder / "t.csv");
+  for (const char* name : {"kept.csv", "t2.csv.part"}) {
+    write_text(folder / name, whole.substr(0, whole.rfind(',')));
+    const Trace trace = read_trace((folder / name).string());
+    EXPECT_EQ(trace.rows.size(), 2u) << name;
+    EXPECT_FALSE(trace.complete) << name;
+  }
+  // A table that somebody saved without a last line's end is whole.
+  write_text(folder / "saved.csv", whole.substr(0, whole.size() - 1));
+  EXPECT_EQ(read_trace((folder / "saved.csv").string()).rows.size(), 3u);
+  EXPECT_TRUE(read_trace((folder / "saved.csv").string()).complete);
+}
+
 TEST(TraceReader, CsvColumnsMayStandInAnyOrderAmongOthers) {
   const auto path = test::scratch_dir() / "t.csv";
   std::string header = "extra", row = "7";

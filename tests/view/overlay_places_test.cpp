@@ -56,6 +56,22 @@ TEST(OverlayPlaces, ABoxStaysUntilTheContactIsNear) {
   EXPECT_EQ(left_at(4), first.left);
 }
 
+TEST(OverlayPlaces, NoBoxLiesOverTheAxesInTheCorner) {
+  for (const auto& [width, height] : {std::pair(1280, 800), std::pair(640, 480)}) {
+    const Layout layout = layout_for(width, height, true, true);
+    OverlayPlaces places;
+    // The contact where the close-up mostly stands: it makes way to the lower right.
+    const auto boxes = places.place(layout, usual_boxes(layout), layout.inset.centre());
+    // Middle of the axes, the longest of them upwards, and half a letter.
+    const double top = layout.scene.bottom + (3.6 + 2.7 + 0.5) * layout.em;
+    for (const Box& box : boxes) {
+      if (box.width > 0 && box.right() > layout.scene.right() - 7 * layout.em) {
+        EXPECT_GE(box.bottom, top);
+      }
+    }
+  }
+}
+
 TEST(Layout, ASmallWindowDropsItsCharts) {
   EXPECT_GT(layout_for(640, 480, true, true).charts.width, 0);
   EXPECT_EQ(layout_for(500, 480, true, true).charts.width, 0);

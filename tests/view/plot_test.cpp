@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "support/paths.hpp"
 #include "view/rub.hpp"
+#include "view/run_title.hpp"
 
 namespace fingerpad::test {
 namespace {
@@ -33,6 +34,11 @@ TEST(Plot, SvgHoldsItsLabelsAsText) {
   EXPECT_THAT(svg, HasSubstr("stroke-dasharray"));
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   EXPECT_EQ(svg.find("inf"), std::string::npos);
+}
+
+TEST(RunTitle, TellsAWindowWhatVariesInASet) {
+  EXPECT_EQ(varied_words("t: knob.stl \xC2\xB7 job 3 \xC2\xB7 mu_static 0.3"), "job 3, mu_static 0.3");
+  EXPECT_EQ(varied_words("t: knob.stl"), "");
 }
 
 TEST(Plot, SvgIsTheSameTwiceAndKeepsWithinItsPage) {

@@ -44,6 +44,16 @@ TEST(TouchSeries, RunsAlongTheDirectionOfTheRub) {
   EXPECT_NEAR(series.speed_m_per_s[1], 0.01 * 2 * pi, 1e-5);
 }
 
+TEST(ShownSpeed, IsTheFingersOwnInTheAirAndTangentialInContact) {
+  TickRecord before, row;
+  row.t_s = 0.01;
+  row.p_WQ = Vec3(0, 3e-4, 4e-4);
+  EXPECT_NEAR(shown_speed(before, row), 0.05, 1e-12);
+  const auto rows = plane_rub(Vec3::UnitX());
+  EXPECT_EQ(shown_speed(rows[0], rows[1]), tangential_speed(rows[0], rows[1]));
+  EXPECT_TRUE(std::isnan(shown_speed(row, row))) << "no time has passed";
+}
+
 TEST(TouchSeries, NamesAWorldAxisAndKeepsItsCoordinate) {
   const auto rows = plane_rub(Vec3::UnitY());
   const TouchSeries series = touch_series(rows, main_direction(rows));

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
+#include "view/overlay_hud.hpp"
+#include "view/pixel_statistics.hpp"
 #include "view/png_vtk.hpp"
 #include "view/rub.hpp"
 #include "view/screen.hpp"
@@ -35,6 +39,88 @@ TEST(Stage, PaintsTheValueThatTheMouseAsksFor) {
   stage.render();
   // A box of a dozen letters.
   EXPECT_GT(pixels_that_differ(before, pixels_of(stage.window())), 500);
+}
+
+TEST(Stage, OfALiveTouchShowsThePartBesideTheReadings) {
+  const VirtualScreen screen;
+  ViewInput input = torus_rub(0);
+  input.rows.clear();
+  Stage stage(input, 1280, 800, true, false);
+  const auto hidden = [&] {
+    int count = 0;
+    const Box& scene = stage.layout().scene;
+    for (double y = scene.bottom + 5; y < scene.top(); y += 10) {
+      for (double x = scene.left + 5; x < scene.left + readings_width_em * stage.layout().em; x += 10) {
+        const auto [near, far] = stage.line_of_sight(x, y);
+        count += stage.world().first_hit(near, far).has_value();
+      }
+    }
+    return count;
+  };
+  ASSERT_GT(hidden(), 10);
+  stage.keep_clear_of_readings();
+  EXPECT_EQ(hidden(), 0);
+  stage.look(*named_look("top"));
+  EXPECT_EQ(hidden(), 0);
+  stage.resize(400, 300);
+  const auto [near, far] = stage.line_of_sight(stage.layout().scene.centre().x(), 20);
+  EXPECT_TRUE(near.allFinite() && far.allFinite());
+}
+
+TEST(Readings, OfASmallSceneAreBriefAndNeedNoLegend) {
+  OverlayFacts facts;
+  facts.row.emplace();
+  facts.readings = {{"median tick", "2 us"}};
+  facts.tick_bars.heights = {1};
+  const Vec2 whole = readings_size(facts, 9);
+  facts.brief = true;
+  EXPECT_LT(readings_size(facts, 9).y(), 0.35 * whole.y());
+  EXPECT_EQ(legend_size(facts, {}, 9), Vec2(0, 0));
+  const VirtualScreen screen;
+  ViewInput input = torus_rub(1);
+  Stage stage(input, 400, 300, true, false);
+  stage.show(input.rows.back(), 0);
+  stage.show_readings({{"median tick", "2 us"}, {"99.9 % of ticks", "9 us"}}, {{1, 1}, "1 us", "2 us"});
+  stage.state().close_up = false;  // which stands elsewhere without them
+  stage.render();
+  const Pixels with = pixels_of(stage.window());
+  stage.state().hud = false;
+  stage.render();
+  // Phase and two forces: a small part of the picture.
+  const long over_the_scene = pixels_that_differ(with, pixels_of(stage.window()));
+  EXPECT_GT(over_the_scene, 1000);
+  EXPECT_LT(over_the_scene, 0.07 * 400 * 300);
+}
+
+TEST(Finger, PressedThroughASmallPartStaysInSight) {
+  ContactMoment moment;
+  moment.row.phase = Phase::stick;
+  moment.row.depth_m = 0.9e-3;
+  moment.row.contact_W = Vec3::Zero();
+  moment.row.normal_W = Vec3::UnitZ();
+  moment.row.p_WQ = Vec3(0, 0, -0.9e-3);
+  const auto lowest_mm = [&](double size_mm) {
+    GlyphChoice choice;
+    choice.size_mm = size_mm;
+    choice.forces = choice.frame = false;
+    double z = 0;
+    for (const Vec3& point : contact_glyphs(moment, {}, choice).clear.points) z = std::min(z, point.z());
+    return z;
+  };
+  EXPECT_NEAR(lowest_mm(3), -0.9, 1e-9) << "of a usual part it is where it is";
+  EXPECT_NEAR(lowest_mm(0.01), -0.01, 1e-9);
+}
+
+TEST(Stage, OfTwoWallsDrawsNoRegionOfOneOfThem) {
+  const ViewInput input = torus_rub(1);
+  TickRecord row = *std::find_if(input.rows.begin(), input.rows.end(),
+                                 [](const TickRecord& one) { return one.phase == Phase::stick; });
+  EXPECT_TRUE(contact_moment(input, row).region);
+  const double reach_m = contact_moment(input, row).region_reach_m;
+  row.walls = 2;
+  EXPECT_FALSE(contact_moment(input, row).region);
+  EXPECT_GT(reach_m, 0);
+  EXPECT_EQ(contact_moment(input, row).region_reach_m, reach_m) << "the close-up shows as much as before";
 }
 
 }  // namespace

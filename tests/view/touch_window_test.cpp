@@ -101,6 +101,25 @@ TEST(TouchWindow, WheelAndKeysChangeTheForceAndSpaceHolds) {
   EXPECT_NEAR(touch.reports.back().press_n, 1.25, 1e-9);
 }
 
+TEST(TouchWindow, AHeldFingerLiftsWhereThePointerLeavesThePartAndLandsWhereItIsBack) {
+  LiveTouch touch;
+  touch.play({{0.1, Kind::move, "", ring_x, ring_y},
+              {0.5, Kind::press, "", ring_x, ring_y},
+              {1.5, Kind::move, "", 5, 30},
+              {2.3, Kind::move, "", ring_x, ring_y}},
+             3.2);
+  ASSERT_FALSE(touch.reports.empty());
+  bool pressed = false, lifted = false;
+  for (std::size_t i = 0; i < touch.reports.size(); ++i) {
+    const bool presses = touch.reports[i].pressing, touches = touch.latest[i].phase != Phase::free;
+    if (presses && touches) pressed = true;
+    if (pressed && !presses && !touches) lifted = true;
+  }
+  EXPECT_TRUE(pressed);
+  EXPECT_TRUE(lifted);
+  EXPECT_TRUE(touch.reports.back().pressing) << "the button is held still";
+}
+
 TEST(TouchWindow, DrawingDoesNotHoldTheServoUp) {
   LiveTouch touch;
   touch.play({}, 1.5);
