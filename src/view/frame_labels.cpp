@@ -59,7 +59,7 @@ std::vector<OverlayFacts::Label> frame_labels(std::span<const NamedAxis> axes,
       return box.width > 0 && meet(at, half, box.centre(), {box.width / 2, box.height / 2});
     };
     const auto covers = [&](const OverlayFacts::Label& label) {
-      return meet(at, half, label.at, half_size(label.words, em));
+      return meet(at, clear, label.at, half_size(label.words, em));
     };
     return within.holds(at.x(), at.y()) && std::none_of(boxes.begin(), boxes.end(), hides) &&
            std::none_of(labels.begin(), labels.end(), covers) &&

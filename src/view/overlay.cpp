@@ -106,7 +106,10 @@ class OverlayPainter {
       const Vec2 along = facts_.axes_px.col(axis).head<2>();
       const Colour colour = facts_.axes_px(2, axis) < -0.2 ? colours::grey : colours::ink;
       drawing_.line(middle, middle + along * 2.0 * em_, {colour, 0.15 * em_});
-      drawing_.text(middle + along * 2.7 * em_, names[axis],
+      // Of an axis seen from its end the letter stands beside the corner of the others.
+      const bool from_its_end = along.norm() < 0.25;
+      const Vec2 place = from_its_end ? Vec2(-0.7 * em_, -0.7 * em_) : Vec2(along * 2.7 * em_);
+      drawing_.text(middle + place, names[axis],
                     {.size = em_, .colour = colour, .across = Across::centre, .upright = Upright::middle});
     }
     if (!(facts_.px_per_mm > 0)) return;

@@ -46,6 +46,22 @@ TEST(Picture, ShowsPartChartsAndTimeLine) {
   EXPECT_GT(share_drawn(pixels, layout.title), 0.003);
 }
 
+TEST(Picture, OfASmallWindowShowsAllOfIt) {
+  const Pixels pixels = view_pixels(torus_rub(), 640, 480, sticks_at_s, {});
+  const Layout layout = layout_for(640, 480, true, true);
+  EXPECT_GT(share_drawn(pixels, layout.scene), 0.35);
+  EXPECT_GT(share_drawn(pixels, layout.charts), 0.1);
+  EXPECT_GT(share_of(pixels, layout.charts, colours::white), 0.1);
+  EXPECT_GT(share_drawn(pixels, layout.timeline), 0.01);
+  EXPECT_GT(share_drawn(pixels, layout.title), 0.003);
+  // The axes in the corner and the scale bar beside them, over the scene's ground.
+  const double em = layout.em;
+  const Box corner{layout.scene.right() - 7 * em, layout.scene.bottom + em, 6.5 * em, 6 * em};
+  const double ink = share_of(pixels, corner, colours::ink);
+  EXPECT_GT(ink, 0.005);
+  EXPECT_LT(ink, 0.2) << "nothing lies over them";
+}
+
 TEST(Picture, ColoursThePhase) {
   const Layout layout = layout_for(800, 600, true, true);
   const double em = layout.em;
