@@ -18,7 +18,9 @@ Vec3 any_tangent(const Vec3& normal) noexcept {
 /// @param y  unit, across `normal`
 Mat3 frame_of(const Vec3& y, const Vec3& normal) noexcept {
   Mat3 frame;
-  frame << y.cross(normal), y, normal;
+  frame.col(0) = y.cross(normal);
+  frame.col(1) = y;
+  frame.col(2) = normal;
   return frame;
 }
 
@@ -51,8 +53,11 @@ Mat3 transported(const Mat3& frame, const Vec3& normal) noexcept {
   if (cosine < -1 + 1e-12) return tangent_frame(normal, -y);
   // The smallest rotation of a vector across `from`.
   const Vec3 turned = y - (from + normal) * (normal.dot(y) / (1 + cosine));
-  // Orthonormal again: rounding does not build up over a long contact.
-  return frame_of((turned - normal * normal.dot(turned)).normalized(), normal);
+  // Orthonormal again: rounding does not build up over a long contact. What is so near to 1 in length as a
+  // turned axis is made unit by one of Newton's steps, without a root or a division.
+  const Vec3 across = turned - normal * normal.dot(turned);
+  const double beyond = across.squaredNorm() - 1;
+  return frame_of(std::abs(beyond) < 1e-8 ? Vec3((1 - 0.5 * beyond) * across) : across.normalized(), normal);
 }
 
 Vec3 surface_displacement(const Vec3& c, const Vec3& normal_c, const Vec3& s, const Vec3& normal_s) noexcept {

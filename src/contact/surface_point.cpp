@@ -28,6 +28,19 @@ SurfacePoint nearest(const TriangleTree& tree, const Vec3& p_P, Normals normals,
   return surface_point_at(tree, found, p_P, normals, reach_m);
 }
 
+/// The facet that q lies on, to rounding, some edges away from triangle t; -1: not found.
+int facet_around(const Part& part, int t, const Vec3& q) noexcept {
+  constexpr int most_edges = 8;
+  for (int k = 0; k < most_edges && t >= 0; ++k) {
+    const double height_m = part.facet_normals.col(t).dot(q - part.vertices.col(part.triangles(0, t)));
+    if (!(std::abs(height_m) <= 1e-12 * part.size_m())) return -1;
+    Vec3 foot;
+    if (find_foot_on_face(part, t, q, foot)) return t;
+    t = part.neighbours(edge_farthest_behind(part, t, q), t);
+  }
+  return -1;
+}
+
 }  // namespace
 
 SurfacePoint surface_point_at(const TriangleTree& tree, const ClosestTriangle& found, const Vec3& p_P,
@@ -65,24 +78,21 @@ Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Nor
   return normals->shade(tree, t, at, facet_normal_P);
 }
 
-SurfacePoint point_on_facet(const TriangleTree& tree, int t, const Vec3& p_P, Normals normals) noexcept {
-  SurfacePoint result;
-  if (normals->own_surface != nullptr) return result;
-  const Part& part = tree.part();
+FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept {
   const Vec3 q = p_P - part.centre_P;
-  TriangleApproach foot = approach_triangle(part, t, q);
-  if (is_edge(foot.at.feature)) {
-    t = part.neighbours(edge_of(foot.at.feature), t);
-    if (t < 0) return result;
-    foot = approach_triangle(part, t, q);
+  Vec3 foot;
+  if (!find_foot_on_face(part, t, q, foot)) {
+    const Feature feature = approach_triangle(part, t, q).at.feature;
+    const int across = is_edge(feature) ? part.neighbours(edge_of(feature), t) : -1;
+    if (across >= 0 && find_foot_on_face(part, across, q, foot)) {
+      t = across;
+    } else {
+      t = facet_around(part, t, q);
+      if (t < 0) return {};
+      foot = q;
+    }
   }
-  if (foot.at.feature != Feature::face) return result;
-  result.triangle = t;
-  result.point_P = part.centre_P + foot.at.point;
-  result.pseudonormal_P = part.facet_normals.col(t);
-  result.normal_P = shaded_normal(tree, t, foot.at, normals, result.pseudonormal_P);
-  result.signed_distance_m = result.pseudonormal_P.dot(q - foot.at.point);
-  return result;
+  return {part.centre_P + foot, t};
 }
 
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,

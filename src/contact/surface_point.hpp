@@ -46,11 +46,17 @@ SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, No
 SurfacePoint surface_point_at(const TriangleTree& tree, const ClosestTriangle& closest, const Vec3& p_P,
                               Normals normals, double reach_m) noexcept;
 
+/// A point of a facet.
+struct FacetFoot {
+  Vec3 point_P = Vec3::Zero();
+  int triangle = -1;  ///< -1: there is none
+};
+
 /// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that;
-/// `triangle` is -1 where neither has one, and for normals with a surface of their own. No other
-/// triangle is looked at: one may be nearer.
+/// or of a facet some edges on, where p_P lies on its plane. None where these have none. No other triangle is
+/// looked at: of one across a single edge another may be nearer.
 /// noexcept, allocates nothing.
-SurfacePoint point_on_facet(const TriangleTree& tree, int t, const Vec3& p_P, Normals normals) noexcept;
+FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept;
 
 /// The normal at a point of triangle t of the tree's part as `normals` says: the facet rule's where that is
 /// asked for, and at creases and sharp vertices.

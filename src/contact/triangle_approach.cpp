@@ -1,6 +1,8 @@
 #include "contact/triangle_approach.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace fingerpad {
@@ -47,7 +49,47 @@ TrianglePoint on_edge(const EdgeFoot& foot) noexcept {
   return p;
 }
 
+/// What share of a triangle lies opposite to each corner, seen from a point's foot: all above 0 over the
+/// face.
+struct FaceShares {
+  double a, b, c;             ///< twice the areas [m^2]
+  double area_m2, sides2_m2;  ///< their sum; the sides' squares
+
+  FaceShares(const Vec3& corner_a, const Vec3& corner_b, const Vec3& corner_c, const Vec3& normal,
+             const Vec3& q) noexcept {
+    const Vec3 ab = corner_b - corner_a, bc = corner_c - corner_b, ca = corner_a - corner_c;
+    c = normal.dot(ab.cross(q - corner_a));
+    a = normal.dot(bc.cross(q - corner_b));
+    b = normal.dot(ca.cross(q - corner_c));
+    area_m2 = a + b + c;
+    sides2_m2 = ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm();
+  }
+
+  bool are_of_face() const noexcept {
+    return a > 0 && b > 0 && c > 0 && area_m2 > least_area_share * sides2_m2;
+  }
+};
+
 }  // namespace
+
+bool find_foot_on_face(const Part& part, int t, const Vec3& q, Vec3& foot) noexcept {
+  const auto corner = [&part, t](int k) { return part.vertices.col(part.triangles(k, t)); };
+  const Vec3 a = corner(0), b = corner(1), c = corner(2), normal = part.facet_normals.col(t);
+  if (!FaceShares(a, b, c, normal, q).are_of_face()) return false;
+  foot = q - normal.dot(q - a) * normal;
+  return true;
+}
+
+int edge_farthest_behind(const Part& part, int t, const Vec3& q) noexcept {
+  const TriangleCorners f = corners_of(part, t);
+  const FaceShares shares(f.a, f.b, f.c, f.normal, q);
+  const std::array<double, 3> of_edge{shares.c, shares.a, shares.b};
+  return static_cast<int>(std::min_element(of_edge.begin(), of_edge.end()) - of_edge.begin());
+}
+
+bool has_face(const TriangleCorners& f) noexcept {
+  return FaceShares(f.a, f.b, f.c, f.normal, (f.a + f.b + f.c) / 3).are_of_face();
+}
 
 TriangleCorners corners_of(const Part& part, int t) noexcept {
   return {part.vertices.col(part.triangles(0, t)), part.vertices.col(part.triangles(1, t)),
@@ -55,27 +97,23 @@ TriangleCorners corners_of(const Part& part, int t) noexcept {
 }
 
 TriangleApproach approach_triangle(const TriangleCorners& f, const Vec3& q) noexcept {
-  const Vec3 &normal = f.normal, ab = f.b - f.a, bc = f.c - f.b, ca = f.a - f.c;
-  const Vec3 aq = q - f.a, bq = q - f.b, cq = q - f.c;
-  const double c_share = normal.dot(ab.cross(aq)), a_share = normal.dot(bc.cross(bq)),
-               b_share = normal.dot(ca.cross(cq));
-  const double area = a_share + b_share + c_share,
-               sides2 = ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm();
+  const Vec3& normal = f.normal;
+  const FaceShares shares(f.a, f.b, f.c, normal, q);
   TriangleApproach result;
-  if (a_share > 0 && b_share > 0 && c_share > 0 && area > least_area_share * sides2) {
-    const double height = normal.dot(aq);
+  if (shares.are_of_face()) {
+    const double height = normal.dot(q - f.a);
     result.at.point = q - height * normal;
     result.at.distance2_m2 = height * height;
-    result.at.barycentric = Vec3(a_share, b_share, c_share) / area;
+    result.at.barycentric = Vec3(shares.a, shares.b, shares.c) / shares.area_m2;
     result.distance_m = std::abs(height);
     result.towards = height < 0 ? Vec3(-normal) : normal;
     return result;
   }
-  const bool every = !(area > regular_area_share * sides2);
+  const bool every = !(shares.area_m2 > regular_area_share * shares.sides2_m2);
   EdgeFoot best;
-  if (every || !(c_share > 0)) offer_edge(f.a, f.b, 0, q, best);
-  if (every || !(a_share > 0)) offer_edge(f.b, f.c, 1, q, best);
-  if (every || !(b_share > 0)) offer_edge(f.c, f.a, 2, q, best);
+  if (every || !(shares.c > 0)) offer_edge(f.a, f.b, 0, q, best);
+  if (every || !(shares.a > 0)) offer_edge(f.b, f.c, 1, q, best);
+  if (every || !(shares.b > 0)) offer_edge(f.c, f.a, 2, q, best);
   result.at = on_edge(best);
   result.distance_m = std::sqrt(result.at.distance2_m2);
   result.towards = result.distance_m > 0 ? Vec3((q - result.at.point) / result.distance_m) : normal;

@@ -20,9 +20,21 @@ struct TriangleCorners {
 
 TriangleCorners corners_of(const Part& part, int t) noexcept;
 
+/// Whether a triangle is more than its edges: else no point of it counts as one of its face.
+bool has_face(const TriangleCorners& triangle) noexcept;
+
 /// The closest point of triangle t to q, relative to the part's centre, without the ties' bookkeeping of
 /// closest_on_triangle: exact to rounding. noexcept, allocates nothing.
 TriangleApproach approach_triangle(const Part& part, int t, const Vec3& q) noexcept;
 TriangleApproach approach_triangle(const TriangleCorners& triangle, const Vec3& q) noexcept;
+
+/// The same, where the closest point is on the face and no more than the point is wanted.
+/// @param foot  written where it is
+/// @returns     whether it is
+bool find_foot_on_face(const Part& part, int t, const Vec3& q, Vec3& foot) noexcept;
+
+/// The edge of triangle t, as Part::neighbours counts them, beyond which a place beside it lies: of two that
+/// with the larger triangle between.
+int edge_farthest_behind(const Part& part, int t, const Vec3& q) noexcept;
 
 }  // namespace fingerpad

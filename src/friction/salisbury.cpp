@@ -36,12 +36,9 @@ class Salisbury final : public FrictionLaw {
   Friction jumped_within(const BoundedMotion& m, const PlaneVector& before,
                          FrictionState& state) const noexcept {
     const CircleSpring spring{1, stiffness_n_per_m_};
-    const CoulombSlide slide{m.mu_static() * m.normal_force_n(), m.mu_dynamic() * m.normal_force_n(), huge,
-                             true};
-    StickWay way;
-    way.ratio = spring.ratio_of(before);
-    way.now = spring.ratio_of(m.step_m());
-    const StickEnd end = StickWalk(spring, slide, way).run(Phase::stick, 0);
+    const StickEnd end =
+        walk_of_teeth(spring.ratio_of(before), spring.ratio_of(m.step_m()),
+                      m.mu_dynamic() * m.normal_force_n(), m.mu_static() * m.normal_force_n());
     return jumped_to(end.ratio, end.ruptures, state);
   }
 

@@ -48,20 +48,6 @@ double TickVelocity::rises_above(double limit_m_per_s, double share) const noexc
   return std::clamp(passes_of(*this, limit_m_per_s).outwards - 0.5, share, 0.5);
 }
 
-double rupture_share(const PlaneVector& q, const PlaneVector& p, double limit, double left) noexcept {
-  // Rounding of a spring that was set exactly on the limit must not break the stick.
-  constexpr double rounding = 1 + 1e-12;
-  if (!is_longer(q + left * p, limit * rounding)) return TickVelocity::never;
-  if (is_longer(q, limit)) return 0;
-  // |q + s p|^2 = limit^2, in units of the limit so that no square overflows or vanishes.
-  const double unit = std::max(limit, 1e-140);
-  const PlaneVector from = q / unit, way = p / unit;
-  const double a = way.square(), b = from.dot(way), c = std::min(0.0, from.square() - 1);
-  const double root = std::sqrt(b * b - a * c);
-  const double share = b > 0 ? -c / (b + root) : (root - b) / a;
-  return share >= 0 && share <= left ? share : (share > left ? left : 0);
-}
-
 Teeth many_teeth(const PlaneVector& q, const PlaneVector& way, double low, double high) noexcept {
   const Polar from = polar(q), along = polar(way);
   if (along.length == 0) return {q, 0};

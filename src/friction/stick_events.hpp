@@ -30,6 +30,10 @@ struct TickVelocity {
   /// @pre not above it at `share`
   double rises_above(double limit_m_per_s, double share) const noexcept;
 
+  /// Whether the speed is nowhere above the limit: a ball of velocities holds the way between two of its own.
+  bool is_nowhere_above(double limit_m_per_s) const noexcept {
+    return !is_longer(now_m_per_s, limit_m_per_s) && !is_longer(before_m_per_s, limit_m_per_s);
+  }
   /// Whether the speed stays above the limit from one middle to the other; false also where that is not plain
   /// to see. |before + u (now - before)|^2 is a mean, with weights (1-u)^2, 2 u (1-u) and u^2, of these
   /// three.
@@ -43,7 +47,25 @@ struct TickVelocity {
 /// A force ratio q on its way through a tick: q + s p after the share s.
 /// @returns the share at which |q| passes the limit outwards, 0 where it is beyond already; `never` where it
 /// is not passed within `left`
-double rupture_share(const PlaneVector& q, const PlaneVector& p, double limit, double left) noexcept;
+inline double rupture_share(const PlaneVector& q, const PlaneVector& p, double limit, double left) noexcept {
+  // Rounding of a spring that was set exactly on the limit must not break the stick.
+  constexpr double rounding = 1 + 1e-12;
+  if (!is_longer(q + left * p, limit * rounding)) return TickVelocity::never;
+  if (is_longer(q, limit)) return 0;
+  // |q + s p|^2 = limit^2, in units of the limit so that no square overflows or vanishes.
+  const double unit = std::max(limit, 1e-140);
+  const PlaneVector from = q / unit, way = p / unit;
+  const double a = way.square(), b = from.dot(way), c = std::min(0.0, from.square() - 1);
+  const double root = std::sqrt(b * b - a * c);
+  const double share = b > 0 ? -c / (b + root) : (root - b) / a;
+  return share >= 0 && share <= left ? share : (share > left ? left : 0);
+}
+
+/// What a spring that has ruptured at `high` falls to, along itself.
+/// @param passed  the rupture_share: above 0 q stands on the limit, so that its length need not be told anew
+inline PlaneVector fallen(const PlaneVector& q, double passed, double low, double high) noexcept {
+  return passed > 0 ? (low / high) * q : low * direction_of(q);
+}
 
 /// A sawtooth over the rest of a way, each tooth from |q| = low to |q| = high and back along q.
 struct Teeth {

@@ -55,11 +55,27 @@ inline Friction touch_down(const BoundedMotion& m, const Spring& spring, Frictio
   return answer;
 }
 
+/// Teeth alone: in stick at the start, slow to the end, and holding again at once (`restick = "level"`).
+template <typename Spring>
+[[gnu::noinline]] Friction toothed(const BoundedMotion& m, const Spring& spring,
+                                   FrictionState& state) noexcept {
+  const BoundedState last(state);
+  const double mu_static = m.mu_static();
+  const StickEnd end = walk_of_teeth(spring.ratio_of(last.stretch_m()), spring.ratio_of(m.step_m()),
+                                     spring.ratio_at(m.mu_dynamic(), mu_static), mu_static);
+  Friction answer = spring_force(m, spring, end.ratio, spring.stretch_of(end.ratio), Phase::stick, state);
+  answer.centre_moved = end.centre_moved;
+  answer.ruptures = end.ruptures;
+  state.event_share = end.last_event;
+  return answer;
+}
+
 /// A tick that may hold an event, read as a straight way through it (`events = "exact"`).
 template <typename Spring>
 [[gnu::noinline]] Friction walked(const BoundedMotion& m, const Spring& spring, const StickRule& rule,
-                                  const Polar& v, FrictionState& state) noexcept {
+                                  FrictionState& state) noexcept {
   const BoundedState last(state);
+  const Polar v = polar(m.velocity_m_per_s());
   StickWay way;
   way.ratio = spring.ratio_of(last.stretch_m());
   way.before = spring.ratio_of(last.last_step_m());
@@ -93,8 +109,9 @@ template <typename Spring>
 /// restick at the force of the last slip tick as it was written.
 template <typename Spring>
 [[gnu::noinline]] Friction ticked(const BoundedMotion& m, const Spring& spring, const StickRule& rule,
-                                  const Polar& v, FrictionState& state) noexcept {
+                                  FrictionState& state) noexcept {
   const BoundedState last(state);
+  const Polar v = polar(m.velocity_m_per_s());
   const bool is_fast = v.length > rule.v_min_m_per_s;
   const PlaneVector moved = spring.ratio_of(last.stretch_m() + m.step_m());
   state.event_share = 0;
@@ -127,30 +144,32 @@ template <typename Spring>
                                                   const StickRule& rule, FrictionState& state) noexcept {
   const BoundedMotion m(motion);
   const BoundedState last(state);
-  const Polar v = polar(m.velocity_m_per_s());
+  const TickVelocity velocity{last.last_velocity_m_per_s(), m.velocity_m_per_s()};
   Friction answer;
-  bool is_done = false;
+  bool is_done = false, is_toothed = false;
   if (state.phase == Phase::stick) {
     const PlaneVector stretch_m = last.stretch_m() + m.step_m();
     const PlaneVector ratio = spring.ratio_of(stretch_m);
     is_done = !is_longer(ratio, m.mu_static() * rounding) && !(state.event_share > 0.5);
     if (is_done) answer = spring_force(m, spring, ratio, stretch_m, Phase::stick, state);
+    is_toothed = rule.restick == Restick::level && rule.events == Events::exact &&
+                 velocity.is_nowhere_above(rule.v_min_m_per_s);
   } else if (state.phase == Phase::slip) {
-    const TickVelocity velocity{last.last_velocity_m_per_s(), m.velocity_m_per_s()};
     is_done = velocity.is_plainly_above(rule.v_min_m_per_s);
-    if (is_done) answer = slip(m, spring, v.direction, state);
+    if (is_done) answer = slip(m, spring, direction_of(velocity.now_m_per_s), state);
   } else {
     is_done = true;
     answer = touch_down(m, spring, state);
   }
   if (is_done) {
     state.event_share = 0;
+  } else if (is_toothed) {
+    answer = toothed(m, spring, state);
   } else {
-    answer =
-        rule.events == Events::exact ? walked(m, spring, rule, v, state) : ticked(m, spring, rule, v, state);
+    answer = rule.events == Events::exact ? walked(m, spring, rule, state) : ticked(m, spring, rule, state);
   }
   state.phase = answer.phase;
-  state.last_velocity_m_per_s = m.velocity_m_per_s();
+  state.last_velocity_m_per_s = velocity.now_m_per_s;
   state.last_step_m = m.step_m();
   return answer;
 }

@@ -35,10 +35,20 @@ struct StickEnd {
   bool centre_moved = false;  ///< stick has begun anew
 };
 
+/// Ruptures and resticks that a walk carries out one by one; what is left of its teeth it takes at once.
+inline constexpr int most_stick_events = 64;
+
+/// The walk of a spring alone: wherever it ruptures it gives way along itself, from |q| = high to low, and
+/// holds again at once. That is a tick which begins in stick and is slow to its end, of a law that sticks at
+/// once and slides with the same force at any speed: then it is StickWalk's answer, to the bit, for less.
+/// @param ratio  q at the start of the tick
+/// @param way    how far q would move over the tick
+StickEnd walk_of_teeth(PlaneVector ratio, const PlaneVector& way, double low, double high) noexcept;
+
 /// The walk through one tick's events, each at its own place (DESIGN: over a tick the motion is a straight
 /// line): rupture is where |q| passes mu_s, restick where the speed falls to v_min. A fall within the second
 /// half of the last tick shows only now: it is carried out at its own place too, before this tick begins.
-/// Bounded: after 64 events the rest of the teeth is taken at once.
+/// Bounded: after most_stick_events the rest of the teeth is taken at once.
 template <typename Spring, typename Slide>
 class StickWalk {
  public:
@@ -52,7 +62,7 @@ class StickWalk {
     end_.ratio = way_.ratio;
     begin(last_event);
     for (int events = 0; share_ < 1; ++events) {
-      if (events == most_events) {
+      if (events == most_stick_events) {
         take_the_rest();
         break;
       }
@@ -66,8 +76,6 @@ class StickWalk {
   }
 
  private:
-  static constexpr int most_events = 64;
-
   void begin(double last_event) noexcept {
     // A tick that was slow already has been judged in its own time.
     const bool was_fast = is_longer(way_.velocity.before_m_per_s, slide_.restick_m_per_s);
@@ -114,7 +122,7 @@ class StickWalk {
       return;
     }
     // Slow: it gives way along the spring, and holds again at once.
-    end_.ratio = low() * direction_of(end_.ratio);
+    end_.ratio = fallen(end_.ratio, passed, low(), slide_.mu_static);
     end_.centre_moved = true;
   }
 

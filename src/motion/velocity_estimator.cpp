@@ -27,13 +27,11 @@ double VelocityEstimator::axis_velocity(int axis) const noexcept {
   return velocity;
 }
 
-Vec3 VelocityEstimator::next(const Vec3& position_m) noexcept {
-  const Vec3 last_m = ring_[static_cast<std::size_t>(newest_)];
+Vec3 VelocityEstimator::next_of_quanta(const Vec3& position_m) noexcept {
   newest_ = (newest_ + 1) % (longest + 1);
   ring_[static_cast<std::size_t>(newest_)] = position_m;
   count_ = std::min(count_ + 1, longest + 1);
   if (count_ < 2) return Vec3::Zero();
-  if (!(quantum_m_ > 0)) return (position_m - last_m) / dt_s_;
   return {axis_velocity(0), axis_velocity(1), axis_velocity(2)};
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 
 #include "base/types.hpp"
 
@@ -21,13 +22,19 @@ class VelocityEstimator {
 
   /// Takes the position of this tick; its velocity [m/s]. Zero at the first. O(longest window), allocates
   /// nothing.
-  Vec3 next(const Vec3& position_m) noexcept;
+  Vec3 next(const Vec3& position_m) noexcept {
+    if (quantum_m_ > 0) return next_of_quanta(position_m);
+    const Vec3 last_m = std::exchange(ring_[0], position_m);
+    if (std::exchange(count_, 1) == 0) return Vec3::Zero();
+    return (position_m - last_m) / dt_s_;
+  }
   void reset() noexcept { count_ = 0; }
 
  private:
   /// Ticks in the longest window: at 10 kHz and 0.03 mm it resolves 0.005 m/s.
   static constexpr int longest = 64;
 
+  Vec3 next_of_quanta(const Vec3& position_m) noexcept;
   double axis_velocity(int axis) const noexcept;
   double past(int axis, int ticks) const noexcept;
 

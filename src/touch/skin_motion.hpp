@@ -1,6 +1,5 @@
 #pragma once
 
-#include "fingerpad/finger_sample.hpp"
 #include "fingerpad/surface_properties.hpp"
 #include "friction/law.hpp"
 #include "touch/wall.hpp"
@@ -17,13 +16,19 @@ struct SkinMotion {
   bool turns = false;                  ///< whether that is anything
 };
 
+/// How the finger stands in a tick, as friction reads it.
+struct FingerStand {
+  Vec3 p_WQ;         ///< Q [m]
+  Vec3 direction_W;  ///< unit
+  Vec3 push_W_n;     ///< what pushes it [N], finite
+};
+
 /// What a wall's friction law is told: the skin's motion in the wall's frame, and how the finger lies on it.
 /// The step is P_n of the finger's displacement and of what the skin rolls by, turn x (S - Q); never the way
 /// of the contact point S (DESIGN, "Friction in one place"). Zero where the wall has only now been touched.
 /// @param frame_WC  of the wall: Cx, Cy, and Cz its normal
-/// @param sample    its direction of unit length
 /// @param inclination_rad  of its direction to the wall
-TangentialMotion tangential_motion(const SkinMotion& skin, const FingerSample& sample, const Wall& wall,
+TangentialMotion tangential_motion(const SkinMotion& skin, const FingerStand& finger, const Wall& wall,
                                    const SurfaceProperties& surface, const Mat3& frame_WC,
                                    double inclination_rad, bool is_touched_anew) noexcept;
 

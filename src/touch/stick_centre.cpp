@@ -1,5 +1,7 @@
 #include "touch/stick_centre.hpp"
 
+#include <cmath>
+
 #include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
@@ -11,20 +13,27 @@ constexpr long most_looks = 2000;
 }  // namespace
 
 void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W,
-                        Normals normals, int contact_triangle) noexcept {
+                        Normals normals, int contact_triangle, FacetAtHand& facet) noexcept {
   const Vec3 target = contact_W - stretch_W;
   drag(target);
-  const double distance = stretch_W.norm();
-  if (surface.is_plane() || !(distance > 0)) return;
-  // Mostly the centre comes to lie on the facet that S is on: then nothing need be searched.
+  const double distance2 = stretch_W.squaredNorm();
+  if (surface.is_plane() || !(distance2 > 0)) return;
+  const auto put = [&](const Vec3& near) {
+    if ((near - target).squaredNorm() < distance2) point_W_ = near;
+  };
+  // Mostly the centre comes to lie on the facet that S is on, or near it: then nothing need be searched.
   // Where a surface of the normals' own stands for the facets it must be; shading moves no point.
-  const Normals place_only = normals->own_surface == nullptr ? Normals::facet : normals;
-  WorldPoint near = nearest_on_facet(surface, contact_triangle, target, place_only);
-  if (!near.found) {
-    BriefSearch search{most_looks, contact_triangle};
-    near = nearest_point(surface, target, place_only, search, distance);
+  const bool is_on_facets = normals->own_surface == nullptr;
+  if (is_on_facets && contact_triangle >= 0) {
+    Vec3 foot;
+    facet.take(surface, contact_triangle);
+    if (facet.find_foot(target, foot)) return put(foot);
+    if (const auto near = point_on_facet(surface, contact_triangle, target)) return put(*near);
   }
-  if (near.found && (near.point_W - target).norm() < distance) drag(near.point_W);
+  BriefSearch search{most_looks, contact_triangle};
+  const WorldPoint near =
+      nearest_point(surface, target, is_on_facets ? Normals::facet : normals, search, std::sqrt(distance2));
+  if (near.found) put(near.point_W);
 }
 
 }  // namespace fingerpad

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/placed_surface.hpp"
+#include "contact/facet_at_hand.hpp"
 
 namespace fingerpad {
 
@@ -17,8 +17,14 @@ class StickCentre {
   /// @param normals    as the contact's own
   /// @param contact_triangle  index into Part::triangles of where S lies: the search starts there; -1:
   /// unknown
+  /// @param facet     where one is kept from stick to stick: the one that S was on last
   void place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W, Normals normals,
-             int contact_triangle = -1) noexcept;
+             int contact_triangle, FacetAtHand& facet) noexcept;
+  void place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W, Normals normals,
+             int contact_triangle = -1) noexcept {
+    FacetAtHand facet;
+    place(surface, contact_W, stretch_W, normals, contact_triangle, facet);
+  }
   /// A centre that a law drags along in the tangent plane.
   void drag(const Vec3& point_W) noexcept {
     is_set_ = true;

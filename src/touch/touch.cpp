@@ -101,9 +101,9 @@ double Touch::press(double measured_n, double model_n) noexcept {
 }
 
 Friction Touch::rub(const Wall& wall, double share_of_push, double inclination_rad, const SkinMotion& skin,
-                    const FingerSample& sample, WallMemory& memory) const noexcept {
+                    const FingerStand& finger, WallMemory& memory) noexcept {
   const Phase before = memory.friction.phase;
-  TangentialMotion motion = tangential_motion(skin, sample, wall, surface_of(wall).properties,
+  TangentialMotion motion = tangential_motion(skin, finger, wall, surface_of(wall).properties,
                                               memory.frame_WC, inclination_rad, before == Phase::free);
   motion.normal_force_n = wall.normal_force_n;
   motion.applied_force_n *= share_of_push;
@@ -112,14 +112,14 @@ Friction Touch::rub(const Wall& wall, double share_of_push, double inclination_r
   const Vec3 stretch_W = memory.frame_WC.leftCols<2>() * friction.stretch_m;
   // Put on the surface where stick begins; a centre that a law drags along tick by tick needs no search.
   if (before != Phase::stick || friction.ruptures > 0) {
-    memory.centre.place(surface_of(wall), wall.point_W, stretch_W, normals_, wall.triangle);
+    memory.centre.place(surface_of(wall), wall.point_W, stretch_W, normals_, wall.triangle, facet_);
   } else {
     memory.centre.drag(wall.point_W - stretch_W);
   }
   return friction;
 }
 
-Touch::Forces Touch::forces(const SkinMotion& skin, const FingerSample& sample, double pushed_n,
+Touch::Forces Touch::forces(const SkinMotion& skin, const FingerStand& finger, double pushed_n,
                             TickRecord& record) noexcept {
   Forces forces;
   forces.pushed_n = pushed_n;
@@ -130,15 +130,15 @@ Touch::Forces Touch::forces(const SkinMotion& skin, const FingerSample& sample, 
     const bool alone = walls_.count == 1;
     const double share_of_push = !alone && pushed_n > 0 ? wall.normal_force_n / pushed_n : 1;
     const double inclined_rad =
-        alone ? record.inclination_rad : inclination_rad(sample.direction_W, wall.normal_W);
-    const Friction friction = rub(wall, share_of_push, inclined_rad, skin, sample, memory);
+        alone ? record.inclination_rad : inclination_rad(finger.direction_W, wall.normal_W);
+    const Friction friction = rub(wall, share_of_push, inclined_rad, skin, finger, memory);
     const bool slips = friction.phase == Phase::slip;
     const Vec3 friction_W_n = memory.frame_WC.leftCols<2>() * friction.force_n;
     (slips ? forces.slip_W_n : forces.stick_W_n) += friction_W_n;
     // By the arm with which turning rolls the skin (tangential_motion): F . v + torque . turn is then the
     // power that friction takes.
     if (radius_m_ > 0)
-      (slips ? forces.slip_W_n_m : forces.stick_W_n_m) += (wall.point_W - sample.p_WQ).cross(friction_W_n);
+      (slips ? forces.slip_W_n_m : forces.stick_W_n_m) += (wall.point_W - finger.p_WQ).cross(friction_W_n);
     forces.any_slips |= slips;
     forces.normal_W_n += (wall.normal_force_n / wall.share_m) * wall.push_m;
     record.ruptures += friction.ruptures;
@@ -169,15 +169,15 @@ void Touch::vibrate(Forces& forces) noexcept {
   forces.normal_W_n *= pressed;
 }
 
-void Touch::answer(const Contact& contact, const FingerSample& given, const SkinMotion& skin,
+void Touch::answer(const Contact& contact, const FingerSample& sample, const SkinMotion& skin,
                    TickRecord& record) noexcept {
-  const FingerSample sample = usable(given, contact.normal_W);
+  const FingerStand finger = stand_of(sample, contact.normal_W);
   find_walls(contact, walls_);
-  memories_.follow(walls_, sample.direction_W);
+  memories_.follow(walls_, finger.direction_W);
   double pushed_n = push(skin.velocity_W);
   if (sample.normal_force_n) pushed_n = press(usable_force_n(*sample.normal_force_n), pushed_n);
-  record.inclination_rad = inclination_rad(sample.direction_W, contact.normal_W);
-  Forces sum = forces(skin, sample, pushed_n, record);
+  record.inclination_rad = inclination_rad(finger.direction_W, contact.normal_W);
+  Forces sum = forces(skin, finger, pushed_n, record);
   if (vibration_) vibrate(sum);
 
   record.depth_m = contact.depth_m;

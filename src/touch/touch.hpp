@@ -52,16 +52,16 @@ class Touch {
   };
 
   SkinMotion skin_motion(const FingerSample& sample) noexcept;
-  void answer(const Contact& contact, const FingerSample& given, const SkinMotion& skin,
+  void answer(const Contact& contact, const FingerSample& sample, const SkinMotion& skin,
               TickRecord& record) noexcept;
   /// Gives each wall its normal force. @returns their sum [N]
   double push(const Vec3& velocity_W) noexcept;
   double press(double measured_n, double model_n) noexcept;
-  Forces forces(const SkinMotion& skin, const FingerSample& sample, double pushed_n,
+  Forces forces(const SkinMotion& skin, const FingerStand& finger, double pushed_n,
                 TickRecord& record) noexcept;
   /// One wall's friction law, and the stick centre that it leaves.
   Friction rub(const Wall& wall, double share_of_push, double inclination_rad, const SkinMotion& skin,
-               const FingerSample& sample, WallMemory& memory) const noexcept;
+               const FingerStand& finger, WallMemory& memory) noexcept;
   void vibrate(Forces& forces) noexcept;
   void release() noexcept;
 
@@ -84,6 +84,7 @@ class Touch {
   FingerSample last_lay_;       ///< how the finger lay then; of a finger with a radius
   Walls walls_;                 ///< of this tick
   WallMemories memories_;
+  FacetAtHand facet_;  ///< that a stick centre came to lie on last
 
   bool unplaced_ = false;  // the last tick found no place where the finger fits
 

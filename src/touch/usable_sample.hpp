@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "fingerpad/finger_sample.hpp"
+#include "touch/skin_motion.hpp"
 
 namespace fingerpad {
 
@@ -26,13 +27,13 @@ inline double usable_force_n(double measured_n) noexcept {
   return measured_n > 0 && measured_n <= largest_meaningful ? measured_n : 0;
 }
 
-/// The sample with a unit direction (straight down the normal where its own is unusable) and a finite push.
-inline FingerSample usable(FingerSample sample, const Vec3& normal_W) noexcept {
+/// How a sample's finger stands, with a unit direction (straight down the normal where its own is unusable) and
+/// a finite push.
+inline FingerStand stand_of(const FingerSample& sample, const Vec3& normal_W) noexcept {
   const double length = sample.direction_W.norm();
-  sample.direction_W =
-      std::isfinite(length) && length > 0 ? Vec3(sample.direction_W / length) : Vec3(-normal_W);
-  if (!meaningful(sample.push_W_n)) sample.push_W_n.setZero();
-  return sample;
+  return {sample.p_WQ,
+          std::isfinite(length) && length > 0 ? Vec3(sample.direction_W / length) : Vec3(-normal_W),
+          meaningful(sample.push_W_n) ? sample.push_W_n : Vec3::Zero()};
 }
 
 }  // namespace fingerpad

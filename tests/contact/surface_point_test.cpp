@@ -237,7 +237,7 @@ TEST(NearestSurfacePoint, ATriangleWithoutAreaInAClosedPartHarmsNoSign) {
   }
 }
 
-TEST(PointOnFacet, IsTheFootOnTheTriangleOrAcrossTheEdge) {
+TEST(FootOnFacet, IsTheFootOnTheTriangleOrAcrossTheEdge) {
   const TriangleTree tree = tree_of(test::torus_soup(1, 0.4, 24, 16));
   const Part& part = tree.part();
   RandomStream random(9);
@@ -246,7 +246,7 @@ TEST(PointOnFacet, IsTheFootOnTheTriangleOrAcrossTheEdge) {
     for (int k = 0; k < 10; ++k) {
       const Vec3 corner = part.vertices.col(part.triangles(k % 3, t));
       const Vec3 q = corner + random_point(random, 0.2);
-      const SurfacePoint s = point_on_facet(tree, t, part.centre_P + q, Normals::smooth);
+      const FacetFoot s = foot_on_facet(part, t, part.centre_P + q);
       const TrianglePoint here = closest_on_triangle(part, t, q);
       const bool is_beyond_edge = here.feature >= Feature::edge0 && here.feature <= Feature::edge2;
       const int across =
@@ -261,14 +261,34 @@ TEST(PointOnFacet, IsTheFootOnTheTriangleOrAcrossTheEdge) {
       ++(expected == t ? own : expected >= 0 ? next : none);
       if (expected < 0) continue;
       const TrianglePoint foot = closest_on_triangle(part, expected, q);
-      const Vec3 facet = part.facet_normals.col(expected);
       ASSERT_LE((s.point_P - part.centre_P - foot.point).norm(), rounding);
-      ASSERT_NEAR(s.signed_distance_m, facet.dot(q - foot.point), rounding);
-      ASSERT_LE((s.normal_P - shaded_normal(tree, expected, foot, Normals::smooth, facet)).norm(), 1e-12);
-      ASSERT_EQ(point_on_facet(tree, t, part.centre_P + q, Normals::curved).triangle, -1);
     }
   }
   EXPECT_GT(std::min({own, next, none}), 300);
+}
+
+TEST(FootOnFacet, OfAPlaneOfFacetsIsFoundSomeEdgesOn) {
+  const Part part = make_part(test::square_soup(1, 8), crease_rad);
+  RandomStream random(10);
+  int far = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const int t = trial % part.triangle_count();
+    const Vec3 corner = part.vertices.col(part.triangles(0, t));
+    const Vec3 q = corner + 0.1 * Vec3(random.normal(), random.normal(), 0);  // an edge is 1/8 long
+    const FacetFoot foot = foot_on_facet(part, t, part.centre_P + q);
+    if ((q.cwiseAbs() - part.half_extent).maxCoeff() > 0) {
+      ASSERT_EQ(foot.triangle, -1);
+      continue;
+    }
+    if (foot.triangle < 0) continue;  // too many edges away
+    ASSERT_EQ(closest_on_triangle(part, foot.triangle, q).feature, Feature::face);
+    ASSERT_LE((foot.point_P - part.centre_P - q).norm(), rounding);
+    if (closest_on_triangle(part, t, q).feature < Feature::vertex0) continue;
+    ++far;
+    const Vec3 above = q + 1e-3 * Vec3::UnitZ();  // where another facet may be nearer
+    ASSERT_EQ(foot_on_facet(part, t, part.centre_P + above).triangle, -1);
+  }
+  EXPECT_GT(far, 500);
 }
 
 TEST(NearestPlanePoint, IsTheFootOfThePerpendicular) {
