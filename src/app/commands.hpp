@@ -24,6 +24,8 @@ void add_plot(CLI::App& program, Action& action);
 void add_export(CLI::App& program, Action& action);
 void add_merge(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
+void add_keys(CLI::App& program, Action& action);
+void add_report(CLI::App& program, Action& action);
 void add_study(CLI::App& program, Action& action);
 
 inline constexpr std::string_view program_version = FINGERPAD_VERSION;

@@ -6,7 +6,9 @@
 #include <sstream>
 
 #include "app/commands.hpp"
+#include "app/manual.hpp"
 #include "app/standard_streams.hpp"
+#include "app/version_words.hpp"
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
 #include "scene/toml_table.hpp"
@@ -15,9 +17,9 @@ namespace {
 
 constexpr fingerpad::AddCommand commands[] = {
     fingerpad::add_check, fingerpad::add_query, fingerpad::add_replay,  fingerpad::add_export,
-    fingerpad::add_study, fingerpad::add_merge, fingerpad::add_compare,
+    fingerpad::add_study, fingerpad::add_merge, fingerpad::add_compare, fingerpad::add_keys,
 #ifdef FINGERPAD_VIEW
-    fingerpad::add_touch, fingerpad::add_view,  fingerpad::add_plot,
+    fingerpad::add_touch, fingerpad::add_view,  fingerpad::add_plot,    fingerpad::add_report,
 #endif
 };
 
@@ -52,11 +54,15 @@ std::string unknown_subcommand(const CLI::App& program, int argc, char** argv) {
 int run(int argc, char** argv) {
   CLI::App program(description, "fingerpad");
   program.footer(footer);
-  program.set_version_flag("--version", fmt::format("fingerpad {}", fingerpad::program_version));
-  program.require_subcommand(1);
+  program.set_version_flag("--version", [] { return fingerpad::version_words(); });
+  std::string manual_folder;
+  program.add_option("--write-manual", manual_folder, "Write man pages and bash completion into a folder")
+      ->group("");
   program.get_formatter()->column_width(34);
   fingerpad::Action action;
   for (const fingerpad::AddCommand add : commands) add(program, action);
+  // The build asks for these pages (no user does), and no subcommand goes with them.
+  program.require_subcommand(argc == 3 && std::string_view(argv[1]) == "--write-manual" ? 0 : 1);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
@@ -70,6 +76,10 @@ int run(int argc, char** argv) {
     report(unknown.empty() ? error.what() : unknown.c_str(), 0);
     fingerpad::print_err("Run with --help for the options.\n");
     return static_cast<int>(fingerpad::ErrorKind::usage);
+  }
+  if (!manual_folder.empty()) {
+    fingerpad::write_manual(program, manual_folder);
+    return 0;
   }
   return action();
 }

@@ -14,6 +14,7 @@
 #include "app/output_name.hpp"
 #include "app/plan_words.hpp"
 #include "app/replay_words.hpp"
+#include "app/standard_streams.hpp"
 #include "app/stop_request.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"

@@ -117,4 +117,13 @@ void PacketScene::cast(RayQuery& query, const Vec3& from, const Vec3& direction,
   rtcIntersect1(scene_, &search.context, &ray);
 }
 
+std::string embree_version() {
+  RTCDevice device = rtcNewDevice("threads=1");
+  if (device == nullptr) return "";
+  const auto version = rtcGetDeviceProperty(device, RTC_DEVICE_PROPERTY_VERSION);  // 31305 is 3.13.5
+  rtcReleaseDevice(device);
+  return std::to_string(version / 10000) + "." + std::to_string(version / 100 % 100) + "." +
+         std::to_string(version % 100);
+}
+
 }  // namespace fingerpad

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <string>
 
 #include "contact/packed_part.hpp"
 
@@ -54,5 +55,8 @@ class PacketScene {
   RTCDeviceTy* device_ = nullptr;
   RTCSceneTy* scene_ = nullptr;
 };
+
+/// Of Embree as it is loaded, as "3.13.5"; empty where it cannot start.
+std::string embree_version();
 
 }  // namespace fingerpad

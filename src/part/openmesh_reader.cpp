@@ -1,5 +1,6 @@
 #include "part/openmesh_reader.hpp"
 
+#include <OpenMesh/Core/System/config.h>
 #include <OpenMesh/Core/IO/IOManager.hh>
 #include <OpenMesh/Core/IO/reader/BaseReader.hh>
 #include <OpenMesh/Core/System/omstream.hh>
@@ -141,6 +142,10 @@ OpenMeshDelivery read_by_openmesh(om::IO::BaseReader& reader, const std::string&
     delivery.succeeded = false;
   }
   return delivery;
+}
+
+std::string openmesh_version() {
+  return std::to_string(OM_GET_VER) + "." + std::to_string(OM_GET_MAJ);
 }
 
 }  // namespace fingerpad

@@ -31,4 +31,7 @@ struct OpenMeshDelivery {
 OpenMeshDelivery read_by_openmesh(OpenMesh::IO::BaseReader& reader, const std::string& bytes,
                                   const RawMesh& mesh, const LoadProgress& progress);
 
+/// Of the library, as "9.0".
+std::string openmesh_version();
+
 }  // namespace fingerpad

@@ -32,7 +32,7 @@ Writers table_writers(const std::vector<BatchJob>& jobs, const BatchOptions& opt
   Writers writers;
   for (int shard = 1; shard <= options.shard_count; ++shard) {
     const TableNames names = table_names(shard, options.shard_count);
-    for (const std::string& name : {names.summary, names.timing})
+    for (const std::string& name : {names.summary, names.timing, names.schema})
       writers.emplace(name, "the batch's own table");
     if (has_index(jobs)) writers.emplace(names.jobs, "the batch's own table");
   }
@@ -76,7 +76,8 @@ std::string trace_name(const SceneJob& job, TraceFormat format) {
 
 TableNames table_names(int shard, int shard_count) {
   const std::string which = shard_count > 1 ? fmt::format("-{}of{}", shard, shard_count) : std::string();
-  return {"summary" + which + ".csv", "timing" + which + ".csv", "jobs" + which + ".csv"};
+  return {"summary" + which + ".csv", "timing" + which + ".csv", "jobs" + which + ".csv",
+          "summary" + which + ".schema.json"};
 }
 
 bool has_index(const std::vector<BatchJob>& jobs) noexcept {
@@ -101,7 +102,7 @@ std::vector<std::string> input_files(const Scene& scene) {
 
 std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   const TableNames tables = table_names(options.shard, options.shard_count);
-  std::vector<std::string> names = {tables.summary, tables.timing};
+  std::vector<std::string> names = {tables.summary, tables.timing, tables.schema};
   if (has_index(jobs)) names.push_back(tables.jobs);
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (options.traces && is_of_shard(i, options) && jobs[i].job.error.empty())

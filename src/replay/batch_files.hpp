@@ -11,9 +11,9 @@ namespace fingerpad {
 std::string trace_name(const SceneJob& job, TraceFormat format);
 
 /// The file names of the tables of a batch, or of a shard's own: `summary-2of8.csv`. The index of jobs is for
-/// sets alone.
+/// sets alone; the schema says what the summary's columns are.
 struct TableNames {
-  std::string summary, timing, jobs;
+  std::string summary, timing, jobs, schema;
 };
 TableNames table_names(int shard, int shard_count);
 

@@ -1,32 +1,11 @@
 #include "replay/figures.hpp"
 
 #include <algorithm>
-#include <array>
+
+#include "replay/summary_column.hpp"
 
 namespace fingerpad {
 namespace {
-
-constexpr std::array<std::string_view, 21> figure_names = {"ticks",
-                                                           "contact_ticks",
-                                                           "stick_ticks",
-                                                           "slip_ticks",
-                                                           "ruptures",
-                                                           "coarse_teeth",
-                                                           "max_depth_m",
-                                                           "mean_normal_force_n",
-                                                           "max_normal_force_n",
-                                                           "max_friction_n",
-                                                           "mean_slip_mu",
-                                                           "max_mu",
-                                                           "friction_work_j",
-                                                           "remedied_ticks",
-                                                           "energy_made_j",
-                                                           "inside_starts",
-                                                           "pop_throughs",
-                                                           "max_force_step_n",
-                                                           "max_apparent_stiffness_n_per_m",
-                                                           "nonfinite_ticks",
-                                                           "unsettled_ticks"};
 
 /// Fewer ticks than this in a tooth of the sawtooth and no sampling shows it.
 constexpr long ticks_that_show_a_tooth = 2;
@@ -36,7 +15,12 @@ constexpr double jump_ratio = 4;
 }  // namespace
 
 std::span<const std::string_view> Figures::names() noexcept {
-  return figure_names;
+  static const std::vector<std::string_view> names = [] {
+    std::vector<std::string_view> all;
+    for (const SummaryColumn& column : summary_figure_columns()) all.push_back(column.name);
+    return all;
+  }();
+  return names;
 }
 
 std::vector<double> Figures::values() const {

@@ -178,7 +178,7 @@ MergedShards merge_shards(const std::vector<std::string>& folders, const std::st
   const ShardTable summary = merged_table(shards, &TableNames::summary);
   const ShardTable timing = merged_table(shards, &TableNames::timing);
   const TableNames names = table_names(1, 1);
-  std::vector<std::string> written{names.summary, names.timing, names.jobs};
+  std::vector<std::string> written{names.summary, names.timing, names.jobs, names.schema};
   std::vector<fs::path> traces;
   for (std::size_t i = 0; i < summary.rows.size(); ++i) {
     const fs::path trace = trace_of_row(summary.rows[i], summary, shards[i % shards.size()].folder);
@@ -197,6 +197,8 @@ MergedShards merge_shards(const std::vector<std::string>& folders, const std::st
   if (indexed) write_merged(fs::path(out) / names.jobs, index);
   write_merged(fs::path(out) / names.timing, timing);
   write_merged(fs::path(out) / names.summary, summary);
+  const fs::path schema = table_of(shards[0], &TableNames::schema);
+  if (fs::exists(schema, none)) bring(schema, fs::path(out) / names.schema);
   return {shards[0].count, summary.rows.size(), traces.size()};
 }
 

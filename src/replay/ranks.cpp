@@ -63,6 +63,14 @@ std::string Ranks::broadcast(std::string text) const {
   MPI_Bcast(text.data(), length, MPI_CHAR, 0, MPI_COMM_WORLD);
   return text;
 }
+
+std::string mpi_version() {
+  char words[MPI_MAX_LIBRARY_VERSION_STRING];
+  int length = 0;
+  MPI_Get_library_version(words, &length);  // one of the calls that may come before MPI_Init
+  const std::string text(words, static_cast<std::size_t>(length));
+  return text.substr(0, text.find_first_of(",\n"));  // "Open MPI v4.1.4", not who built it
+}
 #else
 Ranks::Ranks() = default;
 Ranks::~Ranks() = default;
@@ -71,6 +79,9 @@ std::vector<std::string> Ranks::gather(const std::string& text) const {
 }
 std::string Ranks::broadcast(std::string text) const {
   return text;
+}
+std::string mpi_version() {
+  return "";
 }
 #endif
 

@@ -29,4 +29,7 @@ class Ranks {
   int count_ = 1;
 };
 
+/// What MPI calls itself, as "Open MPI v4.1.4"; empty in a build without it.
+std::string mpi_version();
+
 }  // namespace fingerpad

@@ -9,6 +9,7 @@
 #include "base/csv_cell.hpp"
 #include "base/number_text.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/summary_column.hpp"
 #include "trace/job_index.hpp"
 #include "trace/output_file.hpp"
 
@@ -35,11 +36,9 @@ std::string set_value(const BatchJob& job, const std::string& key) {
 
 std::string summary_text(const std::vector<BatchJob>& jobs) {
   const auto keys = set_keys(jobs);
-  std::string text = "scene,job";
-  for (const std::string& key : keys) text += "," + csv_cell(key);
-  text += ",status";
-  for (const std::string_view name : Figures::names()) text += fmt::format(",{}", name);
-  text += ",contact_method,contact_normals\n";
+  std::string text;
+  for (const std::string& name : summary_header(keys)) text += (text.empty() ? "" : ",") + csv_cell(name);
+  text += "\n";
   for (const BatchJob& job : jobs) {
     if (job.status.empty()) continue;
     text += fmt::format("{},{}", csv_cell(job.job.scene.name), job.job.number);
@@ -101,6 +100,7 @@ std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchO
   const std::filesystem::path folder(options.out_dir);
   std::vector<Error> lost;
   write_table(folder / names.summary, summary_text(jobs), lost);
+  write_table(folder / names.schema, summary_schema_text(set_keys(jobs)), lost);
   write_table(folder / names.timing, timing_text(jobs), lost);
   return lost;
 }

@@ -9,8 +9,9 @@ namespace fingerpad {
 
 /// Writes `summary.csv` (scene, job, every set key as written, status, figures, contact method and normals:
 /// no times) and `timing.csv` (scene, job, seconds) into the output folder: a row for each job that this call
-/// ran. With several shards the names carry the shard: `summary-2of8.csv`.
-/// @returns why, for each of the two that could not be written
+/// ran; and beside the summary what its columns are, `summary.schema.json`. With several shards the names
+/// carry the shard: `summary-2of8.csv`.
+/// @returns why, for each of them that could not be written
 std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
 
 /// Writes the index of a set's jobs: which file is of which mesh, motion and values. Nothing for a batch

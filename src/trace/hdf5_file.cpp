@@ -140,4 +140,10 @@ Handle open_group(const Handle& parent, const std::string& name) {
   return group;
 }
 
+std::string library_version() {
+  unsigned major = 0, minor = 0, release = 0;
+  H5get_libversion(&major, &minor, &release);
+  return fmt::format("{}.{}.{}", major, minor, release);
+}
+
 }  // namespace fingerpad::hdf5

@@ -102,4 +102,7 @@ Points read_points(const Handle& parent, const std::string& name, std::uint64_t 
 IndexTriples read_triples(const Handle& parent, const std::string& name, std::uint64_t max_columns);
 std::vector<int> read_list(const Handle& parent, const std::string& name, std::uint64_t max_count);
 
+/// Of HDF5 as it is loaded, as "1.10.8".
+std::string library_version();
+
 }  // namespace fingerpad::hdf5

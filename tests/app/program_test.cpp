@@ -47,7 +47,7 @@ TEST(Program, HelpNamesEverySubcommandAndEachHasItsOwn) {
   EXPECT_EQ(help.exit_code, 0);
   std::vector<std::string> names = {"check", "query", "replay", "export"};
 #ifdef FINGERPAD_VIEW
-  names.insert(names.end(), {"touch", "view", "plot"});
+  names.insert(names.end(), {"touch", "view", "plot", "report"});
 #endif
   for (const std::string& name : names) {
     EXPECT_NE(help.out.find("\n  " + name), std::string::npos) << name;

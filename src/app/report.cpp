@@ -1,0 +1,140 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <filesystem>
+#include <set>
+
+#include "app/commands.hpp"
+#include "app/output_name.hpp"
+#include "app/progress_bar.hpp"
+#include "app/report_page.hpp"
+#include "app/report_run.hpp"
+#include "app/standard_streams.hpp"
+#include "base/error.hpp"
+#include "base/file_identity.hpp"
+#include "base/output_place.hpp"
+#include "trace/output_file.hpp"
+
+namespace fingerpad {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct ReportOptions {
+  std::string folder, out;
+  std::string libraries = debian_javascript_folder;
+  std::size_t details = 500;
+  bool quiet = false;
+};
+
+/// Whose mesh is not named twice; the shapes that the page will hold, as far as the tables tell.
+std::size_t shapes_of(const BatchResults& batch) {
+  std::set<std::string> meshes;
+  for (const JobOutcome& job : batch.jobs) meshes.insert(job.mesh);
+  return meshes.size();
+}
+
+/// Why a job has neither picture nor charts; empty where it has.
+std::string missing_run(const JobOutcome& job, std::size_t rank, std::size_t details) {
+  if (job.trace.empty() && !job.done()) return "The job failed, so there is nothing to be drawn.";
+  if (job.trace.empty())
+    return "The folder has no trace of this job (replay --format none writes none), so there is nothing to "
+           "be "
+           "drawn.";
+  if (rank >= details)
+    return fmt::format("Only the {} worst jobs are drawn; `fingerpad report --details` draws more.", details);
+  return "";
+}
+
+/// Adds the runs of the worst jobs. @returns how many
+std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
+                     const std::vector<JobTrouble>& order, nlohmann::ordered_json& results) {
+  results["shapes"] = nlohmann::ordered_json::array();
+  const auto traced = std::count_if(batch.jobs.begin(), batch.jobs.end(),
+                                    [](const JobOutcome& job) { return !job.trace.empty(); });
+  std::unique_ptr<ReportRuns> runs;
+  if (traced > 0 && options.details > 0) runs = std::make_unique<ReportRuns>(report_budget(shapes_of(batch)));
+  ProgressBar bar(stderr_is_terminal(), std::chrono::milliseconds(500), ProgressBar::End::wiped);
+  std::size_t drawn = 0;
+  for (std::size_t rank = 0; rank < order.size(); ++rank) {
+    const JobOutcome& job = batch.jobs[order[rank].job];
+    nlohmann::ordered_json& row = results["jobs"][order[rank].job];
+    std::string note = missing_run(job, rank, options.details);
+    if (note.empty()) {
+      bar.show(static_cast<double>(rank) / static_cast<double>(order.size()),
+               fmt::format("drawing job {} of {}", rank + 1, order.size()));
+      try {
+        row["run"] = runs->run(job.trace);
+        ++drawn;
+      } catch (const Error& error) {
+        if (error.kind() != ErrorKind::refused) throw;
+        note = fmt::format("Its trace cannot be read: {}", error.what());
+      }
+    }
+    if (!note.empty()) row["note"] = note;
+  }
+  bar.finish();
+  if (runs) results["shapes"] = runs->shapes();
+  return drawn;
+}
+
+int report(const ReportOptions& options) {
+  std::error_code none;
+  if (!fs::is_directory(options.folder, none))
+    throw refused(options.folder, "is no folder: name the one that `fingerpad replay --out` wrote");
+  const std::string out =
+      options.out.empty() ? (fs::path(options.folder) / "report.html").string() : options.out;
+  refuse_unwritable(out);
+  refuse_other_endings(out, "report", {".html", ".htm"});
+  const ReportLibraries libraries = read_report_libraries(options.libraries);
+  const BatchResults batch = read_batch_results(options.folder);
+  std::vector<std::string> inputs = batch.files;
+  for (const JobOutcome& job : batch.jobs) {
+    if (!job.trace.empty()) inputs.push_back(job.trace);
+  }
+  refuse_overwriting(out, inputs);
+
+  const std::vector<JobTrouble> order = worst_first(batch.jobs);
+  nlohmann::ordered_json results = report_results(batch, order);
+  const std::size_t drawn = add_runs(options, batch, order, results);
+  const fs::path named = fs::path(options.folder) / "";
+  const std::string title = named.parent_path().filename().string();
+  results["title"] = title;
+  const std::string page = report_page(title, libraries, results);
+  OutputFile file(out);
+  file.write(page);
+  file.commit();
+  tell_written(
+      options.quiet, out,
+      fmt::format("{} {}, {} of them drawn, {:.1f} MB", batch.jobs.size(),
+                  batch.jobs.size() == 1 ? "job" : "jobs", drawn, static_cast<double>(page.size()) / 1e6));
+  return 0;
+}
+
+}  // namespace
+
+void add_report(CLI::App& program, Action& action) {
+  auto options = std::make_shared<ReportOptions>();
+  CLI::App* command =
+      program.add_subcommand("report", "Make one HTML page of what a replay has left in a folder");
+  command->add_option("DIR", options->folder, "Folder that `replay --out` wrote")->required();
+  refuse_empty(command->add_option("--out", options->out, "The page; default: report.html in that folder"));
+  command
+      ->add_option("--details", options->details,
+                   "How many jobs are drawn, the worst first; all are in the tables")
+      ->capture_default_str();
+  command->add_option("--libraries", options->libraries, "Where the JavaScript libraries are")
+      ->capture_default_str();
+  add_quiet_flag(*command, options->quiet);
+  command->footer(
+      "The page fetches nothing: it holds tables to sort and filter, charts across the jobs, and of each job "
+      "a picture, a 3-D view and strip charts. Worst are failed jobs; then forces that are not finite, "
+      "pop-throughs, unsettled ticks, energy made (where it is over a hundredth of greatest force times "
+      "depth), and last the greatest normal force. Needs the Debian packages libjs-jquery, "
+      "libjs-jquery-datatables, libjs-dygraphs and libjs-three.");
+  command->callback([options, &action] { action = [options] { return report(*options); }; });
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,150 @@
+const svgSpace = "http://www.w3.org/2000/svg";
+function svg(tag, attributes, ...children) {
+  const made = document.createElementNS(svgSpace, tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  for (const child of children) made.append(child);
+  return made;
+}
+
+/** Round places of ticks between two values. */
+function axisTicks(low, high, most) {
+  const rough = (high - low) / most;
+  const power = 10 ** Math.floor(Math.log10(rough));
+  const step = [1, 2, 5, 10].map(k => k * power).find(s => s >= rough);
+  const ticks = [];
+  for (let tick = Math.ceil(low / step - 1e-9) * step; tick <= high + step * 1e-6; tick += step) ticks.push(Math.abs(tick) < step * 1e-6 ? 0 : tick);
+  return ticks;
+}
+
+function middle(values) {
+  const inOrder = values.filter(Number.isFinite).sort((a, b) => a - b);
+  if (inOrder.length === 0) return NaN;
+  const half = inOrder.length >> 1;
+  return inOrder.length % 2 ? inOrder[half] : (inOrder[half - 1] + inOrder[half]) / 2;
+}
+
+const chosen = { figure: figureIndex.max_friction_n, log: false, across: 0, colour: 0, rows: 0, columns: 1, matrix: figureIndex.max_friction_n };
+
+/** A dot a job: the figure upwards, one strip for each value of a category. */
+function drawDots() {
+  const holder = document.getElementById("chart");
+  const kinds = categories();
+  const across = kinds[chosen.across], colour = kinds[chosen.colour] || { name: "", of: () => "" }, column = report.columns[chosen.figure];
+  const ended = report.jobs.filter(job => Number.isFinite(job.figures[chosen.figure]) && job.status === "ok");
+  const jobs = ended.filter(job => !chosen.log || job.figures[chosen.figure] > 0);
+  const names = sorted(new Set(jobs.map(across.of))), colours = sorted(new Set(jobs.map(colour.of)));
+  holder.replaceChildren();
+  if (jobs.length === 0) return holder.append(element("p", { class: "note" }, "No job has this figure."));
+  const room = Math.max(700, holder.clientWidth || 1100);
+  const left = 92, top = 14, height = 300, longest = Math.max(...names.map(name => name.length));
+  const band = (room - left - 20) / names.length;
+  const slanted = longest * 7 > band;
+  const bottom = slanted ? Math.min(170, 30 + longest * 5) : 46;
+  const values = jobs.map(job => job.figures[chosen.figure]);
+  const scale = value => chosen.log ? Math.log10(value) : value;
+  const least = Math.min(...values), most = Math.max(...values);
+  const low = chosen.log ? Math.floor(scale(least) + 1e-9) : Math.min(0, least);
+  const high = chosen.log ? Math.max(Math.ceil(scale(most) - 1e-9), low + 1) : Math.max(most, low + 1e-12);
+  const y = value => top + height * (1 - (scale(value) - low) / (high - low));
+  const ticks = chosen.log ? axisTicks(low, high, 8).filter(Number.isInteger).map(power => 10 ** power) : axisTicks(low, high, 6);
+  const picture = svg("svg", { width: room, height: top + height + bottom + 10, role: "img", "aria-label": words(column) + " across " + across.name });
+  for (const tick of ticks) {
+    picture.append(svg("line", { x1: left, x2: room - 20, y1: y(tick), y2: y(tick), stroke: "#e3e6ea" }));
+    picture.append(svg("text", { x: left - 8, y: y(tick) + 4, "text-anchor": "end" }, si(tick, unitOf(column))));
+  }
+  picture.append(svg("text", { x: 14, y: top + height / 2, "text-anchor": "middle", transform: `rotate(-90 14 ${top + height / 2})` },
+    words(column) + (unitOf(column) ? " [" + unitOf(column) + "]" : "")));
+  names.forEach((name, i) => {
+    const x = left + band * (i + 0.5);
+    const shown = name === "" ? "(none)" : name;
+    const short = slanted && shown.length > 28 ? shown.slice(0, 27) + "…" : shown;
+    picture.append(svg("text", slanted ? { x, y: top + height + 16, "text-anchor": "end", transform: `rotate(-35 ${x} ${top + height + 16})` }
+      : { x, y: top + height + 18, "text-anchor": "middle" }, short));
+    const here = jobs.filter(job => across.of(job) === name);
+    const mid = y(middle(here.map(job => job.figures[chosen.figure])));
+    here.forEach((job, k) => {
+      const spread = Math.min(band * 0.7, 60) * (((k * 0.61803) % 1) - 0.5);
+      const dot = svg("circle", { class: "dot", cx: x + (here.length > 1 ? spread : 0), cy: y(job.figures[chosen.figure]), r: 4,
+        fill: report.colours.palette[colours.indexOf(colour.of(job)) % report.colours.palette.length], "fill-opacity": 0.8 });
+      dot.append(svg("title", {}, `${jobTitle(job)}\n${variedOf(job).map(pair => pair.join(": ")).join("\n")}\n${si(job.figures[chosen.figure], column.unit)}`));
+      dot.addEventListener("click", () => { location.hash = "job-" + (report.jobs.indexOf(job) + 1); });
+      picture.append(dot);
+    });
+    picture.append(svg("line", { x1: x - Math.min(band * 0.4, 34), x2: x + Math.min(band * 0.4, 34), y1: mid, y2: mid, stroke: "#22262c", "stroke-width": 2 }));
+  });
+  picture.append(svg("line", { x1: left, x2: room - 20, y1: top + height, y2: top + height, stroke: "#5f666f" }));
+  const legend = element("div", { class: "legend" }, colour.name ? colour.name + ": " : "");
+  if (colour.name) colours.slice(0, 24).forEach((name, i) => legend.append(element("span", {},
+    element("i", { style: "background:" + report.colours.palette[i % report.colours.palette.length] }), name || "(none)")));
+  if (colours.length > 24) legend.append(`and ${colours.length - 24} more`);
+  holder.append(legend, picture, element("p", { class: "unit" },
+    `${column.doc[0].toUpperCase() + column.doc.slice(1)}. A dot is a job (click it), a bar the median.` +
+    (colours.length > report.colours.palette.length ? " Colours repeat." : "") +
+    (jobs.length < ended.length ? ` ${ended.length - jobs.length} jobs of 0 or less are not on a logarithmic axis.` : "")));
+}
+
+/** Medians of a figure in a table of two categories, coloured by size. */
+function drawMatrix() {
+  const kinds = categories(), holder = document.getElementById("matrix");
+  const rows = kinds[chosen.rows], columns = kinds.length > 1 ? kinds[chosen.columns] : { name: "", of: () => "all jobs" }, column = report.columns[chosen.matrix];
+  const jobs = report.jobs.filter(job => job.status === "ok");
+  const cells = new Map();
+  for (const job of jobs) {
+    const key = JSON.stringify([rows.of(job), columns.of(job)]);
+    cells.set(key, [...(cells.get(key) || []), job.figures[chosen.matrix]]);
+  }
+  const medians = [...cells.values()].map(middle).filter(Number.isFinite);
+  const inOrder = [...new Set(medians)].sort((a, b) => a - b);
+  const across = sorted(new Set(jobs.map(columns.of)));
+  const table = element("table", { class: "matrix" });
+  table.append(element("tr", {}, element("th", {}, rows.name), ...across.map(name => element("th", {}, name || "(none)"))));
+  for (const name of sorted(new Set(jobs.map(rows.of)))) {
+    const line = element("tr", {}, element("th", {}, name || "(none)"));
+    for (const other of across) {
+      const values = cells.get(JSON.stringify([name, other])) || [];
+      const value = middle(values);
+      const share = inOrder.length > 1 ? inOrder.indexOf(value) / (inOrder.length - 1) : 0.5;
+      const cell = element("td", {}, Number.isFinite(value) ? si(value, unitOf(column) || "1") : "–");
+      if (Number.isFinite(value)) {
+        cell.style.background = report.colours.ramp[Math.round(share * (report.colours.ramp.length - 1))];
+        cell.style.color = share < 0.55 ? "#fff" : "#000";
+        cell.title = `median of ${values.length} jobs`;
+      }
+      line.append(cell);
+    }
+    table.append(line);
+  }
+  holder.replaceChildren(table, element("p", { class: "unit" },
+    `Median of ${words(column)}${unitOf(column) ? " [" + unitOf(column) + "]" : ""} of the jobs that ended ok, coloured by rank: the darkest is the least, the brightest the greatest.`));
+}
+
+function logarithmic() {
+  const box = element("input", { type: "checkbox", id: "logarithmic" });
+  box.checked = chosen.log;
+  box.addEventListener("change", () => { chosen.log = box.checked; drawDots(); });
+  return element("label", {}, box, " logarithmic");
+}
+
+function showCharts() {
+  const kinds = categories().map(one => one.name), figures = report.columns.map(words);
+  chosen.across = Math.min(chosen.across, kinds.length - 1);
+  const law = kinds.findIndex(name => name.endsWith("law"));
+  if (!showCharts.done) {
+    if (law >= 0) chosen.across = law;
+    chosen.colour = categories().findIndex((one, i) => i !== chosen.across && new Set(report.jobs.map(one.of)).size <= report.colours.palette.length);
+    if (chosen.colour < 0) chosen.colour = kinds.length;
+    chosen.rows = Math.max(0, kinds.indexOf("mesh"));
+    chosen.columns = law >= 0 && law !== chosen.rows ? law : Math.max(0, kinds.findIndex((name, i) => i !== chosen.rows));
+    showCharts.done = true;
+  }
+  document.getElementById("chart-choice").replaceChildren(
+    choice("figure", figures, chosen.figure, i => { chosen.figure = i; drawDots(); }),
+    choice("across", kinds, chosen.across, i => { chosen.across = i; drawDots(); }),
+    choice("colour by", [...kinds, "nothing"], chosen.colour, i => { chosen.colour = i; drawDots(); }), logarithmic());
+  document.getElementById("matrix-choice").replaceChildren(
+    choice("figure", figures, chosen.matrix, i => { chosen.matrix = i; drawMatrix(); }),
+    choice("rows", kinds, chosen.rows, i => { chosen.rows = i; drawMatrix(); }),
+    choice("columns", kinds, chosen.columns, i => { chosen.columns = i; drawMatrix(); }));
+  drawDots();
+  drawMatrix();
+}

@@ -1,0 +1,122 @@
+#include "replay/summary_column.hpp"
+
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+namespace fingerpad {
+namespace {
+
+using Kind = SummaryColumn::Kind;
+
+constexpr SummaryColumn job_columns[] = {
+    {"scene", "", "the scene's name", Kind::text},
+    {"job", "1", "the job's number within its scene, from 1; 0 of a scene without a set", Kind::count},
+};
+
+constexpr SummaryColumn status_column = {"status", "", "`ok`, or why the job failed", Kind::text};
+
+constexpr SummaryColumn figure_columns[] = {
+    {"ticks", "1", "ticks of the run", Kind::count},
+    {"contact_ticks", "1", "ticks on which the finger touched", Kind::count},
+    {"stick_ticks", "1", "ticks in stick", Kind::count},
+    {"slip_ticks", "1", "ticks in slip", Kind::count},
+    {"ruptures", "1", "how often stick gave way to slip", Kind::count},
+    {"coarse_teeth", "1", "teeth of stick and slip shorter than two ticks, which no sampling shows",
+     Kind::count},
+    {"max_depth_m", "m", "the greatest depth of the finger in a part"},
+    {"mean_normal_force_n", "N", "the mean normal force while it touched"},
+    {"max_normal_force_n", "N", "the greatest normal force"},
+    {"max_friction_n", "N", "the greatest friction force"},
+    {"mean_slip_mu", "1", "the mean coefficient of friction in slip"},
+    {"max_mu", "1", "the greatest coefficient of friction"},
+    {"friction_work_j", "J",
+     "the work of friction on the finger; below 0 where it takes energy, as it should"},
+    {"remedied_ticks", "1", "ticks on which a remedy against a stiff stick spring acted", Kind::count},
+    {"energy_made_j", "J",
+     "the most that the forces have given to the finger on balance since the start: energy that the contact "
+     "has made; 0 for a passive one"},
+    {"inside_starts", "1", "how often the finger began inside of a part, or where a proxy does not fit",
+     Kind::count},
+    {"pop_throughs", "1", "how often the finger went through a wall, or was pushed out on its far side",
+     Kind::count},
+    {"max_force_step_n", "N", "the greatest change of the whole force from one tick to the next"},
+    {"max_apparent_stiffness_n_per_m", "N/m",
+     "the greatest change of the normal force in a tick per metre that the finger moved in it; a stiffness "
+     "alone gives at most its own number"},
+    {"nonfinite_ticks", "1", "ticks whose force was not a finite number; 0 is promised", Kind::count},
+    {"unsettled_ticks", "1",
+     "ticks on which the proxy stopped before it was at rest, because a tick's work is bounded", Kind::count},
+};
+
+constexpr SummaryColumn contact_columns[] = {
+    {"contact_method", "", "the contact method that served", Kind::text},
+    {"contact_normals", "", "the normals that served", Kind::text},
+};
+
+constexpr std::string_view set_key_doc = "a key of the set, as the scene has it";
+
+nlohmann::ordered_json field(std::string_view name, const SummaryColumn& column) {
+  constexpr const char* types[] = {"string", "integer", "number"};
+  nlohmann::ordered_json json = {{"name", std::string(name)}, {"type", types[static_cast<int>(column.kind)]}};
+  if (!column.unit.empty()) json["unit"] = std::string(column.unit);
+  json["description"] = std::string(column.doc);
+  return json;
+}
+
+/// Calls `take(name, column)` for every column in order.
+template <typename Take>
+void each_column(const std::vector<std::string>& set_keys, Take take) {
+  for (const SummaryColumn& column : job_columns) take(column.name, column);
+  for (const std::string& key : set_keys) take(key, SummaryColumn{key, "", set_key_doc, Kind::text});
+  take(status_column.name, status_column);
+  for (const SummaryColumn& column : figure_columns) take(column.name, column);
+  for (const SummaryColumn& column : contact_columns) take(column.name, column);
+}
+
+}  // namespace
+
+std::span<const SummaryColumn> summary_job_columns() noexcept {
+  return job_columns;
+}
+
+const SummaryColumn& summary_status_column() noexcept {
+  return status_column;
+}
+
+std::span<const SummaryColumn> summary_figure_columns() noexcept {
+  return figure_columns;
+}
+
+std::span<const SummaryColumn> summary_contact_columns() noexcept {
+  return contact_columns;
+}
+
+std::vector<std::string> summary_header(const std::vector<std::string>& set_keys) {
+  std::vector<std::string> names;
+  each_column(set_keys, [&](std::string_view name, const SummaryColumn&) { names.emplace_back(name); });
+  return names;
+}
+
+std::string summary_schema_text(const std::vector<std::string>& set_keys) {
+  nlohmann::ordered_json fields = nlohmann::ordered_json::array();
+  each_column(set_keys, [&](std::string_view name, const SummaryColumn& column) {
+    fields.push_back(field(name, column));
+  });
+  const nlohmann::ordered_json schema = {
+      {"title", "summary.csv of fingerpad replay"},
+      {"description", "A row a job. Units are SI; a unit of 1 is a count or a pure number."},
+      {"fields", fields},
+      {"missingValues", {"", "nan"}}};
+  return schema.dump(2, ' ', false, nlohmann::ordered_json::error_handler_t::replace) + "\n";
+}
+
+std::string summary_columns_text() {
+  std::string text = "| column | unit | what it is |\n|---|---|---|\n";
+  each_column({}, [&](std::string_view name, const SummaryColumn& column) {
+    text += fmt::format("| `{}` | {} | {} |\n", name, column.unit == "1" ? "" : column.unit, column.doc);
+  });
+  return text;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fingerpad {
+
+/// One column of `summary.csv`: all that is known of it. The writer, the schema beside the table, the report
+/// and the README go by these rows.
+struct SummaryColumn {
+  enum class Kind { text, count, number };
+  std::string_view name;
+  std::string_view unit;  ///< "m", "N", "J", "N/m", "1" (a count or a pure number), "" (a text)
+  std::string_view doc;
+  Kind kind = Kind::number;
+};
+
+/// What stands before the set keys: scene and job.
+std::span<const SummaryColumn> summary_job_columns() noexcept;
+/// Between the set keys and the figures.
+const SummaryColumn& summary_status_column() noexcept;
+/// What a run comes to, in the order of Figures::values(); nan for a job that failed.
+std::span<const SummaryColumn> summary_figure_columns() noexcept;
+/// After the figures.
+std::span<const SummaryColumn> summary_contact_columns() noexcept;
+
+/// The header of `summary.csv` for a batch with these set keys.
+std::vector<std::string> summary_header(const std::vector<std::string>& set_keys);
+
+/// A Table Schema (Frictionless) of a batch's `summary.csv`: a field for each column with its type, unit and
+/// meaning.
+std::string summary_schema_text(const std::vector<std::string>& set_keys);
+
+/// The table of columns as the README has it, in Markdown.
+std::string summary_columns_text();
+
+}  // namespace fingerpad

@@ -1,0 +1,131 @@
+#include "view/small_run.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace fingerpad {
+namespace {
+
+Vec3 shown_place(const TickRecord& row) {
+  return row.phase == Phase::free ? row.p_WQ : row.contact_W;
+}
+
+/// Of what a path's points are spread over, this share is time, the rest is the way.
+constexpr double share_of_time = 0.25;
+
+/// From 0 to 1, growing.
+std::vector<double> progress_of(const std::vector<TickRecord>& rows) {
+  std::vector<double> way(rows.size(), 0);
+  for (std::size_t i = 1; i < rows.size(); ++i) {
+    way[i] = way[i - 1] + (shown_place(rows[i]) - shown_place(rows[i - 1])).norm();
+  }
+  const double whole = way.back();
+  const auto last = static_cast<double>(rows.size() - 1);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double gone = whole > 0 ? way[i] / whole : 0;
+    way[i] = (1 - share_of_time) * gone + share_of_time * static_cast<double>(i) / last;
+  }
+  return way;
+}
+
+/// What one tick gives to each curve.
+using CurveValue = double (*)(const std::vector<TickRecord>& rows, std::size_t i);
+struct CurveRow {
+  std::string_view name, unit;
+  CurveValue value;
+};
+
+double speed_at(const std::vector<TickRecord>& rows, std::size_t i) {
+  if (i == 0) return 0;
+  const double dt_s = rows[i].t_s - rows[i - 1].t_s;
+  return dt_s > 0 ? (rows[i].p_WQ - rows[i - 1].p_WQ).norm() / dt_s : TickRecord::nan;
+}
+
+constexpr CurveRow curve_rows[] = {
+    {"normal force", "N", [](const auto& rows, std::size_t i) { return rows[i].normal_force_n; }},
+    {"friction", "N", [](const auto& rows, std::size_t i) { return rows[i].friction_W_n.norm(); }},
+    {"mu", "1", [](const auto& rows, std::size_t i) { return rows[i].mu; }},
+    {"depth", "m", [](const auto& rows, std::size_t i) { return rows[i].depth_m; }},
+    {"speed", "m/s", speed_at},
+};
+
+/// The least and the greatest value of a bucket in the order in which they come.
+void add_extremes(const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end,
+                  const CurveRow& row, std::vector<double>& values) {
+  std::size_t low = begin, high = begin;
+  for (std::size_t i = begin; i < end; ++i) {
+    const double value = row.value(rows, i);
+    if (!(value >= row.value(rows, low))) low = i;
+    if (!(value <= row.value(rows, high))) high = i;
+  }
+  values.push_back(row.value(rows, std::min(low, high)));
+  values.push_back(row.value(rows, std::max(low, high)));
+}
+
+Phase loudest(const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end) {
+  Phase phase = Phase::free;
+  for (std::size_t i = begin; i < end; ++i) phase = std::max(phase, rows[i].phase);
+  return phase;
+}
+
+SmallSeries every_tick(const std::vector<TickRecord>& rows) {
+  SmallSeries series;
+  for (const CurveRow& row : curve_rows) {
+    StripCurve& curve = series.curves.emplace_back(StripCurve{row.name, row.unit, {}});
+    for (std::size_t i = 0; i < rows.size(); ++i) curve.values.push_back(row.value(rows, i));
+  }
+  for (const TickRecord& row : rows) series.phases.push_back(row.phase);
+  return series;
+}
+
+}  // namespace
+
+SmallPath small_path(const std::vector<TickRecord>& rows, std::size_t most) {
+  SmallPath path;
+  if (rows.empty()) return path;
+  const std::vector<double> progress = progress_of(rows);
+  const auto due = [&](std::size_t kept) {
+    return static_cast<double>(kept) / static_cast<double>(most - 1);
+  };
+  double force_n = 0;
+  Phase phase = rows.front().phase;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    const double here_n = rows[i].force_W_n.norm();
+    if (here_n >= force_n) {
+      force_n = here_n;
+      phase = rows[i].phase;
+    }
+    const bool last = i + 1 == rows.size();
+    // One place is kept for the last row.
+    if (!last && (progress[i] < due(path.points_W.size()) || path.points_W.size() + 1 >= most)) continue;
+    path.points_W.push_back(shown_place(rows[i]));
+    path.force_n.push_back(force_n);
+    path.phases.push_back(phase);
+    force_n = 0;
+  }
+  return path;
+}
+
+SmallSeries small_series(const std::vector<TickRecord>& rows, std::size_t most) {
+  SmallSeries series;
+  if (rows.empty()) return series;
+  const double whole_s = rows.back().t_s - rows.front().t_s;
+  const std::size_t buckets = most / 2;
+  if (rows.size() <= most) {
+    series = every_tick(rows);
+  } else {
+    for (const CurveRow& row : curve_rows) series.curves.push_back({row.name, row.unit, {}});
+    for (std::size_t k = 0; k < buckets; ++k) {
+      const std::size_t begin = rows.size() * k / buckets, end = rows.size() * (k + 1) / buckets;
+      for (std::size_t c = 0; c < series.curves.size(); ++c) {
+        add_extremes(rows, begin, end, curve_rows[c], series.curves[c].values);
+      }
+      series.phases.insert(series.phases.end(), 2, loudest(rows, begin, end));
+    }
+  }
+  series.begin_s = rows.front().t_s;
+  series.step_s = series.phases.size() > 1 ? whole_s / static_cast<double>(series.phases.size() - 1) : 0;
+  return series;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,223 @@
+#ifdef FINGERPAD_VIEW
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "support/shell.hpp"
+
+// The page of a replay's folder: what stands in it, and what a browser makes of it.
+
+namespace fingerpad::report_test {
+namespace {
+namespace fs = std::filesystem;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Two meshes, of which one is no mesh, by three laws: the sound one's name is markup.
+fs::path folder_with_set(const std::string& options = "") {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "<b>&.stl") << test::binary_stl(test::box_soup(Vec3(20, 10, 5)));
+  std::ofstream(folder / "torn.stl") << "solid torn\nfacet";
+  std::ofstream(folder / "s.toml") << R"(name = "s"
+[[part]]
+mesh = "<b>&.stl"
+[motion]
+kind = "line"
+from_m = [-0.008, 0, 0.003]
+to_m = [0.008, 0, 0.002]
+speed_m_per_s = 0.05
+[[set]]
+mesh = ["<b>&.stl", "torn.stl"]
+friction.law = ["coulomb", "dahl", "finger-pad"]
+)";
+  EXPECT_EQ(test::fingerpad("replay s.toml --quiet --out 'a<b' " + options, folder).exit_code, 4);
+  return folder;
+}
+
+std::string page_of(const fs::path& folder) {
+  const auto result = test::fingerpad("report 'a<b' --out page.html --quiet", folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  return test::bytes_of(folder / "page.html");
+}
+
+/// What the page's scripts are given.
+json results_in(const std::string& page) {
+  const std::string mark = "<script type=\"application/json\" id=\"results\">";
+  const std::size_t begin = page.find(mark) + mark.size();
+  return json::parse(page.substr(begin, page.find("</script>", begin) - begin));
+}
+
+TEST(Report, HoldsEachJobAndFetchesNothing) {
+  const fs::path folder = folder_with_set();
+  const std::string page = page_of(folder);
+  const json results = results_in(page);
+  ASSERT_EQ(results["jobs"].size(), 6u);
+  EXPECT_EQ(results["shapes"].size(), 1u) << "three runs share a part";
+  EXPECT_EQ(results["shapes"][0]["triangles"], 12);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const json& job = results["jobs"][i];
+    EXPECT_EQ(job["number"], i + 1);
+    EXPECT_EQ(job["mesh"], i < 3 ? "<b>&.stl" : "torn.stl");
+    EXPECT_EQ(job.contains("run"), i < 3);
+    if (i >= 3) continue;
+    EXPECT_GT(job["run"]["thumbnail"].get<std::string>().size(), 1000u);
+    EXPECT_EQ(job["run"]["shape"], 0);
+    EXPECT_NEAR(job["run"]["maxForce"].get<double>(), 0.5, 0.1) << "half a millimetre on 1000 N/m";
+  }
+  EXPECT_THAT(page, HasSubstr("<h1>a&lt;b</h1>"));
+  EXPECT_THAT(page, Not(HasSubstr("<b>&.stl"))) << "a name that is markup";
+  for (const std::string attribute : {"src=", "href=", "url("}) {
+    for (const char* quote : {"\"", "'", ""}) {
+      for (const char* address : {"http", "//"})
+        EXPECT_THAT(page, Not(HasSubstr(attribute + quote + address)));
+    }
+  }
+  EXPECT_THAT(page, Not(HasSubstr("sourceMappingURL")));
+  EXPECT_THAT(page, HasSubstr("Permission is hereby granted")) << "the libraries' licence";
+}
+
+TEST(Report, PutsFailedJobsFirstWithTheirReason) {
+  const json results = results_in(page_of(folder_with_set()));
+  for (std::size_t i = 0; i < 6; ++i) {
+    const json& job = results["jobs"][i];
+    EXPECT_EQ(job["rank"].get<int>() <= 3, i >= 3) << i;
+    if (i < 3) continue;
+    EXPECT_THAT(job["status"], HasSubstr("torn.stl"));
+    EXPECT_EQ(job["trouble"], "failed");
+    EXPECT_TRUE(job["figures"][0].is_null());
+  }
+}
+
+TEST(Report, TakesLessThanFifteenKilobytesAJobBesideItsLibraries) {
+  const std::string page = page_of(folder_with_set());
+  json results = results_in(page);
+  for (std::size_t i = 0; i < 3; ++i) EXPECT_LT(results["jobs"][i].dump().size(), 15'000u);
+  EXPECT_LT(page.size() - results.dump().size(), 1'600'000u) << "libraries and the page's own scripts";
+}
+
+TEST(Report, WithoutTracesHasTablesAlone) {
+  const fs::path folder = folder_with_set("--format none");
+  const json results = results_in(page_of(folder));
+  EXPECT_EQ(results["jobs"].size(), 6u);
+  EXPECT_THAT(results["jobs"][0]["note"], HasSubstr("no trace of this job"));
+  EXPECT_THAT(results["jobs"][3]["note"], HasSubstr("failed"));
+}
+
+TEST(Report, ShowsAJobWhoseTraceIsDamagedWithTheReason) {
+  const fs::path folder = folder_with_set();
+  std::ofstream(folder / "a<b" / "s-0002.h5") << "no HDF5";
+  const json results = results_in(page_of(folder));
+  EXPECT_THAT(results["jobs"][1]["note"], HasSubstr("trace cannot be read"));
+  EXPECT_FALSE(results["jobs"][1].contains("run"));
+  EXPECT_TRUE(results["jobs"][2].contains("run"));
+}
+
+TEST(Report, OfCsvTracesShowsThePathAndSaysWhyThereIsNoPart) {
+  const fs::path folder = folder_with_set("--format csv");
+  const json results = results_in(page_of(folder));
+  EXPECT_EQ(results["jobs"][0]["run"]["shape"], -1);
+  EXPECT_GT(results["jobs"][0]["run"]["path"]["count"], 100);
+  EXPECT_THAT(results["jobs"][0]["run"]["notice"], HasSubstr("CSV"));
+}
+
+TEST(Report, RefusesWhatItCannotMakeAPageOf) {
+  const fs::path folder = folder_with_set();
+  const auto told = [&](const std::string& arguments, int code) {
+    const auto result = test::fingerpad("report " + arguments, folder);
+    EXPECT_EQ(result.exit_code, code) << arguments;
+    return result.err;
+  };
+  fs::create_directory(folder / "empty");
+  EXPECT_THAT(told("none", 3), HasSubstr("none: is no folder"));
+  EXPECT_THAT(told("empty", 3), HasSubstr("holds no summary.csv"));
+  EXPECT_THAT(told("'a<b' --libraries empty", 2), HasSubstr("`apt install libjs-jquery` brings it"));
+  EXPECT_THAT(told("'a<b' --out nowhere/page.html", 2), HasSubstr("nowhere"));
+  EXPECT_THAT(told("'a<b' --out 'a<b/summary.csv'", 2), HasSubstr(".html"));
+  std::ofstream(folder / "empty" / "summary.csv") << "a,b\n1,2\n";
+  EXPECT_THAT(told("empty", 3), HasSubstr("has no column `status`"));
+}
+
+TEST(Summary, IsReadByOtherProgramsAsItsSchemaSays) {
+  const fs::path folder = folder_with_set("--format none");
+  std::ofstream(folder / "read.py") << R"python(import csv, json
+fields = json.load(open("a<b/summary.schema.json"))["fields"]
+header, *rows = csv.reader(open("a<b/summary.csv"))
+assert header == [field["name"] for field in fields], header
+for i, field in enumerate(fields):
+    for row in rows:
+        if field["type"] != "string": float(row[i])
+try:
+    import pandas
+except ImportError:
+    print("without pandas")
+else:
+    table = pandas.read_csv("a<b/summary.csv")
+    assert table.loc[0, "max_normal_force_n"] > 0.3 and table.loc[0, "mesh"] == "<b>&.stl"
+    for field in fields:
+        assert field["type"] == "string" or table[field["name"]].dtype.kind in "if", field["name"]
+)python";
+  const auto result = test::shell("/usr/bin/python3 read.py", folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+}
+
+/// What a browser says to these steps (tests/support/open_in_chromium), a line each.
+std::vector<json> browsed(const fs::path& folder, const std::string& steps) {
+  std::ofstream(folder / "steps") << steps;
+  const std::string driver = (test::source_dir() / "tests" / "support" / "open_in_chromium").string();
+  const auto result = test::shell("'" + driver + "' page.html < steps", folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  std::vector<json> answers;
+  std::istringstream lines(result.out);
+  for (std::string line; std::getline(lines, line);) answers.push_back(json::parse(line));
+  return answers;
+}
+
+TEST(Report, InABrowserIsClickedFilteredAndTurned) {
+  if (test::shell("command -v chromium", test::scratch_dir()).exit_code != 0)
+    GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = folder_with_set();
+  page_of(folder);
+  const auto answers = browsed(folder, R"steps(until document.documentElement.dataset.ready === "yes"
+js document.querySelectorAll("#job-table tbody tr").length
+js document.querySelector("#job-table tbody tr td:nth-child(3)").textContent
+type #job-table_filter>label>input finger-pad
+js document.querySelectorAll("#job-table tbody tr").length
+js Object.assign(document.querySelector("[data-filter=status]"), { value: 2 }).dispatchEvent(new Event("change"))
+js document.querySelectorAll("#job-table tbody tr").length
+click #job-table tbody tr
+until document.querySelector("#job canvas")
+js document.querySelector("#job-head h2").textContent
+js (window.picture = () => document.querySelector("#shape canvas").toDataURL(), window.before = picture(), 1)
+js before.length
+drag #shape canvas 120 60
+js picture() !== before
+js document.querySelectorAll("#strips canvas").length >= 4
+js (location.hash = "charts", 1)
+until document.querySelectorAll("#chart circle").length === 3
+js document.querySelectorAll("#matrix td").length
+click nav a[href="#licences"]
+until getComputedStyle(document.getElementById("licences")).display === "block"
+)steps");
+  ASSERT_EQ(answers.size(), 13u);
+  EXPECT_EQ(answers[0], 6) << "rows";
+  EXPECT_THAT(answers[1], HasSubstr("failed: ")) << "the worst stand first";
+  EXPECT_EQ(answers[2], 2) << "of the law that was typed";
+  EXPECT_EQ(answers[4], 1) << "of these that is ok";
+  EXPECT_EQ(answers[5], "s job 3 \xC2\xB7 <b>&.stl");
+  EXPECT_GT(answers[7], 4000) << "something is drawn";
+  EXPECT_EQ(answers[8], true) << "the part has turned";
+  EXPECT_EQ(answers[9], true) << "strip charts";
+  EXPECT_EQ(answers[11], 3) << "medians, a law each";
+  EXPECT_EQ(answers[12], json({{"requests", json::array()}, {"errors", json::array()}}));
+}
+
+}  // namespace
+}  // namespace fingerpad::report_test
+#endif

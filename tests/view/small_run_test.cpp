@@ -1,0 +1,81 @@
+#include "view/small_run.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/shapes.hpp"
+#include "view/small_shape.hpp"
+
+namespace fingerpad::small_run_test {
+namespace {
+
+/// Ticks along x, 1 ms each, touching from tick 100 on; one of them is struck.
+std::vector<TickRecord> struck_run(std::size_t ticks, std::size_t struck) {
+  std::vector<TickRecord> rows(ticks);
+  for (std::size_t i = 0; i < ticks; ++i) {
+    rows[i].t_s = 1e-3 * static_cast<double>(i);
+    rows[i].p_WQ = Vec3(1e-4 * static_cast<double>(i), 0, 0);
+    if (i < 100) continue;
+    rows[i].phase = i == struck ? Phase::slip : Phase::stick;
+    rows[i].contact_W = rows[i].p_WQ - Vec3(0, 0, 1e-3);
+    rows[i].normal_force_n = i == struck ? 9 : 1;
+    rows[i].force_W_n = Vec3(0, 0, rows[i].normal_force_n);
+  }
+  return rows;
+}
+
+TEST(SmallPath, KeepsItsEndsAndTheGreatestForce) {
+  const auto rows = struck_run(5000, 1777);
+  const SmallPath path = small_path(rows, 240);
+  ASSERT_LE(path.points_W.size(), 240u);
+  ASSERT_GE(path.points_W.size(), 230u);
+  EXPECT_EQ(path.points_W.front(), rows.front().p_WQ);
+  EXPECT_EQ(path.points_W.back(), rows.back().contact_W);
+  const auto most = std::max_element(path.force_n.begin(), path.force_n.end());
+  EXPECT_EQ(*most, 9);
+  EXPECT_EQ(path.phases[static_cast<std::size_t>(most - path.force_n.begin())], Phase::slip);
+}
+
+TEST(SmallPath, OfARestIsThereAllTheSame) {
+  std::vector<TickRecord> rows(1000);
+  for (std::size_t i = 0; i < rows.size(); ++i) rows[i].t_s = 1e-3 * static_cast<double>(i);
+  EXPECT_GE(small_path(rows, 50).points_W.size(), 2u);
+  EXPECT_TRUE(small_path({}, 50).points_W.empty());
+}
+
+TEST(SmallSeries, LosesNoPeak) {
+  const auto rows = struck_run(5000, 1777);
+  const SmallSeries series = small_series(rows, 240);
+  ASSERT_EQ(series.phases.size(), 240u);
+  ASSERT_EQ(series.curves[0].name, "normal force");
+  EXPECT_EQ(*std::max_element(series.curves[0].values.begin(), series.curves[0].values.end()), 9);
+  EXPECT_EQ(*std::min_element(series.curves[0].values.begin(), series.curves[0].values.end()), 0);
+  EXPECT_EQ(std::count(series.phases.begin(), series.phases.end(), Phase::slip), 2);
+  EXPECT_NEAR(series.begin_s + 239 * series.step_s, rows.back().t_s, 1e-12);
+}
+
+TEST(SmallSeries, OfFewTicksIsTheRun) {
+  const auto rows = struck_run(200, 150);
+  const SmallSeries series = small_series(rows, 240);
+  ASSERT_EQ(series.curves[0].values.size(), 200u);
+  EXPECT_EQ(series.curves[0].values[150], 9);
+  EXPECT_NEAR(series.step_s, 1e-3, 1e-12);
+}
+
+TEST(SmallShape, KeepsTheSizeOfAPartWithFewTriangles) {
+  Surface surface;
+  surface.part = std::make_shared<const Part>(make_part(test::sphere_soup(0.01, 6), 0.5));
+  ASSERT_GT(surface.part->triangle_count(), 10'000);
+  surface.p_WP = Vec3(1, 2, 3);
+  const SmallShape shape = small_shape(std::span(&surface, 1), 600, {});
+  EXPECT_LE(shape.triangles.size(), 660u);
+  EXPECT_GE(shape.triangles.size(), 300u);
+  for (const Vec3& point_W : shape.points_W) EXPECT_NEAR((point_W - surface.p_WP).norm(), 0.01, 5e-4);
+  for (const auto& triangle : shape.triangles)
+    for (const int corner : triangle) EXPECT_LT(corner, static_cast<int>(shape.points_W.size()));
+}
+
+}  // namespace
+}  // namespace fingerpad::small_run_test
