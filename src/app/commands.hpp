@@ -25,6 +25,7 @@ void add_export(CLI::App& program, Action& action);
 void add_merge(CLI::App& program, Action& action);
 void add_compare(CLI::App& program, Action& action);
 void add_study(CLI::App& program, Action& action);
+void add_fit(CLI::App& program, Action& action);
 
 inline constexpr std::string_view program_version = FINGERPAD_VERSION;
 
