@@ -27,6 +27,7 @@ void add_compare(CLI::App& program, Action& action);
 void add_keys(CLI::App& program, Action& action);
 void add_report(CLI::App& program, Action& action);
 void add_study(CLI::App& program, Action& action);
+void add_fit(CLI::App& program, Action& action);
 
 inline constexpr std::string_view program_version = FINGERPAD_VERSION;
 

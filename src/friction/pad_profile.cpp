@@ -33,6 +33,11 @@ constexpr NumberKey number_keys[] = {
     {"vibration_hz", &PadProfile::vibration_hz, true, false},
 };
 
+/// What a fitted profile says besides: of the surface that was touched, which a scene
+/// names itself, and how sure the numbers are.
+constexpr std::string_view fitted_numbers[] = {"mu_dynamic", "stick_stiffness_per_m"};
+constexpr std::string_view fitted_tables[] = {"interval", "samples", "refused"};
+
 std::string place(const std::string& path, const toml::source_region& source) {
   return fmt::format("{}:{}:{}", path, source.begin.line, source.begin.column);
 }
@@ -66,9 +71,20 @@ void read_entry(const std::string& path, const toml::key& key, const toml::node&
     profile.*number.member = number_of(path, number, node);
     return;
   }
+  for (const std::string_view fitted : fitted_numbers) {
+    if (key.str() == fitted) return void(number_of(path, {fitted, nullptr, true, false}, node));
+  }
+  for (const std::string_view fitted : fitted_tables) {
+    if (key.str() != fitted) continue;
+    if (!node.is_table())
+      throw refused(place(path, node.source()), fmt::format("{} must be a table", fitted));
+    return;
+  }
   if (key.str() != "source") {
     std::string known = "source";
     for (const NumberKey& number : number_keys) known += fmt::format(", {}", number.key);
+    for (const std::string_view fitted : fitted_numbers) known += fmt::format(", {}", fitted);
+    for (const std::string_view fitted : fitted_tables) known += fmt::format(", [{}]", fitted);
     throw refused(place(path, key.source()),
                   fmt::format("unknown key '{}'; a profile knows {}", key.str(), known));
   }
@@ -118,7 +134,9 @@ PadProfile read_profile_text(const std::string& text, const std::string& path) {
   for (const auto& [key, node] : table) read_entry(path, key, node, profile);
   for (const NumberKey& key : number_keys) {
     if (key.required && table.get(key.key) == nullptr) {
-      throw refused(path + ":1:1", fmt::format("{} is missing", key.key));
+      const auto why = table["refused"][key.key].value<std::string>();
+      throw refused(path + ":1:1", fmt::format("{} is missing{}", key.key,
+                                               why ? fmt::format(": its fit says '{}'", *why) : ""));
     }
   }
   refuse_vanishing_axis(path, table, "lateral_axis_m", "lateral_slope_per_deg", profile.lateral_axis_m,

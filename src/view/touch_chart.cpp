@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/spectrum.hpp"
 #include "friction/law_parameters.hpp"
 #include "touch/world.hpp"
 #include "view/colours.hpp"
-#include "view/spectrum.hpp"
 
 namespace fingerpad {
 namespace {

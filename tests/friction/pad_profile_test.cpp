@@ -83,6 +83,16 @@ TEST(PadProfile, RefusesWithThePlaceOfTheFault) {
   EXPECT_THAT(refusal_of("[[x]]\n"), HasSubstr("unknown key 'x'"));
 }
 
+TEST(PadProfile, TakesWhatAFitSaysBesides) {
+  EXPECT_EQ(refusal_of(axes + "mu_dynamic = 0.2\nstick_stiffness_per_m = 150\n[interval]\nmu_static = [0.2, "
+                              "0.4]\n[samples]\n[refused]\nvibration_hz = 'no slip'\n"),
+            "accepted");
+  EXPECT_THAT(refusal_of(axes + "interval = 1\n"), StartsWith("pad.toml:3:12: interval must be a table"));
+  EXPECT_THAT(refusal_of(axes + "mu_dynamic = 0\n"), HasSubstr("must be larger than 0"));
+  EXPECT_THAT(refusal_of("[refused]\nlateral_axis_m = 'no stick'\n"),
+              EndsWith("lateral_axis_m is missing: its fit says 'no stick'"));
+}
+
 TEST(PadProfile, RefusesNumbersThatNoFingerHas) {
   EXPECT_THAT(
       refusal_of("lateral_axis_m = 1e-300\nlongitudinal_axis_m = 1\n"),

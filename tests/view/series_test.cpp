@@ -4,9 +4,9 @@
 #include <numbers>
 
 #include "base/random_stream.hpp"
+#include "base/spectrum.hpp"
 #include "view/playback.hpp"
 #include "view/rub.hpp"
-#include "view/spectrum.hpp"
 #include "view/touch_series.hpp"
 
 namespace fingerpad::test {

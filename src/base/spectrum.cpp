@@ -1,4 +1,4 @@
-#include "view/spectrum.hpp"
+#include "base/spectrum.hpp"
 
 #include <cmath>
 #include <complex>
@@ -20,9 +20,12 @@ std::size_t window_length(std::size_t samples) {
 }  // namespace
 
 Spectrum welch_spectrum(std::span<const double> samples, double rate_hz) {
+  if (samples.size() < 32) return {};
+  return welch_spectrum(samples, rate_hz, window_length(samples.size()));
+}
+
+Spectrum welch_spectrum(std::span<const double> samples, double rate_hz, std::size_t length) {
   Spectrum spectrum;
-  if (samples.size() < 32) return spectrum;
-  const std::size_t length = window_length(samples.size());
   std::vector<double> window(length), piece(length);
   double window_power = 0;
   for (std::size_t i = 0; i < length; ++i) {

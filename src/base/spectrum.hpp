@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -15,5 +16,9 @@ struct Spectrum {
 /// @param rate_hz  of the samples, > 0
 /// @returns empty for fewer than 32 samples
 Spectrum welch_spectrum(std::span<const double> samples, double rate_hz);
+
+/// As above with windows of `length` samples.
+/// @pre length is even, at least 2 and at most the samples
+Spectrum welch_spectrum(std::span<const double> samples, double rate_hz, std::size_t length);
 
 }  // namespace fingerpad

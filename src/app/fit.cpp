@@ -1,0 +1,83 @@
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+
+#include "app/commands.hpp"
+#include "app/output_name.hpp"
+#include "app/standard_streams.hpp"
+#include "base/error.hpp"
+#include "base/output_place.hpp"
+#include "study/profile_fit.hpp"
+#include "trace/output_file.hpp"
+
+namespace fingerpad {
+namespace {
+
+struct FitOptions {
+  std::vector<std::string> measurements;
+  std::string out;
+  std::uint64_t seed = 1;
+  bool quiet = false;
+};
+
+void tell_fit(const ProfileFit& fit) {
+  for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
+    const PadValue& value = fit.values[k];
+    if (!value.refusal.empty()) {
+      print_out("{:<27} refused: {}\n", std::string(pad_number_keys[k]), value.refusal);
+      continue;
+    }
+    const auto& both = fit.interval[k];
+    print_out("{:<27} {:<11.5g} {} ({} samples, {} trials)\n", std::string(pad_number_keys[k]), value.value,
+              both ? fmt::format("95 %: {:.5g} .. {:.5g}", both->first, both->second)
+                   : std::string("too few trials for an interval"),
+              value.samples, value.trials);
+  }
+}
+
+int fit(const FitOptions& options) {
+  refuse_unwritable(options.out);
+  const Measurement measurement = read_measurements(options.measurements);
+  for (const std::string& name : measurement.untouched)
+    print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);
+  const ProfileFit found = fit_profile(measurement, options.seed);
+  bool has_any = false;
+  for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
+  if (!has_any)
+    throw refused(options.measurements.front(),
+                  fmt::format("nothing can be fitted: {}", found.values.front().refusal));
+  std::string source =
+      fmt::format("fitted to {} trials of {} subjects, seed {}:", found.trials, found.subjects, options.seed);
+  for (const std::string& path : options.measurements) source += fmt::format(" {}", path);
+  OutputFile file(options.out);
+  file.write(profile_text(found, source));
+  file.commit();
+  if (!options.quiet && options.out != "-") tell_fit(found);
+  tell_written(options.quiet, options.out,
+               fmt::format("{} trials of {} subjects", found.trials, found.subjects));
+  return 0;
+}
+
+}  // namespace
+
+void add_fit(CLI::App& program, Action& action) {
+  auto options = std::make_shared<FitOptions>();
+  CLI::App* command = program.add_subcommand("fit", "Fit a finger pad's profile to measurements");
+  command
+      ->add_option("MEASUREMENT", options->measurements,
+                   "CSV: t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n (force on the finger), and optionally nx,ny,nz "
+                   "(default 0,0,1), dx,dy,dz (finger direction), subject, trial (whole numbers)")
+      ->required();
+  refuse_empty(
+      command->add_option("--out", options->out, "Profile to write (TOML), or - for standard output"))
+      ->required();
+  command->add_option("--seed", options->seed, "Of the intervals' bootstrap")->capture_default_str();
+  add_quiet_flag(*command, options->quiet);
+  command->footer(
+      "A flat, rigid plate; forces on the finger. Each number comes with its 95 % interval over the trials; "
+      "what the data cannot support is refused by name, under [refused], and the rest given.\n"
+      "A scene takes the profile as profile = \"PROFILE.toml\" in [finger].");
+  command->callback([options, &action] { action = [options] { return fit(*options); }; });
+}
+
+}  // namespace fingerpad

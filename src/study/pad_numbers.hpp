@@ -1,0 +1,52 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "study/trial_evidence.hpp"
+
+namespace fingerpad {
+
+/// What a fit gives, in the order of a profile file.
+enum class PadNumber {
+  lateral_axis,
+  longitudinal_axis,
+  lateral_slope,
+  longitudinal_slope,
+  mu_static,
+  mu_dynamic,
+  stick_stiffness,
+  v_min,
+  vibration,
+};
+inline constexpr std::array<std::string_view, 9> pad_number_keys{
+    "lateral_axis_m", "longitudinal_axis_m", "lateral_slope_per_deg", "longitudinal_slope_per_deg",
+    "mu_static",      "mu_dynamic",          "stick_stiffness_per_m", "v_min_m_per_s",
+    "vibration_hz"};
+
+/// A number, how many samples it rests on, and why there is none.
+struct PadValue {
+  double value = 0;
+  long samples = 0;  ///< of stick or slip; of mu_static ruptures, of v_min ends of slip, of vibration windows
+  long trials = 0;   ///< that it rests on
+  std::string refusal;  ///< empty: the value holds
+};
+using PadValues = std::array<PadValue, pad_number_keys.size()>;
+
+/// The profile of the trials' evidence, each counted `times` (a bootstrap's draw; once each for the
+/// estimate).
+///
+/// Each subject weighs the same, whatever its samples (paper, "Stick Ellipse"): a number is the mean of the
+/// subjects' own. mu_static is the mean of |q| at ruptures, mu_dynamic of q in slip, v_min of the speeds at
+/// ends of slip. Axes: a trial at angle alpha gives 1/K, and a = mu_s/K. Each subject's line a(alpha) gives
+/// its own a45, by which its points are normalised (figs. 5, 6); the slope s is that of the weighted least
+/// squares line a/a45 = 1 - s (alpha - 45) over all subjects, the weights of a subject's trials (by what they
+/// moved) adding up to 1. Where there is one angle only, slopes are refused and axes given if it is within 10
+/// degrees of 45. Where mu_static is refused, the axes hold at 0.3, a profile's default: their quotient is
+/// what is measured. stick_stiffness is mu_s/a45, k_f; without directions the mean over those that were
+/// pushed. Vibration: the centre of the peak of the mean density of slip (Welch 1967).
+PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
+
+}  // namespace fingerpad

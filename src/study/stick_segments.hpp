@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "study/measurement.hpp"
+
+namespace fingerpad {
+
+/// What the pad was doing at a sample; unknown where it moved too little to tell.
+enum class PadPhase : unsigned char { unknown, stick, slip };
+
+/// A trial told apart into stick and slip.
+struct StickSegments {
+  std::vector<PadPhase> phase;   ///< per sample
+  std::vector<bool> is_rupture;  ///< per sample: the first after the force ratio has dropped in one step
+  std::vector<bool> begins_run;  ///< rupture or starts_anew: no window goes across
+  std::vector<Vec2> velocity_m_per_s;  ///< slope of the window's positions
+  double position_noise_m = 0;         ///< standard deviation of one component
+  double ratio_noise = 0;              ///< likewise, of q
+  int half_window = 0;                 ///< samples
+};
+
+/// Tells stick from slip by the local stiffness k = -sum dq.dx / sum |dx|^2 over windows of 13 ms (up to 100
+/// ms where the pad moves slowly) that do not go across a rupture: in slip the force ratio q stays as the
+/// finger moves, in stick it follows. The border is half the mean of the stiffer group (two means); slip must
+/// also be against the motion, q.v < 0. A window whose spread is under four times the noise of positions
+/// tells nothing.
+///
+/// A rupture is a step in which |q| falls more than in the steps around it by six standard deviations and 1.5
+/// times their size (medians). So a sensor must pass the drop within one sample.
+/// Noise is told from second differences (their median, so that ruptures do not count).
+StickSegments stick_segments(const MeasuredTrial& trial);
+
+}  // namespace fingerpad
