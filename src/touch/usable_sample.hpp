@@ -27,8 +27,8 @@ inline double usable_force_n(double measured_n) noexcept {
   return measured_n > 0 && measured_n <= largest_meaningful ? measured_n : 0;
 }
 
-/// How a sample's finger stands, with a unit direction (straight down the normal where its own is unusable) and
-/// a finite push.
+/// How a sample's finger stands, with a unit direction (straight down the normal where its own is unusable)
+/// and a finite push.
 inline FingerStand stand_of(const FingerSample& sample, const Vec3& normal_W) noexcept {
   const double length = sample.direction_W.norm();
   return {sample.p_WQ,
