@@ -9,6 +9,7 @@ namespace fingerpad {
 class ClosestMemory;
 struct BriefSearch;
 struct ClosestTriangle;
+struct Part;
 
 /// Where a point stands against a surface, frame P (the file's frame, not re-centred).
 struct SurfacePoint {
