@@ -1,5 +1,6 @@
 #include "contact/surface_point.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 
 #include "contact/closest_memory.hpp"
@@ -28,15 +29,25 @@ SurfacePoint nearest(const TriangleTree& tree, const Vec3& p_P, Normals normals,
   return surface_point_at(tree, found, p_P, normals, reach_m);
 }
 
-/// The facet that q lies on, to rounding, some edges away from triangle t; -1: not found.
-int facet_around(const Part& part, int t, const Vec3& q) noexcept {
+/// Whether two facets lie in one plane, to rounding of their normals.
+bool are_level(const Part& part, int t, int next) noexcept {
+  constexpr double least_sine2 = 1e-16;
+  const Vec3 here = part.facet_normals.col(t), there = part.facet_normals.col(next);
+  return here.dot(there) > 0 && here.cross(there).squaredNorm() <= least_sine2;
+}
+
+/// The facet under q some edges away from triangle t, of which at most one is bent and one or more are not;
+/// -1: not found.
+int find_foot_around(const Part& part, int t, const Vec3& q, Vec3& foot) noexcept {
   constexpr int most_edges = 8;
-  for (int k = 0; k < most_edges && t >= 0; ++k) {
-    const double height_m = part.facet_normals.col(t).dot(q - part.vertices.col(part.triangles(0, t)));
-    if (!(std::abs(height_m) <= 1e-12 * part.size_m())) return -1;
-    Vec3 foot;
-    if (find_foot_on_face(part, t, q, foot)) return t;
-    t = part.neighbours(edge_farthest_behind(part, t, q), t);
+  int level = 0, bent = 0;
+  for (int k = 0; k < most_edges; ++k) {
+    const int next = part.neighbours(edge_farthest_behind(part, t, q), t);
+    if (next < 0) return -1;
+    ++(are_level(part, t, next) ? level : bent);
+    if (bent > 1) return -1;
+    t = next;
+    if (find_foot_on_face(part, t, q, foot)) return level > 0 ? t : -1;
   }
   return -1;
 }
@@ -87,9 +98,8 @@ FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept {
     if (across >= 0 && find_foot_on_face(part, across, q, foot)) {
       t = across;
     } else {
-      t = facet_around(part, t, q);
+      t = find_foot_around(part, t, q, foot);
       if (t < 0) return {};
-      foot = q;
     }
   }
   return {part.centre_P + foot, t};

@@ -54,8 +54,8 @@ struct FacetFoot {
 };
 
 /// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that;
-/// or of a facet some edges on, where p_P lies on its plane. None where these have none. No other triangle is
-/// looked at: of one across a single edge another may be nearer.
+/// none where neither has one. Triangles in one plane count as one facet, as far as a few edges on. No other
+/// triangle is looked at: one may be nearer.
 /// noexcept, allocates nothing.
 FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept;
 
