@@ -144,6 +144,7 @@ std::shared_ptr<RunLock> root_claim(const std::vector<BatchJob>& jobs, const Bat
   return lock;
 }
 
+  refuse_to_lose_summary(jobs, options);
 /// What must be done once for all ranks before any of them writes. What the root refuses, every rank throws.
 /// @returns what holds the run's place in the folder
 std::shared_ptr<void> claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,

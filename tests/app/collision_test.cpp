@@ -118,7 +118,7 @@ TEST(Collisions, OfATraceThatAnotherJobReadsAreRefused) {
   write_scene(folder / "second.toml", "second", "[motion]\nfile = \"o/first.h5\"\n");
   expect_refused(folder, "replay first.toml second.toml --out o", {"o/first.h5"});
   ASSERT_EQ(test::fingerpad("replay first.toml --out o --quiet", folder).exit_code, 0);
-  EXPECT_EQ(test::fingerpad("replay second.toml --out o --quiet", folder).exit_code, 0)
+  EXPECT_EQ(test::fingerpad("replay second.toml --out o --force --quiet", folder).exit_code, 0)
       << "one after another";
 }
 
