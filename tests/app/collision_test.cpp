@@ -69,7 +69,8 @@ TEST(Collisions, OfATraceAndATableAreRefused) {
   expect_refused(folder, "replay b.toml --out o --format csv", {"b.toml", "timing.csv"});
   expect_refused(folder, "replay c.toml --out o --format csv --shard 1/8", {"c.toml", "summary-2of8.csv"});
   EXPECT_EQ(test::fingerpad("replay a.toml b.toml c.toml --out o", folder).exit_code, 0) << "HDF5 does not";
-  EXPECT_EQ(test::fingerpad("replay c.toml --out o --format csv", folder).exit_code, 0) << "nor one shard";
+  EXPECT_EQ(test::fingerpad("replay c.toml --out o --format csv --force", folder).exit_code, 0)
+      << "nor one shard";
 }
 
 TEST(Collisions, OfATraceAndAnInputAreRefused) {
