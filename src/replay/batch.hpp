@@ -21,11 +21,11 @@ struct BatchOptions {
   bool traces = true;  ///< false: the figures alone are kept, in the summary
   int threads = 1;
   bool resume = false;
+  bool force = false;   ///< a summary that has rows of other scenes may be replaced
   int shard = 1;        ///< this call's share of the jobs, from 1
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1
   std::string version;
   LoadProgress on_load;  ///< as MeshStore's
-  bool force = false;   ///< a summary that has rows of other scenes may be replaced
   /// Told now and then how far a job is, 0 .. 1, by the thread that does it. May be empty.
   std::function<void(const BatchJob&, double share_done)> on_ticks;
   /// Told, on the root, of runs that had begun to write the same folder and ended before they were done:
