@@ -173,6 +173,8 @@ void add_replay(CLI::App& program, Action& action) {
       ->capture_default_str();
   command->add_flag("--resume", options->batch.resume,
                     "Keep complete traces of the very same runs instead of making them again");
+  command->add_flag("--force", options->batch.force,
+                    "Replace a summary.csv in OUT that has rows of other scenes");
   command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")
       ->type_name("K/N")
       ->capture_default_str();

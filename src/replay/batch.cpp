@@ -130,6 +130,7 @@ std::vector<std::size_t> share(std::size_t job_count, const BatchOptions& option
 /// On the root: looks for collisions, makes the output folder and registers the run in it.
 std::shared_ptr<RunLock> root_claim(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   refuse_collisions(jobs, options);
+  refuse_to_lose_summary(jobs, options);
   std::error_code failure;
   std::filesystem::create_directories(options.out_dir, failure);
   if (failure)

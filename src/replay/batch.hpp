@@ -21,6 +21,7 @@ struct BatchOptions {
   bool traces = true;  ///< false: the figures alone are kept, in the summary
   int threads = 1;
   bool resume = false;
+  bool force = false;   ///< a summary that has rows of other scenes may be replaced
   int shard = 1;        ///< this call's share of the jobs, from 1
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1
   std::string version;
@@ -64,7 +65,8 @@ std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths);
 /// @returns on the root, the tables that could not be written, with the reason; the traces are there
 /// Throws Error on every rank, before anything is written: refused where two files of the batch would be one,
 /// where a file that the batch reads would be overwritten, or where a running process writes the same files;
-/// usage where the output folder is no place to write to, fault where the disk is full.
+/// usage where the output folder is no place to write to, or its summary has rows of scenes that are not in
+/// this batch (BatchOptions::force); fault where the disk is full.
 std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                              const std::function<void(const BatchJob&)>& on_done);
 

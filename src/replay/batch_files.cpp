@@ -7,8 +7,11 @@
 #include <map>
 #include <set>
 
+#include "base/csv_cell.hpp"
+#include "base/csv_cells.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/text_lines.hpp"
 
 namespace fingerpad {
 namespace {
@@ -66,6 +69,23 @@ std::set<std::string> inputs_of(const std::vector<BatchJob>& jobs) {
   return inputs;
 }
 
+/// A scene of a summary that the batch does not have; empty if it has all.
+std::string scene_apart(const std::string& summary, const std::vector<BatchJob>& jobs) {
+  std::set<std::string> starts;
+  for (const BatchJob& job : jobs) starts.insert(csv_cell(job.job.scene.name));
+  TextLines lines(summary, {"a summary", std::uint64_t{2} << 30});
+  std::string_view line;
+  if (lines.next(line) && !line.starts_with("scene,job,")) return "another program";
+  while (lines.next(line)) {
+    const auto is_of = [&line](const std::string& start) {
+      return line.starts_with(start) && line.substr(start.size()).starts_with(',');
+    };
+    if (!line.empty() && std::none_of(starts.begin(), starts.end(), is_of))
+      return fmt::format("scene '{}'", csv_cells(line, ',').front());
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string trace_name(const SceneJob& job, TraceFormat format) {
@@ -109,6 +129,20 @@ std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const B
       names.push_back(trace_name(jobs[i].job, options.format));
   }
   return names;
+}
+
+void refuse_to_lose_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  const std::string summary =
+      (fs::path(options.out_dir) / table_names(options.shard, options.shard_count).summary).string();
+  std::error_code none;
+  if (options.force || !fs::is_regular_file(summary, none)) return;
+  const std::string apart = scene_apart(summary, jobs);
+  if (apart.empty()) return;
+  throw Error(ErrorKind::usage, summary,
+              fmt::format("is of {}, which is not in this batch, and would be replaced: write into another "
+                          "folder, name all the scenes in one call (with --resume what is done is kept), or "
+                          "give --force",
+                          apart));
 }
 
 void refuse_collisions(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
