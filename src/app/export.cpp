@@ -48,7 +48,7 @@ int export_trace(const ExportOptions& options) {
   const bool csv = !options.out.ends_with(".vtp");
   refuse_overwriting(options.out, {options.trace});
   refuse_unwritable(options.out);
-  const Trace trace = read_trace(options.trace);
+  const Trace trace = read_trace(options.trace, csv ? TraceContents::some_rows : TraceContents::all);
   csv ? export_csv(trace, options.out) : export_vtp(trace, options.out);
   tell_written(options.quiet, options.out,
                fmt::format("{} ticks as {}", trace.rows.size(), csv ? "CSV" : "VTP, for ParaView"));

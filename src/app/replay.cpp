@@ -31,6 +31,7 @@ struct ReplayOptions {
   BatchOptions batch;
   std::string format = "h5";
   std::string shard = "1/1";
+  std::string columns;  ///< of the traces, parted by commas; empty: all
   bool quiet = false;
   bool dry_run = false;
   double progress_s = 10;  ///< between lines where there is no terminal
@@ -120,6 +121,10 @@ int replay(ReplayOptions options) {
   if (!options.batch.traces && options.batch.resume)
     throw Error(ErrorKind::usage, "--resume",
                 "keeps traces, of which --format none writes none; leave one out");
+  if (!options.columns.empty()) options.batch.choice.columns = chosen_columns(options.columns, "--columns");
+  if (!options.batch.traces && !options.batch.choice.is_all())
+    throw Error(ErrorKind::usage, "--format none",
+                "writes no traces, of which --columns and --every say what they hold; leave one out");
   options.batch.format = options.format == "csv" ? TraceFormat::csv : TraceFormat::hdf5;
   options.batch.version = program_version;
   const Ranks ranks;
@@ -173,6 +178,23 @@ void add_replay(CLI::App& program, Action& action) {
       ->capture_default_str();
   command->add_flag("--resume", options->batch.resume,
                     "Keep complete traces of the very same runs instead of making them again");
+  command
+      ->add_option(
+          "--columns", options->columns,
+          "Write these columns of the traces alone, parted by commas, beside t_s (names: see `export "
+          "--help`)")
+      ->type_name("LIST");
+  command->add_option("--every", options->batch.choice.every, "Write every N-th tick alone, and the last")
+      ->type_name("N")
+      ->check(CLI::Range(1L, 1000000000L))
+      ->capture_default_str();
+  command
+      ->add_option(
+          "--memory", options->batch.memory_bytes,
+          "Keep as many meshes loaded as fit into this, such as 500M or 4G, beside those in use; without "
+          "it one more than --jobs")
+      ->type_name("SIZE")
+      ->transform(CLI::AsSizeValue(false));
   command->add_flag("--force", options->batch.force,
                     "Replace a summary.csv in OUT that has rows of other scenes");
   command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")

@@ -22,11 +22,25 @@ long ticks_between(double start_s, double end_s, double rate_hz) {
   return static_cast<long>(ticks);
 }
 
+/// The sample after `t_s`, or one behind the last. Clocks are mostly even: the place that an even one has is
+/// tried before the search.
+Eigen::Index sample_after(const std::vector<double>& t_s, double at_s) noexcept {
+  const auto count = static_cast<Eigen::Index>(t_s.size());
+  const double place = (at_s - t_s.front()) / (t_s.back() - t_s.front()) * static_cast<double>(count - 1);
+  if (place >= 0 && place < static_cast<double>(count - 1)) {
+    const auto guess = static_cast<Eigen::Index>(place);
+    for (Eigen::Index right = std::max<Eigen::Index>(1, guess); right < std::min(count, guess + 3); ++right) {
+      const auto k = static_cast<std::size_t>(right);
+      if (t_s[k - 1] <= at_s && at_s < t_s[k]) return right;
+    }
+  }
+  return std::upper_bound(t_s.begin(), t_s.end(), at_s) - t_s.begin();
+}
+
 FingerSample interpolated(const Motion& motion, double t_s, const Vec3& direction_W) noexcept {
-  const auto above = std::upper_bound(motion.t_s.begin(), motion.t_s.end(), t_s);
   const auto last = static_cast<Eigen::Index>(motion.t_s.size()) - 1;
   const auto right =
-      std::clamp<Eigen::Index>(above - motion.t_s.begin(), std::min<Eigen::Index>(1, last), last);
+      std::clamp<Eigen::Index>(sample_after(motion.t_s, t_s), std::min<Eigen::Index>(1, last), last);
   const Eigen::Index left = std::max<Eigen::Index>(right - 1, 0);
   const double t_left = motion.t_s[static_cast<std::size_t>(left)];
   const double span = motion.t_s[static_cast<std::size_t>(right)] - t_left;
@@ -71,7 +85,7 @@ FingerPath::FingerPath(Motion motion, double rate_hz, const Vec3& direction_W)
       t0_s_(motion.t_s.front()),
       end_s_(motion.t_s.back()),
       tick_count_(ticks_between(motion.t_s.front(), motion.t_s.back(), rate_hz)) {
-  motion_ = std::move(motion);
+  motion_ = std::make_shared<const Motion>(std::move(motion));
 }
 
 FingerPath::FingerPath(const ScriptedMotion& motion, double rate_hz, const Vec3& direction_W)
@@ -88,32 +102,48 @@ FingerPath FingerPath::with_rate(double rate_hz) const {
   return path;
 }
 
+std::size_t FingerPath::memory_bytes() const noexcept {
+  const Motion* recorded = recording();
+  if (recorded == nullptr) return 0;
+  Eigen::Index numbers = 0;
+  for (const Points* points :
+       {&recorded->p_WQ, &recorded->direction_W, &recorded->push_W_n, &recorded->velocity_W})
+    numbers += points->size();
+  return static_cast<std::size_t>(numbers) * sizeof(double) + recorded->attitude.size() * sizeof(Attitude) +
+         (recorded->t_s.size() + recorded->normal_force_n.size()) * sizeof(double);
+}
+
 double FingerPath::farthest_m() const noexcept {
   const auto largest = [](const auto& p) { return p.cwiseAbs().maxCoeff(); };
   const auto* scripted = std::get_if<ScriptedMotion>(&motion_);
-  if (scripted == nullptr) return largest(std::get_if<Motion>(&motion_)->p_WQ);
+  if (scripted == nullptr) return largest(recording()->p_WQ);
   if (scripted->kind == ScriptedMotion::Kind::line)
     return std::max(largest(scripted->from_m), largest(scripted->to_m));
   return largest(scripted->centre_m) + scripted->amplitude_m;
 }
 
+const Motion* FingerPath::recording() const noexcept {
+  const auto* shared = std::get_if<std::shared_ptr<const Motion>>(&motion_);
+  return shared != nullptr ? shared->get() : nullptr;
+}
+
 bool FingerPath::turns() const noexcept {
-  const auto* recorded = std::get_if<Motion>(&motion_);
+  const Motion* recorded = recording();
   return recorded != nullptr && (recorded->direction_W.cols() > 0 || !recorded->attitude.empty());
 }
 
 bool FingerPath::was_in_hand() const noexcept {
-  const auto* recorded = std::get_if<Motion>(&motion_);
+  const Motion* recorded = recording();
   return recorded != nullptr && recorded->push_W_n.cols() > 0;
 }
 
 bool FingerPath::has_attitudes() const noexcept {
-  const auto* recorded = std::get_if<Motion>(&motion_);
+  const Motion* recorded = recording();
   return recorded != nullptr && !recorded->attitude.empty();
 }
 
 bool FingerPath::has_velocity() const noexcept {
-  const auto* recorded = std::get_if<Motion>(&motion_);
+  const Motion* recorded = recording();
   return recorded != nullptr && recorded->velocity_W.cols() > 0;
 }
 
@@ -124,7 +154,7 @@ FingerSample FingerPath::at(long k) const noexcept {
 FingerSample FingerPath::at_time(double t_s) const noexcept {
   if (const auto* scripted = std::get_if<ScriptedMotion>(&motion_))
     return {t_s, scripted->at(t_s), direction_W_};
-  return interpolated(*std::get_if<Motion>(&motion_), t_s, direction_W_);
+  return interpolated(*recording(), t_s, direction_W_);
 }
 
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <variant>
 
 #include "fingerpad/finger_sample.hpp"
@@ -30,6 +31,8 @@ class FingerPath {
   /// Of the first tick, and of the motion's end.
   double start_s() const noexcept { return t0_s_; }
   double end_s() const noexcept { return end_s_; }
+  /// That its recording takes, shared by its copies.
+  std::size_t memory_bytes() const noexcept;
   /// No coordinate of the path is larger [m].
   double farthest_m() const noexcept;
   /// Whether the finger is turned otherwise at some ticks than at others.
@@ -44,8 +47,11 @@ class FingerPath {
   /// Between the ticks too: where the finger is at this time of the motion's own clock.
   FingerSample at_time(double t_s) const noexcept;
 
+  /// Null for a motion made from a formula.
+  const Motion* recording() const noexcept;
+
  private:
-  std::variant<Motion, ScriptedMotion> motion_;
+  std::variant<std::shared_ptr<const Motion>, ScriptedMotion> motion_;  // copies of a path share a recording
   double rate_hz_;
   Vec3 direction_W_;
   double t0_s_ = 0, end_s_ = 0;

@@ -10,6 +10,7 @@
 #include <chrono>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -45,7 +46,7 @@ std::optional<std::string> state_of(const std::string& path) {
   return fmt::format("{} {}", *identity, written.time_since_epoch().count());
 }
 
-void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options) {
+void run_one(BatchJob& batch_job, MeshStore& meshes, MotionStore& motions, const BatchOptions& options) {
   const auto start = std::chrono::steady_clock::now();
   const SceneJob& job = batch_job.job;
   const std::string path =
@@ -54,9 +55,9 @@ void run_one(BatchJob& batch_job, MeshStore& meshes, const BatchOptions& options
   const auto before = options.traces ? state_of(path) : std::nullopt;
   try {
     if (!job.error.empty()) throw Error(ErrorKind::refused, "", job.error);
-    JobOutput output{path, options.format, options.version, options.resume, {}};
+    JobOutput output{path, options.format, options.choice, options.version, options.resume, {}};
     if (options.on_ticks) output.on_ticks = [&](double share) { options.on_ticks(batch_job, share); };
-    const JobResult result = run_job(job.scene, meshes, output);
+    const JobResult result = run_job(job.scene, meshes, motions, output);
     refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;
     batch_job.kept = result.kept;
@@ -124,6 +125,19 @@ std::vector<std::size_t> share(std::size_t job_count, const BatchOptions& option
        i += static_cast<std::size_t>(ranks.count())) {
     ours.push_back(shard[i]);
   }
+  return ours;
+}
+
+/// Jobs of one mesh one after another, as far as nothing else tells their order: each mesh is loaded once.
+std::vector<std::size_t> by_mesh(const std::vector<BatchJob>& jobs, std::vector<std::size_t> ours) {
+  const auto mesh_of = [&jobs](std::size_t i) {
+    const Scene& scene = jobs[i].job.scene;
+    return scene.parts.empty() ? std::string() : scene.parts.front().mesh_path;
+  };
+  std::map<std::string, std::size_t> first;
+  for (const std::size_t i : ours) first.emplace(mesh_of(i), i);
+  std::stable_sort(ours.begin(), ours.end(),
+                   [&](std::size_t a, std::size_t b) { return first[mesh_of(a)] < first[mesh_of(b)]; });
   return ours;
 }
 
@@ -202,10 +216,15 @@ std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths) {
 std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                              const std::function<void(const BatchJob&)>& on_done) {
   const std::shared_ptr<void> claim = claimed_folder(jobs, options, ranks);
-  const std::vector<std::size_t> ours = share(jobs.size(), options, ranks);
+  const std::vector<std::size_t> ours = by_mesh(jobs, share(jobs.size(), options, ranks));
   std::vector<Error> lost;  // before the jobs: then a killed run has said which is which
   if (ranks.is_root()) lost = write_job_index(jobs, options);
   MeshStore meshes(static_cast<std::size_t>(options.threads) + 1, options.on_load);
+  if (options.memory_bytes > 0) meshes.bound_memory(options.memory_bytes);
+  for (const std::size_t i : ours) {
+    for (const PartEntry& part : jobs[i].job.scene.parts) meshes.expect(part);
+  }
+  MotionStore motions(std::size_t{256} << 20);
   std::mutex done_mutex;
   // Where the process may run on fewer processors than it is given threads (mpirun binds each rank to its
   // own), TBB would warn on standard error that it starts fewer.
@@ -224,7 +243,8 @@ std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& op
               jobs[ours[i]].not_begun = true;
               continue;
             }
-            tbb::this_task_arena::isolate([&] { run_one(jobs[ours[i]], meshes, options); });
+            tbb::this_task_arena::isolate([&] { run_one(jobs[ours[i]], meshes, motions, options); });
+            for (const PartEntry& part : jobs[ours[i]].job.scene.parts) meshes.done(part);
             const std::lock_guard lock(done_mutex);
             on_done(jobs[ours[i]]);
           }

@@ -9,6 +9,7 @@
 #include "replay/figures.hpp"
 #include "replay/ranks.hpp"
 #include "scene/scene_file.hpp"
+#include "trace/trace_choice.hpp"
 #include "trace/trace_writer.hpp"
 
 namespace fingerpad {
@@ -18,8 +19,11 @@ struct BatchJob;
 struct BatchOptions {
   std::string out_dir;
   TraceFormat format = TraceFormat::hdf5;
-  bool traces = true;  ///< false: the figures alone are kept, in the summary
+  TraceChoice choice = {};  ///< which columns and rows the traces have
+  bool traces = true;       ///< false: the figures alone are kept, in the summary
   int threads = 1;
+  std::size_t memory_bytes =
+      0;  ///< bounds the meshes that are kept; 0: as many as there are threads, and one
   bool resume = false;
   bool force = false;   ///< a summary that has rows of other scenes may be replaced
   int shard = 1;        ///< this call's share of the jobs, from 1

@@ -68,7 +68,8 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   ClosedLoop loop(world, scene, motion.path);
   std::unique_ptr<TraceWriter> writer;
   if (options.traces) {
-    const TraceInfo info = trace_info(scene, *world, motion.path, options.version);
+    TraceInfo info = trace_info(scene, *world, motion.path, options.version);
+    choose(options.choice, info);
     writer = TraceWriter::create(file.path, options.format, info, *world);
     writer->flush();
   }
@@ -85,7 +86,9 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   if (writer) writer->finish();
   if (ticks == 0) return cost;
   cost.s_per_tick = seconds_since(run) / static_cast<double>(ticks);
-  cost.bytes_per_tick = std::max(0.0, file.bytes() - cost.bytes) / static_cast<double>(ticks);
+  // The try writes all its rows.
+  cost.bytes_per_tick =
+      std::max(0.0, file.bytes() - cost.bytes) / static_cast<double>(ticks * options.choice.every);
   return cost;
 }
 

@@ -31,7 +31,8 @@ std::set<std::string> traces_in(const std::string& folder) {
     std::error_code none;
     if (!at->is_regular_file(none)) continue;
     const std::string path = at->path().string();
-    if (path.ends_with(".h5") || (path.ends_with(".csv") && is_csv_trace(path)))
+    if (path.ends_with(".h5") ||
+        (path.ends_with(".csv") && (is_csv_trace(path) || is_partial_csv_trace(path))))
       names.insert(at->path().filename().string());
   }
   if (failure) throw refused(folder, "cannot be read: " + path_words(folder, failure.value()));
@@ -70,6 +71,11 @@ std::string name_of_job(const std::string& folder, const std::string& name) {
   return varied.empty() ? name : fmt::format("{} ({})", name, varied);
 }
 
+/// Whether a trace was written without the column.
+bool lacks(const Trace& trace, const TraceColumn& column) {
+  return std::find(trace.missing.begin(), trace.missing.end(), column.name) != trace.missing.end();
+}
+
 /// Adds a line for each column that differs. @returns whether any does
 bool compare_traces(const std::string& job, const Trace& a, const Trace& b, double tolerance,
                     std::vector<std::string>& changes) {
@@ -77,6 +83,11 @@ bool compare_traces(const std::string& job, const Trace& a, const Trace& b, doub
   if (a.rows.size() != b.rows.size())
     changes.push_back(fmt::format("{}: {} ticks, then {}", job, a.rows.size(), b.rows.size()));
   for (const TraceColumn& column : trace_columns()) {
+    const bool lacks_a = lacks(a, column), lacks_b = lacks(b, column);
+    if (lacks_a != lacks_b)
+      changes.push_back(
+          fmt::format("{}: {} is in the {} trace alone", job, column.name, lacks_a ? "second" : "first"));
+    if (lacks_a || lacks_b) continue;
     const ColumnChange change = change_of(column, a, b, tolerance);
     if (change.ticks == 0) continue;
     const std::string unit = column.unit == "1" ? "" : " " + std::string(column.unit);
@@ -139,8 +150,9 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
     }
     const std::string a = (fs::path(folder_a) / name).string(), b = (fs::path(folder_b) / name).string();
     if (file_hash(a) == file_hash(b)) continue;
-    const bool changed = compare_traces(job, read_trace(a, TraceContents::rows),
-                                        read_trace(b, TraceContents::rows), tolerance, comparison.changes);
+    const bool changed =
+        compare_traces(job, read_trace(a, TraceContents::some_rows), read_trace(b, TraceContents::some_rows),
+                       tolerance, comparison.changes);
     comparison.changed += changed ? 1 : 0;
   }
   compare_statuses(folder_a, folder_b, comparison.changes);

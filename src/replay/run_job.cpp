@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "replay/never_touches.hpp"
 #include "replay/run_proof.hpp"
 #include "touch/closed_loop.hpp"
@@ -24,6 +25,8 @@ bool same_run(const TraceInfo& a, const TraceInfo& b) {
 std::optional<std::vector<double>> recounted(const std::string& path, const TraceInfo& info,
                                              const Scene& scene, const std::shared_ptr<const World>& world,
                                              const FingerPath& motion) {
+  // Rows that are not there cannot be counted.
+  if (!info.columns.empty() || info.every != 1) return std::nullopt;
   if (!std::filesystem::is_regular_file(path) || scene.friction.settings.remedy != Remedy::none)
     return std::nullopt;
   Trace trace;
@@ -43,6 +46,18 @@ std::optional<std::vector<double>> recounted(const std::string& path, const Trac
   return figures.values();
 }
 
+/// Of a block that begins at tick `first` the rows that are written.
+const std::vector<TickRecord>& thinned(const std::vector<TickRecord>& block, long first,
+                                       const ClosedLoop& loop, std::uint64_t every,
+                                       std::vector<TickRecord>& kept) {
+  const long last = loop.has_diverged() ? first + static_cast<long>(block.size()) - 1 : loop.tick_count() - 1;
+  kept.clear();
+  for (long i = 0; i < static_cast<long>(block.size()); ++i) {
+    if (is_kept(first + i, last, every)) kept.push_back(block[static_cast<std::size_t>(i)]);
+  }
+  return kept;
+}
+
 /// Runs it and writes its trace. @returns its figures
 std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& world, const FingerPath& path,
                         const TraceInfo& info, const JobOutput& output) {
@@ -51,7 +66,7 @@ std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& 
   std::unique_ptr<TraceWriter> writer;
   if (!output.path.empty()) writer = TraceWriter::create(output.path, output.format, info, *world);
   constexpr long block_ticks = 4096;
-  std::vector<TickRecord> block;
+  std::vector<TickRecord> block, kept;
   block.reserve(block_ticks);
   for (long first = 0; first < loop.tick_count(); first += block_ticks) {
     block.clear();
@@ -59,7 +74,7 @@ std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& 
       block.push_back(loop.next());
       figures.observe(block.back());
     }
-    if (writer) writer->append(block);
+    if (writer) writer->append(info.every == 1 ? block : thinned(block, first, loop, info.every, kept));
     if (output.on_ticks)
       output.on_ticks(static_cast<double>(first + static_cast<long>(block.size())) /
                       static_cast<double>(loop.tick_count()));
@@ -79,18 +94,32 @@ void warn_of_no_touch(const Scene& scene, const World& world, const FingerPath& 
   if (!words.empty()) result.warnings.push_back(fmt::format("{}: {}", scene.name, words));
 }
 
+/// Told of each mesh that is larger than what meshes may take.
+void warn_of_large_meshes(const Scene& scene, MeshStore& meshes, JobResult& result) {
+  for (const PartEntry& part : scene.parts) {
+    if (const std::size_t bytes = meshes.oversize(part))
+      result.warnings.push_back(
+          fmt::format("{}: takes about {} in memory, more than --memory by itself; it is loaded all the same",
+                      part.mesh, bytes_text(bytes >> 20 << 20)));
+  }
+}
+
 }  // namespace
 
-JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, const JobOutput& output) {
-  LoadedMotion motion = load_motion(scene_as_written);
+JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore& motions,
+                  const JobOutput& output) {
+  const std::shared_ptr<const StoredMotion> stored = motions.load(scene_as_written);
+  const LoadedMotion& motion = stored->motion;
   const FingerPath& path = motion.path;
   const Scene scene = at_rate(scene_as_written, path);
   const auto world = load_world(scene, meshes);
-  TraceInfo info = trace_info(scene, *world, path, output.version);
+  TraceInfo info = trace_info(scene, *world, path, stored->hash, output.version);
   info.motion_notes = motion.notes;
   info.changes = motion.changes;
+  choose(output.choice, info);
   JobResult result{{},           info.contact_method, info.contact_normals, info.contact_reasons,
                    motion.notes, motion.warnings};
+  warn_of_large_meshes(scene, meshes, result);
   if (output.path.empty()) {
     result.figures = run(scene, world, path, info, output);
     warn_of_no_touch(scene, *world, path, result);

@@ -5,8 +5,10 @@
 #include <vector>
 
 #include "replay/figures.hpp"
+#include "replay/motion_store.hpp"
 #include "scene/scene.hpp"
 #include "touch/mesh_store.hpp"
+#include "trace/trace_choice.hpp"
 #include "trace/trace_info.hpp"
 #include "trace/trace_writer.hpp"
 
@@ -16,8 +18,9 @@ namespace fingerpad {
 struct JobOutput {
   std::string path;  ///< empty: no trace is written, and the figures are all
   TraceFormat format = TraceFormat::hdf5;
-  std::string version;  ///< of the program, kept in the trace
-  bool resume = false;  ///< keep a complete trace of the very same run instead of making it again
+  TraceChoice choice = {};  ///< which columns and rows the trace has
+  std::string version;      ///< of the program, kept in the trace
+  bool resume = false;      ///< keep a complete trace of the very same run instead of making it again
   std::function<void(double share_done)> on_ticks;  ///< told now and then, 0 .. 1; may be empty
 };
 
@@ -36,6 +39,6 @@ struct JobResult {
 /// marked so. To resume, an earlier trace is kept if its proof (run_proof.hpp) says that it is this run's; a
 /// sealed HDF5 trace whose proof is lost also if what it says about itself is this run, tick for
 /// tick, and no remedy could act in it, which a trace does not tell.
-JobResult run_job(const Scene& scene, MeshStore& meshes, const JobOutput& output);
+JobResult run_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const JobOutput& output);
 
 }  // namespace fingerpad

@@ -79,6 +79,8 @@ std::string run_digest(const TraceInfo& info, TraceFormat format) {
   add_all(info.mesh_hashes);
   add_all(info.contact_reasons);
   add_all(info.motion_notes);
+  if (!info.columns.empty()) add_all(info.columns);
+  if (info.every != 1) add(fmt::format("every {}", info.every));
   if (!info.changes.empty()) add(scene_changes_text(info.changes));
   return fmt::format("{:016x}", content_hash(std::as_bytes(std::span(text))));
 }

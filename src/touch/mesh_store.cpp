@@ -20,6 +20,18 @@ LoadProgress progress_of(const LoadProgress& whole, const PartEntry& entry) {
              std::string_view stage, double share) { whole(file + ": " + std::string(stage), share); };
 }
 
+/// What its arrays take, and the tree's packets beside them (by the growth of the process while it loaded
+/// meshes of 0.2 to 1 million triangles).
+std::size_t bytes_of(const Part& part) {
+  constexpr std::size_t tree_bytes_per_triangle = 150;
+  const auto numbers = part.vertices.size() + part.facet_normals.size() + part.edge_pseudonormals.size() +
+                       part.vertex_pseudonormals.size() + part.corner_normals.size();
+  const auto indices = part.triangles.size() + part.welded.size() + part.neighbours.size();
+  return static_cast<std::size_t>(numbers) * sizeof(double) +
+         static_cast<std::size_t>(indices) * sizeof(int) + part.file_triangle.size() * sizeof(int) +
+         part.creases.size() + tree_bytes_per_triangle * static_cast<std::size_t>(part.triangle_count());
+}
+
 std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry, const LoadProgress& progress) {
   auto mesh = std::make_shared<LoadedMesh>();
   ImportedPart imported =
@@ -31,6 +43,7 @@ std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry, const LoadPr
   mesh->hash = file_hash(entry.mesh_path);
   tell(progress, "building the search tree", hashed_at);
   mesh->tree = std::make_shared<TriangleTree>(mesh->part);
+  mesh->bytes = bytes_of(*mesh->part);
   tell(progress, "ready", searchable_at);
   return mesh;
 }
@@ -38,7 +51,7 @@ std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry, const LoadPr
 }  // namespace
 
 std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
-  const Key key{entry.mesh_path, entry.metres_per_unit, entry.crease_deg, entry.repair};
+  const Key key = key_of(entry);
   std::promise<std::shared_ptr<const LoadedMesh>> promise;
   Pending pending;
   bool ours = false;
@@ -46,22 +59,76 @@ std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
     const std::lock_guard lock(mutex_);
     std::erase(last_used_, key);
     last_used_.push_front(key);
-    while (last_used_.size() > keep_) {
-      meshes_.erase(last_used_.back());
-      last_used_.pop_back();
-    }
+    drop_beyond_bounds();
     ours = !meshes_.contains(key);
     if (ours) meshes_[key] = promise.get_future().share();
     pending = meshes_[key];
   }
   if (ours) {
     try {
-      promise.set_value(load_mesh(entry, progress_of(progress_, entry)));
+      const auto mesh = load_mesh(entry, progress_of(progress_, entry));
+      promise.set_value(mesh);
+      const std::lock_guard lock(mutex_);
+      if (most_bytes_ > 0 && mesh->bytes > most_bytes_) large_[key] = mesh->bytes;
+      if (meshes_.contains(key)) {
+        bytes_ -= sizes_[key];  // of one that was dropped and asked for again meanwhile
+        bytes_ += sizes_[key] = mesh->bytes;
+      }
+      drop_beyond_bounds();
     } catch (...) {
       promise.set_exception(std::current_exception());
     }
   }
   return pending.get();
+}
+
+MeshStore::Key MeshStore::key_of(const PartEntry& entry) {
+  return {entry.mesh_path, entry.metres_per_unit, entry.crease_deg, entry.repair};
+}
+
+void MeshStore::drop(const Key& key) {
+  std::erase(last_used_, key);
+  meshes_.erase(key);
+  if (const auto size = sizes_.find(key); size != sizes_.end()) {
+    bytes_ -= size->second;
+    sizes_.erase(size);
+  }
+}
+
+void MeshStore::drop_beyond_bounds() {
+  const auto is_beyond = [this] {
+    return most_bytes_ > 0 ? bytes_ > most_bytes_ : last_used_.size() > keep_;
+  };
+  while (is_beyond() && last_used_.size() > 1) drop(Key(last_used_.back()));
+}
+
+void MeshStore::bound_memory(std::size_t most_bytes) {
+  const std::lock_guard lock(mutex_);
+  most_bytes_ = most_bytes;
+}
+
+void MeshStore::expect(const PartEntry& entry) {
+  const std::lock_guard lock(mutex_);
+  ++uses_left_[key_of(entry)];
+}
+
+void MeshStore::done(const PartEntry& entry) {
+  const std::lock_guard lock(mutex_);
+  const auto uses = uses_left_.find(key_of(entry));
+  if (uses == uses_left_.end() || --uses->second > 0) return;
+  drop(uses->first);
+  uses_left_.erase(uses);
+}
+
+std::size_t MeshStore::oversize(const PartEntry& entry) {
+  const std::lock_guard lock(mutex_);
+  const auto large = large_.find(key_of(entry));
+  return large == large_.end() ? 0 : large->second;
+}
+
+std::size_t MeshStore::kept_count() {
+  const std::lock_guard lock(mutex_);
+  return sizes_.size();
 }
 
 PartMeasures MeshStore::measure(const PartEntry& entry, const LoadedMesh& mesh) {

@@ -23,10 +23,11 @@ struct LoadedMesh {
   std::shared_ptr<const TriangleTree> tree;
   Verdict verdict;
   std::string hash;
+  std::size_t bytes = 0;  ///< of memory, about
 };
 
-/// Loads each mesh once, however many jobs ask for it at the same time, and keeps the few used last.
-/// Thread-safe.
+/// Loads each mesh once, however many jobs ask for it at the same time, and keeps those used last: a few, or
+/// as many as a bound on memory has room for. Those that are announced go after their last use. Thread-safe.
 class MeshStore {
  public:
   /// @param keep      how many meshes stay loaded when nobody uses them, >= 1
@@ -34,6 +35,14 @@ class MeshStore {
   ///                  mesh's own load; by whichever thread loads, so perhaps by several at a time
   explicit MeshStore(std::size_t keep, LoadProgress progress = {})
       : keep_(keep), progress_(std::move(progress)) {}
+
+  /// From now on as many meshes are kept as fit into so many bytes, beside those that are in use.
+  void bound_memory(std::size_t most_bytes);
+  /// Announces one use of a mesh, which ends with `done`: after the last its place is given up.
+  void expect(const PartEntry& entry);
+  void done(const PartEntry& entry);
+  /// How many bytes a mesh takes that is larger than the bound all by itself; 0 where it is not.
+  std::size_t oversize(const PartEntry& entry);
 
   /// Throws Error (refused) for a mesh that cannot be touched, to everyone who asks.
   std::shared_ptr<const LoadedMesh> load(const PartEntry& entry);
@@ -43,6 +52,9 @@ class MeshStore {
   PartMeasures measure(const PartEntry& entry, const LoadedMesh& mesh);
   /// How many parts were measured so far.
   long measured_count() const noexcept { return measured_count_; }
+
+  /// How many meshes are loaded and kept.
+  std::size_t kept_count();
 
  private:
   using Key =
@@ -54,7 +66,15 @@ class MeshStore {
     PartMeasures measures;
   };
 
-  std::size_t keep_;
+  static Key key_of(const PartEntry& entry);
+  // With the lock held:
+  void drop(const Key& key);
+  void drop_beyond_bounds();
+
+  std::size_t keep_, most_bytes_ = 0, bytes_ = 0;  // no bound where most_bytes_ is 0
+  std::map<Key, std::size_t> sizes_;               // of those that are loaded and kept
+  std::map<Key, std::size_t> large_;               // by themselves beyond the bound
+  std::map<Key, long> uses_left_;
   LoadProgress progress_;
   std::mutex mutex_;
   std::map<Key, Pending> meshes_;

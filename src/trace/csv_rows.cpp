@@ -19,13 +19,49 @@
 namespace fingerpad {
 namespace {
 
+/// Whether a header is one that a writer of some columns writes.
+bool is_partial(const std::vector<std::string_view>& names) {
+  return names.size() > 1 && names.front() == "t_s" &&
+         std::ranges::all_of(names, [](const std::string_view name) {
+           return std::ranges::any_of(trace_columns(),
+                                      [name](const auto& column) { return column.name == name; });
+         });
+}
+
+/// The names in a file's first line.
+std::vector<std::string> header_names(const std::string& path) {
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return {};
+  std::ifstream file(path, std::ios::binary);
+  constexpr std::size_t longest_header = 4096;
+  std::string line(longest_header, '\0');
+  file.read(line.data(), static_cast<std::streamsize>(line.size()));
+  line.resize(std::min(static_cast<std::size_t>(file.gcount()), line.find_first_of("\r\n")));
+  if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
+  const auto names = csv_cells(line, ',');
+  return {names.begin(), names.end()};
+}
+
+bool has_every_column(const std::vector<std::string>& names) {
+  return std::ranges::all_of(trace_columns(), [&](const TraceColumn& column) {
+    return column.of != ColumnOf::every_trace || std::ranges::find(names, column.name) != names.end();
+  });
+}
+
 /// Where each column of a trace stands in the file; beyond its columns for one that it lacks.
-std::vector<std::size_t> find_columns(const std::string& where, std::string_view header) {
+std::vector<std::size_t> find_columns(const std::string& where, std::string_view header, Trace& trace) {
   std::vector<std::size_t> places;
-  const std::size_t beyond = csv_cells(header, ',').size();
+  const auto names = csv_cells(header, ',');
+  const std::size_t beyond = names.size();
   for (const TraceColumn& column : trace_columns()) {
     const auto place = csv_column(header, column.name, where);
     if (!place && column.of == ColumnOf::every_trace) {
+      trace.missing.emplace_back(column.name);
+      trace.info.columns = {names.begin(), names.end()};
+      if (is_partial(names)) {
+        places.push_back(beyond);
+        continue;
+      }
       throw refused(where, fmt::format("is no trace: it has no column '{}'", column.name));
     }
     places.push_back(place.value_or(beyond));
@@ -95,18 +131,12 @@ void append_csv_row(std::string& out, std::span<const TraceColumn> columns, cons
 }
 
 bool is_csv_trace(const std::string& path) {
-  std::error_code none;
-  if (!std::filesystem::is_regular_file(path, none)) return false;
-  std::ifstream file(path, std::ios::binary);
-  constexpr std::size_t longest_header = 4096;
-  std::string line(longest_header, '\0');
-  file.read(line.data(), static_cast<std::streamsize>(line.size()));
-  line.resize(std::min(static_cast<std::size_t>(file.gcount()), line.find_first_of("\r\n")));
-  if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
-  const auto names = csv_cells(line, ',');
-  return std::ranges::all_of(trace_columns(), [&](const TraceColumn& column) {
-    return column.of != ColumnOf::every_trace || std::ranges::find(names, column.name) != names.end();
-  });
+  return has_every_column(header_names(path));
+}
+
+bool is_partial_csv_trace(const std::string& path) {
+  const std::vector<std::string> names = header_names(path);
+  return is_partial({names.begin(), names.end()}) && !has_every_column(names);
 }
 
 Trace read_csv_trace(const std::string& path) {
@@ -119,9 +149,9 @@ Trace read_csv_trace(const std::string& path) {
     throw refused(lines.where(),
                   "is an HDF5 trace, which cannot be read from a stream: name the file itself");
   }
-  const auto places = find_columns(lines.place(), line);
-  const std::size_t cell_count = csv_cells(line, ',').size();
   Trace trace;
+  const auto places = find_columns(lines.place(), line, trace);
+  const std::size_t cell_count = csv_cells(line, ',').size();
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k] != cell_count) tell_of(trace_columns()[k], trace.info);
   }

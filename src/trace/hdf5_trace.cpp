@@ -42,6 +42,8 @@ TraceInfo read_info(const hdf5::Handle& file) {
   info.contact_method = hdf5::read_text(file, "contact_method");
   info.contact_normals = hdf5::read_text(file, "contact_normals");
   info.contact_reasons = hdf5::read_texts(file, "contact_reasons");
+  info.columns = hdf5::read_texts(file, "columns");
+  info.every = hdf5::read_whole(file, "every").value_or(1);
   return info;
 }
 
@@ -68,6 +70,8 @@ void each_field_of_info(Way& way, Info& info) {
   way(info.contact_method);
   way(info.contact_normals);
   way(info.contact_reasons);
+  way(info.columns);
+  way(info.every);
 }
 
 struct Columns {
@@ -92,7 +96,8 @@ std::uint64_t rows_of(const hdf5::Handle& column, const std::string& name, bool 
   return std::min(size[0], stored);  // a killed writer may have left a column longer than its bytes
 }
 
-Columns open_columns(const hdf5::Handle& file, bool complete) {
+/// @param is_partial  the file says that it was written without some columns
+Columns open_columns(const hdf5::Handle& file, bool complete, bool is_partial) {
   const std::uint64_t file_bytes = std::filesystem::file_size(file.path());
   Columns columns;
   std::uint64_t longest = 0;
@@ -100,7 +105,8 @@ Columns open_columns(const hdf5::Handle& file, bool complete) {
   for (const TraceColumn& column : trace_columns()) {
     const std::string name(column.name);
     if (!hdf5::has_link(file, name)) {
-      if (column.of != ColumnOf::every_trace) {
+      const bool always = column.of == ColumnOf::every_trace;
+      if (!always || (is_partial && name != "t_s")) {
         columns.handles.emplace_back();
         continue;
       }
@@ -120,18 +126,19 @@ Columns open_columns(const hdf5::Handle& file, bool complete) {
 
 bool read_block(const Columns& columns, std::size_t first, std::size_t count, Block& block) {
   for (std::size_t k = 0; k < columns.handles.size(); ++k) {
+    if (!columns.handles[k]) continue;
     block[k].resize(count);
-    if (!columns.handles[k]) {
-      std::ranges::fill(block[k], trace_columns()[k].get(TickRecord()));
-    } else if (!hdf5::read_rows(*columns.handles[k], first, block[k])) {
-      return false;
-    }
+    if (!hdf5::read_rows(*columns.handles[k], first, block[k])) return false;
   }
   return true;
 }
 
-/// Their number as far as it is known, blocks of them, and an empty block as the end.
+/// Which columns there are, the rows' number as far as it is known, blocks of them, and an empty block as the
+/// end.
 void tell_rows(const hdf5::Handle& file, const Columns& columns, bool complete, Teller& tell) {
+  std::string there;
+  for (const auto& handle : columns.handles) there += handle ? '1' : '0';
+  tell(there);
   tell(std::uint64_t{columns.rows});
   Block block(columns.handles.size());
   for (std::size_t first = 0; first < columns.rows; first += block_rows) {
@@ -148,12 +155,31 @@ void tell_rows(const hdf5::Handle& file, const Columns& columns, bool complete, 
   tell(std::uint64_t{0});
 }
 
-void hear_rows(const std::string& path, Hearer& hear, Trace& trace) {
+/// The columns that the file has; the trace is told which of the others it should have.
+std::vector<TraceColumn> hear_columns(Hearer& hear, Trace& trace) {
+  std::string there;
+  hear(there);
   const auto columns = trace_columns();
-  const std::size_t row_bytes = columns.size() * sizeof(double);
-  trace.rows.reserve(hear.length(row_bytes));
+  if (there.size() != columns.size()) throw ToldTooMuch("other columns");
+  std::vector<TraceColumn> present;
+  for (std::size_t k = 0; k < columns.size(); ++k) {
+    if (there[k] == '1') {
+      present.push_back(columns[k]);
+    } else if (columns[k].of == ColumnOf::every_trace) {
+      trace.missing.emplace_back(columns[k].name);
+    }
+  }
+  return present;
+}
+
+void hear_rows(const std::string& path, Hearer& hear, Trace& trace) {
+  constexpr std::size_t most_reserved = std::size_t{1} << 20;  // a record takes far more room than a row told
+  const std::vector<TraceColumn> columns = hear_columns(hear, trace);
+  const std::size_t row_bytes = std::max<std::size_t>(1, columns.size()) * sizeof(double);
+  trace.rows.reserve(std::min(hear.length(row_bytes), most_reserved));
   Block block(columns.size());
   while (const std::size_t count = hear.length(row_bytes)) {
+    if (columns.empty()) throw ToldTooMuch("rows of no columns");
     for (auto& values : block) {
       values.resize(count);
       hear.numbers(std::span<double>(values));
@@ -191,7 +217,7 @@ void tell_trace(const std::string& path, TraceContents contents, Teller& tell) {
   const TraceInfo info = read_info(file);
   each_field_of_info(tell, info);
   tell(read_change_log(file));
-  tell_rows(file, open_columns(file, complete), complete, tell);
+  tell_rows(file, open_columns(file, complete, !info.columns.empty()), complete, tell);
   if (contents == TraceContents::all) {
     read_surfaces(file, [&tell](const EmbeddedSurface& surface) {
       tell(true);
@@ -211,7 +237,7 @@ Trace hear_trace(const std::string& path, TraceContents contents, Hearer& hear) 
   trace.info.changes = read_scene_changes(changes, path);
   hear_rows(path, hear, trace);
   trace.world = hear_surfaces(path, hear);
-  if (contents == TraceContents::rows) trace.world = nullptr;
+  if (contents != TraceContents::all) trace.world = nullptr;
   if (!trace.world) return trace;
   const auto surfaces = static_cast<int>(trace.world->surfaces.size());
   for (const TickRecord& row : trace.rows) {

@@ -39,6 +39,9 @@ struct TraceInfo {
   std::string contact_normals;       ///< a row's name
   std::vector<SceneChange> changes;  ///< made while it was touched, in order of time
   std::vector<std::string> contact_reasons;  ///< why, where the scene left it open: a line a part
+  /// The columns that were asked for, where not all were: names, in file order (trace_choice.hpp).
+  std::vector<std::string> columns;
+  std::uint64_t every = 1;  ///< rows are every so manieth tick, and the last
 };
 
 /// A trace read whole.
@@ -49,10 +52,13 @@ struct Trace {
   /// The surfaces as embedded in the file, in their order; without trees. Empty for CSV, and where a part was
   /// too large to be embedded: then only its mesh file has its shape.
   std::shared_ptr<const World> world;
+  /// Columns that every whole trace has, and this one was written without; rows are there as they are made.
+  std::vector<std::string> missing;
 };
 
-/// What of a trace is wanted: the surfaces cost time to rebuild.
-enum class TraceContents { all, rows };
+/// What of a trace is wanted: the surfaces cost time to rebuild. `some_rows` takes a trace that was written
+/// without some of its columns too; the others refuse it, and name what is missing.
+enum class TraceContents { all, rows, some_rows };
 
 /// Reads a trace, HDF5 or CSV, by content. Throws Error (refused) for a file that is neither, lacks a column,
 /// or whose columns differ in length by more than an unfinished flush explains (then the shortest counts). A
@@ -65,6 +71,9 @@ Trace read_trace(const std::string& path, TraceContents contents);
 
 /// True if the file starts like an HDF5 file.
 bool is_hdf5(const std::string& path);
+
+/// True if it is a file of text whose first line names columns of a trace alone, t_s first, though not all.
+bool is_partial_csv_trace(const std::string& path);
 
 /// True if it is a file of text whose first line names all columns of a trace. False for a stream, which can
 /// be read once.

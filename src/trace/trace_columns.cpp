@@ -1,3 +1,4 @@
+#include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
 
 namespace fingerpad {
@@ -142,7 +143,7 @@ std::vector<TraceColumn> trace_columns(const TraceInfo& info) {
     const auto flag = flag_of(column.of);
     if (flag == nullptr || info.*flag) columns.push_back(column);
   }
-  return columns;
+  return chosen(std::move(columns), info);
 }
 
 std::vector<TraceColumn> csv_columns(const TraceInfo& info) {

@@ -10,8 +10,14 @@
 #include "touch/world.hpp"
 
 namespace fingerpad {
+namespace {
 
-TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version) {
+std::string motion_hash_of(const Scene& scene) {
+  return scene.motion.file_path.empty() ? "" : file_hash(scene.motion.file_path);
+}
+
+/// All but what its motion says.
+TraceInfo info_of(const Scene& scene, const World& world, const std::string& version) {
   TraceInfo info;
   info.scene_name = scene.name;
   info.scene_text = scene.text;
@@ -24,7 +30,6 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
     info.mesh_hashes.push_back(surface.mesh_hash);
   }
   info.motion_file = scene.motion.file;
-  if (!scene.motion.file_path.empty()) info.motion_hash = file_hash(scene.motion.file_path);
   if (!scene.finger.profile_path.empty())
     info.profile_text = read_whole_file(scene.finger.profile_path, profile_file);
   const ContactChoice contact = settled_contact(scene, world);
@@ -36,9 +41,23 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
   return info;
 }
 
+}  // namespace
+
+TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version) {
+  TraceInfo info = info_of(scene, world, version);
+  info.motion_hash = motion_hash_of(scene);
+  return info;
+}
+
 TraceInfo trace_info(const Scene& scene, const World& world, const FingerPath& path,
                      const std::string& version) {
-  TraceInfo info = trace_info(scene, world, version);
+  return trace_info(scene, world, path, motion_hash_of(scene), version);
+}
+
+TraceInfo trace_info(const Scene& scene, const World& world, const FingerPath& path,
+                     const std::string& motion_hash, const std::string& version) {
+  TraceInfo info = info_of(scene, world, version);
+  info.motion_hash = motion_hash;
   info.turning = path.turns();
   info.attitudes = path.has_attitudes();
   info.in_hand = scene.hand.has_value() || path.was_in_hand();

@@ -14,5 +14,8 @@ TraceInfo trace_info(const Scene& scene, const World& world, const std::string& 
 /// Of a run along `path`.
 TraceInfo trace_info(const Scene& scene, const World& world, const FingerPath& path,
                      const std::string& version);
+/// Of one whose motion's file_hash is known.
+TraceInfo trace_info(const Scene& scene, const World& world, const FingerPath& path,
+                     const std::string& motion_hash, const std::string& version);
 
 }  // namespace fingerpad

@@ -12,6 +12,7 @@
 #include "trace/hdf5_file.hpp"
 #include "trace/hdf5_trace.hpp"
 #include "trace/trace.hpp"
+#include "trace/trace_choice.hpp"
 #include "trace/trial.hpp"
 
 namespace fingerpad {
@@ -68,7 +69,9 @@ bool is_hdf5(const std::string& path) {
 }
 
 Trace read_trace(const std::string& path, TraceContents contents) {
-  return is_hdf5(path) ? read_hdf5_trace(path, contents) : read_csv_trace(path);
+  Trace trace = is_hdf5(path) ? read_hdf5_trace(path, contents) : read_csv_trace(path);
+  if (contents != TraceContents::some_rows) refuse_missing_columns(trace, path);
+  return trace;
 }
 
 Trace read_trace(const std::string& path) {

@@ -34,6 +34,8 @@ void write_info(const hdf5::Handle& file, const TraceInfo& info) {
   hdf5::write_text(file, "contact_method", info.contact_method);
   hdf5::write_text(file, "contact_normals", info.contact_normals);
   hdf5::write_texts(file, "contact_reasons", info.contact_reasons);
+  if (!info.columns.empty()) hdf5::write_texts(file, "columns", info.columns);
+  if (info.every != 1) hdf5::write_whole(file, "every", info.every);
 }
 
 /// The histograms of the whole run: bucket i counts what took up to its upper end and longer than the one

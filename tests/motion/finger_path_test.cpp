@@ -28,6 +28,23 @@ std::string refusal(const std::string& text) {
   return "";
 }
 
+TEST(FingerPath, FindsItsSamplesOnAnyClock) {
+  // Even, uneven, and one with a gap: each time lies where a search from end to end has it.
+  std::string uneven = "t_s,x_m,y_m,z_m\n";
+  std::vector<double> times;
+  for (int i = 0; i < 50; ++i) times.push_back(0.001 * i * i + (i > 30 ? 7 : 0));
+  for (std::size_t i = 0; i < times.size(); ++i)
+    uneven += std::to_string(times[i]) + "," + std::to_string(i) + ",0,0\n";
+  const FingerPath path(read(uneven), 1000, Vec3::UnitX());
+  for (std::size_t i = 0; i + 1 < times.size(); ++i) {
+    const double middle_s = (times[i] + times[i + 1]) / 2;
+    EXPECT_NEAR(path.at_time(middle_s).p_WQ.x(), static_cast<double>(i) + 0.5, 1e-9);
+    EXPECT_NEAR(path.at_time(times[i]).p_WQ.x(), static_cast<double>(i), 1e-9);
+  }
+  EXPECT_EQ(path.at_time(-1).p_WQ.x(), 0);
+  EXPECT_EQ(path.at_time(1e9).p_WQ.x(), 49);
+}
+
 TEST(FingerPath, HasATickAtBothEnds) {
   const FingerPath path(read("t_s,x_m,y_m,z_m\n0,0,0,0\n0.2,1,0,0\n"), 1000, Vec3::UnitX());
   EXPECT_EQ(path.tick_count(), 201);  // 0.2 * 1000 rounds below 200 in some arithmetics: the contract's 1e-6

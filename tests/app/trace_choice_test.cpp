@@ -1,0 +1,115 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+#include "trace/trace.hpp"
+
+// `replay --columns LIST --every N`: smaller traces, and what reads them.
+
+namespace fingerpad::trace_choice_test {
+namespace {
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::ShellResult;
+using testing::HasSubstr;
+using testing::Not;
+
+/// 101 ticks over a plane.
+fs::path folder_with_scene() {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, "
+         "-0.001]\nto_m = [0.02, 0, -0.001]\nspeed_m_per_s = 0.2\nrate_hz = 1000\n";
+  return folder;
+}
+
+ShellResult replay(const fs::path& folder, const std::string& options) {
+  return test::fingerpad("replay s.toml --quiet " + options, folder);
+}
+
+TEST(ChosenColumns, AreTheWholeTracesNumbers) {
+  const fs::path folder = folder_with_scene();
+  ASSERT_EQ(replay(folder, "--out whole").exit_code, 0);
+  ASSERT_EQ(replay(folder, "--out some --columns mu,fn_n").exit_code, 0);
+  ASSERT_EQ(replay(folder, "--out text --columns mu,fn_n --format csv").exit_code, 0);
+  const Trace whole = read_trace((folder / "whole" / "s.h5").string());
+  const Trace some = read_trace((folder / "some" / "s.h5").string(), TraceContents::some_rows);
+  const std::vector<std::string> expected{"t_s", "fn_n", "mu"};
+  EXPECT_EQ(some.info.columns, expected);
+  ASSERT_EQ(some.rows.size(), whole.rows.size());
+  for (std::size_t i = 0; i < whole.rows.size(); ++i) {
+    EXPECT_EQ(some.rows[i].t_s, whole.rows[i].t_s);
+    EXPECT_EQ(some.rows[i].mu, whole.rows[i].mu);
+    EXPECT_EQ(some.rows[i].normal_force_n, whole.rows[i].normal_force_n);
+  }
+  EXPECT_EQ(bytes_of(folder / "whole" / "summary.csv"), bytes_of(folder / "some" / "summary.csv"));
+  EXPECT_LT(fs::file_size(folder / "some" / "s.h5"), fs::file_size(folder / "whole" / "s.h5") / 3);
+  ASSERT_EQ(test::fingerpad("export some/s.h5 --out e.csv --quiet", folder).exit_code, 0);
+  EXPECT_EQ(bytes_of(folder / "e.csv"), bytes_of(folder / "text" / "s.csv"));
+  EXPECT_TRUE(bytes_of(folder / "e.csv").starts_with("t_s,fn_n,mu\n"));
+}
+
+TEST(ChosenColumns, WhatIsNotThereIsNamedByWhoeverNeedsIt) {
+  const fs::path folder = folder_with_scene();
+  ASSERT_EQ(replay(folder, "--out o --columns fn_n,mu").exit_code, 0);
+  ASSERT_EQ(replay(folder, "--out whole").exit_code, 0);
+  const std::string words =
+      "o/s.h5: has no column x_m, y_m, z_m and 20 more: it was written with t_s, fn_n, mu";
+  EXPECT_THAT(test::fingerpad("export o/s.h5 --out e.vtp", folder).err, HasSubstr(words));
+#ifdef FINGERPAD_VIEW
+  for (const char* command : {"plot o/s.h5 --out p.svg", "view o/s.h5 --png v.png"}) {
+    const auto result = test::fingerpad(command, folder);
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.err, HasSubstr(words)) << command;
+  }
+#endif
+  const auto compared = test::fingerpad("compare o whole", folder);
+  EXPECT_EQ(compared.exit_code, 4);
+  EXPECT_THAT(compared.out, HasSubstr("s.h5: x_m is in the second trace alone"));
+  EXPECT_THAT(compared.out, Not(HasSubstr("mu is in"))) << "both have it";
+  const auto unknown = replay(folder, "--out u --columns fn");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("--columns: 'fn' is no column of a trace"));
+  EXPECT_EQ(replay(folder, "--out u --columns mu --format none").exit_code, 2);
+}
+
+TEST(EveryNthTick, IsWrittenWithTheLast) {
+  const fs::path folder = folder_with_scene();
+  ASSERT_EQ(replay(folder, "--out whole").exit_code, 0);
+  for (const std::string format : {"h5", "csv"}) {
+    ASSERT_EQ(replay(folder, "--out " + format + " --every 30 --format " + format).exit_code, 0);
+    const Trace whole = read_trace((folder / "whole" / "s.h5").string());
+    const Trace thin = read_trace((folder / format / ("s." + format)).string());
+    ASSERT_EQ(thin.rows.size(), 5u);
+    const int ticks[] = {0, 30, 60, 90, 100};
+    for (std::size_t i = 0; i < 5; ++i) {
+      const TickRecord& same = whole.rows[static_cast<std::size_t>(ticks[i])];
+      EXPECT_EQ(thin.rows[i].t_s, same.t_s);
+      EXPECT_EQ(thin.rows[i].force_W_n, same.force_W_n);
+    }
+    EXPECT_EQ(bytes_of(folder / "whole" / "summary.csv"), bytes_of(folder / format / "summary.csv"))
+        << "figures are of every tick";
+  }
+}
+
+TEST(ChosenTraces, AreKeptByResumeWhereTheChoiceIsTheSame) {
+  const fs::path folder = folder_with_scene();
+  for (const std::string format : {"h5", "csv"}) {
+    const std::string again = "replay s.toml --out " + format + " --resume --format " + format;
+    const auto kept = [&](const std::string& choice) {
+      return test::fingerpad(again + choice, folder).out.find("kept from before") != std::string::npos;
+    };
+    EXPECT_FALSE(kept(" --columns mu --every 7"));
+    EXPECT_TRUE(kept(" --columns mu,t_s --every 7")) << "t_s is always there";
+    EXPECT_FALSE(kept(" --columns mu --every 8"));
+    EXPECT_FALSE(kept(" --columns fn_n --every 8"));
+    EXPECT_FALSE(kept(""));
+    EXPECT_TRUE(kept(""));
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad::trace_choice_test

@@ -1,0 +1,110 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "replay/motion_store.hpp"
+#include "scene/scene_file.hpp"
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "touch/mesh_store.hpp"
+
+// What the jobs of a batch share: meshes and motions, each loaded once.
+
+namespace fingerpad::stores_test {
+namespace {
+namespace fs = std::filesystem;
+
+Scene scene_of(const fs::path& folder, const std::string& motion) {
+  std::ofstream(folder / "s.toml") << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\n"
+                                   << motion;
+  return read_scene_file((folder / "s.toml").string()).jobs.front().scene;
+}
+
+/// A recording of `count` samples.
+void write_motion(const fs::path& path, int count) {
+  std::ofstream file(path);
+  file << "t_s,x_m,y_m,z_m\n";
+  for (int k = 0; k < count; ++k) file << 0.001 * k << ",0,0,0\n";
+}
+
+TEST(MotionStore, ReadsAMotionOnceForThoseWhoFollowItAlike) {
+  const fs::path folder = test::scratch_dir();
+  write_motion(folder / "a.csv", 10);
+  MotionStore store(1 << 20);
+  const Scene slow = scene_of(folder, "file = \"a.csv\"\nrate_hz = 1000\n");
+  const auto first = store.load(slow);
+  EXPECT_EQ(store.load(slow), first);
+  EXPECT_EQ(store.read_count(), 1);
+  const auto quick = store.load(scene_of(folder, "file = \"a.csv\"\nrate_hz = 2000\n"));
+  EXPECT_EQ(store.read_count(), 2) << "another rate is another way";
+  EXPECT_NE(quick->motion.path.tick_count(), first->motion.path.tick_count());
+  EXPECT_EQ(quick->hash, first->hash);
+}
+
+TEST(MotionStore, LetsGoOfTheOldestBeyondItsBound) {
+  const fs::path folder = test::scratch_dir();
+  write_motion(folder / "a.csv", 100);
+  write_motion(folder / "b.csv", 100);
+  const Scene a = scene_of(folder, "file = \"a.csv\"\n"), b = scene_of(folder, "file = \"b.csv\"\n");
+  MotionStore roomy(100 * 32 * 2), small(100 * 32);
+  for (MotionStore* store : {&roomy, &small}) {
+    for (int round = 0; round < 2; ++round) {
+      store->load(a);
+      store->load(b);
+    }
+  }
+  EXPECT_EQ(roomy.read_count(), 2);
+  EXPECT_EQ(small.read_count(), 4);
+}
+
+TEST(MotionStore, TellsEveryoneWhatIsWrongWithAMotion) {
+  const fs::path folder = test::scratch_dir();
+  MotionStore store(1 << 20);
+  const Scene scene = scene_of(folder, "file = \"none.csv\"\n");
+  for (int i = 0; i < 2; ++i) EXPECT_ANY_THROW(store.load(scene));
+}
+
+PartEntry mesh_in(const fs::path& folder, const std::string& name) {
+  test::write_file(folder, name, test::binary_ply(test::box_soup({9, 9, 9})));
+  PartEntry entry;
+  entry.mesh = name;
+  entry.mesh_path = (folder / name).string();
+  return entry;
+}
+
+TEST(MeshStore, LetsGoOfAMeshAfterItsLastAnnouncedUse) {
+  const fs::path folder = test::scratch_dir();
+  const PartEntry a = mesh_in(folder, "a.ply"), b = mesh_in(folder, "b.ply");
+  MeshStore store(8);
+  for (const PartEntry* entry : {&a, &a, &b}) store.expect(*entry);
+  store.load(a);
+  store.load(b);
+  store.done(a);
+  EXPECT_EQ(store.kept_count(), 2u);
+  const std::weak_ptr<const LoadedMesh> mesh = store.load(a);
+  EXPECT_FALSE(mesh.expired());
+  store.done(a);
+  EXPECT_TRUE(mesh.expired());
+  EXPECT_EQ(store.kept_count(), 1u);
+}
+
+TEST(MeshStore, KeepsWhatFitsIntoItsMemoryAndKnowsWhatDoesNot) {
+  const fs::path folder = test::scratch_dir();
+  const PartEntry a = mesh_in(folder, "a.ply"), b = mesh_in(folder, "b.ply");
+  const std::size_t bytes = MeshStore(8).load(a)->bytes;
+  for (const auto& [bound, kept] :
+       {std::pair(2 * bytes, 2u), std::pair(2 * bytes - 1, 1u), std::pair(bytes - 1, 1u)}) {
+    MeshStore store(8);
+    store.bound_memory(bound);
+    store.load(a);
+    store.load(b);
+    EXPECT_EQ(store.kept_count(), kept);
+    EXPECT_EQ(store.oversize(b), bound < bytes ? bytes : 0u);
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad::stores_test
