@@ -59,8 +59,8 @@ struct MeasuredTable {
 
 std::string missing_tangential_force(const CsvColumns& csv) {
   const char* names[] = {"fx_n", "fy_n", "fz_n"};
-  for (int k = 0; k < 3; ++k) {
-    if (!csv.present[static_cast<std::size_t>(fx + k)]) return fmt::format("column {} missing", names[k]);
+  for (std::size_t k = 0; k < 3; ++k) {
+    if (!csv.present[fx + k]) return fmt::format("column {} missing", names[k]);
   }
   return "";
 }

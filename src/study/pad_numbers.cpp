@@ -15,17 +15,21 @@ constexpr double assumed_mu_static = 0.3;  // a profile's default
 using EvidenceSum = double TrialEvidence::*;
 using EvidenceCount = long TrialEvidence::*;
 
-/// The mean of the subjects' means.
+/// The mean of the subjects' means. A trial's weight grows with its samples up to `enough` and hardly beyond:
+/// more of them say the same trial again, and a trial of low mu_s ruptures more often.
 PadValue subjects_mean(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                        EvidenceSum sum, EvidenceCount count, const char* refusal) {
+  constexpr double enough = 10;
   std::map<int, std::pair<double, double>> subjects;
   PadValue found;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const long here = times[i] * trials[i].*count;
     if (here == 0) continue;
     auto& [total, weight] = subjects[trials[i].subject];
-    total += times[i] * trials[i].*sum;
-    weight += static_cast<double>(here);
+    const auto count_here = static_cast<double>(trials[i].*count);
+    const double own = times[i] * count_here / (count_here + enough);
+    total += own * trials[i].*sum / count_here;
+    weight += own;
     found.samples += here;
     found.trials += times[i];
   }

@@ -37,7 +37,7 @@ SlipDensity mean_density(const std::vector<TrialEvidence>& trials, const std::ve
 }  // namespace
 
 PadValue vibration_peak(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
-  constexpr double lowest_hz = 20, reach_hz = 12, least_height = 3;
+  constexpr double lowest_hz = 20, reach_hz = 8, least_height = 3;
   SlipDensity mean = mean_density(trials, times);
   if (!mean.found.refusal.empty()) return mean.found;
   const auto first = static_cast<std::size_t>(std::ceil(lowest_hz / mean.step_hz));

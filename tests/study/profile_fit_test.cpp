@@ -9,6 +9,7 @@
 #include "support/pad_measurement.hpp"
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
+#include "support/shell.hpp"
 
 namespace fingerpad::profile_fit_test {
 namespace {
@@ -60,6 +61,20 @@ TEST(ProfileFit, FindsTheKnownPadOfThreeSubjectsOfUnequalLength) {
     EXPECT_LT(fit.interval[k]->first, fit.values[k].value);
     EXPECT_GT(fit.interval[k]->second, fit.values[k].value);
     EXPECT_GT(fit.values[k].samples, 50);
+  }
+}
+
+/// FINGERPAD_WRITE_MEASUREMENT=FILE writes it.
+TEST(ProfileFit, TheShippedMeasurementIsOfTheKnownPad) {
+  if (const char* path = std::getenv("FINGERPAD_WRITE_MEASUREMENT"))
+    std::ofstream(path) << test::shipped_table();
+  const std::string path = (test::source_dir() / "scenes/measurements/synthetic_finger.csv").string();
+  EXPECT_TRUE(test::bytes_of(path) == test::shipped_table());
+  const ProfileFit fit = fit_profile(read_measurements({path}), 1);
+  for (std::size_t k = 0; k < truth.size(); ++k) {
+    ASSERT_EQ(fit.values[k].refusal, "") << pad_number_keys[k];
+    EXPECT_NEAR(fit.values[k].value / truth[k], 1, 0.05) << pad_number_keys[k];  // nine seconds of rubbing
+    EXPECT_TRUE(fit.interval[k]) << pad_number_keys[k];
   }
 }
 

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <fmt/format.h>
+
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
@@ -7,7 +10,6 @@
 #include <string>
 #include <vector>
 
-#include "base/number_text.hpp"
 #include "base/random_stream.hpp"
 #include "friction/law_table.hpp"
 #include "friction/slip_vibration.hpp"
@@ -115,7 +117,7 @@ inline KnownFinger known_finger(int subject) {
   return finger;
 }
 
-/// A measurement as a CSV table.
+/// A measurement as a CSV table; numbers have the digits that sensors have.
 inline std::string measured_table(const std::vector<KnownTrial>& trials, std::uint64_t seed,
                                   double scatter = 0) {
   std::string text = "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,dx,dy,dz,subject,trial\n";
@@ -126,14 +128,25 @@ inline std::string measured_table(const std::vector<KnownTrial>& trials, std::ui
     KnownFinger finger = known_finger(trial.subject);
     finger.scatter = scatter;
     for (const auto& row : measured_rows(finger, trial, random)) {
-      for (const double cell : row) {
-        append_number(text, cell);
-        text += ',';
-      }
-      text += std::to_string(trial.subject) + "," + std::to_string(number) + "\n";
+      text += fmt::format("{:.3f},{:.5f},{:.5f},{:.5f},{:.3f},{:.3f},{:.3f},{:.4g},{:.4g},{:.4g},{},{}\n",
+                          row[0], row[1], row[2], row[3], row[4], row[5], row[6], row[7], row[8], row[9],
+                          trial.subject, number);
     }
   }
   return text;
+}
+
+/// scenes/measurements/synthetic_finger.csv: two subjects rub across the corner of their pad's axes.
+inline std::string shipped_table() {
+  std::vector<KnownTrial> trials;
+  for (const int subject : {1, 3}) {
+    for (const double angle : {25.0, 45.0, 65.0}) trials.push_back({subject, angle, 45, 0.04, 0.7, 1.5, 1});
+  }
+  return "# Synthetic: made by the program's own finger-pad law from a known pad, with noise; no finger was "
+         "measured.\n"
+         "# Axes 2 and 1.6 mm at 45 deg (mean of two subjects), slopes 0.01, mu 0.3 and 0.2, v_min 0.1 m/s, "
+         "89 Hz. BSD-3-Clause.\n" +
+         measured_table(trials, 1);
 }
 
 }  // namespace fingerpad::test

@@ -1,0 +1,61 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+namespace fingerpad::fit_test {
+namespace {
+namespace fs = std::filesystem;
+
+using testing::HasSubstr;
+
+const fs::path shipped = test::source_dir() / "scenes/measurements/synthetic_finger.csv";
+
+class Fit : public testing::Test {
+ protected:
+  test::ShellResult fit(const std::string& words) const {
+    return test::shell(test::program().string() + " fit " + words, folder);
+  }
+  const fs::path folder = test::scratch_dir();
+};
+
+TEST_F(Fit, TellsEachNumberAndGivesTheSameProfileEachTime) {
+  const auto first = fit(shipped.string() + " --out one.toml"),
+             second = fit(shipped.string() + " --out two.toml");
+  EXPECT_EQ(first.exit_code, 0) << first.err;
+  EXPECT_THAT(first.out, HasSubstr("lateral_axis_m"));
+  EXPECT_THAT(first.out, HasSubstr("95 %:"));
+  EXPECT_THAT(first.out, HasSubstr("wrote one.toml (6 trials of 2 subjects)"));
+  const std::string profile = test::bytes_of(folder / "one.toml");
+  EXPECT_THAT(profile, HasSubstr("[interval]"));
+  EXPECT_EQ(profile, test::bytes_of(folder / "two.toml"));
+}
+
+TEST_F(Fit, ReplayTakesTheProfile) {
+  ASSERT_EQ(fit(shipped.string() + " --out finger.toml --quiet").exit_code, 0);
+  std::ofstream(folder / "rub.toml")
+      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = \"finger-pad\"\n[finger]\n"
+         "profile = \"finger.toml\"\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.01, 0, "
+         "-0.001]\n"
+         "speed_m_per_s = 0.05\nrate_hz = 1000\n";
+  const auto replay = test::shell(test::program().string() + " replay rub.toml --out out", folder);
+  EXPECT_EQ(replay.exit_code, 0) << replay.err;
+}
+
+TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
+  std::ofstream(folder / "normal_only.csv")
+      << "t_s,x_m,y_m,z_m,fz_n\n0,0,0,0,1\n0.001,0,0,0,1\n0.002,0,0,0,1\n";
+  const auto normal_only = fit("normal_only.csv --out none.toml");
+  EXPECT_EQ(normal_only.exit_code, 3);
+  EXPECT_THAT(normal_only.err, HasSubstr("nothing can be fitted: normal_only.csv: column fx_n missing"));
+  EXPECT_FALSE(fs::exists(folder / "none.toml"));
+  EXPECT_EQ(fit("absent.csv --out none.toml").exit_code, 3);
+  EXPECT_EQ(fit(shipped.string() + " --out no/such/folder.toml").exit_code, 2);
+}
+
+}  // namespace
+}  // namespace fingerpad::fit_test
