@@ -97,6 +97,7 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   batch.on_load = [&](std::string_view stage, double done) { bar.load(stage, done); };
   batch.on_ticks = [&](const BatchJob& job, double share_done) { bar.run(job, share_done); };
   batch.on_unfinished = [](const std::string& what) { print_err("fingerpad: warning: {}\n", what); };
+  if (!options.quiet) batch.on_kept = [](const std::string& what) { print_err("fingerpad: {}\n", what); };
   const std::vector<Error> lost =
       run_batch(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job); });
   bar.finish();
@@ -195,8 +196,6 @@ void add_replay(CLI::App& program, Action& action) {
           "it one more than --jobs")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false));
-  command->add_flag("--force", options->batch.force,
-                    "Replace a summary.csv in OUT that has rows of other scenes");
   command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")
       ->type_name("K/N")
       ->capture_default_str();

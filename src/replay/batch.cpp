@@ -144,7 +144,6 @@ std::vector<std::size_t> by_mesh(const std::vector<BatchJob>& jobs, std::vector<
 /// On the root: looks for collisions, makes the output folder and registers the run in it.
 std::shared_ptr<RunLock> root_claim(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   refuse_collisions(jobs, options);
-  refuse_to_lose_summary(jobs, options);
   std::error_code failure;
   std::filesystem::create_directories(options.out_dir, failure);
   if (failure)
@@ -156,6 +155,8 @@ std::shared_ptr<RunLock> root_claim(const std::vector<BatchJob>& jobs, const Bat
       options.on_unfinished(
           fmt::format("{}: {} ended before it was done; this run takes its place", options.out_dir, run));
   }
+  const std::string kept = keep_other_summary(jobs, options);
+  if (options.on_kept && !kept.empty()) options.on_kept(kept);
   return lock;
 }
 

@@ -25,7 +25,6 @@ struct BatchOptions {
   std::size_t memory_bytes =
       0;  ///< bounds the meshes that are kept; 0: as many as there are threads, and one
   bool resume = false;
-  bool force = false;   ///< a summary that has rows of other scenes may be replaced
   int shard = 1;        ///< this call's share of the jobs, from 1
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1
   std::string version;
@@ -35,6 +34,8 @@ struct BatchOptions {
   /// Told, on the root, of runs that had begun to write the same folder and ended before they were done:
   /// "OUT: process 12 on HOST (COMMAND) ...". May be empty.
   std::function<void(const std::string&)> on_unfinished;
+  /// Told, on the root, where a summary of other scenes is kept. May be empty.
+  std::function<void(const std::string&)> on_kept;
   /// Asked before each job by the thread that would do it; where it says so, no further job of this rank is
   /// begun. May be empty.
   std::function<bool()> should_stop;
@@ -69,8 +70,7 @@ std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths);
 /// @returns on the root, the tables that could not be written, with the reason; the traces are there
 /// Throws Error on every rank, before anything is written: refused where two files of the batch would be one,
 /// where a file that the batch reads would be overwritten, or where a running process writes the same files;
-/// usage where the output folder is no place to write to, or its summary has rows of scenes that are not in
-/// this batch (BatchOptions::force); fault where the disk is full.
+/// usage where the output folder is no place to write to; fault where the disk is full.
 std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                              const std::function<void(const BatchJob&)>& on_done);
 

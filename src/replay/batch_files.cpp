@@ -11,6 +11,7 @@
 #include "base/csv_cells.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/path_words.hpp"
 #include "base/text_lines.hpp"
 
 namespace fingerpad {
@@ -86,6 +87,11 @@ std::string scene_apart(const std::string& summary, const std::vector<BatchJob>&
   return "";
 }
 
+/// "summary.kept-1.csv".
+std::string kept_name(const std::string& table, int number) {
+  return fmt::format("{}.kept-{}.csv", fs::path(table).stem().string(), number);
+}
+
 }  // namespace
 
 std::string trace_name(const SceneJob& job, TraceFormat format) {
@@ -131,18 +137,25 @@ std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const B
   return names;
 }
 
-void refuse_to_lose_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
-  const std::string summary =
-      (fs::path(options.out_dir) / table_names(options.shard, options.shard_count).summary).string();
+std::string keep_other_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  const fs::path folder(options.out_dir);
+  const TableNames tables = table_names(options.shard, options.shard_count);
   std::error_code none;
-  if (options.force || !fs::is_regular_file(summary, none)) return;
-  const std::string apart = scene_apart(summary, jobs);
-  if (apart.empty()) return;
-  throw Error(ErrorKind::usage, summary,
-              fmt::format("is of {}, which is not in this batch, and would be replaced: write into another "
-                          "folder, name all the scenes in one call (with --resume what is done is kept), or "
-                          "give --force",
-                          apart));
+  if (!fs::is_regular_file(folder / tables.summary, none)) return "";
+  const std::string apart = scene_apart((folder / tables.summary).string(), jobs);
+  if (apart.empty()) return "";
+  int number = 1;
+  while (fs::exists(folder / kept_name(tables.summary, number), none)) ++number;
+  for (const std::string& table : {tables.summary, tables.timing, tables.jobs}) {
+    std::error_code failure;
+    fs::rename(folder / table, folder / kept_name(table, number), failure);
+    if (failure && failure != std::errc::no_such_file_or_directory)
+      throw Error(output_fault(failure.value()), (folder / table).string(),
+                  fmt::format("is of {} and cannot be kept as {}: {}", apart, kept_name(table, number),
+                              path_words((folder / table).string(), failure.value())));
+  }
+  return fmt::format("{}: was of {}, which is not in this batch, and is kept as {}",
+                     (folder / tables.summary).string(), apart, kept_name(tables.summary, number));
 }
 
 void refuse_collisions(const std::vector<BatchJob>& jobs, const BatchOptions& options) {

@@ -69,8 +69,7 @@ TEST(Collisions, OfATraceAndATableAreRefused) {
   expect_refused(folder, "replay b.toml --out o --format csv", {"b.toml", "timing.csv"});
   expect_refused(folder, "replay c.toml --out o --format csv --shard 1/8", {"c.toml", "summary-2of8.csv"});
   EXPECT_EQ(test::fingerpad("replay a.toml b.toml c.toml --out o", folder).exit_code, 0) << "HDF5 does not";
-  EXPECT_EQ(test::fingerpad("replay c.toml --out o --format csv --force", folder).exit_code, 0)
-      << "nor one shard";
+  EXPECT_EQ(test::fingerpad("replay c.toml --out o --format csv", folder).exit_code, 0) << "nor one shard";
 }
 
 TEST(Collisions, OfATraceAndAnInputAreRefused) {
@@ -119,7 +118,7 @@ TEST(Collisions, OfATraceThatAnotherJobReadsAreRefused) {
   write_scene(folder / "second.toml", "second", "[motion]\nfile = \"o/first.h5\"\n");
   expect_refused(folder, "replay first.toml second.toml --out o", {"o/first.h5"});
   ASSERT_EQ(test::fingerpad("replay first.toml --out o --quiet", folder).exit_code, 0);
-  EXPECT_EQ(test::fingerpad("replay second.toml --out o --force --quiet", folder).exit_code, 0)
+  EXPECT_EQ(test::fingerpad("replay second.toml --out o --quiet", folder).exit_code, 0)
       << "one after another";
 }
 

@@ -24,33 +24,33 @@ fs::path folder_with_scenes() {
   return folder;
 }
 
-TEST(ASecondReplay, DoesNotReplaceTheSummaryOfAnotherScene) {
+TEST(ASecondReplay, KeepsTheSummaryOfAnotherScene) {
   const fs::path folder = folder_with_scenes();
   ASSERT_EQ(test::fingerpad("replay a.toml --quiet --out out", folder).exit_code, 0);
   const std::string summary = bytes_of(folder / "out" / "summary.csv");
-  for (const std::string resume : {"", " --resume"}) {
-    const auto result = test::fingerpad("replay b.toml --quiet --out out" + resume, folder);
-    EXPECT_EQ(result.exit_code, 2) << resume;
-    EXPECT_THAT(result.err, HasSubstr("out/summary.csv: is of scene 'a', which is not in this batch"));
-    EXPECT_THAT(result.err, HasSubstr("--force"));
-    EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
-    EXPECT_FALSE(fs::exists(folder / "out" / "b.h5"));
-  }
-  EXPECT_EQ(test::fingerpad("replay b.toml --quiet --out out --shard 1/2", folder).exit_code, 0)
-      << "a shard has a summary of its own";
-  EXPECT_EQ(test::fingerpad("replay a.toml b.toml --resume --quiet --out out", folder).exit_code, 0);
+  const auto second = test::fingerpad("replay b.toml --out out", folder);
+  EXPECT_EQ(second.exit_code, 0);
+  EXPECT_THAT(second.err,
+              HasSubstr("out/summary.csv: was of scene 'a', which is not in this batch, and is kept "
+                        "as summary.kept-1.csv"));
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.kept-1.csv"), summary);
   EXPECT_THAT(bytes_of(folder / "out" / "summary.csv"), HasSubstr("\nb,0,ok"));
-  EXPECT_EQ(test::fingerpad("replay b.toml --force --quiet --out out", folder).exit_code, 0);
-  EXPECT_EQ(test::fingerpad("replay b.toml --quiet --out out", folder).exit_code, 0) << "its own it replaces";
+  EXPECT_EQ(test::fingerpad("replay b.toml --quiet --out out", folder).err, "") << "its own it replaces";
+  const auto third = test::fingerpad("replay a.toml --resume --out out", folder);
+  EXPECT_THAT(third.err, HasSubstr("is kept as summary.kept-2.csv"));
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
+  EXPECT_EQ(test::fingerpad("replay b.toml --quiet --out out --shard 1/2", folder).err, "")
+      << "a shard has a summary of its own";
 }
 
-TEST(ASecondReplay, DoesNotReplaceATableOfAnotherProgram) {
+TEST(ASecondReplay, KeepsATableOfAnotherProgram) {
   const fs::path folder = folder_with_scenes();
   fs::create_directory(folder / "out");
   std::ofstream(folder / "out" / "summary.csv") << "income,year\n1,2026\n";
-  const auto result = test::fingerpad("replay a.toml --quiet --out out", folder);
-  EXPECT_EQ(result.exit_code, 2);
-  EXPECT_THAT(result.err, HasSubstr("is of another program"));
+  const auto result = test::fingerpad("replay a.toml --out out", folder);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err, HasSubstr("was of another program"));
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.kept-1.csv"), "income,year\n1,2026\n");
 }
 
 }  // namespace
