@@ -40,6 +40,10 @@ int fit(const FitOptions& options) {
   const Measurement measurement = read_measurements(options.measurements);
   for (const std::string& name : measurement.untouched)
     print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);
+  if (!measurement.trials.empty()) {
+    for (const std::string& reason : measurement.without_force)
+      print_err("fingerpad: warning: {}; the file is left out\n", reason);
+  }
   const ProfileFit found = fit_profile(measurement, options.seed);
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();

@@ -129,7 +129,7 @@ void read_measured_table(const std::string& path, Measurement& measurement) {
   constexpr std::size_t fewest = 16;
   const MeasuredTable table{path, read_csv_columns(path, measurement_request())};
   if (const std::string missing = missing_tangential_force(table.csv); !missing.empty()) {
-    measurement.no_tangential_force = fmt::format("{}: {}", path, missing);
+    measurement.without_force.push_back(fmt::format("{}: {}", path, missing));
     return;
   }
   const std::size_t rows = table.csv.lines.size();

@@ -24,8 +24,8 @@ struct MeasuredTrial {
 struct Measurement {
   std::vector<MeasuredTrial> trials;   ///< with contact, by file and in the file's order
   std::vector<std::string> untouched;  ///< names of trials whose finger never presses
-  /// Why tangential forces are not known ("column fx_n missing"); empty where they are.
-  std::string no_tangential_force;
+  std::vector<std::string>
+      without_force;  ///< "FILE: column fx_n missing", of files that hold nothing for a fit
 };
 
 /// Reads CSV tables `t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n` (force on the finger) with optionally `nx,ny,nz`

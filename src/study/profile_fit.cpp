@@ -84,7 +84,7 @@ ProfileFit fit_profile(const Measurement& measurement, std::uint64_t seed) {
   if (evidence.empty()) {
     for (PadValue& value : fit.values)
       value.refusal =
-          measurement.no_tangential_force.empty() ? "no trial has contact" : measurement.no_tangential_force;
+          measurement.without_force.empty() ? "no trial has contact" : measurement.without_force.front();
   }
   if (!evidence.empty()) add_intervals(evidence, subjects, seed, fit);
   return fit;

@@ -20,8 +20,7 @@ LoadProgress progress_of(const LoadProgress& whole, const PartEntry& entry) {
              std::string_view stage, double share) { whole(file + ": " + std::string(stage), share); };
 }
 
-/// What its arrays take, and the tree's packets beside them (by the growth of the process while it loaded
-/// meshes of 0.2 to 1 million triangles).
+/// What its arrays take, and what the tree is reckoned to take beside them: not measured.
 std::size_t bytes_of(const Part& part) {
   constexpr std::size_t tree_bytes_per_triangle = 150;
   const auto numbers = part.vertices.size() + part.facet_normals.size() + part.edge_pseudonormals.size() +

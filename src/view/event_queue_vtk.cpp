@@ -34,6 +34,7 @@ bool EventQueue::pass_on() {
   XEvent event;
   XNextEvent(display, &event);
   if (event.type == MotionNotify) stamp(event.xmotion.time);
+  if (event.type == EnterNotify) stamp(event.xcrossing.time);
   if (event.type == ButtonPress || event.type == ButtonRelease) stamp(event.xbutton.time);
   if (event.type == KeyPress || event.type == KeyRelease) stamp(event.xkey.time);
   static_cast<vtkXRenderWindowInteractor*>(interactor_)->DispatchEvent(&event);

@@ -22,10 +22,13 @@ void EventScript::play(const WindowEvent& event) {
     interactor_->InvokeEvent(vtkCommand::KeyPressEvent);
     return;
   }
-  constexpr vtkCommand::EventIds ids[] = {
-      vtkCommand::KeyPressEvent,          vtkCommand::LeftButtonPressEvent,
-      vtkCommand::MouseMoveEvent,         vtkCommand::LeftButtonReleaseEvent,
-      vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent};
+  constexpr vtkCommand::EventIds ids[] = {vtkCommand::KeyPressEvent,
+                                          vtkCommand::LeftButtonPressEvent,
+                                          vtkCommand::MouseMoveEvent,
+                                          vtkCommand::LeftButtonReleaseEvent,
+                                          vtkCommand::MouseWheelForwardEvent,
+                                          vtkCommand::MouseWheelBackwardEvent,
+                                          vtkCommand::EnterEvent};
   interactor_->SetEventInformation(event.x, event.y);
   interactor_->InvokeEvent(ids[static_cast<int>(event.kind)]);
 }

@@ -13,7 +13,7 @@ namespace fingerpad {
 /// Something a person does at a window, for tests and demonstrations: handed to the same observers as what
 /// the window system sends.
 struct WindowEvent {
-  enum class Kind { key, press, move, release, wheel_up, wheel_down };
+  enum class Kind { key, press, move, release, wheel_up, wheel_down, enter };
   double at_s = 0;  ///< since the window opened, at the earliest; slow frames delay it and all that follow
   Kind kind = Kind::key;
   std::string key = {};  ///< X key name, as "space" or "h"

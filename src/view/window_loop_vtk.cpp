@@ -50,7 +50,7 @@ void WindowLoop::observe() {
   from->AddObserver(vtkCommand::CharEvent, this, &WindowLoop::swallow, before_the_style);
   for (const auto event :
        {vtkCommand::LeftButtonPressEvent, vtkCommand::LeftButtonReleaseEvent, vtkCommand::MouseMoveEvent,
-        vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent}) {
+        vtkCommand::EnterEvent, vtkCommand::MouseWheelForwardEvent, vtkCommand::MouseWheelBackwardEvent}) {
     from->AddObserver(event, this, &WindowLoop::on_mouse, before_the_style);
   }
   from->AddObserver(vtkCommand::TimerEvent, this, &WindowLoop::on_timer, before_the_style);
@@ -216,6 +216,7 @@ bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
       taken = charts.zoomed() && charts.press(at[0], at[1]);
       taken = (handlers_.press && handlers_.press(at[0], at[1])) || taken;
       break;
+    case vtkCommand::EnterEvent:  // a window that opens under the pointer is told of it so, and of no move
     case vtkCommand::MouseMoveEvent:
       if (charts.move(at[0], at[1])) changed_ = true;
       taken = handlers_.move && handlers_.move(at[0], at[1]);
@@ -254,6 +255,7 @@ bool WindowLoop::on_panels(unsigned long event, int x, int y) {
     case vtkCommand::LeftButtonReleaseEvent:
       beside_panels_ = false;
       return std::exchange(on_panel_, false);
+    case vtkCommand::EnterEvent:
     case vtkCommand::MouseMoveEvent:
       return on_panel_ || (hit && !beside_panels_);
     default:

@@ -53,6 +53,9 @@ TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   EXPECT_EQ(normal_only.exit_code, 3);
   EXPECT_THAT(normal_only.err, HasSubstr("nothing can be fitted: normal_only.csv: column fx_n missing"));
   EXPECT_FALSE(fs::exists(folder / "none.toml"));
+  const auto both = fit("normal_only.csv " + shipped.string() + " --out both.toml");
+  EXPECT_EQ(both.exit_code, 0);
+  EXPECT_THAT(both.err, HasSubstr("normal_only.csv: column fx_n missing; the file is left out"));
   EXPECT_EQ(fit("absent.csv --out none.toml").exit_code, 3);
   EXPECT_EQ(fit(shipped.string() + " --out no/such/folder.toml").exit_code, 2);
 }

@@ -88,6 +88,17 @@ TEST(TouchWindow, TheFingerHoversUnderTheMouseAndPressesWhileTheButtonIsHeld) {
   EXPECT_GT(touch.reports.back().t_s, 1.0);  // the window kept up with the servo's time
 }
 
+TEST(TouchWindow, FeelsThePointerThatItOpensUnder) {
+  const auto target_after = [](std::vector<WindowEvent> events) {
+    LiveTouch touch;
+    touch.play(std::move(events), 0.5);
+    return touch.reports.empty() ? Vec3(Vec3::Zero()) : touch.reports.back().target_W;
+  };
+  const Vec3 pointed = target_after({{0.1, Kind::move, "", ring_x, ring_y}});
+  EXPECT_EQ(target_after({{0.1, Kind::enter, "", ring_x, ring_y}}), pointed);
+  EXPECT_NE(target_after({}), pointed);
+}
+
 TEST(TouchWindow, WheelAndKeysChangeTheForceAndSpaceHolds) {
   LiveTouch touch;
   touch.play({{0.1, Kind::move, "", ring_x, ring_y},
