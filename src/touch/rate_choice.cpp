@@ -84,6 +84,16 @@ std::string hand_text(const HandSettings& hand, double rate_hz) {
                      number_text(rate_hz));
 }
 
+/// Of 6 dB, as loops are given: at the border itself, or close to it, a hand rings for seconds.
+constexpr double gain_margin = 2;
+
+/// @param what  "a surface"
+std::string too_stiff_text(const HandSettings& hand, double rate_hz, double most_n_per_m,
+                           std::string_view what, double stiffness_n_per_m) {
+  return fmt::format("a {} holds up to {:.4g} N/m, half of which is kept in reserve, and {} has {:.4g}",
+                     hand_text(hand, rate_hz), most_n_per_m, what, stiffness_n_per_m);
+}
+
 /// "rate_hz: 2000 Hz", and for the highest that it is no more than that.
 RateChoice told(double rate_hz, const std::string& why) {
   return {rate_hz, fmt::format("rate_hz: {} Hz, {} (auto)", number_text(rate_hz), why)};
@@ -171,9 +181,8 @@ std::string unstable_because(const Scene& scene, double rate_hz) {
   for (const SurfaceProperties& surface : surfaces_of(scene)) {
     wall.wall_damping_n_s_per_m = surface.damping_n_s_per_m;
     const double most = stable_stiffness(wall);
-    if (surface.stiffness_n_per_m <= most) continue;
-    return fmt::format("a {} holds no more than {:.4g} N/m, and a surface has {:.4g}",
-                       hand_text(hand, rate_hz), most, surface.stiffness_n_per_m);
+    if (gain_margin * surface.stiffness_n_per_m <= most) continue;
+    return too_stiff_text(hand, rate_hz, most, "a surface", surface.stiffness_n_per_m);
   }
   const LawEntry* law = find_law(scene.friction.law);
   if (law == nullptr || scene.friction.settings.remedy != Remedy::none) return {};
@@ -182,10 +191,9 @@ std::string unstable_because(const Scene& scene, double rate_hz) {
   const double stick_n_per_m = rise_per_m(scene, *law) * load_n;
   wall.wall_damping_n_s_per_m = 0;
   const double most = stable_stiffness(wall);
-  if (stick_n_per_m <= most) return {};
-  return fmt::format("a {} holds no more than {:.4g} N/m, and the sticking pad has {:.4g}{}",
-                     hand_text(hand, rate_hz), most, stick_n_per_m,
-                     scales ? fmt::format(" under greatest_force_n, {:.3g} N", load_n) : "");
+  if (gain_margin * stick_n_per_m <= most) return {};
+  return too_stiff_text(hand, rate_hz, most, "the sticking pad", stick_n_per_m) +
+         (scales ? fmt::format(" under greatest_force_n, {:.3g} N", load_n) : "");
 }
 
 RateChoice choose_rate(const Scene& scene, const FingerPath* path) {

@@ -59,8 +59,8 @@ std::string friction_hidden_because(const ShownFriction& shown, double mu_tolera
 
 /// Why the loop of the scene's [hand] is not stable at this rate, in words; empty where it is, or the scene
 /// has no hand: a finger that follows its motion whatever it feels closes no loop. What must be held: the
-/// stiffest surface, and, without a remedy, the stick spring under greatest_force_n; both against the largest
-/// stiffness of the sampled loop (stable_stiffness, SCIENCE 4).
+/// stiffest surface, and, without a remedy, the stick spring under greatest_force_n; both against half the
+/// largest stiffness of the sampled loop (stable_stiffness, SCIENCE 4).
 std::string unstable_because(const Scene& scene, double rate_hz);
 
 /// The lowest of automatic_rates_hz that shows the teeth within the scene's mu_tolerance and at which the

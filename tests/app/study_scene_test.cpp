@@ -115,12 +115,12 @@ TEST(StudyScene, FollowsTheWayOfAHand) {
   const auto result = test::fingerpad("study scene rub.toml --out o", folder);
   ASSERT_EQ(result.exit_code, 0) << result.err;
   EXPECT_THAT(result.err, HasSubstr("in its [hand]"));
-  // SCIENCE 4: 1000 N/m is held from 1 kHz on, and no more than 500 N/m at 500 Hz.
+  // SCIENCE 4: 1001 N/m is held at 1 kHz and 2002 at 2 kHz; half of that is kept in reserve.
   const auto lines = lines_of(folder / "o" / "choices.csv");
   ASSERT_EQ(lines.size(), 1u + 7 + 1);
-  EXPECT_THAT(lines[2],
-              AllOf(HasSubstr(",500,exact,"), HasSubstr(",false,"), HasSubstr("holds no more than")));
-  EXPECT_THAT(lines[3], AllOf(HasSubstr(",1000,exact,"), HasSubstr(",true,")));
+  EXPECT_THAT(lines[3],
+              AllOf(HasSubstr(",1000,exact,"), HasSubstr(",false,"), HasSubstr("holds up to 1001 N/m")));
+  EXPECT_THAT(lines[4], AllOf(HasSubstr(",2000,exact,"), HasSubstr(",true,")));
 }
 
 TEST(StudyScene, NeverWritesOverWhatItReads) {
