@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/unit_vector.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -47,7 +49,7 @@ Mat3 tangent_frame(const Vec3& normal, const Vec3& along) noexcept {
 }
 
 Mat3 transported(const Mat3& frame, const Vec3& normal) noexcept {
-  if (frame.col(2) == normal) return frame;
+  if (differ_by_rounding_only(frame.col(2), normal)) return frame;
   const Vec3 from = frame.col(2), y = frame.col(1);
   const double cosine = from.dot(normal);
   if (cosine < -1 + 1e-12) return tangent_frame(normal, -y);

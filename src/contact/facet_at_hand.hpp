@@ -7,15 +7,20 @@
 namespace fingerpad {
 
 /// A facet that feet are looked for on tick after tick: what that takes of it, in the world. Speed alone: it
-/// finds what point_on_facet finds on the facet itself, to rounding.
+/// finds what foot_on_facet finds on the facet itself, to rounding.
 class FacetAtHand {
  public:
   /// Takes a facet, where it is not the one that is at hand.
   /// @param t  index into Part::triangles
   /// @pre the surface stays where it is
   void take(const PlacedSurface& surface, int t) noexcept {
-    if (triangle_ != t || surface_ != &surface) take_anew(surface, t);
+    if (!is(surface, t)) take_anew(surface, t);
   }
+  bool is(const PlacedSurface& surface, int t) const noexcept {
+    return triangle_ == t && surface_ == &surface;
+  }
+  const PlacedSurface* surface() const noexcept { return surface_; }  ///< null: none is at hand
+  int triangle() const noexcept { return triangle_; }
   /// @param foot_W  the point of the facet under p_W, written where there is one
   bool find_foot(const Vec3& p_W, Vec3& foot_W) const noexcept {
     const Vec3 from_corner = p_W - corner_W_;

@@ -1,48 +1,73 @@
 #include "contact/facet_fan.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/worst_wall.hpp"
 
 namespace fingerpad {
 
+/// The facet in the middle of the fan, as its neighbours are looked at from.
+struct FacetFan::Middle {
+  const ProxyWorld& world;
+  const Part& part;
+  int surface, triangle;
+  Vec3 origin_P, normal_P;  ///< O's origin, and the wall's normal
+  double side;
+  PartWalls behind;
+
+  Middle(const ProxyWorld& of_world, const ProxyWall& wall_O) noexcept
+      : world(of_world),
+        part(world.part(wall_O.surface)),
+        surface(wall_O.surface),
+        triangle(wall_O.triangle),
+        origin_P(world.in_part(surface, Vec3::Zero())),
+        normal_P(world.turned_into_part(surface, wall_O.normal)),
+        side(side_of(part.facet_normals.col(triangle), normal_P)),
+        behind(world, surface, std::span(&wall_O, 1), origin_P) {}
+};
+
 void FacetFan::gather(const ProxyWorld& world, const ProxyWall& wall_O) noexcept {
   count_ = looks_ = 0;
-  for (int corner = 0; corner < 3 && wall_O.triangle >= 0; ++corner) {
+  if (wall_O.triangle < 0) return;
+  const Middle middle(world, wall_O);
+  for (int corner = 0; corner < 3; ++corner) {
     for (const int first_edge : {corner, (corner + 2) % 3}) {
-      if (!go_around(world, wall_O, corner, first_edge)) break;
+      if (!go_around(middle, corner, first_edge)) break;
     }
   }
 }
 
+/// A facet across an edge is met about both of the edge's corners.
+bool FacetFan::is_met_already(const Middle& middle, int t) const noexcept {
+  if (!(middle.part.neighbours.col(middle.triangle).array() == t).any()) return false;
+  const auto known = neighbours_O();
+  return std::any_of(known.begin(), known.end(), [t](const ProxyWall& wall) { return wall.triangle == t; });
+}
+
 /// Goes around a corner over one of its two edges, as far as no crease is crossed. False where that led all
 /// the way around, or the fan is full: there is nothing left to find the other way.
-bool FacetFan::go_around(const ProxyWorld& world, const ProxyWall& wall_O, int corner,
-                         int first_edge) noexcept {
-  const int surface = wall_O.surface, triangle = wall_O.triangle;
-  const Part& part = world.part(surface);
-  const Vec3 origin_P = world.in_part(surface, Vec3::Zero());
-  const Vec3 wall_normal_P = world.surface(surface).R_WP.transpose() * wall_O.normal;
-  const double side = side_of(part.facet_normals.col(triangle), wall_normal_P);
-  const PartWalls behind(world, surface, std::span(&wall_O, 1), origin_P);
-  const int vertex = part.welded(corner, triangle);
-  int t = triangle, edge = first_edge;
+bool FacetFan::go_around(const Middle& middle, int corner, int first_edge) noexcept {
+  const Part& part = middle.part;
+  const int vertex = part.welded(corner, middle.triangle);
+  int t = middle.triangle, edge = first_edge;
   for (int turn = 0; turn < ProxyLimits::most_turns; ++turn) {
     const int next = part.neighbours(edge, t);
     if (next < 0 || (part.creases[static_cast<std::size_t>(t)] >> edge & 1) != 0) break;
-    if (next == triangle || count_ == ProxyLimits::most_neighbours) return false;
+    if (next == middle.triangle || count_ == ProxyLimits::most_neighbours) return false;
     int at = 0;
     while (at < 2 && part.welded(at, next) != vertex) ++at;
     // Of the two edges at the vertex, the one not come by.
     edge = part.neighbours(at, next) == t ? (at + 2) % 3 : at;
     t = next;
     ++looks_;
+    if (is_met_already(middle, t)) continue;
     const TriangleCorners corners = corners_of(part, t);
-    const Vec3 normal_P = side * corners.normal;
-    if (!(normal_P.dot(wall_normal_P) > 0) || !behind.hide(corners)) continue;
+    const Vec3 normal_P = middle.side * corners.normal;
+    if (!(normal_P.dot(middle.normal_P) > 0) || !middle.behind.hide(corners)) continue;
     neighbours_O_[static_cast<std::size_t>(count_++)] = {
-        world.surface(surface).R_WP * normal_P, world.clearance_m() + normal_P.dot(corners.a - origin_P),
-        surface, t};
+        middle.world.turned_from_part(middle.surface, normal_P),
+        middle.world.clearance_m() + normal_P.dot(corners.a - middle.origin_P), middle.surface, t};
   }
   return true;
 }

@@ -23,7 +23,9 @@ class FacetFan {
                               const Vec3& goal_O) const noexcept;
 
  private:
-  bool go_around(const ProxyWorld& world, const ProxyWall& wall_O, int corner, int first_edge) noexcept;
+  struct Middle;
+  bool go_around(const Middle& middle, int corner, int first_edge) noexcept;
+  bool is_met_already(const Middle& middle, int t) const noexcept;
 
   std::array<ProxyWall, ProxyLimits::most_neighbours> neighbours_O_;
   int count_ = 0, looks_ = 0;

@@ -63,13 +63,6 @@ WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals
   return nearest(surface, p_WQ, normals, search, reach_m);
 }
 
-std::optional<Vec3> point_on_facet(const PlacedSurface& surface, int t, const Vec3& p_WQ) noexcept {
-  if (t < 0) return std::nullopt;
-  const FacetFoot foot = foot_on_facet(*surface.part, t, in_part(surface, p_WQ));
-  if (foot.triangle < 0) return std::nullopt;
-  return surface.R_WP * foot.point_P + surface.p_WP;
-}
-
 WorldBox world_box(const PlacedSurface& part) {
   return {part.R_WP * part.part->centre_P + part.p_WP, part.R_WP.cwiseAbs() * part.part->half_extent};
 }

@@ -2,7 +2,6 @@
 
 #include <limits>
 #include <memory>
-#include <optional>
 
 #include "contact/normals.hpp"
 
@@ -46,10 +45,6 @@ WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals
                          ClosestMemory& memory, double reach_m) noexcept;
 WorldPoint nearest_point(const PlacedSurface& surface, const Vec3& p_WQ, Normals normals, BriefSearch& search,
                          double reach_m) noexcept;
-
-/// The point under p_WQ of triangle t's facet or the next; see foot_on_facet.
-/// @param t  index into Part::triangles; -1, as for a plane: nothing is found
-std::optional<Vec3> point_on_facet(const PlacedSurface& surface, int t, const Vec3& p_WQ) noexcept;
 
 /// A box along the world's axes [m].
 struct WorldBox {

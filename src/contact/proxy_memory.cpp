@@ -90,29 +90,24 @@ bool ProxyMemory::slide_on_one(ProxyState& state) noexcept {
 
 /// In the valley or corner of two or three facets, as long as all of them hold.
 bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
-  std::array<ProxyWall, 3> walls = room_.walls_O;
-  const std::span holding(walls.data(), static_cast<std::size_t>(room_.wall_count));
-  for (ProxyWall& wall : holding) wall = wall.seen_from(state.place_O);
-  const Vec3 goal = state.goal_O - state.place_O;
-  const ProxyProjection p = project_onto_every(goal, holding);
-  if (!p.found) return false;
-  const Vec3 place_O = state.place_O + p.z;
-  if (!room_.holds(place_O) || !is_clear_of_planes(place_O, -1)) return false;
+  const std::span walls_O(room_.walls_O.data(), static_cast<std::size_t>(room_.wall_count));
+  const ProxyProjection p = project_onto_every(state.goal_O, walls_O, room_.together);
+  if (!p.found || !room_.holds(p.z) || !is_clear_of_planes(p.z, -1)) return false;
   std::array<Vec3, 3> weights;
-  for (std::size_t k = 0; k < holding.size(); ++k) {
-    weights[k] = room_.facets[k].at(place_O);
+  for (std::size_t k = 0; k < walls_O.size(); ++k) {
+    weights[k] = room_.facets[k].at(p.z);
     if (!(weights[k].minCoeff() > 0)) return false;
   }
-  for (ProxyWall& wall : holding) wall.least_m -= world_.skin_m();
-  const ProxyProjection skinless = project_onto_every(goal, holding);
+  // Without its skin the ball's walls stand nearer by that.
+  const ProxyProjection skinless = project_onto_every(state.goal_O, walls_O, room_.together, world_.skin_m());
   if (!skinless.found) return false;
-  for (ProxyWall& wall : holding) wall.least_m += world_.skin_m() - wall.normal.dot(p.z);
-  state.hold_place_O = state.place_O = place_O;
+  state.hold_place_O = state.place_O = p.z;
   state.hold.wall_count = room_.wall_count;
-  state.hold.walls = walls;
   state.hold.share_m = p.share_m;
-  for (std::size_t k = 0; k < holding.size(); ++k)
-    state.contact.holds[k] = hold_over(walls[k], skinless.share_m[k], place_O, weights[k]);
+  for (std::size_t k = 0; k < walls_O.size(); ++k) {
+    state.hold.walls[k] = walls_O[k].seen_from(p.z);
+    state.contact.holds[k] = hold_over(walls_O[k], skinless.share_m[k], p.z, weights[k]);
+  }
   report_held(world_, skinless, state);
   return true;
 }
@@ -190,6 +185,7 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
     room_.walls_O[k] = walls[k].seen_from(-state.hold_place_O);
     room_.facets[k] = FacetWeights(world_, walls[k]);
   }
+  room_.together = together(walls);
   if (!make_room(walls, search_place_O(), state.place_O, state.place_O) &&
       !make_room(walls, state.hold_place_O, state.place_O, state.place_O)) {
     // Something stands close in front of the walls: no room to slide, but a neighbour may yet be nearer.
@@ -201,8 +197,8 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
 }
 
 /// What holds the proxy where it stands over a facet, with these weights of its corners.
-ProxyHold ProxyMemory::hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
-                                 const Vec3& weights) const noexcept {
+ContactHold ProxyMemory::hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
+                                   const Vec3& weights) const noexcept {
   TrianglePoint at;
   at.barycentric = weights;
   return {wall.surface, wall.triangle, place_O - world_.clearance_m() * wall.normal + world_.p_WO(),

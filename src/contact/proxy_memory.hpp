@@ -36,6 +36,7 @@ class ProxyMemory : public ProxyViews {
     double radius_m = 0;
     int wall_count = 0;  ///< slide
     std::array<ProxyWall, 3> walls_O;
+    WallsTogether together;  ///< of several walls
     std::array<FacetWeights, 3> facets;
 
     bool holds(const Vec3& place_O) const noexcept {
@@ -50,8 +51,8 @@ class ProxyMemory : public ProxyViews {
   bool extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept;
   bool make_room(std::span<const ProxyWall> walls, const Vec3& centre_O, const Vec3& from_O,
                  const Vec3& to_O) noexcept;
-  ProxyHold hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
-                      const Vec3& weights) const noexcept;
+  ContactHold hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
+                        const Vec3& weights) const noexcept;
   void remember_fan(const ProxyWall& wall_O) noexcept;
   const ProxyWall* nearest_neighbour(const ProxyWall& wall_O, const Vec3& goal_O) noexcept;
 

@@ -11,10 +11,8 @@ std::unique_ptr<ContactMethod> brief_closest_point(std::vector<PlacedSurface> su
 
 void take_holds(const ProxyContact& proxy, Contact& contact) noexcept {
   contact.hold_count = proxy.touching ? proxy.hold_count : 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(contact.hold_count); ++k) {
-    const ProxyHold& hold = proxy.holds[k];
-    contact.holds[k] = {hold.surface, hold.triangle, hold.point_W, hold.normal_W, hold.share_m};
-  }
+  for (std::size_t k = 0; k < static_cast<std::size_t>(contact.hold_count); ++k)
+    contact.holds[k] = proxy.holds[k];
   contact.depth_m = proxy.depth_m;
   contact.point_W = proxy.point_W;
   contact.normal_W = proxy.normal_W;

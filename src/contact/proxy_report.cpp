@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/unit_vector.hpp"
 #include "contact/proxy_limits.hpp"
 #include "contact/surface_point.hpp"
 
@@ -13,12 +14,14 @@ namespace {
 /// The smallest rotation from one unit vector to another, as axis times the tangent of half the angle
 /// (Rodrigues); none where they are opposite. A mean of such turns is no wider than the widest.
 Vec3 turn_between(const Vec3& from, const Vec3& to) noexcept {
+  if (differ_by_rounding_only(from, to)) return Vec3::Zero();
   const double sum = 1 + from.dot(to);
   return sum > ProxyLimits::least_turn_sum ? Vec3(from.cross(to) / sum) : Vec3::Zero();
 }
 
 /// A unit vector after a turn.
 Vec3 turned(const Vec3& v, const Vec3& turn) noexcept {
+  if (turn == Vec3::Zero()) return v;
   const Vec3 across = turn.cross(v);
   return v + 2 / (1 + turn.squaredNorm()) * (across + turn.cross(across));
 }
@@ -33,7 +36,7 @@ Vec3 turn_of_holds(const ProxyState& state, const ProxyProjection& p) noexcept {
   Vec3 turn = Vec3::Zero();
   double share_m = 0;
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k) {
-    const ProxyHold& hold = state.contact.holds[k];
+    const ContactHold& hold = state.contact.holds[k];
     turn += hold.share_m * turn_between(active_wall(state, p, k).normal, hold.normal_W);
     share_m += hold.share_m;
   }
@@ -156,14 +159,14 @@ ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, 
 Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoint& at) noexcept {
   if (!world.is_shaded()) return wall.normal;
   const PlacedSurface& surface = world.surface(wall.surface);
-  const Vec3 normal_P = surface.R_WP.transpose() * wall.normal;
+  const Vec3 normal_P = world.turned_into_part(wall.surface, wall.normal);
   const double side = side_of(surface.tree->part().facet_normals.col(wall.triangle), normal_P);
-  return surface.R_WP *
-         (side * shaded_normal(*surface.tree, wall.triangle, at, world.normals(), side * normal_P));
+  return world.turned_from_part(
+      wall.surface, side * shaded_normal(*surface.tree, wall.triangle, at, world.normals(), side * normal_P));
 }
 
-ProxyHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
-                  const Vec3& place_O) noexcept {
+ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
+                    const Vec3& place_O) noexcept {
   if (wall.triangle < 0) {
     const Vec3 point =
         place_O + (world.plane_wall(wall.surface, place_O).least_m - world.clearance_m()) * wall.normal;

@@ -36,8 +36,8 @@ ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, 
                                   std::span<const ProxyWall> walls) noexcept;
 
 /// What holds the proxy where the place under it is looked for.
-ProxyHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
-                  const Vec3& place_O) noexcept;
+ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
+                    const Vec3& place_O) noexcept;
 /// The normal of a wall as Normals says at a point of its triangle.
 Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoint& at) noexcept;
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/contact_method.hpp"
 #include "contact/proxy_wall.hpp"
 
 namespace fingerpad {
@@ -20,15 +21,6 @@ struct ProxyStep {
   }
 };
 
-/// A surface that holds the proxy.
-struct ProxyHold {
-  int surface = -1;
-  int triangle = -1;              ///< index into Part::triangles; -1: a plane
-  Vec3 point_W = Vec3::Zero();    ///< the surface's point under the proxy [m]
-  Vec3 normal_W = Vec3::UnitZ();  ///< unit, towards the proxy; shaded as Normals says
-  double share_m = 0;             ///< multiplier: its part of the depth, along its own normal
-};
-
 /// Where the proxy stands against the finger.
 struct ProxyContact {
   bool placed = true;    ///< false: a start found no place for the ball; the next move tries again
@@ -40,9 +32,10 @@ struct ProxyContact {
   double depth_m = 0;           ///< from the finger to it
   Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to it
   Vec3 normal_W = Vec3::UnitZ();     ///< unit: direction_W, shaded: see Proxy
-  Vec3 point_W = Vec3::Zero();     ///< S: the surface's point; of several, and on the way, the ball's lowest
-  int hold_count = 0;              ///< >= 1 while touching
-  std::array<ProxyHold, 3> holds;  ///< greatest share first; on the way: those of before
+  Vec3 point_W = Vec3::Zero();  ///< S: the surface's point; of several, and on the way, the ball's lowest
+  int hold_count = 0;           ///< >= 1 while touching
+  std::array<ContactHold, 3> holds;  ///< greatest share first, each with the point under the proxy and the
+                                     ///< normal as Normals says; on the way: those of before
 };
 
 /// All that a proxy takes from one tick to the next.

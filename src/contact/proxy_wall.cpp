@@ -1,6 +1,5 @@
 #include "contact/proxy_wall.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -23,31 +22,17 @@ constexpr Choice choices[] = {{0, {}, 0},        {1, {0}, 1},       {1, {1}, 2},
 
 /// The multipliers that put the point onto every chosen wall; false where the walls do not fix them.
 bool multipliers(const Vec3& goal, std::span<const ProxyWall> walls, const std::array<int, 3>& choice,
-                 int count, std::array<double, 3>& share) noexcept {
-  std::array<Vec3, 3> n;
-  std::array<double, 3> missing{};
-  for (int i = 0; i < count; ++i) {
+                 int count, std::array<double, 3>& share_m) noexcept {
+  std::array<Vec3, 3> normals;
+  std::array<double, 3> lack_m{};
+  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
     const ProxyWall& wall = walls[static_cast<std::size_t>(choice[i])];
-    n[i] = wall.normal;
-    missing[i] = wall.lack_m(goal);
+    normals[i] = wall.normal;
+    lack_m[i] = wall.lack_m(goal);
   }
-  if (count == 1) share[0] = missing[0];
-  if (count == 2) {
-    const double sine2 = n[0].cross(n[1]).squaredNorm();
-    if (!(sine2 > ProxyLimits::parallel2)) return false;
-    // The 2 x 2 system, written so that nearly equal normals cancel nothing but the missing lengths.
-    const double cosine = n[0].dot(n[1]), turn = cosine < 0 ? -1 : 1;
-    const double common = 1 / (1 + turn * cosine), apart = (missing[0] - turn * missing[1]) / sine2;
-    share[0] = apart + turn * missing[1] * common;
-    share[1] = turn * (missing[0] * common - apart);
-  }
-  if (count == 3) {
-    const Vec3 c12 = n[1].cross(n[2]), c20 = n[2].cross(n[0]), c01 = n[0].cross(n[1]);
-    const double volume = n[0].dot(c12);
-    if (!(std::abs(volume) > ProxyLimits::flat_volume)) return false;
-    const Vec3 shift = (missing[0] * c12 + missing[1] * c20 + missing[2] * c01) / volume;
-    share = {shift.dot(c12) / volume, shift.dot(c20) / volume, shift.dot(c01) / volume};
-  }
+  const WallsTogether together(normals, count);
+  if (!together.fix_shares()) return false;
+  share_m = together.shares_m(lack_m);
   return true;
 }
 
@@ -89,11 +74,21 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
   return best;
 }
 
-ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls) noexcept {
+WallsTogether together(std::span<const ProxyWall> walls) noexcept {
+  std::array<Vec3, 3> normals;
+  for (std::size_t i = 0; i < walls.size(); ++i) normals[i] = walls[i].normal;
+  return {normals, static_cast<int>(walls.size())};
+}
+
+ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls,
+                                   const WallsTogether& together, double nearer_m) noexcept {
   ProxyProjection p;
   p.active = {0, 1, 2};
   p.active_count = static_cast<int>(walls.size());
-  if (!multipliers(goal, walls, p.active, p.active_count, p.share_m)) return p;
+  if (!together.fix_shares()) return p;
+  std::array<double, 3> lack_m{};
+  for (std::size_t i = 0; i < walls.size(); ++i) lack_m[i] = walls[i].lack_m(goal) - nearer_m;
+  p.share_m = together.shares_m(lack_m);
   p.z = goal;
   p.found = true;
   for (std::size_t i = 0; i < walls.size(); ++i) {

@@ -4,7 +4,7 @@
 #include <optional>
 #include <span>
 
-#include "base/types.hpp"
+#include "contact/walls_together.hpp"
 
 namespace fingerpad {
 
@@ -55,6 +55,11 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
 
 /// The same where every one of at most three walls is known to hold: found where all multipliers are
 /// positive, which makes the place where the planes meet the closest.
-ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls) noexcept;
+/// @param together  what the walls' normals fix
+/// @param nearer_m  by which each wall is taken to stand nearer than it does
+ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls,
+                                   const WallsTogether& together, double nearer_m = 0) noexcept;
+/// @pre at most three walls
+WallsTogether together(std::span<const ProxyWall> walls) noexcept;
 
 }  // namespace fingerpad

@@ -12,6 +12,7 @@ ProxyWorld::ProxyWorld(std::vector<PlacedSurface> surfaces, double radius_m, Nor
   int first = -1;
   for (int i = 0; i < surface_count(); ++i) {
     const PlacedSurface& s = surface(i);
+    is_upright_.push_back(s.R_WP == Mat3::Identity());
     middle_O_.push_back(is_plane(i) ? s.plane_point_W : Vec3(s.R_WP * part(i).centre_P + s.p_WP));
     if (first < 0 && !is_plane(i)) first = i;
   }
@@ -34,11 +35,11 @@ double ProxyWorld::plane_rounding_m(const Vec3& place_O) const noexcept {
 }
 
 Vec3 ProxyWorld::in_part(int i, const Vec3& place_O) const noexcept {
-  return surface(i).R_WP.transpose() * (place_O - middle_O_[static_cast<std::size_t>(i)]);
+  return turned_into_part(i, place_O - middle_O_[static_cast<std::size_t>(i)]);
 }
 
 Vec3 ProxyWorld::from_part(int i, const Vec3& q_P) const noexcept {
-  return surface(i).R_WP * q_P + middle_O_[static_cast<std::size_t>(i)];
+  return turned_from_part(i, q_P) + middle_O_[static_cast<std::size_t>(i)];
 }
 
 TriangleApproach ProxyWorld::approach(int i, int triangle, const Vec3& place_O) const noexcept {
@@ -53,7 +54,7 @@ ProxyWall ProxyWorld::plane_wall(int i, const Vec3& place_O) const noexcept {
 ProxyWall ProxyWorld::tangent_wall(int i, int triangle, const Vec3& from_O,
                                    const Vec3& place_O) const noexcept {
   const TriangleApproach from = approach(i, triangle, from_O);
-  const Vec3 normal = surface(i).R_WP * from.towards;
+  const Vec3 normal = turned_from_part(i, from.towards);
   return {normal, clearance_m() - from.distance_m + normal.dot(from_O - place_O), i, triangle};
 }
 

@@ -43,6 +43,13 @@ class ProxyWorld {
   /// A ball that is no more than this away from a wall lies on it [m].
   double touching_m() const noexcept { return touching_m_; }
 
+  /// A direction in a part's frame, and back; of a part that stands upright it is the same.
+  Vec3 turned_into_part(int surface, const Vec3& v_W) const noexcept {
+    return is_upright(surface) ? v_W : Vec3(this->surface(surface).R_WP.transpose() * v_W);
+  }
+  Vec3 turned_from_part(int surface, const Vec3& v_P) const noexcept {
+    return is_upright(surface) ? v_P : Vec3(this->surface(surface).R_WP * v_P);
+  }
   /// A place in the frame of a part's arrays, and back.
   Vec3 in_part(int surface, const Vec3& place_O) const noexcept;
   Vec3 from_part(int surface, const Vec3& q_P) const noexcept;
@@ -56,12 +63,15 @@ class ProxyWorld {
   ProxyWall tangent_wall(int surface, int triangle, const Vec3& from_O, const Vec3& place_O) const noexcept;
 
  private:
+  bool is_upright(int surface) const noexcept { return is_upright_[static_cast<std::size_t>(surface)] != 0; }
+
   std::vector<PlacedSurface> surfaces_;
   double radius_m_;
   Normals normals_;
   Vec3 p_WO_ = Vec3::Zero();
   double extent_m_ = 0, planes_m_ = 0, skin_m_ = 0, tolerance_m_ = 0, slack_m_ = 0, touching_m_ = 0;
-  std::vector<Vec3> middle_O_;  // per surface: the part's centre, or the plane's point
+  std::vector<Vec3> middle_O_;    // per surface: the part's centre, or the plane's point
+  std::vector<char> is_upright_;  // per surface: it is not turned
 };
 
 }  // namespace fingerpad

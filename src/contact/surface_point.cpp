@@ -36,18 +36,19 @@ bool are_level(const Part& part, int t, int next) noexcept {
   return here.dot(there) > 0 && here.cross(there).squaredNorm() <= least_sine2;
 }
 
-/// The facet under q some edges away from triangle t, of which at most one is bent and one or more are not;
-/// -1: not found.
+/// The facet under q some edges away from triangle t, of which at most one is bent, or two where the surface
+/// is smooth: past a corner; -1: not found.
 int find_foot_around(const Part& part, int t, const Vec3& q, Vec3& foot) noexcept {
   constexpr int most_edges = 8;
-  int level = 0, bent = 0;
+  int level = 0, bent = 0, most_bent = 2;
   for (int k = 0; k < most_edges; ++k) {
-    const int next = part.neighbours(edge_farthest_behind(part, t, q), t);
+    const int edge = edge_farthest_behind(part, t, q), next = part.neighbours(edge, t);
     if (next < 0) return -1;
+    if (has_crease(part, t, edge)) most_bent = 1;
     ++(are_level(part, t, next) ? level : bent);
-    if (bent > 1) return -1;
+    if (bent > most_bent) return -1;
     t = next;
-    if (find_foot_on_face(part, t, q, foot)) return level > 0 ? t : -1;
+    if (find_foot_on_face(part, t, q, foot)) return level > 0 || bent > 1 ? t : -1;
   }
   return -1;
 }

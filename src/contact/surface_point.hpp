@@ -53,9 +53,10 @@ struct FacetFoot {
   int triangle = -1;  ///< -1: there is none
 };
 
-/// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that;
-/// none where neither has one. Triangles in one plane count as one facet, as far as a few edges on. No other
-/// triangle is looked at: one may be nearer.
+/// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that, or,
+/// where the surface is smooth, of the next one past a corner; none where none of them has one. Triangles in
+/// one plane count as one facet, as far as a few edges on. No other triangle is looked at: one may be
+/// nearer.
 /// noexcept, allocates nothing.
 FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept;
 

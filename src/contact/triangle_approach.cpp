@@ -91,11 +91,6 @@ bool has_face(const TriangleCorners& f) noexcept {
   return FaceShares(f.a, f.b, f.c, f.normal, (f.a + f.b + f.c) / 3).are_of_face();
 }
 
-TriangleCorners corners_of(const Part& part, int t) noexcept {
-  return {part.vertices.col(part.triangles(0, t)), part.vertices.col(part.triangles(1, t)),
-          part.vertices.col(part.triangles(2, t)), part.facet_normals.col(t)};
-}
-
 TriangleApproach approach_triangle(const TriangleCorners& f, const Vec3& q) noexcept {
   const Vec3& normal = f.normal;
   const FaceShares shares(f.a, f.b, f.c, normal, q);

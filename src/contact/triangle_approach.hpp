@@ -18,7 +18,10 @@ struct TriangleCorners {
   Vec3 normal;   ///< Part::facet_normals
 };
 
-TriangleCorners corners_of(const Part& part, int t) noexcept;
+inline TriangleCorners corners_of(const Part& part, int t) noexcept {
+  return {part.vertices.col(part.triangles(0, t)), part.vertices.col(part.triangles(1, t)),
+          part.vertices.col(part.triangles(2, t)), part.facet_normals.col(t)};
+}
 
 /// Whether a triangle is more than its edges: else no point of it counts as one of its face.
 bool has_face(const TriangleCorners& triangle) noexcept;

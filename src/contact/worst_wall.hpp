@@ -17,7 +17,7 @@ class PartWalls {
             const Vec3& from_P) noexcept
       : count_(std::min(walls.size(), most_walls)) {
     for (std::size_t k = 0; k < count_; ++k) {
-      walls_[k].normal_P = world.surface(surface).R_WP.transpose() * walls[k].normal;
+      walls_[k].normal_P = world.turned_into_part(surface, walls[k].normal);
       walls_[k].offset_m =
           walls_[k].normal_P.dot(from_P) + walls[k].least_m - world.clearance_m() + world.tolerance_m();
     }
@@ -50,10 +50,7 @@ struct PartWay {
   Vec3 from_P, way_P, to_P;
 
   PartWay(const ProxyWorld& world, int part, const Vec3& start_P, const Vec3& z) noexcept
-      : surface(part),
-        from_P(start_P),
-        way_P(world.surface(part).R_WP.transpose() * z),
-        to_P(start_P + way_P) {}
+      : surface(part), from_P(start_P), way_P(world.turned_into_part(part, z)), to_P(start_P + way_P) {}
 };
 
 /// The wall that a way breaches most, of those offered so far; ties go to the lowest triangle.
@@ -87,7 +84,7 @@ struct WorstWall {
         sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(), world.tolerance_m());
     if (!sweep.blocked || !is_beaten_by(sweep.end_slack_m, way.surface, triangle)) return false;
     slack_m = sweep.end_slack_m;
-    wall = ProxyWall{world.surface(way.surface).R_WP * sweep.normal,
+    wall = ProxyWall{world.turned_from_part(way.surface, sweep.normal),
                      sweep.offset_m - sweep.normal.dot(way.from_P), way.surface, triangle};
     return true;
   }

@@ -52,10 +52,16 @@ inline double rupture_share(const PlaneVector& q, const PlaneVector& p, double l
   constexpr double rounding = 1 + 1e-12;
   if (!is_longer(q + left * p, limit * rounding)) return TickVelocity::never;
   if (is_longer(q, limit)) return 0;
-  // |q + s p|^2 = limit^2, in units of the limit so that no square overflows or vanishes.
-  const double unit = std::max(limit, 1e-140);
-  const PlaneVector from = q / unit, way = p / unit;
-  const double a = way.square(), b = from.dot(way), c = std::min(0.0, from.square() - 1);
+  // |q + s p|^2 = limit^2; in units of the limit where a square might overflow or vanish.
+  PlaneVector from = q, way = p;
+  double limit_square = limit * limit;
+  if (!(limit > 1e-70 && limit < 1e70 && p.square() < 1e140)) [[unlikely]] {
+    const double unit = std::max(limit, 1e-140);
+    from = q / unit;
+    way = p / unit;
+    limit_square = 1;
+  }
+  const double a = way.square(), b = from.dot(way), c = std::min(0.0, from.square() - limit_square);
   const double root = std::sqrt(b * b - a * c);
   const double share = b > 0 ? -c / (b + root) : (root - b) / a;
   return share >= 0 && share <= left ? share : (share > left ? left : 0);

@@ -13,7 +13,7 @@ constexpr long most_looks = 2000;
 }  // namespace
 
 void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W,
-                        Normals normals, int contact_triangle, FacetAtHand& facet) noexcept {
+                        Normals normals, int contact_triangle, FacetsAtHand& facets) noexcept {
   const Vec3 target = contact_W - stretch_W;
   drag(target);
   const double distance2 = stretch_W.squaredNorm();
@@ -26,9 +26,7 @@ void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, con
   const bool is_on_facets = normals->own_surface == nullptr;
   if (is_on_facets && contact_triangle >= 0) {
     Vec3 foot;
-    facet.take(surface, contact_triangle);
-    if (facet.find_foot(target, foot)) return put(foot);
-    if (const auto near = point_on_facet(surface, contact_triangle, target)) return put(*near);
+    if (facets.find_foot(surface, contact_triangle, target, foot)) return put(foot);
   }
   BriefSearch search{most_looks, contact_triangle};
   const WorldPoint near =

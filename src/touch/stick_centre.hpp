@@ -1,6 +1,6 @@
 #pragma once
 
-#include "contact/facet_at_hand.hpp"
+#include "contact/facets_at_hand.hpp"
 
 namespace fingerpad {
 
@@ -17,13 +17,13 @@ class StickCentre {
   /// @param normals    as the contact's own
   /// @param contact_triangle  index into Part::triangles of where S lies: the search starts there; -1:
   /// unknown
-  /// @param facet     where one is kept from stick to stick: the one that S was on last
+  /// @param facets    where they are kept from stick to stick: those near S
   void place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W, Normals normals,
-             int contact_triangle, FacetAtHand& facet) noexcept;
+             int contact_triangle, FacetsAtHand& facets) noexcept;
   void place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W, Normals normals,
              int contact_triangle = -1) noexcept {
-    FacetAtHand facet;
-    place(surface, contact_W, stretch_W, normals, contact_triangle, facet);
+    FacetsAtHand facets;
+    place(surface, contact_W, stretch_W, normals, contact_triangle, facets);
   }
   /// A centre that a law drags along in the tangent plane.
   void drag(const Vec3& point_W) noexcept {

@@ -84,7 +84,7 @@ class Touch {
   FingerSample last_lay_;       ///< how the finger lay then; of a finger with a radius
   Walls walls_;                 ///< of this tick
   WallMemories memories_;
-  FacetAtHand facet_;  ///< that a stick centre came to lie on last
+  FacetsAtHand facets_;  ///< that stick centres came to lie on last
 
   bool unplaced_ = false;  // the last tick found no place where the finger fits
 

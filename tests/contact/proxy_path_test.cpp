@@ -113,7 +113,7 @@ TEST_P(ProxyPath, SlidesAlongAValleyOverItsTrianglesEdges) {
       ASSERT_NEAR(contact.depth_m, (place - goal).norm(), 1e-14) << k;
       // Each wall takes its part of the push, which is straight up but for what the finger is beside.
       for (int h = 0; h < 2; ++h) {
-        const ProxyHold& hold = contact.holds[static_cast<std::size_t>(h)];
+        const ContactHold& hold = contact.holds[static_cast<std::size_t>(h)];
         ASSERT_NEAR(hold.share_m, hold.normal_W.dot(place - goal), 1e-14) << k;
         ASSERT_LT((hold.point_W - (place - radius_m * hold.normal_W)).norm(), 1e-8) << k;
       }

@@ -195,7 +195,7 @@ Findings rub(const test::NastyWorld& world, std::vector<FacetCones>& cones, Norm
     found.several += c.hold_count > 1 ? 1 : 0;
     double cone_rad = 0;
     for (std::size_t h = 0; h < static_cast<std::size_t>(c.hold_count); ++h) {
-      const ProxyHold& hold = c.holds[h];
+      const ContactHold& hold = c.holds[h];
       if (hold.triangle >= 0)
         cone_rad = std::max(cone_rad, cones[static_cast<std::size_t>(hold.surface)](hold.triangle));
     }

@@ -1,0 +1,12 @@
+#pragma once
+
+#include "base/types.hpp"
+
+namespace fingerpad {
+
+/// Whether two unit vectors are the same but for their last bits: shaded normals of a flat face are.
+inline bool differ_by_rounding_only(const Vec3& a, const Vec3& b) noexcept {
+  return (a - b).squaredNorm() < 1e-30;
+}
+
+}  // namespace fingerpad
