@@ -18,12 +18,12 @@ struct Press {
   double least_force_n() const noexcept { return greatest_force_n / 10; }
 };
 
-/// How far a way to touch is off the smooth surface that a part's facets stand for, by reckoning.
+/// How far a way to touch is off the smooth surface that a part's facets stand for, by reckoning: where the
+/// part is at its worst, since a finger may stay there.
 struct ReckonedError {
-  double force_share = 0;    ///< of the force, or of Press::least_force_n, on 99 % of the finger's way, at
-                             ///< the force at which that is the largest
-  double largest_share = 0;  ///< likewise at 99.9 %
-  double mean_tilt_rad = 0;  ///< of the force's direction, over all places, under the greatest force
+  double force_share = 0;    ///< of the force, or of Press::least_force_n, on 99 % of the finger's way in a
+                             ///< region (SurfacePlace), at the force at which that is the largest
+  double mean_tilt_rad = 0;  ///< of the force's direction, over a region's places, under the greatest force
 };
 
 /// Reckons it place by place. With the force F, the stiffness k, the finger's centre h = radius - F/k over
@@ -42,9 +42,15 @@ struct ReckonedError {
 ///                     facet (study contact: 0.7 of the force at 4/5 of a fillet's radius), which counts as
 ///                     the whole force.
 ///
+/// A ball in a hollow, R = -1/c: its centre's place among facets whose sags differ by d is that of the
+/// nearest of all that turn by up to sqrt(2 d / (R - radius)), which outdoes the facet's own turn t where d
+/// is a share of the sag R t^2 / 2 and the radius near to R: all tilts are larger by sqrt(d / sag / (1 -
+/// radius/R)).
+///
 /// A finger dwells at a place for as long as its centre has way to go there, at the height h: (1 + u) of the
 /// place's area, the offset surface's; none where that is not above 0, in hollows too tight for a ball, and
-/// over roundings tighter than a point is deep, from which it slides off at once.
+/// over roundings tighter than a point is deep, from which it slides off at once. A region of
+/// less than a two-thousandth of the part's places is not judged: they are too few.
 ///
 /// A method that touches the patches themselves has no foot on facets. A patch whose own normals are turned
 /// off the shown ones by s is no more certain than that: s across, and along the force the height that a
@@ -53,6 +59,7 @@ struct ReckonedError {
 /// Held against exact surfaces (study contact: contact_accuracy.csv, auto_judged.csv) the first is right to a
 /// tenth; the last, a bound's estimate, is between a third and four times the error.
 /// noexcept but for memory.
+/// @param places  region by region
 ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& press,
                              const ContactMethodEntry& method, Normals normals);
 

@@ -15,6 +15,7 @@ namespace fingerpad {
 namespace {
 
 constexpr std::size_t most_places = 16384, most_per_triangle = 64;
+constexpr int regions_along = 8;
 /// A facet that leans by less is flat: its curvature is rounding.
 constexpr double flat_rad = 1e-6;
 
@@ -49,6 +50,17 @@ double curvature_along(const CurvedPatch& patch, const Vec3& facet, const Vec3& 
   return turned.dot(direction) / length2;
 }
 
+/// @param x  relative to the part's centre
+int region_of(const Part& part, const Vec3& x) {
+  const double wide_m = 2 * part.half_extent.maxCoeff() / regions_along;
+  int region = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto along = static_cast<int>((x[i] + part.half_extent[i]) / wide_m);
+    region = regions_along * region + std::clamp(along, 0, regions_along - 1);
+  }
+  return region;
+}
+
 /// @param b  barycentric coordinates of the place on triangle t
 SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
   const Part& part = tree.part();
@@ -68,7 +80,9 @@ SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
   if (cross.dot(facet) > 0) place.patch_rad = angle_of(cross.normalized(), curved);
   if (place.facet_rad > flat_rad) place.curvature_per_m = curvature_along(patch, facet, curved);
   place.width_m = shape_of(part, t).height_m;
-  return std::isfinite(place.sag_m + place.curvature_per_m) ? place : SurfacePlace();
+  if (!std::isfinite(place.sag_m + place.curvature_per_m)) place = {};
+  place.region = region_of(part, flat);
+  return place;
 }
 
 /// Spread evenly over triangles, whatever their number: the R2 sequence (Roberts 2018), folded.
@@ -104,6 +118,8 @@ std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double truste
                         places[i] = place_on(tree, static_cast<int>(found - sums_m2.begin()), spread(i));
                       }
                     });
+  std::stable_sort(places.begin(), places.end(),
+                   [](const SurfacePlace& a, const SurfacePlace& b) { return a.region < b.region; });
   return places;
 }
 

@@ -16,10 +16,14 @@ struct SurfacePlace {
   double patch_rad = 0;   ///< the patch's own normal off it: how badly the patch fits its corners' normals
   double width_m = 0;     ///< of the facet, over its longest edge
   double curvature_per_m = 0;  ///< along the way in which the facet leans; > 0 where it is convex
+  int region = 0;              ///< which of the cubes it lies in, an eighth of the part's longest side wide
+
+  bool operator==(const SurfacePlace&) const = default;
 };
 
-/// At 16,384 places, and at no more than 64 times the triangles. On all threads, the same on any number of
-/// them. A facet that is lower than this over its longest edge has no normal that is believed, and no place.
+/// Region by region. At 16,384 places, and at no more than 64 times the triangles. On all threads, the same
+/// on any number of them. A facet that is lower than this over its longest edge has no normal that is
+/// believed, and no place.
 std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m);
 
 }  // namespace fingerpad

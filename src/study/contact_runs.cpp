@@ -152,7 +152,8 @@ Rub rub_under(const ExactSurface& surface, double under_m, double radius_m) {
     const Vec3 on = surface.way(along);
     return Vec3(on - below_m * surface.foot(on).normal);
   };
-  const double from_m = -(under_m + 2 * radius_m);  // as far outside as it will be deep
+  // As far outside as it will be deep.
+  const double from_m = -std::min(under_m + 2 * radius_m, surface.highest_m);
   for (std::size_t k = 0; k < rub.approach_ticks; ++k) {
     const double done = static_cast<double>(k) / static_cast<double>(rub.approach_ticks);
     rub.positions.push_back(place(0, from_m + done * (under_m - from_m)));

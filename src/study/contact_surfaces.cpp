@@ -33,6 +33,7 @@ ExactSurface sphere() {
     return Vec3(sphere_m *
                 Vec3(std::cos(up) * std::cos(around), std::cos(up) * std::sin(around), std::sin(up)));
   };
+  surface.deepest_m = 0.8 * sphere_m;
   return surface;
 }
 
@@ -68,6 +69,7 @@ ExactSurface torus() {
     const double u = 0.21 + 1.7 * along, v = 0.4 + 6.9 * along, r = ring_m + tube_m * std::cos(v);
     return Vec3(r * std::cos(u), r * std::sin(u), tube_m * std::sin(v));
   };
+  surface.deepest_m = 0.8 * tube_m;
   return surface;
 }
 
@@ -87,27 +89,7 @@ TriangleSoup round_part_mesh(int steps) {
     const Vec2 above = profile[static_cast<std::size_t>(i)];
     profile.emplace_back(above.x(), -above.y());
   }
-  std::vector<Vec3> vertices;
-  std::vector<Eigen::Vector3i> triangles;
-  const int rings = static_cast<int>(profile.size());
-  for (const Vec2& at : profile) {
-    for (int k = 0; k < around; ++k)
-      vertices.emplace_back(at.x() * std::cos(full_turn * k / around),
-                            at.x() * std::sin(full_turn * k / around), at.y());
-  }
-  vertices.emplace_back(0, 0, half_height_m);
-  vertices.emplace_back(0, 0, -half_height_m);
-  for (int k = 0; k < around; ++k) {
-    const int next = (k + 1) % around, last = (rings - 1) * around;
-    triangles.emplace_back(rings * around, k, next);
-    triangles.emplace_back(rings * around + 1, last + next, last + k);
-    for (int i = 0; i + 1 < rings; ++i) {
-      const int a = i * around + k, b = i * around + next;
-      triangles.emplace_back(a, a + around, b + around);
-      triangles.emplace_back(a, b + around, b);
-    }
-  }
-  return soup_of(vertices, triangles);
+  return revolved_mesh(profile, around, half_height_m, -half_height_m);
 }
 
 ExactFoot round_part_foot(const Vec3& p) {
@@ -142,6 +124,79 @@ ExactSurface round_part() {
     const double around = 0.13 + 4.9 * along;
     return Vec3(at.x() * std::cos(around), at.x() * std::sin(around), at.y());
   };
+  surface.deepest_m = 0.8 * fillet_m;
+  return surface;
+}
+
+/// A mesh with a hollow: `inner` turned inside out.
+TriangleSoup hollowed(const TriangleSoup& outer, const TriangleSoup& inner) {
+  TriangleSoup soup;
+  const Eigen::Index count = outer.vertices_P.cols();
+  soup.vertices_P.resize(3, count + inner.vertices_P.cols());
+  soup.vertices_P << outer.vertices_P, inner.vertices_P;
+  IndexTriples turned = inner.triangles.array() + static_cast<int>(count);
+  turned.row(1).swap(turned.row(2));
+  soup.triangles.resize(3, outer.triangles.cols() + turned.cols());
+  soup.triangles << outer.triangles, turned;
+  return soup;
+}
+
+constexpr double hollow_m = 0.0085;
+
+ExactSurface hollow() {
+  ExactSurface surface{"hollow", "of radius 8.5 mm", {3, 5, 6}, {}, {}, {}, {}};
+  surface.mesh = [](int level) {
+    TriangleSoup box = plate_mesh(0.04);
+    box.vertices_P.row(2).array() += 0.02;
+    return hollowed(box, ball_mesh(hollow_m, level));
+  };
+  surface.facet_m = [](int level) { return hollow_m * full_turn / 4 / std::exp2(level); };
+  surface.foot = [](const Vec3& p) { return ExactFoot{hollow_m - p.norm(), -p.normalized()}; };
+  surface.way = [on_sphere = sphere().way](double along) {
+    return Vec3(hollow_m / sphere_m * on_sphere(along));
+  };
+  surface.deepest_m = 0.015;                   // to where the box is nearer
+  surface.highest_m = (hollow_m + 0.007) / 2;  // a ball of 7 mm is free there, and not at the middle
+  return surface;
+}
+
+/// The knob: a cap of this radius up to this angle off its middle, which is the origin, on a square plate of
+/// this half width.
+constexpr double knob_m = 0.02, knob_rad = 0.7, knob_plate_m = 0.15, knob_thickness_m = 0.04;
+
+/// The cap in `steps` facets from its middle to its rim; the plate's sides are flat.
+TriangleSoup knob_mesh(int steps) {
+  std::vector<Vec2> profile;
+  for (int i = 1; i <= steps; ++i) {
+    const double angle = knob_rad * i / steps;
+    profile.emplace_back(knob_m * std::sin(angle), knob_m * (std::cos(angle) - 1));
+  }
+  const double foot_m = profile.back().y(), bottom_m = foot_m - knob_thickness_m;
+  profile.emplace_back(knob_plate_m, foot_m);
+  profile.emplace_back(knob_plate_m, bottom_m);
+  TriangleSoup soup = revolved_mesh(profile, 8 * steps, 0, bottom_m);
+  for (Eigen::Index i = 0; i < soup.vertices_P.cols(); ++i) {
+    auto across = soup.vertices_P.col(i).head<2>();
+    if (across.norm() > knob_m) across *= knob_plate_m / across.cwiseAbs().maxCoeff();
+  }
+  return soup;
+}
+
+ExactSurface knob() {
+  ExactSurface surface{"knob", "a cap of radius 20 mm on a plate", {4, 8, 24}, {}, {}, {}, {}};
+  surface.mesh = knob_mesh;
+  surface.facet_m = [](int steps) { return knob_m * knob_rad / steps; };
+  surface.foot = [](const Vec3& p) {
+    const Vec3 out = p - Vec3(0, 0, -knob_m);
+    return ExactFoot{out.norm() - knob_m, out.normalized()};
+  };
+  surface.way = [](double along) {
+    // Off the slivers in the middle, and as far as a ball of 7 mm touches the cap alone.
+    const double up = 0.25 + 0.1 * std::sin(1.3 + 11 * along), around = 0.3 + 9.1 * along;
+    return Vec3(knob_m *
+                Vec3(std::sin(up) * std::cos(around), std::sin(up) * std::sin(around), std::cos(up) - 1));
+  };
+  surface.deepest_m = 0.016;
   return surface;
 }
 
@@ -149,6 +204,34 @@ ExactSurface round_part() {
 
 std::vector<ExactSurface> exact_surfaces() {
   return {sphere(), torus(), round_part()};
+}
+
+std::vector<ExactSurface> small_exact_surfaces() {
+  return {hollow(), knob()};
+}
+
+TriangleSoup revolved_mesh(const std::vector<Vec2>& profile, int around, double top_m, double bottom_m) {
+  std::vector<Vec3> vertices;
+  std::vector<Eigen::Vector3i> triangles;
+  const int rings = static_cast<int>(profile.size());
+  for (const Vec2& at : profile) {
+    for (int k = 0; k < around; ++k)
+      vertices.emplace_back(at.x() * std::cos(full_turn * k / around),
+                            at.x() * std::sin(full_turn * k / around), at.y());
+  }
+  vertices.emplace_back(0, 0, top_m);
+  vertices.emplace_back(0, 0, bottom_m);
+  for (int k = 0; k < around; ++k) {
+    const int next = (k + 1) % around, last = (rings - 1) * around;
+    triangles.emplace_back(rings * around, k, next);
+    triangles.emplace_back(rings * around + 1, last + next, last + k);
+    for (int i = 0; i + 1 < rings; ++i) {
+      const int a = i * around + k, b = i * around + next;
+      triangles.emplace_back(a, a + around, b + around);
+      triangles.emplace_back(a, b + around, b);
+    }
+  }
+  return soup_of(vertices, triangles);
 }
 
 TriangleSoup ball_mesh(double radius_m, int subdivisions) {
@@ -201,15 +284,8 @@ TriangleSoup plate_mesh(double thickness_m) {
 TriangleSoup hollow_ball_mesh(double thickness_m) {
   constexpr double outer_m = 0.03;
   const TriangleSoup outer = ball_mesh(outer_m, 5);
-  const Eigen::Index count = outer.vertices_P.cols();
-  TriangleSoup soup;
-  soup.vertices_P.resize(3, 2 * count);
-  soup.vertices_P << outer.vertices_P, outer.vertices_P * ((outer_m - thickness_m) / outer_m);
+  TriangleSoup soup = hollowed(outer, ball_mesh(outer_m - thickness_m, 5));
   soup.vertices_P.row(2).array() -= outer_m;
-  IndexTriples inner = outer.triangles.array() + static_cast<int>(count);
-  inner.row(1).swap(inner.row(2));
-  soup.triangles.resize(3, 2 * outer.triangles.cols());
-  soup.triangles << outer.triangles, inner;
   return soup;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -23,15 +24,26 @@ struct ExactSurface {
   std::function<double(int level)> facet_m;  ///< size of a facet across the curve [m]
   std::function<ExactFoot(const Vec3& p)> foot;
   std::function<Vec3(double along)> way;  ///< a point of the surface for 0 .. 1, at a fairly even pace
+  double deepest_m = 0;                   ///< so deep a finger's centre is nearest to where it came in
+  double highest_m = std::numeric_limits<double>::infinity();  ///< over it, where nothing else is met
 };
 
 /// A sphere (patches superconverge there: no orders are told from it), a generic torus, and a cylinder whose
 /// rims are rounded by quarter circles, as CAD fillets are.
 std::vector<ExactSurface> exact_surfaces();
 
+/// Where a part's places differ: a spherical hollow of 8.5 mm in a box, which a ball of 7 mm just fits, and
+/// a knob, a three-hundredth of the surface of a plate 0.3 m wide that is flat but for it. Their ways stay in
+/// the hollow and on the knob.
+std::vector<ExactSurface> small_exact_surfaces();
+
 /// A ball of facets about the origin, an octahedron split in four `subdivisions` times: 8 * 4^subdivisions
 /// triangles, vertices on the sphere, wound outwards.
 TriangleSoup ball_mesh(double radius_m, int subdivisions);
+
+/// A profile turned about z, with a point of the axis at each end.
+/// @param profile  radius and height of each ring, from the top to the bottom
+TriangleSoup revolved_mesh(const std::vector<Vec2>& profile, int around, double top_m, double bottom_m);
 
 /// A plate of 12 triangles, 60 x 40 mm, its top in z = 0, and a hollow ball, outer radius 30 mm, whose
 /// topmost point is the origin; walls of this thickness.

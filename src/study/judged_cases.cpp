@@ -50,7 +50,8 @@ struct MeasuredWorld {
   }
 };
 
-/// Pressed with the lightest force that the promise speaks of, and with four times as much.
+/// Pressed with the lightest force that the promise speaks of, with four times as much, and with the greatest
+/// where the surface is known so deep.
 JudgedCase exact_case(const ExactSurface& surface, const MeasuredWorld& measured, double radius_m) {
   const double stiffness_n_per_m = measured.world->surfaces[0].properties.stiffness_n_per_m;
   const std::string name =
@@ -58,9 +59,9 @@ JudgedCase exact_case(const ExactSurface& surface, const MeasuredWorld& measured
                   radius_m > 0 ? "a ball" : "a point");
   const Scene scene = open_scene(name, radius_m);
   JudgedCase judged{name, scene, measured.chosen_for(scene)};
-  for (const double force_n :
-       {scene.contact.greatest_force_n / 10, 4 * scene.contact.greatest_force_n / 10}) {
-    const double under_m = force_n / stiffness_n_per_m - radius_m;
+  for (const double share : {0.1, 0.4, 1.0}) {
+    const double under_m = share * scene.contact.greatest_force_n / stiffness_n_per_m - radius_m;
+    if (under_m > surface.deepest_m) continue;
     judged.ways.push_back(way_through(rub_under(surface, under_m, radius_m).positions, scene));
   }
   judged.exact_force_n = [foot = surface.foot, radius_m, stiffness_n_per_m](const Vec3& p) -> Vec3 {
@@ -116,7 +117,9 @@ FingerPath way_through(const std::vector<Vec3>& places_W, const Scene& scene) {
 }
 
 void take_exact_cases(const TakeCase& take) {
-  for (const ExactSurface& surface : exact_surfaces()) {
+  std::vector<ExactSurface> surfaces = exact_surfaces();
+  for (ExactSurface& small : small_exact_surfaces()) surfaces.push_back(std::move(small));
+  for (const ExactSurface& surface : surfaces) {
     for (const int level : surface.levels) {
       const MeasuredWorld measured(world_of_mesh(surface.mesh(level), surface.name));
       take(exact_case(surface, measured, 0));

@@ -78,21 +78,18 @@ std::vector<ContactCase> contact_cases(const Scene& scene, std::span<const Surfa
   return cases;
 }
 
-double force_tolerances(const ReckonedError& error, double tolerance) noexcept {
-  constexpr double most_beyond = 1.5;
-  return std::max(error.force_share, error.largest_share / most_beyond) / tolerance;
-}
-
 bool ContactPair::holds() const {
   return std::all_of(fails.begin(), fails.end(), [](const std::string& why) { return why.empty(); });
 }
 
+double ContactPair::tolerances(std::span<const ContactCase> cases, std::size_t i) const {
+  return std::max(errors[i].force_share / cases[i].contact.force_tolerance,
+                  errors[i].mean_tilt_rad / cases[i].mean_tilt_rad);
+}
+
 double ContactPair::tolerances(std::span<const ContactCase> cases) const {
   double most = 0;
-  for (std::size_t i = 0; i < cases.size(); ++i) {
-    most = std::max({most, force_tolerances(errors[i], cases[i].contact.force_tolerance),
-                     errors[i].mean_tilt_rad / cases[i].mean_tilt_rad});
-  }
+  for (std::size_t i = 0; i < cases.size(); ++i) most = std::max(most, tolerances(cases, i));
   return most;
 }
 

@@ -31,10 +31,6 @@ double across_m(const Part& part) noexcept;
 std::vector<ContactCase> contact_cases(const Scene& scene, std::span<const Surface> surfaces,
                                        std::span<const PartMeasures> measures);
 
-/// The force's error in tolerances: on 99 % of the way, and, since a finger may stay where a part is at its
-/// worst, on 99.9 % of it in units half as large again.
-double force_tolerances(const ReckonedError& error, double tolerance) noexcept;
-
 /// A contact method with normals, rows of their tables, and what is reckoned of them.
 struct ContactPair {
   const ContactMethodEntry* method;
@@ -45,7 +41,9 @@ struct ContactPair {
 
   bool touches_own_surface() const { return method->touches_own_surface && normals->own_surface != nullptr; }
   bool holds() const;
-  /// The largest error there is in tolerances: 1 and less are kept.
+  /// The error on part i in tolerances, the force's or the normals' tilt's: 1 and less are kept.
+  double tolerances(std::span<const ContactCase> cases, std::size_t i) const;
+  /// The largest there is.
   double tolerances(std::span<const ContactCase> cases) const;
 };
 

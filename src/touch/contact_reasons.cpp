@@ -39,7 +39,7 @@ std::string method_reason(const ContactVerdict& verdict, std::span<const Contact
 }
 
 bool is_flat(const ReckonedError& error) {
-  return error.largest_share < 1e-6;
+  return error.force_share < 1e-6;
 }
 
 /// Why the normals are the chosen ones on part i: how far the force is off with them, and with plainer ones.
@@ -58,8 +58,7 @@ std::string normals_reason(const ContactVerdict& verdict, std::span<const Contac
   const std::string than =
       fmt::format("they keep the force to {}, {} ones to {}", percent_words(error.force_share),
                   refused->normals->name, percent_words(other.force_share));
-  const bool needs_here = force_tolerances(other, cases[i].contact.force_tolerance) > 1 ||
-                          other.mean_tilt_rad > cases[i].mean_tilt_rad || cases.size() == 1;
+  const bool needs_here = refused->tolerances(cases, i) > 1 || cases.size() == 1;
   return needs_here ? than : than + ", and another part needs them";
 }
 
@@ -127,8 +126,8 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::span<const ContactCase
     limit.kept_tolerance = nothing_kept;
     limit.said = fmt::format("force_tolerance {:.3g} cannot be kept by {}: {}; method = \"auto\" would",
                              tolerance, chosen.method->name, chosen.fails[i]);
-  } else if (force_tolerances(error, tolerance) > 1) {
-    const double kept = reckoning_margin * error.largest_share;
+  } else if (error.force_share > tolerance) {
+    const double kept = reckoning_margin * error.force_share;
     limit.kept_tolerance = kept > most_kept ? nothing_kept : kept;
     limit.said = fmt::format(
         "force_tolerance {:.3g} cannot be kept{}: {}; {}", tolerance,

@@ -82,11 +82,34 @@ TEST(ReckonedError, LeavesAHundredthToItself) {
   bad.sag_m = 1e-3;
   std::vector<SurfacePlace> places(1000, flat);
   std::fill_n(places.begin(), 9, bad);
-  const ReckonedError few = reckoned_error(places, press, method("proxy"), Normals::facet);
-  EXPECT_EQ(few.force_share, 0);
-  EXPECT_NEAR(few.largest_share, 1, 1e-12);
+  EXPECT_EQ(reckoned_error(places, press, method("proxy"), Normals::facet).force_share, 0);
   std::fill_n(places.begin(), 11, bad);
   EXPECT_NEAR(reckoned_error(places, press, method("proxy"), Normals::facet).force_share, 1, 1e-12);
+}
+
+TEST(ReckonedError, IsThatOfTheWorstRegionForAFingerThatStaysThere) {
+  SurfacePlace flat, bad;
+  bad.sag_m = 1e-3;
+  bad.facet_rad = 0.01;
+  bad.region = 7;
+  std::vector<SurfacePlace> places(10000, flat);
+  places.insert(places.end(), 20, bad);
+  const ReckonedError error = reckoned_error(places, press, method("proxy"), Normals::facet);
+  EXPECT_NEAR(error.force_share, 1, 1e-4) << "a five-hundredth of the part";
+  EXPECT_NEAR(error.mean_tilt_rad, 0.01, 1e-12);
+  places.resize(10004);
+  EXPECT_EQ(reckoned_error(places, press, method("proxy"), Normals::facet).force_share, 0)
+      << "too few to judge by";
+}
+
+TEST(ReckonedError, OfABallInAHollowThatItNearlyFitsIsLarger) {
+  SurfacePlace place;
+  place.smooth_rad = 0.01;
+  place.curvature_per_m = -100;  // a hollow of 10 mm
+  const double loose = share(place, {1000, 0.005, 10}, "proxy", Normals::smooth);
+  EXPECT_NEAR(loose, 0.01, 1e-12) << "half its radius: no larger than under a point";
+  EXPECT_NEAR(share(place, {1000, 0.0099, 10}, "proxy", Normals::smooth), 0.01 * std::sqrt(0.25 / 0.01),
+              1e-9);
 }
 
 }  // namespace

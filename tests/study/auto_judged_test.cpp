@@ -37,11 +37,24 @@ struct Count {
 TEST(AutoJudged, KeepsItsWordOnSurfacesThatAreKnownExactly) {
   Count count;
   take_exact_cases([&](const JudgedCase& one) { count.take(one); });
-  EXPECT_EQ(count.cases, 30);
+  EXPECT_EQ(count.cases, 42);
   if (one_case_of > 1) return;
-  EXPECT_GE(count.kept, 20) << "it does not talk itself out of everything";
-  EXPECT_LE(count.needless, 2);
-  EXPECT_LE(10 * count.dear, count.kept) << "nine of ten cost 1.2 times the cheapest at the most";
+  EXPECT_GE(count.kept, 25) << "it does not talk itself out of everything";
+  EXPECT_LE(count.needless, 5);
+  // Dear where the part needs more than the way does: a plate's sharp edges, which a ball on its knob is far
+  // from, need the proxy.
+  EXPECT_LE(6 * count.dear, count.kept) << "five of six cost 1.2 times the cheapest at the most";
+}
+
+TEST(AutoJudged, SeesAKnobThatAFingerStaysOn) {
+  int cases = 0;
+  take_exact_cases([&](const JudgedCase& one) {
+    if (!one.name.starts_with("knob of 1280") || one.scene.finger.radius_m > 0) return;
+    ++cases;
+    // Facets alone are off by 8 % there; over the whole plate they are all but exact.
+    EXPECT_NE(one.world->contact->normals, Normals::facet);
+  });
+  EXPECT_EQ(cases, 1);
 }
 
 TEST(AutoJudged, KeepsItsWordOnTheScenes) {
@@ -49,7 +62,8 @@ TEST(AutoJudged, KeepsItsWordOnTheScenes) {
   take_scene_cases((test::source_dir() / "scenes").string(), [&](const JudgedCase& one) { count.take(one); });
   EXPECT_GE(count.cases, 15);
   if (one_case_of > 1) return;
-  EXPECT_GE(count.kept, 15);
+  // Those of scenes/parts/bracket_*.stl stay away from where its bore's facets turn by 19 degrees.
+  EXPECT_GE(count.kept, 12);
 }
 
 TEST(AutoJudged, KeepsItsWordOnRealParts) {

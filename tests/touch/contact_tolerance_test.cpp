@@ -52,7 +52,7 @@ TEST(ContactTolerance, NormalsFollowHowFarTheForceIsOff) {
   const double off =
       reckoned_error(m.places, {1000, 0, 10}, *find_contact_method("closest-point"), Normals::facet)
           .force_share;
-  ASSERT_LT(off, 0.02);
+  ASSERT_LT(off, 0.025);
   scene.contact.force_tolerance = 1.01 * off;
   EXPECT_EQ(choice_for(scene, surfaces).normals, Normals::facet);
   scene.contact.force_tolerance = 0.99 * off;
@@ -88,7 +88,7 @@ TEST(ContactTolerance, OfWhatKeepsTheToleranceTheCheapestIsTaken) {
 }
 
 TEST(ContactTolerance, FacetsThatCutTooDeepForALightTouchGetCurvedNormals) {
-  const auto surfaces = surfaces_of(test::sphere_soup(0.05, 4));  // 2048 facets that cut in by 0.17 mm
+  const auto surfaces = surfaces_of(test::sphere_soup(0.05, 5));  // 8192 facets that cut in by 0.04 mm
   Scene scene;
   scene.contact.automatic_normals = true;
   // A tenth of the greatest force is the lightest touch that must be true.
@@ -110,7 +110,7 @@ TEST(ContactTolerance, SaysWhatTheMeshCannotKeepAndWhatItCan) {
   const PartMeasures m = measure_part(*surfaces[0].part, *surfaces[0].tree);
   double deepest_m = 0;
   for (const SurfacePlace& place : m.places) deepest_m = std::max(deepest_m, place.sag_m);
-  // A tenth more than on all but a thousandth of it.
+  // A tenth more than on all but a hundredth of the region where it is the most.
   EXPECT_NEAR(choice.limits[0].kept_tolerance, 1.1 * deepest_m / 1e-3, 0.03 * deepest_m / 1e-3);
   EXPECT_THAT(choice.limits[0].said,
               HasSubstr("force_tolerance 0.03 cannot be kept, 0.2 can: its facets cut"));
