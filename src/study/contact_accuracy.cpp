@@ -13,6 +13,7 @@ struct VariantCurve {
   std::vector<RubError>
       near;  ///< with a ball whose centre goes along the exact surface; for the orders alone
   std::vector<double> tick_ns, contact_ns;  ///< of a whole tick with finger-pad, and without friction
+  std::vector<double> slowest_ns;           ///< tick of the rub, without friction
 };
 struct SurfaceResult {
   ExactSurface surface;
@@ -34,6 +35,7 @@ SurfaceResult measured(const ExactSurface& surface) {
       result.curves[v].near.push_back(rub_error(world, surface, contact_variants()[v], near));
       result.curves[v].tick_ns.push_back(rub_tick_ns(world, contact_variants()[v], rub, "finger-pad"));
       result.curves[v].contact_ns.push_back(rub_tick_ns(world, contact_variants()[v], rub, "none"));
+      result.curves[v].slowest_ns.push_back(rub_slowest_tick_ns(world, contact_variants()[v], rub, "none"));
     }
   }
   return result;
@@ -203,19 +205,20 @@ void tell_choices(StudyReport& report, const std::vector<SurfaceResult>& results
 }
 
 /// Time of a tick against the part's size, on the torus.
-ChartPanel time_panel(const SurfaceResult& r) {
-  ChartPanel panel{
-      r.surface.name + ": by the part's size", "triangles", "time of a whole tick [ns]", true, true, {}, {}};
+/// A panel of one time of every variant against the part's size.
+ChartPanel time_panel(const SurfaceResult& r, const std::string& title, const std::string& y_label,
+                      std::vector<double> VariantCurve::*times_ns) {
+  ChartPanel panel{r.surface.name + ": " + title, "triangles", y_label, true, true, {}, {}};
   for (std::size_t v = 0; v < r.curves.size(); ++v)
     panel.curves.push_back(
-        {contact_variants()[v].name(), contact_variants()[v].style, r.triangles, r.curves[v].tick_ns});
+        {contact_variants()[v].name(), contact_variants()[v].style, r.triangles, r.curves[v].*times_ns});
   return panel;
 }
 
 void tell_costs(StudyReport& report, const std::vector<SurfaceResult>& results) {
   StudyTable table{"contact_cost_measured",
                    {"surface", "triangles", "method", "normals", "whole_tick_ns", "without_friction_ns",
-                    "force_rms_share"},
+                    "slowest_without_friction_ns", "force_rms_share"},
                    {}};
   Chart chart{
       "contact_speed_against_accuracy_measured",
@@ -239,7 +242,8 @@ void tell_costs(StudyReport& report, const std::vector<SurfaceResult>& results) 
         series.y.push_back(r.curves[v].errors[i].force_rms_share);
         all.emplace_back(series.x[i], series.y[i]);
         table.rows.push_back({r.surface.name, r.triangles[i], variant.method_name, variant.normals_name,
-                              series.x[i], r.curves[v].contact_ns[i], series.y[i]});
+                              series.x[i], r.curves[v].contact_ns[i], r.curves[v].slowest_ns[i],
+                              series.y[i]});
       }
       panel.curves.push_back(std::move(series));
     }
@@ -247,7 +251,12 @@ void tell_costs(StudyReport& report, const std::vector<SurfaceResult>& results) 
     panel.curves.push_back(chosen_points(r));
     chart.panels.push_back(std::move(panel));
   }
-  chart.panels.push_back(time_panel(results[1]));
+  const std::string slowest = "slowest tick of the rub, without friction [ns]";
+  const SurfaceResult &torus = results[1], &fillet = results[2];
+  chart.panels.push_back(
+      time_panel(torus, "by the part's size", "time of a whole tick [ns]", &VariantCurve::tick_ns));
+  chart.panels.push_back(time_panel(torus, "the worst tick", slowest, &VariantCurve::slowest_ns));
+  chart.panels.push_back(time_panel(fillet, "the worst tick", slowest, &VariantCurve::slowest_ns));
   report.tables.push_back(std::move(table));
   report.charts.push_back(std::move(chart));
 }

@@ -85,6 +85,30 @@ CurveStyle variant_style(std::size_t n) {
   return style;
 }
 
+/// What each piece of so many ticks takes [s], the best of several runs.
+std::vector<double> best_times_s(const std::shared_ptr<const World>& world, const ContactVariant& variant,
+                                 const Rub& rub, const std::string& law, std::size_t piece_ticks) {
+  constexpr int runs = 10;
+  Scene scene = scene_of_variant(variant, law);
+  scene.finger.radius_m = rub.radius_m;
+  Touch touch(world, scene);
+  const std::size_t ticks = rub.positions.size();
+  std::vector<double> best_s((ticks + piece_ticks - 1) / piece_ticks, HUGE_VAL);
+  for (int i = 0; i < runs; ++i) {
+    touch.reset();
+    for (std::size_t piece = 0; piece < best_s.size(); ++piece) {
+      double sum = 0;  // of forces, so that nothing is left out
+      const auto start = std::chrono::steady_clock::now();
+      for (std::size_t k = piece * piece_ticks; k < std::min(ticks, (piece + 1) * piece_ticks); ++k)
+        sum +=
+            touch.tick({static_cast<double>(k) * tick_s, rub.positions[k], finger_direction}).force_W_n.x();
+      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+      if (std::isfinite(sum)) best_s[piece] = std::min(best_s[piece], took.count());
+    }
+  }
+  return best_s;
+}
+
 }  // namespace
 
 const std::vector<ContactVariant>& contact_variants() {
@@ -179,27 +203,16 @@ RubError rub_error(const std::shared_ptr<const World>& world, const ContactVaria
 
 double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub,
                    const std::string& law) {
-  constexpr int runs = 10;
   constexpr std::size_t piece_ticks = 200;
-  Scene scene = scene_of_variant(variant, law);
-  scene.finger.radius_m = rub.radius_m;
-  Touch touch(world, scene);
-  const std::size_t ticks = rub.positions.size();
-  std::vector<double> best_s((ticks + piece_ticks - 1) / piece_ticks, HUGE_VAL);
-  double sum = 0;  // of forces, so that nothing is left out
-  for (int i = 0; i < runs; ++i) {
-    touch.reset();
-    for (std::size_t piece = 0; piece < best_s.size(); ++piece) {
-      const auto start = std::chrono::steady_clock::now();
-      for (std::size_t k = piece * piece_ticks; k < std::min(ticks, (piece + 1) * piece_ticks); ++k)
-        sum +=
-            touch.tick({static_cast<double>(k) * tick_s, rub.positions[k], finger_direction}).force_W_n.x();
-      const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-      best_s[piece] = std::min(best_s[piece], took.count());
-    }
-  }
-  const double all_s = std::accumulate(best_s.begin(), best_s.end(), 0.0);
-  return std::isfinite(sum) ? all_s * 1e9 / static_cast<double>(ticks) : HUGE_VAL;
+  const std::vector<double> pieces_s = best_times_s(world, variant, rub, law, piece_ticks);
+  return std::accumulate(pieces_s.begin(), pieces_s.end(), 0.0) * 1e9 /
+         static_cast<double>(rub.positions.size());
+}
+
+double rub_slowest_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant,
+                           const Rub& rub, const std::string& law) {
+  const std::vector<double> ticks_s = best_times_s(world, variant, rub, law, 1);
+  return *std::max_element(ticks_s.begin(), ticks_s.end()) * 1e9;
 }
 
 double edge_step_share(const std::shared_ptr<const World>& block, const ContactVariant& variant,

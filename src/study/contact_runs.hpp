@@ -75,6 +75,11 @@ RubError rub_error(const std::shared_ptr<const World>& world, const ContactVaria
 double rub_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant, const Rub& rub,
                    const std::string& law);
 
+/// The slowest tick of the same rub [ns], where each tick counts as the best of several runs: what takes so
+/// long is the tick's own work.
+double rub_slowest_tick_ns(const std::shared_ptr<const World>& world, const ContactVariant& variant,
+                           const Rub& rub, const std::string& law);
+
 /// A point presses 3 mm into a block and slides off over its right-angled edge at this speed: the largest
 /// change of force from tick to tick, as a share of the 3 N.
 double edge_step_share(const std::shared_ptr<const World>& block, const ContactVariant& variant,
