@@ -1,5 +1,6 @@
 #include "device/free_flight.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
 

@@ -1,5 +1,6 @@
 #include "part/bodies.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,7 @@
 #include "touch/touch.hpp"
 
 #include <fmt/format.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,6 @@
 #include "view/abscissa.hpp"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 

@@ -14,6 +14,7 @@
 #include <vtkRenderer.h>
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>

@@ -9,6 +9,7 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkXMLMultiBlockDataReader.h>
+#include <Eigen/Geometry>
 
 #include <fstream>
 #include <map>
