@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <clocale>
+#include <span>
 #include <sstream>
 
 #include "app/commands.hpp"
@@ -52,6 +53,37 @@ std::string unknown_subcommand(const CLI::App& program, int argc, char** argv) {
                      fingerpad::word_list(names));
 }
 
+/// "there is no option '--colums'; did you mean '--columns'?", or nothing where the subcommand knows them
+/// all.
+std::string unknown_option(const CLI::App& program, int argc, char** argv) {
+  if (program.get_subcommands().empty()) return {};
+  const CLI::App& command = *program.get_subcommands().front();
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  for (const std::string_view word : std::span(argv, static_cast<std::size_t>(argc)).subspan(1)) {
+    if (word == "--") break;  // what follows is no option
+    const std::string name(word.substr(0, word.find('=')));
+    if (!name.starts_with("--") || std::find(names.begin(), names.end(), name) != names.end()) continue;
+    const std::string nearest = fingerpad::nearest_word(name, names);
+    return fmt::format("there is no option '{}'{}", fingerpad::printable(name, 60),
+                       nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest));
+  }
+  return {};
+}
+
+/// What is told of a command line that is not understood: a word that is spelled wrong before what is missing
+/// for it.
+std::string words_of(const CLI::ParseError& error, const CLI::App& program, int argc, char** argv) {
+  const std::string command = unknown_subcommand(program, argc, argv);
+  if (!command.empty()) return command;
+  const bool may_be_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
+                              dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
+  const std::string option = may_be_unknown ? unknown_option(program, argc, argv) : "";
+  return option.empty() ? error.what() : option;
+}
+
 int run(int argc, char** argv) {
   CLI::App program(description, "fingerpad");
   program.footer(footer);
@@ -73,8 +105,7 @@ int run(int argc, char** argv) {
       fingerpad::write_stream(stdout, out.str());
       return code;
     }
-    const std::string unknown = unknown_subcommand(program, argc, argv);
-    report(unknown.empty() ? error.what() : unknown.c_str(), 0);
+    report(words_of(error, program, argc, argv).c_str(), 0);
     fingerpad::print_err("Run with --help for the options.\n");
     return static_cast<int>(fingerpad::ErrorKind::usage);
   }

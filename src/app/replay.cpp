@@ -11,6 +11,7 @@
 
 #include "app/commands.hpp"
 #include "app/job_bar.hpp"
+#include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/plan_words.hpp"
 #include "app/replay_words.hpp"
@@ -84,7 +85,11 @@ void refuse_streams(const std::vector<std::string>& scenes, const Ranks& ranks) 
 
 int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ranks) {
   std::vector<BatchJob> jobs = batch_jobs(options.scenes);
-  if (options.dry_run) return ranks.is_root() ? tell_plan(plan_batch(jobs, batch), batch) : 0;
+  if (options.dry_run) {
+    if (!ranks.is_root()) return 0;
+    const OutputFolder tried(batch.out_dir);  // gone again: what is planned could be written
+    return tell_plan(plan_batch(jobs, batch), batch);
+  }
   const auto share = static_cast<std::size_t>(ranks.count()) * static_cast<std::size_t>(batch.shard_count);
   const bool silent = options.quiet || !ranks.is_root();
   JobBar bar((jobs.size() + share - 1) / share,

@@ -114,6 +114,10 @@ std::string near_scene_file(const fs::path& path) {
   return near.empty() ? "" : (folder / (near + ".toml")).string();
 }
 
+constexpr const char* what_a_scene_is =
+    "is it a scene? That is a .toml file, which names its mesh ([[part]] mesh) and its recording ([motion] "
+    "file)";
+
 bool begins_as_hdf5(const std::string& path) {
   constexpr InputKind any{"a file", std::numeric_limits<std::uint64_t>::max()};
   if (stream_descriptor(path) || why_unreadable(path, any)) return false;
@@ -134,7 +138,10 @@ SceneFile read_scene_file(const std::string& path) {
   try {
     return read_scene_text(read_whole_file(path, kind), path);
   } catch (const Error& error) {
-    const std::string near = is_missing(path) ? near_scene_file(path) : "";
+    const bool missing = is_missing(path);
+    if (!missing && !stream_descriptor(path) && fs::path(path).extension() != ".toml")
+      throw Error(error.kind(), "", fmt::format("{}; {}", error.what(), what_a_scene_is));
+    const std::string near = missing ? near_scene_file(path) : "";
     if (near.empty()) throw;
     throw Error(error.kind(), "", fmt::format("{}; did you mean {}?", error.what(), near));
   }

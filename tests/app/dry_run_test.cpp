@@ -48,6 +48,18 @@ TEST(DryRun, TellsTheJobsThatWouldFail) {
   EXPECT_THAT(planned.out, HasSubstr("s-0002.h5: none.stl, seed 2: would fail: none.stl: cannot be read"));
 }
 
+TEST(DryRun, RefusesAFolderThatCannotBeWritten) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\n"
+         "from_m = [0, 0, 0]\nto_m = [0.1, 0, 0]\nspeed_m_per_s = 1\n";
+  std::ofstream(folder / "taken") << "a file";
+  const auto planned = test::fingerpad("replay s.toml --out taken --dry-run", folder);
+  EXPECT_EQ(planned.exit_code, 2);
+  EXPECT_THAT(planned.err, HasSubstr("taken: cannot be made: taken is a file, not a folder"));
+  EXPECT_EQ(planned.out, "");
+}
+
 TEST(FormatNone, KeepsTheSummaryAlone) {
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "s.toml")

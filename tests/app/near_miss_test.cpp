@@ -55,6 +55,32 @@ TEST(NearMiss, OfATraceForASceneSaysWhatOneDoesWithATrace) {
   EXPECT_THAT(alone.out, testing::Not(HasSubstr("traces"))) << "none was written";
 }
 
+TEST(NearMiss, OfATableOrAMeshForASceneSaysWhatASceneIs) {
+  const fs::path folder = folder_with_scenes();
+  test::write_file(folder, "summary.csv", "job,exit_code\n1,0\n");
+  test::write_file(folder, "part.stl", "solid part\nendsolid part\n");
+  for (const char* name : {"summary.csv", "part.stl"}) {
+    const auto result = test::fingerpad("replay " + std::string(name) + " --out o", folder);
+    EXPECT_EQ(result.exit_code, 3);
+    EXPECT_THAT(result.err, HasSubstr(std::string(name) + ":1:"));
+    EXPECT_THAT(result.err, HasSubstr("is it a scene? That is a .toml file, which names its mesh"));
+  }
+}
+
+TEST(NearMiss, OfAnOptionIsNamedBeforeWhatIsMissingForIt) {
+  const fs::path folder = folder_with_scenes();
+  for (const char* words : {"replay scenes/sweep.toml --ot o", "replay scenes/sweep.toml --ot=o"}) {
+    const auto result = test::fingerpad(words, folder);
+    EXPECT_EQ(result.exit_code, 2);
+    EXPECT_THAT(result.err,
+                HasSubstr("fingerpad: error: there is no option '--ot'; did you mean '--out'?\n"));
+  }
+  const auto extra = test::fingerpad("replay scenes/sweep.toml --out o --colums t_s", folder);
+  EXPECT_THAT(extra.err, HasSubstr("no option '--colums'; did you mean '--columns'?"));
+  const auto missing = test::fingerpad("replay scenes/sweep.toml", folder);
+  EXPECT_THAT(missing.err, HasSubstr("--out is required")) << "nothing is spelled wrong";
+}
+
 TEST(NearMiss, InABatchFailsItsJobAlone) {
   const auto result =
       test::fingerpad("replay scenes/bracket.toml scenes/swep.toml --out o", folder_with_scenes());
