@@ -5,7 +5,9 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "contact/curved_patch.hpp"
 #include "contact/normals.hpp"
@@ -96,6 +98,16 @@ Vec3 spread(std::size_t i) {
   return {1 - u - v, u, v};
 }
 
+/// Those of a region in the order in which they are.
+std::vector<SurfacePlace> by_region(const std::vector<SurfacePlace>& places) {
+  std::array<std::size_t, regions_along * regions_along * regions_along + 1> next{};
+  for (const SurfacePlace& place : places) ++next[static_cast<std::size_t>(place.region) + 1];
+  std::partial_sum(next.begin(), next.end(), next.begin());
+  std::vector<SurfacePlace> ordered(places.size());
+  for (const SurfacePlace& place : places) ordered[next[static_cast<std::size_t>(place.region)]++] = place;
+  return ordered;
+}
+
 }  // namespace
 
 std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m) {
@@ -118,9 +130,7 @@ std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double truste
                         places[i] = place_on(tree, static_cast<int>(found - sums_m2.begin()), spread(i));
                       }
                     });
-  std::stable_sort(places.begin(), places.end(),
-                   [](const SurfacePlace& a, const SurfacePlace& b) { return a.region < b.region; });
-  return places;
+  return by_region(places);
 }
 
 }  // namespace fingerpad
