@@ -204,7 +204,6 @@ void tell_choices(StudyReport& report, const std::vector<SurfaceResult>& results
   report.tables.push_back(std::move(table));
 }
 
-/// Time of a tick against the part's size, on the torus.
 /// A panel of one time of every variant against the part's size.
 ChartPanel time_panel(const SurfaceResult& r, const std::string& title, const std::string& y_label,
                       std::vector<double> VariantCurve::*times_ns) {

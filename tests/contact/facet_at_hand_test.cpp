@@ -2,22 +2,15 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Geometry>
-
 #include "base/random_stream.hpp"
+#include "contact/placed_soup.hpp"
 #include "contact/surface_point.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad::facet_at_hand_test {
 namespace {
 
-PlacedSurface placed(const TriangleSoup& soup) {
-  PlacedSurface surface;
-  surface.part = std::make_shared<const Part>(make_part(soup, 0.5));
-  surface.R_WP = Eigen::AngleAxisd(0.7, Vec3(1, 2, 3).normalized()).toRotationMatrix();
-  surface.p_WP = Vec3(0.3, -0.2, 0.1);
-  return surface;
-}
+using test::placed;
 
 TEST(FacetAtHand, FindsTheFootThatIsLookedUpOtherwise) {
   const PlacedSurface torus = placed(test::torus_soup(1, 0.4, 24, 16));
