@@ -58,8 +58,8 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
 /// @param together  what the walls' normals fix
 ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls,
                                    const WallsTogether& together) noexcept;
-/// What becomes of such a projection's multipliers, and of `found`, where every wall stands nearer by so much.
-/// The place is left as it was.
+/// What becomes of such a projection's multipliers, and of `found`, where every wall stands nearer by so
+/// much. The place is left as it was.
 ProxyProjection with_walls_nearer(ProxyProjection onto_every, const WallsTogether& together,
                                   double nearer_m) noexcept;
 /// @pre at most three walls
