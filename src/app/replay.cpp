@@ -84,6 +84,17 @@ void refuse_streams(const std::vector<std::string>& scenes, const Ranks& ranks) 
   }
 }
 
+/// run_batch(), where a rank that cannot take part says why: the others go on without it.
+BatchEnd run_or_tell(std::vector<BatchJob>& jobs, const BatchOptions& batch, const Ranks& ranks,
+                     const std::function<void(const BatchJob&)>& on_done) {
+  try {
+    return run_batch(jobs, batch, ranks, on_done);
+  } catch (const Error& error) {
+    if (!ranks.is_root()) print_err("fingerpad: warning: rank {} leaves: {}\n", ranks.rank, error.what());
+    throw;
+  }
+}
+
 int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ranks) {
   std::vector<BatchJob> jobs = batch_jobs(options.scenes);
   if (options.dry_run) {
@@ -104,7 +115,7 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   batch.on_unfinished = [](const std::string& what) { print_err("fingerpad: warning: {}\n", what); };
   if (!options.quiet) batch.on_kept = [](const std::string& what) { print_err("fingerpad: {}\n", what); };
   batch.on_elsewhere = [&](std::size_t count) { bar.elsewhere(count); };
-  const BatchEnd end = run_batch(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job); });
+  const BatchEnd end = run_or_tell(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job); });
   bar.finish();
   if (!end.tells) return 0;
   if (!options.quiet) tell_choices(jobs);
@@ -221,8 +232,9 @@ void add_replay(CLI::App& program, Action& action) {
       "jobs.csv says which file of a set is of which mesh, motion and values. SIGINT and SIGTERM finish the "
       "jobs "
       "that have begun, and --resume does the rest.\n"
-      "Under mpirun the ranks share the jobs. Ends 4 if some jobs of a batch failed; the others are done all "
-      "the same.\n" +
+      "Under mpirun or srun the ranks share the jobs; one that dies loses those that it had begun. Ends 4 if "
+      "some "
+      "jobs of a batch failed; the others are done all the same.\n" +
       laws_text() + contact_help_text() +
       "\nA scene file, each key with its default (mesh, file, profile and set: with an example):\n\n" +
       scene_keys_text());

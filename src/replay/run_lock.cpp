@@ -200,7 +200,7 @@ void remove_if_unused(const std::string& state) {
 
 RunLock::RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run,
                  const std::function<void(const RunLock&)>& when_first)
-    : folder_(folder + "/" + state_folder) {
+    : folder_(folder + "/" + state_folder), others_stay_(!run.empty()) {
   const auto guard = take_guard(folder_, folder);
   if (!guard && run.empty()) return;  // a file system without locks
   if (!guard)
@@ -229,7 +229,7 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
 }
 
 RunLock::~RunLock() {
-  if (file_.number() < 0 || left_) return;
+  if (file_.number() < 0 || others_stay_) return;
   try {
     const auto guard = take_guard(folder_, folder_);
     unlink(path_.c_str());

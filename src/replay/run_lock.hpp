@@ -24,7 +24,7 @@ class RunLock {
   /// @param when_first  called by the one who registers, before any other can join; may be empty
   RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run = "",
           const std::function<void(const RunLock&)>& when_first = {});
-  /// Ends the registration; the state folder goes too if nothing is left in it.
+  /// Ends the registration (of ranks, the last does); the state folder goes too if nothing is left in it.
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
@@ -32,8 +32,8 @@ class RunLock {
   /// Runs that were found registered but ended before they were done: "process 12 on HOST (COMMAND)".
   const std::vector<std::string>& unfinished() const noexcept { return unfinished_; }
 
-  /// The other ranks go on: the registration is theirs.
-  void leave() noexcept { left_ = true; }
+  /// Of ranks this is the last: the registration ends with it. Who leaves before lets the others have it.
+  void stays_last() noexcept { others_stay_ = false; }
 
   /// Whether a rank of that run has registered in the folder, living or not.
   static bool is_registered(const std::string& folder, const std::string& run);
@@ -43,7 +43,7 @@ class RunLock {
 
   std::string folder_, path_;
   OpenFile file_;
-  bool left_ = false;
+  bool others_stay_ = false;
   std::vector<std::string> unfinished_;
 };
 

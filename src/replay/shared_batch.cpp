@@ -215,10 +215,8 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
   WatchedRank watched(log);  // from here on in a child process
   RankWork work(jobs, options, ranks, log, watched);
   work.run(on_done);
-  if (!work.is_last()) {
-    claim->leave();
-    return {false, {}};
-  }
+  if (!work.is_last()) return {false, {}};
+  claim->stays_last();
   work.end(on_done);
   BatchEnd end{true, write_tables(jobs, options)};
   std::error_code ignored;
