@@ -35,7 +35,7 @@ std::string board_path(const BatchOptions& options) {
 }
 
 /// Tells batches apart by their jobs' names and values.
-std::uint64_t hash_of(const std::vector<BatchJob>& jobs) {
+std::uint64_t hash_of_jobs(const std::vector<BatchJob>& jobs) {
   std::uint64_t hash = content_hash({});
   const auto add = [&hash](const std::string& text) {
     hash = content_hash(std::as_bytes(std::span(text)), hash);
@@ -55,7 +55,7 @@ void make_board(const std::vector<BatchJob>& jobs, const BatchOptions& options) 
   fs::remove_all(ranks_folder(options), failure);
   fs::create_directory(ranks_folder(options), failure);
   JobBoard::create(board_path(options), order_by_cost(jobs, jobs_of_shard(jobs.size(), options)),
-                   hash_of(jobs));
+                   hash_of_jobs(jobs));
 }
 
 /// This rank's part in it.
@@ -68,7 +68,7 @@ class RankWork {
         ranks_(ranks),
         log_(log),
         watched_(watched),
-        board_(board_path(options), hash_of(jobs)),
+        board_(board_path(options), hash_of_jobs(jobs)),
         runner_(jobs, options) {
     // What a process that died had taken for this rank.
     const std::vector<std::size_t> taken = read_rank_story(ranks_folder(options), ranks.rank).not_begun;
