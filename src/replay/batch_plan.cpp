@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
+#include "scene/scene_reader.hpp"
 #include "scene/toml_tree.hpp"
 #include "touch/closed_loop.hpp"
 #include "touch/mesh_store.hpp"
@@ -59,7 +60,7 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   constexpr double long_enough_s = 0.2;
   constexpr long block_ticks = 4096;
   const Clock::time_point start = Clock::now();
-  const LoadedMotion motion = load_motion(scene_as_written);
+  const LoadedMotion motion = load_motion(scene_as_written, meshes);
   const Scene scene = at_rate(scene_as_written, motion.path);
   const auto world = load_world(scene, meshes);
   JobCost cost;
@@ -96,6 +97,9 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
 class TickCounts {
  public:
   long of(const Scene& scene) {
+    // The part need not be loaded for it.
+    if (scene.motion.laid && !scene.motion.automatic_rate)
+      return tick_count(duration_s(*scene.motion.laid, pressed_depth_m(scene)), scene.motion.rate_hz);
     const TomlNode root = parse_toml(scene.text, scene.path);
     const TomlEntry* motion = find_entry(root, "motion");
     const std::string key = scene.motion.file_path + (motion != nullptr ? write_toml(motion->value) : "");

@@ -108,7 +108,7 @@ void warn_of_large_meshes(const Scene& scene, MeshStore& meshes, JobResult& resu
 
 JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore& motions,
                   const JobOutput& output) {
-  const std::shared_ptr<const StoredMotion> stored = motions.load(scene_as_written);
+  const std::shared_ptr<const StoredMotion> stored = motions.load(scene_as_written, meshes);
   const LoadedMotion& motion = stored->motion;
   const FingerPath& path = motion.path;
   const Scene scene = at_rate(scene_as_written, path);
