@@ -71,7 +71,8 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   if (options.traces) {
     TraceInfo info = trace_info(scene, *world, motion.path, options.version);
     choose(options.choice, info);
-    writer = TraceWriter::create(file.path, options.format, info, *world);
+    writer = TraceWriter::create(file.path, options.format, info, *world,
+                                 static_cast<std::uint64_t>(motion.path.tick_count()));
     writer->flush();
   }
   cost.bytes = file.bytes();
