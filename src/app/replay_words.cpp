@@ -97,7 +97,7 @@ void tell_choices(const std::vector<BatchJob>& jobs) {
     }
   }
   if (told.size() > most_lines)
-    print_err("fingerpad: {} more such lines stand in the traces (motion_notes, contact_reasons)\n",
+    print_err("fingerpad: and {} more such lines; each trace keeps its own\n",
               told.size() - most_lines);
 }
 

@@ -14,6 +14,7 @@
 #include "scene/toml_tree.hpp"
 #include "touch/closed_loop.hpp"
 #include "touch/mesh_store.hpp"
+#include "trace/column_chunks.hpp"
 #include "trace/motion_source.hpp"
 #include "trace/trace_info.hpp"
 
@@ -55,6 +56,14 @@ struct TryFile {
   std::string path;
 };
 
+/// The rows that a try's file has room for: the last chunk of a plain HDF5 trace is there whole.
+std::uint64_t rows_on_disk(long tried_ticks, long ticks, const BatchOptions& options) {
+  const auto rows = static_cast<std::uint64_t>(tried_ticks);
+  if (options.format == TraceFormat::csv || options.choice.deflated) return rows;
+  const std::uint64_t chunk = chunk_rows_for(static_cast<std::uint64_t>(ticks));
+  return (rows + chunk - 1) / chunk * chunk;
+}
+
 /// Runs the beginning of a job.
 JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptions& options) {
   constexpr double long_enough_s = 0.2;
@@ -89,8 +98,9 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   if (ticks == 0) return cost;
   cost.s_per_tick = seconds_since(run) / static_cast<double>(ticks);
   // The try writes all its rows.
-  cost.bytes_per_tick =
-      std::max(0.0, file.bytes() - cost.bytes) / static_cast<double>(ticks * options.choice.every);
+  cost.bytes_per_tick = std::max(0.0, file.bytes() - cost.bytes) /
+                        static_cast<double>(rows_on_disk(ticks, loop.tick_count(), options)) /
+                        static_cast<double>(options.choice.every);
   return cost;
 }
 

@@ -119,8 +119,11 @@ TEST(DeflatedSet, IsTheSameToWhoeverReadsIt) {
   ASSERT_EQ(test::fingerpad("merge part1 part2 --out merged", folder).exit_code, 0);
   for (const char* name : {"s-0001.h5", "s-0004.h5", "summary.csv"})
     EXPECT_TRUE(bytes_of(folder / "merged" / name) == bytes_of(folder / "small" / name)) << name;
-  EXPECT_THAT(test::fingerpad("replay s.toml --out small --resume --compress", folder).out,
-              HasSubstr("(4 kept from before)"));
+  for (const bool proven : {true, false}) {  // without its proof a sealed trace is taken at its word
+    if (!proven) fs::remove_all(folder / "small/.fingerpad");
+    EXPECT_THAT(test::fingerpad("replay s.toml --out small --resume --compress", folder).out,
+                HasSubstr("(4 kept from before)"));
+  }
   EXPECT_EQ(test::fingerpad("replay s.toml --out small --resume --quiet", folder).exit_code, 0);
   EXPECT_TRUE(bytes_of(folder / "small/s-0001.h5") == bytes_of(folder / "plain/s-0001.h5"));
   const auto refused = test::fingerpad("replay s.toml --out o --format csv --compress", folder);

@@ -77,6 +77,21 @@ PartEntry mesh_in(const fs::path& folder, const std::string& name) {
   return entry;
 }
 
+TEST(MeshStore, CountsWhatAMeshTakesInMemory) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "ball.ply", test::binary_ply(test::sphere_soup(9, 4)));
+  PartEntry entry;
+  entry.mesh = "ball.ply";
+  entry.mesh_path = (folder / "ball.ply").string();
+  const auto mesh = MeshStore(1).load(entry);
+  const std::size_t n = 8 * 256, vertices = 4 * 256 + 2;
+  ASSERT_EQ(mesh->part->triangle_count(), static_cast<int>(n));
+  // Three coordinates of each vertex, its normal, and those of facets, edges and corners; corners, welded
+  // corners and neighbours; the file's number and the creases of each triangle.
+  const std::size_t arrays = 8 * (6 * vertices + 3 * n + 9 * n + 9 * n) + 4 * 9 * n + 4 * n + n;
+  EXPECT_EQ(mesh->bytes, arrays + mesh->tree->memory_bytes());
+}
+
 TEST(MeshStore, LetsGoOfAMeshAfterItsLastAnnouncedUse) {
   const fs::path folder = test::scratch_dir();
   const PartEntry a = mesh_in(folder, "a.ply"), b = mesh_in(folder, "b.ply");
