@@ -97,8 +97,7 @@ void tell_choices(const std::vector<BatchJob>& jobs) {
     }
   }
   if (told.size() > most_lines)
-    print_err("fingerpad: and {} more such lines; each trace keeps its own\n",
-              told.size() - most_lines);
+    print_err("fingerpad: and {} more such lines; each trace keeps its own\n", told.size() - most_lines);
 }
 
 void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
