@@ -142,6 +142,8 @@ int replay(ReplayOptions options) {
   if (!options.batch.traces && !options.batch.choice.is_all())
     throw Error(ErrorKind::usage, "--format none",
                 "writes no traces, of which --columns and --every say what they hold; leave one out");
+  if (options.batch.choice.deflated && options.format != "h5")
+    throw Error(ErrorKind::usage, "--compress", "is for the traces of --format h5; leave one out");
   options.batch.format = options.format == "csv" ? TraceFormat::csv : TraceFormat::hdf5;
   options.batch.version = program_version;
   const Ranks ranks = launched_ranks();
@@ -212,6 +214,10 @@ void add_replay(CLI::App& program, Action& action) {
           "it one more than --jobs")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false));
+  command->add_flag(
+      "--compress", options->batch.choice.deflated,
+      "Deflate the traces' columns and meshes (h5): smaller files that take longer to write, and "
+      "are read as any other");
   command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")
       ->type_name("K/N")
       ->capture_default_str();
