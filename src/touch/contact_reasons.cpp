@@ -13,6 +13,9 @@ namespace {
 /// What is said instead of the tolerance leaves room for a reckoning that is right to a sixth.
 constexpr double reckoning_margin = 1.2;
 
+/// Of a rounding's radius.
+constexpr double deepest_share = 0.8;
+
 /// Beyond a third of the force reckoning says nothing.
 constexpr double most_kept = 1.0 / 3, nothing_kept = std::numeric_limits<double>::infinity();
 
@@ -117,6 +120,16 @@ std::string instead_words(double kept) {
   return kept > most_kept ? ", nor anything like it" : fmt::format(", {:.2g} can", kept);
 }
 
+/// Roundings tighter than this are too tight to be pressed so deep: near their middle the least that facets
+/// are off by turns the force, and beyond it the finger slips off [m].
+double slips_under_m(const ContactCase& on) {
+  return (on.press.greatest_force_n / on.press.stiffness_n_per_m - on.press.finger_radius_m) / deepest_share;
+}
+
+std::string slips_words(double slips_m) {
+  return fmt::format(" but where it is rounded by less than {:.2g} mm", 1e3 * slips_m);
+}
+
 std::string mend_words(const ContactVerdict& verdict, std::span<const ContactCase> cases) {
   if (!verdict.normals_open && !patches_would(verdict, cases) &&
       verdict.chosen.normals != normals_table().back())
@@ -154,10 +167,12 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::span<const ContactCase
                              chosen.method->name, lags ? instead_words(limit.kept_tolerance) : "",
                              chosen.fails[i], mend_of_method(verdict, on, error));
   } else if (error.force_share > tolerance) {
-    limit.kept_tolerance = instead(error.force_share);
-    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept{}: {}; {}", tolerance,
-                             instead_words(limit.kept_tolerance), facets_words(on, error),
-                             mend_words(verdict, cases));
+    const double kept = instead(error.force_share), slips_m = slips_under_m(on);
+    const bool slips_off = kept <= most_kept && on.contact.part.tightest_round_m < slips_m;
+    limit.kept_tolerance = slips_off ? nothing_kept : kept;
+    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept{}{}: {}; {}", tolerance,
+                             instead_words(kept), slips_off ? slips_words(slips_m) : "",
+                             facets_words(on, error), mend_words(verdict, cases));
   } else if (error.mean_tilt_rad > on.mean_tilt_rad) {
     limit.said = fmt::format("mu_tolerance cannot be kept: {}; {}", facets_words(on, error),
                              mend_words(verdict, cases));
