@@ -78,8 +78,8 @@ double tilt_rad(const Way& way, const SurfacePlace& place, const Centre& centre)
 /// How much way the finger's centre has over a place at this height, of the place's area: none where a ball
 /// has no room between the facets.
 double way_there(const SurfacePlace& place, const Centre& centre) noexcept {
-  const double fits = 1 + (centre.radius_m + place.sag_m) * std::min(0.0, place.curvature_per_m);
-  return fits > 0 ? std::max(0.0, 1 + centre.height_m() * place.curvature_per_m) : 0;
+  const double needs_m = centre.radius_m > 0 ? centre.radius_m + place.sag_m : 0;
+  return 1 + needs_m * place.curvature_per_m > 0 ? std::max(0.0, 1 + centre.height_m() * place.curvature_per_m) : 0;
 }
 
 /// Along it, as a length [m].
