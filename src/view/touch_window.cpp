@@ -7,6 +7,7 @@
 
 #include <Eigen/Geometry>
 
+#include "touch/resting_finger.hpp"
 #include "view/material_panel.hpp"
 #include "view/recent_ticks.hpp"
 #include "view/screen.hpp"
