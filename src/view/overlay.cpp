@@ -10,6 +10,7 @@
 #include "view/colours.hpp"
 #include "view/overlay_hud.hpp"
 #include "view/overlay_notice.hpp"
+#include "view/overlay_places.hpp"
 #include "view/overlay_words.hpp"
 
 namespace fingerpad {
@@ -87,10 +88,10 @@ class OverlayPainter {
 
   /// What is said once: what is missing, how to press, what has just been done.
   void paint_words() {
-    const Box& scene = layout_.scene;
-    Vec2 at(scene.centre().x(), scene.bottom + std::max(0.3 * scene.height, 6 * em_));
+    const Box place = words_place(layout_, facts_.finger_px);
+    Vec2 at(place.centre().x(), place.bottom + 1.1 * em_);
     for (const std::string* words : {&facts_.invitation, &facts_.message}) {
-      if (!words->empty()) paint_pill(drawing_, at, fitted(*words, em_, true, scene.width - 4 * em_), em_);
+      if (!words->empty()) paint_pill(drawing_, at, fitted(*words, em_, true, place.width), em_);
       at.y() += 3 * em_;
     }
     paint_notice(drawing_, facts_, layout_);

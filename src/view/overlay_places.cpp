@@ -30,6 +30,20 @@ bool within(const Box& box, const Box& around) {
 
 }  // namespace
 
+Box words_place(const Layout& layout, const std::optional<Vec2>& finger_px) {
+  const double em = layout.em, clear = 3 * em, height = 5.2 * em, foot = layout.scene.bottom;
+  const double usual = foot + std::max(0.3 * layout.scene.height, 6 * em) - 1.1 * em;
+  const auto at = [&](double bottom) {
+    return Box{layout.scene.left + 2 * em, bottom, layout.scene.width - 4 * em, height};
+  };
+  if (!finger_px) return at(usual);
+  for (const double bottom : {usual, foot + 0.7 * em, usual + height + 2 * clear}) {
+    const bool fits = bottom + height < layout.scene.top();
+    if (fits && !widened(at(bottom), clear).holds(finger_px->x(), finger_px->y())) return at(bottom);
+  }
+  return at(usual);
+}
+
 std::vector<Box> OverlayPlaces::place(const Layout& layout, const std::vector<Placed>& boxes,
                                       const std::optional<Vec2>& contact_px, const std::vector<Box>& taken) {
   before_.resize(boxes.size());

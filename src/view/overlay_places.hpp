@@ -30,4 +30,9 @@ class OverlayPlaces {
   std::vector<std::optional<Corner>> before_;
 };
 
+/// Room for two lines of words across the scene, clear of a finger: usually above its foot, else below or
+/// above that.
+/// @param finger_px  none: the usual place
+Box words_place(const Layout& layout, const std::optional<Vec2>& finger_px);
+
 }  // namespace fingerpad

@@ -248,6 +248,7 @@ void Stage::place_overlay(OverlayFacts& facts) {
   } else if (moment_) {
     contact_px = on_screen(space_.to_draw(moment_->row.p_WQ));
   }
+  facts.finger_px = contact_px;
   const Vec2 whole = readings_size(facts, layout_.em);
   // Of a small scene they would hide too much.
   constexpr double most_share = 0.2;
@@ -476,6 +477,16 @@ std::pair<Vec3, Vec3> Stage::line_of_sight(double x_px, double y_px) {
     return Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
   };
   return {at_depth(0), at_depth(1)};
+}
+
+PointedScene Stage::pointed() {
+  PointedScene pointed;
+  pointed.scene = layout_.scene;
+  pointed.panels = panels_.boxes(layout_);
+  const auto [near_mm, far_mm] = line_of_sight(0, 0);
+  pointed.lines = {near_mm, far_mm, line_of_sight(1, 0).first - near_mm, line_of_sight(0, 1).first - near_mm};
+  pointed.towards_eye_W = -Vec3(scene_->GetActiveCamera()->GetDirectionOfProjection());
+  return pointed;
 }
 
 }  // namespace fingerpad

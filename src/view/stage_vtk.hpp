@@ -21,6 +21,7 @@
 #include "view/overlay.hpp"
 #include "view/overlay_places.hpp"
 #include "view/place_marks.hpp"
+#include "view/pointed_scene.hpp"
 #include "view/side_panels.hpp"
 #include "view/theme_device_vtk.hpp"
 #include "view/view_state.hpp"
@@ -114,6 +115,8 @@ class Stage {
 
   /// The line of sight through a pixel of the scene, near to far, draw space [mm].
   std::pair<Vec3, Vec3> line_of_sight(double x_px, double y_px);
+  /// For one who points at it.
+  PointedScene pointed();
 
  private:
   void add_renderers();

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace fingerpad::overlay_places_test {
 namespace {
 
@@ -37,6 +39,22 @@ TEST(OverlayPlaces, NoBoxHidesTheContactOrAnotherBoxWhereverItIs) {
     }
     if (width < 1280) continue;
     EXPECT_GT(shown, 0.95 * asked) << "there is room for all of them nearly everywhere";
+  }
+}
+
+TEST(OverlayPlaces, WordsKeepClearOfTheFingerWhereThereIsRoom) {
+  for (const auto& [width, height] : {std::pair(1280, 800), std::pair(900, 600)}) {
+    const Layout layout = layout_for(width, height, true, false);
+    const Box usual = words_place(layout, std::nullopt);
+    for (double y = layout.scene.bottom; y < layout.scene.top(); y += 7) {
+      const Vec2 finger(layout.scene.centre().x(), y);
+      const Box place = words_place(layout, finger);
+      EXPECT_FALSE(place.holds(finger.x(), finger.y())) << y;
+      EXPECT_GT(place.bottom, layout.scene.bottom);
+      EXPECT_LT(place.top(), layout.scene.top());
+      const bool far = std::abs(y - usual.centre().y()) > 0.4 * layout.scene.height;
+      EXPECT_TRUE(!far || place.bottom == usual.bottom);
+    }
   }
 }
 
