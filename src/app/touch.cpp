@@ -89,8 +89,7 @@ void tell_timing(const ServoTiming& timing, double rate_hz) {
   print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks, rate_hz,
             timing.late_ticks, 1e3 * timing.worst_late_s);
   print_out("half of the ticks took up to {:.2g} us, 99.9 % up to {:.2g} us, the longest {:.2g} us\n",
-            1e6 * timing.tick_times.quantile_s(0.5), 1e6 * timing.tick_times.quantile_s(0.999),
-            1e6 * timing.worst_tick_s);
+            1e6 * timing.tick_s(0.5), 1e6 * timing.tick_s(0.999), 1e6 * timing.worst_tick_s);
 }
 
 int touch(const TouchOptions& options) {
