@@ -38,7 +38,6 @@ class Foresight {
 
  private:
   double normal_force_n(const Contact& contact, const Vec3& p_W, double dt_s) noexcept;
-  double normal_force_n(const ProxyContact& proxy, const Vec3& p_W, double dt_s) noexcept;
 
   std::shared_ptr<const World> kept_;
   const World* world_;  ///< kept_, until its surfaces have other properties
@@ -46,7 +45,6 @@ class Foresight {
   ProxyState before_;     ///< of the proxy that goes, before its last step
   bool strayed_ = false;  ///< the one for trying stands elsewhere than the one that goes
   Vec3 tried_W_ = Vec3::Zero(), last_W_ = Vec3::Zero(), last_but_one_W_ = Vec3::Zero();
-  Contact contact_;
   Walls walls_;
 };
 
