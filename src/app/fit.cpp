@@ -7,6 +7,7 @@
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "base/output_place.hpp"
+#include "study/measurement_reader.hpp"
 #include "study/profile_fit.hpp"
 #include "trace/output_file.hpp"
 
@@ -37,14 +38,14 @@ void tell_fit(const ProfileFit& fit) {
 
 int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
-  const Measurement measurement = read_measurements(options.measurements);
+  const Measurement measurement = clean(read_measurements(options.measurements, {}), {});
   for (const std::string& name : measurement.untouched)
     print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);
   if (!measurement.trials.empty()) {
     for (const std::string& reason : measurement.without_force)
       print_err("fingerpad: warning: {}; the file is left out\n", reason);
   }
-  const ProfileFit found = fit_profile(measurement, options.seed);
+  const ProfileFit found = fit_profile(measurement, {options.seed, Blocks::trials});
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any)

@@ -65,6 +65,7 @@ PadValue of_axis(const StickAxisFit& fit, double value, const std::string& refus
 
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
   PadValues found;
+  for (PadValue& value : found) value.refusal = "not fitted";
   const auto at = [&](PadNumber number) -> PadValue& { return found[static_cast<std::size_t>(number)]; };
   at(PadNumber::mu_static) = subjects_mean(trials, times, &TrialEvidence::rupture_ratio,
                                            &TrialEvidence::ruptures, "no rupture from stick was found");

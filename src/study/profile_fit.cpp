@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
+#include <set>
 
 #include "base/number_text.hpp"
 #include "base/random_stream.hpp"
@@ -14,79 +14,46 @@ namespace {
 
 constexpr int bootstrap_draws = 400;
 
-/// 97.5 % quantile of Student's t, by Cornish and Fisher's expansion (Abramowitz and Stegun 26.7.5): within 1
-/// % from 3 degrees of freedom up.
-double student_t(double freedom) {
-  const double z = 1.959963985, z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
-}
-
-using SubjectTrials = std::map<int, std::vector<std::size_t>>;
-
-/// How often each trial is drawn.
-std::vector<int> drawn(const SubjectTrials& subjects, std::size_t trials, RandomStream& random) {
-  std::vector<int> times(trials, 0);
-  for (const auto& [subject, own] : subjects) {
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      const auto pick = static_cast<std::size_t>(random.uniform() * static_cast<double>(own.size()));
-      ++times[own[pick]];
-    }
-  }
-  return times;
-}
-
-/// Mean and spread of a number over the draws that give it.
-struct DrawSpread {
-  double count = 0, mean = 0, squares = 0;
-  void add(double value) {
-    ++count;
-    const double off = value - mean;
-    mean += off / count;
-    squares += off * (value - mean);
-  }
-};
-
-void add_intervals(const std::vector<TrialEvidence>& evidence, const SubjectTrials& subjects,
-                   std::uint64_t seed, ProfileFit& fit) {
+void add_intervals(const std::vector<int>& subject_of, const FitSettings& settings, ProfileFit& fit) {
   std::array<DrawSpread, pad_number_keys.size()> spreads;
-  RandomStream random(seed);
+  RandomStream random(settings.seed);
   for (int draw = 0; draw < bootstrap_draws; ++draw) {
-    const PadValues values = pad_numbers(evidence, drawn(subjects, evidence.size(), random));
+    const PadValues values = pad_numbers(fit.evidence, drawn_times(subject_of, settings.blocks, random));
     for (std::size_t k = 0; k < values.size(); ++k)
       if (values[k].refusal.empty()) spreads[k].add(values[k].value);
   }
+  const auto subjects = static_cast<double>(fit.subjects);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
-    const double freedom = static_cast<double>(fit.values[k].trials) - static_cast<double>(subjects.size());
-    constexpr double least_freedom = 3, most_missing = 0.05;
-    if (!fit.values[k].refusal.empty() || freedom < least_freedom) continue;
-    if (spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
-    const double widened = std::sqrt(static_cast<double>(fit.values[k].trials) / freedom);
+    constexpr double most_missing = 0.05;
+    if (!fit.values[k].refusal.empty() || spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
     const double reach =
-        student_t(freedom) * widened * std::sqrt(spreads[k].squares / (spreads[k].count - 1));
-    fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
+        settings.blocks == Blocks::subjects
+            ? interval_reach(spreads[k], subjects, 1)
+            : interval_reach(spreads[k], static_cast<double>(fit.values[k].trials), subjects);
+    if (reach > 0) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
   }
 }
 
 }  // namespace
 
-ProfileFit fit_profile(const Measurement& measurement, std::uint64_t seed) {
-  std::vector<TrialEvidence> evidence;
-  SubjectTrials subjects;
-  for (const MeasuredTrial& trial : measurement.trials) {
-    subjects[trial.subject].push_back(evidence.size());
-    evidence.push_back(trial_evidence(trial, stick_segments(trial)));
-  }
+ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
-  fit.subjects = subjects.size();
-  fit.trials = evidence.size();
-  fit.values = pad_numbers(evidence, std::vector<int>(evidence.size(), 1));
-  if (evidence.empty()) {
+  std::vector<int> subject_of;
+  for (const MeasuredTrial& trial : measurement.trials) {
+    subject_of.push_back(trial.subject);
+    fit.evidence.push_back(trial_evidence(trial, stick_segments(trial)));
+  }
+  fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
+  fit.trials = fit.evidence.size();
+  fit.steps = measurement.steps;
+  fit.values = pad_numbers(fit.evidence, std::vector<int>(fit.evidence.size(), 1));
+  if (fit.evidence.empty()) {
     for (PadValue& value : fit.values)
       value.refusal =
           measurement.without_force.empty() ? "no trial has contact" : measurement.without_force.front();
+    return fit;
   }
-  if (!evidence.empty()) add_intervals(evidence, subjects, seed, fit);
+  add_intervals(subject_of, settings, fit);
   return fit;
 }
 

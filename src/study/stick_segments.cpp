@@ -150,12 +150,48 @@ StickSegments stick_segments(const MeasuredTrial& trial) {
     squares += trial.force_ratio[i].squaredNorm();
   }
   const double border = border_per_m(locals, std::sqrt(squares / static_cast<double>(samples)));
+  found.border_per_m = border;
   found.phase.assign(samples, PadPhase::unknown);
   for (std::size_t i = 0; i < samples; ++i) {
     if (!locals[i].is_known) continue;
     const bool against = trial.force_ratio[i].dot(found.velocity_m_per_s[i]) < 0;
     if (locals[i].per_m > border) found.phase[i] = PadPhase::stick;
     if (locals[i].per_m <= border && against) found.phase[i] = PadPhase::slip;
+  }
+  return found;
+}
+
+std::string_view reason_text(BoundaryReason reason) noexcept {
+  switch (reason) {
+    case BoundaryReason::touchdown:
+      return "contact begins";
+    case BoundaryReason::rupture:
+      return "the force ratio drops at once";
+    case BoundaryReason::spring_gives:
+      return "force stops to follow displacement";
+    case BoundaryReason::spring_holds:
+      return "force begins to follow displacement";
+    case BoundaryReason::hardly_moves:
+      return "too little motion to tell";
+    case BoundaryReason::moves_again:
+      return "motion tells again";
+  }
+  return "";
+}
+
+std::vector<PhaseBoundary> phase_boundaries(const MeasuredTrial& trial, const StickSegments& segments) {
+  const auto reason = [&](std::size_t i, PadPhase before, PadPhase after) {
+    if (trial.starts_anew[i]) return BoundaryReason::touchdown;
+    if (segments.is_rupture[i]) return BoundaryReason::rupture;
+    if (after == PadPhase::unknown) return BoundaryReason::hardly_moves;
+    if (before == PadPhase::unknown) return BoundaryReason::moves_again;
+    return after == PadPhase::slip ? BoundaryReason::spring_gives : BoundaryReason::spring_holds;
+  };
+  std::vector<PhaseBoundary> found;
+  for (std::size_t i = 0; i < segments.phase.size(); ++i) {
+    const PadPhase before = i > 0 ? segments.phase[i - 1] : PadPhase::unknown, after = segments.phase[i];
+    if (before == after && !segments.begins_run[i]) continue;
+    found.push_back({i, before, after, reason(i, before, after)});
   }
   return found;
 }
