@@ -1,8 +1,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "app/commands.hpp"
+#include "app/fit_pictures.hpp"
+#include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
@@ -16,7 +19,7 @@ namespace {
 
 struct FitOptions {
   std::vector<std::string> measurements;
-  std::string out;
+  std::string out, report;
   std::uint64_t seed = 1;
   bool quiet = false;
 };
@@ -36,8 +39,21 @@ void tell_fit(const ProfileFit& fit) {
   }
 }
 
+void tell_report(const FitOptions& options, const Measurement& measurement, const ProfileFit& found,
+                 const FitSettings& settings, const std::string& source) {
+  const FitReport report = fit_report(measurement, found, settings);
+  const std::string written =
+      write_fit_report(report, fit_page(report, measurement, found, source), options.report);
+  if (options.quiet) return;
+  print_out("{}\n", cross_validation_words(report.checked));
+  for (const std::string& figure : report.without_picture) print_out("no picture of {}\n", figure);
+  print_out("{}\n", written);
+}
+
 int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
+  std::optional<OutputFolder> report_folder;
+  if (!options.report.empty()) report_folder.emplace(options.report);
   const Measurement measurement = clean(read_measurements(options.measurements, {}), {});
   for (const std::string& name : measurement.untouched)
     print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);
@@ -45,7 +61,8 @@ int fit(const FitOptions& options) {
     for (const std::string& reason : measurement.without_force)
       print_err("fingerpad: warning: {}; the file is left out\n", reason);
   }
-  const ProfileFit found = fit_profile(measurement, {options.seed, Blocks::trials});
+  const FitSettings settings{options.seed, Blocks::trials};
+  const ProfileFit found = fit_profile(measurement, settings);
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any)
@@ -60,6 +77,7 @@ int fit(const FitOptions& options) {
   if (!options.quiet && options.out != "-") tell_fit(found);
   tell_written(options.quiet, options.out,
                fmt::format("{} trials of {} subjects", found.trials, found.subjects));
+  if (report_folder) tell_report(options, measurement, found, settings, source);
   return 0;
 }
 
@@ -76,6 +94,10 @@ void add_fit(CLI::App& program, Action& action) {
   refuse_empty(
       command->add_option("--out", options->out, "Profile to write (TOML), or - for standard output"))
       ->required();
+  refuse_empty(
+      command->add_option("--report", options->report,
+                          "Folder for a report: report.html, tables, and the paper's figures 3 to 11 from "
+                          "these measurements (SVG and PNG)"));
   command->add_option("--seed", options->seed, "Of the intervals' bootstrap")->capture_default_str();
   add_quiet_flag(*command, options->quiet);
   command->footer(
