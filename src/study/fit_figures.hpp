@@ -17,7 +17,8 @@ struct FitPictureSource {
 // The paper's figures 3 to 11 from a user's own data. A figure that the data cannot support has no panel, and
 // says in its first note why.
 
-/// Fig. 3: the way of the fingertip and the tangential force on it, of the trial whose force goes round most.
+/// With the set-up of fig. 3: the way of the fingertip and the tangential force on it, of the sliding trial
+/// whose force goes round most (a cycloid).
 Chart force_loop_figure(const FitPictureSource& source);
 /// Fig. 4: stick about its centre, raw, averaged over bearings, and the fitted ellipse, per subject.
 Chart stick_ellipse_figure(const FitPictureSource& source);
@@ -31,7 +32,8 @@ Chart force_displacement_figure(const FitPictureSource& source);
 /// Fig. 9: velocity, normal force, tangential force and their ratio where slip gives way to stick, with
 /// v_min.
 Chart phase_change_figure(const FitPictureSource& source);
-/// Fig. 10: position and force of a slipping fingertip, along the motion and along the normal.
+/// Fig. 10: position (less its parabola, which the stroke itself is) and force of a slipping fingertip, along
+/// the motion and along the normal.
 Chart slip_oscillation_figure(const FitPictureSource& source);
 /// Fig. 11: power spectral densities of tangential and normal force in slip.
 Chart slip_spectrum_figure(const FitPictureSource& source);

@@ -15,18 +15,6 @@ constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 constexpr Marker subject_markers[] = {Marker::disc,    Marker::square, Marker::triangle,
                                       Marker::diamond, Marker::ring,   Marker::cross};
 
-/// A subject's own axis at 45 degrees: the mean of its trials, each taken there along the fitted line.
-double own_axis45_m(const FitPictureSource& source, int subject, std::size_t axis, double slope_per_deg) {
-  double sum = 0, count = 0;
-  for (const TrialAxes& axes : source.stick.axes) {
-    const MeasuredTrial& trial = source.measurement.trials[axes.trial];
-    if (trial.subject != subject || !std::isfinite(axes.axis_m[axis])) continue;
-    sum += axes.axis_m[axis] / (1 - slope_per_deg * (trial.inclination_deg - 45));
-    ++count;
-  }
-  return count > 0 ? sum / count : no_value;
-}
-
 /// a/a45 = 1 - s (alpha - 45) over the measured angles, and a little beyond.
 ChartCurve slope_line(std::string name, const CurveStyle& style, double slope_per_deg, double from_deg,
                       double to_deg) {
@@ -37,8 +25,7 @@ ChartCurve slope_line(std::string name, const CurveStyle& style, double slope_pe
 }
 
 /// Points of each subject with a mark of its own.
-void add_axis_points(const FitPictureSource& source, std::size_t axis, double slope_per_deg,
-                     ChartPanel& panel) {
+void add_axis_points(const FitPictureSource& source, std::size_t axis, ChartPanel& panel) {
   std::map<int, ChartCurve> subjects;
   for (const TrialAxes& axes : source.stick.axes) {
     const MeasuredTrial& trial = source.measurement.trials[axes.trial];
@@ -53,7 +40,8 @@ void add_axis_points(const FitPictureSource& source, std::size_t axis, double sl
                                               {}})
                       .first->second;
     curve.x.push_back(trial.inclination_deg);
-    curve.y.push_back(axes.axis_m[axis] / own_axis45_m(source, trial.subject, axis, slope_per_deg));
+    curve.y.push_back(axes.axis_m[axis] / subject_axes_m(source.measurement, source.fit, source.stick.axes,
+                                                         trial.subject, 45)[static_cast<Eigen::Index>(axis)]);
   }
   for (auto& [subject, curve] : subjects) panel.curves.push_back(std::move(curve));
 }
@@ -68,7 +56,7 @@ ChartPanel axis_panel(const FitPictureSource& source, std::size_t axis, double f
                    false,
                    {}};
   panel.y_from_zero = true;
-  add_axis_points(source, axis, std::isfinite(slope_per_deg) ? slope_per_deg : 0, panel);
+  add_axis_points(source, axis, panel);
   if (!std::isfinite(slope_per_deg)) return panel;
   panel.curves.push_back(
       slope_line(fmt::format("{} = 1 - {:.4g} (angle - 45)", axis == 0 ? "a" : "b", slope_per_deg),

@@ -116,10 +116,22 @@ Chart refused_chart(std::string name, std::string title, std::string why) {
 Chart force_loop_figure(const FitPictureSource& source) {
   const std::vector<MeasuredTrial>& trials = source.measurement.trials;
   if (trials.empty()) return refused_chart("figure3", "Force of a fingertip", "no trial has contact");
-  const auto trial = std::max_element(trials.begin(), trials.end(), [](const auto& one, const auto& other) {
-    return roundness(one) < roundness(other);
+  const auto slips = [&](const MeasuredTrial& one) {
+    const auto& phase = source.stick.segments[static_cast<std::size_t>(&one - trials.data())].phase;
+    constexpr double mostly = 0.25;
+    return static_cast<double>(std::count(phase.begin(), phase.end(), PadPhase::slip)) >
+           mostly * static_cast<double>(phase.size());
+  };
+  const bool any_slips = std::any_of(trials.begin(), trials.end(), slips);
+  const auto score = [&](const MeasuredTrial& one) { return any_slips && !slips(one) ? -1 : roundness(one); };
+  const auto trial = std::max_element(trials.begin(), trials.end(), [&](const auto& one, const auto& other) {
+    return score(one) < score(other);
   });
-  Chart chart{"figure3", "The fingertip's way and the force on it (paper, fig. 3 on)", {trial->name}, 2, {}};
+  Chart chart{"figure3",
+              "The fingertip's way and the force on it (set-up of the paper's fig. 3)",
+              {trial->name},
+              2,
+              {}};
   const CurveStyle style{palette::blue, Dash::solid, Marker::none, 0.8};
   ChartCurve way{"", style, {}, {}}, force{"", {palette::vermillion, Dash::solid, Marker::none, 0.8}, {}, {}};
   const std::size_t every = thinning(trial->position_m.size());
@@ -165,9 +177,9 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
     panel.curves.push_back(raw_paths(paths));
     panel.curves.push_back(
         averaged_reach(paths, "farthest tenth, by bearing", {palette::blue, Dash::solid, Marker::disc, 1}));
-    const Vec2 axes_m = fitted_axes_m(source.fit, angle_deg);
+    const Vec2 axes_m = subject_axes_m(source.measurement, source.fit, source.stick.axes, subject, angle_deg);
     if (axes_m.allFinite())
-      panel.curves.push_back(ellipse_curve("fitted, mean of the subjects",
+      panel.curves.push_back(ellipse_curve("fitted to this subject",
                                            {palette::vermillion, Dash::dashed, Marker::none, 1.3},
                                            1e3 * axes_m.x(), 1e3 * axes_m.y()));
     chart.panels.push_back(std::move(panel));

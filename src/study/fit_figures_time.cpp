@@ -6,6 +6,8 @@
 #include <limits>
 #include <optional>
 
+#include <Eigen/Cholesky>
+
 #include "base/spectrum.hpp"
 #include "study/fit_figures.hpp"
 
@@ -91,6 +93,21 @@ std::vector<double> over_span(const MeasuredTrial& trial, const TrialSpan& span,
   for (std::size_t i = span.from; i < span.to; ++i)
     values.push_back(trial.starts_anew[i] ? no_sample : value(i));
   return values;
+}
+
+/// A series less the parabola that fits it best: what trembles about a stroke.
+std::vector<double> less_parabola(const std::vector<double>& values) {
+  const auto count = static_cast<Eigen::Index>(values.size());
+  Eigen::MatrixX3d terms(count, 3);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    const double u =
+        static_cast<double>(2 * i) / static_cast<double>(std::max<Eigen::Index>(count - 1, 1)) - 1;
+    terms.row(i) << 1, u, u * u;
+  }
+  const Eigen::Map<const Eigen::VectorXd> y(values.data(), count);
+  const Eigen::Matrix3d square = terms.transpose() * terms;
+  const Eigen::VectorXd left = y - terms * square.ldlt().solve(terms.transpose() * y);
+  return {left.begin(), left.end()};
 }
 
 void add_marks(const StickSegments& segments, const TrialSpan& span, ChartPanel& panel) {
@@ -202,10 +219,10 @@ Chart slip_oscillation_figure(const FitPictureSource& source) {
   const std::vector<double> t_s(trial.t_s.begin() + static_cast<long>(span.from),
                                 trial.t_s.begin() + static_cast<long>(span.to));
   std::vector<ChartPanel> panels;
-  panels.push_back(strip("position along the motion [mm]", "x [mm]", "along the motion", palette::blue, t_s,
-                         over_span(trial, span, [&](std::size_t i) {
-                           return 1e3 * (trial.position_m[i] - trial.position_m[span.from]).dot(way);
-                         })));
+  std::vector<double> way_mm;
+  for (std::size_t i = span.from; i < span.to; ++i) way_mm.push_back(1e3 * trial.position_m[i].dot(way));
+  panels.push_back(strip("position along the motion, less its parabola [mm]", "x, less parabola [mm]",
+                         "along the motion", palette::blue, t_s, less_parabola(way_mm)));
   panels.push_back(strip("height [mm]", "height [mm]", "height", palette::sky_blue, t_s,
                          over_span(trial, span, [&](std::size_t i) {
                            return 1e3 * (trial.height_m[i] - trial.height_m[span.from]);

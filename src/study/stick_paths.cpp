@@ -26,11 +26,18 @@ std::vector<DrawnStretch> drawn_stretches(const StickSegments& segments) {
   return found;
 }
 
+/// mu_s of the fit; where it is refused that at which a profile's axes hold then.
+double mu_of_axes(const ProfileFit& fit) {
+  const double fitted = fitted_number(fit, PadNumber::mu_static);
+  return std::isfinite(fitted) ? fitted : 0.3;
+}
+
 /// Displacement for a unit of force ratio, lateral and longitudinal.
-Vec2 compliance_m(const ProfileFit& fit, double inclination_deg) {
-  const double mu_static = fitted_number(fit, PadNumber::mu_static);
+Vec2 compliance_m(const ProfileFit& fit, const Vec2& own_axes_m, double inclination_deg) {
+  const double mu_static = mu_of_axes(fit);
+  if (own_axes_m.allFinite()) return own_axes_m / mu_static;
   const Vec2 axes_m = fitted_axes_m(fit, inclination_deg);
-  if (axes_m.allFinite()) return axes_m / (std::isfinite(mu_static) ? mu_static : 0.3);
+  if (axes_m.allFinite()) return axes_m / mu_static;
   const double stiffness = fitted_number(fit, PadNumber::stick_stiffness);
   return Vec2::Constant(std::isfinite(stiffness) ? 1 / stiffness : 0);
 }
@@ -92,19 +99,41 @@ Vec2 fitted_axes_m(const ProfileFit& fit, double inclination_deg) {
           axis_m(PadNumber::longitudinal_axis, PadNumber::longitudinal_slope)};
 }
 
+Vec2 subject_axes_m(const Measurement& measurement, const ProfileFit& fit, const std::vector<TrialAxes>& axes,
+                    int subject, double inclination_deg) {
+  Vec2 sum(0, 0), count(0, 0);
+  const Vec2 at45_m = fitted_axes_m(fit, 45);
+  for (const TrialAxes& of : axes) {
+    const MeasuredTrial& trial = measurement.trials[of.trial];
+    if (trial.subject != subject) continue;
+    const Vec2 falls = fitted_axes_m(fit, trial.inclination_deg).cwiseQuotient(at45_m);
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      const double at45 = of.axis_m[static_cast<std::size_t>(axis)] / falls[axis];
+      if (!std::isfinite(at45)) continue;
+      sum[axis] += at45;
+      ++count[axis];
+    }
+  }
+  const Vec2 own_m = sum.cwiseQuotient(count);  // 0/0 where there is none
+  return own_m.cwiseProduct(fitted_axes_m(fit, inclination_deg).cwiseQuotient(at45_m));
+}
+
 StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit) {
   StickPicture picture;
-  const double fitted_mu = fitted_number(fit, PadNumber::mu_static);
-  const double mu_static = std::isfinite(fitted_mu) ? fitted_mu : 0.3;  // at which a profile's axes hold then
+  std::vector<std::vector<DrawnStretch>> stretches;
+  for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
+    picture.segments.push_back(stick_segments(measurement.trials[k]));
+    stretches.push_back(drawn_stretches(picture.segments.back()));
+    picture.axes.push_back(
+        axes_of(measurement, k, picture.segments.back(), stretches.back(), mu_of_axes(fit)));
+  }
   for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
     const MeasuredTrial& trial = measurement.trials[k];
-    picture.segments.push_back(stick_segments(trial));
-    const StickSegments& segments = picture.segments.back();
-    const std::vector<DrawnStretch> stretches = drawn_stretches(segments);
-    const Vec2 compliance = compliance_m(fit, trial.has_direction ? trial.inclination_deg : 45);
-    for (const DrawnStretch& stretch : stretches)
-      picture.paths.push_back(path_of(measurement, k, segments, stretch, compliance));
-    picture.axes.push_back(axes_of(measurement, k, segments, stretches, mu_static));
+    const double angle_deg = trial.has_direction ? trial.inclination_deg : 45;
+    const Vec2 compliance = compliance_m(
+        fit, subject_axes_m(measurement, fit, picture.axes, trial.subject, angle_deg), angle_deg);
+    for (const DrawnStretch& stretch : stretches[k])
+      picture.paths.push_back(path_of(measurement, k, picture.segments[k], stretch, compliance));
   }
   return picture;
 }

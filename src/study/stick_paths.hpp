@@ -28,13 +28,18 @@ struct StickPicture {
   std::vector<TrialAxes> axes;
 };
 
-/// Finds each stretch of stick and its centre: the place at which the fitted spring of the trial's angle
-/// would bear no force, the mean of x + A q with A the fitted ellipse's axes over mu_s (without axes: 1/k_f
-/// both ways).
+/// Finds each stretch of stick and its centre: the place at which the subject's own spring would bear no
+/// force, the mean of x + A q with A the subject's axes over mu_s (where it has none the fitted ones, and
+/// without those 1/k_f both ways).
 StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit);
 
 /// The fitted axes at an inclination [m], lateral and longitudinal; nan where the fit gives none.
 Vec2 fitted_axes_m(const ProfileFit& fit, double inclination_deg);
+
+/// A subject's own axes at an inclination [m]: the mean of its trials' (TrialAxes), each taken to 45 degrees
+/// and from there along the fitted lines; nan where no trial was pushed along one.
+Vec2 subject_axes_m(const Measurement& measurement, const ProfileFit& fit, const std::vector<TrialAxes>& axes,
+                    int subject, double inclination_deg);
 
 /// A number of the fit; nan where it is refused.
 double fitted_number(const ProfileFit& fit, PadNumber number) noexcept;
