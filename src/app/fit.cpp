@@ -5,6 +5,7 @@
 
 #include "app/commands.hpp"
 #include "app/fit_pictures.hpp"
+#include "app/measurement_options.hpp"
 #include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
@@ -20,6 +21,7 @@ namespace {
 struct FitOptions {
   std::vector<std::string> measurements;
   std::string out, report;
+  MeasurementOptions reading;
   std::uint64_t seed = 1;
   bool quiet = false;
 };
@@ -54,7 +56,11 @@ int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
   std::optional<OutputFolder> report_folder;
   if (!options.report.empty()) report_folder.emplace(options.report);
-  const Measurement measurement = clean(read_measurements(options.measurements, {}), {});
+  RecordedMeasurement recorded =
+      read_measurements(options.measurements, measurement_format(options.reading), options.reading.reader);
+  for (const std::string& note : recorded.notes) print_err("fingerpad: {}\n", note);
+  for (const std::string& warning : recorded.warnings) print_err("fingerpad: warning: {}\n", warning);
+  const Measurement measurement = clean(std::move(recorded), {});
   for (const std::string& name : measurement.untouched)
     print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);
   if (!measurement.trials.empty()) {
@@ -98,6 +104,7 @@ void add_fit(CLI::App& program, Action& action) {
       command->add_option("--report", options->report,
                           "Folder for a report: report.html, tables, and the paper's figures 3 to 11 from "
                           "these measurements (SVG and PNG)"));
+  add_measurement_options(*command, options->reading);
   command->add_option("--seed", options->seed, "Of the intervals' bootstrap")->capture_default_str();
   add_quiet_flag(*command, options->quiet);
   command->footer(

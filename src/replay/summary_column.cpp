@@ -50,7 +50,8 @@ constexpr SummaryColumn figure_columns[] = {
     {"residual_rms_n", "N",
      "of a motion with a measured force: the root mean square of the model's whole force less the measured "
      "one; "
-     "else nan"},
+     "else nan",
+     Kind::number, true},
 };
 
 constexpr SummaryColumn contact_columns[] = {

@@ -33,10 +33,6 @@ void take_normal_force(Scene& scene, std::size_t word) {
   scene.motion.format.reads_normal_force = word == 1;
 }
 
-void take_field_format(Scene& scene, std::size_t word) {
-  scene.motion.format.name = field_formats()[word].name;
-}
-
 void take_force_on(Scene& scene, std::size_t word) {
   scene.motion.format.forces_on_surface = word == 1;
 }
@@ -158,14 +154,10 @@ void read_positions_file(const SceneKey& row, const TomlTable& motion, Scene& sc
   scene.motion.format.positions_path = resolved_path(scene.path, text_that_is_there(row, motion));
 }
 
-SceneKey field_format_key(std::string_view key) {
+void read_field_format(const SceneKey& row, const TomlTable& motion, Scene& scene) {
   std::vector<std::string> names;
   for (const FieldFormat& format : field_formats()) names.emplace_back(format.name);
-  const std::string first = names.front();
-  SceneKey row = choice_key<take_field_format>(
-      key, std::move(names), "", "how others save recordings; not written: as the keys here say");
-  row.shown = '"' + first + '"';
-  return row;
+  scene.motion.format.name = names[motion.choice(row.key, 0, names)];
 }
 
 SceneKey force_on_key(std::string_view key) {

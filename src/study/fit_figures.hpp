@@ -32,7 +32,7 @@ Chart force_displacement_figure(const FitPictureSource& source);
 /// Fig. 9: velocity, normal force, tangential force and their ratio where slip gives way to stick, with
 /// v_min.
 Chart phase_change_figure(const FitPictureSource& source);
-/// Fig. 10: position (less its parabola, which the stroke itself is) and force of a slipping fingertip, along
+/// Fig. 10: position (less its mean over 50 ms, the stroke itself) and force of a slipping fingertip, along
 /// the motion and along the normal.
 Chart slip_oscillation_figure(const FitPictureSource& source);
 /// Fig. 11: power spectral densities of tangential and normal force in slip.

@@ -6,8 +6,6 @@
 #include <limits>
 #include <optional>
 
-#include <Eigen/Cholesky>
-
 #include "base/spectrum.hpp"
 #include "study/fit_figures.hpp"
 
@@ -95,19 +93,17 @@ std::vector<double> over_span(const MeasuredTrial& trial, const TrialSpan& span,
   return values;
 }
 
-/// A series less the parabola that fits it best: what trembles about a stroke.
-std::vector<double> less_parabola(const std::vector<double>& values) {
-  const auto count = static_cast<Eigen::Index>(values.size());
-  Eigen::MatrixX3d terms(count, 3);
-  for (Eigen::Index i = 0; i < count; ++i) {
-    const double u =
-        static_cast<double>(2 * i) / static_cast<double>(std::max<Eigen::Index>(count - 1, 1)) - 1;
-    terms.row(i) << 1, u, u * u;
+/// A series less its mean over a window about each sample, which ends cut short on both sides: what trembles
+/// about a stroke.
+std::vector<double> less_moving_mean(const std::vector<double>& values, std::size_t half) {
+  std::vector<double> left;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    const std::size_t reach = std::min({half, i, values.size() - 1 - i});
+    double sum = 0;
+    for (std::size_t j = i - reach; j <= i + reach; ++j) sum += values[j];
+    left.push_back(values[i] - sum / static_cast<double>(2 * reach + 1));
   }
-  const Eigen::Map<const Eigen::VectorXd> y(values.data(), count);
-  const Eigen::Matrix3d square = terms.transpose() * terms;
-  const Eigen::VectorXd left = y - terms * square.ldlt().solve(terms.transpose() * y);
-  return {left.begin(), left.end()};
+  return left;
 }
 
 void add_marks(const StickSegments& segments, const TrialSpan& span, ChartPanel& panel) {
@@ -221,8 +217,11 @@ Chart slip_oscillation_figure(const FitPictureSource& source) {
   std::vector<ChartPanel> panels;
   std::vector<double> way_mm;
   for (std::size_t i = span.from; i < span.to; ++i) way_mm.push_back(1e3 * trial.position_m[i].dot(way));
-  panels.push_back(strip("position along the motion, less its parabola [mm]", "x, less parabola [mm]",
-                         "along the motion", palette::blue, t_s, less_parabola(way_mm)));
+  constexpr double half_window_s = 0.025;
+  const auto half = static_cast<std::size_t>(half_window_s * trial.rate_hz);
+  panels.push_back(strip("position along the motion, less its mean over 50 ms [mm]", "x less mean [mm]",
+                         "along the motion, less its mean over 50 ms", palette::blue, t_s,
+                         less_moving_mean(way_mm, half)));
   panels.push_back(strip("height [mm]", "height [mm]", "height", palette::sky_blue, t_s,
                          over_span(trial, span, [&](std::size_t i) {
                            return 1e3 * (trial.height_m[i] - trial.height_m[span.from]);

@@ -50,6 +50,31 @@ TEST(CrossValidation, AFittedPadLeavesLessOfTrialsItHasNotSeen) {
   EXPECT_EQ(cross_validation_table(checked).rows.size(), 6u);
 }
 
+TEST(CrossValidation, ATrialUnlikeTheOthersIsForetoldBadly) {
+  std::string table = "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,dx,dy,dz,subject,trial\n";
+  RandomStream random(5);
+  for (const int number : {1, 2, 3, 4})
+    table += test::round_rows({1, number, number == 4 ? 2.4 : 0.8, 45, true, 1.2}, random);
+  const std::string path = (test::scratch_dir() / "cycloids.csv").string();
+  std::ofstream(path) << table;
+  const Measurement measurement = clean(read_measurements({path}, {}), {});
+  const CrossValidation checked = cross_validate(measurement, {});
+  ASSERT_EQ(checked.trials.size(), 4u);
+  const auto odd = std::find_if(checked.trials.begin(), checked.trials.end(),
+                                [](const HeldOutTrial& trial) { return trial.name.ends_with("trial 4"); });
+  ASSERT_NE(odd, checked.trials.end());
+  Measurement alone;
+  alone.trials = {measurement.trials.back()};
+  const MeasuredTrial& trial = alone.trials.front();
+  const std::vector<Vec2> own_n =
+      pad_force_n(trial, stick_segments(trial), fitted_pad(fit_profile(alone, {})));
+  double squares = 0;
+  for (std::size_t i = 0; i < own_n.size(); ++i)
+    squares += (own_n[i] - trial.normal_force_n[i] * trial.force_ratio[i]).squaredNorm();
+  // Its own pad, three times as large as that of the others, would tell it well.
+  EXPECT_GT(odd->fitted_rms_n, 1.5 * std::sqrt(squares / static_cast<double>(own_n.size())));
+}
+
 TEST(CrossValidation, OneTrialForetellsNothing) {
   const Measurement one = measured({few_trials().front()});
   const CrossValidation checked = cross_validate(one, {});
