@@ -18,6 +18,9 @@ void read_chosen_trial(const SceneKey& row, const TomlTable& motion, Scene& scen
 
 SceneKey rate_key(std::string_view key);
 SceneKey motion_kind_key(std::string_view key);
+SceneKey speed_key(std::string_view key);
+SceneKey shape_key(std::string_view key);
+SceneKey frame_key(std::string_view key);
 SceneKey recording_unit_key(std::string_view key);
 SceneKey time_unit_key(std::string_view key);
 SceneKey normal_force_key(std::string_view key);
