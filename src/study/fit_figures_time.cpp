@@ -130,7 +130,7 @@ struct MeanDensity {
   double windows = 0;
 };
 
-MeanDensity mean_density(const FitPictureSource& source) {
+MeanDensity slip_density(const FitPictureSource& source) {
   MeanDensity mean;
   double rate_hz = 0;
   for (const TrialSpan& span : slip_spans(source)) {
@@ -239,7 +239,7 @@ Chart slip_oscillation_figure(const FitPictureSource& source) {
 
 Chart slip_spectrum_figure(const FitPictureSource& source) {
   const std::string title = "Power spectral density of the forces in slip (paper, fig. 11)";
-  const MeanDensity mean = mean_density(source);
+  const MeanDensity mean = slip_density(source);
   if (!(mean.windows > 0)) return strips("figure11", title, {"no slip lasts a quarter of a second"}, {});
   std::vector<std::string> notes;
   if (const double hz = fitted_number(source.fit, PadNumber::vibration); std::isfinite(hz))

@@ -7,7 +7,7 @@ namespace fingerpad {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
-constexpr std::size_t fewest_samples = 8;  // of a stretch that is drawn
+constexpr std::size_t fewest_drawn = 8;  // of a stretch that is drawn
 
 /// A stretch of stick, [from, to), that neither a gap nor a rupture parts.
 struct DrawnStretch {
@@ -21,7 +21,7 @@ std::vector<DrawnStretch> drawn_stretches(const StickSegments& segments) {
     to = from + 1;
     if (segments.phase[from] != PadPhase::stick) continue;
     while (to < samples && segments.phase[to] == PadPhase::stick && !segments.begins_run[to]) ++to;
-    if (to - from >= fewest_samples) found.push_back({from, to});
+    if (to - from >= fewest_drawn) found.push_back({from, to});
   }
   return found;
 }

@@ -237,6 +237,9 @@ TEST(FieldFormat, EachRowIsFoundByItsName) {
     EXPECT_THAT(field_formats_text(), HasSubstr(fmt::format("| `{}` |", row.name)));
   }
   EXPECT_EQ(find_field_format("other"), nullptr);
+  std::ifstream readme(test::source_dir() / "README.md");
+  const std::string text{std::istreambuf_iterator<char>(readme), {}};
+  EXPECT_THAT(text, HasSubstr(field_formats_text()));
 }
 
 }  // namespace
