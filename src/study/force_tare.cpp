@@ -9,30 +9,59 @@
 namespace fingerpad {
 namespace {
 
-constexpr double least_run_s = 0.05, margin_s = 0.015;
+constexpr double window_s = 0.05;
 
-/// Runs of samples whose normal force is below a limit, without the margins in which contact may begin and
-/// end.
-std::vector<Eigen::Index> low_samples(const RecordedTrial& trial, const std::vector<double>& normal_n,
-                                      double limit_n) {
-  const auto shortest = static_cast<Eigen::Index>(std::ceil(least_run_s * trial.rate_hz)),
-             margin = static_cast<Eigen::Index>(std::ceil(margin_s * trial.rate_hz));
-  std::vector<Eigen::Index> found;
-  const Eigen::Index n = trial.samples();
-  for (Eigen::Index from = 0, to = 0; from < n; from = to + 1) {
-    to = from;
-    while (to < n && normal_n[static_cast<std::size_t>(to)] < limit_n) ++to;
-    if (to - from < std::max<Eigen::Index>(shortest, 4)) continue;
-    const Eigen::Index first = from > 0 ? from + margin : 0, last = to < n ? to - margin : n;
-    for (Eigen::Index i = first; i < last; ++i)
-      if (trial.origin[static_cast<std::size_t>(i)] == SampleOrigin::recorded) found.push_back(i);
+/// The forces of a trial in the plate's frame of mind: how hard it is pressed, and how noisy each axis is.
+struct PressLevels {
+  std::vector<double> normal_n;
+  Vec3 noise_n;
+  double low_n, press_n;
+
+  explicit PressLevels(const RecordedTrial& trial) {
+    const Eigen::Index n = trial.samples();
+    std::vector<double> axis_n(static_cast<std::size_t>(n));
+    for (Eigen::Index i = 0; i < n; ++i) normal_n.push_back(trial.normal_W.dot(trial.force_W.col(i)));
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      for (Eigen::Index i = 0; i < n; ++i) axis_n[static_cast<std::size_t>(i)] = trial.force_W(axis, i);
+      noise_n[axis] = sample_noise(axis_n);
+    }
+    low_n = quantile(normal_n, 0.01);
+    press_n = quantile(normal_n, 0.9);
   }
+  /// Below it nothing may press.
+  double near_n() const noexcept { return low_n + 0.25 * (press_n - low_n); }
+};
+
+/// Whether a window's forces are as still as their noise, and low.
+bool is_still(const RecordedTrial& trial, const PressLevels& levels, Eigen::Index from, Eigen::Index to) {
+  constexpr double stillness = 2.5;
+  Vec3 mean = Vec3::Zero(), squares = Vec3::Zero();
+  const auto count = static_cast<double>(to - from);
+  for (Eigen::Index i = from; i < to; ++i) {
+    const auto k = static_cast<std::size_t>(i);
+    if (trial.origin[k] == SampleOrigin::missing || levels.normal_n[k] > levels.near_n()) return false;
+    mean += trial.force_W.col(i) / count;
+  }
+  for (Eigen::Index i = from; i < to; ++i) squares += (trial.force_W.col(i) - mean).cwiseAbs2() / count;
+  return (squares.cwiseSqrt().array() <= stillness * levels.noise_n.array() + 1e-9 * levels.press_n).all();
+}
+
+/// The samples of all windows that are still and low.
+std::vector<Eigen::Index> free_samples(const RecordedTrial& trial, const PressLevels& levels) {
+  const auto window = std::max<Eigen::Index>(4, std::lround(window_s * trial.rate_hz));
+  std::vector<Eigen::Index> found;
+  for (Eigen::Index from = 0; from + window <= trial.samples(); from += window / 2) {
+    if (!is_still(trial, levels, from, from + window)) continue;
+    for (Eigen::Index i = found.empty() ? from : std::max(from, found.back() + 1); i < from + window; ++i)
+      found.push_back(i);
+  }
+  if (found.size() < 20) found.clear();
   return found;
 }
 
 /// A line through an axis' samples.
 struct TareLine {
-  double middle = 0, level_n = 0, slope_n = 0, rest_n = 0;  ///< rest: standard deviation about it
+  double middle = 0, level_n = 0, slope_n = 0;
   double at(double i) const noexcept { return level_n + slope_n * (i - middle); }
 };
 
@@ -44,16 +73,13 @@ TareLine line_through(const RecordedTrial& trial, Eigen::Index axis, const std::
     line.middle += static_cast<double>(i) / count;
     line.level_n += trial.force_W(axis, i) / count;
   }
-  double squares = 0, drift = 0, rest = 0;
+  double squares = 0, drift = 0;
   for (const Eigen::Index i : samples) {
     const double off = static_cast<double>(i) - line.middle;
     squares += off * off;
     drift += off * (trial.force_W(axis, i) - line.level_n);
   }
   if (takes_slope && squares > 0) line.slope_n = drift / squares;
-  for (const Eigen::Index i : samples)
-    rest += std::pow(trial.force_W(axis, i) - line.at(static_cast<double>(i)), 2);
-  line.rest_n = std::sqrt(rest / count);
   return line;
 }
 
@@ -61,32 +87,32 @@ TareLine line_through(const RecordedTrial& trial, Eigen::Index axis, const std::
 
 void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
   const Eigen::Index n = trial.samples();
-  std::vector<double> normal_n;
-  normal_n.reserve(static_cast<std::size_t>(n));
-  for (Eigen::Index i = 0; i < n; ++i) normal_n.push_back(trial.normal_W.dot(trial.force_W.col(i)));
-  const double noise_n = sample_noise(normal_n), low_n = quantile(normal_n, 0.01),
-               press_n = quantile(normal_n, 0.9);
-  const double limit_n = low_n + std::max(6 * noise_n, 0.03 * (press_n - low_n)),
-               near_n = low_n + 0.25 * (press_n - low_n);
-  if (!(press_n - low_n > 20 * noise_n) || !(limit_n < near_n)) return;
-  const std::vector<Eigen::Index> free = low_samples(trial, normal_n, limit_n);
-  const auto between =
-      std::count_if(normal_n.begin(), normal_n.end(), [&](double f) { return f > limit_n && f < near_n; });
-  if (free.size() < 20 || static_cast<double>(between) > 0.5 * static_cast<double>(free.size())) return;
+  const PressLevels levels(trial);
+  const double noise_n = std::abs(trial.normal_W.cwiseAbs().dot(levels.noise_n));
+  if (!(levels.press_n - levels.low_n > 20 * noise_n)) return;
+  const std::vector<Eigen::Index> free = free_samples(trial, levels);
+  if (free.empty()) return;
   const bool takes_slope = 3 * (free.back() - free.front()) > n;
   Vec3 begin_n, end_n;
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<double> samples;
-    for (Eigen::Index i = 0; i < n; ++i) samples.push_back(trial.force_W(axis, i));
     const TareLine line = line_through(trial, axis, free, takes_slope);
-    if (line.rest_n > 2.5 * sample_noise(samples) + 1e-9 * press_n) return;  // something touches it
     begin_n[axis] = line.at(0);
     end_n[axis] = line.at(static_cast<double>(n - 1));
   }
-  for (Eigen::Index i = 0; i < n; ++i)
-    trial.force_W.col(i) -=
-        begin_n +
-        (static_cast<double>(i) / static_cast<double>(std::max<Eigen::Index>(n - 1, 1))) * (end_n - begin_n);
+  const double last = static_cast<double>(std::max<Eigen::Index>(n - 1, 1));
+  const auto tare_at = [&](Eigen::Index i) -> Vec3 {
+    return begin_n + (static_cast<double>(i) / last) * (end_n - begin_n);
+  };
+  // A finger that presses less now and then passes slowly through the forces in between; one that is lifted
+  // is gone.
+  constexpr double most_between = 0.3;
+  long between = 0;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double above_n = levels.normal_n[static_cast<std::size_t>(i)] - trial.normal_W.dot(tare_at(i));
+    if (above_n > 8 * noise_n && above_n < 0.25 * (levels.press_n - levels.low_n)) ++between;
+  }
+  if (static_cast<double>(between) > most_between * static_cast<double>(free.size())) return;
+  for (Eigen::Index i = 0; i < n; ++i) trial.force_W.col(i) -= tare_at(i);
   cleaning.free_samples = static_cast<long>(free.size());
   cleaning.tare_begin_n = begin_n;
   cleaning.tare_end_n = end_n;

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <Eigen/Geometry>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 

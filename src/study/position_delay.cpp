@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "study/block_draws.hpp"
+#include "study/phase_stretch.hpp"
 
 namespace fingerpad {
 namespace {
@@ -12,23 +13,21 @@ namespace {
 constexpr double longest_s = 0.05;
 constexpr int lags_each_way = 50;
 
-/// Samples [from, to).
-struct LagStretch {
-  std::size_t from, to;
-};
-
 /// The part of a trial around i without a gap.
-LagStretch unbroken_around(const MeasuredTrial& trial, std::size_t from, std::size_t to, std::size_t reach) {
-  LagStretch found{from, to};
+PhaseStretch unbroken_around(const MeasuredTrial& trial, std::size_t from, std::size_t to,
+                             std::size_t reach) {
+  PhaseStretch found{from, to};
   while (found.from > 0 && from - found.from < reach && !trial.starts_anew[found.from]) --found.from;
   while (found.to < trial.starts_anew.size() && found.to - to < reach && !trial.starts_anew[found.to])
     ++found.to;
   return found;
 }
 
-void add_stretch(const MeasuredTrial& trial, LagStretch stretch, long stride, DelaySums& sums) {
+/// @param noise_m2  variance of the positions' noise, which takes part of what a position explains
+void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, double noise_m2,
+                 DelaySums& sums) {
   const auto reach = static_cast<std::size_t>(lags_each_way * stride);
-  const LagStretch around = unbroken_around(trial, stretch.from, stretch.to, reach);
+  const PhaseStretch around = unbroken_around(trial, stretch.from, stretch.to, reach);
   stretch.from = std::max(stretch.from, around.from + reach);
   stretch.to = std::min(stretch.to, around.to > reach ? around.to - reach : 0);
   if (stretch.to < stretch.from + 5) return;
@@ -46,7 +45,7 @@ void add_stretch(const MeasuredTrial& trial, LagStretch stretch, long stride, De
       xx += x.cwiseProduct(x);
       xq += x.cwiseProduct(trial.force_ratio[i] - mean_q);
     }
-    xx -= sum.cwiseProduct(sum) / count;
+    xx -= sum.cwiseProduct(sum) / count + Vec2::Constant((count - 1) * noise_m2);
     const auto k = static_cast<std::size_t>(lag + lags_each_way);
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       sums.xx[static_cast<std::size_t>(axis)][k] += xx[axis];
@@ -54,6 +53,7 @@ void add_stretch(const MeasuredTrial& trial, LagStretch stretch, long stride, De
     }
   }
   sums.samples += static_cast<long>(stretch.to - stretch.from);
+  sums.noise_m2 += (count - 1) * noise_m2;
 }
 
 /// The lag that explains most, in steps of the grid; nothing where that is at the grid's end.
@@ -63,10 +63,11 @@ std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (times[i] == 0 || trials[i].samples == 0) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      for (std::size_t k = 0; k < count; ++k) {
-        const double xx = trials[i].xx[axis][k], xq = trials[i].xq[axis][k];
-        if (xx > 0 && xq < 0) explained[k] += times[i] * xq * xq / xx;
-      }
+      const std::vector<double>&xx = trials[i].xx[axis], &xq = trials[i].xq[axis];
+      // An axis that hardly moves at some lag would seem to explain anything there.
+      if (!(*std::min_element(xx.begin(), xx.end()) > 4 * trials[i].noise_m2)) continue;
+      for (std::size_t k = 0; k < count; ++k)
+        if (xq[k] < 0) explained[k] += times[i] * xq[k] * xq[k] / xx[k];
     }
   }
   const auto k =
@@ -86,17 +87,10 @@ DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) 
   sums.step_s = static_cast<double>(stride) / trial.rate_hz;
   for (auto* both : {&sums.xx, &sums.xq})
     for (auto& axis : *both) axis.assign(2 * lags_each_way + 1, 0);
-  const std::size_t samples = segments.phase.size(), half = static_cast<std::size_t>(segments.half_window);
-  for (std::size_t i = 0; i < samples;) {
-    LagStretch stretch{i, i + 1};
-    while (stretch.to < samples && segments.phase[stretch.to] == segments.phase[i] &&
-           !segments.begins_run[stretch.to])
-      ++stretch.to;
-    i = stretch.to;
-    if (segments.phase[stretch.from] != PadPhase::stick) continue;
-    if (!segments.begins_run[stretch.from]) stretch.from += half;
-    if (stretch.to < samples && !segments.begins_run[stretch.to]) stretch.to -= std::min(stretch.to, half);
-    if (stretch.from < stretch.to) add_stretch(trial, stretch, stride, sums);
+  const double noise_m2 = segments.position_noise_m * segments.position_noise_m;
+  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
+    const PhaseStretch stretch = inner_stretch(whole, segments);
+    if (stretch.from < stretch.to) add_stretch(trial, stretch, stride, noise_m2, sums);
   }
   return sums;
 }

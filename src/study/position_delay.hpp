@@ -13,6 +13,7 @@ struct DelaySums {
   int subject = 0;
   double step_s = 0;                          ///< between lags
   std::array<std::vector<double>, 2> xx, xq;  ///< per axis and lag, about each stretch's means [m^2], [m]
+  double noise_m2 = 0;                        ///< what noise made of xx, taken off it
   long samples = 0;
 };
 

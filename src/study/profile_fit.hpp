@@ -8,27 +8,12 @@
 #include <vector>
 
 #include "study/block_draws.hpp"
+#include "study/law_residual.hpp"
 #include "study/measurement.hpp"
+#include "study/outlier_trials.hpp"
 #include "study/pad_numbers.hpp"
 
 namespace fingerpad {
-
-/// A trial whose number is far from those of its subject's other trials. It is listed, and counted all the
-/// same.
-struct OutlierTrial {
-  std::size_t trial = 0;  ///< of Measurement::trials
-  std::string name;
-  PadNumber number = PadNumber::mu_static;
-  double value = 0, usual = 0;  ///< its own, and the median of the subject's
-};
-
-/// How well the pad's law repeats the measured forces.
-struct LawResidual {
-  double share = 0;     ///< RMS of what it leaves of the force ratio, over the RMS of that
-  double expected = 0;  ///< likewise, of the sensors' noise and the vibration of slip
-  long samples = 0;
-  std::string misfit;  ///< why the pad's law does not fit; empty where it does
-};
 
 /// A profile from measurements.
 struct ProfileFit {
@@ -53,8 +38,9 @@ struct FitSettings {
 ///
 /// Interval: a block bootstrap, the trials of each subject drawn with replacement (so it holds for these
 /// subjects, not for those who were not measured; with Blocks::subjects whole subjects are drawn); the
-/// estimate -+ Student's t times the spread of the draws (interval_reach). The same seed gives the same
-/// intervals.
+/// estimate -+ Student's t times the spread of the draws (interval_reach), and as far as the number moves
+/// where the sensors' noise is a tenth more than the fit has taken off, and ruptures a twentieth of a sample
+/// later: both are estimates too. The same seed gives the same intervals.
 ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings);
 
 /// The profile as a file (TOML), which read_profile takes if it has both axes.

@@ -14,11 +14,16 @@ double quantile(std::span<const double> samples, double share) {
 }
 
 double sample_noise(std::span<const double> samples) {
-  if (samples.size() < 8) return 0;
   std::vector<double> bends;
   bends.reserve(samples.size());
   for (std::size_t i = 2; i < samples.size(); ++i)
     bends.push_back(std::abs(samples[i] - 2 * samples[i - 1] + samples[i - 2]));
+  return noise_of_bends(bends);
+}
+
+double noise_of_bends(std::span<const double> bends) {
+  constexpr std::size_t fewest = 6;
+  if (bends.size() < fewest) return 0;
   // A median of rounded numbers is itself rounded; it only says which bends are events.
   const double largest = 4 * std::max(quantile(bends, 0.5), 0.5 * quantile(bends, 0.75)) / 0.6745;
   double squares = 0, count = 0;

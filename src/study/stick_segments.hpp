@@ -48,9 +48,9 @@ struct StickSegments {
 /// also be against the motion, q.v < 0. A window whose spread is under four times the noise of positions
 /// tells nothing.
 ///
-/// A rupture is a step in which |q| falls more than in the steps around it by six standard deviations and 1.5
-/// times their size (medians). So a sensor must pass the drop within one sample.
-/// Noise is told from second differences (their median, so that ruptures do not count).
+/// A rupture is a step in which |q| falls by a twelfth, and more than in the steps around it by four and a
+/// half standard deviations and by their size (medians). So a sensor must pass the drop within one sample.
+/// Noise is told from second differences (sample_noise), so that ruptures do not count.
 StickSegments stick_segments(const MeasuredTrial& trial);
 
 /// Every boundary between phases of a trial, in order, with its reason.
