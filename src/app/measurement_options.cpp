@@ -79,7 +79,7 @@ void add_measurement_options(CLI::App& command, MeasurementOptions& options) {
       ->check(CLI::IsMember({".", ","}))
       ->capture_default_str();
   command.add_option("--force-on", options.force_on, "What the measured forces act on")
-      ->check(CLI::IsMember({"finger", "surface"}))
+      ->check(CLI::IsMember({"finger", "plate"}))
       ->capture_default_str();
   refuse_empty(
       command.add_option("--positions", options.positions,
@@ -98,7 +98,7 @@ MeasurementFormat measurement_format(const MeasurementOptions& options) {
   }
   format.dialect = {separator_mark(options.separator), options.decimal.front()};
   format.positions_path = options.positions;
-  format.force_on_plate = options.force_on == "surface";
+  format.force_on_plate = options.force_on == "plate";
   return format;
 }
 

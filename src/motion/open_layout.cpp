@@ -109,7 +109,7 @@ void take_forces(const std::string& path, const RecordingFormat& format,
     if (-normal.minCoeff() > normal.maxCoeff())
       throw refused(path, fmt::format("its fz goes to {:.3g} N and only up to {:.3g} N: pressed on a surface "
                                       "the finger is pushed along the normal, so that forces on it have fz "
-                                      "above 0; say force_on = \"surface\" (--force-on surface) if it is the "
+                                      "above 0; say force_on = \"plate\" (--force-on plate) if it is the "
                                       "load on the surface",
                                       normal.minCoeff(), normal.maxCoeff()));
     if (motion.normal_force_n.empty()) motion.normal_force_n.assign(normal.begin(), normal.end());

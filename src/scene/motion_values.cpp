@@ -196,7 +196,7 @@ void read_field_format(const SceneKey& row, const TomlTable& motion, Scene& scen
 }
 
 SceneKey force_on_key(std::string_view key) {
-  return choice_key<take_force_on>(key, {"finger", "surface"}, "finger", "what the measured force acts on");
+  return choice_key<take_force_on>(key, {"finger", "plate"}, "finger", "what the measured force acts on");
 }
 
 SceneKey chosen_rows_key(std::string_view key, std::string_view doc,

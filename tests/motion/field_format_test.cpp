@@ -149,7 +149,7 @@ TEST(FieldFormat, WhatALayoutLeavesOpenIsAskedFor) {
 TEST(FieldFormat, TheLoadOnTheSurfaceIsToldAndTurnedRound) {
   const fs::path path = finger_files(-1);
   RecordingFormat format = sens3(path);
-  EXPECT_THAT(refusal_of(path, format), HasSubstr("force_on = \"surface\""));
+  EXPECT_THAT(refusal_of(path, format), HasSubstr("force_on = \"plate\""));
   format.forces_on_surface = true;
   EXPECT_EQ(recording(path, format).motion.force_W_n.col(3), Vec3(-0.3, 0.1, 0.8));
 }
