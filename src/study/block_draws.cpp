@@ -1,5 +1,6 @@
 #include "study/block_draws.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -38,8 +39,10 @@ std::vector<int> drawn_times(const std::vector<int>& subject_of, Blocks blocks, 
 double interval_reach(const DrawSpread& spread, double blocks, double groups) {
   constexpr double least_freedom = 2;
   const double freedom = blocks - groups;
+  // Blocks do not weigh alike, so that fewer of them tell the spread: half.
+  const double telling = std::max(least_freedom, blocks / 2 - groups);
   if (freedom < least_freedom || spread.count < 2) return 0;
-  const double t = freedom < 3 ? 4.303 : student_t(freedom);
+  const double t = telling < 3 ? 4.303 : student_t(telling);
   return t * std::sqrt(blocks / freedom) * std::sqrt(spread.squares / (spread.count - 1));
 }
 

@@ -27,6 +27,7 @@ struct DrawSpread {
 
 /// How far a 95 % interval reaches to either side of an estimate: Student's t times the spread of the draws,
 /// widened by sqrt(n/(n-1)) for the n blocks of a group that a draw holds less different than they are.
+/// Half the blocks count as Student's degrees of freedom: they do not weigh alike.
 /// @param blocks  that were drawn, of `groups` groups (of trials: subjects; of subjects: one)
 /// @returns 0 where there are too few blocks to tell
 double interval_reach(const DrawSpread& spread, double blocks, double groups);

@@ -47,7 +47,7 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
     RecordedRow row;
     row.t_s = motion.t_s[static_cast<std::size_t>(i)];
     row.position_W = motion.p_WQ.col(i);
-    row.force_W = motion.force_W_n.col(i);
+    row.force_W = format.newtons_per_unit * motion.force_W_n.col(i);
     trial.add(row);
   }
   trial.finish(into);

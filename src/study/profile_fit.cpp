@@ -17,17 +17,24 @@ constexpr int bootstrap_draws = 400;
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
 /// lie a twentieth of a sample later than in its middle.
 std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit, const FitPoint& point) {
-  constexpr double unsure = 0.1, later = 0.05;
+  constexpr double unsure = 0.1, later = 0.05, earlier = 0.5, beside = 0.025;
   std::vector<TrialEvidence> noisier = fit.evidence;
   for (TrialEvidence& trial : noisier) {
     for (std::size_t axis = 0; axis < 2; ++axis) trial.spring[axis] -= unsure * trial.spring_noise[axis];
     trial.rupture_ratio += later * trial.rupture_rise;
+    trial.stop_speed_m_per_s += earlier * trial.stop_slowing_m_per_s;
   }
   const PadValues values = pad_numbers(noisier, std::vector<int>(noisier.size(), 1), point);
   std::array<double, pad_number_keys.size()> moved{};
   for (std::size_t k = 0; k < moved.size(); ++k) {
     if (fit.values[k].refusal.empty() && values[k].refusal.empty())
       moved[k] = std::abs(values[k].value - fit.values[k].value);
+  }
+  if (point.vibration) {
+    const double step_hz =
+        point.vibration->rate_hz / static_cast<double>(vibration_window(point.vibration->rate_hz));
+    moved[static_cast<std::size_t>(PadNumber::vibration)] += beside * step_hz;
+    moved[static_cast<std::size_t>(PadNumber::vibration_bandwidth)] += beside * step_hz;
   }
   return moved;
 }
@@ -92,31 +99,6 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   }
   add_intervals(subject_of, settings, point, fit);
   return fit;
-}
-
-std::string profile_text(const ProfileFit& fit, const std::string& source) {
-  std::string numbers, intervals, samples, refusals;
-  for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
-    const PadValue& value = fit.values[k];
-    const std::string_view key = pad_number_keys[k];
-    if (!value.refusal.empty()) {
-      refusals += fmt::format("{} = {}\n", key, write_toml_value(toml_text(value.refusal)));
-      continue;
-    }
-    const auto decimal = [](double number) {
-      const std::string text = number_text(number);
-      return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-    };
-    numbers += fmt::format("{} = {}\n", key, decimal(value.value));
-    samples += fmt::format("{} = {}\n", key, value.samples);
-    if (const auto& both = fit.interval[k])
-      intervals += fmt::format("{} = [{}, {}]\n", key, decimal(both->first), decimal(both->second));
-  }
-  return fmt::format(
-      "{}source = {}\n\n[interval]  # 95 %, over the trials of these subjects\n{}"
-      "\n[samples]  # of stick or slip; of mu_static ruptures, of v_min ends of slip, of "
-      "vibration_hz windows\n{}\n[refused]\n{}",
-      numbers, write_toml_value(toml_text(source)), intervals, samples, refusals);
 }
 
 }  // namespace fingerpad

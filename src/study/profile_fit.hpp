@@ -39,11 +39,9 @@ struct FitSettings {
 /// Interval: a block bootstrap, the trials of each subject drawn with replacement (so it holds for these
 /// subjects, not for those who were not measured; with Blocks::subjects whole subjects are drawn); the
 /// estimate -+ Student's t times the spread of the draws (interval_reach), and as far as the number moves
-/// where the sensors' noise is a tenth more than the fit has taken off, and ruptures a twentieth of a sample
-/// later: both are estimates too. The same seed gives the same intervals.
+/// where what the sampling leaves unknown is a little otherwise: the sensors' noise a tenth more than was
+/// taken off, ruptures a twentieth of a sample later, ends of slip half a sample earlier, the peak of
+/// vibration a fortieth of the spectrum's step beside. The same seed gives the same intervals.
 ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings);
-
-/// The profile as a file (TOML), which read_profile takes if it has both axes.
-std::string profile_text(const ProfileFit& fit, const std::string& source);
 
 }  // namespace fingerpad

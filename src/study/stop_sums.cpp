@@ -52,9 +52,14 @@ std::optional<double> end_of_slip_m(const SlipStop& stop, double stiffness_per_m
   return sum / count;
 }
 
-/// The speed at a place of the way: a parabola through the positions around it.
-std::optional<double> speed_at_m(const MeasuredTrial& trial, const StickSegments& segments,
-                                 const Vec2& forward, std::size_t near, double place_m) {
+/// How a finger moves at a place of its way.
+struct StopSpeed {
+  double speed_m_per_s, slowing_m_per_s;  ///< slowing: from sample to sample
+};
+
+/// At a place of the way, by a parabola through the positions around it.
+std::optional<StopSpeed> speed_at_m(const MeasuredTrial& trial, const StickSegments& segments,
+                                    const Vec2& forward, std::size_t near, double place_m) {
   const auto half = static_cast<std::size_t>(2 * segments.half_window);
   const std::size_t count = trial.position_m.size();
   // The sample closest to the place.
@@ -73,7 +78,7 @@ std::optional<double> speed_at_m(const MeasuredTrial& trial, const StickSegments
     t -= (way->at(t) - place_m) / slope;
   }
   if (!(std::abs(t) < static_cast<double>(half))) return std::nullopt;
-  return way->slope_at(t) * trial.rate_hz;
+  return StopSpeed{way->slope_at(t) * trial.rate_hz, std::abs(2 * way->bend_m * trial.rate_hz)};
 }
 
 }  // namespace
@@ -95,7 +100,8 @@ void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, co
     const auto speed =
         speed_at_m(trial, segments, forward, std::min(slip.to, trial.position_m.size() - 1), *end_m);
     if (!speed) continue;
-    evidence.stop_speed_m_per_s += *speed;
+    evidence.stop_speed_m_per_s += speed->speed_m_per_s;
+    evidence.stop_slowing_m_per_s += speed->slowing_m_per_s;
     ++evidence.stops;
   }
 }

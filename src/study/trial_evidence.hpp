@@ -43,7 +43,8 @@ struct TrialEvidence {
   double slip_load = 0, slip_load_2 = 0, slip_load_ratio = 0;  ///< sums of L, L^2 and L r, L = ln(n/load_n)
   double slip_log_load = 0;                                    ///< sum of ln(n/1 N)
   long slip_samples = 0;
-  double stop_speed_m_per_s = 0;  ///< sum over ends of slip of the speed at which q begins to rise
+  double stop_speed_m_per_s = 0;    ///< sum over ends of slip of the speed at which q begins to rise
+  double stop_slowing_m_per_s = 0;  ///< sum of how much the finger slows there from sample to sample
   long stops = 0;
   std::vector<double> power;  ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
