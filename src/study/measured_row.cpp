@@ -114,8 +114,9 @@ void RowReader::take_sensor(std::span<const double> numbers, RecordedRow& row) c
   const Vec3 force_W = sensor.rotation_WS * row.force_W;
   row.force_W = force_W;
   if (!has(MeasuredColumn::torque) || format_.markers) return;
+  const double sign = format_.force_on_plate ? -1 : 1;
   const Vec3 torque_W =
-      sensor.rotation_WS * (format_.newton_metres_per_unit * vector(numbers, MeasuredColumn::torque));
+      sensor.rotation_WS * (sign * format_.newton_metres_per_unit * vector(numbers, MeasuredColumn::torque));
   const Vec3& n = row.normal_W;
   const double height_m = sensor.plate_height_m - n.dot(sensor.origin_W), normal_n = n.dot(force_W);
   // n x (r x f) = r (n.f) - f (n.r), so that r = (n x tau + h f)/(n.f) with h = n.r: McCarthy 1990's centre

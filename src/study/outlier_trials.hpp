@@ -17,8 +17,8 @@ struct OutlierTrial {
 };
 
 /// Trials whose mu_static, mu_dynamic, v_min or stiffness (against the angle's usual) is off their subject's
-/// median by more than a tenth and five times the usual distance from it (median absolute deviation, as a
-/// standard deviation). Subjects of fewer than five trials with the number are passed over.
+/// median by more than a tenth (v_min a quarter) and five times the usual distance from it (median absolute
+/// deviation, as a standard deviation). Subjects of fewer than five trials with the number are passed over.
 std::vector<OutlierTrial> outlier_trials(const Measurement& measurement,
                                          const std::vector<TrialEvidence>& evidence);
 

@@ -38,9 +38,38 @@ SpringNoise noise_in_stick(const MeasuredTrial& trial, const std::vector<PhaseSt
   return noise;
 }
 
+/// Which way the finger goes at a sample: over a window that is wide enough for a slow finger's noise.
+class MotionDirection {
+ public:
+  MotionDirection(const MeasuredTrial& trial, int half_window)
+      : trial_(trial),
+        reach_(static_cast<std::size_t>(4 * half_window)),
+        sums_(trial.position_m.size() + 1, Vec2(0, 0)) {
+    for (std::size_t i = 0; i < trial.position_m.size(); ++i)
+      sums_[i + 1] = sums_[i] + trial.position_m[i] - trial.position_m.front();
+  }
+
+  /// Unit; zero where the finger does not move.
+  Vec2 at(std::size_t i) const {
+    std::size_t reach = 0;
+    while (reach < reach_ && i > reach && i + reach < trial_.position_m.size() &&
+           !trial_.starts_anew[i - reach] && (reach == 0 || !trial_.starts_anew[i + reach]))
+      ++reach;
+    if (reach == 0) return {0, 0};
+    const Vec2 way = sums_[i + reach] - 2 * sums_[i] + sums_[i - reach];
+    return way.norm() > 0 ? Vec2(way.normalized()) : Vec2(0, 0);
+  }
+
+ private:
+  const MeasuredTrial& trial_;
+  std::size_t reach_;
+  std::vector<Vec2> sums_;
+};
+
 /// Means over a group of samples, per axis the terms of the spring.
 std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments& segments,
-                                 const std::vector<Vec2>& ratio, std::size_t from, std::size_t to) {
+                                 const std::vector<Vec2>& ratio, const MotionDirection& direction,
+                                 std::size_t from, std::size_t to) {
   Vec2 x(0, 0), r(0, 0), v(0, 0);
   const auto count = static_cast<double>(to - from);
   for (std::size_t i = from; i < to; ++i) {
@@ -48,11 +77,11 @@ std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments
     r -= ratio[i] / count;
     v += segments.velocity_m_per_s[i] / count;
   }
-  const double speed = v.norm();
+  const Vec2 along = direction.at((from + to) / 2);
   std::array<Terms, 2> terms;
   for (Eigen::Index axis = 0; axis < 2; ++axis)
-    terms[static_cast<std::size_t>(axis)] << x[axis], r[axis], r[axis] * r.squaredNorm(),
-        speed > 0 ? v[axis] / speed : 0, v[axis];
+    terms[static_cast<std::size_t>(axis)] << x[axis], r[axis], r[axis] * r.squaredNorm(), along[axis],
+        v[axis];
   return terms;
 }
 
@@ -88,6 +117,7 @@ void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
     if (s.to - s.from >= fewest_groups * std::min<std::size_t>(wanted, 2)) stretches.push_back(s);
   }
   const SpringNoise noise = noise_in_stick(trial, stretches, ratio);
+  const MotionDirection direction(trial, segments.half_window);
   std::vector<std::array<Terms, 2>> groups;
   for (const PhaseStretch& s : stretches) {
     const std::size_t length = s.to - s.from,
@@ -95,7 +125,8 @@ void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
     const std::size_t count = length / size;
     groups.clear();
     for (std::size_t k = 0; k < count; ++k)
-      groups.push_back(group_terms(trial, segments, ratio, s.from + k * size, s.from + (k + 1) * size));
+      groups.push_back(
+          group_terms(trial, segments, ratio, direction, s.from + k * size, s.from + (k + 1) * size));
     for (std::size_t axis = 0; axis < 2; ++axis) {
       Terms mean = Terms::Zero();
       for (const auto& terms : groups) mean += terms[axis] / static_cast<double>(count);
