@@ -1,13 +1,18 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "app/commands.hpp"
+#include "app/fit_options.hpp"
+#include "app/fit_pictures.hpp"
+#include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "base/output_place.hpp"
-#include "study/profile_fit.hpp"
+#include "study/measurement_reader.hpp"
+#include "study/profile_text.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
@@ -15,36 +20,57 @@ namespace {
 
 struct FitOptions {
   std::vector<std::string> measurements;
-  std::string out;
+  std::string out, report;
   std::uint64_t seed = 1;
   bool quiet = false;
+  ReadingOptions reading;
+  CleaningOptions cleaning;
 };
 
 void tell_fit(const ProfileFit& fit) {
+  for (const std::string& note : fit_notes(fit)) print_out("{}\n", note);
   for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
     const PadValue& value = fit.values[k];
     if (!value.refusal.empty()) {
-      print_out("{:<27} refused: {}\n", std::string(pad_number_keys[k]), value.refusal);
+      print_out("{:<30} refused: {}\n", std::string(pad_number_keys[k]), value.refusal);
       continue;
     }
     const auto& both = fit.interval[k];
-    print_out("{:<27} {:<11.5g} {} ({} samples, {} trials)\n", std::string(pad_number_keys[k]), value.value,
+    print_out("{:<30} {:<11.5g} {} ({} samples, {} trials)\n", std::string(pad_number_keys[k]), value.value,
               both ? fmt::format("95 %: {:.5g} .. {:.5g}", both->first, both->second)
                    : std::string("too few trials for an interval"),
               value.samples, value.trials);
   }
 }
 
+void tell_report(const FitOptions& options, const Measurement& measurement, const ProfileFit& found,
+                 const FitSettings& settings, const std::string& source) {
+  const FitReport report = fit_report(measurement, found, settings);
+  const std::string written =
+      write_fit_report(report, fit_page(report, measurement, found, source), options.report);
+  if (options.quiet) return;
+  print_out("{}\n", cross_validation_words(report.checked));
+  for (const std::string& figure : report.without_picture) print_out("no picture of {}\n", figure);
+  print_out("{}\n", written);
+}
+
 int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
-  const Measurement measurement = read_measurements(options.measurements);
+  std::optional<OutputFolder> report_folder;
+  if (!options.report.empty()) report_folder.emplace(options.report);
+  RecordedMeasurement recorded =
+      read_measurements(options.measurements, measurement_format(options.reading), options.reading.reader);
+  for (const std::string& note : recorded.notes) print_err("fingerpad: {}\n", note);
+  for (const std::string& warning : recorded.warnings) print_err("fingerpad: warning: {}\n", warning);
+  const Measurement measurement = clean(std::move(recorded), cleaning_settings(options.cleaning));
   for (const std::string& name : measurement.untouched)
     print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);
   if (!measurement.trials.empty()) {
     for (const std::string& reason : measurement.without_force)
       print_err("fingerpad: warning: {}; the file is left out\n", reason);
   }
-  const ProfileFit found = fit_profile(measurement, options.seed);
+  const FitSettings settings{options.seed, blocks_of(options.cleaning)};
+  const ProfileFit found = fit_profile(measurement, settings);
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any)
@@ -57,8 +83,11 @@ int fit(const FitOptions& options) {
   file.write(profile_text(found, source));
   file.commit();
   if (!options.quiet && options.out != "-") tell_fit(found);
+  if (!found.residual.misfit.empty())
+    print_err("fingerpad: warning: the pad's law does not fit: {}\n", found.residual.misfit);
   tell_written(options.quiet, options.out,
                fmt::format("{} trials of {} subjects", found.trials, found.subjects));
+  if (report_folder) tell_report(options, measurement, found, settings, source);
   return 0;
 }
 
@@ -68,13 +97,20 @@ void add_fit(CLI::App& program, Action& action) {
   auto options = std::make_shared<FitOptions>();
   CLI::App* command = program.add_subcommand("fit", "Fit a finger pad's profile to measurements");
   command
-      ->add_option("MEASUREMENT", options->measurements,
-                   "CSV: t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n (force on the finger), and optionally nx,ny,nz "
-                   "(default 0,0,1), dx,dy,dz (finger direction), subject, trial (whole numbers)")
+      ->add_option(
+          "MEASUREMENT", options->measurements,
+          "CSV or HDF5, traces too: t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n (force on the finger), and optionally "
+          "nx,ny,nz (default 0,0,1), dx,dy,dz (finger direction), subject, trial (whole numbers)")
       ->required();
   refuse_empty(
       command->add_option("--out", options->out, "Profile to write (TOML), or - for standard output"))
       ->required();
+  refuse_empty(
+      command->add_option("--report", options->report,
+                          "Folder for a report: report.html, tables, and the paper's figures 3 to 11 from "
+                          "these measurements (SVG and PNG)"));
+  add_reading_options(*command, options->reading);
+  add_cleaning_options(*command, options->cleaning);
   command->add_option("--seed", options->seed, "Of the intervals' bootstrap")->capture_default_str();
   add_quiet_flag(*command, options->quiet);
   command->footer(

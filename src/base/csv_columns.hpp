@@ -32,7 +32,8 @@ struct CsvRequest {
   std::vector<std::string_view> optional = {};  ///< names that may be there
   CsvDialect dialect = {};
   TableSource source = TableSource::file;
-  std::string mend = {};  ///< what to do where a column is missing, for people; may be empty
+  std::string mend = {};    ///< what to do where a column is missing, for people; may be empty
+  bool takes_gaps = false;  ///< a cell that is empty or nan is not a number, instead of refused
 };
 
 /// Reads named columns of a CSV file whose first line is a header; other columns, blank lines and lines that

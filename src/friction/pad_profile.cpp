@@ -33,9 +33,22 @@ constexpr NumberKey number_keys[] = {
     {"vibration_hz", &PadProfile::vibration_hz, true, false},
 };
 
-/// What a fitted profile says besides: of the surface that was touched, which a scene
-/// names itself, and how sure the numbers are.
-constexpr std::string_view fitted_numbers[] = {"mu_dynamic", "stick_stiffness_per_m"};
+/// What a fitted profile says besides: of the surface that was touched, which a scene names itself, of the
+/// spring's shape and of the pad along the normal. Those in the second row may have any sign.
+constexpr std::string_view fitted_sizes[] = {"mu_dynamic",
+                                             "mu_load_n",
+                                             "stick_stiffness_per_m",
+                                             "longitudinal_stiffness_per_m",
+                                             "vibration_bandwidth_hz",
+                                             "normal_stiffness_n_per_m",
+                                             "normal_exponent"};
+constexpr std::string_view fitted_numbers[] = {"mu_load_exponent",
+                                               "lateral_linearity",
+                                               "longitudinal_linearity",
+                                               "lateral_cubic_share",
+                                               "longitudinal_cubic_share",
+                                               "lateral_hysteresis_area_m",
+                                               "longitudinal_hysteresis_area_m"};
 constexpr std::string_view fitted_tables[] = {"interval", "samples", "refused"};
 
 std::string place(const std::string& path, const toml::source_region& source) {
@@ -71,8 +84,11 @@ void read_entry(const std::string& path, const toml::key& key, const toml::node&
     profile.*number.member = number_of(path, number, node);
     return;
   }
-  for (const std::string_view fitted : fitted_numbers) {
+  for (const std::string_view fitted : fitted_sizes) {
     if (key.str() == fitted) return void(number_of(path, {fitted, nullptr, true, false}, node));
+  }
+  for (const std::string_view fitted : fitted_numbers) {
+    if (key.str() == fitted) return void(number_of(path, {fitted, nullptr, false, false}, node));
   }
   for (const std::string_view fitted : fitted_tables) {
     if (key.str() != fitted) continue;
@@ -83,6 +99,7 @@ void read_entry(const std::string& path, const toml::key& key, const toml::node&
   if (key.str() != "source") {
     std::string known = "source";
     for (const NumberKey& number : number_keys) known += fmt::format(", {}", number.key);
+    for (const std::string_view fitted : fitted_sizes) known += fmt::format(", {}", fitted);
     for (const std::string_view fitted : fitted_numbers) known += fmt::format(", {}", fitted);
     for (const std::string_view fitted : fitted_tables) known += fmt::format(", [{}]", fitted);
     throw refused(place(path, key.source()),

@@ -49,6 +49,10 @@ class FingerPath {
   FingerSample at(long k) const noexcept;
   /// Between the ticks too: where the finger is at this time of the motion's own clock.
   FingerSample at_time(double t_s) const noexcept;
+  /// Whether the force on the finger was measured, and what it was at tick k.
+  bool has_measured_force() const noexcept;
+  /// @pre has_measured_force(), 0 <= k < tick_count()
+  Vec3 measured_force_W_n(long k) const noexcept;
 
   /// Null for a motion made from a formula.
   const Motion* recording() const noexcept;

@@ -6,7 +6,7 @@ namespace fingerpad {
 
 void place(Motion& motion, const Mat3& rotation, const Vec3& position_m) {
   motion.p_WQ = (rotation * motion.p_WQ).colwise() + position_m;
-  for (Points* vectors : {&motion.direction_W, &motion.push_W_n, &motion.velocity_W}) {
+  for (Points* vectors : {&motion.direction_W, &motion.push_W_n, &motion.velocity_W, &motion.force_W_n}) {
     if (vectors->cols() > 0) *vectors = rotation * *vectors;
   }
   const Attitude turn(rotation);

@@ -13,6 +13,7 @@
 #include "base/file_identity.hpp"
 #include "base/path_words.hpp"
 #include "base/text_lines.hpp"
+#include "motion/field_format.hpp"
 
 namespace fingerpad {
 namespace {
@@ -133,7 +134,9 @@ std::vector<std::string> input_files(const Scene& scene) {
   };
   add(scene.path);
   for (const PartEntry& part : scene.parts) add(part.mesh_path);
-  add(scene.motion.file_path);
+  if (!scene.motion.file_path.empty()) {
+    for (const std::string& file : field_files(scene.motion.file_path, scene.motion.format)) add(file);
+  }
   add(scene.finger.profile_path);
   return files;
 }

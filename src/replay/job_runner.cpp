@@ -16,6 +16,7 @@
 #include "base/printable_text.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_job.hpp"
+#include "replay/summary_column.hpp"
 
 namespace fingerpad {
 namespace {
@@ -23,7 +24,8 @@ namespace {
 /// Throws where a figure of a run is no number: the run says nothing then, and its row says why.
 void refuse_nonfinite(const std::vector<double>& figures, const std::string& scene_path) {
   for (std::size_t i = 0; i < figures.size(); ++i) {
-    if (std::isfinite(figures[i])) continue;
+    if (std::isfinite(figures[i]) || (std::isnan(figures[i]) && summary_figure_columns()[i].may_lack))
+      continue;
     throw refused(scene_path,
                   fmt::format("the run's {} is not finite: its numbers left what a double can hold",
                               Figures::names()[i]));

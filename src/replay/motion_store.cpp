@@ -2,9 +2,9 @@
 
 #include <algorithm>
 
-#include "base/content_hash.hpp"
 #include "base/number_text.hpp"
 #include "scene/toml_tree.hpp"
+#include "trace/trace_info.hpp"
 
 namespace fingerpad {
 namespace {
@@ -27,8 +27,7 @@ std::string key_of(const Scene& scene) {
 }
 
 std::shared_ptr<const StoredMotion> read_motion(const Scene& scene) {
-  return std::make_shared<const StoredMotion>(
-      StoredMotion{load_motion(scene), file_hash(scene.motion.file_path)});
+  return std::make_shared<const StoredMotion>(StoredMotion{load_motion(scene), motion_hash_of(scene)});
 }
 
 }  // namespace

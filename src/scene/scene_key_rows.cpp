@@ -182,6 +182,14 @@ std::vector<SceneKey> recording_keys() {
       number_key<motion, &M::smoothing_hz>("smoothing_hz", 0, 1e6,
                                            "low pass without delay that halves this; 0: none"),
       normal_force_key("normal_force"),
+      text_key("format", "\"cluster-texture\"",
+               "or sens3, 4tu-finger-friction, hatt, ieee-1918-kinaesthetic: as others save recordings",
+               read_field_format),
+      text_key("positions", "\"position.csv\"", "where a format has them in a file of their own",
+               read_positions_file),
+      force_on_key("force_on"),
+      chosen_rows_key("subject", "of a table of several, by its column", read_chosen_subject),
+      chosen_rows_key("trial", "likewise", read_chosen_trial),
   };
   for (SceneKey& key : keys) key = beside("file", std::move(key));
   return keys;

@@ -1,37 +1,64 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "base/types.hpp"
+#include "study/cleaning_settings.hpp"
+#include "study/recorded_trial.hpp"
 
 namespace fingerpad {
 
-/// One trial of a measured finger on a flat plate: what the pad did in the plate's plane, in the pad's own
-/// axes (x lateral, y longitudinal, as the friction laws take them).
+/// One trial made clean: what the pad did in the plate's plane while it was pressed, in the pad's own axes (x
+/// lateral, y longitudinal, as the friction laws take them). Samples without contact are left out.
 struct MeasuredTrial {
   int subject = 0;
-  std::string name;  ///< "FILE, trial 3", for messages
+  std::string name;  ///< "FILE, subject 1, trial 3", for messages
   double rate_hz = 0;
-  std::vector<Vec2> position_m;   ///< of the finger
-  std::vector<Vec2> force_ratio;  ///< q: tangential force on the finger over the normal force
+  std::vector<double> t_s;       ///< of the recording, per sample
+  std::vector<Vec2> position_m;  ///< of the finger
+  std::vector<double> height_m;  ///< of the finger along the plate's normal; falls as the pad is pressed
+  std::vector<double> normal_force_n;  ///< > 0
+  std::vector<Vec2> force_ratio;       ///< q: tangential force on the finger over the normal force
   std::vector<bool> starts_anew;  ///< the sample does not follow the one before: samples or contact missed
   bool has_direction = false;     ///< else the axes are arbitrary
   double inclination_deg = 0;     ///< mean, finger against the plate
 };
 
-/// Measurements of one or several subjects.
-struct Measurement {
-  std::vector<MeasuredTrial> trials;   ///< with contact, by file and in the file's order
-  std::vector<std::string> untouched;  ///< names of trials whose finger never presses
-  std::vector<std::string>
-      without_force;  ///< "FILE: column fx_n missing", of files that hold nothing for a fit
+/// What cleaning did to one trial.
+struct TrialCleaning {
+  std::string name;
+  long samples = 0, filled = 0, missing = 0;
+  long free_samples = 0;       ///< without contact, that the tare rests on; 0: no tare was taken
+  Vec3 tare_begin_n{0, 0, 0};  ///< taken off at the trial's begin, in W
+  Vec3 tare_end_n{0, 0, 0};    ///< and at its end; straight in between
+  double hum_hz = 0;           ///< of the mains hum taken off; 0: none was found
+  double hum_n = 0;            ///< its greatest amplitude of an axis
 };
 
-/// Reads CSV tables `t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n` (force on the finger) with optionally `nx,ny,nz`
-/// (default 0,0,1), `dx,dy,dz` (finger direction, towards the tip), `subject` and `trial` (whole numbers). A
-/// trial is a run of rows of one file, subject and trial. Throws Error (refused) as read_csv_columns, and
-/// where times do not increase within a trial, or normals or directions have no length.
-Measurement read_measurements(const std::vector<std::string>& paths);
+/// By how much force lags position. The interval is a bootstrap over the trials.
+struct DelayEstimate {
+  double delay_s = 0;
+  std::optional<std::pair<double, double>> interval_s;  ///< 95 %
+  long samples = 0;                                     ///< of stick, that it rests on
+  std::string refusal;                                  ///< empty: the estimate holds
+};
+
+/// Measurements of one or several subjects, ready for a fit.
+struct Measurement {
+  std::vector<MeasuredTrial> trials;       ///< with contact, by file and in the file's order
+  std::vector<TrialCleaning> cleanings;    ///< of every trial that was read, in that order
+  DelayEstimate delay;                     ///< as it was estimated, whether or not it was taken out
+  std::vector<std::string> untouched;      ///< names of trials whose finger never presses
+  std::vector<std::string> without_force;  ///< as RecordedMeasurement
+  std::vector<std::string> steps;          ///< what was done to the samples, in order, for people
+};
+
+/// Makes a recorded measurement clean. In this order, each step as `settings` has it and told in
+/// Measurement::steps: missing samples, mains hum, tare, delay, low pass, and the turn into the pad's axes.
+/// The recording is used up.
+Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings);
 
 }  // namespace fingerpad

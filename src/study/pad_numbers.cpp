@@ -1,10 +1,13 @@
 #include "study/pad_numbers.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
 
-#include "study/stick_axis_fit.hpp"
+#include "study/press_fit.hpp"
+#include "study/spring_fit.hpp"
 #include "study/vibration_peak.hpp"
 
 namespace fingerpad {
@@ -18,8 +21,7 @@ using EvidenceCount = long TrialEvidence::*;
 /// The mean of the subjects' means. A trial's weight grows with its samples up to `enough` and hardly beyond:
 /// more of them say the same trial again, and a trial of low mu_s ruptures more often.
 PadValue subjects_mean(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
-                       EvidenceSum sum, EvidenceCount count, const char* refusal) {
-  constexpr double enough = 10;
+                       EvidenceSum sum, EvidenceCount count, double enough, const char* refusal) {
   std::map<int, std::pair<double, double>> subjects;
   PadValue found;
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -44,48 +46,146 @@ PadValue plain_stiffness(const std::vector<TrialEvidence>& trials, const std::ve
   std::map<int, std::pair<double, double>> subjects;
   PadValue found;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (times[i] == 0 || trials[i].stick_samples == 0 || !(trials[i].spread_m2.sum() > 0)) continue;
-    auto& [pull, spread] = subjects[trials[i].subject];
-    pull += times[i] * trials[i].pull_m.sum();
-    spread += times[i] * trials[i].spread_m2.sum();
+    const SpringSums both = trials[i].spring[0] + trials[i].spring[1];
+    if (times[i] == 0 || trials[i].stick_samples == 0 || !(both(spring_ratio, spring_ratio) > 0)) continue;
+    auto& [reach, spread] = subjects[trials[i].subject];
+    reach += times[i] * both(spring_position, spring_ratio);
+    spread += times[i] * both(spring_ratio, spring_ratio);
     found.samples += times[i] * trials[i].stick_samples;
     found.trials += times[i];
   }
   for (const auto& [subject, sums] : subjects)
-    found.value += sums.first / sums.second / static_cast<double>(subjects.size());
+    found.value += sums.second / sums.first / static_cast<double>(subjects.size());
   if (!(found.value > 0)) found.refusal = "no stretch of stick was found";
   return found;
 }
 
-PadValue of_axis(const StickAxisFit& fit, double value, const std::string& refusal) {
+/// A number that rests on one axis' stick.
+PadValue of_axis(const SpringFit& fit, double value, const std::string& refusal) {
   return {value, fit.samples, fit.trials, refusal};
+}
+
+/// Where a number of one axis stands.
+struct AxisNumbers {
+  PadNumber axis, slope, stiffness, linearity, cubic_share, hysteresis_area;
+};
+constexpr AxisNumbers axis_numbers[] = {
+    {PadNumber::lateral_axis, PadNumber::lateral_slope, PadNumber::stick_stiffness,
+     PadNumber::lateral_linearity, PadNumber::lateral_cubic_share, PadNumber::lateral_hysteresis_area},
+    {PadNumber::longitudinal_axis, PadNumber::longitudinal_slope, PadNumber::longitudinal_stiffness,
+     PadNumber::longitudinal_linearity, PadNumber::longitudinal_cubic_share,
+     PadNumber::longitudinal_hysteresis_area},
+};
+
+PadValue& value_of(PadValues& values, PadNumber number) {
+  return values[static_cast<std::size_t>(number)];
+}
+
+void add_axis(const SpringFit& fit, const AxisNumbers& numbers, PadValues& found) {
+  const PadValue& mu_static = value_of(found, PadNumber::mu_static);
+  const bool has_limit = mu_static.refusal.empty();
+  const double mu = has_limit ? mu_static.value : assumed_mu_static, bend = fit.cubic * mu * mu;
+  const double axis_m = has_limit ? fit.compliance45_m * mu * (1 + bend) : fit.straight45_m * mu;
+  const std::string no_limit = "no rupture from stick was found: where the spring ends is not known";
+  const std::string shape_refusal = has_limit ? fit.shape_refusal : no_limit,
+                    loop_refusal = has_limit ? fit.hysteresis_refusal : no_limit;
+  value_of(found, numbers.axis) = of_axis(fit, axis_m, fit.axis_refusal);
+  value_of(found, numbers.slope) = of_axis(fit, fit.slope_per_deg, fit.slope_refusal);
+  value_of(found, numbers.stiffness) = of_axis(fit, mu / axis_m, fit.axis_refusal);
+  value_of(found, numbers.linearity) = of_axis(fit, fit.linearity, fit.shape_refusal);
+  value_of(found, numbers.cubic_share) = of_axis(fit, -bend, shape_refusal);
+  value_of(found, numbers.hysteresis_area) = of_axis(fit, 4 * fit.hysteresis_m * mu, loop_refusal);
+}
+
+/// Sums of a subject's slip.
+struct SubjectSlip {
+  double count = 0, ratio = 0, load = 0, load_2 = 0, load_ratio = 0, log_load = 0;
+};
+
+std::map<int, SubjectSlip> slip_of_subjects(const std::vector<TrialEvidence>& trials,
+                                            const std::vector<int>& times, PadValue& found) {
+  std::map<int, SubjectSlip> subjects;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const TrialEvidence& trial = trials[i];
+    if (times[i] == 0 || trial.slip_samples == 0) continue;
+    SubjectSlip& sums = subjects[trial.subject];
+    sums.count += times[i] * static_cast<double>(trial.slip_samples);
+    sums.ratio += times[i] * trial.slip_ratio;
+    sums.load += times[i] * trial.slip_load;
+    sums.load_2 += times[i] * trial.slip_load_2;
+    sums.load_ratio += times[i] * trial.slip_load_ratio;
+    sums.log_load += times[i] * trial.slip_log_load;
+    found.samples += times[i] * trial.slip_samples;
+    found.trials += times[i];
+  }
+  return subjects;
+}
+
+/// The exponent: that of the last pass, and what the ratios taken to its load still change with the load.
+PadValue load_exponent(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
+                       double about) {
+  constexpr double least_spread = 0.1;  // standard deviation of ln n
+  PadValue found;
+  double exponents = 0, count = 0;
+  const auto subjects = slip_of_subjects(trials, times, found);
+  for (const auto& [subject, sums] : subjects) {
+    const double spread = sums.load_2 - sums.load * sums.load / sums.count;
+    if (!(spread > least_spread * least_spread * sums.count) || !(sums.ratio > 0)) continue;
+    const double slope = (sums.load_ratio - sums.load * sums.ratio / sums.count) / spread;
+    exponents += about + slope / (sums.ratio / sums.count);
+    ++count;
+  }
+  if (count > 0) found.value = exponents / count;
+  if (subjects.empty()) found.refusal = "no slip was found";
+  if (!subjects.empty() && count == 0)
+    found.refusal = "the normal force hardly changes: it takes loads that differ by a tenth";
+  return found;
 }
 
 }  // namespace
 
-PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
+PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
+                      const FitPoint& point) {
   PadValues found;
-  const auto at = [&](PadNumber number) -> PadValue& { return found[static_cast<std::size_t>(number)]; };
+  const auto at = [&](PadNumber number) -> PadValue& { return value_of(found, number); };
   at(PadNumber::mu_static) = subjects_mean(trials, times, &TrialEvidence::rupture_ratio,
-                                           &TrialEvidence::ruptures, "no rupture from stick was found");
+                                           &TrialEvidence::ruptures, 10, "no rupture from stick was found");
   at(PadNumber::mu_dynamic) = subjects_mean(trials, times, &TrialEvidence::slip_ratio,
-                                            &TrialEvidence::slip_samples, "no slip was found");
+                                            &TrialEvidence::slip_samples, 500, "no slip was found");
+  at(PadNumber::mu_load_exponent) = load_exponent(trials, times, point.evidence.load.exponent);
   at(PadNumber::v_min) = subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s,
-                                       &TrialEvidence::stops, "no slip that ends in stick was found");
-  const double mu_static =
-      at(PadNumber::mu_static).refusal.empty() ? at(PadNumber::mu_static).value : assumed_mu_static;
-  const PadNumber axes[] = {PadNumber::lateral_axis, PadNumber::longitudinal_axis};
-  const PadNumber slopes[] = {PadNumber::lateral_slope, PadNumber::longitudinal_slope};
-  for (int axis = 0; axis < 2; ++axis) {
-    const StickAxisFit fit = fit_stick_axis(trials, times, axis);
-    at(axes[axis]) = of_axis(fit, mu_static * fit.compliance45_m, fit.axis_refusal);
-    at(slopes[axis]) = of_axis(fit, fit.slope_per_deg, fit.slope_refusal);
-    if (axis > 0) continue;
-    at(PadNumber::stick_stiffness) =
-        fit.axis_refusal.empty() ? of_axis(fit, 1 / fit.compliance45_m, "") : plain_stiffness(trials, times);
-  }
-  at(PadNumber::vibration) = vibration_peak(trials, times);
+                                       &TrialEvidence::stops, 10, "no slip that ends in stick was found");
+  for (int axis = 0; axis < 2; ++axis) add_axis(fit_spring(trials, times, axis), axis_numbers[axis], found);
+  const bool has_direction =
+      std::any_of(trials.begin(), trials.end(), [](const TrialEvidence& t) { return t.has_direction; });
+  if (!has_direction) at(PadNumber::stick_stiffness) = plain_stiffness(trials, times);
+  const VibrationPeak peak =
+      vibration_peak(slip_density(trials, times), point.vibration ? &*point.vibration : nullptr);
+  at(PadNumber::vibration) = {peak.frequency_hz, peak.windows, peak.trials, peak.refusal};
+  at(PadNumber::vibration_bandwidth) = {peak.bandwidth_hz, peak.windows, peak.trials, peak.refusal};
+  const PressFit press = fit_press(trials, times, point.evidence.press_exponent);
+  at(PadNumber::normal_stiffness) = {1 / (press.depth_at_1_n_m * press.exponent), press.samples, press.trials,
+                                     press.refusal};
+  at(PadNumber::normal_exponent) = {1 / press.exponent, press.samples, press.trials, press.refusal};
   return found;
+}
+
+FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point) {
+  const std::vector<int> once(trials.size(), 1);
+  FitPoint next = point;
+  PadValue ignored;
+  double log_load = 0;
+  const auto subjects = slip_of_subjects(trials, once, ignored);
+  for (const auto& [subject, sums] : subjects)
+    log_load += sums.log_load / sums.count / static_cast<double>(subjects.size());
+  if (!subjects.empty()) next.evidence.load.load_n = std::stod(fmt::format("{:.3g}", std::exp(log_load)));
+  const PadValue exponent = load_exponent(trials, once, point.evidence.load.exponent);
+  if (exponent.refusal.empty()) next.evidence.load.exponent = exponent.value;
+  const PressFit press = fit_press(trials, once, point.evidence.press_exponent);
+  if (press.refusal.empty()) next.evidence.press_exponent = std::clamp(press.exponent, 0.1, 2.0);
+  const VibrationPeak peak = vibration_peak(slip_density(trials, once));
+  if (peak.refusal.empty()) next.vibration = peak;
+  return next;
 }
 
 }  // namespace fingerpad

@@ -1,11 +1,13 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "study/trial_evidence.hpp"
+#include "study/vibration_peak.hpp"
 
 namespace fingerpad {
 
@@ -17,14 +19,41 @@ enum class PadNumber {
   longitudinal_slope,
   mu_static,
   mu_dynamic,
+  mu_load_exponent,
   stick_stiffness,
+  longitudinal_stiffness,
+  lateral_linearity,
+  longitudinal_linearity,
+  lateral_cubic_share,
+  longitudinal_cubic_share,
+  lateral_hysteresis_area,
+  longitudinal_hysteresis_area,
   v_min,
   vibration,
+  vibration_bandwidth,
+  normal_stiffness,
+  normal_exponent,
 };
-inline constexpr std::array<std::string_view, 9> pad_number_keys{
-    "lateral_axis_m", "longitudinal_axis_m", "lateral_slope_per_deg", "longitudinal_slope_per_deg",
-    "mu_static",      "mu_dynamic",          "stick_stiffness_per_m", "v_min_m_per_s",
-    "vibration_hz"};
+inline constexpr std::array<std::string_view, 20> pad_number_keys{"lateral_axis_m",
+                                                                  "longitudinal_axis_m",
+                                                                  "lateral_slope_per_deg",
+                                                                  "longitudinal_slope_per_deg",
+                                                                  "mu_static",
+                                                                  "mu_dynamic",
+                                                                  "mu_load_exponent",
+                                                                  "stick_stiffness_per_m",
+                                                                  "longitudinal_stiffness_per_m",
+                                                                  "lateral_linearity",
+                                                                  "longitudinal_linearity",
+                                                                  "lateral_cubic_share",
+                                                                  "longitudinal_cubic_share",
+                                                                  "lateral_hysteresis_area_m",
+                                                                  "longitudinal_hysteresis_area_m",
+                                                                  "v_min_m_per_s",
+                                                                  "vibration_hz",
+                                                                  "vibration_bandwidth_hz",
+                                                                  "normal_stiffness_n_per_m",
+                                                                  "normal_exponent"};
 
 /// A number, how many samples it rests on, and why there is none.
 struct PadValue {
@@ -35,18 +64,35 @@ struct PadValue {
 };
 using PadValues = std::array<PadValue, pad_number_keys.size()>;
 
-/// The profile of the trials' evidence, each counted `times` (a bootstrap's draw; once each for the
+/// What earlier passes over the trials have found, about which the evidence is taken.
+struct FitPoint {
+  EvidencePoint evidence;
+  std::optional<VibrationPeak> vibration;  ///< where a draw's own peak is looked for
+};
+
+/// The numbers of the trials' evidence, each counted `times` (a bootstrap's draw; once each for the
 /// estimate).
 ///
 /// Each subject weighs the same, whatever its samples (paper, "Stick Ellipse"): a number is the mean of the
-/// subjects' own. mu_static is the mean of |q| at ruptures, mu_dynamic of q in slip, v_min of the speeds at
-/// ends of slip. Axes: a trial at angle alpha gives 1/K, and a = mu_s/K. Each subject's line a(alpha) gives
-/// its own a45, by which its points are normalised (figs. 5, 6); the slope s is that of the weighted least
-/// squares line a/a45 = 1 - s (alpha - 45) over all subjects, the weights of a subject's trials (by what they
-/// moved) adding up to 1. Where there is one angle only, slopes are refused and axes given if it is within 10
-/// degrees of 45. Where mu_static is refused, the axes hold at 0.3, a profile's default: their quotient is
-/// what is measured. stick_stiffness is mu_s/a45, k_f; without directions the mean over those that were
-/// pushed. Vibration: the centre of the peak of the mean density of slip (Welch 1967).
-PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
+/// subjects' own. mu_static is the mean of |q| at ruptures, mu_dynamic of q in slip, both at the load of
+/// `point`; mu_load_exponent is that of mu(n) = mu (n/load)^exponent in slip; v_min the mean of the speeds at
+/// ends of slip.
+/// Axes: a trial at angle alpha gives A of x = A (r + beta r^3), and a = A mu_s (1 + beta mu_s^2), where the
+/// spring reaches mu_s. Each subject's line a(alpha) gives its own a45, by which its points are normalised
+/// (figs. 5, 6); the slope s is that of the weighted least squares line a/a45 = 1 - s (alpha - 45) over all
+/// subjects, the weights of a subject's trials (by what they moved) adding up to 1. Where there is one angle
+/// only, slopes are refused and axes given if it is within 10 degrees of 45. Where mu_static is refused, the
+/// axes hold at 0.3, a profile's default, and the spring is taken for straight: their quotient is what is
+/// measured. stick_stiffness is mu_s/a45, k_f across the finger, longitudinal_stiffness along it; without
+/// directions stick_stiffness is the mean over those that were pushed. cubic_share is c of the finger-pad
+/// law's third-order spring, -beta mu_s^2; hysteresis_area that of the loop of force ratio over displacement,
+/// pushed to the limit both ways, 4 h mu_s; linearity the share of the displacement's variance that a
+/// straight line explains. Vibration: see vibration_peak. normal_stiffness is dn/d(depth) at 1 N of n ~
+/// depth^normal_exponent.
+PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
+                      const FitPoint& point);
+
+/// What the next pass is to be taken about.
+FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point);
 
 }  // namespace fingerpad

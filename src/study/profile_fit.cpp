@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <map>
+#include <set>
 
 #include "base/number_text.hpp"
 #include "base/random_stream.hpp"
@@ -14,105 +14,91 @@ namespace {
 
 constexpr int bootstrap_draws = 400;
 
-/// 97.5 % quantile of Student's t, by Cornish and Fisher's expansion (Abramowitz and Stegun 26.7.5): within 1
-/// % from 3 degrees of freedom up.
-double student_t(double freedom) {
-  const double z = 1.959963985, z3 = z * z * z, z5 = z3 * z * z, z7 = z5 * z * z;
-  return z + (z3 + z) / (4 * freedom) + (5 * z5 + 16 * z3 + 3 * z) / (96 * freedom * freedom) +
-         (3 * z7 + 19 * z5 + 17 * z3 - 15 * z) / (384 * freedom * freedom * freedom);
+/// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
+/// lie a twentieth of a sample later than in its middle.
+std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit, const FitPoint& point) {
+  constexpr double unsure = 0.1, later = 0.05, earlier = 0.5, beside = 0.025;
+  std::vector<TrialEvidence> noisier = fit.evidence;
+  for (TrialEvidence& trial : noisier) {
+    for (std::size_t axis = 0; axis < 2; ++axis) trial.spring[axis] -= unsure * trial.spring_noise[axis];
+    trial.rupture_ratio += later * trial.rupture_rise;
+    trial.stop_speed_m_per_s += earlier * trial.stop_slowing_m_per_s;
+  }
+  const PadValues values = pad_numbers(noisier, std::vector<int>(noisier.size(), 1), point);
+  std::array<double, pad_number_keys.size()> moved{};
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    if (fit.values[k].refusal.empty() && values[k].refusal.empty())
+      moved[k] = std::abs(values[k].value - fit.values[k].value);
+  }
+  if (point.vibration) {
+    const double step_hz =
+        point.vibration->rate_hz / static_cast<double>(vibration_window(point.vibration->rate_hz));
+    moved[static_cast<std::size_t>(PadNumber::vibration)] += beside * step_hz;
+    moved[static_cast<std::size_t>(PadNumber::vibration_bandwidth)] += beside * step_hz;
+  }
+  return moved;
 }
 
-using SubjectTrials = std::map<int, std::vector<std::size_t>>;
-
-/// How often each trial is drawn.
-std::vector<int> drawn(const SubjectTrials& subjects, std::size_t trials, RandomStream& random) {
-  std::vector<int> times(trials, 0);
-  for (const auto& [subject, own] : subjects) {
-    for (std::size_t k = 0; k < own.size(); ++k) {
-      const auto pick = static_cast<std::size_t>(random.uniform() * static_cast<double>(own.size()));
-      ++times[own[pick]];
-    }
-  }
-  return times;
-}
-
-/// Mean and spread of a number over the draws that give it.
-struct DrawSpread {
-  double count = 0, mean = 0, squares = 0;
-  void add(double value) {
-    ++count;
-    const double off = value - mean;
-    mean += off / count;
-    squares += off * (value - mean);
-  }
-};
-
-void add_intervals(const std::vector<TrialEvidence>& evidence, const SubjectTrials& subjects,
-                   std::uint64_t seed, ProfileFit& fit) {
+void add_intervals(const std::vector<int>& subject_of, const FitSettings& settings, const FitPoint& point,
+                   ProfileFit& fit) {
   std::array<DrawSpread, pad_number_keys.size()> spreads;
-  RandomStream random(seed);
+  RandomStream random(settings.seed);
   for (int draw = 0; draw < bootstrap_draws; ++draw) {
-    const PadValues values = pad_numbers(evidence, drawn(subjects, evidence.size(), random));
+    const PadValues values =
+        pad_numbers(fit.evidence, drawn_times(subject_of, settings.blocks, random), point);
     for (std::size_t k = 0; k < values.size(); ++k)
       if (values[k].refusal.empty()) spreads[k].add(values[k].value);
   }
+  const auto subjects = static_cast<double>(fit.subjects);
+  const auto unsure = moved_by_sampling(fit, point);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
-    const double freedom = static_cast<double>(fit.values[k].trials) - static_cast<double>(subjects.size());
-    constexpr double least_freedom = 3, most_missing = 0.05;
-    if (!fit.values[k].refusal.empty() || freedom < least_freedom) continue;
-    if (spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
-    const double widened = std::sqrt(static_cast<double>(fit.values[k].trials) / freedom);
-    const double reach =
-        student_t(freedom) * widened * std::sqrt(spreads[k].squares / (spreads[k].count - 1));
-    fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
+    constexpr double most_missing = 0.05;
+    if (!fit.values[k].refusal.empty() || spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
+    const double drawn =
+        settings.blocks == Blocks::subjects
+            ? interval_reach(spreads[k], subjects, 1)
+            : interval_reach(spreads[k], static_cast<double>(fit.values[k].trials), subjects);
+    const double reach = drawn + unsure[k];
+    if (drawn > 0) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
   }
 }
 
 }  // namespace
 
-ProfileFit fit_profile(const Measurement& measurement, std::uint64_t seed) {
-  std::vector<TrialEvidence> evidence;
-  SubjectTrials subjects;
-  for (const MeasuredTrial& trial : measurement.trials) {
-    subjects[trial.subject].push_back(evidence.size());
-    evidence.push_back(trial_evidence(trial, stick_segments(trial)));
-  }
+ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
-  fit.subjects = subjects.size();
-  fit.trials = evidence.size();
-  fit.values = pad_numbers(evidence, std::vector<int>(evidence.size(), 1));
-  if (evidence.empty()) {
+  std::vector<int> subject_of;
+  std::vector<StickSegments> segments;
+  for (const MeasuredTrial& trial : measurement.trials) {
+    subject_of.push_back(trial.subject);
+    segments.push_back(stick_segments(trial));
+  }
+  FitPoint point;
+  constexpr int passes = 4;
+  for (int pass = 0; pass < passes; ++pass) {
+    if (pass > 0) point = next_point(fit.evidence, point);
+    fit.evidence.clear();
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
+  }
+  fit.mu_load_n = point.evidence.load.load_n;
+  fit.outliers = outlier_trials(measurement, fit.evidence);
+  ResidualSums residual;
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    residual.add(measurement.trials[i], segments[i], fit.evidence[i], point.evidence.load);
+  fit.residual = residual.verdict();
+  fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
+  fit.trials = fit.evidence.size();
+  fit.steps = measurement.steps;
+  fit.values = pad_numbers(fit.evidence, std::vector<int>(fit.evidence.size(), 1), point);
+  if (fit.evidence.empty()) {
     for (PadValue& value : fit.values)
       value.refusal =
           measurement.without_force.empty() ? "no trial has contact" : measurement.without_force.front();
+    return fit;
   }
-  if (!evidence.empty()) add_intervals(evidence, subjects, seed, fit);
+  add_intervals(subject_of, settings, point, fit);
   return fit;
-}
-
-std::string profile_text(const ProfileFit& fit, const std::string& source) {
-  std::string numbers, intervals, samples, refusals;
-  for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
-    const PadValue& value = fit.values[k];
-    const std::string_view key = pad_number_keys[k];
-    if (!value.refusal.empty()) {
-      refusals += fmt::format("{} = {}\n", key, write_toml_value(toml_text(value.refusal)));
-      continue;
-    }
-    const auto decimal = [](double number) {
-      const std::string text = number_text(number);
-      return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
-    };
-    numbers += fmt::format("{} = {}\n", key, decimal(value.value));
-    samples += fmt::format("{} = {}\n", key, value.samples);
-    if (const auto& both = fit.interval[k])
-      intervals += fmt::format("{} = [{}, {}]\n", key, decimal(both->first), decimal(both->second));
-  }
-  return fmt::format(
-      "{}source = {}\n\n[interval]  # 95 %, over the trials of these subjects\n{}"
-      "\n[samples]  # of stick or slip; of mu_static ruptures, of v_min ends of slip, of "
-      "vibration_hz windows\n{}\n[refused]\n{}",
-      numbers, write_toml_value(toml_text(source)), intervals, samples, refusals);
 }
 
 }  // namespace fingerpad

@@ -1,10 +1,30 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "study/stick_segments.hpp"
 
 namespace fingerpad {
+
+/// How friction changes with the load: mu(n) = mu (n/load_n)^exponent. Force ratios are taken to what they
+/// would be at load_n.
+struct LoadLaw {
+  double load_n = 1, exponent = 0;
+};
+
+/// What stick says of one axis' spring, as sums over products about each stretch's means; see SpringTerm.
+using SpringSums = Eigen::Matrix<double, 5, 5>;
+/// Rows and columns of SpringSums, for the displacement along one axis
+///   x = A (r + beta r |r|^2) + h v/|v| + d v,   r = -q:
+/// the position, r, r |r|^2, v/|v| and v along the axis.
+enum SpringTerm : Eigen::Index {
+  spring_position,
+  spring_ratio,
+  spring_cubic,
+  spring_direction,
+  spring_speed
+};
 
 /// What one trial says about the pad, as sums: those of several trials add up, so that a bootstrap is quick.
 struct TrialEvidence {
@@ -12,30 +32,45 @@ struct TrialEvidence {
   bool has_direction = false;
   double inclination_deg = 0;
   double rate_hz = 0;
-  /// Sums over stick of dx^2 and of -dq dx, lateral and longitudinal: their quotient is the stiffness per
-  /// newton mu_s/a, mu_s/b (the ellipse's closure parts the axes). dx^2 is without the noise of positions.
-  Vec2 spread_m2{0, 0}, pull_m{0, 0};
+  std::array<SpringSums, 2> spring{SpringSums::Zero(), SpringSums::Zero()};  ///< lateral, longitudinal
+  /// What was taken off `spring` for the sensors' noise, which is itself an estimate.
+  std::array<SpringSums, 2> spring_noise{SpringSums::Zero(), SpringSums::Zero()};
   long stick_samples = 0;
   double rupture_ratio = 0;  ///< sum over ruptures of |q| just before it
+  double rupture_rise = 0;   ///< sum of what |q| rises from sample to sample before them
   long ruptures = 0;
-  double slip_ratio = 0;  ///< sum over slip of -q.v/|v|
+  double slip_ratio = 0;                                       ///< sum over slip of r = -q.v/|v|
+  double slip_load = 0, slip_load_2 = 0, slip_load_ratio = 0;  ///< sums of L, L^2 and L r, L = ln(n/load_n)
+  double slip_log_load = 0;                                    ///< sum of ln(n/1 N)
   long slip_samples = 0;
-  double stop_speed_m_per_s = 0;  ///< sum over ends of slip of the speed at which q begins to rise
+  double stop_speed_m_per_s = 0;    ///< sum over ends of slip of the speed at which q begins to rise
+  double stop_slowing_m_per_s = 0;  ///< sum of how much the finger slows there from sample to sample
   long stops = 0;
-  std::vector<double> power;  ///< sum over pieces of slip of Welch's density of q along the motion
+  std::vector<double> power;  ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
+  /// Sums of products, about the trial's means, of -height, n^w and n^w ln n over means of some samples of
+  /// contact (n in N).
+  Mat3 press = Mat3::Zero();
+  long press_samples = 0, press_groups = 0;
 };
 
 /// The samples of one of Welch's windows, a quarter of a second and a power of two.
 std::size_t vibration_window(double rate_hz);
 
+/// What the last pass over the trials has told, that sums are taken about.
+struct EvidencePoint {
+  LoadLaw load;
+  double press_exponent = 0.5;  ///< w of depth ~ n^w
+};
+
 /// Gathers a trial's evidence.
 ///
 /// mu_s: at a rupture, the line through the last six to eight samples, half a sample after the last of
-/// them. mu_d: mean over slip. Stiffness: regression of q on x in each stretch of stick, without the half
-/// window beside a border that is not a rupture.
+/// them. mu_d: mean over slip. Stiffness: regression of x on q in each stretch of stick, without the half
+/// window beside a border that is not a rupture, over means of some samples, and without the sensors' noise.
 /// v_min (paper, fig. 9): where slip ends, q rises from mu_d along the spring, q = mu_d + K (s - s*); s* is
 /// where slip ended and the speed there is v_min. A stop counts where the rise is five times the noise.
-TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& segments);
+TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& segments,
+                             const EvidencePoint& about);
 
 }  // namespace fingerpad

@@ -1,75 +1,154 @@
 #include "study/vibration_peak.hpp"
 
+#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
+#include <complex>
+#include <numbers>
+#include <unsupported/Eigen/FFT>
 
 namespace fingerpad {
 namespace {
 
-/// The mean density of all windows of slip.
-struct SlipDensity {
-  std::vector<double> power;
-  double step_hz = 0;
-  PadValue found;
+constexpr double lowest_hz = 20;
+using Parameters = Eigen::Vector4d;  // ln frequency, ln bandwidth, ln power, ln floor
+
+/// What Welch's windows are expected to show of the model.
+class WindowedModel {
+ public:
+  WindowedModel(std::size_t length, double rate_hz) : length_(length), rate_hz_(rate_hz), overlap_(length) {
+    std::vector<double> window(length);
+    for (std::size_t i = 0; i < length; ++i)
+      window[i] =
+          0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length));
+    for (std::size_t lag = 0; lag < length; ++lag) {
+      for (std::size_t i = 0; i + lag < length; ++i) overlap_[lag] += window[i] * window[i + lag];
+    }
+    for (std::size_t lag = length; lag-- > 0;) overlap_[lag] /= overlap_[0];
+  }
+
+  /// One-sided density of a vibration of variance 1, per bin: the transform of its correlation times the
+  /// window's.
+  std::vector<double> density(double frequency_hz, double bandwidth_hz) const {
+    const double r = std::exp(-std::numbers::pi * bandwidth_hz / rate_hz_);
+    const double back_1 = 4 * r * r / (1 + r * r) * std::cos(2 * std::numbers::pi * frequency_hz / rate_hz_);
+    std::vector<double> correlation(length_);
+    correlation[0] = 1;
+    correlation[1] = back_1 / (1 + r * r);
+    for (std::size_t k = 2; k < length_; ++k)
+      correlation[k] = back_1 * correlation[k - 1] - r * r * correlation[k - 2];
+    for (std::size_t k = 0; k < length_; ++k) correlation[k] *= overlap_[k];
+    std::vector<double> folded(length_);
+    folded[0] = 1;
+    for (std::size_t k = 1; k < length_; ++k) folded[k] = correlation[k] + correlation[length_ - k];
+    Eigen::FFT<double> fft;
+    std::vector<std::complex<double>> transform;
+    fft.fwd(transform, folded);
+    std::vector<double> density(length_ / 2 + 1);
+    for (std::size_t k = 0; k < density.size(); ++k)
+      density[k] = std::max(2 * transform[k].real() / rate_hz_, 1e-12 / rate_hz_);
+    return density;
+  }
+
+ private:
+  std::size_t length_;
+  double rate_hz_;
+  std::vector<double> overlap_;
 };
 
-SlipDensity mean_density(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
-  SlipDensity mean;
-  double rate_hz = 0;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const TrialEvidence& trial = trials[i];
-    if (times[i] == 0 || trial.pieces == 0) continue;
-    if (rate_hz > 0 && std::abs(trial.rate_hz / rate_hz - 1) > 0.01) {
-      mean.found.refusal = "trials have different rates";
-      return mean;
-    }
-    rate_hz = trial.rate_hz;
-    mean.power.resize(trial.power.size(), 0.0);
-    for (std::size_t k = 0; k < mean.power.size(); ++k) mean.power[k] += times[i] * trial.power[k];
-    mean.found.samples += times[i] * trial.pieces;
-    mean.found.trials += times[i];
+/// One step of Fisher's scoring up Whittle's likelihood, sum of -ln E - P/E over bins.
+Parameters scoring_step(const WindowedModel& model, const SlipDensity& mean, std::size_t first,
+                        std::size_t end, const Parameters& p) {
+  constexpr double nudge = 1e-4;
+  const auto at = [&](double ln_f, double ln_b) { return model.density(std::exp(ln_f), std::exp(ln_b)); };
+  const std::vector<double> here = at(p[0], p[1]), other_f = at(p[0] + nudge, p[1]),
+                            other_b = at(p[0], p[1] + nudge);
+  const double power = std::exp(p[2]), floor = std::exp(p[3]);
+  Eigen::Matrix4d fisher = Eigen::Matrix4d::Zero();
+  Parameters score = Parameters::Zero();
+  for (std::size_t k = first; k < end; ++k) {
+    const double expected = power * here[k] + floor;
+    const Parameters slope(power * (other_f[k] - here[k]) / nudge / expected,
+                           power * (other_b[k] - here[k]) / nudge / expected, power * here[k] / expected,
+                           floor / expected);
+    fisher += slope * slope.transpose();
+    score += (mean.power[k] / expected - 1) * slope;
   }
-  mean.step_hz = rate_hz / static_cast<double>(vibration_window(rate_hz));
-  if (mean.found.trials == 0) mean.found.refusal = "no slip lasts for a window of its spectrum";
-  return mean;
+  fisher.diagonal() *= 1 + 1e-9;
+  Parameters step = fisher.ldlt().solve(score);
+  step = step.cwiseMax(-0.3).cwiseMin(0.3);
+  step[0] = std::clamp(step[0], -0.05, 0.05);
+  return step;
 }
 
 }  // namespace
 
-PadValue vibration_peak(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
-  constexpr double lowest_hz = 20, reach_hz = 8, least_height = 3;
-  SlipDensity mean = mean_density(trials, times);
-  if (!mean.found.refusal.empty()) return mean.found;
-  const auto first = static_cast<std::size_t>(std::ceil(lowest_hz / mean.step_hz));
-  const auto end = static_cast<std::size_t>(0.9 * static_cast<double>(mean.power.size()));
-  if (first + 8 > end) {
-    mean.found.refusal = "the rate is too low to show a vibration";
-    return mean.found;
-  }
-  const auto at = [&](std::size_t k) { return mean.power.begin() + static_cast<long>(k); };
-  std::vector<double> sorted(at(first), at(end));
-  std::nth_element(sorted.begin(), sorted.begin() + static_cast<long>(sorted.size() / 2), sorted.end());
-  const double floor = sorted[sorted.size() / 2];
-  const auto peak = static_cast<std::size_t>(std::max_element(at(first), at(end)) - mean.power.begin());
-  if (!(mean.power[peak] > least_height * floor)) {
-    mean.found.refusal = "no frequency stands out of the spectrum of slip";
-    return mean.found;
-  }
-  double centre_hz = static_cast<double>(peak) * mean.step_hz;
-  for (int pass = 0; pass < 20; ++pass) {
-    double weight = 0, sum = 0;
-    for (std::size_t k = first; k < end; ++k) {
-      const double hz = static_cast<double>(k) * mean.step_hz, off = (hz - centre_hz) / reach_hz;
-      if (std::abs(off) >= 1) continue;
-      // A window that ends softly: the centre moves on smoothly from bin to bin.
-      const double share = (1 - off * off) * std::max(0.0, mean.power[k] - floor);
-      weight += share;
-      sum += share * hz;
+SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
+  SlipDensity mean;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    const TrialEvidence& trial = trials[i];
+    if (times[i] == 0 || trial.pieces == 0) continue;
+    if (mean.rate_hz > 0 && std::abs(trial.rate_hz / mean.rate_hz - 1) > 0.01) {
+      mean.refusal = "trials have different rates";
+      return mean;
     }
-    if (weight > 0) centre_hz = sum / weight;
+    mean.rate_hz = trial.rate_hz;
+    mean.power.resize(trial.power.size(), 0.0);
+    for (std::size_t k = 0; k < mean.power.size(); ++k) mean.power[k] += times[i] * trial.power[k];
+    mean.windows += times[i] * trial.pieces;
+    mean.trials += times[i];
   }
-  mean.found.value = centre_hz;
-  return mean.found;
+  if (mean.trials == 0) mean.refusal = "no slip lasts for a window of its spectrum";
+  for (double& power : mean.power) power /= static_cast<double>(mean.windows);
+  return mean;
+}
+
+VibrationPeak vibration_peak(const SlipDensity& mean, const VibrationPeak* near) {
+  constexpr double least_height = 3;
+  VibrationPeak found;
+  found.refusal = mean.refusal;
+  found.windows = mean.windows;
+  found.trials = mean.trials;
+  found.rate_hz = mean.rate_hz;
+  if (!found.refusal.empty()) return found;
+  const std::size_t length = 2 * (mean.power.size() - 1);
+  const double step_hz = mean.rate_hz / static_cast<double>(length);
+  const auto first = static_cast<std::size_t>(std::ceil(lowest_hz / step_hz)),
+             end = static_cast<std::size_t>(0.9 * static_cast<double>(mean.power.size()));
+  if (first + 8 > end) {
+    found.refusal = "the rate is too low to show a vibration";
+    return found;
+  }
+  const auto at = [&](std::size_t k) { return mean.power.begin() + static_cast<std::ptrdiff_t>(k); };
+  std::vector<double> sorted(at(first), at(end));
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
+                   sorted.end());
+  const double middle = sorted[sorted.size() / 2];
+  const auto peak = static_cast<std::size_t>(std::max_element(at(first), at(end)) - mean.power.begin());
+  if (!(mean.power[peak] > least_height * middle)) {
+    found.refusal = "no frequency stands out of the spectrum of slip";
+    return found;
+  }
+  // Around the peak alone: what else moves slowly or fast in slip is not the model's.
+  constexpr double reach = 0.6;
+  const auto low = std::max(first, static_cast<std::size_t>((1 - reach) * static_cast<double>(peak))),
+             high = std::min(end, static_cast<std::size_t>((1 + reach) * static_cast<double>(peak)) + 1);
+  const WindowedModel model(length, mean.rate_hz);
+  const double begin_bandwidth_hz = std::max(4 * step_hz, 10.0);
+  Parameters p(std::log(static_cast<double>(peak) * step_hz), std::log(begin_bandwidth_hz),
+               std::log(mean.power[peak] * begin_bandwidth_hz), std::log(middle));
+  if (near != nullptr)
+    p = Parameters(near->frequency_hz, near->bandwidth_hz, near->power, near->floor).array().log();
+  const int passes = near != nullptr ? 4 : 60;
+  for (int pass = 0; pass < passes; ++pass) p += scoring_step(model, mean, low, high, p);
+  found.frequency_hz = std::exp(p[0]);
+  found.bandwidth_hz = std::exp(p[1]);
+  found.power = std::exp(p[2]);
+  found.floor = std::exp(p[3]);
+  const bool is_within = found.frequency_hz > lowest_hz && found.frequency_hz < 0.5 * mean.rate_hz;
+  if (!p.allFinite() || !is_within || !(found.bandwidth_hz < 0.5 * mean.rate_hz))
+    found.refusal = "the spectrum of slip has no single peak";
+  return found;
 }
 
 }  // namespace fingerpad

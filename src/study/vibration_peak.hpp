@@ -1,14 +1,38 @@
 #pragma once
 
+#include <string>
 #include <vector>
 
-#include "study/pad_numbers.hpp"
+#include "study/trial_evidence.hpp"
 
 namespace fingerpad {
 
-/// The centre of the highest peak between 20 Hz and nine tenths of half the rate: the mean frequency within
-/// 8 Hz of it, weighted with the density above the median (moved until it stays). Refused where no slip is
-/// long enough for a window, rates differ, or no density is three times the median.
-PadValue vibration_peak(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
+/// The vibration of slip: the spectral peak of the force ratio along the motion.
+struct VibrationPeak {
+  double frequency_hz = 0, bandwidth_hz = 0;
+  double power = 0, floor = 0;  ///< of the vibration [1], and the white density beneath it [1/Hz]
+  double rate_hz = 0;
+  long windows = 0, trials = 0;
+  std::string refusal;  ///< empty: it holds
+};
+
+/// The mean of all windows' densities; nothing in it where there is a refusal.
+struct SlipDensity {
+  std::vector<double> power;
+  double rate_hz = 0;
+  long windows = 0, trials = 0;
+  std::string refusal;
+};
+SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
+
+/// Fits the pad's own model of vibration, a second-order autoregression of a peak's frequency and bandwidth
+/// (SlipVibration), and a white floor to Welch's densities of slip (Welch 1967), by Whittle's likelihood
+/// (1953). The model is seen through the same window as the data, so that neither its width nor the shortness
+/// of slips widens the peak.
+///
+/// Refused where no slip is long enough for a window, rates differ, or no density between 20 Hz and nine
+/// tenths of half the rate is three times the median.
+/// @param near  where to begin, from an earlier fit; nullptr: at the highest density
+VibrationPeak vibration_peak(const SlipDensity& density, const VibrationPeak* near = nullptr);
 
 }  // namespace fingerpad

@@ -67,6 +67,7 @@ void each_field_of_info(Way& way, Info& info) {
   way(info.turning);
   way(info.attitudes);
   way(info.sent);
+  way(info.compared);
   way(info.motion_notes);
   way(info.profile_text);
   way(info.contact_method);

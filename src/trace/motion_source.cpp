@@ -9,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
+#include "motion/field_format.hpp"
 #include "motion/placed_motion.hpp"
 #include "motion/recording.hpp"
 #include "scene/scene_reader.hpp"
@@ -120,10 +121,14 @@ void read_file(Reading& reading) {
                                reading.changes.size()));
     return;
   }
-  char separator = found_separator;
-  reading.motion = read_motion_csv(settings.file_path, settings.format, separator);
-  const std::string how = reading_text(settings.format, separator);
+  FieldRecording recording = read_field_recording(settings.file_path, settings.format);
+  reading.motion = std::move(recording.motion);
+  if (!reads_force) reading.motion.normal_force_n.clear();
+  if (reads_force && reading.motion.normal_force_n.empty())
+    throw refused(settings.file_path, "holds no normal force, which normal_force = \"measured\" asks for");
+  const std::string how = reading_text(settings.format, recording.separator);
   if (!how.empty()) reading.note(how);
+  for (const std::string& note : recording.notes) reading.note(note);
 }
 
 /// A rate that no ticks and no resampling go at.

@@ -29,7 +29,8 @@ enum class ColumnOf {
   estimated,      ///< TraceInfo::estimated
   turning,        ///< TraceInfo::turning
   attitudes,      ///< TraceInfo::attitudes
-  sent            ///< TraceInfo::sent
+  sent,           ///< TraceInfo::sent
+  compared        ///< TraceInfo::compared
 };
 
 /// One column of a trace: all that is known of it. Writers, readers, exports and the documentation go by

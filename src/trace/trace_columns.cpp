@@ -75,7 +75,8 @@ constexpr std::string_view
     seen = "where it is estimated from an encoder's readings: the finger's velocity",
     pointed = "of a finger that turns: its direction, towards the tip",
     turned = "of a finger that turns: its attitude, finger to world",
-    sent = "of a device with motors: what its limits left of the force, in the world's axes";
+    sent = "of a device with motors: what its limits left of the force, in the world's axes",
+    beyond = "of a motion with a measured force: the model's whole force less the measured one";
 
 /// What says whether a trace has such columns; nullptr where nothing needs to.
 bool TraceInfo::*flag_of(ColumnOf of) noexcept {
@@ -90,6 +91,8 @@ bool TraceInfo::*flag_of(ColumnOf of) noexcept {
       return &TraceInfo::attitudes;
     case ColumnOf::sent:
       return &TraceInfo::sent;
+    case ColumnOf::compared:
+      return &TraceInfo::compared;
     case ColumnOf::several_walls:
       return &TraceInfo::several_walls;
     case ColumnOf::every_trace:
@@ -159,6 +162,9 @@ std::span<const TraceColumn> trace_columns() noexcept {
       only(ColumnOf::sent, column<&R::sent_W_n, 0>("sx_n", "N", sent)),
       only(ColumnOf::sent, column<&R::sent_W_n, 1>("sy_n", "N", sent)),
       only(ColumnOf::sent, column<&R::sent_W_n, 2>("sz_n", "N", sent)),
+      only(ColumnOf::compared, column<&R::residual_W_n, 0>("rfx_n", "N", beyond)),
+      only(ColumnOf::compared, column<&R::residual_W_n, 1>("rfy_n", "N", beyond)),
+      only(ColumnOf::compared, column<&R::residual_W_n, 2>("rfz_n", "N", beyond)),
   };
   return table;
 }

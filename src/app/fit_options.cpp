@@ -1,0 +1,224 @@
+#include "app/fit_options.hpp"
+
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "app/output_name.hpp"
+#include "base/error.hpp"
+#include "base/number_text.hpp"
+#include "base/unit.hpp"
+#include "study/measurement_reader.hpp"
+
+namespace fingerpad {
+namespace {
+
+struct NamedFactor {
+  std::string_view name;
+  double factor;
+};
+constexpr NamedFactor force_units[] = {{"N", 1}, {"mN", 1e-3}, {"gf", 9.80665e-3}, {"kgf", 9.80665}};
+constexpr NamedFactor torque_units[] = {{"N.m", 1}, {"N.mm", 1e-3}};
+constexpr NamedFactor separators[] = {
+    {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"bar", '|'}, {"blank", ' '}};
+
+template <std::size_t count>
+std::vector<std::string> names_of(const NamedFactor (&table)[count]) {
+  std::vector<std::string> names;
+  for (const NamedFactor& row : table) names.emplace_back(row.name);
+  return names;
+}
+
+/// @pre the command line has checked that it is there
+template <std::size_t count>
+double factor_of(const NamedFactor (&table)[count], const std::string& name) {
+  const auto is_it = [&](const NamedFactor& row) { return row.name == name; };
+  return std::find_if(std::begin(table), std::end(table), is_it)->factor;
+}
+
+Error fit_usage(const std::string& option, const std::string& what) {
+  return {ErrorKind::usage, option, what};
+}
+
+void take_columns(const std::vector<std::string>& columns, MeasurementFormat& format) {
+  for (const std::string& said : columns) {
+    const std::size_t equals = said.find('=');
+    const std::string key = said.substr(0, equals);
+    const auto is_it = [&](const RecordingColumn& column) { return column.key == key; };
+    const auto found = std::find_if(measurement_columns.begin(), measurement_columns.end(), is_it);
+    if (equals == std::string::npos || equals + 1 == said.size() || found == measurement_columns.end()) {
+      std::string keys;
+      for (const RecordingColumn& column : measurement_columns) keys += fmt::format(" {}", column.key);
+      throw fit_usage("--columns", fmt::format("'{}' is no KEY=NAME with a KEY of:{}", said, keys));
+    }
+    format.headers[static_cast<std::size_t>(found - measurement_columns.begin())] = said.substr(equals + 1);
+  }
+  for (std::size_t i = 0; i < format.headers.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k) {
+      if (!format.headers[i].empty() && format.headers[i] == format.headers[k])
+        throw fit_usage("--columns",
+                        fmt::format("'{}' and '{}' are both the column '{}'", measurement_columns[k].key,
+                                    measurement_columns[i].key, format.headers[i]));
+    }
+  }
+}
+
+std::optional<SixAxisSensor> sensor_of(const ReadingOptions& options) {
+  if (options.sensor_at.empty() && options.sensor_turned.empty()) return std::nullopt;
+  SixAxisSensor sensor;
+  if (!options.sensor_at.empty()) sensor.origin_W = Vec3(options.sensor_at.data());
+  if (!options.sensor_turned.empty()) {
+    const std::vector<double>& q = options.sensor_turned;
+    const Eigen::Quaterniond turn(q[0], q[1], q[2], q[3]);
+    if (!(std::abs(turn.norm() - 1) < 1e-3))
+      throw fit_usage("--sensor-turned",
+                      fmt::format("its length is {}, that of a unit quaternion is 1", turn.norm()));
+    sensor.rotation_WS = turn.normalized().toRotationMatrix();
+  }
+  sensor.plate_height_m = options.plate_height_m;
+  return sensor;
+}
+
+void add_units(CLI::App& command, ReadingOptions& options) {
+  std::vector<std::string> times;
+  for (const TimeUnit& unit : time_units) times.emplace_back(unit.name);
+  command.add_option("--unit", options.unit, "Of positions")
+      ->check(CLI::IsMember(length_unit_names()))
+      ->default_str("m, or the layout's own");
+  command.add_option("--time-unit", options.time_unit, "Of times")
+      ->check(CLI::IsMember(times))
+      ->default_str("s, or the layout's own");
+  command.add_option("--force-unit", options.force_unit, "Of forces")
+      ->check(CLI::IsMember(names_of(force_units)))
+      ->capture_default_str();
+  command.add_option("--torque-unit", options.torque_unit, "Of torques")
+      ->check(CLI::IsMember(names_of(torque_units)))
+      ->capture_default_str();
+  command.add_option("--separator", options.separator, "Between cells; found where it is left out")
+      ->check(CLI::IsMember(names_of(separators)));
+  command.add_option("--decimal", options.decimal, "Mark of numbers")
+      ->check(CLI::IsMember({".", ","}))
+      ->capture_default_str();
+}
+
+}  // namespace
+
+void add_reading_options(CLI::App& command, ReadingOptions& options) {
+  std::vector<std::string> readers;
+  for (const MeasurementReader& reader : measurement_readers()) readers.emplace_back(reader.name);
+  command
+      .add_option("--reader", options.reader,
+                  "Layout of the files; told by their contents where it is left out")
+      ->check(CLI::IsMember(readers));
+  command
+      .add_option(
+          "--columns", options.columns,
+          "Columns that are called otherwise, KEY=NAME,...: t x y z, fx fy fz (force), nx ny nz (plate's "
+          "normal), dx dy dz (finger), m1x.. m2z (markers), tx ty tz (torque), subject, trial")
+      ->delimiter(',');
+  add_units(command, options);
+  command.add_option("--force-on", options.force_on, "What the recorded forces act on")
+      ->check(CLI::IsMember({"finger", "plate"}))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--markers", options.markers,
+          "BEYOND,BELOW: positions are of two markers, proximal (m1x..) and distal (m2x..); the fingertip "
+          "is so far beyond the distal one, along their line, and so far below [m]")
+      ->delimiter(',')
+      ->expected(2);
+  command
+      .add_option(
+          "--sensor-at", options.sensor_at,
+          "X,Y,Z of a six-axis sensor's axes [m]: with torque the contact point is told from the wrench")
+      ->delimiter(',')
+      ->expected(3);
+  refuse_empty(
+      command.add_option("--positions", options.positions,
+                         "A table of positions with a clock of their own, where a --reader has them so"));
+  command
+      .add_option("--sensor-turned", options.sensor_turned,
+                  "W,X,Y,Z: the sensor's axes to those of positions")
+      ->delimiter(',')
+      ->expected(4);
+  command
+      .add_option("--plate-height", options.plate_height_m,
+                  "Of the plate along its normal, with --sensor-at [m]")
+      ->capture_default_str();
+}
+
+void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
+  command
+      .add_option("--fill", options.fill_ms,
+                  "Gaps of samples up to this are filled with a line [ms]; 0: none")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->capture_default_str();
+  command.add_option("--mains", options.mains, "Mains hum to take out of forces: any, 50, 60 or off")
+      ->check(CLI::IsMember({"any", "50", "60", "off"}))
+      ->capture_default_str();
+  command.add_flag("--no-tare", options.no_tare,
+                   "Take forces as they are: no tare from moments without contact");
+  command
+      .add_option(
+          "--delay", options.delay,
+          "By how much force lags position [s], to be taken out; 'found' by cross-correlation, or 'off'")
+      ->capture_default_str();
+  command
+      .add_option("--smoothing", options.smoothing_hz,
+                  "Zero-phase low pass of positions and forces, this frequency being halved [Hz]; 0: none")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
+  command
+      .add_option("--blocks", options.blocks,
+                  "What the intervals' bootstrap draws: trials of each subject, or subjects")
+      ->check(CLI::IsMember({"trials", "subjects"}))
+      ->capture_default_str();
+}
+
+MeasurementFormat measurement_format(const ReadingOptions& options) {
+  MeasurementFormat format;
+  take_columns(options.columns, format);
+  format.says_unit = !options.unit.empty();
+  format.says_time_unit = !options.time_unit.empty();
+  if (format.says_unit) format.metres_per_unit = *metres_per_unit(options.unit);
+  for (const TimeUnit& unit : time_units)
+    if (unit.name == options.time_unit) format.seconds_per_unit = unit.seconds;
+  format.positions_path = options.positions;
+  format.newtons_per_unit = factor_of(force_units, options.force_unit);
+  format.newton_metres_per_unit = factor_of(torque_units, options.torque_unit);
+  if (!options.separator.empty())
+    format.dialect.separator = static_cast<char>(factor_of(separators, options.separator));
+  format.dialect.decimal = options.decimal.front();
+  format.force_on_plate = options.force_on == "plate";
+  if (!options.markers.empty()) format.markers = TwoMarkers{options.markers[0], options.markers[1]};
+  format.sensor = sensor_of(options);
+  return format;
+}
+
+CleaningSettings cleaning_settings(const CleaningOptions& options) {
+  CleaningSettings settings;
+  settings.longest_fill_s = 1e-3 * options.fill_ms;
+  settings.mains = options.mains == "off"  ? Mains::off
+                   : options.mains == "50" ? Mains::hz_50
+                   : options.mains == "60" ? Mains::hz_60
+                                           : Mains::any;
+  settings.takes_tare = !options.no_tare;
+  settings.takes_delay = options.delay == "found";
+  if (options.delay != "found" && options.delay != "off") {
+    settings.delay_s = parse_number(options.delay);
+    if (!settings.delay_s || !(std::abs(*settings.delay_s) <= 1))
+      throw fit_usage(
+          "--delay", fmt::format("'{}' is neither seconds (at most 1) nor 'found' nor 'off'", options.delay));
+  }
+  settings.smoothing_hz = options.smoothing_hz;
+  return settings;
+}
+
+Blocks blocks_of(const CleaningOptions& options) {
+  return options.blocks == "subjects" ? Blocks::subjects : Blocks::trials;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,120 @@
+#include "base/csv_row_reader.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "base/csv_header.hpp"
+#include "base/error.hpp"
+#include "base/printable_text.hpp"
+
+namespace fingerpad {
+namespace {
+
+using Wanted = CsvRowReader::Wanted;
+
+/// One row of a table.
+struct Row {
+  const TextLines& lines;  ///< that it is the last read of
+  std::vector<std::string_view> cells;
+};
+
+/// A row of more cells than the header names is some other row: a form feed that ends rows, a comma that is
+/// a decimal mark. Blank ones at its end are a trailing separator.
+void refuse_extra_cells(const Row& row, std::size_t header_cells) {
+  for (std::size_t i = header_cells; i < row.cells.size(); ++i) {
+    if (row.cells[i].empty()) continue;
+    throw refused(row.lines.place(),
+                  fmt::format("has {} cells, but the header has {}", row.cells.size(), header_cells));
+  }
+}
+
+/// A row of words below the header says in what its columns are measured.
+void refuse_units(const Row& row, const std::vector<Wanted>& wanted, char decimal) {
+  const bool are_words = std::all_of(wanted.begin(), wanted.end(), [&](const Wanted& column) {
+    return column.cell < row.cells.size() && !row.cells[column.cell].empty() &&
+           !csv_number(row.cells[column.cell], '.') && !csv_number(row.cells[column.cell], decimal) &&
+           row.cells[column.cell].find_first_of("0123456789") == std::string_view::npos;
+  });
+  if (!are_words || wanted.size() < 2) return;
+  throw refused(row.lines.place(),
+                fmt::format("is a second line of words ('{}' in column '{}'), and a row of units "
+                            "is not read: put # before it, and say the units in the scene",
+                            printable(row.cells[wanted.front().cell], 40), wanted.front().name));
+}
+
+/// A cell in which nothing was recorded.
+bool is_gap(std::string_view cell) {
+  return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN" || cell == "NA";
+}
+
+double number_in(const Row& row, const Wanted& column, char decimal, bool takes_gaps) {
+  if (column.cell >= row.cells.size()) {
+    throw refused(row.lines.place(), fmt::format("has {} cells, but column '{}' is number {}",
+                                                 row.cells.size(), column.name, column.cell + 1));
+  }
+  const std::string_view cell = row.cells[column.cell];
+  if (takes_gaps && is_gap(cell)) return std::numeric_limits<double>::quiet_NaN();
+  const auto value = csv_number(cell, decimal);
+  if (!value) {
+    const char other = decimal == '.' ? ',' : '.';
+    throw refused(
+        row.lines.place(),
+        fmt::format(
+            "'{}' in column '{}' is no number{}", printable(cell, 40), printable(column.name, 60),
+            csv_number(cell, other) ? fmt::format("; with decimal = \"{}\" it would be one", other) : ""));
+  }
+  if (!std::isfinite(*value))
+    throw refused(row.lines.place(), fmt::format("column '{}' is not finite", printable(column.name, 60)));
+  return *value;
+}
+
+}  // namespace
+
+CsvRowReader::CsvRowReader(const std::string& path, const CsvRequest& request)
+    : lines_(path, {"a table", std::uint64_t{2} << 30, request.source == TableSource::file_or_stream}),
+      decimal_(request.dialect.decimal),
+      takes_gaps_(request.takes_gaps) {
+  const CsvHeader header = read_csv_header(lines_, request);
+  separator_ = header.separator;
+  first_row_ = header.first_row;
+  header_cells_ = csv_cells(header.line, header.separator).size();
+  std::vector<std::string_view> names = request.required;
+  names.insert(names.end(), request.optional.begin(), request.optional.end());
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    const auto cell = csv_column(header.line, names[k], header.place, header.separator);
+    present_.push_back(cell.has_value());
+    if (!cell && k < request.required.size()) throw missing_column(header, names[k], request);
+    if (cell) wanted_.push_back({std::string(names[k]), *cell, k});
+  }
+  numbers_.resize(names.size());
+}
+
+void CsvRowReader::take(std::string_view line) {
+  const Row row{lines_, csv_cells(line, separator_)};
+  if (rows_ == 0) refuse_units(row, wanted_, decimal_);
+  refuse_extra_cells(row, header_cells_);
+  for (const Wanted& column : wanted_) numbers_[column.index] = number_in(row, column, decimal_, takes_gaps_);
+  ++rows_;
+}
+
+bool CsvRowReader::next() {
+  constexpr std::size_t most_rows = 50'000'000;
+  if (!first_row_.empty()) {
+    take(first_row_);
+    first_row_.clear();
+    return true;
+  }
+  for (std::string_view line; lines_.next(line);) {
+    if (is_passed_over(line)) continue;
+    if (rows_ == most_rows)
+      throw refused(lines_.place(), fmt::format("more than {} rows are not read", most_rows));
+    take(line);
+    return true;
+  }
+  return false;
+}
+
+}  // namespace fingerpad

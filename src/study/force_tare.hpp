@@ -1,0 +1,15 @@
+#pragma once
+
+#include "study/measurement.hpp"
+
+namespace fingerpad {
+
+/// Takes off what the force sensor reads while nothing touches it: a straight line in time through the
+/// samples without contact (a constant, where they do not span a third of the trial), on each axis.
+///
+/// Samples are without contact where the normal force is at its lowest for 50 ms and as still as its noise,
+/// and hardly any lie between there and the press: a finger that only presses less does not count. Where
+/// there are none the trial stays as it is, and `free_samples` 0 says so.
+void take_tare(RecordedTrial& trial, TrialCleaning& cleaning);
+
+}  // namespace fingerpad

@@ -1,0 +1,143 @@
+#include "study/law_residual.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/phase_stretch.hpp"
+#include "study/spring_sums.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double group_s = 4e-3, near_s = 0.05;
+
+std::size_t group_size(double rate_hz) {
+  return static_cast<std::size_t>(std::max(1L, std::lround(group_s * rate_hz)));
+}
+
+/// Means of groups of samples of a stretch.
+template <typename Value>
+std::vector<double> group_means(const PhaseStretch& s, std::size_t size, const Value& value) {
+  std::vector<double> means;
+  for (std::size_t from = s.from; from + size <= s.to; from += size) {
+    double sum = 0;
+    for (std::size_t i = from; i < from + size; ++i) sum += value(i);
+    means.push_back(sum / static_cast<double>(size));
+  }
+  return means;
+}
+
+double mean_of(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double value : values) sum += value;
+  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+}
+
+}  // namespace
+
+std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const LoadLaw& load) {
+  std::vector<Vec2> ratio = trial.force_ratio;
+  if (load.exponent == 0) return ratio;
+  for (std::size_t i = 0; i < ratio.size(); ++i)
+    ratio[i] *= std::pow(trial.normal_force_n[i] / load.load_n, -load.exponent);
+  return ratio;
+}
+
+void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& segments,
+                             const TrialEvidence& evidence, const std::vector<Vec2>& ratio) {
+  const std::size_t size = group_size(trial.rate_hz);
+  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
+    const PhaseStretch s = inner_stretch(whole, segments);
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      const SpringSums& sums = evidence.spring[static_cast<std::size_t>(axis)];
+      const double both =
+          evidence.spring[0](spring_ratio, spring_ratio) + evidence.spring[1](spring_ratio, spring_ratio);
+      if (!(sums(spring_ratio, spring_ratio) > 0.01 * both) || !(sums(spring_position, spring_ratio) > 0))
+        continue;
+      const double stiffness = sums(spring_ratio, spring_ratio) / sums(spring_position, spring_ratio);
+      const auto left = group_means(
+          s, size, [&](std::size_t i) { return ratio[i][axis] + stiffness * trial.position_m[i][axis]; });
+      const auto force = group_means(s, size, [&](std::size_t i) { return ratio[i][axis]; });
+      if (left.size() < 3) continue;
+      const double mean = mean_of(left), noise = segments.ratio_noise * segments.ratio_noise +
+                                                 std::pow(stiffness * segments.position_noise_m, 2);
+      for (const double value : left) left_ += (value - mean) * (value - mean);
+      for (const double value : force) signal_ += value * value;
+      expected_ += static_cast<double>(left.size() - 1) * noise / static_cast<double>(size);
+      samples_ += static_cast<long>(left.size() * size);
+    }
+  }
+}
+
+void ResidualSums::add_slip(const StickSegments& segments, const std::vector<Vec2>& ratio, double rate_hz) {
+  const std::size_t size = group_size(rate_hz),
+                    near = static_cast<std::size_t>(std::lround(near_s / group_s));
+  std::vector<std::vector<double>> slips;
+  double mean = 0, squares = 0, count = 0;
+  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {
+    slips.push_back(group_means(inner_stretch(whole, segments), size, [&](std::size_t i) {
+      return -ratio[i].dot(segments.velocity_m_per_s[i].normalized());
+    }));
+    const std::vector<double>& groups = slips.back();
+    for (std::size_t k = near; k + near < groups.size(); ++k) {
+      mean += groups[k];
+      squares += groups[k] * groups[k];
+      ++count;
+    }
+  }
+  constexpr double fewest = 20;
+  if (count < fewest) return;
+  mean /= count;
+  const double variance = std::max(0.0, squares / count - mean * mean);
+  for (const std::vector<double>& groups : slips) {
+    if (groups.size() < 2 * near) continue;  // between ruptures, or while it hardly moves
+    for (std::size_t k = 0; k < groups.size(); ++k) {
+      if (k >= near && k + near < groups.size()) continue;
+      left_ += (groups[k] - mean) * (groups[k] - mean);
+      expected_ += variance;
+      signal_ += groups[k] * groups[k];
+      samples_ += static_cast<long>(size);
+    }
+  }
+}
+
+void ResidualSums::add(const MeasuredTrial& trial, const StickSegments& segments,
+                       const TrialEvidence& evidence, const LoadLaw& load) {
+  const std::vector<Vec2> ratio = ratio_at_load(trial, load);
+  add_stick(trial, segments, evidence, ratio);
+  add_slip(segments, ratio, trial.rate_hz);
+  const std::size_t shortest = 4 * static_cast<std::size_t>(segments.half_window);
+  for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {
+    if (slip.to - slip.from < shortest || slip.from == 0 || trial.starts_anew[slip.from]) continue;
+    const bool was_stick = segments.phase[slip.from - 1] == PadPhase::stick;
+    if (!was_stick && !segments.is_rupture[slip.from]) continue;
+    ++gives_;
+    drops_ += segments.is_rupture[slip.from] ? 1 : 0;
+  }
+}
+
+LawResidual ResidualSums::verdict() const {
+  constexpr double most_left = 0.06;  // RMS beyond what is expected, of the force ratio
+  constexpr long fewest_gives = 5;
+  LawResidual found;
+  found.samples = samples_;
+  found.gives = gives_;
+  found.drops = drops_;
+  if (!(signal_ > 0)) return found;
+  found.share = std::sqrt(left_ / signal_);
+  found.expected = std::sqrt(expected_ / signal_);
+  const double beyond = std::sqrt(std::max(0.0, (left_ - expected_) / signal_));
+  if (beyond > most_left)
+    found.misfit = fmt::format(
+        "it leaves {:.1f} % of the friction in stick and about its ends (RMS), where noise and "
+        "vibration explain {:.1f} %",
+        100 * found.share, 100 * found.expected);
+  if (gives_ >= fewest_gives && 2 * drops_ < gives_)
+    found.misfit += fmt::format("{}stick gives way without a drop of the force at {} of its {} ends",
+                                found.misfit.empty() ? "" : "; ", gives_ - drops_, gives_);
+  return found;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/trial_evidence.hpp"
+
+namespace fingerpad {
+
+/// How well the pad's law repeats the measured forces where it says most: in stick, and in slip within 50 ms
+/// of its ends.
+struct LawResidual {
+  double share = 0;     ///< RMS of what it leaves of the force ratio, over the RMS of that
+  double expected = 0;  ///< likewise, of the sensors' noise and of slip further from its ends (the vibration)
+  long samples = 0;
+  long gives = 0, drops = 0;  ///< ends of stick in slip; of these, with a drop of the force (ruptures)
+  std::string
+      misfit;  ///< why the pad's law does not fit; empty where it does, or too little is there to tell
+};
+
+/// Holds the law against one trial: in stick each stretch is a straight spring of the trial's own stiffness,
+/// in slip the force ratio is the trial's mean. Adds to sums; residual_verdict makes shares of them.
+class ResidualSums {
+ public:
+  void add(const MeasuredTrial& trial, const StickSegments& segments, const TrialEvidence& evidence,
+           const LoadLaw& load);
+  LawResidual verdict() const;
+
+ private:
+  void add_stick(const MeasuredTrial& trial, const StickSegments& segments, const TrialEvidence& evidence,
+                 const std::vector<Vec2>& ratio);
+  void add_slip(const StickSegments& segments, const std::vector<Vec2>& ratio, double rate_hz);
+
+  double left_ = 0, expected_ = 0, signal_ = 0;  // squares
+  long samples_ = 0, gives_ = 0, drops_ = 0;
+};
+
+/// The force ratios of a trial as they would be at the law's load.
+std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const LoadLaw& load);
+
+}  // namespace fingerpad

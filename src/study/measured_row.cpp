@@ -1,0 +1,163 @@
+#include "study/measured_row.hpp"
+
+#include <fmt/format.h>
+#include <Eigen/Geometry>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+#include "base/error.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::size_t place_of(MeasuredColumn column) {
+  return static_cast<std::size_t>(column);
+}
+
+constexpr bool reads_as(MeasuredColumn column, std::string_view key) {
+  return measurement_columns[static_cast<std::size_t>(column)].key == key;
+}
+static_assert(reads_as(MeasuredColumn::x, "x") && reads_as(MeasuredColumn::fx, "fx") &&
+              reads_as(MeasuredColumn::nx, "nx") && reads_as(MeasuredColumn::dx, "dx") &&
+              reads_as(MeasuredColumn::marker_1, "m1x") && reads_as(MeasuredColumn::marker_2, "m2x") &&
+              reads_as(MeasuredColumn::torque, "tx") && reads_as(MeasuredColumn::subject, "subject") &&
+              reads_as(MeasuredColumn::trial, "trial") && reads_as(MeasuredColumn::fn, "fn"));
+// What a recorded motion has too is called alike.
+static_assert(measurement_columns[0].header == recording_columns[0].header &&
+              measurement_columns[1].header == recording_columns[1].header &&
+              measurement_columns[10].header == recording_columns[4].header);
+
+bool is_within(std::size_t column, MeasuredColumn first, std::size_t count) {
+  return column >= place_of(first) && column < place_of(first) + count;
+}
+
+}  // namespace
+
+std::string_view header_of(const MeasurementFormat& format, std::size_t column) {
+  const std::string& named = format.headers[column];
+  return named.empty() ? measurement_columns[column].header : std::string_view(named);
+}
+
+bool is_required(const MeasurementFormat& format, std::size_t column) {
+  if (column == place_of(MeasuredColumn::time) || !format.headers[column].empty()) return true;
+  if (is_within(column, MeasuredColumn::x, 3)) return !format.markers;
+  return format.markers && is_within(column, MeasuredColumn::marker_1, 6);
+}
+
+RowReader::RowReader(const std::string& path, const MeasurementFormat& format, std::vector<bool> present)
+    : format_(format), present_(std::move(present)) {
+  for (const MeasuredColumn first : {MeasuredColumn::nx, MeasuredColumn::dx, MeasuredColumn::torque}) {
+    const auto begin = present_.begin() + static_cast<std::ptrdiff_t>(place_of(first));
+    const auto there = std::count(begin, begin + 3, true);
+    if (there == 0 || there == 3) continue;
+    throw refused(path,
+                  fmt::format("has {} of the columns {}, {}, {}: they belong together", there,
+                              header_of(format, place_of(first)), header_of(format, place_of(first) + 1),
+                              header_of(format, place_of(first) + 2)));
+  }
+}
+
+std::string RowReader::missing_force() const {
+  for (std::size_t k = place_of(MeasuredColumn::fx); k < place_of(MeasuredColumn::fx) + 3; ++k)
+    if (!present_[k]) return fmt::format("column {} missing", header_of(format_, k));
+  return {};
+}
+
+bool RowReader::has(MeasuredColumn first) const {
+  return present_[place_of(first)];
+}
+
+double RowReader::time_s(std::span<const double> numbers) const {
+  return format_.seconds_per_unit * numbers[0];
+}
+
+Vec3 RowReader::vector(std::span<const double> numbers, MeasuredColumn first) const {
+  const std::size_t at = place_of(first);
+  return {numbers[at], numbers[at + 1], numbers[at + 2]};
+}
+
+Vec3 RowReader::unit(std::span<const double> numbers, MeasuredColumn first, const char* what,
+                     const RowPlace& place) const {
+  const Vec3 v = vector(numbers, first);
+  if (!v.allFinite()) return v;
+  const double length = v.stableNorm();
+  if (!(length > 1e-6) || !std::isfinite(length))
+    throw refused(place.text(), fmt::format("the {} has no length", what));
+  return v / length;
+}
+
+int RowReader::whole(std::span<const double> numbers, MeasuredColumn column, const RowPlace& place) const {
+  if (!has(column)) return 0;
+  const double value = numbers[place_of(column)];
+  if (value != std::floor(value) || std::abs(value) > 1e6)
+    throw refused(place.text(), "subject and trial are whole numbers");
+  return static_cast<int>(value);
+}
+
+/// The finger lies along the line from the proximal to the distal marker; its tip is beyond the distal one,
+/// and below it towards the plate.
+void RowReader::take_markers(std::span<const double> numbers, RecordedRow& row) const {
+  const Vec3 proximal = format_.metres_per_unit * vector(numbers, MeasuredColumn::marker_1),
+             distal = format_.metres_per_unit * vector(numbers, MeasuredColumn::marker_2);
+  const Vec3 along = (distal - proximal).normalized();
+  const Vec3 below = (-row.normal_W + row.normal_W.dot(along) * along).normalized();
+  row.direction_W = along;
+  row.position_W = distal + format_.markers->tip_beyond_m * along + format_.markers->tip_below_m * below;
+}
+
+/// Force and torque turned into W; where there is torque, the contact is where the line of the force meets
+/// the plate: of all points r on it the moment is tau = r x f + m n, with m the free moment about the normal.
+void RowReader::take_sensor(std::span<const double> numbers, RecordedRow& row) const {
+  const SixAxisSensor& sensor = *format_.sensor;
+  const Vec3 force_W = sensor.rotation_WS * row.force_W;
+  row.force_W = force_W;
+  if (!has(MeasuredColumn::torque) || format_.markers) return;
+  const double sign = format_.force_on_plate ? -1 : 1;
+  const Vec3 torque_W =
+      sensor.rotation_WS * (sign * format_.newton_metres_per_unit * vector(numbers, MeasuredColumn::torque));
+  const Vec3& n = row.normal_W;
+  const double height_m = sensor.plate_height_m - n.dot(sensor.origin_W), normal_n = n.dot(force_W);
+  // n x (r x f) = r (n.f) - f (n.r), so that r = (n x tau + h f)/(n.f) with h = n.r: McCarthy 1990's centre
+  // of pressure. Its height along the normal is not told by the force.
+  const Vec3 contact = (n.cross(torque_W) + height_m * force_W) / normal_n;
+  if (std::abs(normal_n) > 0.05 && contact.allFinite())
+    row.position_W = sensor.origin_W + contact + n * n.dot(row.position_W - sensor.origin_W - contact);
+}
+
+RecordedRow RowReader::row(std::span<const double> numbers, const RowPlace& place) const {
+  RecordedRow row;
+  row.t_s = time_s(numbers);
+  row.position_W = format_.metres_per_unit * vector(numbers, MeasuredColumn::x);
+  row.force_W =
+      (format_.force_on_plate ? -1 : 1) * format_.newtons_per_unit * vector(numbers, MeasuredColumn::fx);
+  if (has(MeasuredColumn::nx)) row.normal_W = unit(numbers, MeasuredColumn::nx, "normal", place);
+  if (has(MeasuredColumn::dx)) row.direction_W = unit(numbers, MeasuredColumn::dx, "finger direction", place);
+  if (format_.markers) take_markers(numbers, row);
+  if (format_.sensor) take_sensor(numbers, row);
+  return row;
+}
+
+TrialCollector::TrialCollector(std::string path, const RowReader& rows, RecordedMeasurement& into)
+    : path_(std::move(path)), rows_(rows), into_(into) {}
+
+void TrialCollector::add(std::span<const double> numbers, const RowPlace& place) {
+  const int subject = rows_.whole(numbers, MeasuredColumn::subject, place),
+            number = rows_.whole(numbers, MeasuredColumn::trial, place);
+  if (trial_ && (trial_->subject() != subject || trial_->number() != number)) finish();
+  if (!trial_) trial_.emplace(path_, subject, number, rows_.has(MeasuredColumn::trial));
+  const RecordedRow row = rows_.row(numbers, place);
+  if (!std::isfinite(row.t_s)) throw refused(place.text(), "has no time");
+  if (trial_->size() > 0 && !(row.t_s > trial_->last_s()))
+    throw refused(place.text(),
+                  "its time does not come after the row before it; a column 'trial' parts trials");
+  trial_->add(row);
+}
+
+void TrialCollector::finish() {
+  if (trial_) trial_->finish(into_);
+  trial_.reset();
+}
+
+}  // namespace fingerpad

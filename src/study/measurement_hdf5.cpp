@@ -1,0 +1,69 @@
+#include "study/measurement_hdf5.hpp"
+
+#include <fmt/format.h>
+
+#include "base/error.hpp"
+#include "scene/toml_tree.hpp"
+#include "study/measured_row.hpp"
+#include "trace/hdf5_columns.hpp"
+#include "trace/trace.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// The direction of a trace's finger, from its scene; zero where it says none.
+Vec3 scene_direction(const std::string& scene_text, const std::string& path) {
+  const TomlNode scene = parse_toml(scene_text, path);
+  const TomlEntry* finger = find_entry(scene, "finger");
+  const TomlEntry* direction = finger != nullptr ? find_entry(finger->value, "direction") : nullptr;
+  Vec3 found = Scene{}.finger.direction;
+  if (direction == nullptr || direction->value.items.size() != 3) return found;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const TomlNode& item = direction->value.items[k];
+    found[static_cast<Eigen::Index>(k)] =
+        item.is(TomlNode::Type::integer) ? static_cast<double>(item.integer) : item.number;
+  }
+  return found.normalized();
+}
+
+}  // namespace
+
+bool is_measured_hdf5(const std::string& path) {
+  return is_hdf5(path);
+}
+
+void read_measured_hdf5(const std::string& path, const MeasurementFormat& format, RecordedMeasurement& into) {
+  std::vector<std::string> names;
+  for (std::size_t k = 0; k < measurement_columns.size(); ++k) names.emplace_back(header_of(format, k));
+  Hdf5Columns file = read_hdf5_columns(path, names);
+  for (std::size_t k = 0; k < names.size(); ++k) {
+    if (!file.present[k] && is_required(format, k))
+      throw refused(
+          path,
+          fmt::format("has no dataset '{}'; a measurement has one a column, as t_s, x_m, fx_n", names[k]));
+  }
+  const std::size_t count = file.columns[0].size(),
+                    first_direction = static_cast<std::size_t>(MeasuredColumn::dx);
+  if (!file.scene_text.empty() && !file.present[first_direction] && !format.markers) {
+    const Vec3 direction = scene_direction(file.scene_text, path);
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      file.present[first_direction + axis] = true;
+      file.columns[first_direction + axis].assign(count, direction[static_cast<Eigen::Index>(axis)]);
+    }
+  }
+  const RowReader rows(path, format, file.present);
+  if (const std::string missing = rows.missing_force(); !missing.empty()) {
+    into.without_force.push_back(fmt::format("{}: {}", path, missing));
+    return;
+  }
+  TrialCollector trials(path, rows, into);
+  std::vector<double> numbers(names.size());
+  for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t k = 0; k < names.size(); ++k)
+      if (file.present[k]) numbers[k] = file.columns[k][i];
+    trials.add(numbers, {path, static_cast<long>(i + 1)});
+  }
+  trials.finish();
+}
+
+}  // namespace fingerpad

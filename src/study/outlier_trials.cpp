@@ -1,0 +1,83 @@
+#include "study/outlier_trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+
+#include "study/sample_noise.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// What a trial alone says of a number; nothing where it says little.
+std::optional<double> own_number(const TrialEvidence& trial, PadNumber number) {
+  const auto mean = [](double sum, long count, long fewest) -> std::optional<double> {
+    if (count < fewest) return std::nullopt;
+    return sum / static_cast<double>(count);
+  };
+  const auto stiffness = [&](std::size_t axis) -> std::optional<double> {
+    const SpringSums &sums = trial.spring[axis], &other = trial.spring[1 - axis];
+    if (!(sums(spring_ratio, spring_ratio) > 0.1 * other(spring_ratio, spring_ratio)) ||
+        trial.stick_samples < 20)
+      return std::nullopt;
+    return sums(spring_ratio, spring_ratio) / sums(spring_position, spring_ratio);
+  };
+  switch (number) {
+    case PadNumber::mu_static:
+      return mean(trial.rupture_ratio, trial.ruptures, 3);
+    case PadNumber::mu_dynamic:
+      return mean(trial.slip_ratio, trial.slip_samples, 100);
+    case PadNumber::v_min:
+      return mean(trial.stop_speed_m_per_s, trial.stops, 2);
+    case PadNumber::stick_stiffness:
+      return stiffness(0);
+    case PadNumber::longitudinal_stiffness:
+      return stiffness(1);
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Trials that are alike but for chance: of one subject, of stiffnesses at one angle too.
+using Alike = std::pair<int, int>;
+
+Alike alike(const TrialEvidence& trial, PadNumber number) {
+  const bool by_angle = number == PadNumber::stick_stiffness || number == PadNumber::longitudinal_stiffness;
+  return {trial.subject, by_angle ? static_cast<int>(std::lround(trial.inclination_deg / 10)) : 0};
+}
+
+}  // namespace
+
+std::vector<OutlierTrial> outlier_trials(const Measurement& measurement,
+                                         const std::vector<TrialEvidence>& evidence) {
+  constexpr std::size_t fewest = 5;
+  constexpr double deviations = 5;
+  std::vector<OutlierTrial> found;
+  for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::v_min,
+                                 PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {
+    const double least_share = number == PadNumber::v_min ? 0.25 : 0.1;  // it rests on a few ends of slip
+    std::map<Alike, std::vector<std::pair<std::size_t, double>>> groups;
+    for (std::size_t i = 0; i < evidence.size(); ++i)
+      if (const auto own = own_number(evidence[i], number))
+        groups[alike(evidence[i], number)].emplace_back(i, *own);
+    for (const auto& [key, trials] : groups) {
+      if (trials.size() < fewest) continue;
+      std::vector<double> values, offs;
+      for (const auto& [trial, value] : trials) values.push_back(value);
+      const double usual = quantile(values, 0.5);
+      for (const double value : values) offs.push_back(std::abs(value - usual));
+      const double most = std::max(deviations * quantile(offs, 0.5) / 0.6745, least_share * std::abs(usual));
+      for (const auto& [trial, value] : trials) {
+        if (std::abs(value - usual) > most)
+          found.push_back({trial, measurement.trials[trial].name, number, value, usual});
+      }
+    }
+  }
+  std::sort(found.begin(), found.end(), [](const OutlierTrial& a, const OutlierTrial& b) {
+    return std::pair(a.trial, a.number) < std::pair(b.trial, b.number);
+  });
+  return found;
+}
+
+}  // namespace fingerpad

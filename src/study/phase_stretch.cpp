@@ -1,0 +1,34 @@
+#include "study/phase_stretch.hpp"
+
+#include <algorithm>
+
+namespace fingerpad {
+
+std::vector<PhaseStretch> phase_stretches(const StickSegments& segments, PadPhase phase) {
+  std::vector<PhaseStretch> found;
+  const std::size_t samples = segments.phase.size();
+  for (std::size_t i = 0; i < samples;) {
+    if (segments.phase[i] != phase) {
+      ++i;
+      continue;
+    }
+    PhaseStretch stretch{i, i + 1};
+    while (stretch.to < samples && segments.phase[stretch.to] == phase && !segments.begins_run[stretch.to])
+      ++stretch.to;
+    i = stretch.to;
+    found.push_back(stretch);
+  }
+  return found;
+}
+
+PhaseStretch inner_stretch(PhaseStretch stretch, const StickSegments& segments) {
+  const auto half = static_cast<std::size_t>(segments.half_window);
+  const std::size_t samples = segments.phase.size();
+  if (!segments.begins_run[stretch.from]) stretch.from += half;
+  const bool ends_run = stretch.to >= samples || segments.begins_run[stretch.to];
+  if (!ends_run) stretch.to = stretch.to > half ? stretch.to - half : 0;
+  stretch.to = std::max(stretch.to, stretch.from);
+  return stretch;
+}
+
+}  // namespace fingerpad

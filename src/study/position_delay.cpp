@@ -1,0 +1,158 @@
+#include "study/position_delay.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "study/block_draws.hpp"
+#include "study/phase_stretch.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double longest_s = 0.05;
+constexpr int lags_each_way = 50;
+
+/// The part of a trial around i without a gap.
+PhaseStretch unbroken_around(const MeasuredTrial& trial, std::size_t from, std::size_t to,
+                             std::size_t reach) {
+  PhaseStretch found{from, to};
+  while (found.from > 0 && from - found.from < reach && !trial.starts_anew[found.from]) --found.from;
+  while (found.to < trial.starts_anew.size() && found.to - to < reach && !trial.starts_anew[found.to])
+    ++found.to;
+  return found;
+}
+
+/// @param noise_m2  variance of the positions' noise, which takes part of what a position explains
+void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, double noise_m2,
+                 DelaySums& sums) {
+  const auto reach = static_cast<std::size_t>(lags_each_way * stride);
+  const PhaseStretch around = unbroken_around(trial, stretch.from, stretch.to, reach);
+  stretch.from = std::max(stretch.from, around.from + reach);
+  stretch.to = std::min(stretch.to, around.to > reach ? around.to - reach : 0);
+  if (stretch.to < stretch.from + 5) return;
+  const auto count = static_cast<double>(stretch.to - stretch.from);
+  Vec2 mean_q(0, 0);
+  for (std::size_t i = stretch.from; i < stretch.to; ++i) mean_q += trial.force_ratio[i] / count;
+  for (int lag = -lags_each_way; lag <= lags_each_way; ++lag) {
+    const auto back = static_cast<std::ptrdiff_t>(lag * stride);
+    const Vec2* position = trial.position_m.data() - back;
+    Vec2 sum(0, 0), xx(0, 0), xq(0, 0);
+    const Vec2 origin = position[stretch.from];
+    for (std::size_t i = stretch.from; i < stretch.to; ++i) {
+      const Vec2 x = position[i] - origin;
+      sum += x;
+      xx += x.cwiseProduct(x);
+      xq += x.cwiseProduct(trial.force_ratio[i] - mean_q);
+    }
+    xx -= sum.cwiseProduct(sum) / count + Vec2::Constant((count - 1) * noise_m2);
+    const auto k = static_cast<std::size_t>(lag + lags_each_way);
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      sums.xx[static_cast<std::size_t>(axis)][k] += xx[axis];
+      sums.xq[static_cast<std::size_t>(axis)][k] += xq[axis];
+    }
+  }
+  sums.samples += static_cast<long>(stretch.to - stretch.from);
+  sums.noise_m2 += (count - 1) * noise_m2;
+}
+
+/// The lag that explains most, in steps of the grid; nothing where that is at the grid's end.
+std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times) {
+  constexpr std::size_t count = 2 * lags_each_way + 1;
+  std::array<double, count> explained{};
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    if (times[i] == 0 || trials[i].samples == 0) continue;
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      const std::vector<double>&xx = trials[i].xx[axis], &xq = trials[i].xq[axis];
+      // An axis that hardly moves at some lag would seem to explain anything there.
+      if (!(*std::min_element(xx.begin(), xx.end()) > 4 * trials[i].noise_m2)) continue;
+      for (std::size_t k = 0; k < count; ++k)
+        if (xq[k] < 0) explained[k] += times[i] * xq[k] * xq[k] / xx[k];
+    }
+  }
+  const auto k =
+      static_cast<std::size_t>(std::max_element(explained.begin(), explained.end()) - explained.begin());
+  if (k == 0 || k + 1 == count) return std::nullopt;
+  const double bend = explained[k - 1] - 2 * explained[k] + explained[k + 1];
+  if (!(bend < 0)) return std::nullopt;
+  return static_cast<double>(k) - lags_each_way + 0.5 * (explained[k - 1] - explained[k + 1]) / bend;
+}
+
+}  // namespace
+
+DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) {
+  const long stride = std::max(1L, std::lround(longest_s / lags_each_way * trial.rate_hz));
+  DelaySums sums;
+  sums.subject = trial.subject;
+  sums.step_s = static_cast<double>(stride) / trial.rate_hz;
+  for (auto* both : {&sums.xx, &sums.xq})
+    for (auto& axis : *both) axis.assign(2 * lags_each_way + 1, 0);
+  const double noise_m2 = segments.position_noise_m * segments.position_noise_m;
+  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
+    const PhaseStretch stretch = inner_stretch(whole, segments);
+    if (stretch.from < stretch.to) add_stretch(trial, stretch, stride, noise_m2, sums);
+  }
+  return sums;
+}
+
+DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t seed) {
+  constexpr long fewest = 200;
+  constexpr int draws = 200;
+  constexpr double most_unsure_s = 5e-3;
+  DelayEstimate estimate;
+  std::vector<int> subject_of;
+  double step_s = 0, blocks = 0;
+  for (const DelaySums& trial : trials) {
+    subject_of.push_back(trial.subject);
+    estimate.samples += trial.samples;
+    if (trial.samples == 0) continue;
+    ++blocks;
+    if (step_s > 0 && std::abs(trial.step_s / step_s - 1) > 0.05) {
+      estimate.refusal = "trials have different rates";
+      return estimate;
+    }
+    step_s = trial.step_s;
+  }
+  const auto lag = best_lag(trials, std::vector<int>(trials.size(), 1));
+  if (estimate.samples < fewest || !lag) {
+    estimate.refusal = estimate.samples < fewest ? "too little stick in which force follows position"
+                                                 : "no lag within 50 ms explains the forces best";
+    return estimate;
+  }
+  estimate.delay_s = *lag * step_s;
+  DrawSpread spread;
+  RandomStream random(seed, 1);
+  for (int draw = 0; draw < draws; ++draw) {
+    if (const auto drawn = best_lag(trials, drawn_times(subject_of, Blocks::trials, random)))
+      spread.add(*drawn * step_s);
+  }
+  const double reach = interval_reach(spread, blocks, 1);
+  if (!(reach > 0) || spread.count < 0.95 * draws) return estimate;
+  estimate.interval_s = {estimate.delay_s - reach, estimate.delay_s + reach};
+  if (reach > most_unsure_s) estimate.refusal = "it is not told to within 5 ms";
+  return estimate;
+}
+
+void shift_positions(RecordedTrial& trial, double delay_s) {
+  const Eigen::Index n = trial.samples(), whole = std::lround(delay_s * trial.rate_hz);
+  const double rest = delay_s * trial.rate_hz - static_cast<double>(whole);
+  const Eigen::Index half = std::max<Eigen::Index>(3, std::lround(6e-3 * trial.rate_hz));
+  double squares = 0;
+  for (Eigen::Index k = -half; k <= half; ++k) squares += static_cast<double>(k * k);
+  const Points before = trial.position_W;
+  const std::vector<SampleOrigin> origin = trial.origin;
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const Eigen::Index from = std::clamp<Eigen::Index>(i - whole, 0, n - 1);
+    Vec3 step = Vec3::Zero();  // per sample, the slope of the positions around
+    if (from >= half && from + half < n) {
+      for (Eigen::Index k = 1; k <= half; ++k)
+        step += static_cast<double>(k) / squares * (before.col(from + k) - before.col(from - k));
+    }
+    trial.position_W.col(i) = before.col(from) - rest * step;
+    if (from != i - whole) trial.origin[static_cast<std::size_t>(i)] = SampleOrigin::missing;
+    trial.origin[static_cast<std::size_t>(i)] =
+        std::max(trial.origin[static_cast<std::size_t>(i)], origin[static_cast<std::size_t>(from)]);
+  }
+}
+
+}  // namespace fingerpad

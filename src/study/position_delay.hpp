@@ -1,0 +1,31 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "study/stick_segments.hpp"
+
+namespace fingerpad {
+
+/// What a trial says about the delay of force behind position: how well, in stick, the force ratio follows
+/// the position of a moment before, for each lag of a grid. Sums, so that those of several trials add up.
+struct DelaySums {
+  int subject = 0;
+  double step_s = 0;                          ///< between lags
+  std::array<std::vector<double>, 2> xx, xq;  ///< per axis and lag, about each stretch's means [m^2], [m]
+  double noise_m2 = 0;                        ///< what noise made of xx, taken off it
+  long samples = 0;
+};
+
+DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments);
+
+/// The lag of the highest cross-correlation: the one that explains most of q, with a spring of its own for
+/// each trial and axis, refined by the parabola through the highest three. Within 50 ms either way. A spring
+/// that yields late (hysteresis) looks like a delay: what they share is taken for delay.
+DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t seed);
+
+/// Moves a trial's positions by a delay, so that they are those of the forces' moments: whole samples, and
+/// the rest along the velocity, which adds no noise.
+void shift_positions(RecordedTrial& trial, double delay_s);
+
+}  // namespace fingerpad

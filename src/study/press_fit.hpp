@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/trial_evidence.hpp"
+
+namespace fingerpad {
+
+/// How the pad yields along the plate's normal: n = (depth/B)^(1/w) in N.
+struct PressFit {
+  double depth_at_1_n_m = 0;  ///< B, mean over subjects
+  double exponent = 0;        ///< w, likewise
+  long samples = 0, trials = 0;
+  std::string refusal;  ///< empty: it holds
+};
+
+/// @param about  the exponent w that the trials' sums were taken about
+PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, double about);
+
+}  // namespace fingerpad

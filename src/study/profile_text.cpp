@@ -1,0 +1,72 @@
+#include "study/profile_text.hpp"
+
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+#include "base/printable_text.hpp"
+#include "scene/toml_tree.hpp"
+
+namespace fingerpad {
+namespace {
+
+std::string decimal_text(double number) {
+  const std::string text = number_text(number);
+  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+}
+
+/// The values that stand above all tables.
+std::string numbers_text(const ProfileFit& fit) {
+  std::string text;
+  for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
+    if (fit.values[k].refusal.empty())
+      text += fmt::format("{} = {}\n", pad_number_keys[k], decimal_text(fit.values[k].value));
+  }
+  if (fit.mu_load_n > 0)
+    text += fmt::format("mu_load_n = {}  # at which mu_static and mu_dynamic hold\n",
+                        decimal_text(fit.mu_load_n));
+  return text;
+}
+
+}  // namespace
+
+std::vector<std::string> fit_notes(const ProfileFit& fit) {
+  std::vector<std::string> notes = fit.steps;
+  for (const OutlierTrial& outlier : fit.outliers)
+    notes.push_back(fmt::format("outlier: {}: its {} is {:.4g}, the usual one {:.4g}; counted all the same",
+                                outlier.name, pad_number_keys[static_cast<std::size_t>(outlier.number)],
+                                outlier.value, outlier.usual));
+  const LawResidual& residual = fit.residual;
+  if (residual.samples == 0) return notes;
+  if (!residual.misfit.empty()) {
+    notes.push_back("the pad's law does not fit: " + residual.misfit);
+  } else {
+    notes.push_back(
+        fmt::format("the pad's law fits: it leaves {:.1f} % of the friction in stick and about its ends "
+                    "(RMS), noise and vibration explain {:.1f} %",
+                    100 * residual.share, 100 * residual.expected));
+  }
+  return notes;
+}
+
+std::string profile_text(const ProfileFit& fit, const std::string& source) {
+  std::string intervals, samples, refusals, notes;
+  for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
+    const PadValue& value = fit.values[k];
+    const std::string_view key = pad_number_keys[k];
+    if (!value.refusal.empty()) {
+      refusals += fmt::format("{} = {}\n", key, write_toml_value(toml_text(value.refusal)));
+      continue;
+    }
+    samples += fmt::format("{} = {}\n", key, value.samples);
+    if (const auto& both = fit.interval[k])
+      intervals += fmt::format("{} = [{}, {}]\n", key, decimal_text(both->first), decimal_text(both->second));
+  }
+  for (const std::string& note : fit_notes(fit)) notes += fmt::format("# {}\n", printable(note, 1000));
+  return fmt::format(
+      "{}{}source = {}\n\n[interval]  # 95 %, over the trials of these subjects\n{}"
+      "\n[samples]  # of stick, slip or contact; of mu_static ruptures, of v_min ends of slip, of vibrations "
+      "windows\n{}\n[refused]\n{}",
+      notes, numbers_text(fit), write_toml_value(toml_text(source)), intervals, samples, refusals);
+}
+
+}  // namespace fingerpad

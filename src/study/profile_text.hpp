@@ -1,0 +1,18 @@
+#pragma once
+
+#include <string>
+
+#include "study/profile_fit.hpp"
+
+namespace fingerpad {
+
+/// The profile as a file (TOML), which read_profile takes if it has both axes: the numbers, `[interval]`,
+/// `[samples]` and `[refused]`; what was done to the samples, outlier trials and how well the law fits stand
+/// above as comments.
+std::string profile_text(const ProfileFit& fit, const std::string& source);
+
+/// What the fit says besides its numbers, a line each: steps of cleaning, outlier trials, whether the pad's
+/// law fits.
+std::vector<std::string> fit_notes(const ProfileFit& fit);
+
+}  // namespace fingerpad

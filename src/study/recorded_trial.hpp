@@ -1,0 +1,44 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "base/types.hpp"
+
+namespace fingerpad {
+
+/// Whether a sample was recorded. A gap of a few samples is filled with the straight line over it; of a
+/// longer one nothing is known.
+enum class SampleOrigin : unsigned char { recorded, filled, missing };
+
+/// One trial as the sensors recorded it: in SI units and the recording's own axes W, at even steps.
+/// Sample i was taken at start_s + i / rate_hz.
+struct RecordedTrial {
+  std::string file;
+  int subject = 0, number = 0;
+  double start_s = 0;
+  double rate_hz = 0;
+  Points position_W;                 ///< 3 x n, the fingertip [m]
+  Points force_W;                    ///< 3 x n, on the finger [N]
+  std::vector<SampleOrigin> origin;  ///< n
+  Vec3 normal_W = Vec3::UnitZ();     ///< of the plate, outward, unit: the trial's mean
+  Vec3 direction_W = Vec3::Zero();  ///< of the finger, towards the tip, unit: the trial's mean; zero: unknown
+  double least_angle_deg = 0, most_angle_deg = 0;  ///< finger against plate within the trial
+
+  Eigen::Index samples() const noexcept { return position_W.cols(); }
+  bool has_direction() const noexcept { return direction_W.squaredNorm() > 0; }
+};
+
+/// "FILE, subject 1, trial 3".
+std::string trial_name(const RecordedTrial& trial);
+
+/// What the readers of measurements yield, whatever the file's layout was.
+struct RecordedMeasurement {
+  std::vector<RecordedTrial> trials;  ///< by file, and in each file's order
+  std::vector<std::string>
+      without_force;                  ///< "FILE: column fx_n missing", of files that hold nothing for a fit
+  std::vector<std::string> notes;     ///< how files were read, for people: "FILE: ..."
+  std::vector<std::string> warnings;  ///< what in them is not as it should be
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,78 @@
+#include "study/rupture_sums.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include "study/position_parabola.hpp"
+#include "study/spring_sums.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr std::size_t fewest = 5;  // samples of a line
+
+/// Whether the teeth of a finger that moves on so have enough samples, wherever between two of them each
+/// gives way: did the tooth's own number decide, those that give way late would be kept.
+/// @param rise  of |q| from sample to sample
+bool has_long_teeth(const std::vector<Vec2>& ratio, std::size_t i, double rise) {
+  const double drop = ratio[i - 1].norm() - ratio[i].norm();
+  return drop + rise >= static_cast<double>(fewest + 1) * rise;
+}
+
+/// |q| where stick gives way: the last samples' line over the way, which is that of the spring, taken on to
+/// half a sample after the last. The way is the parabola through the positions around, so that their noise
+/// does not flatten the line; what the noise of q adds to its length on the average is taken off.
+std::optional<double> ratio_at_rupture(const MeasuredTrial& trial, const StickSegments& segments,
+                                       const std::vector<Vec2>& ratio, std::size_t i) {
+  constexpr std::size_t most = 8;
+  std::size_t from = i - 1;
+  const auto half = static_cast<std::size_t>(segments.half_window);
+  while (from > 0 && i - from < most + half && !segments.begins_run[from] &&
+         segments.phase[from - 1] == PadPhase::stick)
+    --from;
+  if (!segments.begins_run[from]) from += half;  // slip before it may reach so far
+  from = std::max(from, i > most ? i - most : 0);
+  if (i < from + fewest || !(segments.velocity_m_per_s[i].norm() > 0)) return std::nullopt;
+  const auto way = position_parabola(trial, i, static_cast<std::size_t>(2 * segments.half_window),
+                                     segments.velocity_m_per_s[i].normalized());
+  if (!way) return std::nullopt;
+  const auto count = static_cast<double>(i - from);
+  const auto way_at = [&](double j) { return way->at(j - static_cast<double>(i)); };
+  Vec2 mean_q(0, 0), slope(0, 0);
+  double mean_s = 0, squares = 0;
+  for (std::size_t j = from; j < i; ++j) {
+    mean_q += ratio[j] / count;
+    mean_s += way_at(static_cast<double>(j)) / count;
+  }
+  for (std::size_t j = from; j < i; ++j) {
+    const double off = way_at(static_cast<double>(j)) - mean_s;
+    squares += off * off;
+    slope += off * (ratio[j] - mean_q);
+  }
+  if (!(squares > 0)) return std::nullopt;
+  slope /= squares;
+  const double ahead = way_at(static_cast<double>(i) - 0.5) - mean_s;
+  const Vec2 at_rupture = mean_q + ahead * slope;
+  if (!(slope.dot(at_rupture) > 0)) return std::nullopt;  // not pulled until then
+  const double variance = segments.ratio_noise * segments.ratio_noise * (1 / count + ahead * ahead / squares);
+  return at_rupture.norm() - variance / (2 * at_rupture.norm());
+}
+
+}  // namespace
+
+void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
+                      const std::vector<Vec2>& ratio, TrialEvidence& evidence) {
+  for (std::size_t i = 2; i < ratio.size(); ++i) {
+    const Vec2& velocity = segments.velocity_m_per_s[i];
+    if (!segments.is_rupture[i] || !(velocity.norm() > 0)) continue;
+    const double rise = stiffness_along(evidence, velocity.normalized()) * velocity.norm() / trial.rate_hz;
+    if (!has_long_teeth(ratio, i, rise)) continue;
+    const auto at_rupture = ratio_at_rupture(trial, segments, ratio, i);
+    if (!at_rupture) continue;
+    evidence.rupture_rise += rise;
+    evidence.rupture_ratio += *at_rupture;
+    ++evidence.ruptures;
+  }
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,15 @@
+#pragma once
+
+#include "study/trial_evidence.hpp"
+
+namespace fingerpad {
+
+/// Adds what a trial's slip says: mean ratio, its change with the load, and the spectrum.
+void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
+                   double load_n, TrialEvidence& evidence);
+
+/// Adds the speeds at which its slip ends in stick.
+void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
+                   TrialEvidence& evidence);
+
+}  // namespace fingerpad

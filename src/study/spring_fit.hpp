@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/trial_evidence.hpp"
+
+namespace fingerpad {
+
+/// One axis of the stick ellipse and its spring, over the finger's angle; see pad_numbers.
+struct SpringFit {
+  double compliance45_m = 0;  ///< A: mean over subjects of dx/dr at 45 deg and no force
+  double straight45_m = 0;    ///< likewise of the straight line through all of stick
+  double slope_per_deg = 0;
+  double cubic = 0;         ///< beta
+  double hysteresis_m = 0;  ///< h: half the width of the loop along the displacement
+  double linearity = 0;     ///< share of the displacement's variance that a straight line explains
+  long samples = 0, trials = 0;
+  std::string axis_refusal, slope_refusal, shape_refusal, hysteresis_refusal;  ///< empty: the number holds
+};
+
+/// @param times  how often each trial counts
+/// @param axis   0 lateral, 1 longitudinal
+SpringFit fit_spring(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, int axis);
+
+}  // namespace fingerpad

@@ -1,0 +1,155 @@
+#include "study/spring_sums.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/phase_stretch.hpp"
+#include "study/sample_noise.hpp"
+
+namespace fingerpad {
+namespace {
+
+using Terms = Eigen::Matrix<double, 5, 1>;
+
+constexpr std::size_t fewest_groups = 3;
+
+/// Variance of the sensors' noise on each component, told in stick: in slip the pad vibrates.
+struct SpringNoise {
+  Vec2 position_m2{0, 0}, ratio2{0, 0};
+};
+
+SpringNoise noise_in_stick(const MeasuredTrial& trial, const std::vector<PhaseStretch>& stretches,
+                           const std::vector<Vec2>& ratio) {
+  SpringNoise noise;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    std::vector<double> positions, ratios;
+    const auto bend = [axis](const std::vector<Vec2>& of, std::size_t i) {
+      return std::abs(of[i][axis] - 2 * of[i - 1][axis] + of[i - 2][axis]);
+    };
+    for (const PhaseStretch& s : stretches) {
+      for (std::size_t i = s.from + 2; i < s.to; ++i) {
+        positions.push_back(bend(trial.position_m, i));
+        ratios.push_back(bend(ratio, i));
+      }
+    }
+    noise.position_m2[axis] = std::pow(noise_of_bends(positions), 2);
+    noise.ratio2[axis] = std::pow(noise_of_bends(ratios), 2);
+  }
+  return noise;
+}
+
+/// Which way the finger goes at a sample: over a window that is wide enough for a slow finger's noise.
+class MotionDirection {
+ public:
+  MotionDirection(const MeasuredTrial& trial, int half_window)
+      : trial_(trial),
+        reach_(static_cast<std::size_t>(4 * half_window)),
+        sums_(trial.position_m.size() + 1, Vec2(0, 0)) {
+    for (std::size_t i = 0; i < trial.position_m.size(); ++i)
+      sums_[i + 1] = sums_[i] + trial.position_m[i] - trial.position_m.front();
+  }
+
+  /// Unit; zero where the finger does not move.
+  Vec2 at(std::size_t i) const {
+    std::size_t reach = 0;
+    while (reach < reach_ && i > reach && i + reach < trial_.position_m.size() &&
+           !trial_.starts_anew[i - reach] && (reach == 0 || !trial_.starts_anew[i + reach]))
+      ++reach;
+    if (reach == 0) return {0, 0};
+    const Vec2 way = sums_[i + reach] - 2 * sums_[i] + sums_[i - reach];
+    return way.norm() > 0 ? Vec2(way.normalized()) : Vec2(0, 0);
+  }
+
+ private:
+  const MeasuredTrial& trial_;
+  std::size_t reach_;
+  std::vector<Vec2> sums_;
+};
+
+/// Means over a group of samples, per axis the terms of the spring.
+std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments& segments,
+                                 const std::vector<Vec2>& ratio, const MotionDirection& direction,
+                                 std::size_t from, std::size_t to) {
+  Vec2 x(0, 0), r(0, 0), v(0, 0);
+  const auto count = static_cast<double>(to - from);
+  for (std::size_t i = from; i < to; ++i) {
+    x += trial.position_m[i] / count;
+    r -= ratio[i] / count;
+    v += segments.velocity_m_per_s[i] / count;
+  }
+  const Vec2 along = direction.at((from + to) / 2);
+  std::array<Terms, 2> terms;
+  for (Eigen::Index axis = 0; axis < 2; ++axis)
+    terms[static_cast<std::size_t>(axis)] << x[axis], r[axis], r[axis] * r.squaredNorm(), along[axis],
+        v[axis];
+  return terms;
+}
+
+/// What the groups' means keep of the noise: of r, and of r |r|^2 to first order in it.
+SpringSums noise_sums(const std::vector<std::array<Terms, 2>>& groups, std::size_t axis,
+                      const SpringNoise& noise, std::size_t size) {
+  SpringSums sums = SpringSums::Zero();
+  const auto count = static_cast<double>(groups.size());
+  const double share = (1 - 1 / count) / static_cast<double>(size);
+  const auto own = static_cast<Eigen::Index>(axis);
+  const double own2 = noise.ratio2[own], other2 = noise.ratio2[1 - own];
+  sums(spring_position, spring_position) += count * share * noise.position_m2[own];
+  sums(spring_ratio, spring_ratio) += count * share * own2;
+  for (const auto& terms : groups) {
+    const double r = terms[axis][spring_ratio], other = terms[1 - axis][spring_ratio];
+    const double by_own = 3 * r * r + other * other, by_other = 2 * r * other;
+    sums(spring_ratio, spring_cubic) += share * by_own * own2;
+    sums(spring_cubic, spring_ratio) += share * by_own * own2;
+    sums(spring_cubic, spring_cubic) += share * (by_own * by_own * own2 + by_other * by_other * other2);
+  }
+  return sums;
+}
+
+}  // namespace
+
+void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
+                     const std::vector<Vec2>& ratio, TrialEvidence& evidence) {
+  constexpr double group_s = 4e-3;
+  const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(group_s * trial.rate_hz)));
+  std::vector<PhaseStretch> stretches;
+  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
+    const PhaseStretch s = inner_stretch(whole, segments);
+    if (s.to - s.from >= fewest_groups * std::min<std::size_t>(wanted, 2)) stretches.push_back(s);
+  }
+  const SpringNoise noise = noise_in_stick(trial, stretches, ratio);
+  const MotionDirection direction(trial, segments.half_window);
+  std::vector<std::array<Terms, 2>> groups;
+  for (const PhaseStretch& s : stretches) {
+    const std::size_t length = s.to - s.from,
+                      size = std::max<std::size_t>(1, std::min(wanted, length / fewest_groups));
+    const std::size_t count = length / size;
+    groups.clear();
+    for (std::size_t k = 0; k < count; ++k)
+      groups.push_back(
+          group_terms(trial, segments, ratio, direction, s.from + k * size, s.from + (k + 1) * size));
+    for (std::size_t axis = 0; axis < 2; ++axis) {
+      Terms mean = Terms::Zero();
+      for (const auto& terms : groups) mean += terms[axis] / static_cast<double>(count);
+      SpringSums sums = SpringSums::Zero();
+      for (const auto& terms : groups) sums += (terms[axis] - mean) * (terms[axis] - mean).transpose();
+      const SpringSums noisy = noise_sums(groups, axis, noise, size);
+      evidence.spring[axis] += static_cast<double>(size) * (sums - noisy);
+      evidence.spring_noise[axis] += static_cast<double>(size) * noisy;
+    }
+    evidence.stick_samples += static_cast<long>(count * size);
+  }
+}
+
+double stiffness_along(const TrialEvidence& evidence, const Vec2& forward) {
+  double compliance_m = 0;
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const SpringSums& sums = evidence.spring[static_cast<std::size_t>(axis)];
+    const double share = forward[axis] * forward[axis];
+    if (share < 0.01) continue;
+    if (!(sums(spring_ratio, spring_ratio) > 0)) return 0;
+    compliance_m += share * sums(spring_position, spring_ratio) / sums(spring_ratio, spring_ratio);
+  }
+  return compliance_m > 0 ? 1 / compliance_m : 0;
+}
+
+}  // namespace fingerpad

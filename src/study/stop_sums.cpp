@@ -1,0 +1,109 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "study/phase_stretch.hpp"
+#include "study/position_parabola.hpp"
+#include "study/slip_sums.hpp"
+#include "study/spring_sums.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// What the pad does after a stretch of slip, along the motion at its end.
+struct SlipStop {
+  std::size_t first = 0;  ///< sample of the first
+  std::vector<double> way_m, ratio;
+  double slip_ratio = 0;  ///< mean before it
+};
+
+SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
+                    const PhaseStretch& slip, const Vec2& forward) {
+  const auto half = static_cast<std::size_t>(segments.half_window);
+  SlipStop stop;
+  const std::size_t last = slip.to - half,
+                    first = last > slip.from + 20 * half ? last - 20 * half : slip.from;
+  for (std::size_t i = first; i < last; ++i)
+    stop.slip_ratio -= ratio[i].dot(forward) / static_cast<double>(last - first);
+  stop.first = last;
+  for (std::size_t i = last; i < trial.position_m.size() && i < slip.to + 6 * half; ++i) {
+    if (i > slip.from && segments.begins_run[i]) break;
+    if (!(segments.velocity_m_per_s[i].dot(forward) > 0)) break;
+    stop.way_m.push_back(trial.position_m[i].dot(forward));
+    stop.ratio.push_back(-ratio[i].dot(forward));
+  }
+  return stop;
+}
+
+/// Where along the way slip ended: the rising samples, taken back along the spring.
+std::optional<double> end_of_slip_m(const SlipStop& stop, double stiffness_per_m, double noise) {
+  constexpr std::size_t fewest = 3;
+  if (stop.ratio.size() < fewest) return std::nullopt;
+  const double rise = *std::max_element(stop.ratio.begin(), stop.ratio.end()) - stop.slip_ratio;
+  if (!(rise > 5 * noise) || !(rise > 0.15 * stop.slip_ratio)) return std::nullopt;
+  double sum = 0, count = 0;
+  for (std::size_t i = stop.ratio.size(); i-- > 0;) {
+    const double above = stop.ratio[i] - stop.slip_ratio;
+    if (above < 0.25 * rise) break;
+    sum += stop.way_m[i] - above / stiffness_per_m;
+    ++count;
+  }
+  if (count < fewest) return std::nullopt;
+  return sum / count;
+}
+
+/// How a finger moves at a place of its way.
+struct StopSpeed {
+  double speed_m_per_s, slowing_m_per_s;  ///< slowing: from sample to sample
+};
+
+/// At a place of the way, by a parabola through the positions around it.
+std::optional<StopSpeed> speed_at_m(const MeasuredTrial& trial, const StickSegments& segments,
+                                    const Vec2& forward, std::size_t near, double place_m) {
+  const auto half = static_cast<std::size_t>(2 * segments.half_window);
+  const std::size_t count = trial.position_m.size();
+  // The sample closest to the place.
+  std::size_t middle = near;
+  while (middle > 0 && !trial.starts_anew[middle] && trial.position_m[middle].dot(forward) > place_m)
+    --middle;
+  while (middle + 1 < count && !trial.starts_anew[middle + 1] &&
+         trial.position_m[middle].dot(forward) < place_m)
+    ++middle;
+  const auto way = position_parabola(trial, middle, half, forward);
+  if (!way) return std::nullopt;
+  double t = 0;
+  for (int pass = 0; pass < 5; ++pass) {
+    const double slope = way->slope_at(t);
+    if (!(slope > 0)) return std::nullopt;
+    t -= (way->at(t) - place_m) / slope;
+  }
+  if (!(std::abs(t) < static_cast<double>(half))) return std::nullopt;
+  return StopSpeed{way->slope_at(t) * trial.rate_hz, std::abs(2 * way->bend_m * trial.rate_hz)};
+}
+
+}  // namespace
+
+void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
+                   TrialEvidence& evidence) {
+  const auto half = static_cast<std::size_t>(segments.half_window);
+  for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {
+    if (slip.to < slip.from + 4 * half) continue;
+    // Its mean over some windows: one alone has noise of direction.
+    Vec2 forward(0, 0);
+    for (std::size_t i = slip.to - 3 * half; i < slip.to; ++i) forward += segments.velocity_m_per_s[i];
+    forward.normalize();
+    const double stiffness_per_m = stiffness_along(evidence, forward);
+    if (!(stiffness_per_m > 0)) continue;
+    const SlipStop stop = stop_after(trial, segments, ratio, slip, forward);
+    const auto end_m = end_of_slip_m(stop, stiffness_per_m, segments.ratio_noise);
+    if (!end_m) continue;
+    const auto speed =
+        speed_at_m(trial, segments, forward, std::min(slip.to, trial.position_m.size() - 1), *end_m);
+    if (!speed) continue;
+    evidence.stop_speed_m_per_s += speed->speed_m_per_s;
+    evidence.stop_slowing_m_per_s += speed->slowing_m_per_s;
+    ++evidence.stops;
+  }
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,148 @@
+#include "study/trial_rows.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <span>
+
+#include "base/error.hpp"
+#include "motion/recording_clock.hpp"
+#include "touch/skin_motion.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr std::size_t fewest_rows = 16;
+constexpr double longest_gap_s = 1;     // beyond it the recording was stopped
+constexpr double longest_piece_s = 20;  // of a recording that names no trials
+
+bool is_recorded(const Vec3& position, const Vec3& force) {
+  return position.allFinite() && force.allFinite();
+}
+
+const Vec3& pose_at(const std::vector<Vec3>& values, std::size_t row) {
+  return values.size() == 1 ? values.front() : values[row];
+}
+
+/// Keeps one value for as long as all rows have it.
+void keep(std::vector<Vec3>& values, std::size_t rows, const Vec3& value) {
+  if (rows == 0 || (values.size() == 1 && values.front() == value)) {
+    if (rows == 0) values.push_back(value);
+    return;
+  }
+  if (values.size() == 1 && rows > 1) values.resize(rows, Vec3(values.front()));
+  values.push_back(value);
+}
+
+}  // namespace
+
+TrialRows::TrialRows(std::string file, int subject, int number, bool is_numbered)
+    : file_(std::move(file)), subject_(subject), number_(number), is_numbered_(is_numbered) {}
+
+void TrialRows::add(const RecordedRow& row) {
+  keep(normal_, t_s_.size(), row.normal_W);
+  keep(direction_, t_s_.size(), row.direction_W);
+  t_s_.push_back(row.t_s);
+  position_.push_back(row.position_W);
+  force_.push_back(row.force_W);
+}
+
+void TrialRows::finish(RecordedMeasurement& into) const {
+  if (t_s_.size() < fewest_rows)
+    throw refused(
+        file_, fmt::format("trial {} of subject {} has {} rows, too few to be measured; it takes {}", number_,
+                           subject_, t_s_.size(), fewest_rows));
+  std::size_t begin = 0;
+  long lost = 0;
+  const auto end_piece = [&](std::size_t end) {
+    if (end - begin >= fewest_rows) {
+      finish_piece(begin, end, into);
+    } else {
+      lost += static_cast<long>(end - begin);
+    }
+    begin = end;
+  };
+  for (std::size_t i = 1; i < t_s_.size(); ++i) {
+    const bool is_long = !is_numbered_ && t_s_[i] - t_s_[begin] >= longest_piece_s;
+    if (is_long || t_s_[i] - t_s_[i - 1] > longest_gap_s) end_piece(i);
+  }
+  end_piece(t_s_.size());
+  if (lost > 0)
+    into.warnings.push_back(fmt::format("{}: trial {} of subject {}: {} rows between long gaps are left out",
+                                        file_, number_, subject_, lost));
+}
+
+void TrialRows::add_pose(std::size_t row, RecordedTrial& trial, Vec3& normal, Vec3& direction) const {
+  const Vec3 &n = pose_at(normal_, row), &d = pose_at(direction_, row);
+  if (n.allFinite()) normal += n;
+  if (!d.allFinite() || !(d.squaredNorm() > 0)) return;
+  direction += d;
+  if (!n.allFinite()) return;
+  const double angle_deg = inclination_rad(d, n) * 180 / std::numbers::pi;
+  trial.least_angle_deg = std::min(trial.least_angle_deg, angle_deg);
+  trial.most_angle_deg = std::max(trial.most_angle_deg, angle_deg);
+}
+
+void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasurement& into) const {
+  const RecordingClock clock = recording_clock(std::span(t_s_).subspan(begin, end - begin));
+  RecordedTrial trial;
+  trial.file = file_;
+  trial.subject = subject_;
+  trial.number = number_;
+  trial.start_s = t_s_[begin];
+  trial.rate_hz = clock.rate_hz;
+  trial.least_angle_deg = 90;
+  const double last_step = (t_s_[end - 1] - t_s_[begin]) * clock.rate_hz;
+  if (!(last_step <= 4 * static_cast<double>(end - begin) + 1000))
+    throw refused(file_,
+                  fmt::format("trial {} of subject {}: its clock is too uneven: {} rows, but {:.4g} steps "
+                              "at {}",
+                              number_, subject_, end - begin, last_step, clock_text(clock)));
+  const Eigen::Index steps = std::lround(last_step) + 1;
+  trial.position_W.resize(3, steps);
+  trial.force_W.resize(3, steps);
+  trial.origin.assign(static_cast<std::size_t>(steps), SampleOrigin::missing);
+  Vec3 normal = Vec3::Zero(), direction = Vec3::Zero();
+  std::size_t before = end;  // the last recorded row
+  for (std::size_t i = begin; i < end; ++i) {
+    add_pose(i, trial, normal, direction);
+    if (!is_recorded(position_[i], force_[i])) continue;
+    const double at = (t_s_[i] - trial.start_s) * clock.rate_hz;
+    const double from = before == end ? at : (t_s_[before] - trial.start_s) * clock.rate_hz;
+    constexpr double slack = 0.05;  // of a step: times are rounded
+    for (Eigen::Index k = before == end ? std::lround(at) : std::lround(std::floor(from + slack)) + 1;
+         static_cast<double>(k) <= at + slack && k < steps; ++k) {
+      const double step = static_cast<double>(k);
+      const bool is_near = std::abs(step - at) <= 0.5;
+      const double share = before == end || step >= at - slack ? 1 : (step - from) / (at - from);
+      const std::size_t other = before == end ? i : before;
+      trial.position_W.col(k) = position_[other] + share * (position_[i] - position_[other]);
+      trial.force_W.col(k) = force_[other] + share * (force_[i] - force_[other]);
+      trial.origin[static_cast<std::size_t>(k)] =
+          is_near || step - from <= 0.5 ? SampleOrigin::recorded : SampleOrigin::filled;
+    }
+    before = i;
+  }
+  if (before == end) {
+    into.warnings.push_back(
+        fmt::format("{}: trial {} of subject {} has no row that holds both position and force", file_,
+                    number_, subject_));
+    return;
+  }
+  for (Eigen::Index k = 0; k < steps; ++k) {  // before the first recorded row and after the last
+    if (trial.origin[static_cast<std::size_t>(k)] != SampleOrigin::missing) continue;
+    trial.position_W.col(k) = position_[before];
+    trial.force_W.col(k) = force_[before];
+  }
+  if (normal.norm() > 0) trial.normal_W = normal.normalized();
+  if (direction.norm() > 0) trial.direction_W = direction.normalized();
+  into.trials.push_back(std::move(trial));
+}
+
+std::string trial_name(const RecordedTrial& trial) {
+  return fmt::format("{}, subject {}, trial {}", trial.file, trial.subject, trial.number);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,88 @@
+#include "trace/hdf5_columns.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/path_words.hpp"
+#include "trace/handover.hpp"
+#include "trace/hdf5_file.hpp"
+#include "trace/trial.hpp"
+
+namespace fingerpad {
+namespace {
+
+void tell_columns(const std::string& path, const std::vector<std::string>& names, Teller& tell) {
+  const hdf5::Handle file = hdf5::open_file(path);
+  tell(hdf5::read_text(file, "scene"));
+  std::optional<std::uint64_t> rows;
+  for (const std::string& name : names) {
+    const bool is_there = hdf5::has_link(file, name);
+    tell(is_there);
+    if (!is_there) continue;
+    const hdf5::Handle column = hdf5::open_dataset(file, name, "column");
+    const std::vector<std::uint64_t> extents = hdf5::extents(column);
+    if (extents.size() != 1) throw refused(path, fmt::format("the column '{}' is no row of numbers", name));
+    if (rows && *rows != extents[0])
+      throw refused(
+          path, fmt::format("the column '{}' has {} rows, those before it have {}", name, extents[0], *rows));
+    rows = extents[0];
+    if (*rows > hdf5::stored_values(column))
+      throw refused(path, fmt::format("is damaged: the column '{}' has fewer numbers than it says", name));
+    std::vector<double> numbers(static_cast<std::size_t>(*rows));
+    if (!hdf5::read_rows(column, 0, numbers))
+      throw refused(path, fmt::format("the column '{}' cannot be read as numbers", name));
+    tell(numbers);
+  }
+  tell.flush();
+}
+
+Hdf5Columns hear_columns(std::size_t names, Hearer& hear) {
+  Hdf5Columns found;
+  found.columns.resize(names);
+  hear(found.scene_text);
+  for (std::size_t k = 0; k < names; ++k) {
+    bool is_there = false;
+    hear(is_there);
+    found.present.push_back(is_there);
+    if (is_there) hear(found.columns[k]);
+  }
+  return found;
+}
+
+}  // namespace
+
+Hdf5Columns read_hdf5_columns(const std::string& path, const std::vector<std::string>& names) {
+  constexpr std::uint64_t bytes_per_second = std::uint64_t{50} << 20;  // far slower than any reading
+  std::error_code vanished;
+  const std::uint64_t bytes = std::filesystem::file_size(path, vanished);
+  if (vanished) throw refused(path, "cannot be read: " + path_words(path, vanished.value()));
+  // Numbers of four bytes or one are told as eight.
+  const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + 8 * bytes;
+  const auto work = [&](const Trial::Say& say) {
+    Teller tell(say);
+    tell_columns(path, names, tell);
+  };
+  std::optional<hdf5::Turn> turn(std::in_place);  // no other thread is amid HDF5 when the child is born
+  Trial trial(work, {.seconds = 2 + bytes / bytes_per_second,
+                     .memory_bytes = (std::uint64_t{256} << 20) + 8 * bytes});
+  turn.reset();
+  std::optional<Hdf5Columns> columns;
+  try {
+    Hearer hear([&trial](std::span<char> out) { return trial.hear(out); }, told_bytes);
+    columns = hear_columns(names.size(), hear);
+  } catch (const ToldTooMuch&) {
+    throw refused(path, "is damaged: it unfolds to more numbers than a file of its size can hold");
+  } catch (const ToldTooLittle&) {  // how it ended says why
+  }
+  const TrialOutcome outcome = trial.end();
+  if (outcome.end == TrialOutcome::End::threw) throw refused("", outcome.message);
+  if (outcome.end == TrialOutcome::End::died || !columns)
+    throw refused(path, "is damaged: HDF5 cannot read it to its end");
+  return *std::move(columns);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,20 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fingerpad {
+
+/// Columns picked from an HDF5 file that need not be a trace.
+struct Hdf5Columns {
+  std::vector<bool> present;                 ///< per asked-for name
+  std::vector<std::vector<double>> columns;  ///< per asked-for name; empty where absent
+  std::string scene_text;                    ///< the scene that a trace keeps; empty where there is none
+};
+
+/// Reads one-dimensional datasets of numbers at a file's root. The file is read by a child process, as
+/// read_trace does it. Throws Error (refused) for one that keeps anything outside of itself or is compressed,
+/// and for columns that differ in length.
+Hdf5Columns read_hdf5_columns(const std::string& path, const std::vector<std::string>& names);
+
+}  // namespace fingerpad

@@ -1,0 +1,152 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "study/force_tare.hpp"
+#include "study/mains_hum.hpp"
+#include "study/measurement.hpp"
+#include "study/position_delay.hpp"
+#include "support/pad_measurement.hpp"
+
+namespace fingerpad::cleaning_test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+const std::vector<test::KnownTrial> rubs{{1, 45, 0}, {1, 45, 90}, {1, 45, 45, 0.003, 1.0}};
+
+test::KnownSensors sensors_in_the_air() {
+  test::KnownSensors sensors;
+  sensors.air_s = 0.3;
+  return sensors;
+}
+
+Measurement cleaned(const test::KnownSensors& sensors, const CleaningSettings& settings = {}) {
+  return clean(test::known_measurement(rubs, {}, sensors, 1), settings);
+}
+
+TEST(Cleaning, TakesADriftingTareOff) {
+  test::KnownSensors sensors = sensors_in_the_air();
+  sensors.tare_n = 0.2;
+  sensors.drift_n_per_s = 0.02;
+  RecordedMeasurement with = test::known_measurement(rubs, {}, sensors, 1);
+  for (RecordedTrial& trial : with.trials) {
+    TrialCleaning cleaning;
+    const Vec3 before = trial.force_W.leftCols(200).rowwise().mean();
+    EXPECT_GT(before.norm(), 0.02);
+    take_tare(trial, cleaning);
+    EXPECT_GT(cleaning.free_samples, 400);
+    // The mean of 200 samples of 5 mN noise.
+    EXPECT_LT(trial.force_W.leftCols(200).rowwise().mean().norm(), 2e-3);
+    EXPECT_LT(trial.force_W.rightCols(200).rowwise().mean().norm(), 2e-3);
+  }
+}
+
+TEST(Cleaning, AFingerThatOnlyPressesLessIsNoTare) {
+  test::KnownFinger quiet;
+  quiet.vibration = 0;  // so that even slip is as still as the noise
+  for (const test::KnownFinger& finger : {test::KnownFinger{}, quiet}) {
+    RecordedMeasurement pressed = test::known_measurement(test::known_trials(), finger, {}, 6);
+    for (RecordedTrial& trial : pressed.trials) {
+      TrialCleaning cleaning;
+      take_tare(trial, cleaning);
+      EXPECT_EQ(cleaning.free_samples, 0) << trial_name(trial);
+    }
+  }
+}
+
+TEST(Cleaning, TakesMainsHumOutAndLeavesTheRest) {
+  test::KnownSensors sensors, still;
+  sensors.hum_n = 0.02;
+  sensors.hum_hz = 50;
+  RecordedMeasurement with = test::known_measurement(rubs, {}, sensors, 1),
+                      without = test::known_measurement(rubs, {}, still, 1);
+  for (std::size_t i = 0; i < with.trials.size(); ++i) {
+    const double before = (with.trials[i].force_W - without.trials[i].force_W).rowwise().norm().maxCoeff();
+    const MainsHum hum = remove_mains_hum(with.trials[i], Mains::any);
+    EXPECT_NEAR(hum.frequency_hz, 50, 0.1);
+    EXPECT_LT((with.trials[i].force_W - without.trials[i].force_W).rowwise().norm().maxCoeff(), 0.2 * before);
+    EXPECT_EQ(remove_mains_hum(without.trials[i], Mains::any).amplitude_n, 0);
+  }
+}
+
+TEST(Cleaning, FindsTheDelayOfForceBehindPosition) {
+  for (const double delay_s : {-0.0042, 0.0, 0.0127}) {
+    test::KnownSensors sensors;
+    sensors.delay_s = delay_s;
+    const Measurement measurement = cleaned(sensors);
+    ASSERT_EQ(measurement.delay.refusal, "");
+    // A third of a sample: it rests on some seconds of stick.
+    EXPECT_NEAR(measurement.delay.delay_s, delay_s, 3.5e-4);
+    EXPECT_THAT(measurement.steps, Contains(HasSubstr("taken out")));
+  }
+}
+
+TEST(Cleaning, AKnownDelayIsTakenOutInstead) {
+  test::KnownSensors sensors;
+  sensors.delay_s = 0.01;
+  CleaningSettings settings;
+  settings.delay_s = 0.01;
+  const Measurement told = cleaned(sensors, settings), straight = cleaned({});
+  ASSERT_FALSE(told.trials.empty());
+  const MeasuredTrial& trial = told.trials.front();
+  // In the middle of a rub: places are those of the forces' moments, 10 ms at 0.2 m/s being 2 mm.
+  for (std::size_t i = 500; i < 3000; i += 100) {
+    const double t = trial.t_s[i];
+    const double place_m = 0.06 * std::sin(2 * std::numbers::pi * 0.6 * t);
+    EXPECT_NEAR(trial.position_m[i].norm(), std::abs(place_m), 1e-4);  // five deviations of noise
+  }
+}
+
+TEST(Cleaning, FillsShortGapsAndLeavesLongOnesOut) {
+  test::KnownSensors sensors;
+  sensors.lost_share = 0.02;
+  const Measurement measurement = cleaned(sensors);
+  long filled = 0, missing = 0, samples = 0;
+  for (const TrialCleaning& trial : measurement.cleanings) {
+    filled += trial.filled;
+    missing += trial.missing;
+    samples += trial.samples;
+  }
+  EXPECT_GT(filled, samples / 200);
+  EXPECT_GT(missing, 20);
+  CleaningSettings unfilled;
+  unfilled.longest_fill_s = 0;
+  EXPECT_EQ(cleaned(sensors, unfilled).cleanings.front().filled, 0);
+}
+
+TEST(Cleaning, EachStepCanBeLeftOutAndIsSaidSo) {
+  CleaningSettings none;
+  none.mains = Mains::off;
+  none.takes_tare = false;
+  none.takes_delay = false;
+  const Measurement measurement = cleaned(test::bad_sensors(), none);
+  EXPECT_THAT(measurement.steps, Contains(HasSubstr("mains hum: left in (off)")));
+  EXPECT_THAT(measurement.steps, Contains(HasSubstr("tare: left as it is (off)")));
+  EXPECT_THAT(measurement.steps, Contains(HasSubstr("left in (off)")));
+  EXPECT_THAT(measurement.steps, Contains(HasSubstr("low pass: off")));
+}
+
+TEST(Cleaning, TheLowPassLeavesNoDelayAndLessNoise) {
+  CleaningSettings smooth;
+  smooth.smoothing_hz = 100;
+  smooth.takes_delay = false;
+  CleaningSettings raw;
+  raw.takes_delay = false;
+  const Measurement passed = cleaned({}, smooth), plain = cleaned({}, raw);
+  const auto roughness = [](const MeasuredTrial& trial) {
+    double sum = 0;
+    for (std::size_t i = 502; i < 3000; ++i)
+      sum += (trial.position_m[i] - 2 * trial.position_m[i - 1] + trial.position_m[i - 2]).squaredNorm();
+    return sum;
+  };
+  EXPECT_LT(roughness(passed.trials.front()), 0.05 * roughness(plain.trials.front()));
+  for (std::size_t i = 500; i < 3000; i += 50)
+    EXPECT_NEAR((passed.trials.front().position_m[i] - plain.trials.front().position_m[i]).norm(), 0, 1.2e-4);
+}
+
+}  // namespace
+}  // namespace fingerpad::cleaning_test

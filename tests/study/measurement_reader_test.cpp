@@ -1,0 +1,164 @@
+#include "study/measurement_reader.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/refusal.hpp"
+#include "trace/hdf5_file.hpp"
+
+namespace fingerpad::measurement_reader_test {
+namespace {
+
+using testing::HasSubstr;
+
+class Reading : public testing::Test {
+ protected:
+  std::string written(const std::string& name, const std::string& text) const {
+    std::ofstream(folder / name) << text;
+    return (folder / name).string();
+  }
+  const std::filesystem::path folder = test::scratch_dir();
+};
+
+/// Rows 0 .. 19 of a millisecond each.
+template <typename Row>
+std::string table(const std::string& header, const Row& row) {
+  std::string text = header + "\n";
+  for (int i = 0; i < 20; ++i) text += row(i) + "\n";
+  return text;
+}
+
+TEST_F(Reading, TakesColumnsUnitsAndSeparatorsAsItIsTold) {
+  const std::string path =
+      written("other.csv", table("Zeit;X;Y;Z;Fx;Fy;Fz;wer", [](int i) {
+                return std::to_string(i) + ";1,5;" + std::to_string(i) + ",0;0;0,1;0;1000;7";
+              }));
+  MeasurementFormat format;
+  const char* const names[] = {"Zeit", "X", "Y", "Z", "Fx", "Fy", "Fz"};
+  std::copy(std::begin(names), std::end(names), format.headers.begin());
+  format.headers[22] = "wer";
+  format.metres_per_unit = 1e-3;
+  format.seconds_per_unit = 1e-3;
+  format.newtons_per_unit = 1e-3;
+  format.dialect.decimal = ',';
+  format.force_on_plate = true;
+  const RecordedMeasurement read = read_measurements({path}, format);
+  ASSERT_EQ(read.trials.size(), 1u);
+  const RecordedTrial& trial = read.trials.front();
+  EXPECT_EQ(trial.subject, 7);
+  EXPECT_EQ(trial.samples(), 20);
+  EXPECT_EQ(trial.rate_hz, 1000);
+  EXPECT_NEAR(trial.position_W(0, 3), 1.5e-3, 1e-12);
+  EXPECT_NEAR(trial.position_W(1, 3), 3e-3, 1e-12);
+  EXPECT_NEAR(trial.force_W(2, 3), -1, 1e-12);
+}
+
+TEST_F(Reading, CellsWithoutANumberAndMissingRowsAreMissingSamples) {
+  const std::string path = written(
+      "gaps.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n", [](int i) {
+        const std::string t = std::to_string(i < 10 ? i : i + 5) + "e-3";
+        return t + (i == 4 ? ",nan,,0,0,0,1" : "," + std::to_string(i < 10 ? i : i + 5) + ",0,0,0,0,1");
+      }));
+  const RecordedMeasurement read = read_measurements({path}, {});
+  ASSERT_EQ(read.trials.size(), 1u);
+  const RecordedTrial& trial = read.trials.front();
+  ASSERT_EQ(trial.samples(), 25);
+  EXPECT_EQ(trial.origin[4], SampleOrigin::filled);
+  EXPECT_EQ(trial.origin[5], SampleOrigin::recorded);
+  EXPECT_EQ(trial.origin[12], SampleOrigin::filled);
+  for (Eigen::Index k = 0; k < 25; ++k) EXPECT_NEAR(trial.position_W(0, k), static_cast<double>(k), 1e-9);
+}
+
+TEST_F(Reading, TrialsArePartedAndUnnumberedOnesCutWhereTheRecordingStopped) {
+  const std::string path = written("two.csv", [] {
+    std::string text = "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n";
+    for (int i = 0; i < 40; ++i) text += std::to_string(i < 20 ? i : i + 3000) + "e-3,0,0,0,0,0,1\n";
+    return text;
+  }());
+  EXPECT_EQ(read_measurements({path}, {}).trials.size(), 2u);
+  const std::string back = written("back.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n", [](int i) {
+                                     return std::to_string(i == 7 ? 3 : i) + "e-3,0,0,0,0,0,1";
+                                   }));
+  EXPECT_THAT(test::why_not([&] { read_measurements({back}, {}); }),
+              HasSubstr("back.csv:9: its time does not come"));
+  const std::string half = written("half.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,dx,dz", [](int i) {
+                                     return std::to_string(i) + "e-3,0,0,0,0,0,1,1,0";
+                                   }));
+  EXPECT_THAT(test::why_not([&] { read_measurements({half}, {}); }),
+              HasSubstr("2 of the columns dx, dy, dz"));
+}
+
+TEST_F(Reading, Hdf5ColumnsAreReadAsThoseOfATable) {
+  const std::string path = (folder / "columns.h5").string();
+  {
+    hdf5::Handle file = hdf5::create_file(path);
+    const char* const names[] = {"t_s", "x_m", "y_m", "z_m", "fx_n", "fy_n", "fz_n", "trial"};
+    for (const char* name : names) {
+      std::vector<double> values;
+      for (int i = 0; i < 40; ++i)
+        values.push_back(std::string(name) == "t_s"     ? 1e-3 * (i % 20)
+                         : std::string(name) == "trial" ? i / 20
+                                                        : 0.25);
+      hdf5::append(hdf5::create_column(file, name, hdf5::NumberType::float64, "1"), 0, values);
+    }
+    hdf5::close_file(std::move(file));
+  }
+  const RecordedMeasurement read = read_measurements({path}, {});
+  ASSERT_EQ(read.trials.size(), 2u);
+  EXPECT_EQ(read.trials[1].number, 1);
+  EXPECT_EQ(read.trials[1].samples(), 20);
+  EXPECT_EQ(read.trials[1].force_W(2, 19), 0.25);
+  MeasurementFormat named;
+  named.headers[0] = "when";
+  EXPECT_THAT(test::why_not([&] { read_measurements({path}, named); }), HasSubstr("has no dataset 'when'"));
+}
+
+TEST_F(Reading, TwoMarkersGiveTheFingertipAndItsAngle) {
+  // The finger points along y and down by 30 degrees; its markers lie 12 mm above it.
+  const Vec3 along = Vec3(0, std::cos(M_PI / 6), -0.5), up = Vec3(0, 0.5, std::cos(M_PI / 6));
+  const Vec3 tip(0.1, 0.2, 0.3), distal = tip - 0.02 * along + 0.012 * up, proximal = distal - 0.03 * along;
+  const std::string path =
+      written("markers.csv", table("t_s,m1x_m,m1y_m,m1z_m,m2x_m,m2y_m,m2z_m,fx_n,fy_n,fz_n", [&](int i) {
+                std::string row = std::to_string(i) + "e-3";
+                for (const Vec3& p : {proximal, distal})
+                  for (const double x : p) row += "," + std::to_string(x);
+                return row + ",0,0,1";
+              }));
+  MeasurementFormat format;
+  format.markers = TwoMarkers{0.02, 0.012};
+  const RecordedMeasurement read = read_measurements({path}, format);
+  ASSERT_EQ(read.trials.size(), 1u);
+  const RecordedTrial& trial = read.trials.front();
+  EXPECT_LT((trial.position_W.col(5) - tip).norm(), 3e-6);  // of six decimals
+  EXPECT_LT((trial.direction_W - along).norm(), 1e-4);
+  EXPECT_NEAR(trial.least_angle_deg, 30, 0.01);
+}
+
+TEST_F(Reading, ASixAxisSensorGivesTheForceAndTheContactPoint) {
+  // A sensor 20 mm below the plate z = 5 mm, turned by 90 degrees about z; the finger presses at (30, 40) mm.
+  const Vec3 force(0.3, -0.2, 2), at(0.03, 0.04, 0.005), origin(0.01, 0, -0.015);
+  const Mat3 turn = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitZ()).toRotationMatrix();
+  const Vec3 torque =
+      (at - origin).cross(force) + 0.01 * Vec3::UnitZ();  // and a free moment about the normal
+  const Vec3 f = turn.transpose() * force, m = turn.transpose() * torque;
+  const std::string path =
+      written("wrench.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,tx_n_m,ty_n_m,tz_n_m", [&](int i) {
+                std::string row = std::to_string(i) + "e-3,9,9,0.006";
+                for (const double x : f) row += "," + std::to_string(x);
+                for (const double x : m) row += "," + std::to_string(x);
+                return row;
+              }));
+  MeasurementFormat format;
+  format.sensor = SixAxisSensor{turn, origin, 0.005};
+  const RecordedTrial trial = read_measurements({path}, format).trials.at(0);
+  EXPECT_LT((trial.force_W.col(3) - force).norm(), 1e-5);
+  EXPECT_LT((trial.position_W.col(3) - Vec3(0.03, 0.04, 0.006)).norm(), 2e-6);
+}
+
+}  // namespace
+}  // namespace fingerpad::measurement_reader_test
