@@ -25,7 +25,7 @@ TEST(PlacedMotion, TurnsAllThatARecordingSaysAndMovesItsPlaces) {
   motion.direction_W = one(0, 1, 0);
   motion.push_W_n = one(2, 0, 0);
   motion.velocity_W = one(0, 3, 1);
-  motion.force_W_n = one(0, 0, 4);
+  motion.force_W_n = one(4, 0, 1);
   motion.attitude = {Attitude::Identity()};
   motion.normal_force_n = {7};
   place(motion, quarter_turn(), moved_m);
@@ -37,7 +37,7 @@ TEST(PlacedMotion, TurnsAllThatARecordingSaysAndMovesItsPlaces) {
   expect(motion.direction_W, Vec3(-1, 0, 0));
   expect(motion.push_W_n, Vec3(0, 2, 0));
   expect(motion.velocity_W, Vec3(-3, 0, 1));
-  expect(motion.force_W_n, Vec3(0, 0, 4));
+  expect(motion.force_W_n, Vec3(0, 4, 1));
   expect(motion.attitude[0] * Vec3(1, 0, 0), Vec3(0, 1, 0));
   EXPECT_EQ(motion.normal_force_n[0], 7);
 }
