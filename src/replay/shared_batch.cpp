@@ -212,7 +212,7 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
     make_board(jobs, options);
   });
   RankLog log(ranks_folder(options), ranks.rank);
-  WatchedRank watched(log);  // from here on in a child process
+  WatchedRank watched(log, ranks);  // from here on in a child process
   RankWork work(jobs, options, ranks, log, watched);
   work.run(on_done);
   if (!work.is_last()) return {false, {}};
