@@ -34,6 +34,10 @@ void make_folder(const std::string& folder) {
 
 }  // namespace
 
+std::string ranks_folder(const BatchOptions& options) {
+  return fmt::format("{}/{}/ranks-{}of{}", options.out_dir, state_folder, options.shard, options.shard_count);
+}
+
 std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
                                         const Ranks& ranks, const std::function<void()>& when_first) {
   if (!ranks.is_root()) wait_for_root(options, ranks);
@@ -56,6 +60,8 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
         }
         const std::string kept = keep_other_summary(jobs, options);
         if (options.on_kept && !kept.empty()) options.on_kept(kept);
+        std::error_code ignored;
+        std::filesystem::remove_all(ranks_folder(options), ignored);
         when_first();
       });
 }

@@ -120,6 +120,15 @@ TEST(Ranks, ThatDieAltogetherDoNotEndTheOthersWhereTheLauncherIsAskedToGoOn) {
   expect_resumed_to_the_same_bytes(folder, "plane.toml");
 }
 
+TEST(Ranks, ThatAreAllKilledLeaveNothingThatARunByItselfDoesNotPutRight) {
+  const fs::path folder = folder_with_batch();
+  fs::create_directories(folder / "o" / ".fingerpad" / "ranks-1of1");
+  std::ofstream(folder / "o" / ".fingerpad" / "ranks-1of1" / "board") << "left behind";
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet --resume", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);
+  EXPECT_EQ(all_bytes(folder / "o"), all_bytes(folder / "one"));
+}
+
 TEST(Ranks, WhoseLauncherIsGoneBeforeTheyBeginWriteNothing) {
   const fs::path folder = folder_with_batch();
   for (const char* rank : {"0", "1"}) {
