@@ -84,6 +84,7 @@ std::optional<SixAxisSensor> sensor_of(const ReadingOptions& options) {
 
 void add_units(CLI::App& command, ReadingOptions& options) {
   std::vector<std::string> times;
+  times.reserve(std::size(time_units));
   for (const TimeUnit& unit : time_units) times.emplace_back(unit.name);
   command.add_option("--unit", options.unit, "Of positions")
       ->check(CLI::IsMember(length_unit_names()))

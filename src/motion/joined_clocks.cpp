@@ -85,8 +85,8 @@ JoinedClocks join_clocks(const ClockedValues& first, const ClockedValues& second
       "{:.0f} Hz; {} of these left out: {} outside of the former, {} in gaps of theirs",
       slow.what, 1 / std::max(first_step_s, second_step_s), quick.t_s.size(), quick.what,
       1 / std::min(first_step_s, second_step_s), taken.outside + taken.in_gaps, taken.outside, taken.in_gaps);
-  joined.first = first_is_slow ? std::move(taken.values) : std::move(kept);
-  joined.second = first_is_slow ? std::move(kept) : std::move(taken.values);
+  joined.first.swap(first_is_slow ? taken.values : kept);
+  joined.second.swap(first_is_slow ? kept : taken.values);
   return joined;
 }
 

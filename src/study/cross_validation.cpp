@@ -26,6 +26,7 @@ std::vector<int> folds_of(const Measurement& measurement, int& folds) {
   for (const auto& [subject, count] : counted) folds = std::max(folds, std::min(count, most_folds));
   if (folds < 2) folds = std::min(static_cast<int>(measurement.trials.size()), most_folds);
   std::vector<int> fold;
+  fold.reserve(place.size());
   for (const int at : place) fold.push_back(folds > 0 ? at % folds : 0);
   return fold;
 }

@@ -23,7 +23,7 @@ std::vector<ComparedRun> read_measured_and_model(const std::string& path, Over o
   model.name = "model";
   const char* names[] = {"fx_n", "fy_n", "fz_n"};
   for (int axis = 0; axis < 3; ++axis) {
-    ComparedColumn of_measured{names[axis], "N", {}}, of_model = of_measured;
+    ComparedColumn of_measured{names[axis], "N", {}}, of_model{names[axis], "N", {}};
     for (const TickRecord& row : trace.rows) {
       of_model.values.push_back(row.force_W_n[axis]);
       of_measured.values.push_back(row.force_W_n[axis] - row.residual_W_n[axis]);
