@@ -1,9 +1,12 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/fit_options.hpp"
+#include "app/fit_pictures.hpp"
+#include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
@@ -17,7 +20,7 @@ namespace {
 
 struct FitOptions {
   std::vector<std::string> measurements;
-  std::string out;
+  std::string out, report;
   std::uint64_t seed = 1;
   bool quiet = false;
   ReadingOptions reading;
@@ -40,10 +43,24 @@ void tell_fit(const ProfileFit& fit) {
   }
 }
 
+void tell_report(const FitOptions& options, const Measurement& measurement, const ProfileFit& found,
+                 const FitSettings& settings, const std::string& source) {
+  const FitReport report = fit_report(measurement, found, settings);
+  const std::string written =
+      write_fit_report(report, fit_page(report, measurement, found, source), options.report);
+  if (options.quiet) return;
+  print_out("{}\n", cross_validation_words(report.checked));
+  for (const std::string& figure : report.without_picture) print_out("no picture of {}\n", figure);
+  print_out("{}\n", written);
+}
+
 int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
+  std::optional<OutputFolder> report_folder;
+  if (!options.report.empty()) report_folder.emplace(options.report);
   RecordedMeasurement recorded =
       read_measurements(options.measurements, measurement_format(options.reading), options.reading.reader);
+  for (const std::string& note : recorded.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : recorded.warnings) print_err("fingerpad: warning: {}\n", warning);
   const Measurement measurement = clean(std::move(recorded), cleaning_settings(options.cleaning));
   for (const std::string& name : measurement.untouched)
@@ -52,7 +69,8 @@ int fit(const FitOptions& options) {
     for (const std::string& reason : measurement.without_force)
       print_err("fingerpad: warning: {}; the file is left out\n", reason);
   }
-  const ProfileFit found = fit_profile(measurement, {options.seed, blocks_of(options.cleaning)});
+  const FitSettings settings{options.seed, blocks_of(options.cleaning)};
+  const ProfileFit found = fit_profile(measurement, settings);
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any)
@@ -69,6 +87,7 @@ int fit(const FitOptions& options) {
     print_err("fingerpad: warning: the pad's law does not fit: {}\n", found.residual.misfit);
   tell_written(options.quiet, options.out,
                fmt::format("{} trials of {} subjects", found.trials, found.subjects));
+  if (report_folder) tell_report(options, measurement, found, settings, source);
   return 0;
 }
 
@@ -86,6 +105,10 @@ void add_fit(CLI::App& program, Action& action) {
   refuse_empty(
       command->add_option("--out", options->out, "Profile to write (TOML), or - for standard output"))
       ->required();
+  refuse_empty(
+      command->add_option("--report", options->report,
+                          "Folder for a report: report.html, tables, and the paper's figures 3 to 11 from "
+                          "these measurements (SVG and PNG)"));
   add_reading_options(*command, options->reading);
   add_cleaning_options(*command, options->cleaning);
   command->add_option("--seed", options->seed, "Of the intervals' bootstrap")->capture_default_str();

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/output_name.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/unit.hpp"
@@ -86,10 +87,10 @@ void add_units(CLI::App& command, ReadingOptions& options) {
   for (const TimeUnit& unit : time_units) times.emplace_back(unit.name);
   command.add_option("--unit", options.unit, "Of positions")
       ->check(CLI::IsMember(length_unit_names()))
-      ->capture_default_str();
+      ->default_str("m, or the layout's own");
   command.add_option("--time-unit", options.time_unit, "Of times")
       ->check(CLI::IsMember(times))
-      ->capture_default_str();
+      ->default_str("s, or the layout's own");
   command.add_option("--force-unit", options.force_unit, "Of forces")
       ->check(CLI::IsMember(names_of(force_units)))
       ->capture_default_str();
@@ -135,6 +136,9 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
           "X,Y,Z of a six-axis sensor's axes [m]: with torque the contact point is told from the wrench")
       ->delimiter(',')
       ->expected(3);
+  refuse_empty(
+      command.add_option("--positions", options.positions,
+                         "A table of positions with a clock of their own, where a --reader has them so"));
   command
       .add_option("--sensor-turned", options.sensor_turned,
                   "W,X,Y,Z: the sensor's axes to those of positions")
@@ -177,9 +181,12 @@ void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
 MeasurementFormat measurement_format(const ReadingOptions& options) {
   MeasurementFormat format;
   take_columns(options.columns, format);
-  format.metres_per_unit = *metres_per_unit(options.unit);
+  format.says_unit = !options.unit.empty();
+  format.says_time_unit = !options.time_unit.empty();
+  if (format.says_unit) format.metres_per_unit = *metres_per_unit(options.unit);
   for (const TimeUnit& unit : time_units)
     if (unit.name == options.time_unit) format.seconds_per_unit = unit.seconds;
+  format.positions_path = options.positions;
   format.newtons_per_unit = factor_of(force_units, options.force_unit);
   format.newton_metres_per_unit = factor_of(torque_units, options.torque_unit);
   if (!options.separator.empty())

@@ -15,8 +15,9 @@ namespace fingerpad {
 
 /// How `fit` is told to read its files, as on the command line.
 struct ReadingOptions {
-  std::string reader, unit = "m", time_unit = "s", force_unit = "N", torque_unit = "N.m", separator,
-                      decimal = ".", force_on = "finger";
+  std::string positions;  ///< a table of positions with a clock of their own; empty: none
+  std::string reader, unit, time_unit, force_unit = "N", torque_unit = "N.m", separator, decimal = ".",
+                                       force_on = "finger";
   std::vector<std::string> columns;                       ///< KEY=NAME
   std::vector<double> markers, sensor_at, sensor_turned;  ///< none: not given
   double plate_height_m = 0;

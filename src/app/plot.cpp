@@ -14,6 +14,7 @@
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 #include "trace/trace.hpp"
+#include "view/measured_run.hpp"
 
 namespace fingerpad {
 namespace {
@@ -47,6 +48,18 @@ void plot_alone(const PlotOptions& options) {
   tell_written(options.quiet, options.out, fmt::format("{} of {} ticks", options.show, input.rows.size()));
 }
 
+/// Runs over one another, and what each has beyond the first.
+void plot_runs(const PlotOptions& options, std::vector<ComparedRun> runs) {
+  const Over over = over_of(options.over);
+  const Comparison comparison = compare_runs(std::move(runs), options.columns, over);
+  write_comparison(comparison, over, options.out, options.width);
+  if (!options.quiet) {
+    for (const std::string& words : comparison.notes) print_out("{}\n", words);
+    for (const std::string& words : residual_words(comparison)) print_out("{}\n", words);
+  }
+  tell_written(options.quiet, options.out, fmt::format("{} overlaid", comparison.runs.size()));
+}
+
 /// Several, or measurements.
 void plot_overlaid(const PlotOptions& options) {
   constexpr std::size_t most = 8;  // colours that are told apart
@@ -59,13 +72,7 @@ void plot_overlaid(const PlotOptions& options) {
   for (const std::string& path : options.inputs) {
     runs.push_back(read_compared_run(path, over, options.from_s, options.to_s));
   }
-  const Comparison comparison = compare_runs(std::move(runs), options.columns, over);
-  write_comparison(comparison, over, options.out, options.width);
-  if (!options.quiet) {
-    for (const std::string& words : comparison.notes) print_out("{}\n", words);
-    for (const std::string& words : residual_words(comparison)) print_out("{}\n", words);
-  }
-  tell_written(options.quiet, options.out, fmt::format("{} overlaid", comparison.runs.size()));
+  plot_runs(options, std::move(runs));
 }
 
 int plot(const PlotOptions& options) {
@@ -76,7 +83,10 @@ int plot(const PlotOptions& options) {
   refuse_overwriting(options.out, options.inputs);
   refuse_unwritable(options.out);
   const bool table = options.inputs.size() == 1 && is_measured_table(options.inputs[0]);
-  if (options.inputs.size() > 1 || !options.columns.empty() || table) {
+  if (options.show == "residual" && options.inputs.size() == 1) {
+    plot_runs(options, read_measured_and_model(options.inputs[0], over_of(options.over), options.from_s,
+                                               options.to_s));
+  } else if (options.inputs.size() > 1 || !options.columns.empty() || table) {
     plot_overlaid(options);
   } else {
     plot_alone(options);
@@ -102,8 +112,8 @@ void add_plot(CLI::App& program, Action& action) {
       ->add_option(
           "--show", options->show,
           "history, stick-region, force-displacement or spectrum (the paper's figs. 2, 9 and 12; 4 and "
-          "7; 8; 11)")
-      ->check(CLI::IsMember({"history", "stick-region", "force-displacement", "spectrum"}))
+          "7; 8; 11); residual, of a motion with a measured force")
+      ->check(CLI::IsMember({"history", "stick-region", "force-displacement", "spectrum", "residual"}))
       ->capture_default_str();
   command
       ->add_option("--over", options->over,
@@ -132,6 +142,8 @@ void add_plot(CLI::App& program, Action& action) {
       "stick-region: where the pad stuck about its stick centre, by the finger's angle, with the law's "
       "region.\n"
       "force-displacement: friction against displacement in stick.  spectrum: of the forces, alone.\n"
+      "residual: measured and model's force on the finger over one another, and the model's less the "
+      "measured.\n"
       "Overlaid: a panel a column and one of what each has beyond the first, with its RMS, at the ticks of "
       "the "
       "one that has fewer; the finer is interpolated linearly.\n"

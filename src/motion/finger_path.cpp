@@ -37,14 +37,23 @@ Eigen::Index sample_after(const std::vector<double>& t_s, double at_s) noexcept 
   return std::upper_bound(t_s.begin(), t_s.end(), at_s) - t_s.begin();
 }
 
-FingerSample interpolated(const Motion& motion, double t_s, const Vec3& direction_W) noexcept {
-  const auto last = static_cast<Eigen::Index>(motion.t_s.size()) - 1;
-  const auto right =
-      std::clamp<Eigen::Index>(sample_after(motion.t_s, t_s), std::min<Eigen::Index>(1, last), last);
+/// The samples around a time, and how far between them it is.
+struct Between {
+  Eigen::Index left, right;
+  double share;
+};
+
+Between between(const std::vector<double>& t_s, double at_s) noexcept {
+  const auto last = static_cast<Eigen::Index>(t_s.size()) - 1;
+  const auto right = std::clamp<Eigen::Index>(sample_after(t_s, at_s), std::min<Eigen::Index>(1, last), last);
   const Eigen::Index left = std::max<Eigen::Index>(right - 1, 0);
-  const double t_left = motion.t_s[static_cast<std::size_t>(left)];
-  const double span = motion.t_s[static_cast<std::size_t>(right)] - t_left;
-  const double u = span > 0 ? std::clamp((t_s - t_left) / span, 0.0, 1.0) : 0.0;
+  const double t_left = t_s[static_cast<std::size_t>(left)];
+  const double span = t_s[static_cast<std::size_t>(right)] - t_left;
+  return {left, right, span > 0 ? std::clamp((at_s - t_left) / span, 0.0, 1.0) : 0.0};
+}
+
+FingerSample interpolated(const Motion& motion, double t_s, const Vec3& direction_W) noexcept {
+  const auto [left, right, u] = between(motion.t_s, t_s);
 
   FingerSample sample;
   sample.t_s = t_s;
@@ -79,6 +88,10 @@ FingerSample interpolated(const Motion& motion, double t_s, const Vec3& directio
 
 }  // namespace
 
+long tick_count(double duration_s, double rate_hz) {
+  return ticks_between(0, duration_s, rate_hz);
+}
+
 FingerPath::FingerPath(Motion motion, double rate_hz, const Vec3& direction_W)
     : rate_hz_(rate_hz),
       direction_W_(direction_W),
@@ -106,8 +119,8 @@ std::size_t FingerPath::memory_bytes() const noexcept {
   const Motion* recorded = recording();
   if (recorded == nullptr) return 0;
   Eigen::Index numbers = 0;
-  for (const Points* points :
-       {&recorded->p_WQ, &recorded->direction_W, &recorded->push_W_n, &recorded->velocity_W})
+  for (const Points* points : {&recorded->p_WQ, &recorded->direction_W, &recorded->push_W_n,
+                               &recorded->velocity_W, &recorded->force_W_n})
     numbers += points->size();
   return static_cast<std::size_t>(numbers) * sizeof(double) + recorded->attitude.size() * sizeof(Attitude) +
          (recorded->t_s.size() + recorded->normal_force_n.size()) * sizeof(double);
@@ -145,6 +158,17 @@ bool FingerPath::has_attitudes() const noexcept {
 bool FingerPath::has_velocity() const noexcept {
   const Motion* recorded = recording();
   return recorded != nullptr && recorded->velocity_W.cols() > 0;
+}
+
+bool FingerPath::has_measured_force() const noexcept {
+  const Motion* recorded = recording();
+  return recorded != nullptr && recorded->force_W_n.cols() > 0;
+}
+
+Vec3 FingerPath::measured_force_W_n(long k) const noexcept {
+  const Motion& motion = *recording();
+  const auto [left, right, u] = between(motion.t_s, t0_s_ + static_cast<double>(k) / rate_hz_);
+  return (1 - u) * motion.force_W_n.col(left) + u * motion.force_W_n.col(right);
 }
 
 FingerSample FingerPath::at(long k) const noexcept {

@@ -12,6 +12,9 @@ namespace fingerpad {
 /// More ticks are not run: at 1 kHz they last 24 days and fill 400 GB of trace.
 inline constexpr double most_ticks = 2147483648.0;
 
+/// The ticks of a motion that lasts so long. Throws Error (refused) for more than are run.
+long tick_count(double duration_s, double rate_hz);
+
 /// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6);
 /// recorded positions, forces and velocities are interpolated linearly, directions linearly and made unit
 /// again, attitudes along the shortest turn. Where a motion has attitudes and no directions, the scene's
@@ -46,6 +49,10 @@ class FingerPath {
   FingerSample at(long k) const noexcept;
   /// Between the ticks too: where the finger is at this time of the motion's own clock.
   FingerSample at_time(double t_s) const noexcept;
+  /// Whether the force on the finger was measured, and what it was at tick k.
+  bool has_measured_force() const noexcept;
+  /// @pre has_measured_force(), 0 <= k < tick_count()
+  Vec3 measured_force_W_n(long k) const noexcept;
 
   /// Null for a motion made from a formula.
   const Motion* recording() const noexcept;

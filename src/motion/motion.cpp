@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <optional>
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
@@ -40,9 +41,12 @@ struct Recording {
 };
 
 // Where recording_columns has them.
-constexpr std::size_t place_of_x = 1, place_of_dx = 4, place_of_qw = 7, place_of_fn = 11;
+constexpr std::size_t place_of_x = 1, place_of_dx = 4, place_of_qw = 7, place_of_fx = 11,
+                      place_of_subject = 14, place_of_trial = 15, place_of_fn = 16;
 static_assert(recording_columns[place_of_x].key == "x" && recording_columns[place_of_dx].key == "dx" &&
-              recording_columns[place_of_qw].key == "qw" && recording_columns[place_of_fn].key == "fn");
+              recording_columns[place_of_qw].key == "qw" && recording_columns[place_of_fx].key == "fx" &&
+              recording_columns[place_of_subject].key == "subject" &&
+              recording_columns[place_of_trial].key == "trial" && recording_columns[place_of_fn].key == "fn");
 
 std::string_view header_of(const RecordingFormat& format, std::size_t column) {
   const std::string& named = format.headers[column];
@@ -51,8 +55,32 @@ std::string_view header_of(const RecordingFormat& format, std::size_t column) {
 
 /// Time, place and what the format names must be there; directions and attitudes may be.
 bool is_required(const RecordingFormat& format, std::size_t column) {
-  if (column == place_of_fn) return format.reads_normal_force || !format.headers[column].empty();
-  return column < place_of_dx || !format.headers[column].empty();
+  if (!format.headers[column].empty() || column < place_of_dx) return true;
+  if (column == place_of_fn) return format.reads_normal_force;
+  if (column == place_of_subject) return format.subject.has_value();
+  return column == place_of_trial && format.trial.has_value();
+}
+
+/// The rows of one subject and one trial, where those are asked for.
+void keep_one_trial(const RecordingFormat& format, Recording& recording) {
+  if (!format.subject && !format.trial) return;
+  const auto is_of = [&recording](std::size_t place, const std::optional<int>& wanted, std::size_t row) {
+    return !wanted || recording.columns[place][row] == *wanted;
+  };
+  std::size_t kept = 0;
+  for (std::size_t row = 0; row < recording.lines.size(); ++row) {
+    if (!is_of(place_of_subject, format.subject, row) || !is_of(place_of_trial, format.trial, row)) continue;
+    for (std::vector<double>& column : recording.columns)
+      if (!column.empty()) column[kept] = column[row];
+    recording.lines[kept++] = recording.lines[row];
+  }
+  for (std::vector<double>& column : recording.columns)
+    if (!column.empty()) column.resize(kept);
+  recording.lines.resize(kept);
+  if (kept > 0) return;
+  throw refused(recording.path, fmt::format("has no row of{}{}",
+                                            format.subject ? fmt::format(" subject {}", *format.subject) : "",
+                                            format.trial ? fmt::format(" trial {}", *format.trial) : ""));
 }
 
 Recording read_table(const std::string& path, const RecordingFormat& format, char& separator) {
@@ -66,7 +94,7 @@ Recording read_table(const std::string& path, const RecordingFormat& format, cha
     if (is_required(format, k)) {
       required.push_back(k);
       request.required.push_back(header_of(format, k));
-    } else if (k != place_of_fn) {
+    } else if (k < place_of_fx) {
       optional.push_back(k);
       request.optional.push_back(header_of(format, k));
     }
@@ -78,6 +106,7 @@ Recording read_table(const std::string& path, const RecordingFormat& format, cha
   required.insert(required.end(), optional.begin(), optional.end());
   for (std::size_t i = 0; i < required.size(); ++i)
     recording.columns[required[i]] = std::move(table.columns[i]);
+  keep_one_trial(format, recording);
   return recording;
 }
 
@@ -136,6 +165,20 @@ void read_normal_forces(const Recording& recording, Motion& motion) {
   }
 }
 
+void read_forces(const Recording& recording, const RecordingFormat& format, Motion& motion) {
+  const int columns = recording.count(place_of_fx, place_of_fx + 2);
+  if (columns == 0) return;
+  if (columns != 3)
+    throw refused(recording.path + ":1",
+                  "a measured force needs all of fx, fy and fz among the columns named");
+  motion.force_W_n = (format.forces_on_surface ? -1 : 1) * recording.points(place_of_fx);
+  for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
+    const std::string fault =
+        force_fault(motion.force_W_n.col(static_cast<Eigen::Index>(i)).cwiseAbs().maxCoeff());
+    if (!fault.empty()) throw recording.fault(i, fault);
+  }
+}
+
 }  // namespace
 
 std::string sample_fault(double t_s, const Vec3& p_W) {
@@ -167,6 +210,7 @@ Motion read_motion_csv(const std::string& path, const RecordingFormat& format, c
   read_directions(recording, motion);
   read_attitudes(recording, motion);
   if (format.reads_normal_force) read_normal_forces(recording, motion);
+  read_forces(recording, format, motion);
   return motion;
 }
 

@@ -17,6 +17,7 @@ struct Motion {
   Points push_W_n;          ///< 3 x n, what a hand pushed the finger with, or 3 x 0 [N]
   std::vector<Attitude> attitude;      ///< n, how the finger was turned, or none
   std::vector<double> normal_force_n;  ///< n, the normal force as it was measured, or none [N]
+  Points force_W_n;                    ///< 3 x n, the measured force on the finger, or 3 x 0 [N]
   Points
       velocity_W;  ///< 3 x n, where the recording gives more of it than its positions' differences, or 3 x 0
 };
@@ -29,9 +30,9 @@ std::string force_fault(double normal_force_n);
 
 /// Reads a motion table: a header line naming t_s,x_m,y_m,z_m and optionally dx,dy,dz and qw,qx,qy,qz, or the
 /// names that `format` gives them, in any order; other columns are passed over, so a trace written as CSV is
-/// a motion too. What `format` names must be there. Throws Error (refused, `file:line`) on a missing column,
-/// a word that is no number, numbers that are not finite or beyond sample_fault's bounds, times that do not
-/// increase, or no rows.
+/// a motion too. What `format` names must be there; a measured force is read where it names all of fx, fy,
+/// fz. Throws Error (refused, `file:line`) on a missing column, a word that is no number, numbers that are
+/// not finite or beyond sample_fault's bounds, times that do not increase, or no rows.
 /// @param separator  given that of the file
 Motion read_motion_csv(const std::string& path, const RecordingFormat& format, char& separator);
 /// As above, of a table in the program's own form.

@@ -61,11 +61,13 @@ Motion evenly_sampled(const Motion& motion, const RecordingClock& clock) {
   Motion even;
   even.p_WQ.resize(3, path.tick_count());
   even.direction_W.resize(3, motion.direction_W.cols() > 0 ? path.tick_count() : 0);
+  even.force_W_n.resize(3, motion.force_W_n.cols() > 0 ? path.tick_count() : 0);
   for (long k = 0; k < path.tick_count(); ++k) {
     const FingerSample sample = path.at(k);
     even.t_s.push_back(sample.t_s);
     even.p_WQ.col(k) = sample.p_WQ;
     if (even.direction_W.cols() > 0) even.direction_W.col(k) = sample.direction_W;
+    if (even.force_W_n.cols() > 0) even.force_W_n.col(k) = path.measured_force_W_n(k);
     if (sample.attitude) even.attitude.push_back(*sample.attitude);
     if (sample.normal_force_n) even.normal_force_n.push_back(*sample.normal_force_n);
   }

@@ -23,7 +23,8 @@ struct Smoothing {
   double rms_m = 0, most_m = 0;
 };
 
-/// Passes everything measured (positions, orientation, normal force, velocity) through ZeroPhaseLowPass.
+/// Passes what moves the model (positions, orientation, normal force, velocity) through ZeroPhaseLowPass; the
+/// measured force, which the model is compared with, stays as it is.
 /// @pre evenly sampled
 Smoothing smooth(Motion& motion, double cutoff_hz, double rate_hz);
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -12,7 +13,7 @@ namespace fingerpad {
 struct RecordingColumn {
   std::string_view key, header;
 };
-inline constexpr std::array<RecordingColumn, 12> recording_columns{{{"t", "t_s"},
+inline constexpr std::array<RecordingColumn, 17> recording_columns{{{"t", "t_s"},
                                                                     {"x", "x_m"},
                                                                     {"y", "y_m"},
                                                                     {"z", "z_m"},
@@ -23,6 +24,11 @@ inline constexpr std::array<RecordingColumn, 12> recording_columns{{{"t", "t_s"}
                                                                     {"qx", "qx"},
                                                                     {"qy", "qy"},
                                                                     {"qz", "qz"},
+                                                                    {"fx", "fx_n"},
+                                                                    {"fy", "fy_n"},
+                                                                    {"fz", "fz_n"},
+                                                                    {"subject", "subject"},
+                                                                    {"trial", "trial"},
                                                                     {"fn", "fn_n"}}};
 
 /// How a recording's table is to be read; as it stands, the program's own.
@@ -33,6 +39,12 @@ struct RecordingFormat {
   double seconds_per_unit = 1;                                     ///< of times
   CsvDialect dialect = {found_separator, '.'};
   bool reads_normal_force = false;  ///< the column fn must be there; else it is passed over, if not named
+
+  std::string name;            ///< of a row of field_formats(); empty: a table of the program's own kind
+  std::string positions_path;  ///< positions with a clock of their own; empty: in the file itself
+  bool says_unit = false, says_time_unit = false;  ///< else a named format's own units hold
+  std::optional<int> subject, trial;               ///< the rows of these alone, by the columns of their names
+  bool forces_on_surface = false;  ///< fx,fy,fz are the load on the surface, not on the finger
 };
 
 }  // namespace fingerpad

@@ -13,6 +13,7 @@
 #include "base/file_identity.hpp"
 #include "base/path_words.hpp"
 #include "base/text_lines.hpp"
+#include "motion/field_format.hpp"
 
 namespace fingerpad {
 namespace {
@@ -114,6 +115,18 @@ bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept {
   return i % static_cast<std::size_t>(options.shard_count) == static_cast<std::size_t>(options.shard - 1);
 }
 
+std::vector<std::size_t> jobs_of_shard(std::size_t job_count, const BatchOptions& options) {
+  std::vector<std::size_t> ours;
+  for (std::size_t i = 0; i < job_count; ++i) {
+    if (is_of_shard(i, options)) ours.push_back(i);
+  }
+  return ours;
+}
+
+void mark_not_begun(std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours) {
+  for (const std::size_t i : ours) jobs[i].not_begun = jobs[i].status.empty();
+}
+
 std::vector<std::string> input_files(const Scene& scene) {
   std::vector<std::string> files;
   const auto add = [&files](const std::string& path) {
@@ -121,7 +134,9 @@ std::vector<std::string> input_files(const Scene& scene) {
   };
   add(scene.path);
   for (const PartEntry& part : scene.parts) add(part.mesh_path);
-  add(scene.motion.file_path);
+  if (!scene.motion.file_path.empty()) {
+    for (const std::string& file : field_files(scene.motion.file_path, scene.motion.format)) add(file);
+  }
   add(scene.finger.profile_path);
   return files;
 }

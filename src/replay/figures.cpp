@@ -1,6 +1,7 @@
 #include "replay/figures.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "replay/summary_column.hpp"
 
@@ -46,7 +47,8 @@ std::vector<double> Figures::values() const {
           max_step_n_,
           max_step_n_per_m_,
           count(nonfinite_ticks_),
-          count(unsettled_ticks_)};
+          count(unsettled_ticks_),
+          compared_ticks_ > 0 ? std::sqrt(residual_squares_n2_ / count(compared_ticks_)) : TickRecord::nan};
 }
 
 void Figures::observe_phase(const TickRecord& record) noexcept {
@@ -94,6 +96,10 @@ void Figures::observe(const TickRecord& record) noexcept {
   observe_phase(record);
   observe_step(record);
   pop_throughs_.observe(record);
+  if (record.residual_W_n.allFinite()) {
+    residual_squares_n2_ += record.residual_W_n.squaredNorm();
+    ++compared_ticks_;
+  }
   nonfinite_ticks_ += record.force_W_n.allFinite() ? 0 : 1;
   if (ticks_ > 0) friction_work_j_ += record.friction_W_n.dot(record.p_WQ - last_p_WQ_);
   if (ticks_ > 0) {

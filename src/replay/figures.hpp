@@ -29,7 +29,8 @@ class Figures {
   /// change of the whole force from tick to tick; the greatest change of the normal force (as a vector) per
   /// metre that the finger moved in the tick, which a stiffness alone explains up to its own number; the
   /// ticks whose force was not finite (0: promised); and those, in touch or not, whose proxy stopped before
-  /// it was at rest because the bound of a tick's work was reached, not because the finger moved little.
+  /// it was at rest because the bound of a tick's work was reached, not because the finger moved little; and
+  /// the RMS of the residual, nan where no force was measured.
   std::vector<double> values() const;
 
   /// Teeth of the sawtooth, from one rupture to the next, and those of them that lasted under two ticks: no
@@ -59,6 +60,8 @@ class Figures {
   PopThroughs pop_throughs_;
   Vec3 last_normal_W_n_ = Vec3::Zero();
   double max_step_n_ = 0, max_step_n_per_m_ = 0;
+  long compared_ticks_ = 0;
+  double residual_squares_n2_ = 0;
 };
 
 }  // namespace fingerpad

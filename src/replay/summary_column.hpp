@@ -15,6 +15,7 @@ struct SummaryColumn {
   std::string_view unit;  ///< "m", "N", "J", "N/m", "1" (a count or a pure number), "" (a text)
   std::string_view doc;
   Kind kind = Kind::number;
+  bool may_lack = false;  ///< nan where a run has none, and is whole all the same
 };
 
 /// What stands before the set keys: scene and job.

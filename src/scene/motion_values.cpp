@@ -6,6 +6,8 @@
 #include <array>
 
 #include "base/unit.hpp"
+#include "motion/farthest.hpp"
+#include "motion/field_format.hpp"
 #include "scene/scene_key_makers.hpp"
 #include "scene/scene_values.hpp"
 
@@ -15,19 +17,46 @@ namespace {
 void take_kind(Scene& scene, std::size_t word) {
   constexpr std::array kinds{ScriptedMotion::Kind::line, ScriptedMotion::Kind::sine,
                              ScriptedMotion::Kind::circle};
-  scene.motion.scripted.emplace().kind = kinds[word];
+  if (word == kinds.size()) {
+    scene.motion.laid.emplace();
+  } else {
+    scene.motion.scripted.emplace().kind = kinds[word];
+  }
+}
+
+void take_shape(Scene& scene, std::size_t word) {
+  constexpr std::array shapes{SurfaceMotion::Shape::line, SurfaceMotion::Shape::circle,
+                              SurfaceMotion::Shape::spiral};
+  scene.motion.laid->shape = shapes[word];
+}
+
+void take_frame(Scene& scene, std::size_t word) {
+  scene.motion.placement.in_part = word == 1;
 }
 
 void take_recording_unit(Scene& scene, std::size_t word) {
+  scene.motion.format.says_unit = true;
   scene.motion.format.metres_per_unit = length_units[word].metres;
 }
 
 void take_time_unit(Scene& scene, std::size_t word) {
+  scene.motion.format.says_time_unit = true;
   scene.motion.format.seconds_per_unit = time_units[word].seconds;
 }
 
 void take_normal_force(Scene& scene, std::size_t word) {
   scene.motion.format.reads_normal_force = word == 1;
+}
+
+void take_force_on(Scene& scene, std::size_t word) {
+  scene.motion.format.forces_on_surface = word == 1;
+}
+
+/// A normal force may be a component of the force.
+bool may_share_a_column(std::size_t one, std::size_t other) {
+  const auto is_force = [](std::string_view key) { return key == "fx" || key == "fy" || key == "fz"; };
+  return (recording_columns[one].key == "fn" && is_force(recording_columns[other].key)) ||
+         (recording_columns[other].key == "fn" && is_force(recording_columns[one].key));
 }
 
 /// Whether the program is to choose a number. Throws Error (refused) for another word than that.
@@ -63,7 +92,7 @@ void read_recording_columns(const SceneKey& row, const TomlTable& motion, Scene&
   const auto& headers = scene.motion.format.headers;
   for (std::size_t i = 0; i < headers.size(); ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      if (headers[i].empty() || headers[i] != headers[k]) continue;
+      if (headers[i].empty() || headers[i] != headers[k] || may_share_a_column(i, k)) continue;
       throw columns.error(recording_columns[i].key, fmt::format("{} and '{}' are both the column '{}'",
                                                                 columns.name(recording_columns[i].key),
                                                                 recording_columns[k].key, headers[i]));
@@ -120,9 +149,29 @@ SceneKey rate_key(std::string_view key) {
 }
 
 SceneKey motion_kind_key(std::string_view key) {
-  SceneKey row = choice_key<take_kind>(key, {"line", "sine", "circle"}, "", "");
+  SceneKey row = choice_key<take_kind>(key, {"line", "sine", "circle", "on_surface"}, "", "");
   row.shown.clear();  // each kind is shown with its keys
   return row;
+}
+
+SceneKey speed_key(std::string_view key) {
+  SceneKey row{key, KeyType::number, "", "0"};
+  row.range = {1e-9, farthest_m, false};
+  row.read = [](const SceneKey& self, const TomlTable& table, Scene& scene) {
+    const double speed = table.number(self.key, 0, self.range);
+    (scene.motion.laid ? scene.motion.laid->speed_m_per_s : scene.motion.scripted->speed_m_per_s) = speed;
+  };
+  return row;
+}
+
+SceneKey shape_key(std::string_view key) {
+  return choice_key<take_shape>(key, {"line", "circle", "spiral"}, "line",
+                                "drawn in the first part's surface at a random place that holds it");
+}
+
+SceneKey frame_key(std::string_view key) {
+  return choice_key<take_frame>(key, {"world", "part"}, "world",
+                                "in which the motion's coordinates are meant; part: the first one's");
 }
 
 SceneKey recording_unit_key(std::string_view key) {
@@ -134,6 +183,37 @@ SceneKey time_unit_key(std::string_view key) {
   names.reserve(std::size(time_units));
   for (const TimeUnit& unit : time_units) names.emplace_back(unit.name);
   return choice_key<take_time_unit>(key, names, "s", "of the file's times");
+}
+
+void read_positions_file(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  scene.motion.format.positions_path = resolved_path(scene.path, text_that_is_there(row, motion));
+}
+
+void read_field_format(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  std::vector<std::string> names;
+  for (const FieldFormat& format : field_formats()) names.emplace_back(format.name);
+  scene.motion.format.name = names[motion.choice(row.key, 0, names)];
+}
+
+SceneKey force_on_key(std::string_view key) {
+  return choice_key<take_force_on>(key, {"finger", "plate"}, "finger", "what the measured force acts on");
+}
+
+SceneKey chosen_rows_key(std::string_view key, std::string_view doc,
+                         void (*read)(const SceneKey&, const TomlTable&, Scene&)) {
+  SceneKey row{key, KeyType::whole, doc, "1"};
+  row.least_whole = -1000000;
+  row.most_whole = 1000000;
+  row.read = read;
+  return row;
+}
+
+void read_chosen_subject(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  scene.motion.format.subject = static_cast<int>(motion.whole(row.key, 0, row.least_whole, row.most_whole));
+}
+
+void read_chosen_trial(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  scene.motion.format.trial = static_cast<int>(motion.whole(row.key, 0, row.least_whole, row.most_whole));
 }
 
 SceneKey normal_force_key(std::string_view key) {

@@ -44,6 +44,8 @@ struct MeasurementFormat {
   double newtons_per_unit = 1;                                       ///< of forces
   double newton_metres_per_unit = 1;                                 ///< of torques
   CsvDialect dialect = {found_separator, '.'};
+  std::string positions_path;  ///< of a layout that has positions in a file of their own; else empty
+  bool says_unit = false, says_time_unit = false;  ///< else a published layout's own units hold
   bool force_on_plate = false;        ///< forces are those on the plate: the finger's, turned round
   std::optional<TwoMarkers> markers;  ///< positions and direction come from them
   std::optional<SixAxisSensor> sensor;

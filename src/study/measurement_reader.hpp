@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -17,7 +18,8 @@ struct MeasurementReader {
   /// Whether a path is surely in this layout, so that it needs no name; nullptr: never unnamed.
   bool (*recognises)(const std::string& path);
   /// Adds the path's trials, notes and warnings. Throws Error (refused, `file:line`).
-  void (*read)(const std::string& path, const MeasurementFormat& format, RecordedMeasurement& into);
+  std::function<void(const std::string& path, const MeasurementFormat& format, RecordedMeasurement& into)>
+      read;
 };
 
 /// All readers; the last takes what no other recognises.

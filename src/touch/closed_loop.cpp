@@ -23,7 +23,8 @@ ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, F
       touch_(std::move(world), at_rate(scene, path)),
       path_(std::move(path)),
       turns_(path_.turns()),
-      was_in_hand_(path_.was_in_hand()) {
+      was_in_hand_(path_.was_in_hand()),
+      is_measured_(path_.has_measured_force()) {
   if (!changes.empty()) {
     swap_ = std::make_unique<TouchSwap>(world_, at_rate(scene, path_));
     swap_->schedule(changes);
@@ -46,6 +47,7 @@ TickRecord ClosedLoop::next() noexcept {
     record.push_W_n = intended.push_W_n;
   }
   if (turns_) record.direction_W = intended.direction_W;
+  if (is_measured_ && !hand_) record.residual_W_n = record.force_W_n - path_.measured_force_W_n(tick_);
   if (intended.attitude) record.attitude << intended.attitude->w(), intended.attitude->vec();
   ++tick_;
   return record;

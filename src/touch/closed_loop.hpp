@@ -46,7 +46,7 @@ class ClosedLoop {
   FingerPath path_;
   std::optional<SimulatedHand> hand_;
   HandSettings hand_settings_;
-  bool turns_ = false, was_in_hand_ = false;  ///< the path's
+  bool turns_ = false, was_in_hand_ = false, is_measured_ = false;  ///< the path's
   long tick_ = 0;
   double leash_m_ = 0;     ///< farther from its motion no hand goes by itself
   int last_surface_ = -1;  ///< touched

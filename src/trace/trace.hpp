@@ -32,6 +32,7 @@ struct TraceInfo {
   bool turning = false;        ///< the direction of a finger that turns
   bool attitudes = false;      ///< its attitude
   bool sent = false;           ///< what a device with motors was sent of the force
+  bool compared = false;       ///< what the force has beyond the one that was measured
   std::vector<std::string>
       motion_notes;                  ///< how it was read and what was made of it (LoadedMotion), a line each
   std::string profile_text;          ///< the profile file's text, empty without one
@@ -42,6 +43,7 @@ struct TraceInfo {
   /// The columns that were asked for, where not all were: names, in file order (trace_choice.hpp).
   std::vector<std::string> columns;
   std::uint64_t every = 1;  ///< rows are every so manieth tick, and the last
+  bool deflated = false;    ///< HDF5: its columns, but for time, and its tables are deflated
 };
 
 /// A trace read whole.

@@ -1,8 +1,28 @@
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
 #include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
 
 namespace fingerpad {
 namespace {
+
+/// How HDF5 keeps a value of the record: a double, a phase in a byte, all else in 32 bits.
+template <typename Value>
+using Kept = std::conditional_t<std::is_floating_point_v<Value>, double,
+                                std::conditional_t<std::is_same_v<Value, Phase>, std::uint8_t, std::int32_t>>;
+
+/// @param value  of a record
+template <typename Of>
+void gather_rows(std::span<const TickRecord> rows, std::byte* out, Of value) noexcept {
+  using K = Kept<std::remove_cvref_t<decltype(value(rows.front()))>>;
+  for (const TickRecord& record : rows) {
+    const K kept = static_cast<K>(value(record));
+    std::memcpy(out, &kept, sizeof(kept));
+    out += sizeof(kept);
+  }
+}
 
 /// A number of the record.
 template <auto member>
@@ -16,6 +36,9 @@ constexpr TraceColumn column(std::string_view name, std::string_view unit, std::
           [](TickRecord& record, double value) noexcept {
             record.*member = static_cast<std::remove_reference_t<decltype(record.*member)>>(value);
           },
+          [](std::span<const TickRecord> rows, std::byte* out) noexcept {
+            gather_rows(rows, out, [](const TickRecord& record) { return record.*member; });
+          },
           values};
 }
 
@@ -28,7 +51,10 @@ constexpr TraceColumn column(std::string_view name, std::string_view unit, std::
           doc,
           kind,
           [](const TickRecord& record) noexcept { return (record.*member)[axis]; },
-          [](TickRecord& record, double value) noexcept { (record.*member)[axis] = value; }};
+          [](TickRecord& record, double value) noexcept { (record.*member)[axis] = value; },
+          [](std::span<const TickRecord> rows, std::byte* out) noexcept {
+            gather_rows(rows, out, [](const TickRecord& record) { return (record.*member)[axis]; });
+          }};
 }
 
 constexpr TraceColumn only(ColumnOf of, TraceColumn column) {
@@ -49,7 +75,8 @@ constexpr std::string_view
     seen = "where it is estimated from an encoder's readings: the finger's velocity",
     pointed = "of a finger that turns: its direction, towards the tip",
     turned = "of a finger that turns: its attitude, finger to world",
-    sent = "of a device with motors: what its limits left of the force, in the world's axes";
+    sent = "of a device with motors: what its limits left of the force, in the world's axes",
+    beyond = "of a motion with a measured force: the model's whole force less the measured one";
 
 /// What says whether a trace has such columns; nullptr where nothing needs to.
 bool TraceInfo::*flag_of(ColumnOf of) noexcept {
@@ -64,6 +91,8 @@ bool TraceInfo::*flag_of(ColumnOf of) noexcept {
       return &TraceInfo::attitudes;
     case ColumnOf::sent:
       return &TraceInfo::sent;
+    case ColumnOf::compared:
+      return &TraceInfo::compared;
     case ColumnOf::several_walls:
       return &TraceInfo::several_walls;
     case ColumnOf::every_trace:
@@ -133,6 +162,9 @@ std::span<const TraceColumn> trace_columns() noexcept {
       only(ColumnOf::sent, column<&R::sent_W_n, 0>("sx_n", "N", sent)),
       only(ColumnOf::sent, column<&R::sent_W_n, 1>("sy_n", "N", sent)),
       only(ColumnOf::sent, column<&R::sent_W_n, 2>("sz_n", "N", sent)),
+      only(ColumnOf::compared, column<&R::residual_W_n, 0>("rfx_n", "N", beyond)),
+      only(ColumnOf::compared, column<&R::residual_W_n, 1>("rfy_n", "N", beyond)),
+      only(ColumnOf::compared, column<&R::residual_W_n, 2>("rfz_n", "N", beyond)),
   };
   return table;
 }

@@ -1,9 +1,13 @@
 #include "trace/trace_info.hpp"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
 #include "base/content_hash.hpp"
 #include "base/input_file.hpp"
 #include "contact/contact_method_table.hpp"
 #include "friction/pad_profile_file.hpp"
+#include "motion/field_format.hpp"
 #include "motion/finger_path.hpp"
 #include "scene/scene.hpp"
 #include "touch/contact_choice.hpp"
@@ -11,10 +15,6 @@
 
 namespace fingerpad {
 namespace {
-
-std::string motion_hash_of(const Scene& scene) {
-  return scene.motion.file_path.empty() ? "" : file_hash(scene.motion.file_path);
-}
 
 /// All but what its motion says.
 TraceInfo info_of(const Scene& scene, const World& world, const std::string& version) {
@@ -43,6 +43,14 @@ TraceInfo info_of(const Scene& scene, const World& world, const std::string& ver
 
 }  // namespace
 
+std::string motion_hash_of(const Scene& scene) {
+  if (scene.motion.file_path.empty()) return "";
+  std::vector<std::string> hashes;
+  for (const std::string& file : field_files(scene.motion.file_path, scene.motion.format))
+    hashes.push_back(file_hash(file));
+  return fmt::format("{}", fmt::join(hashes, "+"));
+}
+
 TraceInfo trace_info(const Scene& scene, const World& world, const std::string& version) {
   TraceInfo info = info_of(scene, world, version);
   info.motion_hash = motion_hash_of(scene);
@@ -60,6 +68,7 @@ TraceInfo trace_info(const Scene& scene, const World& world, const FingerPath& p
   info.motion_hash = motion_hash;
   info.turning = path.turns();
   info.attitudes = path.has_attitudes();
+  info.compared = path.has_measured_force() && !scene.hand;
   info.in_hand = scene.hand.has_value() || path.was_in_hand();
   info.estimated = scene.hand.has_value() || path.has_velocity();
   return info;

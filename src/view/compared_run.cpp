@@ -107,6 +107,7 @@ ComparedRun read_compared_run(const std::string& path, Over over, double from_s,
 }
 
 void name_apart(std::vector<ComparedRun>& runs) {
+  if (std::all_of(runs.begin(), runs.end(), [](const ComparedRun& run) { return !run.name.empty(); })) return;
   std::vector<std::string> texts, stems, paths;
   for (const ComparedRun& run : runs) {
     texts.push_back(run.scene_text);

@@ -34,7 +34,8 @@ ComparedRun read_compared_run(const std::string& path, Over over, double from_s,
 /// Whether a file of text names a time t_s and is no trace. False for a stream, and for what cannot be read.
 bool is_measured_table(const std::string& path);
 
-/// Gives each the name that tells it from the others: what its scene differs in, or else its file.
+/// Gives each the name that tells it from the others: what its scene differs in, or else its file. Where all
+/// have one, they keep it.
 void name_apart(std::vector<ComparedRun>& runs);
 
 }  // namespace fingerpad

@@ -106,8 +106,8 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   return page;
 }
 
-/// Under each of its panels one of residuals, where there are any.
-Drawing comparison_drawing(const Chart& chart, int width, int height) {
+/// A page of a stacked chart.
+Drawing stacked_drawing(const Chart& chart, int width, int height) {
   Drawing page;
   const double em = width / 62.0, margin = 0.8 * em;
   const double top = draw_title(page, chart.title, chart.notes, width, height, em);
@@ -120,15 +120,18 @@ void refuse_other_widths(const std::string& path, int page_width) {
     throw Error(ErrorKind::usage, path, "a page is 300 to 10000 pixels wide");
 }
 
+void write_stacked(const Chart& chart, const std::string& path, int page_width) {
+  const auto panels = static_cast<int>(chart.panels.size());
+  const auto notes = static_cast<int>(chart.notes.size());
+  const int height = page_width * (16 + 6 * notes + 36 * panels) / 200;
+  write_drawing(stacked_drawing(chart, page_width, height), page_width, height, chart.title, path);
+}
+
 }  // namespace
 
 void write_comparison(const Comparison& comparison, Over over, const std::string& path, int page_width) {
   refuse_other_widths(path, page_width);
-  const Chart chart = comparison_chart(comparison, over);
-  const auto panels = static_cast<int>(chart.panels.size());
-  const auto notes = static_cast<int>(chart.notes.size());
-  const int height = page_width * (16 + 6 * notes + 36 * panels) / 200;
-  write_drawing(comparison_drawing(chart, page_width, height), page_width, height, chart.title, path);
+  write_stacked(comparison_chart(comparison, over), path, page_width);
 }
 
 void write_drawing(const Drawing& drawing, int width, int height, const std::string& title,
@@ -143,6 +146,7 @@ void write_drawing(const Drawing& drawing, int width, int height, const std::str
 }
 
 void write_chart(const Chart& chart, const std::string& path) {
+  if (chart.stacked) return write_stacked(chart, path, plot_page_width);
   const ChartPage page = chart_page(chart);
   write_drawing(page.drawing, page.width, page.height, chart.title, path);
 }

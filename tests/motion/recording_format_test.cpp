@@ -52,6 +52,41 @@ TEST(RecordingFormat, WhatIsNotNamedHasItsOwnName) {
   EXPECT_TRUE(motion.normal_force_n.empty());
 }
 
+TEST(RecordingFormat, AMeasuredForceIsReadWhereAllOfItIsNamed) {
+  const std::string table = "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n0,0,0,0,1,2,3\n1,0,0,0,3,2,5\n";
+  EXPECT_EQ(read(table, {}).force_W_n.cols(), 0);
+  RecordingFormat format;
+  for (std::size_t k = 11; k < 14; ++k) format.headers[k] = recording_columns[k].header;
+  format.headers.back() = "fz_n";  // a normal force may be one of them
+  format.reads_normal_force = true;
+  const Motion motion = read(table, format);
+  EXPECT_EQ(motion.force_W_n.col(0), Vec3(1, 2, 3));
+  EXPECT_THAT(motion.normal_force_n, ElementsAre(3, 5));
+  const FingerPath path(motion, 2, Vec3::UnitX());
+  ASSERT_TRUE(path.has_measured_force());
+  EXPECT_EQ(path.measured_force_W_n(1), Vec3(2, 2, 4));
+  format.forces_on_surface = true;
+  EXPECT_EQ(read(table, format).force_W_n.col(0), Vec3(-1, -2, -3));
+  format.headers[12].clear();
+  EXPECT_THAT(test::why_not([&] { read(table, format); }), HasSubstr("all of fx, fy and fz"));
+}
+
+TEST(RecordingFormat, OneTrialOfATableIsReadByItself) {
+  const std::string table =
+      "t_s,x_m,y_m,z_m,subject,trial\n0,1,0,0,1,1\n1,2,0,0,1,1\n0,3,0,0,1,2\n1,4,0,0,1,2\n0,5,0,0,2,2\n";
+  RecordingFormat format;
+  EXPECT_THAT(test::why_not([&] { read(table, format); }), HasSubstr("m.csv:4"));
+  format.trial = 2;
+  format.subject = 1;
+  const Motion motion = read(table, format);
+  EXPECT_THAT(motion.t_s, ElementsAre(0, 1));
+  EXPECT_EQ(motion.p_WQ(0, 0), 3);
+  format.trial = 3;
+  EXPECT_THAT(test::why_not([&] { read(table, format); }), HasSubstr("has no row of subject 1 trial 3"));
+  EXPECT_THAT(test::why_not([&] { read("t_s,x_m,y_m,z_m\n0,1,0,0\n", format); }),
+              HasSubstr("no column 'subject'"));
+}
+
 TEST(RecordingFormat, AnAttitudeMayBeNamedToo) {
   RecordingFormat format;
   for (std::size_t k = 7; k < 11; ++k) format.headers[k] = std::string("q") + "rijk"[k - 7];

@@ -26,7 +26,7 @@ TEST(RecordingKeys, SayHowAFileIsRead) {
   EXPECT_EQ(settings.format.headers[0], "time");
   EXPECT_EQ(settings.format.headers[1], "X");
   EXPECT_EQ(settings.format.headers[2], "");
-  EXPECT_EQ(settings.format.headers[11], "Fz");
+  EXPECT_EQ(settings.format.headers.back(), "Fz");
   EXPECT_EQ(settings.format.metres_per_unit, 1e-3);
   EXPECT_EQ(settings.format.seconds_per_unit, 1e-6);
   EXPECT_EQ(settings.format.dialect.separator, ';');

@@ -31,12 +31,13 @@ struct TickRecord {
   int surface = -1;                           ///< parts, then planes, from 0; -1 while free
   int triangle = -1;                          ///< number in the file; -1 on a plane and while free
   /// What the tick was told beyond the finger's place, for whoever repeats it; nan where it was told no more.
-  Vec3 encoded_W = Vec3::Constant(nan);    ///< where the device's encoders put a hand's finger [m]
-  Vec3 push_W_n = Vec3::Constant(nan);     ///< what a hand pushed with [N]
-  Vec3 velocity_W = Vec3::Constant(nan);   ///< of the finger, as friction was told it [m/s]
-  Vec3 direction_W = Vec3::Constant(nan);  ///< of a finger that turns
-  Wxyz attitude = Wxyz::Constant(nan);     ///< of a finger whose attitude is known: a unit quaternion
-  Vec3 sent_W_n = Vec3::Constant(nan);     ///< what a device with motors was sent, within its limits [N]
+  Vec3 encoded_W = Vec3::Constant(nan);     ///< where the device's encoders put a hand's finger [m]
+  Vec3 push_W_n = Vec3::Constant(nan);      ///< what a hand pushed with [N]
+  Vec3 velocity_W = Vec3::Constant(nan);    ///< of the finger, as friction was told it [m/s]
+  Vec3 direction_W = Vec3::Constant(nan);   ///< of a finger that turns
+  Wxyz attitude = Wxyz::Constant(nan);      ///< of a finger whose attitude is known: a unit quaternion
+  Vec3 sent_W_n = Vec3::Constant(nan);      ///< what a device with motors was sent, within its limits [N]
+  Vec3 residual_W_n = Vec3::Constant(nan);  ///< force_W_n less the force that was measured there [N]
   bool remedied = false;  ///< a remedy for a stick spring too stiff for the loop has acted; not in traces
   bool started_inside = false;  ///< a proxy was put down here although the finger was inside, or found no
                                 ///< place where it fits; not in traces

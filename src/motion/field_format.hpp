@@ -1,0 +1,46 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "motion/motion.hpp"
+#include "motion/recording_format.hpp"
+
+namespace fingerpad {
+
+/// A recording as a laboratory or a database saved it, in the program's units and on one clock.
+struct FieldRecording {
+  Motion motion;
+  std::vector<std::string> notes;  ///< how it was read, a line each, for people
+  char separator = ',';            ///< of a table that a scene's own words read
+};
+
+/// A published layout of recordings: one row of a table, one file.
+struct FieldFormat {
+  std::string_view name;          ///< `format = "..."` and `--format`
+  std::string_view summary;       ///< what it is, for people
+  std::string_view touched_with;  ///< "a bare finger"; a profile is a finger pad's only then
+  bool is_bare_finger = false;
+  /// All files that `path` stands for, itself first.
+  std::vector<std::string> (*files)(const std::string& path, const RecordingFormat& format);
+  /// Throws Error (refused) for what is not as its description says, and, where that leaves something open
+  /// that the user's `format` does not say, with the question.
+  FieldRecording (*read)(const std::string& path, const RecordingFormat& format);
+};
+
+/// All named formats, in the order of the documentation.
+std::span<const FieldFormat> field_formats() noexcept;
+/// The row of a name; nullptr if there is none.
+const FieldFormat* find_field_format(std::string_view name) noexcept;
+
+/// Reads a recording as its format says: by the named row, or as a table of the program's own kind.
+FieldRecording read_field_recording(const std::string& path, const RecordingFormat& format);
+/// The files that are read then.
+std::vector<std::string> field_files(const std::string& path, const RecordingFormat& format);
+
+/// The table of formats as the README has it, in Markdown.
+std::string field_formats_text();
+
+}  // namespace fingerpad

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace fingerpad {
+
+/// An element of an XML file that holds text of its own.
+struct XmlText {
+  std::string path;       ///< of the names of the elements around it and its own, small letters: "force/x"
+  std::string_view text;  ///< as it stands there
+  long line = 0;          ///< of its tag
+};
+
+/// The texts of an XML file that is but numbers and words between tags. The root's name is left out of paths;
+/// attributes, comments and processing instructions are passed over. Throws Error (refused, `where:line`) for
+/// a tag that is not closed or closes another, for more than one root, for CDATA, and for DOCTYPE and
+/// entities, which a recording has no need of.
+/// @param xml  outlives the texts
+std::vector<XmlText> xml_texts(std::string_view xml, const std::string& where);
+
+}  // namespace fingerpad

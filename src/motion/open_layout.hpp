@@ -1,0 +1,32 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+
+#include "motion/field_format.hpp"
+
+namespace fingerpad {
+
+/// A published recording whose description says what was measured, but not how its tables name it: what the
+/// user must say is asked for, nothing is guessed.
+struct OpenLayout {
+  std::string_view format;     ///< the row's name
+  double metres_per_unit = 0;  ///< of positions; 0: not published, to be said
+  bool is_planar = false;      ///< positions may lack z, which is 0 then
+};
+
+/// Reads such a recording by the columns that `format` names: t, x, y (and z), and of the force fx, fy, fz
+/// and fn whatever is named. Positions with a clock of their own stand in the file `format.positions_path`,
+/// with a time column of the same name, and are joined to the forces (join_clocks). Forces are in newtons;
+/// `forces_on_surface` turns them to those on the finger. Throws Error (refused) with the question for
+/// whatever is open, and where most of the normal force is below 0: that is the load on the surface.
+FieldRecording read_open_layout(const std::string& path, const RecordingFormat& format,
+                                const OpenLayout& layout);
+
+/// The file, and that of its positions where there is one.
+std::vector<std::string> open_layout_files(const std::string& path, const RecordingFormat& format);
+
+/// Where recording_columns has a key. @pre it has
+std::size_t recording_column_place(std::string_view key) noexcept;
+
+}  // namespace fingerpad

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <vector>
+
+#include "base/chart.hpp"
+#include "study/stick_paths.hpp"
+
+namespace fingerpad {
+
+/// What the pictures of a fit are made from.
+struct FitPictureSource {
+  const Measurement& measurement;
+  const ProfileFit& fit;
+  const StickPicture& stick;
+};
+
+// The paper's figures 3 to 11 from a user's own data. A figure that the data cannot support has no panel, and
+// says in its first note why.
+
+/// With the set-up of fig. 3: the way of the fingertip and the tangential force on it, of the sliding trial
+/// whose force goes round most (a cycloid).
+Chart force_loop_figure(const FitPictureSource& source);
+/// Fig. 4: stick about its centre, raw, averaged over bearings, and the fitted ellipse, per subject.
+Chart stick_ellipse_figure(const FitPictureSource& source);
+/// Figs. 5 and 6: each trial's axes over those of its subject at 45 degrees, with both lines and their
+/// intervals.
+Chart normalised_axes_figure(const FitPictureSource& source);
+/// Fig. 7: the normalised ellipse at angles of the finger.
+Chart normalised_ellipses_figure(const FitPictureSource& source);
+/// Fig. 8: tangential force against displacement in stick, lateral and longitudinal, with the fitted spring.
+Chart force_displacement_figure(const FitPictureSource& source);
+/// Fig. 9: velocity, normal force, tangential force and their ratio where slip gives way to stick, with
+/// v_min.
+Chart phase_change_figure(const FitPictureSource& source);
+/// Fig. 10: position (less its mean over 50 ms, the stroke itself) and force of a slipping fingertip, along
+/// the motion and along the normal.
+Chart slip_oscillation_figure(const FitPictureSource& source);
+/// Fig. 11: power spectral densities of tangential and normal force in slip.
+Chart slip_spectrum_figure(const FitPictureSource& source);
+
+/// All of them, in that order, named figure3 to figure11 (5 and 6 are one).
+std::vector<Chart> fit_figures(const FitPictureSource& source);
+
+}  // namespace fingerpad

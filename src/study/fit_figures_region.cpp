@@ -1,0 +1,211 @@
+// Figures of the stick region: 3, 4, 7.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "study/fit_figures.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double gap = std::numeric_limits<double>::quiet_NaN();
+constexpr int most_subjects = 5;  // that colours tell apart beside the ellipses
+
+/// How much of a trial's force goes round: the smaller spread of its components over the larger.
+double roundness(const MeasuredTrial& trial) {
+  Vec2 mean(0, 0);
+  const auto count = static_cast<double>(trial.force_ratio.size());
+  for (const Vec2& q : trial.force_ratio) mean += q / count;
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Vec2& q : trial.force_ratio) spread += (q - mean) * (q - mean).transpose();
+  const double half = spread.trace() / 2;
+  const double apart =
+      std::sqrt(std::max(0.0, half * half - spread(0, 0) * spread(1, 1) + spread(0, 1) * spread(1, 0)));
+  return half + apart > 0 ? (half - apart) / (half + apart) : 0;
+}
+
+/// At most this many points of a curve, evenly chosen.
+std::size_t thinning(std::size_t samples) {
+  constexpr std::size_t most = 4000;
+  return samples / most + 1;
+}
+
+ChartCurve ellipse_curve(std::string name, const CurveStyle& style, double a, double b) {
+  constexpr int points = 120;
+  ChartCurve curve{std::move(name), style, {}, {}};
+  for (int i = 0; i <= points; ++i) {
+    const double angle = 2 * std::numbers::pi * i / points;
+    curve.x.push_back(a * std::cos(angle));
+    curve.y.push_back(b * std::sin(angle));
+  }
+  return curve;
+}
+
+std::vector<int> subjects_in(const Measurement& measurement) {
+  std::vector<int> subjects;
+  for (const MeasuredTrial& trial : measurement.trials)
+    if (std::find(subjects.begin(), subjects.end(), trial.subject) == subjects.end())
+      subjects.push_back(trial.subject);
+  return subjects;
+}
+
+/// A subject's trials whose finger lay nearest to 45 degrees, to a few degrees.
+double usual_angle_deg(const Measurement& measurement, int subject) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const MeasuredTrial& trial : measurement.trials)
+    if (trial.subject == subject && std::abs(trial.inclination_deg - 45) < std::abs(nearest - 45))
+      nearest = trial.inclination_deg;
+  return nearest;
+}
+
+/// How far stick reaches by its bearing: means of the farthest tenth within each of 24 bearings.
+ChartCurve averaged_reach(const std::vector<const StickPath*>& paths, std::string name,
+                          const CurveStyle& style) {
+  constexpr int bearings = 24;
+  std::vector<std::vector<double>> radii(bearings);
+  for (const StickPath* path : paths) {
+    for (const Vec2& d : path->displacement_m) {
+      const double turn = std::atan2(d.y(), d.x()) / (2 * std::numbers::pi) + 1;
+      radii[static_cast<std::size_t>(std::lround(turn * bearings) % bearings)].push_back(d.norm());
+    }
+  }
+  ChartCurve curve{std::move(name), style, {}, {}};
+  for (int k = 0; k <= bearings; ++k) {
+    std::vector<double>& own = radii[static_cast<std::size_t>(k % bearings)];
+    constexpr std::size_t fewest = 10;
+    double mean = gap;
+    if (own.size() >= fewest) {
+      std::sort(own.begin(), own.end());
+      const std::size_t from = own.size() - own.size() / 10;
+      mean = 0;
+      for (std::size_t i = from; i < own.size(); ++i) mean += own[i] / static_cast<double>(own.size() - from);
+    }
+    const double angle = 2 * std::numbers::pi * k / bearings;
+    curve.x.push_back(1e3 * mean * std::cos(angle));
+    curve.y.push_back(1e3 * mean * std::sin(angle));
+  }
+  return curve;
+}
+
+ChartCurve raw_paths(const std::vector<const StickPath*>& paths) {
+  ChartCurve raw{"raw", {palette::sky_blue, Dash::solid, Marker::none, 0.6}, {}, {}};
+  std::size_t samples = 0;
+  for (const StickPath* path : paths) samples += path->displacement_m.size();
+  const std::size_t every = thinning(samples);
+  for (const StickPath* path : paths) {
+    for (std::size_t i = 0; i < path->displacement_m.size(); i += every) {
+      raw.x.push_back(1e3 * path->displacement_m[i].x());
+      raw.y.push_back(1e3 * path->displacement_m[i].y());
+    }
+    raw.x.push_back(gap);
+    raw.y.push_back(gap);
+  }
+  return raw;
+}
+
+Chart refused_chart(std::string name, std::string title, std::string why) {
+  return {std::move(name), std::move(title), {std::move(why)}, 1, {}};
+}
+
+}  // namespace
+
+Chart force_loop_figure(const FitPictureSource& source) {
+  const std::vector<MeasuredTrial>& trials = source.measurement.trials;
+  if (trials.empty()) return refused_chart("figure3", "Force of a fingertip", "no trial has contact");
+  const auto slips = [&](const MeasuredTrial& one) {
+    const auto& phase = source.stick.segments[static_cast<std::size_t>(&one - trials.data())].phase;
+    constexpr double mostly = 0.25;
+    return static_cast<double>(std::count(phase.begin(), phase.end(), PadPhase::slip)) >
+           mostly * static_cast<double>(phase.size());
+  };
+  const bool any_slips = std::any_of(trials.begin(), trials.end(), slips);
+  const auto score = [&](const MeasuredTrial& one) { return any_slips && !slips(one) ? -1 : roundness(one); };
+  const auto trial = std::max_element(trials.begin(), trials.end(), [&](const auto& one, const auto& other) {
+    return score(one) < score(other);
+  });
+  Chart chart{"figure3",
+              "The fingertip's way and the force on it (set-up of the paper's fig. 3)",
+              {trial->name},
+              2,
+              {}};
+  const CurveStyle style{palette::blue, Dash::solid, Marker::none, 0.8};
+  ChartCurve way{"", style, {}, {}}, force{"", {palette::vermillion, Dash::solid, Marker::none, 0.8}, {}, {}};
+  const std::size_t every = thinning(trial->position_m.size());
+  for (std::size_t i = 0; i < trial->position_m.size(); i += every) {
+    const Vec2 f = trial->normal_force_n[i] * trial->force_ratio[i];
+    const bool parted = trial->starts_anew[i];
+    way.x.push_back(parted ? gap : 1e3 * (trial->position_m[i].x() - trial->position_m[0].x()));
+    way.y.push_back(parted ? gap : 1e3 * (trial->position_m[i].y() - trial->position_m[0].y()));
+    force.x.push_back(parted ? gap : f.x());
+    force.y.push_back(parted ? gap : f.y());
+  }
+  const std::string across = trial->has_direction ? "lateral" : "x",
+                    along = trial->has_direction ? "longitudinal" : "y";
+  ChartPanel place{"way", across + " [mm]", along + " [mm]", false, false, {std::move(way)}};
+  ChartPanel pull{
+      "tangential force on the finger", across + " [N]", along + " [N]", false, false, {std::move(force)}};
+  place.equal_scales = pull.equal_scales = true;
+  chart.panels = {std::move(place), std::move(pull)};
+  return chart;
+}
+
+Chart stick_ellipse_figure(const FitPictureSource& source) {
+  const std::string title = "Where the pad sticks (paper, fig. 4)";
+  Chart chart{"figure4", title, {}, 2, {}};
+  for (const int subject : subjects_in(source.measurement)) {
+    const double angle_deg = usual_angle_deg(source.measurement, subject);
+    constexpr double alike_deg = 4;
+    std::vector<const StickPath*> paths;
+    for (const StickPath& path : source.stick.paths) {
+      const MeasuredTrial& trial = source.measurement.trials[path.trial];
+      if (trial.subject == subject && std::abs(trial.inclination_deg - angle_deg) < alike_deg)
+        paths.push_back(&path);
+    }
+    if (paths.empty()) continue;
+    if (static_cast<int>(chart.panels.size()) == most_subjects + 1) break;
+    ChartPanel panel{fmt::format("subject {}, finger at {:.0f} deg", subject, angle_deg),
+                     "lateral displacement from the stick centre [mm]",
+                     "longitudinal [mm]",
+                     false,
+                     false,
+                     {}};
+    panel.equal_scales = true;
+    panel.curves.push_back(raw_paths(paths));
+    panel.curves.push_back(
+        averaged_reach(paths, "farthest tenth, by bearing", {palette::blue, Dash::solid, Marker::disc, 1}));
+    const Vec2 axes_m = subject_axes_m(source.measurement, source.fit, source.stick.axes, subject, angle_deg);
+    if (axes_m.allFinite())
+      panel.curves.push_back(ellipse_curve("fitted to this subject",
+                                           {palette::vermillion, Dash::dashed, Marker::none, 1.3},
+                                           1e3 * axes_m.x(), 1e3 * axes_m.y()));
+    chart.panels.push_back(std::move(panel));
+  }
+  if (chart.panels.empty()) return refused_chart("figure4", title, "no stick was found");
+  chart.columns = chart.panels.size() == 1 ? 1 : 2;
+  return chart;
+}
+
+Chart normalised_ellipses_figure(const FitPictureSource& source) {
+  const std::string title = "The normalised stick ellipse by the finger's angle (paper, fig. 7)";
+  const Vec2 at45_m = fitted_axes_m(source.fit, 45);
+  if (!at45_m.allFinite() || !std::isfinite(fitted_number(source.fit, PadNumber::lateral_slope)))
+    return refused_chart("figure7", title, "axes or slopes are refused: see the table of numbers");
+  Chart chart{"figure7", title, {"over the lateral axis at 45 deg"}, 1, {}};
+  ChartPanel panel{"", "lateral [1]", "longitudinal [1]", false, false, {}};
+  panel.equal_scales = true;
+  int colour = 0;
+  for (const double angle_deg : {15.0, 30.0, 45.0, 60.0, 75.0}) {
+    const Vec2 axes = fitted_axes_m(source.fit, angle_deg) / at45_m.x();
+    if (!(axes.minCoeff() > 0)) continue;
+    panel.curves.push_back(ellipse_curve(fmt::format("{:.0f} deg", angle_deg),
+                                         {colour++, Dash::solid, Marker::none, 1.3}, axes.x(), axes.y()));
+  }
+  chart.panels.push_back(std::move(panel));
+  return chart;
+}
+
+}  // namespace fingerpad

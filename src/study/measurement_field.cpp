@@ -1,0 +1,56 @@
+#include "study/measurement_field.hpp"
+
+#include <fmt/format.h>
+
+#include "study/trial_rows.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// What a measurement's format says, as a recording's.
+RecordingFormat recording_format(const FieldFormat& layout, const MeasurementFormat& format) {
+  RecordingFormat said;
+  said.name = layout.name;
+  for (std::size_t k = 0; k < recording_columns.size(); ++k) {
+    for (std::size_t m = 0; m < measurement_columns.size(); ++m)
+      if (measurement_columns[m].key == recording_columns[k].key) said.headers[k] = format.headers[m];
+  }
+  said.metres_per_unit = format.metres_per_unit;
+  said.seconds_per_unit = format.seconds_per_unit;
+  said.dialect = format.dialect;
+  said.positions_path = format.positions_path;
+  said.says_unit = format.says_unit;
+  said.says_time_unit = format.says_time_unit;
+  said.forces_on_surface = format.force_on_plate;
+  return said;
+}
+
+}  // namespace
+
+void read_measured_field(const FieldFormat& layout, const std::string& path, const MeasurementFormat& format,
+                         RecordedMeasurement& into) {
+  const FieldRecording recording = layout.read(path, recording_format(layout, format));
+  for (const std::string& note : recording.notes) into.notes.push_back(fmt::format("{}: {}", path, note));
+  const Motion& motion = recording.motion;
+  if (motion.force_W_n.cols() == 0) {
+    into.without_force.push_back(fmt::format(
+        "{}: column fx_n missing{}", path,
+        motion.normal_force_n.empty() ? ""
+                                      : fmt::format(": {} has the normal force alone here", layout.name)));
+    return;
+  }
+  if (!layout.is_bare_finger)
+    into.warnings.push_back(fmt::format(
+        "{}: was touched with {}; what is fitted is that's, not a finger pad's", path, layout.touched_with));
+  TrialRows trial(path, 0, static_cast<int>(into.trials.size()) + 1, false);
+  for (Eigen::Index i = 0; i < motion.p_WQ.cols(); ++i) {
+    RecordedRow row;
+    row.t_s = motion.t_s[static_cast<std::size_t>(i)];
+    row.position_W = motion.p_WQ.col(i);
+    row.force_W = format.newtons_per_unit * motion.force_W_n.col(i);
+    trial.add(row);
+  }
+  trial.finish(into);
+}
+
+}  // namespace fingerpad

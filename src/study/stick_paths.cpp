@@ -1,0 +1,141 @@
+#include "study/stick_paths.hpp"
+
+#include <cmath>
+#include <limits>
+
+namespace fingerpad {
+namespace {
+
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr std::size_t fewest_drawn = 8;  // of a stretch that is drawn
+
+/// A stretch of stick, [from, to), that neither a gap nor a rupture parts.
+struct DrawnStretch {
+  std::size_t from, to;
+};
+
+std::vector<DrawnStretch> drawn_stretches(const StickSegments& segments) {
+  std::vector<DrawnStretch> found;
+  const std::size_t samples = segments.phase.size();
+  for (std::size_t from = 0, to = 0; from < samples; from = to) {
+    to = from + 1;
+    if (segments.phase[from] != PadPhase::stick) continue;
+    while (to < samples && segments.phase[to] == PadPhase::stick && !segments.begins_run[to]) ++to;
+    if (to - from >= fewest_drawn) found.push_back({from, to});
+  }
+  return found;
+}
+
+/// mu_s of the fit; where it is refused that at which a profile's axes hold then.
+double mu_of_axes(const ProfileFit& fit) {
+  const double fitted = fitted_number(fit, PadNumber::mu_static);
+  return std::isfinite(fitted) ? fitted : 0.3;
+}
+
+/// Displacement for a unit of force ratio, lateral and longitudinal.
+Vec2 compliance_m(const ProfileFit& fit, const Vec2& own_axes_m, double inclination_deg) {
+  const double mu_static = mu_of_axes(fit);
+  if (own_axes_m.allFinite()) return own_axes_m / mu_static;
+  const Vec2 axes_m = fitted_axes_m(fit, inclination_deg);
+  if (axes_m.allFinite()) return axes_m / mu_static;
+  const double stiffness = fitted_number(fit, PadNumber::stick_stiffness);
+  return Vec2::Constant(std::isfinite(stiffness) ? 1 / stiffness : 0);
+}
+
+StickPath path_of(const Measurement& measurement, std::size_t k, const StickSegments& segments,
+                  const DrawnStretch& stretch, const Vec2& compliance) {
+  const MeasuredTrial& trial = measurement.trials[k];
+  StickPath path{k, {}, {}, stretch.to < segments.phase.size() && segments.is_rupture[stretch.to]};
+  Vec2 centre_m(0, 0);
+  for (std::size_t i = stretch.from; i < stretch.to; ++i)
+    centre_m += (trial.position_m[i] + compliance.cwiseProduct(trial.force_ratio[i])) /
+                static_cast<double>(stretch.to - stretch.from);
+  for (std::size_t i = stretch.from; i < stretch.to; ++i) {
+    path.displacement_m.emplace_back(trial.position_m[i] - centre_m);
+    path.force_n.emplace_back(trial.normal_force_n[i] * trial.force_ratio[i]);
+  }
+  return path;
+}
+
+/// Regression of displacement on force ratio over all stretches of a trial, along each axis.
+TrialAxes axes_of(const Measurement& measurement, std::size_t k, const StickSegments& segments,
+                  const std::vector<DrawnStretch>& stretches, double mu_static) {
+  const MeasuredTrial& trial = measurement.trials[k];
+  Vec2 spread(0, 0), pull(0, 0);
+  for (const DrawnStretch& s : stretches) {
+    Vec2 mean_x(0, 0), mean_q(0, 0);
+    const auto count = static_cast<double>(s.to - s.from);
+    for (std::size_t i = s.from; i < s.to; ++i) {
+      mean_x += trial.position_m[i] / count;
+      mean_q += trial.force_ratio[i] / count;
+    }
+    for (std::size_t i = s.from; i < s.to; ++i) {
+      const Vec2 dx = trial.position_m[i] - mean_x, dq = trial.force_ratio[i] - mean_q;
+      spread += dx.cwiseProduct(dx) - Vec2::Constant(segments.position_noise_m * segments.position_noise_m);
+      pull -= dx.cwiseProduct(dq);
+    }
+  }
+  TrialAxes axes{k, {no_number, no_number}};
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    if (!trial.has_direction || !(spread[axis] > 0.05 * spread.sum()) || !(pull[axis] > 0)) continue;
+    axes.axis_m[static_cast<std::size_t>(axis)] = mu_static * spread[axis] / pull[axis];
+  }
+  return axes;
+}
+
+}  // namespace
+
+double fitted_number(const ProfileFit& fit, PadNumber number) noexcept {
+  const PadValue& value = fit.values[static_cast<std::size_t>(number)];
+  return value.refusal.empty() ? value.value : no_number;
+}
+
+Vec2 fitted_axes_m(const ProfileFit& fit, double inclination_deg) {
+  const auto axis_m = [&](PadNumber axis, PadNumber slope) {
+    const double per_deg = fitted_number(fit, slope);
+    return fitted_number(fit, axis) * (1 - (std::isfinite(per_deg) ? per_deg : 0) * (inclination_deg - 45));
+  };
+  return {axis_m(PadNumber::lateral_axis, PadNumber::lateral_slope),
+          axis_m(PadNumber::longitudinal_axis, PadNumber::longitudinal_slope)};
+}
+
+Vec2 subject_axes_m(const Measurement& measurement, const ProfileFit& fit, const std::vector<TrialAxes>& axes,
+                    int subject, double inclination_deg) {
+  Vec2 sum(0, 0), count(0, 0);
+  const Vec2 at45_m = fitted_axes_m(fit, 45);
+  for (const TrialAxes& of : axes) {
+    const MeasuredTrial& trial = measurement.trials[of.trial];
+    if (trial.subject != subject) continue;
+    const Vec2 falls = fitted_axes_m(fit, trial.inclination_deg).cwiseQuotient(at45_m);
+    for (Eigen::Index axis = 0; axis < 2; ++axis) {
+      const double at45 = of.axis_m[static_cast<std::size_t>(axis)] / falls[axis];
+      if (!std::isfinite(at45)) continue;
+      sum[axis] += at45;
+      ++count[axis];
+    }
+  }
+  const Vec2 own_m = sum.cwiseQuotient(count);  // 0/0 where there is none
+  return own_m.cwiseProduct(fitted_axes_m(fit, inclination_deg).cwiseQuotient(at45_m));
+}
+
+StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit) {
+  StickPicture picture;
+  std::vector<std::vector<DrawnStretch>> stretches;
+  for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
+    picture.segments.push_back(stick_segments(measurement.trials[k]));
+    stretches.push_back(drawn_stretches(picture.segments.back()));
+    picture.axes.push_back(
+        axes_of(measurement, k, picture.segments.back(), stretches.back(), mu_of_axes(fit)));
+  }
+  for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
+    const MeasuredTrial& trial = measurement.trials[k];
+    const double angle_deg = trial.has_direction ? trial.inclination_deg : 45;
+    const Vec2 compliance = compliance_m(
+        fit, subject_axes_m(measurement, fit, picture.axes, trial.subject, angle_deg), angle_deg);
+    for (const DrawnStretch& stretch : stretches[k])
+      picture.paths.push_back(path_of(measurement, k, picture.segments[k], stretch, compliance));
+  }
+  return picture;
+}
+
+}  // namespace fingerpad
