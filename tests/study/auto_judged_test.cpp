@@ -137,7 +137,7 @@ TEST(AutoJudged, TriesAPromiseWhereAFingerMayStay) {
       }
       EXPECT_FALSE(trial.exact_force_n) << "the cap's surface is not the plate's";
     }
-    EXPECT_GE(on_cap, 4);
+    EXPECT_GE(on_cap, 2) << "of strokes all over the plate it is one in three hundred";
   });
   EXPECT_EQ(cases, 1);
 }
