@@ -103,8 +103,8 @@ bool falls_behind(const ContactCase& on, const ReckonedError& error) {
 /// What would help where the chosen method cannot do.
 std::string mend_of_method(const ContactVerdict& verdict, const ContactCase& on, const ReckonedError& error) {
   if (falls_behind(on, error)) {
-    // As deep as the rounding's proxy keeps up: half of the way from the middle to its ball's.
-    const double most_n = on.press.stiffness_n_per_m * (error.behind_m + on.press.finger_radius_m) / 2;
+    // No deeper than half of the ball's radius it keeps up round anything.
+    const double most_n = on.press.stiffness_n_per_m * on.press.finger_radius_m / 2;
     return fmt::format("a greatest_force_n of {:.2g}", 0.95 * most_n);
   }
   return verdict.method_open ? "a coarser mesh there or another finger radius" : "method = \"auto\"";
@@ -181,7 +181,8 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::span<const ContactCase
                              chosen.fails[i], mend_of_method(verdict, on, error));
   } else if (error.force_share > tolerance) {
     const double kept = instead(error.force_share), slips_m = slips_under_m(on);
-    const bool slips_off = kept <= most_kept && is_rounded_tighter(on.contact.part.places, slips_m);
+    const bool slips_off =
+        slips_m > 0 && kept <= most_kept && is_rounded_tighter(on.contact.part.places, slips_m);
     limit.kept_tolerance = slips_off ? nothing_kept : kept;
     limit.said = fmt::format("force_tolerance {:.3g} cannot be kept{}{}: {}; {}", tolerance,
                              instead_words(kept), slips_off ? slips_words(slips_m) : "",
