@@ -93,9 +93,8 @@ class RankWork {
           living += state == RankState::living ? 1 : 0;
           missing += state == RankState::not_come ? 1 : 0;
         }
-        const bool removed = !log_.is_in_place();  // with the folder: nobody finds the others
-        if (removed && ranks_.is_root()) return true;
-        if (living > 0 || removed) {
+        if (!log_.is_in_place()) return true;  // the folder is removed: nobody finds the others, each tells
+        if (living > 0) {
           watched_.has_left();
           log_.leave();
           return false;
@@ -108,6 +107,19 @@ class RankWork {
         if (missing == 0 || impatient) return true;
       }
       std::this_thread::sleep_for(between_looks);
+    }
+  }
+
+  /// Whether nobody finds the ranks' files any more.
+  bool is_removed() const noexcept { return !log_.is_in_place(); }
+
+  /// Where it is removed: what others did is not known.
+  void lose_all() {
+    for (const std::size_t job : board_.jobs()) {
+      if (!jobs_[job].status.empty()) continue;
+      jobs_[job].status = fmt::format(
+          "{}: was removed while ranks were at work, and how this job ended with it", options_.out_dir);
+      jobs_[job].exit_code = static_cast<int>(ErrorKind::fault);
     }
   }
 
@@ -196,6 +208,29 @@ std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions&
   return lost;
 }
 
+/// Takes part, once the folder is claimed.
+BatchEnd take_part(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
+                   const std::function<void(const BatchJob&)>& on_done, RunLock& claim) {
+  RankLog log(ranks_folder(options), ranks.rank);
+  WatchedRank watched(log, ranks);  // from here on in a child process
+  RankWork work(jobs, options, ranks, log, watched);
+  work.run(on_done);
+  if (!work.is_last()) return {false, {}};
+  if (work.is_removed()) {
+    work.lose_all();
+    return {true,
+            {Error(ErrorKind::fault, options.out_dir,
+                   "was removed while ranks were at work, and the tables with it")}};
+  }
+  claim.stays_last();
+  work.end(on_done);
+  BatchEnd end{true, write_tables(jobs, options)};
+  std::error_code ignored;
+  fs::remove_all(ranks_folder(options), ignored);
+  watched.has_left();
+  return end;
+}
+
 }  // namespace
 
 BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
@@ -204,18 +239,14 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
     write_job_index(jobs, options);
     make_board(jobs, options);
   });
-  RankLog log(ranks_folder(options), ranks.rank);
-  WatchedRank watched(log, ranks);  // from here on in a child process
-  RankWork work(jobs, options, ranks, log, watched);
-  work.run(on_done);
-  if (!work.is_last()) return {false, {}};
-  claim->stays_last();
-  work.end(on_done);
-  BatchEnd end{true, write_tables(jobs, options)};
-  std::error_code ignored;
-  fs::remove_all(ranks_folder(options), ignored);
-  watched.has_left();
-  return end;
+  try {
+    return take_part(jobs, options, ranks, on_done, *claim);
+  } catch (const Error& error) {
+    std::error_code none;
+    if (fs::exists(board_path(options), none)) throw;
+    // The folder was good when the run began: what is wrong with it now is no fault of the call.
+    throw Error(ErrorKind::fault, "", error.what());
+  }
 }
 
 }  // namespace fingerpad
