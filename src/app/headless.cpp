@@ -44,7 +44,14 @@ void run_headless(std::optional<double> seconds, const std::string& name, LiveDe
       print_err("fingerpad: {}: {}\n", name, key == "x" ? "STOPPED, g gives the force back" : "goes on");
     });
   }
-  wait_without_window(seconds, signals, [&] { return quit || device.has_ended(); });
+  std::string trouble;
+  wait_without_window(seconds, signals, [&] {
+    if (std::string now = device.trouble(); now != trouble) {
+      print_err("fingerpad: {}: {}\n", name, now.empty() ? "goes on" : now);
+      trouble = std::move(now);
+    }
+    return quit || device.has_ended();
+  });
 }
 
 }  // namespace fingerpad

@@ -19,9 +19,9 @@ namespace {
 constexpr fingerpad::AddCommand commands[] = {
     fingerpad::add_check, fingerpad::add_query, fingerpad::add_replay,  fingerpad::add_export,
     fingerpad::add_study, fingerpad::add_merge, fingerpad::add_compare, fingerpad::add_keys,
-    fingerpad::add_fit,
+    fingerpad::add_fit,   fingerpad::add_touch,
 #ifdef FINGERPAD_VIEW
-    fingerpad::add_touch, fingerpad::add_view,  fingerpad::add_plot,    fingerpad::add_report,
+    fingerpad::add_view,  fingerpad::add_plot,  fingerpad::add_report,
 #endif
 };
 

@@ -8,9 +8,9 @@
 
 #include "app/commands.hpp"
 #include "app/headless.hpp"
+#include "app/live_window.hpp"
 #include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
-#include "app/size_option.hpp"
 #include "app/standard_streams.hpp"
 #include "app/stop_signals.hpp"
 #include "app/subject.hpp"
@@ -21,9 +21,8 @@
 #include "scene/scene_file.hpp"
 #include "scene/toml_table.hpp"
 #include "touch/rate_choice.hpp"
+#include "touch/resting_finger.hpp"
 #include "touch/servo_loop.hpp"
-#include "view/screen.hpp"
-#include "view/touch_window.hpp"
 
 namespace fingerpad {
 namespace {
@@ -60,39 +59,8 @@ Scene touched_scene(const TouchOptions& options) {
   return scene;
 }
 
-/// Opens the window of a touch and returns when it is closed, when its seconds or the device's motion are
-/// over, or when a signal asks to stop.
-void show_window(const TouchOptions& options, const Scene& scene, const std::shared_ptr<const World>& world,
-                 LiveDevice& device, ServoLoop& servo, TouchSwap& swap, const LiveRecorder* recorder,
-                 const StopSignals& signals) {
-  TouchWindowInput input;
-  input.view.title = scene.name;
-  input.view.file = options.subject;
-  input.view.world = world;
-  input.view.scene = scene;
-  input.set_target = [&](const FingerSample& target) { device.set_target(target); };
-  input.look_from = [&](const Vec3& towards_eye_W) { device.look_from(towards_eye_W); };
-  input.swap = &swap;
-  input.latest = [&] { return servo.latest(); };
-  input.timing = [&] { return servo.timing(); };
-  input.recent = [&](double seconds) { return servo.recent(seconds); };
-  input.is_over = [&] { return signals.has_come() || device.has_ended(); };
-  if (device.has_motors()) {
-    input.set_stop = [&](bool on) { device.set_emergency_stop(on); };
-    input.is_stopped = [&] { return device.emergency_stopped(); };
-  }
-  if (recorder != nullptr) {
-    input.note = "recording " + options.record;
-    input.alarm = [recorder] {
-      return recorder->failed() ? "NOT RECORDED any longer: " + recorder->fault() : std::string();
-    };
-  }
-  WindowOptions window;
-  const PictureSize size = read_size(options.size);
-  window.width = size.width;
-  window.height = size.height;
-  if (options.seconds) window.events = {{*options.seconds, WindowEvent::Kind::key, "q"}};
-  run_touch_window(input, window);
+LiveWindowChoice window_choice(const TouchOptions& options) {
+  return {options.subject, options.record, options.size, options.seconds, options.real_time};
 }
 
 /// What was asked for that the device does not read.
@@ -121,8 +89,7 @@ void tell_timing(const ServoTiming& timing, double rate_hz) {
   print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks, rate_hz,
             timing.late_ticks, 1e3 * timing.worst_late_s);
   print_out("half of the ticks took up to {:.2g} us, 99.9 % up to {:.2g} us, the longest {:.2g} us\n",
-            1e6 * timing.tick_times.quantile_s(0.5), 1e6 * timing.tick_times.quantile_s(0.999),
-            1e6 * timing.worst_tick_s);
+            1e6 * timing.tick_s(0.5), 1e6 * timing.tick_s(0.999), 1e6 * timing.worst_tick_s);
 }
 
 int touch(const TouchOptions& options) {
@@ -133,10 +100,7 @@ int touch(const TouchOptions& options) {
                 fmt::format("--device {} is moved in a window: choose another device", options.device));
   }
   refuse_unread(options);
-  if (!options.headless) {  // before a long import
-    need_display();
-    read_size(options.size);
-  }
+  if (!options.headless) need_live_window(window_choice(options));
   Scene scene = touched_scene(options);
   warn_of_unread(options, scene);
   const auto hand = std::exchange(scene.hand, std::nullopt);  // a person holds the finger
@@ -152,6 +116,7 @@ int touch(const TouchOptions& options) {
   const auto device =
       find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link, hand});
   TouchSwap swap(world, scene);
+  swap.change_too([&](const World& changed, const Scene& by) { return device->ready_for(changed, by); });
   swap.schedule(device->scene_changes());
   const auto recorder = start_recording(options.record, scene, *world, *device, swap);
   tell_device(options, device->opening_words());
@@ -166,13 +131,12 @@ int touch(const TouchOptions& options) {
         if (device->has_ended()) ++after_end;
         if (recorder && !device->has_ended()) recorder->push(as_recorded(record, sample, *device));
       },
-      servo_history_s, options.real_time, &swap,
-      [&](const World& changed) { device->surfaces_changed(changed); });
+      servo_history_s, options.real_time, &swap);
   for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
   if (options.headless) {
     run_headless(options.seconds, options.device, *device, signals);
   } else {
-    show_window(options, scene, world, *device, servo, swap, recorder.get(), signals);
+    run_live_window(window_choice(options), {scene, world, *device, servo, swap, recorder.get()}, signals);
   }
   servo.stop();
   tell_device(options, device->closing_words());
@@ -227,7 +191,7 @@ void add_touch(CLI::App& program, Action& action) {
   refuse_empty(
       command->add_option("--bind", options->link.bind,
                           "Address that is listened on; default: 127.0.0.1; another lets others in"));
-  add_size_option(*command, options->size, "the window");
+  add_live_window_options(*command, options->size);
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(CLI::Range(1.0, 100000.0));
   command->add_flag("--realtime", options->real_time,

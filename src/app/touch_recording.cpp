@@ -73,6 +73,7 @@ TickRecord as_recorded(TickRecord tick, const FingerSample& sample, const LiveDe
     tick.encoded_W = sample.p_WQ;
     tick.push_W_n = sample.push_W_n;
   }
+  if (const auto place_W = device.true_place_W()) tick.p_WQ = *place_W;
   if (device.has_motors()) tick.sent_W_n = device.sent_W_n();
   return tick;
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "contact/contact_method.hpp"
+#include "contact/crowded_hollow.hpp"
 #include "contact/normals.hpp"
 
 namespace fingerpad {
@@ -22,6 +23,7 @@ struct ContactDemand {
   double centre_depth_m = 0;   ///< that the finger's centre reaches at the most; negative: it stays outside
   std::string press{};         ///< the same in words: "10 N at 1000 N/m presses 10 mm deep"
   bool has_neighbour = false;  ///< another surface stands nearer than the finger's width
+  CrowdedHollow crowded{};     ///< in which the finger is near the most triangles
 };
 
 /// One row of the table of contact methods.

@@ -53,7 +53,7 @@ ContactMethodEntry proxy_method() noexcept {
           true,
           false,
           true,
-          nothing,
+          proxy_fails,
           nothing,
           [](std::vector<PlacedSurface> surfaces, double radius_m,
              Normals normals) -> std::unique_ptr<ContactMethod> {

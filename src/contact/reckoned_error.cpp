@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "contact/contact_method_table.hpp"
@@ -11,11 +12,19 @@ namespace fingerpad {
 namespace {
 
 constexpr int force_steps = 6;  ///< from the least to the greatest force
-constexpr double no_rounding_left = 0.5, whole_force = 2;
+constexpr double whole_force = 2;
+/// A proxy goes at most so many times as far as the finger (ProxyLimits::proxy_per_finger).
+constexpr double keeps_up = 2;
 /// Of all places: a region of fewer is not judged.
 constexpr double least_region_share = 1.0 / 2000;
-/// Of a facet's sag, from one to the next.
-constexpr double sags_differ_by = 0.25;
+/// Of a facet's sag, from one to the next: of the one that is nearest, and of several that hold a proxy.
+constexpr double sags_differ_by = 0.5, sags_held_differ_by = 0.25;
+
+/// How the finger's centre stands to the surface.
+struct Centre {
+  double radius_m, depth_m;
+  double height_m() const noexcept { return radius_m - depth_m; }
+};
 
 /// By how much of a facet's turn the normal at the foot on it is off that at the foot on the surface.
 double foot_turn(double u) noexcept {
@@ -23,9 +32,7 @@ double foot_turn(double u) noexcept {
 }
 
 double facet_turn(double u, bool is_inside, bool lags) noexcept {
-  if (u >= 0) return 1 / (1 + u);
-  if (!lags || !is_inside) return 1;
-  return u > -no_rounding_left ? 1 / (1 + u) : whole_force / 1e-6;
+  return u >= 0 || (lags && is_inside) ? 1 / (1 + u) : 1;
 }
 
 /// The way to touch, as reckoning sees it.
@@ -34,29 +41,45 @@ struct Way {
   double (*off_rad)(const SurfacePlace& place) noexcept;
 };
 
+/// How many times as far as the finger's centre a proxy has to go round a rounding of this curvature.
+double times_as_far(double curvature_per_m, const Centre& centre) noexcept {
+  return (1 + centre.radius_m * curvature_per_m) / (1 + centre.height_m() * curvature_per_m);
+}
+
+/// Whether that is farther than it may.
+bool falls_behind(const Way& way, double curvature_per_m, const Centre& centre) noexcept {
+  return way.lags && curvature_per_m > 0 && times_as_far(curvature_per_m, centre) > keeps_up;
+}
+
 /// By how much more a place's tilts turn the force on a ball in a hollow that it nearly fits.
-double hollow_factor(double curvature_per_m, double radius_m) noexcept {
-  const double room = 1 + radius_m * std::min(0.0, curvature_per_m);
-  return room > 0 ? std::max(1.0, std::sqrt(sags_differ_by / room)) : 1;
+double hollow_factor(const Way& way, double curvature_per_m, const Centre& centre) noexcept {
+  if (!(curvature_per_m < 0) || centre.radius_m == 0) return 1;
+  const double room = 1 + centre.height_m() * curvature_per_m;  // from the hollow's middle
+  const double differ_by = way.lags ? sags_held_differ_by : sags_differ_by;
+  return room > 0 ? std::max(1.0, std::sqrt(differ_by / room)) : 1;
 }
 
 /// Across the force [rad].
-double tilt_rad(const Way& way, const SurfacePlace& place, double height_m, double radius_m) noexcept {
-  const double u = height_m * place.curvature_per_m;
+double tilt_rad(const Way& way, const SurfacePlace& place, const Centre& centre) noexcept {
+  const double u = centre.height_m() * place.curvature_per_m;
+  // A point gets over smooth edges all the same, where its normals are not the facets'.
+  if (way.shows_facets && centre.radius_m == 0 && falls_behind(way, place.curvature_per_m, centre))
+    return whole_force;
   double off = 0;
   if (way.touches_patches)
     off = place.patch_rad;
   else if (way.shows_facets)
-    off = place.facet_rad * facet_turn(u, height_m < 0, way.lags);
+    off = place.facet_rad * facet_turn(u, centre.height_m() < 0, way.lags);
   else
     off = way.off_rad(place) + place.facet_rad * foot_turn(u);
-  return std::min(off * hollow_factor(place.curvature_per_m, radius_m), whole_force);
+  return std::min(off * hollow_factor(way, place.curvature_per_m, centre), whole_force);
 }
 
-/// How much way the finger's centre has over a place at this height, of the place's area.
-double way_there(const SurfacePlace& place, double height_m, double radius_m) noexcept {
-  const bool is_reached = 1 + radius_m * place.curvature_per_m > 0;
-  return is_reached ? std::max(0.0, 1 + height_m * place.curvature_per_m) : 0;
+/// How much way the finger's centre has over a place at this height, of the place's area: none where a ball
+/// has no room between the facets.
+double way_there(const SurfacePlace& place, const Centre& centre) noexcept {
+  const double needs_m = centre.radius_m > 0 ? centre.radius_m + place.sag_m : 0;
+  return 1 + needs_m * place.curvature_per_m > 0 ? std::max(0.0, 1 + centre.height_m() * place.curvature_per_m) : 0;
 }
 
 /// Along it, as a length [m].
@@ -81,45 +104,76 @@ double quantile_99(std::span<Weighed> shares, double weight) {
   return 0;
 }
 
+/// Kept from region to region, for its memory.
+struct Scratch {
+  std::vector<Weighed> shares, behind;
+};
+
 /// A region's error under one force, over the places that a finger gets to.
 ReckonedError error_in(std::span<const SurfacePlace> region, const Press& press, const Way& way,
-                       double force_n, std::vector<Weighed>& shares) {
-  const double height_m = press.finger_radius_m - force_n / press.stiffness_n_per_m;
+                       double force_n, Scratch& scratch) {
+  const Centre centre{press.finger_radius_m, force_n / press.stiffness_n_per_m};
   double tilts = 0, weights = 0;
+  std::vector<Weighed>&shares = scratch.shares, &behind = scratch.behind;
   shares.clear();
+  behind.clear();
   for (const SurfacePlace& place : region) {
-    const double weight = way_there(place, height_m, press.finger_radius_m);
+    const double weight = way_there(place, centre);
     if (!(weight > 0)) continue;
-    const double tilt = tilt_rad(way, place, height_m, press.finger_radius_m);
+    const double tilt = tilt_rad(way, place, centre);
     shares.push_back({std::hypot(press.stiffness_n_per_m * sag_m(way, place) / force_n, tilt), weight});
     tilts += weight * tilt;
     weights += weight;
+    if (centre.radius_m > 0 && falls_behind(way, place.curvature_per_m, centre))
+      behind.push_back({place.curvature_per_m, weight});
   }
   if (!(weights > 0)) return {};
-  return {quantile_99(shares, weights), tilts / weights};
+  const double tightest_per_m = quantile_99(behind, weights);
+  ReckonedError error{quantile_99(shares, weights), tilts / weights};
+  if (!(tightest_per_m > 0)) return error;
+  error.behind_m = 1 / tightest_per_m;
+  error.behind_share = std::numbers::pi / 2 * (1 - keeps_up / times_as_far(tightest_per_m, centre));
+  return error;
+}
+
+void take_worse(ReckonedError& worst, const ReckonedError& other) noexcept {
+  worst.force_share = std::max(worst.force_share, other.force_share);
+  worst.mean_tilt_rad = std::max(worst.mean_tilt_rad, other.mean_tilt_rad);
+  if (!(other.behind_share > worst.behind_share)) return;
+  worst.behind_share = other.behind_share;
+  worst.behind_m = other.behind_m;
 }
 
 }  // namespace
 
-ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& press,
-                             const ContactMethodEntry& method, Normals normals) {
-  ReckonedError error;
+std::vector<RegionError> region_errors(std::span<const SurfacePlace> places, const Press& press,
+                                       const ContactMethodEntry& method, Normals normals) {
+  std::vector<RegionError> errors;
   const Way way{method.touches_own_surface && normals->own_surface != nullptr, normals->shade == nullptr,
                 method.lags_on_facets, normals->off_rad};
   const auto fewest = static_cast<std::ptrdiff_t>(least_region_share * static_cast<double>(places.size()));
-  std::vector<Weighed> shares;
+  Scratch scratch;
   for (auto first = places.begin(), end = first; first != places.end(); first = end) {
     end = std::find_if(first, places.end(),
                        [&](const SurfacePlace& place) { return place.region != first->region; });
     if (end - first < fewest) continue;
+    RegionError worst{first->region, {}};
     for (int step = 0; step <= force_steps; ++step) {
       const double force_n = press.least_force_n() * std::pow(10.0, static_cast<double>(step) / force_steps);
-      const ReckonedError here = error_in({first, end}, press, way, force_n, shares);
-      error.force_share = std::max(error.force_share, here.force_share);
-      if (step == force_steps) error.mean_tilt_rad = std::max(error.mean_tilt_rad, here.mean_tilt_rad);
+      ReckonedError here = error_in({first, end}, press, way, force_n, scratch);
+      if (step < force_steps) here.mean_tilt_rad = 0;
+      take_worse(worst.error, here);
     }
+    errors.push_back(worst);
   }
-  return error;
+  return errors;
+}
+
+ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& press,
+                             const ContactMethodEntry& method, Normals normals) {
+  ReckonedError worst;
+  for (const RegionError& one : region_errors(places, press, method, normals)) take_worse(worst, one.error);
+  return worst;
 }
 
 }  // namespace fingerpad

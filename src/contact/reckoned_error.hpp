@@ -1,6 +1,7 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 namespace fingerpad {
 
@@ -24,6 +25,15 @@ struct ReckonedError {
   double force_share = 0;    ///< of the force, or of Press::least_force_n, on 99 % of the finger's way in a
                              ///< region (SurfacePlace), at the force at which that is the largest
   double mean_tilt_rad = 0;  ///< of the force's direction, over a region's places, under the greatest force
+  /// Of the force: by how much a ball's proxy falls behind where the ball goes round a quarter of a rounding
+  /// faster than a proxy may follow, on more than a hundredth of the way in a region; and the rounding.
+  double behind_share = 0, behind_m = 0;
+};
+
+/// The error in one region of a part.
+struct RegionError {
+  int region = 0;  ///< SurfacePlace::region
+  ReckonedError error;
 };
 
 /// Reckons it place by place. With the force F, the stiffness k, the finger's centre h = radius - F/k over
@@ -60,6 +70,10 @@ struct ReckonedError {
 /// tenth; the last, a bound's estimate, is between a third and four times the error.
 /// noexcept but for memory.
 /// @param places  region by region
+std::vector<RegionError> region_errors(std::span<const SurfacePlace> places, const Press& press,
+                                       const ContactMethodEntry& method, Normals normals);
+
+/// The worst of them.
 ReckonedError reckoned_error(std::span<const SurfacePlace> places, const Press& press,
                              const ContactMethodEntry& method, Normals normals);
 

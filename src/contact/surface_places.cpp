@@ -52,17 +52,6 @@ double curvature_along(const CurvedPatch& patch, const Vec3& facet, const Vec3& 
   return turned.dot(direction) / length2;
 }
 
-/// @param x  relative to the part's centre
-int region_of(const Part& part, const Vec3& x) {
-  const double wide_m = 2 * part.half_extent.maxCoeff() / regions_along;
-  int region = 0;
-  for (int i = 0; i < 3; ++i) {
-    const auto along = static_cast<int>((x[i] + part.half_extent[i]) / wide_m);
-    region = regions_along * region + std::clamp(along, 0, regions_along - 1);
-  }
-  return region;
-}
-
 /// @param b  barycentric coordinates of the place on triangle t
 SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
   const Part& part = tree.part();
@@ -83,6 +72,7 @@ SurfacePlace place_on(const TriangleTree& tree, int t, const Vec3& b) {
   if (place.facet_rad > flat_rad) place.curvature_per_m = curvature_along(patch, facet, curved);
   place.width_m = shape_of(part, t).height_m;
   if (!std::isfinite(place.sag_m + place.curvature_per_m)) place = {};
+  place.triangle = t;
   place.region = region_of(part, flat);
   return place;
 }
@@ -109,6 +99,16 @@ std::vector<SurfacePlace> by_region(const std::vector<SurfacePlace>& places) {
 }
 
 }  // namespace
+
+int region_of(const Part& part, const Vec3& x) noexcept {
+  const double wide_m = 2 * part.half_extent.maxCoeff() / regions_along;
+  int region = 0;
+  for (int i = 0; i < 3; ++i) {
+    const auto along = static_cast<int>((x[i] + part.half_extent[i]) / wide_m);
+    region = regions_along * region + std::clamp(along, 0, regions_along - 1);
+  }
+  return region;
+}
 
 std::vector<SurfacePlace> surface_places(const TriangleTree& tree, double trusted_height_m) {
   const Part& part = tree.part();

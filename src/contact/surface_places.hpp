@@ -2,8 +2,11 @@
 
 #include <vector>
 
+#include "base/types.hpp"
+
 namespace fingerpad {
 
+struct Part;
 class TriangleTree;
 
 /// One of the places, of equal area each, at which a part's facets are held against the smooth surface that
@@ -16,10 +19,15 @@ struct SurfacePlace {
   double patch_rad = 0;   ///< the patch's own normal off it: how badly the patch fits its corners' normals
   double width_m = 0;     ///< of the facet, over its longest edge
   double curvature_per_m = 0;  ///< along the way in which the facet leans; > 0 where it is convex
+  int triangle = -1;           ///< the facet's number
   int region = 0;              ///< which of the cubes it lies in, an eighth of the part's longest side wide
 
   bool operator==(const SurfacePlace&) const = default;
 };
+
+/// The region that a point of the part lies in.
+/// @param x  relative to the part's centre [m]
+int region_of(const Part& part, const Vec3& x) noexcept;
 
 /// Region by region. At 16,384 places, and at no more than 64 times the triangles. On all threads, the same
 /// on any number of them. A facet that is lower than this over its longest edge has no normal that is

@@ -5,17 +5,32 @@
 
 namespace fingerpad {
 
-Foresight::Foresight(std::shared_ptr<const World> world, const Scene& scene)
-    : kept_(std::move(world)), world_(kept_.get()) {
-  const ContactChoice choice = settled_contact(scene, *world_);
-  const ContactMethodEntry* const entry = find_contact_method(choice.method);
+Foresight::Method::Method(const World& world, const Scene& scene) : kind(settled_contact(scene, world)) {
+  const ContactMethodEntry* const entry = find_contact_method(kind.method);
   if (entry == nullptr) return;
+  const double radius_m = scene.finger.radius_m;
   if (!entry->starts_outside) {
-    method_ = entry->make(placed_surfaces(*world_), scene.finger.radius_m, choice.normals);
+    plain = entry->make(placed_surfaces(world), radius_m, kind.normals);
     return;
   }
-  goes_ = fast_proxy(placed_surfaces(*world_), scene.finger.radius_m, choice.normals);
-  tries_ = fast_proxy(placed_surfaces(*world_), scene.finger.radius_m, choice.normals);
+  goes = fast_proxy(placed_surfaces(world), radius_m, kind.normals);
+  tries = fast_proxy(placed_surfaces(world), radius_m, kind.normals);
+}
+
+Foresight::Foresight(std::shared_ptr<const World> world, const Scene& scene)
+    : kept_(std::move(world)), world_(kept_.get()), method_(method_for(*world_, scene)) {}
+
+Foresight::~Foresight() = default;
+
+std::unique_ptr<Foresight::Method> Foresight::method_for(const World& world, const Scene& scene) {
+  return std::make_unique<Method>(world, scene);
+}
+
+void Foresight::change(const World& world, std::unique_ptr<Method>& method) noexcept {
+  world_ = &world;
+  if (method->kind.method == method_->kind.method && method->kind.normals == method_->kind.normals) return;
+  std::swap(method, method_);
+  strayed_ = true;
 }
 
 /// As Touch tells it, of a finger whose velocity is not known otherwise.
@@ -32,21 +47,21 @@ double Foresight::normal_force_n(const Contact& contact, const Vec3& p_W, double
 }
 
 double Foresight::try_n(const Vec3& p_W, double dt_s) noexcept {
-  if (method_) return normal_force_n(method_->touch(p_W, dt_s), p_W, dt_s);
-  if (!tries_) return 0;
-  if (strayed_) tries_->resume(goes_->state());
+  if (method_->plain) return normal_force_n(method_->plain->touch(p_W, dt_s), p_W, dt_s);
+  if (!method_->tries) return 0;
+  if (strayed_) method_->tries->resume(method_->goes->state());
   strayed_ = true;
   tried_W_ = p_W;
-  return normal_force_n(tries_->move(p_W, dt_s), p_W, dt_s);
+  return normal_force_n(method_->tries->move(p_W, dt_s), p_W, dt_s);
 }
 
 double Foresight::go_n(const Vec3& p_W, double dt_s) noexcept {
   double felt_n = 0;
-  if (method_) {
-    felt_n = normal_force_n(method_->touch(p_W, dt_s), p_W, dt_s);
-  } else if (goes_) {
-    before_ = goes_->state();
-    felt_n = normal_force_n(goes_->move(p_W, dt_s), p_W, dt_s);
+  if (method_->plain) {
+    felt_n = normal_force_n(method_->plain->touch(p_W, dt_s), p_W, dt_s);
+  } else if (method_->goes) {
+    before_ = method_->goes->state();
+    felt_n = normal_force_n(method_->goes->move(p_W, dt_s), p_W, dt_s);
     // The one that tries has come along, memory and all, where the last try was this.
     strayed_ = !(strayed_ && tried_W_ == p_W);
   }
@@ -58,7 +73,7 @@ double Foresight::go_n(const Vec3& p_W, double dt_s) noexcept {
 void Foresight::take_back() noexcept {
   last_W_ = last_but_one_W_;
   strayed_ = true;
-  if (goes_) goes_->resume(before_);
+  if (method_->goes) method_->goes->resume(before_);
 }
 
 }  // namespace fingerpad

@@ -5,6 +5,7 @@
 
 #include "contact/contact_method.hpp"
 #include "contact/proxy.hpp"
+#include "touch/contact_choice.hpp"
 #include "touch/wall.hpp"
 #include "touch/world.hpp"
 
@@ -18,6 +19,7 @@ struct Scene;
 class Foresight {
  public:
   Foresight(std::shared_ptr<const World> world, const Scene& scene);
+  ~Foresight();
 
   /// The normal force that a tick at p_W would give, after those that were gone. Any number of places may be
   /// tried; what a try gives may differ from what go() gives where two answers lie within rounding.
@@ -25,8 +27,12 @@ class Foresight {
   double try_n(const Vec3& p_W, double dt_s) noexcept;
   /// The finger goes there. @returns the normal force that its tick will give
   double go_n(const Vec3& p_W, double dt_s) noexcept;
-  /// The same surfaces with other properties; they outlive this.
-  void surfaces_changed(const World& world) noexcept { world_ = &world; }
+  /// Another way of touching, as it begins.
+  class Method;
+  static std::unique_ptr<Method> method_for(const World& world, const Scene& scene);
+  /// The same surfaces, touched in another way or with other properties; they outlive this. What serves no
+  /// longer is left in `method`. It goes on as Touch::take_over does.
+  void change(const World& world, std::unique_ptr<Method>& method) noexcept;
   /// As if the last go_n() had not been.
   void take_back() noexcept;
 
@@ -35,13 +41,22 @@ class Foresight {
 
   std::shared_ptr<const World> kept_;
   const World* world_;  ///< kept_, until its surfaces have other properties
-  // Where the scene has a proxy: one that goes as the touch's does, its memory too, and one for trying.
-  std::optional<Proxy> goes_, tries_;
-  ProxyState before_;                      ///< of the one that goes, before its last step
-  std::unique_ptr<ContactMethod> method_;  ///< where the scene has a method without memory
-  bool strayed_ = false;                   ///< the one for trying stands elsewhere than the one that goes
+  std::unique_ptr<Method> method_;
+  ProxyState before_;     ///< of the proxy that goes, before its last step
+  bool strayed_ = false;  ///< the one for trying stands elsewhere than the one that goes
   Vec3 tried_W_ = Vec3::Zero(), last_W_ = Vec3::Zero(), last_but_one_W_ = Vec3::Zero();
   Walls walls_;
+};
+
+/// A contact method as foresight needs it.
+class Foresight::Method {
+ public:
+  Method(const World& world, const Scene& scene);
+
+  ContactChoice kind;
+  // Where the scene has a proxy: one that goes as the touch's does, its memory too, and one for trying.
+  std::optional<Proxy> goes, tries;
+  std::unique_ptr<ContactMethod> plain;  ///< where the scene has a method without memory
 };
 
 }  // namespace fingerpad

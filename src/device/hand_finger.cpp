@@ -3,21 +3,12 @@
 #include "device/device_table.hpp"
 
 namespace fingerpad {
-namespace {
-
-HandSettings felt_hand(const DeviceSetup& setup) {
-  HandSettings settings = setup.hand.value_or(HandSettings{});
-  settings.encoder_m = 0;
-  return settings;
-}
-
-}  // namespace
-
 HandFinger::HandFinger(const DeviceSetup& setup, double dt_s)
-    : settings_(felt_hand(setup)),
+    : settings_(setup.hand.value_or(HandSettings{})),
       hand_(settings_, dt_s),
       intended_(setup.start.p_WQ, pointer_bandwidth_hz),
       dt_s_(dt_s),
+      place_W_(setup.start.p_WQ),
       finger_(setup.start),
       seen_target_(setup.start) {
   hand_.start(setup.start.p_WQ);
@@ -29,7 +20,9 @@ void HandFinger::set_target(const FingerSample& target) {
 
 FingerSample HandFinger::advance(double) noexcept {
   targets_.take(seen_target_);
-  finger_.p_WQ = hand_.position_W();
+  place_W_ = hand_.position_W();
+  finger_.p_WQ = hand_.encoded_W();
+  finger_.push_W_n = hand_.push_W_n(intended_.place_m());
   finger_.direction_W = seen_target_.direction_W;
   return finger_;
 }

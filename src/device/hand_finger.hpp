@@ -8,14 +8,16 @@
 namespace fingerpad {
 
 /// The simulated hand of the scene's [hand], or of its defaults, chasing the mouse: a mass on a spring that
-/// the surface pushes back. What it does to the finger is what `replay` does with a motion and a [hand], but
-/// that the finger's own place is felt, not an encoder's reading of it.
+/// the surface pushes back. What it does to the finger is what `replay` does with a motion and a [hand]: what
+/// is felt is where the hand's encoders put the finger.
 class HandFinger final : public LiveDevice {
  public:
   HandFinger(const DeviceSetup& setup, double dt_s);
 
   FingerSample advance(double dt_s) noexcept override;
   void feel(const TickRecord& tick) noexcept override;
+  SampleParts gives() const noexcept override { return {.pushes = true}; }
+  std::optional<Vec3> true_place_W() const noexcept override { return place_W_; }
   void set_target(const FingerSample& target) override;
 
  private:
@@ -23,6 +25,7 @@ class HandFinger final : public LiveDevice {
   SimulatedHand hand_;
   Follower intended_;  ///< where the mouse goes, as a hand would follow it
   double dt_s_;
+  Vec3 place_W_;  ///< of the last advance()
   FingerSample finger_;
   Latest<FingerSample> targets_;  // to the servo
   FingerSample seen_target_;      // servo's thread

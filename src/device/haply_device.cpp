@@ -13,26 +13,33 @@ namespace {
 constexpr const char* haply_host = "localhost";
 constexpr int haply_port = 10001;
 constexpr const char* haply_profile = "fingerpad";
-constexpr int inventory_patience_ms = 2000;
+constexpr int inventory_patience_ms = 2000, look_again_ms = 500;
 /// A service of this machine answers within milliseconds, or not at all.
 constexpr std::int64_t lost_after_ns = 500'000'000;
 
 }  // namespace
 
 HaplyDevice::HaplyDevice(const DeviceSetup& setup, DeviceClock clock)
-    : RemoteDevice(setup, Answers::every_tick, clock),
-      socket_(haply_host, setup.link.port.value_or(haply_port)) {
+    : RemoteDevice(setup, Answers::every_tick, clock), port_(setup.link.port.value_or(haply_port)) {
+  connect();
+  start();
+}
+
+/// Throws Error (usage) where there is no service, no device, or another one than before.
+void HaplyDevice::connect() {
+  socket_.emplace(haply_host, port_);
+  const std::string place = fmt::format("{}:{}", haply_host, port_);
   std::string inventory;
-  const std::string place = fmt::format("{}:{}", haply_host, setup.link.port.value_or(haply_port));
-  if (socket_.hear(inventory, inventory_patience_ms) != WebSocket::Heard::message)
+  if (socket_->hear(inventory, inventory_patience_ms) != WebSocket::Heard::message)
     throw Error(ErrorKind::usage, place, "the service there says nothing: is it Haply's Inverse Service?");
   const auto frame = read_haply_frame(inventory);
   if (!frame)
     throw Error(ErrorKind::usage, place, "what the service there says is no inventory of Haply devices");
   if (frame->device_id.empty())
     throw Error(ErrorKind::usage, place, "the Inverse Service has no Inverse3: plug one in and switch it on");
-  device_id_ = frame->device_id;
-  start();
+  if (!device_id_.empty() && frame->device_id != device_id_)
+    throw Error(ErrorKind::usage, place, fmt::format("the Inverse Service has no Inverse3 {}", device_id_));
+  if (device_id_.empty()) device_id_ = frame->device_id;
 }
 
 int HaplyDevice::patience_ms() const noexcept {
@@ -40,11 +47,19 @@ int HaplyDevice::patience_ms() const noexcept {
 }
 
 void HaplyDevice::run() {
+  speak();
+  while (!is_stopping() && find_again()) speak();
+}
+
+/// Until the service goes, or the touch ends.
+void HaplyDevice::speak() {
   last_ns_ = now_ns();
+  owed_ = said_ = 0;
+  asked_ = false;
   bool there = say(force_D_n());
   std::string text;
   while (there && !is_stopping()) {
-    switch (socket_.hear(text, patience_ms())) {
+    switch (socket_->hear(text, patience_ms())) {
       case WebSocket::Heard::message:
         there = answer(text);
         break;
@@ -57,7 +72,25 @@ void HaplyDevice::run() {
     }
   }
   if (there) say(Vec3::Zero());
-  gone_.store(!is_stopping(), std::memory_order_relaxed);
+  away_.store(!there, std::memory_order_relaxed);
+}
+
+/// @returns false where the touch ends before
+bool HaplyDevice::find_again() {
+  while (!is_stopping()) {
+    wake_up().clear();
+    if (!is_stopping()) wake_up().wait(look_again_ms);
+    try {
+      if (is_stopping()) break;
+      connect();
+    } catch (const Error&) {  // not yet
+      continue;
+    }
+    ++found_again_;
+    away_.store(false, std::memory_order_relaxed);
+    return true;
+  }
+  return false;
 }
 
 /// @returns false where the service is gone
@@ -113,18 +146,24 @@ Vec3 HaplyDevice::force_D_n() noexcept {
 
 bool HaplyDevice::say(const Vec3& force_D_n) {
   ++owed_;
-  return socket_.say(haply_message(device_id_, force_D_n, said_++ == 0 ? haply_profile : ""));
+  return socket_->say(haply_message(device_id_, force_D_n, said_++ == 0 ? haply_profile : ""));
 }
 
 std::string HaplyDevice::opening_words() const {
   return fmt::format("Inverse3 {}", device_id_);
 }
 
+std::string HaplyDevice::trouble() const {
+  return away_ ? "the Inverse Service is gone: no force; it is looked for twice a second" : "";
+}
+
 std::string HaplyDevice::closing_words() {
   stop();
   const std::string lost = lost_ > 0 ? fmt::format("; {} answers of the service never came", lost_) : "";
-  return fmt::format("{} states, {} dropped{}{}", states_, dropped_, lost,
-                     gone_ ? "; the Inverse Service ended before the touch did" : "");
+  const std::string again =
+      found_again_ > 0 ? fmt::format("; the Inverse Service was found again {} times", found_again_) : "";
+  return fmt::format("{} states, {} dropped{}{}{}", states_, dropped_, lost, again,
+                     away_ ? "; the Inverse Service ended before the touch did" : "");
 }
 
 DeviceEntry haply_device() noexcept {

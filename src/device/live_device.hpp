@@ -8,6 +8,7 @@
 #include "scene/scene.hpp"
 #include "scene/scene_change.hpp"
 #include "touch/tick_record.hpp"
+#include "touch/touch_swap.hpp"
 
 namespace fingerpad {
 
@@ -42,6 +43,9 @@ class LiveDevice {
   /// The finger dt_s later. One thread, the servo's: allocates nothing, waits for nothing.
   virtual FingerSample advance(double dt_s) noexcept = 0;
   virtual SampleParts gives() const noexcept { return {}; }
+  /// Where the finger was at the last advance(), where its sample was what encoders make of that. The same
+  /// thread.
+  virtual std::optional<Vec3> true_place_W() const noexcept { return std::nullopt; }
 
   /// Whether it shows forces to a person. Then sent_W_n() is what its limits left of the last tick's force,
   /// in the world's axes; the servo's thread.
@@ -54,6 +58,9 @@ class LiveDevice {
   /// Whether its motion is over: the tick of the last advance() is no more of it. Any thread.
   virtual bool has_ended() const noexcept { return false; }
 
+  /// What is wrong with it now, to be told at once; empty: nothing. Any thread.
+  virtual std::string trouble() const { return {}; }
+
   /// What to tell before the touch, such as where it listens, and after it. May be empty. The second ends the
   /// device's own work: neither advance() nor feel() is called any more.
   virtual std::string opening_words() const { return {}; }
@@ -62,9 +69,12 @@ class LiveDevice {
   /// What the tick at the finger of the last advance() gave. Same thread, same rules.
   virtual void feel(const TickRecord& /*tick*/) noexcept {}
 
-  /// The surfaces have other properties from the next advance() on; they outlive the device. Same thread,
-  /// same rules.
-  virtual void surfaces_changed(const World& /*world*/) noexcept {}
+  /// What the device itself needs where the touch goes on with other properties of its surfaces, or with
+  /// another method; put in on the servo's thread, before an advance(). Both outlive the device's work. Null:
+  /// nothing. Any thread but the servo's.
+  virtual std::unique_ptr<ChangeBeside> ready_for(const World& /*world*/, const Scene& /*scene*/) {
+    return nullptr;
+  }
   /// What its motion changes in the scene on the way, as it was recorded. Before the first advance().
   virtual std::vector<SceneChange> scene_changes() const { return {}; }
 

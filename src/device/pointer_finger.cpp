@@ -35,6 +35,25 @@ void PointerFinger::look_from(const Vec3& towards_eye_W) {
     last_put_.towards_eye_W = towards_eye_W.normalized();
 }
 
+/// The hand goes by the method that the touch goes on with.
+struct PointerFinger::Change final : ChangeBeside {
+  Change(PointerFinger& whose, const World& on, const Scene& scene)
+      : finger(whose), world(on), method(Foresight::method_for(on, scene)), choice(method->kind) {}
+  void put_in() noexcept override {
+    finger.around_.change(world, choice);
+    finger.foresight_.change(world, method);
+  }
+
+  PointerFinger& finger;
+  const World& world;
+  std::unique_ptr<Foresight::Method> method;
+  ContactChoice choice;
+};
+
+std::unique_ptr<ChangeBeside> PointerFinger::ready_for(const World& world, const Scene& scene) {
+  return std::make_unique<Change>(*this, world, scene);
+}
+
 void PointerFinger::feel(const TickRecord& tick) noexcept {
   touched_ = tick;
   if (is_touching()) out_W_ = tick.normal_W;

@@ -24,12 +24,10 @@ class PointerFinger final : public LiveDevice {
   void look_from(const Vec3& towards_eye_W) override;
   FingerSample advance(double dt_s) noexcept override;
   void feel(const TickRecord& tick) noexcept override;
-  void surfaces_changed(const World& world) noexcept override {
-    around_.surfaces_changed(world);
-    foresight_.surfaces_changed(world);
-  }
+  std::unique_ptr<ChangeBeside> ready_for(const World& world, const Scene& scene) override;
 
  private:
+  struct Change;
   enum class Doing { flies, lands, presses, lifts };
 
   Doing next_doing(double dt_s) noexcept;

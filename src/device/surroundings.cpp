@@ -5,6 +5,7 @@
 
 #include "contact/contact_method_table.hpp"
 #include "scene/scene.hpp"
+#include "touch/parts_ball.hpp"
 
 namespace fingerpad {
 
@@ -14,20 +15,22 @@ Surroundings::Surroundings(std::shared_ptr<const World> world, const Scene& scen
       normals_(Normals::facet),
       finger_radius_m_(scene.finger.radius_m),
       memories_(world_->surfaces.size()) {
-  const ContactChoice choice = settled_contact(scene, *world_);
+  touch_by(settled_contact(scene, *world_));
+  const auto parts = ball_of_parts(*world_);
+  if (!parts) return;
+  middle_W_ = parts->centre_W;
+  radius_m_ = std::max(parts->radius_m, 1e-6);
+}
+
+void Surroundings::touch_by(const ContactChoice& choice) noexcept {
   const ContactMethodEntry* const method = find_contact_method(choice.method);
   sided_ = method != nullptr && !method->starts_outside;
-  if (method != nullptr && method->touches_own_surface) normals_ = choice.normals;
-  Vec3 low = Vec3::Constant(std::numeric_limits<double>::infinity()), high = -low;
-  for (const Surface& surface : world_->surfaces) {
-    if (surface.is_plane() || !surface.part) continue;
-    const WorldBox box = world_box(surface);
-    low = low.cwiseMin(box.middle - box.half);
-    high = high.cwiseMax(box.middle + box.half);
-  }
-  if (!low.allFinite()) return;
-  middle_W_ = (low + high) / 2;
-  radius_m_ = std::max((high - low).norm() / 2, 1e-6);
+  normals_ = method != nullptr && method->touches_own_surface ? choice.normals : Normals::facet;
+}
+
+void Surroundings::change(const World& world, const ContactChoice& choice) noexcept {
+  world_ = &world;
+  touch_by(choice);
 }
 
 Clearance Surroundings::at(const Vec3& p_W, double reach_m) noexcept {

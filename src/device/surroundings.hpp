@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/closest_memory.hpp"
+#include "touch/contact_choice.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {
@@ -26,8 +27,8 @@ class Surroundings {
   /// @param reach_m  look no farther. noexcept, allocates nothing.
   Clearance at(const Vec3& p_W, double reach_m) noexcept;
 
-  /// The same surfaces with other properties; they outlive this.
-  void surfaces_changed(const World& world) noexcept { world_ = &world; }
+  /// The same surfaces, touched in another way or with other properties; they outlive this.
+  void change(const World& world, const ContactChoice& choice) noexcept;
   const SurfaceProperties& properties(int surface) const noexcept {
     return world_->surfaces[static_cast<std::size_t>(surface)].properties;
   }
@@ -40,6 +41,8 @@ class Surroundings {
   double finger_radius_m() const noexcept { return finger_radius_m_; }
 
  private:
+  void touch_by(const ContactChoice& choice) noexcept;
+
   std::shared_ptr<const World> kept_;
   const World* world_;  ///< kept_, until its surfaces have other properties
   Normals normals_;

@@ -115,7 +115,8 @@ OutcomesByJob outcomes_in(const std::string& folder) {
 /// "s job 3 (seed 3)".
 std::string words_of(const JobOutcome& job) {
   std::string values;
-  for (const auto& [key, value] : job.values) values += (values.empty() ? "" : ", ") + key + " " + value;
+  for (const auto& [key, value] : job.values)
+    values += fmt::format("{}{} {}", values.empty() ? "" : ", ", key, value);
   const std::string name = job.number > 0 ? fmt::format("{} job {}", job.scene, job.number) : job.scene;
   return values.empty() ? name : fmt::format("{} ({})", name, values);
 }

@@ -44,7 +44,7 @@ std::uint64_t hash_of_jobs(const std::vector<BatchJob>& jobs) {
   for (const BatchJob& job : jobs) {
     add(job.job.scene.name);
     add(std::to_string(job.job.number));
-    for (const auto& [key, value] : job.job.set_keys) add(key + "=" + value);
+    for (const auto& [key, value] : job.job.set_keys) add(fmt::format("{}={}", key, value));
   }
   return hash;
 }

@@ -5,21 +5,92 @@
 #include <limits>
 
 #include "contact/contact_cost.hpp"
+#include "study/promise_trial.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// Of the larger of the true force and least_n, over the ticks on which either is felt; sorted.
+/// Facets that cut in, and patches that stand out, leave the greatest force no exact border.
+constexpr double about_greatest = 1.03;
+
+/// What of a case the promise speaks of: of ticks those until which, since the finger was last free, the true
+/// force has not been beyond the greatest, nor the finger so deep in a rounding that it slips round (what a proxy has
+/// been pressed through stays with it); of ways those of such ticks alone.
+struct Promised {
+  std::vector<bool> ticks, ways;
+};
+
+Promised promised_of(const JudgedCase& one, const JudgedReference& reference) {
+  const double most_n = about_greatest * one.scene.contact.greatest_force_n;
+  Promised promised;
+  promised.ticks.reserve(reference.force_W_n.size());
+  for (const FingerPath& way : one.ways) {
+    bool was_over = false, is_whole = true;
+    for (long k = 0; k < way.tick_count(); ++k) {
+      const double force_n = reference.force_W_n[promised.ticks.size()].norm();
+      const bool is_over = force_n > most_n || reference.slips[promised.ticks.size()];
+      was_over = is_over || (was_over && force_n > 0);
+      is_whole = is_whole && !was_over;
+      promised.ticks.push_back(!was_over);
+    }
+    promised.ways.push_back(is_whole);
+  }
+  return promised;
+}
+
+/// Of the larger of the true force and least_n.
+double error_share(const Vec3& found_n, const Vec3& true_n, double least_n) {
+  return (found_n - true_n).norm() / std::max(true_n.norm(), least_n);
+}
+
+/// On the ways that the promise speaks of, and on which the force is anywhere off by half: else what was
+/// crossed unfelt is a facet that stands out over the surface.
+long pop_throughs_in(const JudgedCase& one, const JudgedRun& run, const JudgedReference& reference,
+                     const Promised& promised) {
+  long sum = 0;
+  std::size_t k = 0;
+  for (std::size_t way = 0; way < one.ways.size(); ++way) {
+    double worst = 0;
+    for (const std::size_t end = k + static_cast<std::size_t>(one.ways[way].tick_count()); k < end; ++k)
+      worst = std::max(worst, error_share(run.force_W_n[k], reference.force_W_n[k],
+                                          one.scene.contact.greatest_force_n / 10));
+    if (promised.ways[way] && worst > 0.5) sum += run.pop_throughs[way];
+  }
+  return sum;
+}
+
+/// Over the ticks on which either is felt; sorted.
 std::vector<double> error_shares(const std::vector<Vec3>& found_n, const std::vector<Vec3>& true_n,
-                                 double least_n) {
+                                 const Promised& promised, double least_n) {
   std::vector<double> shares;
   for (std::size_t k = 0; k < true_n.size(); ++k) {
     const double force_n = true_n[k].norm();
-    if (force_n == 0 && found_n[k].squaredNorm() == 0) continue;
-    shares.push_back((found_n[k] - true_n[k]).norm() / std::max(force_n, least_n));
+    if (!promised.ticks[k] || (force_n == 0 && found_n[k].squaredNorm() == 0)) continue;
+    shares.push_back(error_share(found_n[k], true_n[k], least_n));
   }
   std::sort(shares.begin(), shares.end());
   return shares;
+}
+
+double quantile_99(const std::vector<double>& sorted) {
+  if (sorted.empty()) return 0;
+  return sorted[static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(sorted.size()))) - 1];
+}
+
+/// The worst of the promise's trials, by variant.
+void try_promise(const JudgedCase& one, JudgedRow& row) {
+  row.trial_99.assign(contact_variants().size(), 0);
+  for (const JudgedCase& trial : promise_trials(one)) {
+    const JudgedReference reference = judged_reference(trial);
+    const Promised promised = promised_of(trial, reference);
+    for (std::size_t v = 0; v < contact_variants().size(); ++v) {
+      const JudgedRun run = judged_run(trial, contact_variants()[v], 1);
+      const std::vector<double> shares =
+          error_shares(run.force_W_n, reference.force_W_n, promised, one.scene.contact.greatest_force_n / 10);
+      row.trial_99[v] = std::max(row.trial_99[v], quantile_99(shares));
+      row.pop_throughs[v] += pop_throughs_in(trial, run, reference, promised);
+    }
+  }
 }
 
 std::string said_by(const ContactChoice& choice) {
@@ -47,24 +118,37 @@ std::string to_string(JudgedWord word) {
   return "broken";
 }
 
-JudgedWord JudgedRow::word() const {
-  const bool pops = pop_throughs[chosen] > pop_throughs.back();
-  if (pops || error_99[chosen] > promised) return JudgedWord::broken;
+namespace {
+
+JudgedWord word_of(double error, bool pops, double promised, double tolerance) {
+  if (pops || error > promised) return JudgedWord::broken;
   if (promised <= tolerance) return JudgedWord::kept;
-  return error_99[chosen] > tolerance ? JudgedWord::said : JudgedWord::needless;
+  return error > tolerance ? JudgedWord::said : JudgedWord::needless;
 }
 
-std::size_t JudgedRow::cheapest(const std::vector<double>& price) const {
+}  // namespace
+
+JudgedWord JudgedRow::word() const {
+  return word_of(std::max(error_99[chosen], trial_99[chosen]), pop_throughs[chosen] > pop_throughs.back(),
+                 promised, tolerance);
+}
+
+JudgedWord JudgedRow::word_of_motion() const {
+  return word_of(error_99[chosen], pop_throughs[chosen] > pop_throughs.back(), promised, tolerance);
+}
+
+std::size_t JudgedRow::cheapest(const std::vector<double>& price, bool of_promise) const {
   std::size_t best = price.size();
   for (std::size_t v = 0; v < price.size(); ++v) {
-    const bool keeps = error_99[v] <= tolerance && pop_throughs[v] <= pop_throughs.back();
+    const bool keeps = error_99[v] <= tolerance && (!of_promise || trial_99[v] <= tolerance) &&
+                       pop_throughs[v] <= pop_throughs.back();
     if (keeps && (best == price.size() || price[v] < price[best])) best = v;
   }
   return best;
 }
 
-double JudgedRow::price_ratio(const std::vector<double>& price) const {
-  const std::size_t best = cheapest(price);
+double JudgedRow::price_ratio(const std::vector<double>& price, bool of_promise) const {
+  const std::size_t best = cheapest(price, of_promise);
   return best < price.size() ? price[chosen] / price[best] : std::numeric_limits<double>::quiet_NaN();
 }
 
@@ -79,23 +163,23 @@ JudgedRow judged(const JudgedCase& one, int turns) {
   for (const ContactLimit& limit : choice.limits) row.promised = std::max(row.promised, limit.kept_tolerance);
   for (const Surface& surface : one.world->surfaces)
     row.triangles += surface.part ? surface.part->triangle_count() : 0;
-  const std::vector<Vec3> reference_n = reference_forces(one);
+  const JudgedReference reference = judged_reference(one);
+  const Promised promised = promised_of(one, reference);
   for (std::size_t v = 0; v < contact_variants().size(); ++v) {
     const ContactVariant& variant = contact_variants()[v];
     const JudgedRun run = judged_run(one, variant, turns);
     const std::vector<double> shares =
-        error_shares(run.force_W_n, reference_n, one.scene.contact.greatest_force_n / 10);
-    const auto count = static_cast<double>(shares.size());
+        error_shares(run.force_W_n, reference.force_W_n, promised, one.scene.contact.greatest_force_n / 10);
     row.ticks = static_cast<long>(shares.size());
-    row.error_99.push_back(shares.empty() ? 0
-                                          : shares[static_cast<std::size_t>(std::ceil(0.99 * count)) - 1]);
+    row.error_99.push_back(quantile_99(shares));
     row.tick_ns.push_back(run.tick_ns);
-    row.pop_throughs.push_back(run.pop_throughs);
+    row.pop_throughs.push_back(pop_throughs_in(one, run, reference, promised));
     row.cost.push_back(contact_cost(variant.method_name, variant.normals_name,
                                     static_cast<int>(row.triangles), row.radius_m > 0)
                            .value_or(std::numeric_limits<double>::infinity()));
     if (variant.method_name == choice.method && variant.normals == choice.normals) row.chosen = v;
   }
+  try_promise(one, row);
   return row;
 }
 

@@ -15,7 +15,7 @@ enum class JudgedWord {
 };
 std::string to_string(JudgedWord word);
 
-/// One case under every pair of method and normals.
+/// One case under every pair of method and normals, over its own motion and over the promise's trials.
 struct JudgedRow {
   std::string name, said;
   double triangles = 0, radius_m = 0, tolerance = 0;
@@ -23,17 +23,23 @@ struct JudgedRow {
                                           ///< infinity: nothing
   bool is_exact = false;                  ///< whether the surface is known
   std::size_t chosen = 0;                 ///< of contact_variants()
-  std::vector<double> error_99, tick_ns;  ///< by variant: on 99 % of ticks no larger than this
+  std::vector<double> error_99, tick_ns;  ///< by variant: on 99 % of the motion's ticks no larger than this
+  std::vector<double> trial_99;           ///< by variant: the largest such error of the promise's trials
   std::vector<double> cost;               ///< by variant, as the committed table has it
-  std::vector<long> pop_throughs;         ///< by variant; the last, the most complete, tells how many are the
-                                          ///< motion's: a finger that is dragged through a part's inside
-  long ticks = 0;                         ///< on which anything is felt
+  std::vector<long> pop_throughs;         ///< by variant, in the motion and the trials; the last, the most
+                                          ///< complete, tells how many are the ways': a finger that is dragged
+                                          ///< through a part's inside
+  long ticks = 0;                         ///< of the motion, on which anything is felt
 
+  /// By the motion and the trials.
   JudgedWord word() const;
-  /// The variant of the least `price` of those that keep the tolerance; contact_variants().size(): none.
-  std::size_t cheapest(const std::vector<double>& price) const;
-  /// What the chosen one costs in units of the cheapest that keeps it; nan where none does.
-  double price_ratio(const std::vector<double>& price) const;
+  /// By the motion alone, which need not meet what the part has.
+  JudgedWord word_of_motion() const;
+  /// The variant of the least `price` of those that keep the tolerance in the motion and, where `of_promise`,
+  /// in the trials; contact_variants().size(): none.
+  std::size_t cheapest(const std::vector<double>& price, bool of_promise) const;
+  /// What the chosen one costs in units of that; nan where there is none.
+  double price_ratio(const std::vector<double>& price, bool of_promise) const;
 };
 
 /// @param turns  JudgedRun's

@@ -173,6 +173,7 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
     measurement.cleanings.push_back(cleaning);
   }
   settle_delay(recorded.trials, settings, measurement);
+  measurement.knows_delay = settings.delay_s || !settings.takes_delay;
   for (RecordedTrial& trial : recorded.trials) {
     if (settings.smoothing_hz > 0) low_pass(trial, settings.smoothing_hz);
     MeasuredTrial measured = in_pad_axes(trial);

@@ -157,6 +157,7 @@ ExactSurface hollow() {
   };
   surface.deepest_m = 0.015;                   // to where the box is nearer
   surface.highest_m = (hollow_m + 0.007) / 2;  // a ball of 7 mm is free there, and not at the middle
+  surface.is_whole = false;
   return surface;
 }
 
@@ -197,6 +198,7 @@ ExactSurface knob() {
                 Vec3(std::sin(up) * std::cos(around), std::sin(up) * std::sin(around), std::cos(up) - 1));
   };
   surface.deepest_m = 0.016;
+  surface.is_whole = false;
   return surface;
 }
 

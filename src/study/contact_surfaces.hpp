@@ -26,6 +26,7 @@ struct ExactSurface {
   std::function<Vec3(double along)> way;  ///< a point of the surface for 0 .. 1, at a fairly even pace
   double deepest_m = 0;                   ///< so deep a finger's centre is nearest to where it came in
   double highest_m = std::numeric_limits<double>::infinity();  ///< over it, where nothing else is met
+  bool is_whole = true;                                        ///< `foot` is right all over the mesh
 };
 
 /// A sphere (patches superconverge there: no orders are told from it), a generic torus, and a cylinder whose

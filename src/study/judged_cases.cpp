@@ -64,6 +64,8 @@ JudgedCase exact_case(const ExactSurface& surface, const MeasuredWorld& measured
     if (under_m > surface.deepest_m) continue;
     judged.ways.push_back(way_through(rub_under(surface, under_m, radius_m).positions, scene));
   }
+  const double greatest_under_m = scene.contact.greatest_force_n / stiffness_n_per_m - radius_m;
+  judged.is_exact_all_over = surface.is_whole && greatest_under_m <= surface.deepest_m;
   judged.exact_force_n = [foot = surface.foot, radius_m, stiffness_n_per_m](const Vec3& p) -> Vec3 {
     const ExactFoot at = foot(p);
     return stiffness_n_per_m * std::max(0.0, radius_m - at.signed_distance_m) * at.normal;
@@ -147,15 +149,19 @@ void take_part_cases(const std::string& file, int strokes, const TakeCase& take)
   const std::string name = std::filesystem::path(file).filename().string();
   const auto world = std::make_shared<World>(*world_of_part(part, name));
   // A part as small as a bead is touched by a finger, and with forces, to its scale.
-  const double scale = std::min(1.0, across_m(*part) / whole_scale_m);
+  const double scale = touch_scale(*part);
   world->surfaces[0].properties.stiffness_n_per_m /= scale;
   const MeasuredWorld measured(world);
   for (const double radius_m : {0.0, judged_ball_m * scale}) {
     const Scene scene = open_scene(name + (radius_m > 0 ? ", a ball" : ", a point"), radius_m);
     JudgedCase judged{scene.name, scene, measured.chosen_for(scene)};
-    judged.ways = strokes_over(judged.world->surfaces[0], scene, strokes, scale);
+    judged.ways = strokes_over(judged.world->surfaces[0], scene, {strokes, scale});
     if (!judged.ways.empty()) take(judged);
   }
+}
+
+double touch_scale(const Part& part) noexcept {
+  return std::min(1.0, across_m(part) / whole_scale_m);
 }
 
 std::vector<std::string> files_of(const std::string& folder, bool (*is_one)(const std::string& ending)) {

@@ -12,6 +12,8 @@
 namespace fingerpad {
 namespace {
 
+/// Of a rounding's radius: so deep a finger is held. Exact surfaces are pressed no deeper either.
+constexpr double deepest_share = 0.8;
 constexpr double cos_same_wall = 0.86602540378443865;  // 30 degrees, the default crease
 
 /// The force of the curved patches at a foot on the facets; false where that foot, or the one found from
@@ -44,6 +46,30 @@ Vec3 in_part(const Surface& surface, const Vec3& p_W) {
   return surface.R_WP.transpose() * (p_W - surface.p_WP) - surface.part->centre_P;
 }
 
+/// How fast a facet's corner normals spread along its edges, at the most.
+double rounding_per_m(const Part& part, int t) {
+  double most_per_m = 0;
+  for (int k = 0; k < 3; ++k) {
+    const int next = (k + 1) % 3;
+    const Vec3 edge = part.vertices.col(part.triangles(next, t)) - part.vertices.col(part.triangles(k, t));
+    const Vec3 turn = part.corner_normals.col(3 * t + next) - part.corner_normals.col(3 * t + k);
+    most_per_m = std::max(most_per_m, turn.dot(edge) / edge.squaredNorm());
+  }
+  return most_per_m;
+}
+
+/// Whether a finger has been pressed so near the middle of the rounding that it stands on that it slips round.
+bool slips_round(const JudgedCase& judged, const TickRecord& record) {
+  if (record.walls != 1) return false;
+  const Surface& surface = judged.world->surfaces[static_cast<std::size_t>(record.surface)];
+  if (surface.is_plane()) return false;
+  const Vec3 foot_P = in_part(surface, record.contact_W), q = in_part(surface, record.p_WQ);
+  const double under_m = (foot_P - q).dot(surface.R_WP.transpose() * record.normal_W);
+  if (under_m <= 0) return false;
+  const ClosestTriangle at = surface.tree->closest(foot_P, -1, HUGE_VAL);
+  return at.triangle >= 0 && under_m * rounding_per_m(*surface.part, at.triangle) > deepest_share;
+}
+
 /// That of a finger that is clear of all facets: where they cut in, the patch over them stands out farther.
 Vec3 force_over_facets(const JudgedCase& judged, const TickRecord& record) {
   const double radius_m = judged.scene.finger.radius_m;
@@ -54,6 +80,7 @@ Vec3 force_over_facets(const JudgedCase& judged, const TickRecord& record) {
     const ClosestTriangle nearest = surface.tree->closest(q, -1, HUGE_VAL);
     if (nearest.triangle < 0) continue;
     const Vec3 normal_P = surface.part->facet_normals.col(nearest.triangle);
+    if ((q - nearest.at.point).dot(normal_P) < 0) continue;  // behind it: of an open part, or inside of a body
     Vec3 force_W_n;
     if (patch_force(surface, nearest.at.point, normal_P, q, radius_m, force_W_n) &&
         force_W_n.squaredNorm() > largest_W_n.squaredNorm())
@@ -97,25 +124,31 @@ JudgedRun judged_run(const JudgedCase& judged, const ContactVariant& variant, in
     }
     all_ns = std::accumulate(best.tick_ns.begin(), best.tick_ns.end(), all_ns);
     run.force_W_n.insert(run.force_W_n.end(), best.force_W_n.begin(), best.force_W_n.end());
-    run.pop_throughs += best.pop_throughs;
+    run.pop_throughs.push_back(best.pop_throughs);
   }
   run.tick_ns = all_ns / static_cast<double>(run.force_W_n.size());
   return run;
 }
 
-std::vector<Vec3> reference_forces(const JudgedCase& judged) {
-  std::vector<Vec3> forces_W_n;
+JudgedReference judged_reference(const JudgedCase& judged) {
+  JudgedReference reference;
   const TouchChoice complete{std::string(contact_method_table().back().name), normals_table().back(),
                              judged.scene.motion.rate_hz, Events::tick};
   for (const FingerPath& way : judged.ways) {
     Touch touch(judged.world, touched_by(judged.scene, complete));
     for (long k = 0; k < way.tick_count(); ++k) {
       const FingerSample sample = way.at(k);
-      forces_W_n.push_back(judged.exact_force_n ? judged.exact_force_n(sample.p_WQ)
-                                                : complete_force(judged, touch.tick(sample)));
+      if (judged.exact_force_n) {
+        reference.force_W_n.push_back(judged.exact_force_n(sample.p_WQ));
+        reference.slips.push_back(false);
+        continue;
+      }
+      const TickRecord& record = touch.tick(sample);
+      reference.force_W_n.push_back(complete_force(judged, record));
+      reference.slips.push_back(slips_round(judged, record));
     }
   }
-  return forces_W_n;
+  return reference;
 }
 
 }  // namespace fingerpad

@@ -11,11 +11,17 @@ namespace fingerpad {
 struct JudgedRun {
   std::vector<Vec3> force_W_n;  ///< on the finger
   double tick_ns = 0;           ///< mean time of a tick, of each the best of several turns
-  long pop_throughs = 0;
+  std::vector<long> pop_throughs;  ///< a way
 };
 
 /// @param turns  how often the same is run, for the times alone
 JudgedRun judged_run(const JudgedCase& judged, const ContactVariant& variant, int turns);
+
+/// What a case's runs are held against, tick by tick.
+struct JudgedReference {
+  std::vector<Vec3> force_W_n;  ///< on the finger
+  std::vector<bool> slips;      ///< the finger is pressed deeper than 4/5 of a rounding's radius: it slips off
+};
 
 /// The forces that a case's runs are held against: those of the surface that is known exactly; else the most
 /// complete that can be said of a mesh, at the same rate and along the same ways: a proxy (the last method of
@@ -25,6 +31,6 @@ JudgedRun judged_run(const JudgedCase& judged, const ContactVariant& variant, in
 ///
 /// At the same rate, since another rate is another motion: a proxy that lets go over an edge at 1 kHz and at
 /// 40 kHz does so at other places, and then feels other walls.
-std::vector<Vec3> reference_forces(const JudgedCase& judged);
+JudgedReference judged_reference(const JudgedCase& judged);
 
 }  // namespace fingerpad

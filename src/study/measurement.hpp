@@ -50,6 +50,7 @@ struct DelayEstimate {
 struct Measurement {
   std::vector<MeasuredTrial> trials;       ///< with contact, by file and in the file's order
   std::vector<TrialCleaning> cleanings;    ///< of every trial that was read, in that order
+  bool knows_delay = false;                ///< it was given, or left in: the fit looks for no rest of it
   DelayEstimate delay;                     ///< as it was estimated, whether or not it was taken out
   std::vector<std::string> untouched;      ///< names of trials whose finger never presses
   std::vector<std::string> without_force;  ///< as RecordedMeasurement

@@ -86,8 +86,9 @@ struct FitPoint {
 /// measured. stick_stiffness is mu_s/a45, k_f across the finger, longitudinal_stiffness along it; without
 /// directions stick_stiffness is the mean over those that were pushed. cubic_share is c of the finger-pad
 /// law's third-order spring, -beta mu_s^2; hysteresis_area that of the loop of force ratio over displacement,
-/// pushed to the limit both ways, 4 h mu_s; linearity the share of the displacement's variance that a
-/// straight line explains. Vibration: see vibration_peak. normal_stiffness is dn/d(depth) at 1 N of n ~
+/// pushed to the limit both ways, 4 h mu_s (too small where the loop turns slowly: of one that turns within a
+/// tenth of the reach some 70 %); linearity the share of the displacement's variance that a straight line
+/// explains. Vibration: see vibration_peak. normal_stiffness is dn/d(depth) at 1 N of n ~
 /// depth^normal_exponent.
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                       const FitPoint& point);

@@ -5,12 +5,15 @@
 #include <numeric>
 
 #include "base/random_stream.hpp"
+#include "contact/surface_places.hpp"
 #include "contact/triangle_tree.hpp"
 #include "study/judged_cases.hpp"
 
 namespace fingerpad {
 namespace {
 
+/// Of the finger over the surface before it comes down, beside its radius.
+constexpr double low_m = 0.5e-3, high_m = 1e-3;
 constexpr double down_m_per_s = 0.05, along_m_per_s = 0.1, along_s = 0.2;
 
 /// A place of a part's surface from where nothing of it lies in the way out.
@@ -25,7 +28,18 @@ class FacetLottery {
     double sum = 0;
     for (int t = 0; t < part.triangle_count(); ++t) sums_.push_back(sum += area_m2(t));
   }
-  /// A place, relative to the part's centre.
+  /// A place, relative to the part's centre, in a region or (-1) anywhere.
+  Landing draw(RandomStream& random, int region) const {
+    Landing landing = draw(random);
+    for (int tries = 0; region >= 0 && tries < most_draws && region_of(part_, landing.at_P) != region; ++tries)
+      landing = draw(random);
+    return landing;
+  }
+
+ private:
+  /// More than a region's share of the part needs, which is at least a two-thousandth.
+  static constexpr int most_draws = 20000;
+
   Landing draw(RandomStream& random) const {
     const double wanted = random.uniform() * sums_.back();
     const auto found = std::upper_bound(sums_.begin(), sums_.end() - 1, wanted);
@@ -39,7 +53,6 @@ class FacetLottery {
     return {a + u * (corner(t, 1) - a) + v * (corner(t, 2) - a), part_.facet_normals.col(t)};
   }
 
- private:
   Vec3 corner(int t, int k) const { return part_.vertices.col(part_.triangles(k, t)); }
   double area_m2(int t) const {
     const Vec3 a = corner(t, 0);
@@ -67,30 +80,31 @@ void go_to(std::vector<Vec3>& places, const Vec3& to, double speed_m_per_s, doub
 
 }  // namespace
 
-std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene, int count, double scale) {
+std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene, const StrokePlan& plan) {
   const Part& part = *surface.part;
   const double rate_hz = scene.motion.rate_hz, radius_m = scene.finger.radius_m;
   const double greatest_m = scene.contact.greatest_force_n / surface.properties.stiffness_n_per_m;
   const FacetLottery lottery(part);
-  RandomStream random(11);
+  RandomStream random(plan.seed);
   std::vector<FingerPath> strokes;
-  for (int tries = 0; tries < 20 * count && static_cast<int>(strokes.size()) < count; ++tries) {
-    const Landing landing = lottery.draw(random);
+  for (int tries = 0; tries < 20 * plan.count && static_cast<int>(strokes.size()) < plan.count; ++tries) {
+    const Landing landing = lottery.draw(random, plan.region);
     const Vec3 n = surface.R_WP * landing.normal_P;
     const bool is_light = strokes.size() % 2 == 0;
     const double depth_m = is_light ? greatest_m / 10 : greatest_m * std::pow(10.0, -random.uniform());
     const double turn = 2 * std::numbers::pi * random.uniform();
     const Vec3 across = n.unitOrthogonal(),
                along = std::cos(turn) * across + std::sin(turn) * n.cross(across);
-    const double height_m = 2 * radius_m + scale * 1e-3;
+    const double height_m =
+        radius_m + (plan.starts_low ? plan.scale * low_m : radius_m + plan.scale * high_m);
     if (!is_free(*surface.tree, landing, height_m, radius_m)) continue;
     const Vec3 on = surface.R_WP * (landing.at_P + part.centre_P) + surface.p_WP;
     std::vector<Vec3> places{on + height_m * n};
     const Vec3 deep = on + (radius_m - depth_m) * n;
-    const double length_m = std::min(scale * along_m_per_s * along_s, part.size_m() / 4);
-    go_to(places, deep, scale * down_m_per_s, rate_hz);
-    go_to(places, deep + length_m * along, scale * along_m_per_s, rate_hz);
-    go_to(places, deep + length_m * along + (height_m - radius_m + depth_m) * n, scale * down_m_per_s,
+    const double length_m = std::min({plan.scale * along_m_per_s * along_s, part.size_m() / 4, plan.longest_m});
+    go_to(places, deep, plan.scale * down_m_per_s, rate_hz);
+    go_to(places, deep + length_m * along, plan.scale * along_m_per_s, rate_hz);
+    go_to(places, deep + length_m * along + (height_m - radius_m + depth_m) * n, plan.scale * down_m_per_s,
           rate_hz);
     strokes.push_back(way_through(places, scene));
   }

@@ -74,6 +74,7 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
     segments.push_back(stick_segments(trial));
   }
   FitPoint point;
+  point.evidence.knows_delay = measurement.knows_delay;
   constexpr int passes = 4;
   for (int pass = 0; pass < passes; ++pass) {
     if (pass > 0) point = next_point(fit.evidence, point);

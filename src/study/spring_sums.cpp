@@ -105,10 +105,26 @@ SpringSums noise_sums(const std::vector<std::array<Terms, 2>>& groups, std::size
   return sums;
 }
 
+/// Adds a stretch's groups: their products about their means, without what noise makes of them.
+void add_groups(const std::vector<std::array<Terms, 2>>& groups, const SpringNoise& noise, std::size_t size,
+                TrialEvidence& evidence) {
+  const auto count = static_cast<double>(groups.size()), weight = static_cast<double>(size);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    Terms mean = Terms::Zero();
+    for (const auto& terms : groups) mean += terms[axis] / count;
+    SpringSums sums = SpringSums::Zero();
+    for (const auto& terms : groups) sums += (terms[axis] - mean) * (terms[axis] - mean).transpose();
+    const SpringSums noisy = noise_sums(groups, axis, noise, size);
+    evidence.spring[axis] += weight * (sums - noisy);
+    evidence.spring_noise[axis] += weight * noisy;
+  }
+  evidence.stick_samples += static_cast<long>(groups.size() * size);
+}
+
 }  // namespace
 
 void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
-                     const std::vector<Vec2>& ratio, TrialEvidence& evidence) {
+                     const std::vector<Vec2>& ratio, bool knows_delay, TrialEvidence& evidence) {
   constexpr double group_s = 4e-3;
   const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(group_s * trial.rate_hz)));
   std::vector<PhaseStretch> stretches;
@@ -120,23 +136,13 @@ void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
   const MotionDirection direction(trial, segments.half_window);
   std::vector<std::array<Terms, 2>> groups;
   for (const PhaseStretch& s : stretches) {
-    const std::size_t length = s.to - s.from,
-                      size = std::max<std::size_t>(1, std::min(wanted, length / fewest_groups));
-    const std::size_t count = length / size;
+    const std::size_t size = std::max<std::size_t>(1, std::min(wanted, (s.to - s.from) / fewest_groups));
     groups.clear();
-    for (std::size_t k = 0; k < count; ++k)
-      groups.push_back(
-          group_terms(trial, segments, ratio, direction, s.from + k * size, s.from + (k + 1) * size));
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      Terms mean = Terms::Zero();
-      for (const auto& terms : groups) mean += terms[axis] / static_cast<double>(count);
-      SpringSums sums = SpringSums::Zero();
-      for (const auto& terms : groups) sums += (terms[axis] - mean) * (terms[axis] - mean).transpose();
-      const SpringSums noisy = noise_sums(groups, axis, noise, size);
-      evidence.spring[axis] += static_cast<double>(size) * (sums - noisy);
-      evidence.spring_noise[axis] += static_cast<double>(size) * noisy;
+    for (std::size_t from = s.from; from + size <= s.to; from += size) {
+      groups.push_back(group_terms(trial, segments, ratio, direction, from, from + size));
+      if (knows_delay) groups.back()[0][spring_speed] = groups.back()[1][spring_speed] = 0;
     }
-    evidence.stick_samples += static_cast<long>(count * size);
+    add_groups(groups, noise, size, evidence);
   }
 }
 

@@ -61,6 +61,7 @@ std::size_t vibration_window(double rate_hz);
 struct EvidencePoint {
   LoadLaw load;
   double press_exponent = 0.5;  ///< w of depth ~ n^w
+  bool knows_delay = false;     ///< then no rest of it is looked for: it would take part of a loop
 };
 
 /// Gathers a trial's evidence.

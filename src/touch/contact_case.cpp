@@ -29,6 +29,7 @@ ContactDemand demand_of(const Scene& scene, std::span<const Surface> surfaces, c
   demand.press =
       fmt::format("{:.3g} N at {:.4g} N/m presses {}{:.3g} mm deep", force_n, stiffness_n_per_m,
                   radius_m > 0 ? fmt::format("a {:.3g} mm finger ", 1e3 * radius_m) : "", 1e3 * depth_m);
+  demand.crowded = most_crowded_hollow(*surface.tree, part.places, radius_m);
   demand.has_neighbour = std::any_of(surfaces.begin(), surfaces.end(), [&](const Surface& other) {
     return &other != &surface && comes_within(other, box, 2 * radius_m);
   });
@@ -108,6 +109,10 @@ std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surfa
                                   ? ReckonedError()
                                   : reckoned_error(one.contact.part.places, one.press, method, normals));
         pair.fails.push_back(method.fails == nullptr ? "" : method.fails(one.contact));
+        const ReckonedError& error = pair.errors.back();
+        if (pair.fails.back().empty() && error.behind_share > one.contact.force_tolerance)
+          pair.fails.back() = fmt::format("{}, and falls behind where it goes round a rounding of {:.2g} mm",
+                                          one.contact.press, 1e3 * error.behind_m);
       }
       pairs.push_back(std::move(pair));
     }

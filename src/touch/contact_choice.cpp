@@ -18,10 +18,14 @@ constexpr double nearly_best = 1.2;
 
 /// The cheapest pair that holds and keeps the tolerances; else the cheapest of those that are nearly as good
 /// as can be.
+/// @param pairs  the most complete method's last
 const ContactPair& best_of(const std::vector<ContactPair>& pairs, std::span<const ContactCase> cases) {
   const bool any_holds =
       std::any_of(pairs.begin(), pairs.end(), [](const ContactPair& pair) { return pair.holds(); });
-  const auto may_be_taken = [&](const ContactPair& pair) { return pair.holds() || !any_holds; };
+  // Where none can do, the most complete lets no finger through.
+  const auto may_be_taken = [&](const ContactPair& pair) {
+    return any_holds ? pair.holds() : pair.method == pairs.back().method;
+  };
   double least = std::numeric_limits<double>::infinity();
   for (const ContactPair& pair : pairs) {
     if (may_be_taken(pair)) least = std::min(least, pair.tolerances(cases));

@@ -10,8 +10,11 @@
 namespace fingerpad {
 namespace {
 
-/// What is said instead of the tolerance leaves room for a reckoning that is right to a tenth.
-constexpr double reckoning_margin = 1.1;
+/// What is said instead of the tolerance leaves room for a reckoning that is right to a sixth.
+constexpr double reckoning_margin = 1.2;
+
+/// Of a rounding's radius.
+constexpr double deepest_share = 0.8;
 
 /// Beyond a third of the force reckoning says nothing.
 constexpr double most_kept = 1.0 / 3, nothing_kept = std::numeric_limits<double>::infinity();
@@ -92,6 +95,41 @@ std::string slips_round(const ContactCase& on) {
   return {};
 }
 
+/// Whether all that the chosen method cannot do on a part is to keep up with a ball.
+bool falls_behind(const ContactCase& on, const ReckonedError& error) {
+  return !on.contact.crowded.is_too_much() && error.behind_share > on.contact.force_tolerance;
+}
+
+/// What would help where the chosen method cannot do.
+std::string mend_of_method(const ContactVerdict& verdict, const ContactCase& on, const ReckonedError& error) {
+  if (falls_behind(on, error)) {
+    // As deep as the rounding's proxy keeps up: half of the way from the middle to its ball's.
+    const double most_n = on.press.stiffness_n_per_m * (error.behind_m + on.press.finger_radius_m) / 2;
+    return fmt::format("a greatest_force_n of {:.2g}", 0.95 * most_n);
+  }
+  return verdict.method_open ? "a coarser mesh there or another finger radius" : "method = \"auto\"";
+}
+
+/// What can be kept in the tolerance's place where the force is off by so much.
+double instead(double error) {
+  const double kept = reckoning_margin * error;
+  return kept > most_kept ? nothing_kept : kept;
+}
+
+std::string instead_words(double kept) {
+  return kept > most_kept ? ", nor anything like it" : fmt::format(", {:.2g} can", kept);
+}
+
+/// Roundings tighter than this are too tight to be pressed so deep: near their middle the least that facets
+/// are off by turns the force, and beyond it the finger slips off [m].
+double slips_under_m(const ContactCase& on) {
+  return (on.press.greatest_force_n / on.press.stiffness_n_per_m - on.press.finger_radius_m) / deepest_share;
+}
+
+std::string slips_words(double slips_m) {
+  return fmt::format(" but where it is rounded by less than {:.2g} mm", 1e3 * slips_m);
+}
+
 std::string mend_words(const ContactVerdict& verdict, std::span<const ContactCase> cases) {
   if (!verdict.normals_open && !patches_would(verdict, cases) &&
       verdict.chosen.normals != normals_table().back())
@@ -123,16 +161,18 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::span<const ContactCase
     limit.kept_tolerance = nothing_kept;
     limit.said = fmt::format("force_tolerance {:.3g} cannot be kept: {}", tolerance, slips);
   } else if (!chosen.fails[i].empty()) {
-    limit.kept_tolerance = nothing_kept;
-    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept by {}: {}; method = \"auto\" would",
-                             tolerance, chosen.method->name, chosen.fails[i]);
+    const bool lags = falls_behind(on, error);
+    limit.kept_tolerance = lags ? instead(error.force_share + error.behind_share) : nothing_kept;
+    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept by {}{}: {}; {} would", tolerance,
+                             chosen.method->name, lags ? instead_words(limit.kept_tolerance) : "",
+                             chosen.fails[i], mend_of_method(verdict, on, error));
   } else if (error.force_share > tolerance) {
-    const double kept = reckoning_margin * error.force_share;
-    limit.kept_tolerance = kept > most_kept ? nothing_kept : kept;
-    limit.said = fmt::format(
-        "force_tolerance {:.3g} cannot be kept{}: {}; {}", tolerance,
-        kept > most_kept ? std::string(", nor anything like it") : fmt::format(", {:.2g} can", kept),
-        facets_words(on, error), mend_words(verdict, cases));
+    const double kept = instead(error.force_share), slips_m = slips_under_m(on);
+    const bool slips_off = kept <= most_kept && on.contact.part.tightest_round_m < slips_m;
+    limit.kept_tolerance = slips_off ? nothing_kept : kept;
+    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept{}{}: {}; {}", tolerance,
+                             instead_words(kept), slips_off ? slips_words(slips_m) : "",
+                             facets_words(on, error), mend_words(verdict, cases));
   } else if (error.mean_tilt_rad > on.mean_tilt_rad) {
     limit.said = fmt::format("mu_tolerance cannot be kept: {}; {}", facets_words(on, error),
                              mend_words(verdict, cases));

@@ -16,16 +16,12 @@ class ServoLoop {
   using Sink = std::function<void(const TickRecord&)>;
   using Timing = ServoTiming;
 
-  /// Told, between ticks, of surfaces that have changed.
-  using Changed = std::function<void(const World&)>;
-
   /// Starts at once; see ServoThread.
   /// @param swap  changes the touch between ticks; outlives this; may be null
   ServoLoop(Touch touch, double rate_hz, Source source, Sink sink, double history_s = 10,
-            bool real_time = false, TouchSwap* swap = nullptr, Changed changed = {})
+            bool real_time = false, TouchSwap* swap = nullptr)
       : touch_(std::move(touch)),
         swap_(swap),
-        changed_(std::move(changed)),
         source_(std::move(source)),
         sink_(std::move(sink)),
         thread_(
@@ -40,10 +36,7 @@ class ServoLoop {
 
  private:
   TickRecord tick(double t_s) {
-    if (swap_ != nullptr) {
-      const World* const world = swap_->before_tick(touch_, t_s);
-      if (world != nullptr && changed_) changed_(*world);
-    }
+    if (swap_ != nullptr) swap_->before_tick(touch_, t_s);
     FingerSample sample = source_(t_s);
     sample.t_s = t_s;
     const TickRecord record = touch_.tick(sample);
@@ -53,7 +46,6 @@ class ServoLoop {
 
   Touch touch_;
   TouchSwap* swap_;
-  Changed changed_;
   Source source_;
   Sink sink_;
   ServoThread thread_;  // last: it ends before what it uses

@@ -67,6 +67,8 @@ struct ServoTiming {
   double worst_tick_s = 0;  ///< the longest tick, from its start to its end
   TimeCounts tick_times, latenesses;
 
+  /// So long a tick took at most, of this share of all: a bucket's end, or the longest of all.
+  double tick_s(double share) const noexcept { return std::min(tick_times.quantile_s(share), worst_tick_s); }
   double late_share() const noexcept {
     return ticks > 0 ? static_cast<double>(late_ticks) / static_cast<double>(ticks) : 0;
   }

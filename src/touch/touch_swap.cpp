@@ -22,8 +22,8 @@ std::shared_ptr<const World> changed_world(const World& world, const Scene& scen
 
 struct TouchSwap::Next {
   Touch touch;  // until it is taken the new one, then the old one
-  const World* world;
   std::vector<SceneChange> changes;
+  std::unique_ptr<ChangeBeside> beside;
   double due_s = 0, taken_s = 0;
 };
 
@@ -38,7 +38,8 @@ TouchSwap::~TouchSwap() {
 std::unique_ptr<TouchSwap::Next> TouchSwap::make(const std::vector<SceneChange>& changes, Scene& scene) {
   for (const SceneChange& change : changes) apply(change, scene);
   worlds_.push_back(changed_world(*first_world_, scene));
-  return std::make_unique<Next>(Next{Touch(worlds_.back(), scene), worlds_.back().get(), changes});
+  return std::make_unique<Next>(
+      Next{Touch(worlds_.back(), scene), changes, beside_ ? beside_(*worlds_.back(), scene) : nullptr});
 }
 
 void TouchSwap::schedule(const std::vector<SceneChange>& changes) {
@@ -92,13 +93,12 @@ std::vector<SceneChange> TouchSwap::taken(std::size_t from) {
   return {log_.begin() + static_cast<std::vector<SceneChange>::difference_type>(from), log_.end()};
 }
 
-const World* TouchSwap::before_tick(Touch& touch, double t_s) noexcept {
-  const World* world = nullptr;
+void TouchSwap::before_tick(Touch& touch, double t_s) noexcept {
   const auto take = [&](Next& next) {
     next.touch.take_over(touch);
     std::swap(next.touch, touch);
+    if (next.beside) next.beside->put_in();
     next.taken_s = t_s;
-    world = next.world;
   };
   std::size_t due = scheduled_taken_.load(std::memory_order_relaxed);
   // A recording's time and the tick's own may be a rounding apart; no two ticks are so near.
@@ -107,14 +107,13 @@ const World* TouchSwap::before_tick(Touch& touch, double t_s) noexcept {
     take(*scheduled_[due]);
     scheduled_taken_.store(due + 1, std::memory_order_release);
   }
-  if (offered_.load(std::memory_order_relaxed) == nullptr) return world;
+  if (offered_.load(std::memory_order_relaxed) == nullptr) return;
   // The one before is still to be fetched: then this one waits for a later tick.
-  if (retired_.load(std::memory_order_acquire) != nullptr) return world;
+  if (retired_.load(std::memory_order_acquire) != nullptr) return;
   Next* const next = offered_.exchange(nullptr, std::memory_order_acq_rel);
-  if (next == nullptr) return world;
+  if (next == nullptr) return;
   take(*next);
   retired_.store(next, std::memory_order_release);
-  return world;
 }
 
 }  // namespace fingerpad

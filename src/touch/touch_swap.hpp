@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -12,6 +13,14 @@ namespace fingerpad {
 
 /// The same surfaces with the scene's properties, ready for its normals.
 std::shared_ptr<const World> changed_world(const World& world, const Scene& scene);
+
+/// Something else that has to change with the touch, at the same tick: made ready as the touch is.
+struct ChangeBeside {
+  virtual ~ChangeBeside() = default;
+  /// Takes its place, and keeps what was there before until this ends. On the touch's thread; noexcept,
+  /// allocates nothing.
+  virtual void put_in() noexcept = 0;
+};
 
 /// Changes a touch between two of its ticks. What a change needs (the method, the law, the surfaces'
 /// properties) is made ready on the thread that asks for it and put in the touch's place by an exchange of
@@ -25,6 +34,11 @@ class TouchSwap {
   ~TouchSwap();
   TouchSwap(const TouchSwap&) = delete;
   TouchSwap& operator=(const TouchSwap&) = delete;
+
+  /// Makes ready what has to change beside the touch; null: nothing. The world lives as long as this.
+  using Beside = std::function<std::unique_ptr<ChangeBeside>(const World& world, const Scene& scene)>;
+  /// From the next change on. Before the first tick.
+  void change_too(Beside beside) { beside_ = std::move(beside); }
 
   /// Makes changes ready for their times, as a recording has them: in order of time, before the first tick.
   /// Throws Error (refused) for one that the scene cannot have.
@@ -41,9 +55,8 @@ class TouchSwap {
   /// thread but the touch's.
   std::vector<SceneChange> taken(std::size_t from);
 
-  /// What is due takes its place. On the touch's thread, before the tick at t_s. @returns the surfaces from
-  /// now on where they have changed, else null; they live as long as this.
-  const World* before_tick(Touch& touch, double t_s) noexcept;
+  /// What is due takes its place. On the touch's thread, before the tick at t_s.
+  void before_tick(Touch& touch, double t_s) noexcept;
 
  private:
   struct Next;
@@ -52,6 +65,7 @@ class TouchSwap {
 
   mutable std::mutex mutex_;  // of the threads that ask; the touch's never takes it
   Scene scene_;
+  Beside beside_;
   std::shared_ptr<const World> first_world_;
   std::vector<std::shared_ptr<const World>> worlds_;
   std::vector<SceneChange> log_;

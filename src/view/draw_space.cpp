@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "part/part.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {
@@ -22,19 +21,6 @@ struct BoxGrower {
     return Ball{(min + max) / 2, (max - min).norm() / 2};
   }
 };
-
-std::optional<Ball> ball_of_parts(const World& world) {
-  BoxGrower grower;
-  for (const Surface& surface : world.surfaces) {
-    if (!surface.part) continue;
-    for (int corner = 0; corner < 8; ++corner) {
-      const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
-      const Vec3 p_P = surface.part->centre_P + sign.cwiseProduct(surface.part->half_extent);
-      grower.take(surface.p_WP + surface.R_WP * p_P);
-    }
-  }
-  return grower.ball();
-}
 
 }  // namespace
 

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "touch/parts_ball.hpp"
 #include "view/view_input.hpp"
 
 namespace fingerpad {
@@ -14,19 +15,13 @@ struct DrawSpace {
   Vec3 to_world(const Vec3& p_mm) const { return origin_W + p_mm * 1e-3; }
 };
 
-/// A ball around points, frame W.
-struct Ball {
-  Vec3 centre_W = Vec3::Zero();
-  double radius_m = 0;
-};
-
 /// What there is to see, and from where.
 struct ViewExtent {
   std::optional<Ball> parts;  ///< empty without parts
   std::optional<Ball>
       path;  ///< where the finger touched (or went, where it touched nothing); empty without rows
-  Vec3 facing_W{0.35, -0.6, 0.72};  ///< the mean contact normal, or towards a good view of a part
-  double max_force_n = 0;           ///< the largest force on the finger
+  Vec3 facing_W = usual_view_W;  ///< the mean contact normal, or towards a good view of a part
+  double max_force_n = 0;        ///< the largest force on the finger
 
   /// The whole of it; a ball of 50 mm where there is nothing.
   Ball everything() const;

@@ -10,6 +10,7 @@
 #include "view/colours.hpp"
 #include "view/overlay_hud.hpp"
 #include "view/overlay_notice.hpp"
+#include "view/overlay_places.hpp"
 #include "view/overlay_words.hpp"
 
 namespace fingerpad {
@@ -87,10 +88,17 @@ class OverlayPainter {
 
   /// What is said once: what is missing, how to press, what has just been done.
   void paint_words() {
-    const Box& scene = layout_.scene;
-    Vec2 at(scene.centre().x(), scene.bottom + std::max(0.3 * scene.height, 6 * em_));
-    for (const std::string* words : {&facts_.invitation, &facts_.message}) {
-      if (!words->empty()) paint_pill(drawing_, at, fitted(*words, em_, true, scene.width - 4 * em_), em_);
+    const double most = layout_.scene.width - 4 * em_;
+    std::array<std::string, 2> lines;
+    double width = 0;
+    for (std::size_t i = 0; i < lines.size(); ++i) {
+      lines[i] = fitted(i == 0 ? facts_.invitation : facts_.message, em_, true, most);
+      width = std::max(width, lines[i].empty() ? 0.0 : pill_width(lines[i], em_));
+    }
+    const Box place = words_place(layout_, width, facts_.finger_px, {facts_.hud, facts_.legend});
+    Vec2 at(place.centre().x(), place.bottom + 1.1 * em_);
+    for (const std::string& words : lines) {
+      if (!words.empty()) paint_pill(drawing_, at, words, em_);
       at.y() += 3 * em_;
     }
     paint_notice(drawing_, facts_, layout_);

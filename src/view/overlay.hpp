@@ -48,6 +48,7 @@ struct OverlayFacts {
     std::string words;
   };
   std::vector<Label> labels;      ///< of the tangent frame's axes, in the scene
+  std::optional<Vec2> finger_px;  ///< the contact, or the finger in the air; what is told keeps clear of it
   std::string invitation;         ///< how to begin, until it was done once
   std::string message;            ///< what has just been done, for a moment
   std::string notice;             ///< what is missing in the picture, and why

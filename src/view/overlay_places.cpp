@@ -30,6 +30,27 @@ bool within(const Box& box, const Box& around) {
 
 }  // namespace
 
+Box words_place(const Layout& layout, double width_px, const std::optional<Vec2>& finger_px,
+                const std::vector<Box>& taken) {
+  const double em = layout.em, clear = 3 * em, height = 5.2 * em, foot = layout.scene.bottom;
+  const double usual = foot + std::max(0.3 * layout.scene.height, 6 * em) - 1.1 * em;
+  const auto at = [&](double bottom) {
+    Box place{layout.scene.centre().x() - width_px / 2, bottom, width_px, height};
+    for (const Box& box : taken) {
+      const double beside = box.right() + 0.7 * em;
+      if (box.width > 0 && meet(place, box) && beside + width_px < layout.scene.right()) place.left = beside;
+    }
+    return place;
+  };
+  if (!finger_px) return at(usual);
+  // At the very foot stand the legend and the scale: only a small scene has no other room.
+  for (const double bottom : {usual, usual + height + 2 * clear, foot + 0.7 * em}) {
+    const bool fits = bottom + height < layout.scene.top();
+    if (fits && !widened(at(bottom), clear).holds(finger_px->x(), finger_px->y())) return at(bottom);
+  }
+  return at(usual);
+}
+
 std::vector<Box> OverlayPlaces::place(const Layout& layout, const std::vector<Placed>& boxes,
                                       const std::optional<Vec2>& contact_px, const std::vector<Box>& taken) {
   before_.resize(boxes.size());

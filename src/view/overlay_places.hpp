@@ -30,4 +30,11 @@ class OverlayPlaces {
   std::vector<std::optional<Corner>> before_;
 };
 
+/// Room for two lines of words in the middle of the scene, clear of a finger: usually above its foot, else
+/// above that.
+/// @param finger_px  none: the usual place
+/// @param taken      boxes that stand already; beside those at the left where there is room
+Box words_place(const Layout& layout, double width_px, const std::optional<Vec2>& finger_px,
+                const std::vector<Box>& taken = {});
+
 }  // namespace fingerpad

@@ -43,8 +43,12 @@ std::vector<std::string> wrapped(const std::string& words, double size, double w
   return lines;
 }
 
+double pill_width(const std::string& words, double em) {
+  return text_width(words, em, true) + 2.4 * em;
+}
+
 void paint_pill(Drawing& drawing, const Vec2& centre, const std::string& words, double em) {
-  const double width = text_width(words, em, true) + 2.4 * em, height = 2.2 * em;
+  const double width = pill_width(words, em), height = 2.2 * em;
   drawing.box({centre.x() - width / 2, centre.y() - height / 2, width, height},
               colours::ink.with_opacity(0.85));
   drawing.text(centre, words,

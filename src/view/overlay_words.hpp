@@ -16,7 +16,8 @@ std::string fitted(const std::string& words, double size, bool bold, double widt
 /// Words in lines of at most this width.
 std::vector<std::string> wrapped(const std::string& words, double size, double width);
 
-/// A line in a box of its own, about a point.
+/// A line in a box of its own, about a point, and how wide that is.
+double pill_width(const std::string& words, double em);
 void paint_pill(Drawing& drawing, const Vec2& centre, const std::string& words, double em);
 
 }  // namespace fingerpad

@@ -9,11 +9,10 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 
-#include "base/error.hpp"
 #include "base/tangent_frame.hpp"
-#include "touch/touch_swap.hpp"
 #include "view/axis.hpp"
 #include "view/camera_vtk.hpp"
 #include "view/clipping_range_vtk.hpp"
@@ -24,27 +23,21 @@
 #include "view/surface_words.hpp"
 
 namespace fingerpad {
-namespace {
-
-/// A frame that takes longer is not smooth.
-constexpr double smooth_frame_s = 0.04;
-/// A view that has not turned for so long rests.
-constexpr std::chrono::milliseconds rest{250};
-
-}  // namespace
 
 Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool timeline)
     : input_(input),
+      shown_(input),
       extent_(extent_of(input)),
       charts_(charts),
       timeline_(timeline),
       arrow_scale_(input.rows) {
-  put_recorded(-HUGE_VAL);
+  shown_.go_to(-HUGE_VAL);
   space_.origin_W = extent_.everything().centre_W;
   vtkMapper::SetResolveCoincidentTopologyToPolygonOffset();
   window_->SetMultiSamples(4);
   window_->SetNumberOfLayers(2);
   world_ = std::make_unique<WorldProps>(input, space_, extent_);
+  pace_ = std::make_unique<TurningPace>(input.world, space_, *world_);
   close_up_ = std::make_unique<CloseUp>(input, space_, *world_);
   add_renderers();
   world_->add_still_to(scene_);
@@ -178,40 +171,11 @@ void Stage::zoom(double factor) {
 void Stage::show(const std::optional<TickRecord>& row, double speed_m_per_s) {
   moment_.reset();
   if (row) {
-    put_recorded(row->t_s);
-    moment_ = contact_moment(now_, *row);
+    shown_.go_to(row->t_s);
+    moment_ = contact_moment(now(), *row);
     arrow_scale_.see(*row);
   }
   speed_m_per_s_ = speed_m_per_s;
-}
-
-void Stage::put(const Scene& scene) {
-  now_.scene = scene;
-  if (now_.world) now_.world = changed_world(*now_.world, scene);
-}
-
-/// What the recording had changed by then.
-void Stage::put_recorded(double t_s) {
-  const auto& changes = input_.changes;
-  const auto due = static_cast<std::size_t>(std::count_if(
-      changes.begin(), changes.end(), [t_s](const SceneChange& one) { return one.t_s <= t_s; }));
-  const bool first = !now_.scene && !now_.world;
-  if (due == changes_put_ && !first) return;
-  changes_put_ = due;
-  now_.scene = input_.scene;
-  now_.world = input_.world;
-  now_.contact_words = input_.contact_words;
-  if (due == 0 || !input_.scene) return;
-  Scene scene = *input_.scene;
-  try {
-    for (std::size_t i = 0; i < due; ++i) {
-      apply(changes[i], scene);
-      if (changes[i].key.starts_with("contact.")) now_.contact_words.clear();
-    }
-  } catch (const Error&) {  // a trace of another program's: its picture is worth more than its words
-    return;
-  }
-  put(scene);
 }
 
 void Stage::show_chart(Chart chart) {
@@ -248,6 +212,7 @@ void Stage::place_overlay(OverlayFacts& facts) {
   } else if (moment_) {
     contact_px = on_screen(space_.to_draw(moment_->row.p_WQ));
   }
+  facts.finger_px = contact_px;
   const Vec2 whole = readings_size(facts, layout_.em);
   // Of a small scene they would hide too much.
   constexpr double most_share = 0.2;
@@ -281,8 +246,8 @@ void Stage::place_close_up() {
   const TickRecord& row = moment_->row;
   double mu_static = 0;
   const auto surface = static_cast<std::size_t>(row.surface);
-  if (row.surface >= 0 && now_.world && surface < now_.world->surfaces.size()) {
-    mu_static = now_.world->surfaces[surface].properties.mu_static;
+  if (row.surface >= 0 && now().world && surface < now().world->surfaces.size()) {
+    mu_static = now().world->surfaces[surface].properties.mu_static;
   }
   close_up_->show(*moment_, inset_, layout_.window, inset_half_height_mm_, mu_static * row.normal_force_n);
 }
@@ -324,7 +289,7 @@ void Stage::project_marks(OverlayFacts& facts) {
 OverlayFacts Stage::overlay_facts() {
   OverlayFacts facts;
   facts.title = input_.title;
-  facts.subtitle = subtitle_of(now_);
+  facts.subtitle = subtitle_of(now());
   facts.about = about_lines(input_);
   facts.hint = hint_;
   facts.alarm = alarm_;
@@ -414,46 +379,20 @@ void Stage::render() {
   draw();
 }
 
-void Stage::watch_camera() {
-  vtkCamera* const camera = scene_->GetActiveCamera();
-  std::vector<double> now = {camera->GetParallelScale()};
-  for (const double* vector : {camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp()})
-    now.insert(now.end(), vector, vector + 3);
-  if (!camera_then_.empty() && now != camera_then_) turned_at_ = Clock::now();
-  camera_then_ = std::move(now);
-}
-
-bool Stage::has_come_to_rest() const {
-  return shown_coarse_ && Clock::now() - *turned_at_ >= rest;
-}
-
-void Stage::choose_coarseness() {
-  watch_camera();
-  const bool may = pace_ == Pace::coarse || (pace_ == Pace::smooth && is_slow_);
-  if (may && !coarse_) coarse_ = std::make_unique<CoarseMeshes>(input_.world, space_);
-  const bool turns = turned_at_ && Clock::now() - *turned_at_ < rest;
-  shown_coarse_ = may && turns && coarse_->are_ready();
-  if (shown_coarse_) world_->set_coarse(coarse_->meshes());
-  world_->show_coarse(shown_coarse_);
-}
-
 void Stage::draw() {
   set_clipping_range(scene_->GetActiveCamera(), world_->bounds_mm(), 1e3 * extent_.everything().radius_m,
                      {solid_.Get(), clear_.Get()});
-  choose_coarseness();
-  scene_->set_keeping(keeping_ && !shown_coarse_);  // what turns is stale before it is put back
+  pace_->choose(scene_->GetActiveCamera());
+  scene_->set_keeping(keeping_ && !shows_coarse());  // what turns is stale before it is put back
   // What is told of a value may reach beyond the charts.
   chart_marks_->set_keeping(keeping_ && board_.told().empty());
   chart_marks_->set_content(chart_changes_ + board_.changes());
   const long drawn_before = still_drawn();
-  const auto start = Clock::now();
+  const auto start = std::chrono::steady_clock::now();
   window_->Render();
-  const double took_s = std::chrono::duration<double>(Clock::now() - start).count();
-  if (still_drawn() != drawn_before && !shown_coarse_) is_slow_ = took_s > smooth_frame_s;
-  // Without a graphics card smooth edges cost most of a frame; a smooth motion is worth more.
-  constexpr double patience_s = 0.5;
-  slow_s_ = std::max(0.0, slow_s_ + took_s - smooth_frame_s);
-  if (slow_s_ > patience_s && pace_ != Pace::exact) window_->SetMultiSamples(0);
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  pace_->note(took.count(), still_drawn() != drawn_before);
+  if (pace_->gives_up_smooth_edges()) window_->SetMultiSamples(0);
 }
 
 std::optional<double> Stage::time_at(double x_px, double y_px) const {
@@ -476,6 +415,16 @@ std::pair<Vec3, Vec3> Stage::line_of_sight(double x_px, double y_px) {
     return Vec3(p[0] / p[3], p[1] / p[3], p[2] / p[3]);
   };
   return {at_depth(0), at_depth(1)};
+}
+
+PointedScene Stage::pointed() {
+  PointedScene pointed;
+  pointed.scene = layout_.scene;
+  pointed.panels = panels_.boxes(layout_);
+  const auto [near_mm, far_mm] = line_of_sight(0, 0);
+  pointed.lines = {near_mm, far_mm, line_of_sight(1, 0).first - near_mm, line_of_sight(0, 1).first - near_mm};
+  pointed.towards_eye_W = -Vec3(scene_->GetActiveCamera()->GetDirectionOfProjection());
+  return pointed;
 }
 
 }  // namespace fingerpad

@@ -3,7 +3,6 @@
 #include <vtkNew.h>
 #include <vtkSmartPointer.h>
 
-#include <chrono>
 #include <memory>
 #include <optional>
 #include <string>
@@ -12,17 +11,19 @@
 #include "view/arrow_scale.hpp"
 #include "view/chart_board_vtk.hpp"
 #include "view/close_up_vtk.hpp"
-#include "view/coarse_meshes_vtk.hpp"
 #include "view/contact_glyphs.hpp"
 #include "view/draw_space.hpp"
 #include "view/drawing_item_vtk.hpp"
+#include "view/input_at.hpp"
 #include "view/kept_renderer_vtk.hpp"
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
 #include "view/overlay_places.hpp"
 #include "view/place_marks.hpp"
+#include "view/pointed_scene.hpp"
 #include "view/side_panels.hpp"
 #include "view/theme_device_vtk.hpp"
+#include "view/turning_pace_vtk.hpp"
 #include "view/view_state.hpp"
 #include "view/world_props_vtk.hpp"
 
@@ -52,14 +53,11 @@ class Stage {
   ViewState& state() { return state_; }
   const ViewInput& input() const { return input_; }
 
-  /// What is given up where frames are slow, as they are without a graphics card: nothing, as in a picture;
-  /// smooth edges; and while the view turns most triangles of large parts as well, as soon as coarse meshes
-  /// are made. `coarse` does not wait until frames are slow.
-  enum class Pace { exact, smooth_edges_only, smooth, coarse };
-  void set_pace(Pace pace) { pace_ = pace; }
+  using Pace = fingerpad::Pace;
+  void set_pace(Pace pace) { pace_->set_pace(pace); }
   /// Whether the view has come to rest since the last frame, so that another one is to be drawn.
-  bool has_come_to_rest() const;
-  bool shows_coarse() const { return shown_coarse_; }
+  bool has_come_to_rest() const { return pace_->has_come_to_rest(); }
+  bool shows_coarse() const { return pace_->shows_coarse(); }
   /// False: every frame draws everything anew. True (the default) draws anew what is stale (KeptRenderer).
   void set_keeping(bool keeping) { keeping_ = keeping; }
   /// For what has changed by other means than actors and show_chart: the charts' colours.
@@ -81,9 +79,9 @@ class Stage {
   /// The moment shown; `speed_m_per_s` may be nan. Without a row only the surfaces are shown.
   void show(const std::optional<TickRecord>& row, double speed_m_per_s);
   /// The law, the method and the surfaces' properties from now on, where they change while it is touched.
-  void put(const Scene& scene);
+  void put(const Scene& scene) { shown_.put(scene); }
   /// The scene and the surfaces as they are at the moment shown; without rows.
-  const ViewInput& now() const { return now_; }
+  const ViewInput& now() const { return shown_.now(); }
   /// Lists over the scene.
   SidePanels& panels() { return panels_; }
   /// Places that somebody marked, and the distance of two.
@@ -114,6 +112,8 @@ class Stage {
 
   /// The line of sight through a pixel of the scene, near to far, draw space [mm].
   std::pair<Vec3, Vec3> line_of_sight(double x_px, double y_px);
+  /// For one who points at it.
+  PointedScene pointed();
 
  private:
   void add_renderers();
@@ -121,8 +121,6 @@ class Stage {
   void place_renderers();
   void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
-  void watch_camera();
-  void choose_coarseness();
   void draw();
   Vec2 on_screen(const Vec3& p_mm);
   bool shows_close_up(double scene_px_per_mm);
@@ -137,12 +135,10 @@ class Stage {
   std::shared_ptr<const Drawing> chart_cursor() const;
   void project_labels(OverlayFacts& facts, const GlyphChoice& choice);
 
-  void put_recorded(double t_s);
   void project_marks(OverlayFacts& facts);
 
   const ViewInput& input_;
-  ViewInput now_;
-  std::size_t changes_put_ = 0;  ///< of the input's, in now_
+  InputAt shown_;
   SidePanels panels_;
   PlaceMarks marks_;
   ViewExtent extent_;
@@ -169,14 +165,7 @@ class Stage {
   std::uint64_t chart_changes_ = 0;
 
   bool keeping_ = true;
-  Pace pace_ = Pace::exact;
-  double slow_s_ = 0;  ///< time that frames took beyond what is smooth
-  using Clock = std::chrono::steady_clock;
-  std::vector<double> camera_then_;  ///< at the last frame
-  std::optional<Clock::time_point> turned_at_;
-  bool shown_coarse_ = false;  ///< in the last frame
-  bool is_slow_ = false;       ///< the last frame that drew whole parts was
-  std::unique_ptr<CoarseMeshes> coarse_;
+  std::unique_ptr<TurningPace> pace_;
 
   vtkNew<vtkRenderWindow> window_;
   // From the back to the front: what is still, and what moves, by one camera; the charts and their paper; all

@@ -17,8 +17,8 @@ std::string short_time(double seconds) {
 }  // namespace
 
 std::vector<Reading> timing_readings(const ServoTiming& timing) {
-  return {{"median tick", short_time(timing.tick_times.quantile_s(0.5))},
-          {"99.9 % of ticks", short_time(timing.tick_times.quantile_s(0.999))},
+  return {{"median tick", short_time(timing.tick_s(0.5))},
+          {"99.9 % of ticks", short_time(timing.tick_s(0.999))},
           {"late ticks", fmt::format("{} ({:.2g} %)", timing.late_ticks, 100 * timing.late_share())},
           {"latest", short_time(timing.worst_late_s)}};
 }

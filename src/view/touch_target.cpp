@@ -4,24 +4,8 @@
 #include <cmath>
 
 #include "contact/placed_surface.hpp"
-#include "view/touch_window.hpp"
 
 namespace fingerpad {
-
-FingerSample resting_finger(const World& world, const Scene& scene) {
-  ViewInput input;
-  input.world = std::shared_ptr<const World>(std::shared_ptr<void>(), &world);  // not owned
-  const ViewExtent extent = extent_of(input);
-  const Ball ball = extent.everything();
-  FingerSample finger;
-  finger.p_WQ = ball.centre_W + extent.facing_W * (1.1 * ball.radius_m + scene.finger.radius_m);
-  if (!extent.parts && !world.surfaces.empty()) {
-    const Surface& plane = world.surfaces.front();
-    finger.p_WQ = plane.plane_point_W + plane.plane_normal_W * (0.01 + scene.finger.radius_m);
-  }
-  finger.direction_W = scene.finger.direction;
-  return finger;
-}
 
 TouchTarget::TouchTarget(std::shared_ptr<const World> world, const Scene& scene, double hover_m,
                          const FingerSample& start)

@@ -1,18 +1,15 @@
 #include "view/touch_window.hpp"
 
 #include <fmt/format.h>
-#include <sys/resource.h>
-#include <vtkCamera.h>
-#include <vtkRenderer.h>
 
-#include <Eigen/Geometry>
-
+#include "touch/resting_finger.hpp"
+#include "view/drawing_threads.hpp"
 #include "view/material_panel.hpp"
+#include "view/pointer_touch.hpp"
 #include "view/recent_ticks.hpp"
 #include "view/screen.hpp"
 #include "view/tick_readings.hpp"
 #include "view/touch_chart.hpp"
-#include "view/touch_target.hpp"
 #include "view/window_loop_vtk.hpp"
 
 namespace fingerpad {
@@ -29,44 +26,40 @@ class TouchWindow {
       : input_(input),
         history_(chart_s),
         stage_(input.view, options.width, options.height, true, false),
-        target_(input.view.world, input.view.scene.value_or(Scene{}),
-                0.05 * stage_.extent().everything().radius_m,
-                resting_finger(*input.view.world, input.view.scene.value_or(Scene{}))),
+        pointer_(input, first_target(),
+                 [this](const Vec3& from_mm, const Vec3& to_mm) {
+                   return stage_.world().first_hit(from_mm, to_mm);
+                 }),
         levels_(touch_levels(input.view)),
         loop_(stage_, options, handlers()) {
     if (input.swap != nullptr) material_.emplace(*input.swap, *input.view.world);
-    stage_.show_hint("", help_lines(window_kind()));
+    stage_.show_hint("", help_lines(touch_window_kind(input_)));
     stage_.invite(invitation);
     stage_.keep_clear_of_readings();
+    pointer_.show(stage_.pointed());
     follow();
   }
 
   void run() { loop_.run(); }
 
  private:
+  TouchTarget first_target() {
+    constexpr double hover_share = 0.05;
+    const Scene scene = input_.view.scene.value_or(Scene{});
+    return {input_.view.world, scene, hover_share * stage_.extent().everything().radius_m,
+            resting_finger(*input_.view.world, scene)};
+  }
+
   WindowHandlers handlers() {
     WindowHandlers handlers;
-    handlers.window = window_kind();
-    handlers.act = [this](KeyAction action) { return touch_key(action); };
-    handlers.press = [this](int x, int y) {
-      held_ = over_ = point_at(x, y);
-      press();
-      return held_;
-    };
-    handlers.move = [this](int x, int y) {
-      over_ = point_at(x, y);
-      // Off the edge of the part a held finger lifts until the pointer is back.
-      if (over_ || held_) press();
-      return over_ || held_;
-    };
-    handlers.release = [this] {
-      const bool was_held = std::exchange(held_, false);
-      press();
-      return was_held;
+    handlers.window = touch_window_kind(input_);
+    handlers.act = [this](KeyAction action) { return material_key(action); };
+    handlers.at_once = [this](const InputEvent& event) { return pointer_.take(event); };
+    handlers.has_opened = [this] {
+      if (!input_.keeps_pace) drawing_.stand_back();
     };
     handlers.wheel = [this](int steps) {
-      target_.change_force(steps);
-      tell();
+      pointer_.change_force(steps, loop_.event_s());
       return true;
     };
     handlers.panel = [this](const PanelHit& hit) {
@@ -78,27 +71,13 @@ class TouchWindow {
     handlers.frame = [this](double elapsed_s) { return frame(elapsed_s); };
     handlers.report = [this](WindowReport& report) {
       report.t_s = history_.rows().empty() ? 0 : history_.rows().back().t_s;
-      report.target_W = target_.pressed_W();
-      report.pressing = target_.pressing();
-      report.press_n = target_.press_n();
-      report.invites = invites_;
+      report.target_W = pointer_.pressed_W();
+      report.pressing = pointer_.pressing();
+      report.press_n = pointer_.press_n();
+      report.invites = !pointer_.has_pressed();
     };
     return handlers;
   }
-
-  /// False where there is nothing to touch under the mouse.
-  bool point_at(int x, int y) {
-    if (!stage_.layout().scene.holds(x, y)) return false;
-    const auto [near, far] = stage_.line_of_sight(x, y);
-    const auto hit = stage_.world().first_hit(near, far);
-    if (!hit) return false;
-    // Seen from the back of an open part the finger is on this side too.
-    const bool from_behind = hit->normal_W.dot(far - near) > 0;
-    target_.point_at(hit->point_W, from_behind ? Vec3(-hit->normal_W) : hit->normal_W, hit->surface);
-    return true;
-  }
-
-  unsigned window_kind() const { return input_.set_stop ? windows::touch | windows::motors : windows::touch; }
 
   void change_material(int row, int steps) {
     const std::string told = material_->step(row, steps);
@@ -129,59 +108,11 @@ class TouchWindow {
     }
   }
 
-  bool touch_key(KeyAction action) {
-    if (material_key(action)) return true;
-    const double step_m = 0.004 * stage_.scene()->GetActiveCamera()->GetParallelScale() * 1e-3 * 2;
-    const Vec3 up = Vec3(stage_.scene()->GetActiveCamera()->GetViewUp());
-    const Vec3 right = Vec3(stage_.scene()->GetActiveCamera()->GetDirectionOfProjection()).cross(up);
-    switch (action) {
-      case KeyAction::stop:
-      case KeyAction::give_back:
-        input_.set_stop(action == KeyAction::stop);
-        return true;
-      case KeyAction::press:
-        latched_ = !latched_;
-        press();
-        return true;
-      case KeyAction::go_left:
-      case KeyAction::go_right:
-        target_.move_by(right * (action == KeyAction::go_left ? -step_m : step_m));
-        break;
-      case KeyAction::go_up:
-      case KeyAction::go_down:
-        target_.move_by(up * (action == KeyAction::go_down ? -step_m : step_m));
-        break;
-      case KeyAction::harder:
-      case KeyAction::softer:
-        target_.change_force(action == KeyAction::harder ? 1 : -1);
-        break;
-      default:
-        return false;
-    }
-    tell();
-    return true;
-  }
-
-  /// Whether, by the button and the key that latches; which is not ended by a pointer that goes elsewhere.
-  void press() {
-    target_.press(latched_ || (held_ && over_));
-    tell();
-  }
-
-  /// Hands on what an event has changed, with the event's time: speeds are the pointer's, not the frames'.
-  void tell() {
-    if (target_.pressing()) invites_ = false;
-    stage_.invite(invites_ ? invitation : "");
-    if (input_.look_from)
-      input_.look_from(-Vec3(stage_.scene()->GetActiveCamera()->GetDirectionOfProjection()));
-    FingerSample target = target_.sample();
-    target.t_s = loop_.event_s();
-    input_.set_target(target);
-  }
-
   bool frame(double elapsed_s) {
     if (input_.is_over && input_.is_over()) loop_.close();
     if (input_.alarm) stage_.show_alarm(input_.alarm());
+    pointer_.show(stage_.pointed());
+    stage_.invite(pointer_.has_pressed() ? "" : invitation);
     follow();
     since_chart_s_ += elapsed_s;
     if (since_chart_s_ >= chart_period_s) {
@@ -213,29 +144,25 @@ class TouchWindow {
         return stage_.show_title_note("charts held: r lets them run on   h help");
     }
     stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", note, note.empty() ? "" : "   ",
-                                       target_.press_n(), target_.pressing() ? "pressing" : "hovering"));
+                                       pointer_.press_n(), pointer_.pressing() ? "pressing" : "hovering"));
   }
 
   const TouchWindowInput& input_;
   const std::string no_note_;
   RecentTicks history_;
   Stage stage_;
-  TouchTarget target_;
+  PointerTouch pointer_;
   TouchLevels levels_;
   std::optional<MaterialPanel> material_;
-  bool held_ = false, over_ = false, latched_ = false, invites_ = true;
   double since_chart_s_ = chart_period_s;
   WindowLoop loop_;
+  DrawingThreads drawing_;  ///< after the loop, whose listener is none of them
 };
 
 }  // namespace
 
 void run_touch_window(const TouchWindowInput& input, const WindowOptions& options) {
   need_display();
-  // Without a graphics card drawing takes every core there is. This thread and those that it starts to draw
-  // with stand back for the servo's. A system that does not let them loses nothing else.
-  constexpr int stand_back = 10;
-  setpriority(PRIO_PROCESS, 0, stand_back);
   TouchWindow(input, options).run();
 }
 

@@ -15,7 +15,7 @@ namespace fingerpad {
 struct TouchWindowInput {
   ViewInput view;  ///< world and scene; rows empty
   /// Where the finger is wanted: under the mouse, at the time of its event, and what to press with
-  /// (push_W_n).
+  /// (push_W_n). On the thread of the event, one at a time, as look_from and set_stop.
   std::function<void(const FingerSample&)> set_target;
   /// From where the one at the mouse looks, before each set_target. May be none.
   std::function<void(const Vec3& towards_eye_W)> look_from;
@@ -34,11 +34,10 @@ struct TouchWindowInput {
   TouchSwap* swap = nullptr;
   /// How the servo loop keeps its time, for the head-up display; may be none.
   std::function<ServoTiming()> timing;
+  /// The servo keeps its pace whatever else there is to do, as under SCHED_FIFO: drawing need not stand back.
+  bool keeps_pace = false;
   std::string note;  ///< in the title line, as "recording run.h5"
 };
-
-/// A finger at rest above what can be touched: where a live touch begins.
-FingerSample resting_finger(const World& world, const Scene& scene);
 
 /// Opens a window on a live touch and returns when it is closed. The finger is under the mouse: it hovers
 /// over the part, and presses while the left button is held or space is on; wheel, Page Up and Page Down

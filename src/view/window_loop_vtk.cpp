@@ -30,6 +30,7 @@ WindowLoop::WindowLoop(Stage& stage, const WindowOptions& options, WindowHandler
     : stage_(stage),
       options_(options),
       handlers_(std::move(handlers)),
+      queue_(handlers_.at_once),
       script_(options.events, interactor_),
       parts_(stage.input().world, stage.panels(), stage.world()) {
   interactor_->SetRenderWindow(stage_.window());
@@ -65,12 +66,13 @@ void WindowLoop::observe() {
 void WindowLoop::run() {
   stage_.window()->SetWindowName("fingerpad");
   interactor_->Initialize();
-  queue_.emplace(interactor_, stage_.window());
-  queue_->refuse_smaller(least_window_width_px, least_window_height_px);
+  queue_.open(interactor_, stage_.window());
+  queue_.refuse_smaller(least_window_width_px, least_window_height_px);
   opened_ = std::chrono::steady_clock::now();
   render();
+  if (handlers_.has_opened) handlers_.has_opened();
   name_window();
-  if (queue_->is_known()) {
+  if (queue_.is_known()) {
     handle_events();
     return;
   }
@@ -94,11 +96,11 @@ void WindowLoop::handle_events() {
   using Clock = std::chrono::steady_clock;
   Clock::time_point next_frame = Clock::now();
   while (!closing_ && !interactor_->GetDone()) {
-    while (!closing_ && !interactor_->GetDone() && queue_->pass_on()) {
+    while (!closing_ && !interactor_->GetDone() && queue_.pass_on()) {
     }
     const double early_s = std::chrono::duration<double>(next_frame - Clock::now()).count();
     if (early_s > 0) {
-      queue_->wait(early_s);
+      queue_.wait(early_s);
       continue;
     }
     next_frame = Clock::now() + std::chrono::milliseconds(frame_ms);
@@ -195,9 +197,21 @@ void WindowLoop::take_screenshot() {
   }
 }
 
+/// What the window system sent was, or was not, when it came; what a program makes up is asked now.
+bool WindowLoop::taken_at_once(InputEvent event) {
+  if (queue_.is_passing()) return queue_.was_taken();
+  event.t_s = event_s();
+  return handlers_.at_once && handlers_.at_once(event);
+}
+
 bool WindowLoop::on_key(vtkObject*, unsigned long, void*) {
   const char* symbol = interactor_->GetKeySym();
-  const auto action = action_of(symbol != nullptr ? symbol : "", handlers_.window);
+  const std::string key = symbol != nullptr ? symbol : "";
+  if (taken_at_once({.kind = InputEvent::Kind::key, .key = key})) {
+    changed_ = true;
+    return true;
+  }
+  const auto action = action_of(key, handlers_.window);
   if (action && ((handlers_.act && handlers_.act(*action)) || act(*action))) changed_ = true;
   return true;
 }
@@ -205,7 +219,14 @@ bool WindowLoop::on_key(vtkObject*, unsigned long, void*) {
 bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
   const int* at = interactor_->GetEventPosition();
   ChartBoard& charts = stage_.charts();
+  const double x = at[0], y = at[1];
   bool taken = false;
+  if (event == vtkCommand::LeftButtonPressEvent)
+    taken = taken_at_once({InputEvent::Kind::press, x, y});
+  else if (event == vtkCommand::LeftButtonReleaseEvent)
+    taken = taken_at_once({InputEvent::Kind::release, x, y});
+  else if (event == vtkCommand::MouseMoveEvent || event == vtkCommand::EnterEvent)
+    taken = taken_at_once({InputEvent::Kind::move, x, y});
   if (on_panels(event, at[0], at[1])) {
     changed_ = true;
     return true;
@@ -213,16 +234,16 @@ bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
   switch (event) {
     case vtkCommand::LeftButtonPressEvent:
       // All of a chart that is not zoomed is in sight: there is nowhere to move it.
-      taken = charts.zoomed() && charts.press(at[0], at[1]);
+      taken |= charts.zoomed() && charts.press(at[0], at[1]);
       taken = (handlers_.press && handlers_.press(at[0], at[1])) || taken;
       break;
     case vtkCommand::EnterEvent:  // a window that opens under the pointer is told of it so, and of no move
     case vtkCommand::MouseMoveEvent:
       if (charts.move(at[0], at[1])) changed_ = true;
-      taken = handlers_.move && handlers_.move(at[0], at[1]);
+      taken = (handlers_.move && handlers_.move(at[0], at[1])) || taken;
       break;
     case vtkCommand::LeftButtonReleaseEvent:
-      taken = charts.release(at[0], at[1]);
+      taken |= charts.release(at[0], at[1]);
       taken = (handlers_.release && handlers_.release()) || taken;
       break;
     case vtkCommand::MouseWheelForwardEvent:

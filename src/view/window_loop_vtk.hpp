@@ -4,11 +4,11 @@
 
 #include <chrono>
 #include <functional>
-#include <optional>
 #include <string>
 
 #include "view/event_queue_vtk.hpp"
 #include "view/event_script_vtk.hpp"
+#include "view/input_event.hpp"
 #include "view/key_table.hpp"
 #include "view/parts_panel_vtk.hpp"
 #include "view/place_marks.hpp"
@@ -24,6 +24,9 @@ namespace fingerpad {
 /// the camera.
 struct WindowHandlers {
   unsigned window = windows::still;  ///< which rows of key_table() hold
+  AtOnce at_once;                    ///< what waits for no frame, before all others; may be none
+  /// Once, after the first frame: the threads that draw are there. May be none.
+  std::function<void()> has_opened;
   std::function<bool(KeyAction action)> act;
   std::function<bool(int x, int y)> press, move;
   std::function<bool()> release;
@@ -49,10 +52,11 @@ class WindowLoop {
   /// Shows some words for a moment.
   void tell(const std::string& words);
   /// When the event that is being handled was made; now, outside of handlers. Steady [s].
-  double event_s() const { return queue_->event_s(); }
+  double event_s() const { return queue_.event_s(); }
 
  private:
   void observe();
+  bool taken_at_once(InputEvent event);
   void name_window();
   void handle_events();
   bool on_key(vtkObject*, unsigned long, void*);
@@ -72,10 +76,10 @@ class WindowLoop {
   Stage& stage_;
   const WindowOptions& options_;
   WindowHandlers handlers_;
+  EventQueue queue_;
   vtkNew<vtkRenderWindowInteractor> interactor_;
   EventScript script_;
   PartsPanel parts_;
-  std::optional<EventQueue> queue_;  ///< once the window is open
   std::chrono::steady_clock::time_point opened_;
   double last_frame_s_ = 0;
   long frames_ = 0;

@@ -140,7 +140,10 @@ void WorldProps::apply_visibility() {
 }
 
 void WorldProps::show_surface(std::size_t index, bool shown) {
-  surfaces_[index].shown = shown;
+  {
+    const std::lock_guard lock(pointing_);
+    surfaces_[index].shown = shown;
+  }
   apply_visibility();
 }
 
@@ -197,6 +200,7 @@ void WorldProps::build_locators() {
 
 std::optional<SurfaceHit> WorldProps::first_hit(const Vec3& a_mm, const Vec3& b_mm) {
   if (!world_) return std::nullopt;
+  const std::lock_guard lock(pointing_);
   if (locators_.size() != surfaces_.size()) build_locators();
   std::optional<SurfaceHit> first;
   for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {

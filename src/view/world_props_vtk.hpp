@@ -5,24 +5,18 @@
 #include <vtkProperty.h>
 #include <vtkSmartPointer.h>
 
+#include <mutex>
 #include <vector>
 
 #include "touch/world.hpp"
 #include "view/draw_space.hpp"
+#include "view/surface_hit.hpp"
 
 class vtkPolyData;
 class vtkRenderer;
 class vtkStaticCellLocator;
 
 namespace fingerpad {
-
-/// Where a line of sight meets a surface of the world.
-struct SurfaceHit {
-  Vec3 point_W = Vec3::Zero();
-  Vec3 normal_W = Vec3::UnitZ();  ///< unit, outward
-  int surface = -1;
-  double along = 0;  ///< 0 at the line's start, 1 at its end
-};
 
 /// The parts and planes of a world as actors: the surface, its creases and its path.
 class WorldProps {
@@ -54,7 +48,8 @@ class WorldProps {
   vtkProperty* part_property() const { return part_property_; }
   vtkProperty* crease_property() const { return crease_property_; }
 
-  /// The first surface on the way from a to b, draw space [mm]. Locators are built on the first call.
+  /// The first surface on the way from a to b, draw space [mm]. Locators are built on the first call. Any
+  /// thread.
   std::optional<SurfaceHit> first_hit(const Vec3& a_mm, const Vec3& b_mm);
 
   /// Distance between the lines of a plane's grid [m]; 0 without a plane.
@@ -78,6 +73,7 @@ class WorldProps {
   std::shared_ptr<const World> world_;
   DrawSpace space_;
   std::vector<SurfaceProps> surfaces_;
+  std::mutex pointing_;  // of the locators, and of what of a surface is shown
   std::vector<vtkSmartPointer<vtkStaticCellLocator>> locators_;
   vtkSmartPointer<vtkProperty> part_property_, crease_property_;
   vtkSmartPointer<vtkActor> path_;

@@ -46,6 +46,42 @@ TEST_F(Fit, ReplayTakesTheProfile) {
   EXPECT_EQ(replay.exit_code, 0) << replay.err;
 }
 
+TEST_F(Fit, SaysWhatItDidToTheSamplesAndLeavesStepsOut) {
+  const auto told = fit(shipped.string() + " --out all.toml");
+  EXPECT_THAT(told.out, HasSubstr("tare: taken off 6 of 6 trials"));
+  EXPECT_THAT(told.out, HasSubstr("mains hum: taken out of 6 of 6 trials"));
+  EXPECT_THAT(told.out, HasSubstr("delay: force lags position by 7."));
+  EXPECT_THAT(told.out, HasSubstr("the pad's law fits"));
+  EXPECT_THAT(test::bytes_of(folder / "all.toml"), HasSubstr("# tare: taken off"));
+  const auto raw = fit(shipped.string() + " --out raw.toml --no-tare --mains off --delay off --fill 0");
+  EXPECT_EQ(raw.exit_code, 0) << raw.err;
+  EXPECT_THAT(raw.out, HasSubstr("tare: left as it is (off)"));
+  EXPECT_THAT(raw.out, HasSubstr("left in (off)"));
+  EXPECT_EQ(fit(shipped.string() + " --out bad.toml --delay soon").exit_code, 2);
+  const auto unknown = fit(shipped.string() + " --out bad.toml --columns q=Q");
+  EXPECT_EQ(unknown.exit_code, 2);
+  EXPECT_THAT(unknown.err, HasSubstr("'q=Q' is no KEY=NAME"));
+}
+
+TEST_F(Fit, ReadsOtherColumnsAndUnits) {
+  // Metres as millimetres, seconds as milliseconds, forces as those on the plate.
+  std::ofstream(folder / "convert.awk")
+      << "BEGIN { FS = \",\"; OFS = \";\" } /^#/ { next } /^t_s/ { print "
+         "\"ms;X;Y;Z;A;B;C;dx;dy;dz;subject;trial\"; next }\n"
+         "{ print 1000 * $1, 1000 * $2, 1000 * $3, 1000 * $4, -$5, -$6, -$7, $8, $9, $10, $11, $12 }\n";
+  ASSERT_EQ(test::shell("awk -f convert.awk " + shipped.string() + " > other.csv", folder).exit_code, 0);
+  ASSERT_EQ(fit(shipped.string() + " --quiet --out one.toml").exit_code, 0);
+  const auto other =
+      fit("other.csv --quiet --out two.toml --unit mm --time-unit ms --force-on plate --columns "
+          "t=ms,x=X,y=Y,z=Z,fx=A,fy=B,fz=C");
+  EXPECT_EQ(other.exit_code, 0) << other.err;
+  const auto number = [&](const char* file) {
+    const std::string text = test::bytes_of(folder / file);
+    return std::stod(text.substr(text.find("\nmu_static = ") + 13));
+  };
+  EXPECT_NEAR(number("one.toml"), number("two.toml"), 1e-9);
+}
+
 TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   std::ofstream(folder / "normal_only.csv")
       << "t_s,x_m,y_m,z_m,fz_n\n0,0,0,0,1\n0.001,0,0,0,1\n0.002,0,0,0,1\n";

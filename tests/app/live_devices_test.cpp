@@ -140,18 +140,26 @@ struct HaplyRun {
   test::ShellResult shell;
   std::vector<json> messages;
 
-  void go(const std::string& service_options) {
+  /// Until the service has ended, and the touch has told that it is gone. `then` goes on in that shell:
+  /// $port, and in `told` what the touch has said.
+  void go(const std::string& service_options, const std::string& then = "") {
     test::write_file(folder, "floor.toml", live_floor);
-    shell =
-        test::shell(fake("fake_inverse_service") + " " + service_options +
-                        " >said & service=$!\n"
-                        "until port=$(head -n 1 said) && [ -n \"$port\" ]; do kill -0 $service || exit 99; "
-                        "sleep 0.02; done\n" +
-                        quoted(test::program()) +
-                        " touch floor.toml --headless --device haply --port $port --seconds 60 --record "
-                        "t.csv; code=$?\n"
-                        "kill $service; wait $service; exit $code",
-                    folder);
+    shell = test::shell(
+        "wait_for() { until grep -q \"$1\" told; do kill -0 $touch || exit 98; sleep 0.02; done; }\n" +
+            fake("fake_inverse_service") + " " + service_options +
+            " >said & service=$!\n"
+            "until port=$(head -n 1 said) && [ -n \"$port\" ]; do kill -0 $service || exit 99; "
+            "sleep 0.02; done\n" +
+            quoted(test::program()) +
+            " touch floor.toml --headless --device haply --port $port --seconds 60 --record "
+            "t.csv 2>told & touch=$!\n"
+            "while kill -0 $service && kill -0 $touch; do sleep 0.02; done 2>/dev/null\n"
+            "if kill -0 $touch 2>/dev/null; then wait_for 'Service is gone'\n" +
+            then +
+            "fi\n"
+            "kill $touch $service 2>/dev/null; wait $touch; code=$?; wait $service; cat told >&2; "
+            "exit $code",
+        folder);
     std::istringstream lines(test::bytes_of(folder / "said"));
     std::string line;
     std::getline(lines, line);  // the port
@@ -205,6 +213,26 @@ TEST(LiveHaply, AStateThatNeverComesIsAskedForAnewAndTold) {
   for (std::size_t k = 400; k < 500; ++k) after_n = std::max(after_n, HaplyRun::force_n(run.messages[k]));
   EXPECT_GT(after_n, 0.1);
   EXPECT_THAT(run.shell.err, HasSubstr("; 1 answers of the service never came"));
+}
+
+TEST(LiveHaply, AServiceThatComesBackIsFoundAgainAndFeltSoftly) {
+  HaplyRun run;
+  run.go("--states 300", fake("fake_inverse_service") +
+                             " --states 400 --port $port >again & service=$!\n"
+                             "wait_for 'haply: goes on'\nwait $service\n");
+  ASSERT_EQ(run.shell.exit_code, 0) << run.shell.err;
+  EXPECT_THAT(run.shell.err, HasSubstr("haply: the Inverse Service is gone: no force"));
+  EXPECT_THAT(run.shell.err, HasSubstr("the Inverse Service was found again 1 times"));
+  std::istringstream lines(test::bytes_of(run.folder / "again"));
+  std::string line;
+  std::getline(lines, line);  // the port
+  std::vector<json> again;
+  while (std::getline(lines, line)) again.push_back(json::parse(line));
+  ASSERT_EQ(again.size(), 400u);
+  EXPECT_EQ(again[0]["session"]["configure"]["profile"]["name"], "fingerpad") << "another session";
+  EXPECT_EQ(HaplyRun::force_n(again[0]), 0);
+  EXPECT_GT(HaplyRun::force_n(again[399]), 0.1);
+  for (const json& message : again) EXPECT_LE(HaplyRun::force_n(message), 5);
 }
 
 TEST(LiveHaply, TellsWhatIsMissing) {

@@ -1,5 +1,4 @@
 // A live touch without a window, moved over a real socket by the reference bridge (tools/device_bridge).
-#ifdef FINGERPAD_VIEW
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -240,6 +239,16 @@ TEST(LiveNetwork, TellsWhatCannotBe) {
   }
 }
 
+#ifndef FINGERPAD_VIEW
+TEST(LiveNetwork, NeedsNoWindowWhereThereIsNone) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "floor.toml", floor_scene);
+  const auto told = test::fingerpad("touch floor.toml --device network --port 0", folder);
+  EXPECT_EQ(told.exit_code, 2);
+  EXPECT_THAT(told.err,
+              HasSubstr("this program was built without a window (FINGERPAD_VIEW=OFF): add --headless"));
+}
+#endif
+
 }  // namespace
 }  // namespace fingerpad::live_network_test
-#endif

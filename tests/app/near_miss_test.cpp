@@ -101,7 +101,6 @@ TEST(NearMiss, OfALawsKeyIsRefusedInOneLine) {
             "stick-slip, finger-pad, contact-area\n");
 }
 
-#ifdef FINGERPAD_VIEW
 TEST(NearMiss, OfADeviceIsToldWithTheDevices) {
   const auto result = test::fingerpad("touch scenes/sweep.toml --device poiner", folder_with_scenes());
   EXPECT_EQ(result.exit_code, 2);
@@ -114,7 +113,6 @@ TEST(NearMiss, OfADeviceIsToldWithTheDevices) {
   const auto help = test::fingerpad("touch --help", folder_with_scenes());
   EXPECT_THAT(help.out, HasSubstr("  mouse            the mouse and the keyboard"));
 }
-#endif
 
 }  // namespace
 }  // namespace fingerpad::near_miss_test

@@ -40,7 +40,6 @@ bool needs_view(const std::string& command) {
          command.find("fingerpad view") != std::string::npos ||
          command.find("fingerpad plot") != std::string::npos ||
          command.find("fingerpad report") != std::string::npos ||
-         command.find("fingerpad touch") != std::string::npos ||
          command.find("fingerpad study") != std::string::npos;  // it draws its charts
 }
 

@@ -63,7 +63,6 @@ TEST(RecordedChanges, AreMadeAgainAtTheSameTicksAndStandInTheNewTrace) {
   EXPECT_NE(force_at(whole, 150), force_at(before, 150));
 }
 
-#ifdef FINGERPAD_VIEW
 TEST(RecordedChanges, ALiveTouchOfTheRecordingFeelsThemBitForBit) {
   const fs::path folder = recording();
   const auto replayed = test::fingerpad("replay again.toml --format csv --out r --quiet", folder);
@@ -77,7 +76,6 @@ TEST(RecordedChanges, ALiveTouchOfTheRecordingFeelsThemBitForBit) {
   EXPECT_EQ(test::bytes_of(folder / "live.changes.csv"), changes);
   EXPECT_EQ(scene_changes_text(read_trace((folder / "live.h5").string()).info.changes), changes);
 }
-#endif
 
 TEST(RecordedChanges, ThatTheSceneCannotHaveAreRefusedByName) {
   const fs::path folder = recording();

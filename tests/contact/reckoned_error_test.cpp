@@ -108,8 +108,39 @@ TEST(ReckonedError, OfABallInAHollowThatItNearlyFitsIsLarger) {
   place.curvature_per_m = -100;  // a hollow of 10 mm
   const double loose = share(place, {1000, 0.005, 10}, "proxy", Normals::smooth);
   EXPECT_NEAR(loose, 0.01, 1e-12) << "half its radius: no larger than under a point";
-  EXPECT_NEAR(share(place, {1000, 0.0099, 10}, "proxy", Normals::smooth), 0.01 * std::sqrt(0.25 / 0.01),
+  // The more the lighter it is pressed: at 1 N the ball's centre is 0.1 + 1 mm from the hollow's middle.
+  EXPECT_NEAR(share(place, {1000, 0.0099, 10}, "proxy", Normals::smooth), 0.01 * std::sqrt(0.25 / 0.11),
               1e-9);
+  EXPECT_NEAR(share(place, {1000, 0.0099, 10}, "closest-point", Normals::smooth),
+              0.01 * std::sqrt(0.5 / 0.11), 1e-9)
+      << "which no second facet holds";
+}
+
+TEST(ReckonedError, CountsNoHollowInWhichABallHasNoRoomBetweenTheFacets) {
+  SurfacePlace bore;
+  bore.facet_rad = bore.smooth_rad = 0.03;
+  bore.sag_m = 5e-6;
+  bore.curvature_per_m = -1 / 0.007004;
+  EXPECT_EQ(share(bore, {1000, 0.007, 10}, "proxy", Normals::smooth), 0);
+  bore.sag_m = 3e-6;
+  EXPECT_GT(share(bore, {1000, 0.007, 10}, "proxy", Normals::smooth), 0.03);
+}
+
+TEST(ReckonedError, TellsByHowMuchABallsProxyFallsBehindInARounding) {
+  SurfacePlace place;
+  place.curvature_per_m = 1 / 0.005;
+  const auto error = [&place](const Press& press, const char* name) {
+    const std::vector<SurfacePlace> places(100, place);
+    return reckoned_error(places, press, method(name), Normals::smooth);
+  };
+  // Of a rim of 5 mm under a ball of 7: at 6.5 N the proxy has 12/5.5 of the finger's way to go, and may go
+  // twice; 16 % were measured there over a quarter turn, 1.02 of the force at 10 N (12/2).
+  EXPECT_NEAR(error({1000, 0.007, 6.5}, "proxy").behind_share, 0.13, 0.04);
+  EXPECT_NEAR(error({1000, 0.007, 10}, "proxy").behind_share, 1.02, 0.05);
+  EXPECT_NEAR(error({1000, 0.007, 10}, "proxy").behind_m, 0.005, 1e-12);
+  EXPECT_EQ(error({1000, 0.007, 5.9}, "proxy").behind_share, 0);
+  EXPECT_EQ(error({1000, 0.007, 10}, "closest-point").behind_share, 0);
+  EXPECT_EQ(error({1000, 0, 4}, "proxy").behind_share, 0) << "a point gets over smooth edges";
 }
 
 }  // namespace

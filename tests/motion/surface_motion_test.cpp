@@ -91,8 +91,8 @@ TEST(SurfaceMotion, DrawsItsFigureOnAFlatSheetAsOnPaper) {
 
 TEST(SurfaceMotion, StaysOnAnOpenSheet) {
   const TriangleTree tree = tree_of(test::square_soup(0.1, 4));
-  for (std::int64_t place = 0; place < 20; ++place) {
-    const LaidMotion laid = lay_on_surface(tree, rub_of(Shape::line, 0.05, 1, place), 0.002, 0.0005);
+  for (std::int64_t place = 0; place < 200; ++place) {
+    const LaidMotion laid = lay_on_surface(tree, rub_of(Shape::line, 0.02, 1, place), 0.002, 0.0005);
     EXPECT_LT(rubbed(laid.motion).topRows(2).cwiseAbs().maxCoeff(), 0.05) << place;
     EXPECT_LT(std::abs(laid.place_P.z()), 1e-12);
   }

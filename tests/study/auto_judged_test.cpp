@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "study/promise_trial.hpp"
 #include "support/effort.hpp"
 #include "support/paths.hpp"
 
@@ -23,14 +24,17 @@ struct Count {
 
   void take(const JudgedCase& one) {
     if (cases++ % one_case_of != 0) return;
-    const JudgedRow row = judged(one, 1);
+    JudgedCase brief = one;
+    brief.trial_strokes = 6;
+    const JudgedRow row = judged(brief, 1);
     const JudgedWord word = row.word();
     EXPECT_NE(word, JudgedWord::broken)
-        << row.name << ": " << row.error_99[row.chosen] << " where " << row.promised << " is promised";
+        << row.name << ": " << row.error_99[row.chosen] << " and tried " << row.trial_99[row.chosen] << " where "
+        << row.promised << " is promised";
     kept += word == JudgedWord::kept ? 1 : 0;
     said += word == JudgedWord::said ? 1 : 0;
     needless += word == JudgedWord::needless ? 1 : 0;
-    dear += word == JudgedWord::kept && row.price_ratio(row.cost) > 1.2 ? 1 : 0;
+    dear += word == JudgedWord::kept && row.price_ratio(row.cost, true) > 1.2 ? 1 : 0;
   }
 };
 
@@ -41,9 +45,7 @@ TEST(AutoJudged, KeepsItsWordOnSurfacesThatAreKnownExactly) {
   if (one_case_of > 1) return;
   EXPECT_GE(count.kept, 25) << "it does not talk itself out of everything";
   EXPECT_LE(count.needless, 5);
-  // Dear where the part needs more than the way does: a plate's sharp edges, which a ball on its knob is far
-  // from, need the proxy.
-  EXPECT_LE(6 * count.dear, count.kept) << "five of six cost 1.2 times the cheapest at the most";
+  EXPECT_LE(10 * count.dear, count.kept) << "nine of ten cost 1.2 times the cheapest at the most";
 }
 
 TEST(AutoJudged, SeesAKnobThatAFingerStaysOn) {
@@ -84,6 +86,7 @@ JudgedRow row_of(double error, double promised) {
   row.tolerance = 0.03;
   row.promised = promised;
   row.error_99 = {error, 0.01};
+  row.trial_99 = {0, 0};
   row.cost = {1, 3};
   row.pop_throughs = {0, 0};
   return row;
@@ -99,13 +102,50 @@ TEST(AutoJudged, TellsAKeptWordFromABrokenOne) {
   JudgedRow popped = row_of(0.02, 0.03);
   popped.pop_throughs = {1, 0};
   EXPECT_EQ(popped.word(), JudgedWord::broken);
-  EXPECT_EQ(popped.cheapest(popped.cost), 1u);
+  EXPECT_EQ(popped.cheapest(popped.cost, true), 1u);
+}
+
+TEST(AutoJudged, TakesAPromiseForBrokenWhereTheMotionAloneKeepsIt) {
+  JudgedRow row = row_of(0.02, 0.03);
+  row.trial_99 = {0.04, 0.02};
+  EXPECT_EQ(row.word(), JudgedWord::broken);
+  EXPECT_EQ(row.word_of_motion(), JudgedWord::kept);
+  row.promised = 0.05;
+  EXPECT_EQ(row.word(), JudgedWord::said);
+  EXPECT_EQ(row.word_of_motion(), JudgedWord::needless);
+}
+
+TEST(AutoJudged, HoldsTheCostAgainstWhatKeepsThePromiseToo) {
+  JudgedRow row = row_of(0.02, 0.03);
+  row.chosen = 1;
+  row.trial_99 = {0.5, 0.02};
+  EXPECT_EQ(row.price_ratio({1, 3}, true), 1) << "the cheaper one fails where the motion does not go";
+  EXPECT_EQ(row.price_ratio({1, 3}, false), 3);
+}
+
+TEST(AutoJudged, TriesAPromiseWhereAFingerMayStay) {
+  int cases = 0;
+  take_exact_cases([&](const JudgedCase& one) {
+    if (!one.name.starts_with("knob of 1280") || one.scene.finger.radius_m > 0) return;
+    ++cases;
+    // The cap is a three-hundredth of the plate, and where facets are at their worst.
+    int on_cap = 0;
+    for (const JudgedCase& trial : promise_trials(one)) {
+      for (const FingerPath& way : trial.ways) {
+        const Vec3 start = way.at(0).p_WQ;
+        on_cap += start.head<2>().norm() < 0.013 && start.z() > -0.005 ? 1 : 0;
+      }
+      EXPECT_FALSE(trial.exact_force_n) << "the cap's surface is not the plate's";
+    }
+    EXPECT_GE(on_cap, 4);
+  });
+  EXPECT_EQ(cases, 1);
 }
 
 TEST(AutoJudged, HoldsTheCostAgainstTheCheapestThatKeepsTheTolerance) {
-  EXPECT_EQ(row_of(0.02, 0.03).price_ratio({1, 3}), 1);
-  EXPECT_EQ(row_of(0.02, 0.03).price_ratio({3, 1}), 3);
-  EXPECT_NEAR(row_of(0.04, 0.05).price_ratio({1, 3}), 1.0 / 3, 1e-15) << "it alone does not keep it";
+  EXPECT_EQ(row_of(0.02, 0.03).price_ratio({1, 3}, true), 1);
+  EXPECT_EQ(row_of(0.02, 0.03).price_ratio({3, 1}, true), 3);
+  EXPECT_NEAR(row_of(0.04, 0.05).price_ratio({1, 3}, true), 1.0 / 3, 1e-15) << "it alone does not keep it";
 }
 
 TEST(AutoJudged, TheReferenceIsTheExactSurfaceWhereItIsKnown) {
@@ -113,12 +153,12 @@ TEST(AutoJudged, TheReferenceIsTheExactSurfaceWhereItIsKnown) {
   take_exact_cases([&](const JudgedCase& one) {
     if (!one.name.starts_with("sphere of 2048") || one.scene.finger.radius_m > 0) return;
     ++cases;
-    const std::vector<Vec3> exact_n = reference_forces(one);
+    const std::vector<Vec3> exact_n = judged_reference(one).force_W_n;
     // The patches of this mesh, whose facets are 17 % of the lightest force off, are worth the tolerance that
     // is judged with them.
     JudgedCase unknown = one;
     unknown.exact_force_n = {};
-    const std::vector<Vec3> told_n = reference_forces(unknown);
+    const std::vector<Vec3> told_n = judged_reference(unknown).force_W_n;
     long off = 0;
     for (std::size_t k = 0; k < exact_n.size(); ++k)
       off += (told_n[k] - exact_n[k]).norm() > 0.03 * std::max(1.0, exact_n[k].norm()) ? 1 : 0;

@@ -111,9 +111,9 @@ TEST(ContactTolerance, SaysWhatTheMeshCannotKeepAndWhatItCan) {
   double deepest_m = 0;
   for (const SurfacePlace& place : m.places) deepest_m = std::max(deepest_m, place.sag_m);
   // A tenth more than on all but a hundredth of the region where it is the most.
-  EXPECT_NEAR(choice.limits[0].kept_tolerance, 1.1 * deepest_m / 1e-3, 0.03 * deepest_m / 1e-3);
+  EXPECT_NEAR(choice.limits[0].kept_tolerance, 1.2 * deepest_m / 1e-3, 0.03 * deepest_m / 1e-3);
   EXPECT_THAT(choice.limits[0].said,
-              HasSubstr("force_tolerance 0.03 cannot be kept, 0.2 can: its facets cut"));
+              HasSubstr("force_tolerance 0.03 cannot be kept, 0.22 can: its facets cut"));
   EXPECT_THAT(choice.limits[0].said, HasSubstr("a finer mesh or a STEP file would"));
   EXPECT_EQ(choice.reasons.back(), "part.stl: " + choice.limits[0].said + " (auto)");
   scene.contact.force_tolerance = 0.2;

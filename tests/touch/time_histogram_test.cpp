@@ -35,5 +35,16 @@ TEST(TimeHistogram, TellsASharesLongestTimeToWithinABucket) {
   EXPECT_EQ(TimeCounts{}.quantile_s(0.5), 0);
 }
 
+TEST(ServoTiming, NoShareOfTheTicksTookLongerThanTheLongest) {
+  ServoTiming timing;
+  TimeHistogram times;
+  for (int k = 0; k < 100; ++k) times.note(1e-5);
+  timing.tick_times = times.counts();
+  timing.worst_tick_s = 1e-5;
+  EXPECT_EQ(timing.tick_s(0.999), 1e-5);
+  timing.worst_tick_s = 1;
+  EXPECT_EQ(timing.tick_s(0.5), timing.tick_times.quantile_s(0.5));
+}
+
 }  // namespace
 }  // namespace fingerpad::time_histogram_test

@@ -127,7 +127,37 @@ TEST(TouchSwap, RefusesWhatTheSceneCannotHaveAndStaysAsItWas) {
     EXPECT_THROW(swap.change({0, key, value}), Error) << key << " = " << value;
   EXPECT_EQ(swap.scene().parts[0].surface.mu_static, 0.3);
   Touch touch(world, torus_scene());
-  EXPECT_EQ(swap.before_tick(touch, 0), nullptr);
+  swap.before_tick(touch, 0);
+  EXPECT_TRUE(swap.taken(0).empty());
+}
+
+/// Counts what is put in, and knows by what it was made.
+struct CountedChange final : ChangeBeside {
+  CountedChange(int& its_count, double its_mu) : count(its_count), mu(its_mu) {}
+  void put_in() noexcept override { ++count; }
+  int& count;
+  double mu;
+};
+
+TEST(TouchSwap, PutsInWhatChangesBesideTheTouchAtTheSameTickAndOnlyWhatIsTaken) {
+  const auto world = test::world_of(test::torus_soup(0.05, 0.02, 48, 24));
+  TouchSwap swap(world, torus_scene());
+  int put_in = 0;
+  std::vector<double> made;
+  swap.change_too([&](const World& changed, const Scene& scene) {
+    EXPECT_EQ(changed.surfaces[0].properties.mu_static, scene.parts[0].surface.mu_static);
+    made.push_back(scene.parts[0].surface.mu_static);
+    return std::make_unique<CountedChange>(put_in, made.back());
+  });
+  Touch touch(world, torus_scene());
+  swap.before_tick(touch, 0);
+  EXPECT_EQ(put_in, 0);
+  swap.change({0, "part.0.mu_static", "0.5"});
+  swap.change({0, "part.0.mu_static", "0.6"});  // before the first was taken: together with it
+  EXPECT_EQ(put_in, 0);
+  swap.before_tick(touch, 0.001);
+  EXPECT_EQ(put_in, 1);
+  EXPECT_EQ(made, (std::vector<double>{0.5, 0.6}));
 }
 
 TEST(TouchSwap, ChangesFromAnotherThreadAreTakenInOrderWhileTheServoTicks) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace fingerpad::overlay_places_test {
 namespace {
 
@@ -37,6 +39,33 @@ TEST(OverlayPlaces, NoBoxHidesTheContactOrAnotherBoxWhereverItIs) {
     }
     if (width < 1280) continue;
     EXPECT_GT(shown, 0.95 * asked) << "there is room for all of them nearly everywhere";
+  }
+}
+
+TEST(OverlayPlaces, WordsKeepClearOfTheFingerWhereThereIsRoom) {
+  for (const auto& [width, height] : {std::pair(1280, 800), std::pair(900, 600)}) {
+    const Layout layout = layout_for(width, height, true, false);
+    const Box usual = words_place(layout, 26 * layout.em, std::nullopt);
+    for (double y = layout.scene.bottom; y < layout.scene.top(); y += 7) {
+      const Vec2 finger(layout.scene.centre().x(), y);
+      const Box place = words_place(layout, 26 * layout.em, finger);
+      EXPECT_FALSE(place.holds(finger.x(), finger.y())) << y;
+      EXPECT_GE(place.bottom, usual.bottom) << "the foot is the legend's";
+      EXPECT_LT(place.top(), layout.scene.top());
+      const bool far = std::abs(y - usual.centre().y()) > 0.4 * layout.scene.height;
+      EXPECT_TRUE(!far || place.bottom == usual.bottom);
+    }
+  }
+}
+
+TEST(OverlayPlaces, WordsStandBesideTheReadings) {
+  const Layout layout = layout_for(1000, 700, true, false);
+  const double em = layout.em;
+  const Box hud{layout.scene.left + 0.7 * em, layout.scene.top() - 28 * em, 15 * em, 27 * em};
+  for (double y = layout.scene.bottom; y < layout.scene.top(); y += 7) {
+    const Box place = words_place(layout, 22 * em, Vec2(layout.scene.centre().x(), y), {hud});
+    EXPECT_FALSE(overlap(place, hud)) << y;
+    EXPECT_LT(place.right(), layout.scene.right());
   }
 }
 

@@ -7,6 +7,7 @@
 #include <vtkPNGReader.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 
 #include "base/error.hpp"
@@ -148,6 +149,23 @@ TEST(RealWindow, IsTouchedChangedPhotographedAndItsTraceScrubbed) {
   };
   EXPECT_GT(blue_between(0.05, 0.75), 0.95);
   EXPECT_LT(blue_between(0.85, 0.98), 0.05);
+
+  // The picture of the same moment, made without a window: another way to the same pixels, edges apart, which
+  // a slow window does not smooth.
+  const double share = (std::floor(slider.left + 0.8 * slider.width) - slider.left) / slider.width;
+  const double t_s = share * trace.rows.back().t_s;
+  const auto pictured = test::fingerpad(
+      "view run.h5 --png same.png --size 900x600 --camera top --at " + std::to_string(t_s), folder);
+  ASSERT_EQ(pictured.exit_code, 0) << pictured.err;
+  const auto earlier =
+      test::fingerpad("view run.h5 --png other.png --size 900x600 --camera top --at 0.2", folder);
+  ASSERT_EQ(earlier.exit_code, 0) << earlier.err;
+  const Pixels same = read_png(folder / "same.png"), other = read_png(folder / "other.png");
+  ASSERT_EQ(same.rgb.size(), scrubbed.rgb.size());
+  for (const Box& box : {with_line.scene, with_line.charts, with_line.timeline}) {
+    EXPECT_LT(test::share_that_differs(scrubbed, same, box), 0.01);
+    EXPECT_GT(test::share_that_differs(scrubbed, other, box), 0.01) << "of another moment";
+  }
 }
 
 TEST(RealWindow, ShowsAFileThatIsDroppedOntoItAndSaysWhyItCannotShowAnother) {

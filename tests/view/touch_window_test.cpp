@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "device/pointer_finger.hpp"
+#include "touch/resting_finger.hpp"
 #include "touch/servo_loop.hpp"
 #include "view/layout.hpp"
 #include "view/rub.hpp"
@@ -190,15 +191,6 @@ TEST(TouchTarget, ForceStaysWithinReason) {
   EXPECT_EQ(target.press_n(), 20);
   target.change_force(-1000);
   EXPECT_EQ(target.press_n(), 0.05);
-}
-
-TEST(RestingFinger, StandsClearOfWhatCanBeTouched) {
-  const ViewInput view = torus_rub(0.0);
-  EXPECT_GT(distance_to_torus_m(resting_finger(*view.world, *view.scene).p_WQ), 0.005);
-  World plane;
-  plane.surfaces.emplace_back();
-  EXPECT_NEAR(resting_finger(plane, Scene{}).p_WQ.z(), 0.01, 1e-12);
-  EXPECT_TRUE(resting_finger(World{}, Scene{}).p_WQ.allFinite());
 }
 
 }  // namespace

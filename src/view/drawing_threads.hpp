@@ -1,0 +1,20 @@
+#pragma once
+
+#include <set>
+
+namespace fingerpad {
+
+/// The threads that draw. Without a graphics card they take every core there is; a servo that is as any other
+/// thread of the system then waits for them, unless they stand back.
+class DrawingThreads {
+ public:
+  /// All threads that come from now on are taken for such, and the calling one.
+  DrawingThreads();
+  /// They leave others the first turn, for ever. A system that does not let them loses nothing else.
+  void stand_back() const;
+
+ private:
+  std::set<int> others_;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,155 @@
+// The pointer of a live touch: what it means, and that it waits for no frame. The second with a mouse and
+// keys that X itself moves (xdotool); skipped where no X server can be started.
+#include "view/pointer_touch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <condition_variable>
+
+#include "base/error.hpp"
+#include "support/shell.hpp"
+#include "support/worlds.hpp"
+#include "view/rub.hpp"
+#include "view/screen.hpp"
+
+namespace fingerpad::pointer_touch_test {
+namespace {
+
+using Kind = InputEvent::Kind;
+
+/// A pointer over a floor at z = 0, seen from above: a pixel is a millimetre; to the right of x = 100 there
+/// is nothing, and a panel hides a corner.
+struct OverFloor {
+  std::vector<FingerSample> told;
+  std::vector<bool> stops;
+  TouchWindowInput input;
+  PointerTouch pointer;
+
+  OverFloor()
+      : pointer(input, TouchTarget(test::plane_world(), Scene{}, 0.002, FingerSample{}),
+                [](const Vec3& from_mm, const Vec3& to_mm) -> std::optional<SurfaceHit> {
+                  EXPECT_LT(to_mm.z(), from_mm.z());
+                  if (from_mm.x() > 100) return std::nullopt;
+                  return SurfaceHit{Vec3(1e-3 * from_mm.x(), 1e-3 * from_mm.y(), 0), Vec3::UnitZ(), 0, 0.5};
+                }) {
+    input.set_target = [this](const FingerSample& target) { told.push_back(target); };
+    input.set_stop = [this](bool on) { stops.push_back(on); };
+    PointedScene shown;
+    shown.scene = {0, 0, 200, 200};
+    shown.panels = {{0, 150, 50, 50}};
+    shown.lines = {Vec3(0, 0, 10), Vec3(0, 0, -10), Vec3::UnitX(), Vec3::UnitY()};
+    pointer.show(shown);
+  }
+  bool take(Kind kind, double x, double y, double t_s) { return pointer.take({kind, x, y, "", t_s}); }
+  bool key(const char* name, double t_s) { return pointer.take({Kind::key, 0, 0, name, t_s}); }
+};
+
+TEST(PointerTouch, HoversPressesAndLiftsWhereNothingIsUnderIt) {
+  OverFloor over;
+  EXPECT_FALSE(over.take(Kind::move, 150, 20, 0.5)) << "nothing there: the camera's";
+  EXPECT_TRUE(over.told.empty());
+  EXPECT_TRUE(over.take(Kind::move, 20, 30, 1));
+  ASSERT_EQ(over.told.size(), 1u);
+  EXPECT_LT((over.told[0].p_WQ - Vec3(0.02, 0.03, 0.002)).norm(), 1e-12);
+  EXPECT_EQ(over.told[0].push_W_n, Vec3(Vec3::Zero()));
+  EXPECT_FALSE(over.pointer.has_pressed());
+  EXPECT_TRUE(over.take(Kind::press, 20, 30, 2));
+  EXPECT_LT((over.told.back().push_W_n - Vec3(0, 0, -1)).norm(), 1e-12);
+  EXPECT_TRUE(over.take(Kind::move, 150, 30, 3)) << "held";
+  EXPECT_FALSE(over.pointer.pressing());
+  EXPECT_TRUE(over.take(Kind::move, 90, 30, 4));
+  EXPECT_TRUE(over.pointer.pressing());
+  EXPECT_TRUE(over.take(Kind::release, 90, 30, 5));
+  EXPECT_FALSE(over.pointer.pressing());
+  EXPECT_TRUE(over.pointer.has_pressed());
+  EXPECT_EQ(over.told.back().t_s, 5);
+}
+
+TEST(PointerTouch, APanelKeepsWhatIsPressedOnItAndNotWhatWasPressedBesideIt) {
+  OverFloor over;
+  EXPECT_FALSE(over.take(Kind::press, 20, 160, 1));
+  EXPECT_FALSE(over.take(Kind::move, 20, 30, 2)) << "dragged off the panel, it stays the panel's";
+  EXPECT_FALSE(over.take(Kind::release, 20, 30, 3));
+  EXPECT_TRUE(over.told.empty());
+  EXPECT_TRUE(over.take(Kind::press, 20, 30, 4));
+  EXPECT_TRUE(over.take(Kind::move, 20, 160, 5));
+  EXPECT_TRUE(over.pointer.pressing());
+}
+
+TEST(PointerTouch, KeysLatchStopAndMoveAndTimesNeverGoBack) {
+  OverFloor over;
+  over.take(Kind::move, 20, 30, 7);
+  EXPECT_TRUE(over.key("space", 6.5)) << "late";
+  EXPECT_EQ(over.told.back().t_s, 7);
+  EXPECT_TRUE(over.pointer.pressing());
+  EXPECT_TRUE(over.key("Right", 8));
+  EXPECT_GT(over.told.back().p_WQ.x(), 0.0201);
+  EXPECT_TRUE(over.key("x", 9));
+  EXPECT_TRUE(over.key("g", 9));
+  EXPECT_EQ(over.stops, (std::vector<bool>{true, false}));
+  EXPECT_FALSE(over.key("h", 10)) << "the window's own";
+  over.pointer.change_force(1, 11);
+  EXPECT_NEAR(over.told.back().push_W_n.norm(), 1.25, 1e-12);
+}
+
+/// A window that is held up in a frame until what a person does meanwhile was heard of.
+struct HeldUpWindow {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool pressing = false, stopped = false;
+  std::vector<double> pressed_at_s;
+
+  template <typename Is>
+  bool wait(const Is& is) {
+    std::unique_lock lock(mutex);
+    return changed.wait_for(lock, std::chrono::seconds(30), is);
+  }
+};
+
+TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
+  std::unique_ptr<VirtualScreen> screen;
+  try {
+    screen = std::make_unique<VirtualScreen>();
+  } catch (const Error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  HeldUpWindow held;
+  TouchWindowInput input;
+  input.view = test::torus_rub(0.0);
+  input.view.rows.clear();
+  input.latest = [] { return TickRecord(); };
+  input.recent = [](double) { return std::vector<TickRecord>(); };
+  input.set_target = [&](const FingerSample& target) {
+    const std::lock_guard lock(held.mutex);
+    held.pressing = target.push_W_n != Vec3::Zero();
+    if (held.pressing) held.pressed_at_s.push_back(target.t_s);
+    held.changed.notify_all();
+  };
+  input.set_stop = [&](bool on) {
+    const std::lock_guard lock(held.mutex);
+    held.stopped = on;
+    held.changed.notify_all();
+  };
+  WindowOptions options;
+  options.width = 600;
+  options.height = 400;
+  int heard = 0;
+  options.on_frame = [&](const WindowReport& report) {
+    if (report.frames < 2 || heard > 0) return;
+    const std::string hand = "export DISPLAY=" + screen->display() + "; xdotool ";
+    // From the upper left corner, as X counts; the near side of the ring.
+    test::shell(hand + "mousemove 185 310 mousedown 1 mousemove 187 310", ".");
+    heard += held.wait([&] { return held.pressing && held.pressed_at_s.size() > 1; }) ? 1 : 0;
+    test::shell(hand + "key x", ".");
+    heard += held.wait([&] { return held.stopped; }) ? 1 : 0;
+    test::shell(hand + "mouseup 1", ".");
+    heard += held.wait([&] { return !held.pressing; }) ? 1 : 0;
+    test::shell(hand + "key q", ".");
+  };
+  run_touch_window(input, options);
+  EXPECT_EQ(heard, 3) << "pressed, stopped and let go, all within one frame";
+}
+
+}  // namespace
+}  // namespace fingerpad::pointer_touch_test
