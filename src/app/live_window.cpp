@@ -51,6 +51,7 @@ void run_live_window(const LiveWindowChoice& choice, const LiveTouch& touch, con
   const PictureSize size = read_size(choice.size);
   window.width = size.width;
   window.height = size.height;
+  window.on_drop = touch.on_drop;
   if (choice.seconds) window.events = {{*choice.seconds, WindowEvent::Kind::key, "q"}};
   run_touch_window(input, window);
 }

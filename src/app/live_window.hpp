@@ -1,6 +1,7 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -21,14 +22,16 @@ struct LiveWindowChoice {
   bool real_time = false;
 };
 
-/// A live touch under way. The recorder may be null.
+/// A live touch under way.
 struct LiveTouch {
   const Scene& scene;
   std::shared_ptr<const World> world;
   LiveDevice& device;
   ServoLoop& servo;
   TouchSwap& swap;
-  const LiveRecorder* recorder;
+  const LiveRecorder* recorder;  ///< may be null
+  /// A file was dropped onto the window. @returns why it cannot be touched; empty: the window closes for it
+  std::function<std::string(const std::string& path)> on_drop;
 };
 
 /// The options of a window, where there can be one.

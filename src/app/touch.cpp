@@ -40,13 +40,21 @@ struct TouchOptions {
   bool headless = false, force = false, real_time = false;
 };
 
-Scene touched_scene(const TouchOptions& options) {
-  const SubjectKind kind = subject_kind(options.subject);
+/// What is touched, ready to be.
+struct Touched {
+  std::string subject;
+  Scene scene;
+  std::optional<HandSettings> hand;  ///< the scene's, which has none left: a person holds the finger
+  std::shared_ptr<const World> world;
+};
+
+Scene touched_scene(const TouchOptions& options, const std::string& subject) {
+  const SubjectKind kind = subject_kind(subject);
   if (kind == SubjectKind::trace) {
-    throw Error(ErrorKind::usage, options.subject, "is a trace; touch a scene or a mesh, and view a trace");
+    throw Error(ErrorKind::usage, subject, "is a trace; touch a scene or a mesh, and view a trace");
   }
-  Scene scene = kind == SubjectKind::scene ? single_scene(options.subject)
-                                           : scene_of_mesh(options.subject, metres_of(options.unit));
+  Scene scene =
+      kind == SubjectKind::scene ? single_scene(subject) : scene_of_mesh(subject, metres_of(options.unit));
   if (options.rate_hz) {
     scene.motion.rate_hz = *options.rate_hz;
     scene.motion.automatic_rate = false;
@@ -59,8 +67,8 @@ Scene touched_scene(const TouchOptions& options) {
   return scene;
 }
 
-LiveWindowChoice window_choice(const TouchOptions& options) {
-  return {options.subject, options.record, options.size, options.seconds, options.real_time};
+LiveWindowChoice window_choice(const TouchOptions& options, const std::string& subject) {
+  return {subject, options.record, options.size, options.seconds, options.real_time};
 }
 
 /// What was asked for that the device does not read.
@@ -92,29 +100,43 @@ void tell_timing(const ServoTiming& timing, double rate_hz) {
             1e6 * timing.tick_s(0.5), 1e6 * timing.tick_s(0.999), 1e6 * timing.worst_tick_s);
 }
 
-int touch(const TouchOptions& options) {
-  if (!options.record.empty() && options.record != "-")
-    refuse_other_endings(options.record, "touch --record", {".h5", ".csv"});
-  if (options.headless && find_device(options.device)->needs_window) {
-    throw Error(ErrorKind::usage, "--headless",
-                fmt::format("--device {} is moved in a window: choose another device", options.device));
-  }
-  refuse_unread(options);
-  if (!options.headless) need_live_window(window_choice(options));
-  Scene scene = touched_scene(options);
+/// Throws Error for what cannot be touched, or not recorded.
+Touched load_touched(const TouchOptions& options, const std::string& subject) {
+  Touched touched{subject, touched_scene(options, subject), {}, {}};
+  Scene& scene = touched.scene;
   warn_of_unread(options, scene);
-  const auto hand = std::exchange(scene.hand, std::nullopt);  // a person holds the finger
+  touched.hand = std::exchange(scene.hand, std::nullopt);
   if (!options.record.empty()) refuse_unrecordable(options.record, scene, options.force);
   LoadBar bar(stderr_is_terminal());
-  const auto world = load_world(scene, bar.progress());
+  touched.world = load_world(scene, bar.progress());
   bar.finish();
-  tell_warnings(*world);
-  tell_unit_hints(*world, scene);
-  tell_choice(*world);
-  scene.contact.normals = settled_contact(scene, *world).normals;  // for the window's own search
+  tell_warnings(*touched.world);
+  tell_unit_hints(*touched.world, scene);
+  tell_choice(*touched.world);
+  scene.contact.normals = settled_contact(scene, *touched.world).normals;  // for the window's own search
+  return touched;
+}
+
+/// @param after_end  ticks between the end of what moves the finger and the loop's
+void finish_recording(const TouchOptions& options, LiveRecorder& recorder, const ServoTiming& timing,
+                      long after_end) {
+  recorder.note_timing(timing);
+  recorder.finish();
+  print_out("{} ticks recorded in {}{}\n", recorder.recorded(), options.record,
+            after_end > 0 ? fmt::format("; {} came after the end", after_end) : "");
+  if (recorder.dropped() > 0) {
+    print_err("fingerpad: warning: {}: {} ticks were lost because the disk was too slow\n", options.record,
+              recorder.dropped());
+  }
+}
+
+/// Touches until the end. @returns what was dropped onto the window, to be touched next; empty: nothing
+std::optional<Touched> touch_once(const TouchOptions& options, const Touched& touched) {
+  const Scene& scene = touched.scene;
+  const auto& world = touched.world;
+  const DeviceEntry& entry = *find_device(options.device);
   const StopSignals signals;  // before a device changes the terminal, or a record is begun
-  const auto device =
-      find_device(options.device)->make({scene, world, resting_finger(*world, scene), options.link, hand});
+  const auto device = entry.make({scene, world, resting_finger(*world, scene), options.link, touched.hand});
   TouchSwap swap(world, scene);
   swap.change_too([&](const World& changed, const Scene& by) { return device->ready_for(changed, by); });
   swap.schedule(device->scene_changes());
@@ -122,8 +144,8 @@ int touch(const TouchOptions& options) {
   tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;
-  FingerSample sample;  // the servo's, as are:
-  long after_end = 0;   // ticks between the end of what moves the finger and the loop's
+  FingerSample sample;  // the servo's, as is:
+  long after_end = 0;
   ServoLoop servo(
       Touch(world, scene), scene.motion.rate_hz, [&](double) { return sample = device->advance(dt_s); },
       [&](const TickRecord& record) {
@@ -133,23 +155,43 @@ int touch(const TouchOptions& options) {
       },
       servo_history_s, options.real_time, &swap);
   for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
+  std::optional<Touched> dropped;
+  const auto on_drop = [&](const std::string& path) -> std::string {
+    if (recorder) return "this touch is recorded: close its window first";
+    if (!entry.needs_window) return fmt::format("--device {} stays with what it touches", options.device);
+    try {
+      dropped = load_touched(options, path);
+    } catch (const Error& error) {
+      return error.what();
+    }
+    return {};
+  };
   if (options.headless) {
     run_headless(options.seconds, options.device, *device, signals);
   } else {
-    run_live_window(window_choice(options), {scene, world, *device, servo, swap, recorder.get()}, signals);
+    run_live_window(window_choice(options, touched.subject),
+                    {scene, world, *device, servo, swap, recorder.get(), on_drop}, signals);
   }
   servo.stop();
   tell_device(options, device->closing_words());
-  const ServoTiming timing = servo.timing();
-  tell_timing(timing, scene.motion.rate_hz);
-  if (!recorder) return 0;
-  recorder->note_timing(timing);
-  recorder->finish();
-  print_out("{} ticks recorded in {}{}\n", recorder->recorded(), options.record,
-            after_end > 0 ? fmt::format("; {} came after the end", after_end) : "");
-  if (recorder->dropped() > 0) {
-    print_err("fingerpad: warning: {}: {} ticks were lost because the disk was too slow\n", options.record,
-              recorder->dropped());
+  tell_timing(servo.timing(), scene.motion.rate_hz);
+  if (recorder) finish_recording(options, *recorder, servo.timing(), after_end);
+  return dropped;
+}
+
+int touch(const TouchOptions& options) {
+  if (!options.record.empty() && options.record != "-")
+    refuse_other_endings(options.record, "touch --record", {".h5", ".csv"});
+  if (options.headless && find_device(options.device)->needs_window) {
+    throw Error(ErrorKind::usage, "--headless",
+                fmt::format("--device {} is moved in a window: choose another device", options.device));
+  }
+  refuse_unread(options);
+  if (!options.headless) need_live_window(window_choice(options, options.subject));
+  std::optional<Touched> next = load_touched(options, options.subject);
+  while (next) {
+    const Touched now = std::move(*next);
+    next = touch_once(options, now);
   }
   return 0;
 }

@@ -12,7 +12,8 @@ struct SurfacePlace;
 
 /// A hollow that a ball fits so well that it is near very many triangles at once.
 struct CrowdedHollow {
-  int facets = 0;  ///< that the ball is near to as it rests there; no more are counted than a tick can do with
+  int facets =
+      0;  ///< that the ball is near to as it rests there; no more are counted than a tick can do with
   double radius_m = std::numeric_limits<double>::infinity();  ///< of the hollow
 
   /// Whether a proxy cannot keep them at hand: its tick, which has a bound, then ends before the proxy is at
@@ -22,8 +23,8 @@ struct CrowdedHollow {
 
 /// The hollow of a part in which a ball is near the most triangles, of some that are looked at: near is what
 /// stands off by less than a sixty-fourth of the ball's radius. That is half of what a proxy looks around by;
-/// with all of it, hollows would count in which it keeps up (a sphere of 8 mm in 32,768 facets round a ball of
-/// 7 mm).
+/// with all of it, hollows would count in which it keeps up (a sphere of 8 mm in 32,768 facets round a ball
+/// of 7 mm).
 /// @param places  of the part that `tree` was built on
 CrowdedHollow most_crowded_hollow(const TriangleTree& tree, std::span<const SurfacePlace> places,
                                   double radius_m);

@@ -79,7 +79,9 @@ double tilt_rad(const Way& way, const SurfacePlace& place, const Centre& centre)
 /// has no room between the facets.
 double way_there(const SurfacePlace& place, const Centre& centre) noexcept {
   const double needs_m = centre.radius_m > 0 ? centre.radius_m + place.sag_m : 0;
-  return 1 + needs_m * place.curvature_per_m > 0 ? std::max(0.0, 1 + centre.height_m() * place.curvature_per_m) : 0;
+  return 1 + needs_m * place.curvature_per_m > 0
+             ? std::max(0.0, 1 + centre.height_m() * place.curvature_per_m)
+             : 0;
 }
 
 /// Along it, as a length [m].

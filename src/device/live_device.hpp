@@ -79,8 +79,8 @@ class LiveDevice {
   virtual std::vector<SceneChange> scene_changes() const { return {}; }
 
   /// Where the window's pointer would have the finger, and what to press with (push_W_n, zero: hover), at the
-  /// time of its event (t_s, on a clock of the window's). One thread, the window's. A device with a place of
-  /// its own does not listen.
+  /// time of its event (t_s, on a clock of the window's). One thread at a time, of the window's. A device
+  /// with a place of its own does not listen.
   virtual void set_target(const FingerSample& /*target*/) {}
 
   /// From which side it looks, from the next set_target on. Same thread.

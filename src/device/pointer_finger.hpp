@@ -47,7 +47,7 @@ class PointerFinger final : public LiveDevice {
   Surroundings around_;
   Foresight foresight_;
   PointerPath path_;
-  PointerAim last_put_;  // the window's thread's
+  PointerAim last_put_;  // the window's threads'
   // The servo's thread's.
   PointerAim aim_;
   Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]

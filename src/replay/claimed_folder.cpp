@@ -19,7 +19,7 @@ void wait_for_root(const BatchOptions& options, const Ranks& ranks) {
   constexpr std::chrono::seconds patience{30};
   constexpr std::chrono::milliseconds between_looks{20};
   for (const auto end = steady_clock::now() + patience; steady_clock::now() < end;) {
-    if (RunLock::is_registered(options.out_dir, ranks.run)) return;
+    if (RunLock::is_registered(options.out_dir, ranks.run) || launcher_is_gone(ranks)) return;
     std::this_thread::sleep_for(between_looks);
   }
 }
@@ -34,9 +34,17 @@ void make_folder(const std::string& folder) {
 
 }  // namespace
 
+std::string ranks_folder(const BatchOptions& options) {
+  return fmt::format("{}/{}/ranks-{}of{}", options.out_dir, state_folder, options.shard, options.shard_count);
+}
+
 std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
                                         const Ranks& ranks, const std::function<void()>& when_first) {
   if (!ranks.is_root()) wait_for_root(options, ranks);
+  // Nobody waits for it, and another run may be at work here by now.
+  if (ranks.are_many() && launcher_is_gone(ranks))
+    throw Error(ErrorKind::fault, options.out_dir,
+                fmt::format("rank {} writes nothing there: what started it is gone", ranks.rank));
   const bool others_came = ranks.are_many() && RunLock::is_registered(options.out_dir, ranks.run);
   if (!others_came) {
     refuse_collisions(jobs, options);
@@ -52,6 +60,8 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
         }
         const std::string kept = keep_other_summary(jobs, options);
         if (options.on_kept && !kept.empty()) options.on_kept(kept);
+        std::error_code ignored;
+        std::filesystem::remove_all(ranks_folder(options), ignored);
         when_first();
       });
 }

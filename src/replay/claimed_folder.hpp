@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "replay/batch.hpp"
@@ -9,9 +10,13 @@
 
 namespace fingerpad {
 
+/// Where the ranks of a shard tell one another: other shards may be at work in the same output folder.
+std::string ranks_folder(const BatchOptions& options);
+
 /// The output folder of a batch, made where it is not there and registered for this run. What must be done
 /// once before anything is written is done by the process that comes first, which of ranks is commonly the
-/// root: looking for collisions, keeping a summary of other scenes, and `when_first`.
+/// root: looking for collisions, removing what the ranks of a killed run have left, keeping a summary of
+/// other scenes, and `when_first`.
 /// @returns what holds the run's place in the folder. Throws Error as run_batch().
 std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
                                         const Ranks& ranks, const std::function<void()>& when_first);

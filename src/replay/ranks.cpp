@@ -6,11 +6,20 @@
 #include <mpi.h>
 #endif
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <charconv>
 #include <cstdlib>
 #include <string_view>
 
 namespace fingerpad {
+
+bool launcher_is_gone(const Ranks& ranks) noexcept {
+  if (getppid() != ranks.launcher) return true;
+  pollfd error_stream{STDERR_FILENO, 0, 0};
+  return poll(&error_stream, 1, 0) == 1 && (error_stream.revents & (POLLERR | POLLHUP)) != 0;
+}
 
 #ifdef FINGERPAD_MPI
 namespace {
@@ -47,7 +56,7 @@ Ranks launched_ranks() {
     const int rank = number_in(launcher.rank);
     const int count = number_in(launcher.count);
     if (rank < 0 || count <= rank) continue;
-    return {rank, count, fmt::format("{}.{}", variable(launcher.run), variable(launcher.step))};
+    return {rank, count, fmt::format("{}.{}", variable(launcher.run), variable(launcher.step)), getppid()};
   }
   return {};
 }

@@ -10,7 +10,8 @@ namespace fingerpad {
 struct Ranks {
   int rank = 0;
   int count = 1;
-  std::string run;  ///< what all ranks of one start have in common, and those of another have not
+  std::string run;   ///< what all ranks of one start have in common, and those of another have not
+  int launcher = 0;  ///< the process that started this one
 
   bool are_many() const noexcept { return count > 1; }
   bool is_root() const noexcept { return rank == 0; }
@@ -18,6 +19,10 @@ struct Ranks {
 
 /// As the launcher's environment says.
 Ranks launched_ranks();
+
+/// Whether what started a rank has ended, so that nobody waits for it any more: it is no longer the parent,
+/// or nobody reads the standard error that it gave (it may have ended before this process could look).
+bool launcher_is_gone(const Ranks& ranks) noexcept;
 
 /// What the MPI that mpirun and HDF5 are of calls itself, as "Open MPI v4.1.4"; empty in a build without it.
 std::string mpi_version();

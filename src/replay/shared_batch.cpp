@@ -25,11 +25,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// Where the ranks of a shard tell one another: other shards may be at work in the same folder.
-std::string ranks_folder(const BatchOptions& options) {
-  return fmt::format("{}/{}/ranks-{}of{}", options.out_dir, state_folder, options.shard, options.shard_count);
-}
-
 std::string board_path(const BatchOptions& options) {
   return ranks_folder(options) + "/board";
 }
@@ -49,10 +44,8 @@ std::uint64_t hash_of_jobs(const std::vector<BatchJob>& jobs) {
   return hash;
 }
 
-/// A new board in place of what a killed run has left.
 void make_board(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   std::error_code failure;
-  fs::remove_all(ranks_folder(options), failure);
   fs::create_directory(ranks_folder(options), failure);
   JobBoard::create(board_path(options), order_by_cost(jobs, jobs_of_shard(jobs.size(), options)),
                    hash_of_jobs(jobs));
@@ -212,7 +205,7 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
     make_board(jobs, options);
   });
   RankLog log(ranks_folder(options), ranks.rank);
-  WatchedRank watched(log);  // from here on in a child process
+  WatchedRank watched(log, ranks);  // from here on in a child process
   RankWork work(jobs, options, ranks, log, watched);
   work.run(on_done);
   if (!work.is_last()) return {false, {}};

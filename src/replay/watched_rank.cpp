@@ -54,11 +54,11 @@ ChildEnd watch_over(pid_t child, pid_t launcher) {
 
 }  // namespace
 
-WatchedRank::WatchedRank(RankLog& log) {
+WatchedRank::WatchedRank(RankLog& log, const Ranks& ranks) {
   void* const memory = mmap(nullptr, sizeof(Told), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw Error(ErrorKind::fault, "", "no memory is left for a rank");
   told_ = new (memory) Told;
-  const pid_t launcher = getppid(), watcher = getpid();
+  const pid_t watcher = getpid();
   const sigset_t set = watched_signals();
   sigset_t before;
   sigprocmask(SIG_BLOCK, &set, &before);
@@ -69,11 +69,12 @@ WatchedRank::WatchedRank(RankLog& log) {
     if (child == 0) {
       prctl(PR_SET_PDEATHSIG, SIGKILL);
       if (getppid() != watcher) _exit(static_cast<int>(ErrorKind::fault));
-      setpgid(0, 0);  // a launcher's signal to the group comes once, from the watcher
+      signal(SIGPIPE, SIG_IGN);  // that nobody listens any more ends no job
+      setpgid(0, 0);             // a launcher's signal to the group comes once, from the watcher
       sigprocmask(SIG_SETMASK, &before, nullptr);
       return;
     }
-    const ChildEnd end = watch_over(child, launcher);
+    const ChildEnd end = watch_over(child, ranks.launcher);
     if (WIFEXITED(end.status)) _exit(WEXITSTATUS(end.status));
     log.died(WTERMSIG(end.status));
     if (told_->left || end.asked) _exit(static_cast<int>(ErrorKind::fault));

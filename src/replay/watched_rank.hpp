@@ -1,6 +1,7 @@
 #pragma once
 
 #include "replay/rank_log.hpp"
+#include "replay/ranks.hpp"
 
 namespace fingerpad {
 
@@ -12,7 +13,7 @@ namespace fingerpad {
 /// are threads.
 class WatchedRank {
  public:
-  explicit WatchedRank(RankLog& log);
+  WatchedRank(RankLog& log, const Ranks& ranks);
 
   /// A child that is ended before it has begun another job is replaced a few times only.
   void begins_job() noexcept;

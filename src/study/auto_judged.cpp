@@ -14,8 +14,8 @@ namespace {
 constexpr double about_greatest = 1.03;
 
 /// What of a case the promise speaks of: of ticks those until which, since the finger was last free, the true
-/// force has not been beyond the greatest, nor the finger so deep in a rounding that it slips round (what a proxy has
-/// been pressed through stays with it); of ways those of such ticks alone.
+/// force has not been beyond the greatest, nor the finger so deep in a rounding that it slips round (what a
+/// proxy has been pressed through stays with it); of ways those of such ticks alone.
 struct Promised {
   std::vector<bool> ticks, ways;
 };

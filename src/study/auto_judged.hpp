@@ -27,9 +27,9 @@ struct JudgedRow {
   std::vector<double> trial_99;           ///< by variant: the largest such error of the promise's trials
   std::vector<double> cost;               ///< by variant, as the committed table has it
   std::vector<long> pop_throughs;         ///< by variant, in the motion and the trials; the last, the most
-                                          ///< complete, tells how many are the ways': a finger that is dragged
-                                          ///< through a part's inside
-  long ticks = 0;                         ///< of the motion, on which anything is felt
+                                   ///< complete, tells how many are the ways': a finger that is dragged
+                                   ///< through a part's inside
+  long ticks = 0;  ///< of the motion, on which anything is felt
 
   /// By the motion and the trials.
   JudgedWord word() const;

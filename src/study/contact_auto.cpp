@@ -16,31 +16,60 @@ std::string variant_word(std::size_t v, bool normals) {
 
 void tell_judged(StudyReport& report, const std::vector<JudgedRow>& rows) {
   StudyTable words{"auto_judged",
-                   {"case", "triangles", "finger_radius_m", "reference", "method", "normals", "ticks",
-                    "force_99_share", "trial_99_share", "promised_share", "pop_throughs",
-                    "complete_pop_throughs", "word", "cheapest_method", "cheapest_normals", "cost_ratio",
-                    "motion_word", "motion_cheapest_method", "motion_cheapest_normals", "motion_cost_ratio",
+                   {"case",
+                    "triangles",
+                    "finger_radius_m",
+                    "reference",
+                    "method",
+                    "normals",
+                    "ticks",
+                    "force_99_share",
+                    "trial_99_share",
+                    "promised_share",
+                    "pop_throughs",
+                    "complete_pop_throughs",
+                    "word",
+                    "cheapest_method",
+                    "cheapest_normals",
+                    "cost_ratio",
+                    "motion_word",
+                    "motion_cheapest_method",
+                    "motion_cheapest_normals",
+                    "motion_cost_ratio",
                     "said"},
                    {}};
-  StudyTable times{
-      "auto_judged_measured",
-      {"case", "triangles", "method", "normals", "force_99_share", "trial_99_share", "tick_ns", "is_chosen",
-       "is_cheapest"},
-      {}};
+  StudyTable times{"auto_judged_measured",
+                   {"case", "triangles", "method", "normals", "force_99_share", "trial_99_share", "tick_ns",
+                    "is_chosen", "is_cheapest"},
+                   {}};
   for (const JudgedRow& r : rows) {
     const std::size_t best = r.cheapest(r.cost, true), of_motion = r.cheapest(r.cost, false),
                       quickest = r.cheapest(r.tick_ns, true);
-    words.rows.push_back(
-        {r.name, r.triangles, r.radius_m, r.is_exact ? "exact surface" : "curved patches",
-         variant_word(r.chosen, false), variant_word(r.chosen, true), static_cast<double>(r.ticks),
-         r.error_99[r.chosen], r.trial_99[r.chosen], r.promised,
-         static_cast<double>(r.pop_throughs[r.chosen]), static_cast<double>(r.pop_throughs.back()),
-         to_string(r.word()), variant_word(best, false), variant_word(best, true),
-         r.price_ratio(r.cost, true), to_string(r.word_of_motion()), variant_word(of_motion, false),
-         variant_word(of_motion, true), r.price_ratio(r.cost, false), r.said});
+    words.rows.push_back({r.name,
+                          r.triangles,
+                          r.radius_m,
+                          r.is_exact ? "exact surface" : "curved patches",
+                          variant_word(r.chosen, false),
+                          variant_word(r.chosen, true),
+                          static_cast<double>(r.ticks),
+                          r.error_99[r.chosen],
+                          r.trial_99[r.chosen],
+                          r.promised,
+                          static_cast<double>(r.pop_throughs[r.chosen]),
+                          static_cast<double>(r.pop_throughs.back()),
+                          to_string(r.word()),
+                          variant_word(best, false),
+                          variant_word(best, true),
+                          r.price_ratio(r.cost, true),
+                          to_string(r.word_of_motion()),
+                          variant_word(of_motion, false),
+                          variant_word(of_motion, true),
+                          r.price_ratio(r.cost, false),
+                          r.said});
     for (std::size_t v = 0; v < r.tick_ns.size(); ++v)
       times.rows.push_back({r.name, r.triangles, variant_word(v, false), variant_word(v, true), r.error_99[v],
-                            r.trial_99[v], r.tick_ns[v], v == r.chosen ? "yes" : "no", v == quickest ? "yes" : "no"});
+                            r.trial_99[v], r.tick_ns[v], v == r.chosen ? "yes" : "no",
+                            v == quickest ? "yes" : "no"});
   }
   report.tables.push_back(std::move(words));
   report.tables.push_back(std::move(times));
@@ -78,11 +107,9 @@ void draw_judged(StudyReport& report, const std::vector<JudgedRow>& rows) {
        "this."},
       2,
       {}};
-  ChartPanel errors =
-      panel_of(rows, "error of the force on 99 % of ticks", "of the force, or of a tenth of the greatest",
-               [](const JudgedRow& row) {
-                 return std::max(row.error_99[row.chosen], row.trial_99[row.chosen]);
-               });
+  ChartPanel errors = panel_of(
+      rows, "error of the force on 99 % of ticks", "of the force, or of a tenth of the greatest",
+      [](const JudgedRow& row) { return std::max(row.error_99[row.chosen], row.trial_99[row.chosen]); });
   errors.levels.push_back({"force_tolerance", 0.03});
   ChartPanel costs = panel_of(rows, "time of a tick", "of the quickest that keeps the tolerance",
                               [](const JudgedRow& row) { return row.price_ratio(row.tick_ns, true); });

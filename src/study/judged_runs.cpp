@@ -58,7 +58,8 @@ double rounding_per_m(const Part& part, int t) {
   return most_per_m;
 }
 
-/// Whether a finger has been pressed so near the middle of the rounding that it stands on that it slips round.
+/// Whether a finger has been pressed so near the middle of the rounding that it stands on that it slips
+/// round.
 bool slips_round(const JudgedCase& judged, const TickRecord& record) {
   if (record.walls != 1) return false;
   const Surface& surface = judged.world->surfaces[static_cast<std::size_t>(record.surface)];
@@ -80,7 +81,8 @@ Vec3 force_over_facets(const JudgedCase& judged, const TickRecord& record) {
     const ClosestTriangle nearest = surface.tree->closest(q, -1, HUGE_VAL);
     if (nearest.triangle < 0) continue;
     const Vec3 normal_P = surface.part->facet_normals.col(nearest.triangle);
-    if ((q - nearest.at.point).dot(normal_P) < 0) continue;  // behind it: of an open part, or inside of a body
+    if ((q - nearest.at.point).dot(normal_P) < 0)
+      continue;  // behind it: of an open part, or inside of a body
     Vec3 force_W_n;
     if (patch_force(surface, nearest.at.point, normal_P, q, radius_m, force_W_n) &&
         force_W_n.squaredNorm() > largest_W_n.squaredNorm())

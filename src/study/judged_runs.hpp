@@ -9,8 +9,8 @@ namespace fingerpad {
 
 /// What one method and normals answer over all ways of a case, tick by tick.
 struct JudgedRun {
-  std::vector<Vec3> force_W_n;  ///< on the finger
-  double tick_ns = 0;           ///< mean time of a tick, of each the best of several turns
+  std::vector<Vec3> force_W_n;     ///< on the finger
+  double tick_ns = 0;              ///< mean time of a tick, of each the best of several turns
   std::vector<long> pop_throughs;  ///< a way
 };
 
@@ -20,7 +20,7 @@ JudgedRun judged_run(const JudgedCase& judged, const ContactVariant& variant, in
 /// What a case's runs are held against, tick by tick.
 struct JudgedReference {
   std::vector<Vec3> force_W_n;  ///< on the finger
-  std::vector<bool> slips;      ///< the finger is pressed deeper than 4/5 of a rounding's radius: it slips off
+  std::vector<bool> slips;  ///< the finger is pressed deeper than 4/5 of a rounding's radius: it slips off
 };
 
 /// The forces that a case's runs are held against: those of the surface that is known exactly; else the most

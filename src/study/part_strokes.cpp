@@ -31,7 +31,8 @@ class FacetLottery {
   /// A place, relative to the part's centre, in a region or (-1) anywhere.
   Landing draw(RandomStream& random, int region) const {
     Landing landing = draw(random);
-    for (int tries = 0; region >= 0 && tries < most_draws && region_of(part_, landing.at_P) != region; ++tries)
+    for (int tries = 0; region >= 0 && tries < most_draws && region_of(part_, landing.at_P) != region;
+         ++tries)
       landing = draw(random);
     return landing;
   }
@@ -101,7 +102,8 @@ std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene,
     const Vec3 on = surface.R_WP * (landing.at_P + part.centre_P) + surface.p_WP;
     std::vector<Vec3> places{on + height_m * n};
     const Vec3 deep = on + (radius_m - depth_m) * n;
-    const double length_m = std::min({plan.scale * along_m_per_s * along_s, part.size_m() / 4, plan.longest_m});
+    const double length_m =
+        std::min({plan.scale * along_m_per_s * along_s, part.size_m() / 4, plan.longest_m});
     go_to(places, deep, plan.scale * down_m_per_s, rate_hz);
     go_to(places, deep + length_m * along, plan.scale * along_m_per_s, rate_hz);
     go_to(places, deep + length_m * along + (height_m - radius_m + depth_m) * n, plan.scale * down_m_per_s,

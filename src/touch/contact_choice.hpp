@@ -47,10 +47,10 @@ bool leaves_a_choice(const ContactSettings& contact) noexcept;
 /// the true force and a tenth of `greatest_force_n`, up to `greatest_force_n`, and the finger never pops
 /// through. True is the smooth surface that the facets stand for, where it is known; else the most complete
 /// touch of the mesh at the same rate: the wall that a proxy finds, and the curved patch there. The tilt of
-/// the normals is an error of the mean coefficient of friction of at most `mu_tolerance`. It speaks of presses
-/// that the part holds, no deeper than four fifths of the rounding under the finger's centre, and of ways
-/// that stay in any region of the part (an eighth of its longest side): what is within a hundredth of such a
-/// region's area may be worse, and so may what is within a two-thousandth of the part's.
+/// the normals is an error of the mean coefficient of friction of at most `mu_tolerance`. It speaks of
+/// presses that the part holds, no deeper than four fifths of the rounding under the finger's centre, and of
+/// ways that stay in any region of the part (an eighth of its longest side): what is within a hundredth of
+/// such a region's area may be worse, and so may what is within a two-thousandth of the part's.
 ///
 /// Where no pair keeps it, because the mesh does not (its facets cut too deep into the surface, or turn by
 /// too much), or because the scene insists on a method or normals, the best is taken, and the choice says

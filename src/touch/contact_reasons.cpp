@@ -126,6 +126,19 @@ double slips_under_m(const ContactCase& on) {
   return (on.press.greatest_force_n / on.press.stiffness_n_per_m - on.press.finger_radius_m) / deepest_share;
 }
 
+/// Whether more than a hundredth of any region is rounded tighter.
+bool is_rounded_tighter(std::span<const SurfacePlace> places, double slips_m) {
+  const auto is_tighter = [slips_m](const SurfacePlace& place) {
+    return place.curvature_per_m * slips_m > 1;
+  };
+  for (auto first = places.begin(), end = first; first != places.end(); first = end) {
+    end = std::find_if(first, places.end(),
+                       [&](const SurfacePlace& place) { return place.region != first->region; });
+    if (100 * std::count_if(first, end, is_tighter) > end - first) return true;
+  }
+  return false;
+}
+
 std::string slips_words(double slips_m) {
   return fmt::format(" but where it is rounded by less than {:.2g} mm", 1e3 * slips_m);
 }
@@ -168,7 +181,7 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::span<const ContactCase
                              chosen.fails[i], mend_of_method(verdict, on, error));
   } else if (error.force_share > tolerance) {
     const double kept = instead(error.force_share), slips_m = slips_under_m(on);
-    const bool slips_off = kept <= most_kept && on.contact.part.tightest_round_m < slips_m;
+    const bool slips_off = kept <= most_kept && is_rounded_tighter(on.contact.part.places, slips_m);
     limit.kept_tolerance = slips_off ? nothing_kept : kept;
     limit.said = fmt::format("force_tolerance {:.3g} cannot be kept{}{}: {}; {}", tolerance,
                              instead_words(kept), slips_off ? slips_words(slips_m) : "",

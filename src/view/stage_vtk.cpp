@@ -28,7 +28,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
     : input_(input),
       shown_(input),
       extent_(extent_of(input)),
-      charts_(charts),
+      column_(charts),
       timeline_(timeline),
       arrow_scale_(input.rows) {
   shown_.go_to(-HUGE_VAL);
@@ -44,7 +44,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
   world_->add_clear_to(moving_);
   add_glyphs(moving_, solid_);
   add_glyphs(moving_, clear_);
-  add_charts();
+  add_flat();
   resize(width, height);
   reset_camera();
 }
@@ -53,10 +53,9 @@ void Stage::add_renderers() {
   window_->AddRenderer(scene_);
   window_->AddRenderer(moving_);
   close_up_->add_to(window_);
-  for (vtkRenderer* renderer : {chart_paper_.Get(), static_cast<vtkRenderer*>(chart_marks_), flat_.Get()}) {
-    window_->AddRenderer(renderer);
-    renderer->InteractiveOff();
-  }
+  column_.add_to(window_);
+  window_->AddRenderer(flat_);
+  flat_->InteractiveOff();
   scene_->GradientBackgroundOn();
   paint_grounds();
   light(scene_);
@@ -65,25 +64,14 @@ void Stage::add_renderers() {
   moving_->SetActiveCamera(scene_->GetActiveCamera());
   moving_->InteractiveOff();
   light(moving_);
-  chart_marks_->PreserveColorBufferOn();
-  chart_marks_->AutomaticLightCreationOff();
-  chart_marks_->keep_box_of(chart_paper_);
   flat_->SetLayer(1);
-  // They have no use for depths, and to clear them takes time without a graphics card.
-  chart_marks_->PreserveDepthBufferOn();
+  // It has no use for depths, and to clear them takes time without a graphics card.
   flat_->PreserveDepthBufferOn();
 }
 
-void Stage::add_charts() {
-  chart_paper_->SetDraw(charts_ ? 1 : 0);
-  chart_marks_->SetDraw(charts_ ? 1 : 0);
-  // By its renderer VTK keeps a tooltip in sight.
-  vtkNew<vtkContextActor> charts, flat;
-  charts->SetForceDevice(chart_device_);
+void Stage::add_flat() {
+  vtkNew<vtkContextActor> flat;
   flat->SetForceDevice(device_);
-  charts->GetScene()->SetRenderer(chart_marks_);
-  if (charts_) board_.add_to(charts->GetScene());
-  chart_marks_->AddActor(charts);
   flat->GetScene()->SetRenderer(flat_);
   flat->GetScene()->AddItem(item_);
   flat_->AddActor(flat);
@@ -94,8 +82,8 @@ Stage::~Stage() = default;
 void Stage::resize(int width, int height) {
   const int* now = window_->GetSize();
   if (now[0] != width || now[1] != height) window_->SetSize(width, height);
-  layout_ = layout_for(width, height, charts_, timeline_);
-  chart_placed_ = false;
+  layout_ = layout_for(width, height, column_.wanted(), timeline_);
+  column_.lay_out(layout_);
   place_renderers();
 }
 
@@ -108,7 +96,6 @@ void Stage::place_renderers() {
   place(scene_, layout_.scene);
   make_way_for_readings();
   place(moving_, layout_.scene);
-  if (charts_) place(chart_paper_, layout_.charts);
   world_->set_line_width(std::max(1.0, 0.09 * layout_.em));
 }
 
@@ -123,12 +110,8 @@ void Stage::look_at_all() {
 
 void Stage::paint_grounds() {
   const bool dark = state_.dark;
-  if (dark != device_->dark()) redraw_charts();
+  column_.set_dark(dark);
   device_->set_dark(dark);
-  chart_device_->set_dark(dark);
-  const Colour paper = dark ? in_the_dark(colours::white) : colours::white;
-  chart_paper_->SetBackground(paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
-  board_.set_dark(dark);
   dark ? scene_->SetBackground(0.11, 0.12, 0.14) : scene_->SetBackground(0.93, 0.945, 0.96);
   dark ? scene_->SetBackground2(0.2, 0.21, 0.24) : scene_->SetBackground2(0.995, 0.997, 1.0);
   dark ? close_up_->scene()->SetBackground(0.16, 0.17, 0.19)
@@ -176,11 +159,6 @@ void Stage::show(const std::optional<TickRecord>& row, double speed_m_per_s) {
     arrow_scale_.see(*row);
   }
   speed_m_per_s_ = speed_m_per_s;
-}
-
-void Stage::show_chart(Chart chart) {
-  chart_ = std::move(chart);
-  chart_placed_ = false;
 }
 
 void Stage::show_hint(std::string hint, std::vector<std::string> help) {
@@ -317,34 +295,6 @@ OverlayFacts Stage::overlay_facts() {
   return facts;
 }
 
-void Stage::place_chart() {
-  if (!charts_ || !chart_ || chart_placed_) return;
-  chart_placed_ = true;
-  ++chart_changes_;
-  board_.set_visible(layout_.charts.width > 0);
-  chart_paper_->SetDraw(board_.visible() ? 1 : 0);
-  chart_marks_->SetDraw(board_.visible() ? 1 : 0);
-  if (!board_.visible()) return;
-  const double em = layout_.em;
-  const Box inner{layout_.charts.left + 0.4 * em, layout_.charts.bottom + 0.4 * em,
-                  layout_.charts.width - 0.8 * em, layout_.charts.height - 0.8 * em};
-  board_.show(*chart_, stacked_layout(*chart_, inner, em), static_cast<int>(layout_.window.width),
-              static_cast<int>(layout_.window.height));
-}
-
-/// A line through the panels at the moment shown; none where the charts are zoomed to another time.
-std::shared_ptr<const Drawing> Stage::chart_cursor() const {
-  auto cursor = std::make_shared<Drawing>();
-  const ChartPlace place = board_.place();
-  const double t_s = moment_->row.t_s;
-  if (t_s < place.x_min || t_s > place.x_max) return cursor;
-  const double x = place.drawing_x_at(t_s);
-  for (const Box& panel : place.panels) {
-    cursor->line({x, panel.bottom}, {x, panel.top()}, {colours::ink, 0.12 * layout_.em});
-  }
-  return cursor;
-}
-
 void Stage::render() {
   const double px = px_per_mm();
   GlyphChoice choice;
@@ -366,9 +316,9 @@ void Stage::render() {
   place_overlay(facts);
   place_close_up();
 
-  place_chart();
+  column_.prepare(keeping_);
   std::vector<std::shared_ptr<const Drawing>> drawings;
-  if (charts_ && chart_ && timeline_ && moment_ && board_.visible()) drawings.push_back(chart_cursor());
+  if (column_.shows() && timeline_ && moment_) drawings.push_back(column_.cursor(moment_->row.t_s));
   project_labels(facts, choice);
   project_marks(facts);
   auto overlay = std::make_shared<Drawing>();
@@ -384,9 +334,6 @@ void Stage::draw() {
                      {solid_.Get(), clear_.Get()});
   pace_->choose(scene_->GetActiveCamera());
   scene_->set_keeping(keeping_ && !shows_coarse());  // what turns is stale before it is put back
-  // What is told of a value may reach beyond the charts.
-  chart_marks_->set_keeping(keeping_ && board_.told().empty());
-  chart_marks_->set_content(chart_changes_ + board_.changes());
   const long drawn_before = still_drawn();
   const auto start = std::chrono::steady_clock::now();
   window_->Render();
@@ -402,8 +349,7 @@ std::optional<double> Stage::time_at(double x_px, double y_px) const {
     const Box slider = time_slider(layout_);
     return first + std::clamp((x_px - slider.left) / slider.width, 0.0, 1.0) * (last - first);
   }
-  if (charts_ && chart_ && board_.visible() && layout_.charts.holds(x_px, y_px))
-    return board_.place().x_at(x_px);
+  if (column_.shows() && layout_.charts.holds(x_px, y_px)) return column_.board().place().x_at(x_px);
   return std::nullopt;
 }
 

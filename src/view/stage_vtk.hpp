@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "view/arrow_scale.hpp"
-#include "view/chart_board_vtk.hpp"
+#include "view/chart_column_vtk.hpp"
 #include "view/close_up_vtk.hpp"
 #include "view/contact_glyphs.hpp"
 #include "view/draw_space.hpp"
@@ -61,10 +61,10 @@ class Stage {
   /// False: every frame draws everything anew. True (the default) draws anew what is stale (KeptRenderer).
   void set_keeping(bool keeping) { keeping_ = keeping; }
   /// For what has changed by other means than actors and show_chart: the charts' colours.
-  void redraw_charts() { ++chart_changes_; }
+  void redraw_charts() { column_.redraw(); }
   /// How often what is still was drawn rather than put back, and the charts.
   long still_drawn() const { return scene_->drawn(); }
-  long charts_drawn() const { return chart_marks_->drawn(); }
+  long charts_drawn() const { return column_.drawn(); }
 
   void resize(int width, int height);
   void reset_camera();
@@ -86,9 +86,9 @@ class Stage {
   SidePanels& panels() { return panels_; }
   /// Places that somebody marked, and the distance of two.
   void show_marks(PlaceMarks marks) { marks_ = std::move(marks); }
-  void show_chart(Chart chart);
+  void show_chart(Chart chart) { column_.show(std::move(chart)); }
   /// The chart column: zoomed by the wheel, panned by a drag, asked by the mouse over it.
-  ChartBoard& charts() { return board_; }
+  ChartBoard& charts() { return column_.board(); }
   const ArrowScale& arrow_scale() const { return arrow_scale_; }
   void show_hint(std::string hint, std::vector<std::string> help);
   void show_title_note(std::string note) { hint_ = std::move(note); }
@@ -117,7 +117,7 @@ class Stage {
 
  private:
   void add_renderers();
-  void add_charts();
+  void add_flat();
   void place_renderers();
   void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
@@ -131,8 +131,6 @@ class Stage {
   double width_to_height() const;
   void make_way_for_readings();
   OverlayFacts overlay_facts();
-  void place_chart();
-  std::shared_ptr<const Drawing> chart_cursor() const;
   void project_labels(OverlayFacts& facts, const GlyphChoice& choice);
 
   void project_marks(OverlayFacts& facts);
@@ -143,7 +141,8 @@ class Stage {
   PlaceMarks marks_;
   ViewExtent extent_;
   DrawSpace space_;
-  bool charts_, timeline_;
+  ChartColumn column_;
+  bool timeline_;
   bool clear_of_readings_ = false;
   Layout layout_;
   ViewState state_;
@@ -159,10 +158,6 @@ class Stage {
   std::vector<Reading> readings_;
   TickBars tick_bars_;
   std::string invitation_, message_;
-  std::optional<Chart> chart_;
-  bool chart_placed_ = false;  ///< in the present layout
-  ChartBoard board_;
-  std::uint64_t chart_changes_ = 0;
 
   bool keeping_ = true;
   std::unique_ptr<TurningPace> pace_;
@@ -170,11 +165,11 @@ class Stage {
   vtkNew<vtkRenderWindow> window_;
   // From the back to the front: what is still, and what moves, by one camera; the charts and their paper; all
   // that is flat.
-  vtkNew<KeptRenderer> scene_, chart_marks_;
-  vtkNew<vtkRenderer> moving_, chart_paper_, flat_;
+  vtkNew<KeptRenderer> scene_;
+  vtkNew<vtkRenderer> moving_, flat_;
   vtkNew<vtkPolyData> solid_, clear_;
   vtkNew<DrawingItem> item_;
-  vtkNew<ThemeDevice> device_, chart_device_;
+  vtkNew<ThemeDevice> device_;
   std::unique_ptr<CloseUp> close_up_;
 };
 

@@ -120,6 +120,29 @@ TEST(Ranks, ThatDieAltogetherDoNotEndTheOthersWhereTheLauncherIsAskedToGoOn) {
   expect_resumed_to_the_same_bytes(folder, "plane.toml");
 }
 
+TEST(Ranks, ThatAreAllKilledLeaveNothingThatARunByItselfDoesNotPutRight) {
+  const fs::path folder = folder_with_batch();
+  fs::create_directories(folder / "o" / ".fingerpad" / "ranks-1of1");
+  std::ofstream(folder / "o" / ".fingerpad" / "ranks-1of1" / "board") << "left behind";
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet --resume", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);
+  EXPECT_EQ(all_bytes(folder / "o"), all_bytes(folder / "one"));
+}
+
+TEST(Ranks, WhoseLauncherIsGoneBeforeTheyBeginWriteNothing) {
+  const fs::path folder = folder_with_batch();
+  for (const char* rank : {"0", "1"}) {
+    // Nobody reads its standard error, as when mpirun was killed.
+    const ShellResult run = test::shell(
+        "exec 2> >(exit 0)\nwait $!\nOMPI_COMM_WORLD_SIZE=2 PMIX_NAMESPACE=x "
+        "OMPI_COMM_WORLD_RANK=" +
+            std::string(rank) + " '" + test::program().string() + "' replay plane.toml --out o\necho ended",
+        folder);
+    EXPECT_EQ(run.out, "ended\n");
+    EXPECT_FALSE(fs::exists(folder / "o")) << rank;
+  }
+}
+
 TEST(Ranks, ShareABatchUnderSlurmByTheScriptsInTools) {
   const fs::path folder = folder_with_batch(100000);
   const std::string tool = "'" + (test::source_dir() / "tools").string() + "/";

@@ -29,8 +29,8 @@ struct Count {
     const JudgedRow row = judged(brief, 1);
     const JudgedWord word = row.word();
     EXPECT_NE(word, JudgedWord::broken)
-        << row.name << ": " << row.error_99[row.chosen] << " and tried " << row.trial_99[row.chosen] << " where "
-        << row.promised << " is promised";
+        << row.name << ": " << row.error_99[row.chosen] << " and tried " << row.trial_99[row.chosen]
+        << " where " << row.promised << " is promised";
     kept += word == JudgedWord::kept ? 1 : 0;
     said += word == JudgedWord::said ? 1 : 0;
     needless += word == JudgedWord::needless ? 1 : 0;
@@ -137,7 +137,7 @@ TEST(AutoJudged, TriesAPromiseWhereAFingerMayStay) {
       }
       EXPECT_FALSE(trial.exact_force_n) << "the cap's surface is not the plate's";
     }
-    EXPECT_GE(on_cap, 4);
+    EXPECT_GE(on_cap, 2) << "of strokes all over the plate it is one in three hundred";
   });
   EXPECT_EQ(cases, 1);
 }

@@ -3,6 +3,8 @@
 #include "view/pointer_touch.hpp"
 
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <condition_variable>
@@ -99,6 +101,7 @@ struct HeldUpWindow {
   std::condition_variable changed;
   bool pressing = false, stopped = false;
   std::vector<double> pressed_at_s;
+  int heard_by_nice = -1, drawn_by_nice = -1;  ///< how far the threads stand back
 
   template <typename Is>
   bool wait(const Is& is) {
@@ -123,6 +126,7 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
   input.set_target = [&](const FingerSample& target) {
     const std::lock_guard lock(held.mutex);
     held.pressing = target.push_W_n != Vec3::Zero();
+    held.heard_by_nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
     if (held.pressing) held.pressed_at_s.push_back(target.t_s);
     held.changed.notify_all();
   };
@@ -137,6 +141,7 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
   int heard = 0;
   options.on_frame = [&](const WindowReport& report) {
     if (report.frames < 2 || heard > 0) return;
+    held.drawn_by_nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
     const std::string hand = "export DISPLAY=" + screen->display() + "; xdotool ";
     // From the upper left corner, as X counts; the near side of the ring.
     test::shell(hand + "mousemove 185 310 mousedown 1 mousemove 187 310", ".");
@@ -147,7 +152,10 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
     heard += held.wait([&] { return !held.pressing; }) ? 1 : 0;
     test::shell(hand + "key q", ".");
   };
+  const int usual_nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
   run_touch_window(input, options);
+  EXPECT_EQ(held.heard_by_nice, usual_nice) << "who hears of a press does not stand back";
+  EXPECT_GE(held.drawn_by_nice, 10) << "who draws does";
   EXPECT_EQ(heard, 3) << "pressed, stopped and let go, all within one frame";
 }
 

@@ -190,5 +190,37 @@ TEST(RealWindow, ShowsAFileThatIsDroppedOntoItAndSaysWhyItCannotShowAnother) {
   EXPECT_THAT(shown.out, testing::StartsWith("torus.stl: torus.stl - fingerpad"));
 }
 
+TEST(RealWindow, GoesOnWithAMeshThatIsDroppedOntoALiveTouchUnlessThatIsRecorded) {
+  std::string why;
+  const auto screen = screen_or_why(why);
+  if (!screen) GTEST_SKIP() << "no X server can be started: " << why;
+  const fs::path folder = workshop();
+  test::write_file(folder, "notes.stl", "no mesh");
+  test::write_file(folder, "cube.stl", test::binary_stl(test::box_soup({20, 20, 20})));
+  for (const bool recorded : {false, true}) {
+    const auto opened = test::shell(hands(*screen) + "$P touch ring.toml --size 600x400 " +
+                                        (recorded ? "--record run.h5 " : "") +
+                                        ">touch.log 2>&1 &\nwindow || exit 9\necho $w\n",
+                                    folder);
+    ASSERT_EQ(opened.exit_code, 0) << test::bytes_of(folder / "touch.log");
+    const unsigned long window = std::stoul(opened.out);
+    EXPECT_EQ(test::drop_file(screen->display(), window, (folder / "notes.stl").string()), "");
+    EXPECT_EQ(test::drop_file(screen->display(), window, (folder / "cube.stl").string()), "");
+    const std::string wanted = recorded ? "ring" : "cube.stl";
+    const auto shown =
+        test::shell(hands(*screen) + "for i in $(seq 200); do n=$(xdotool search --name '^" + wanted +
+                        "' getwindowname 2>/dev/null) && break; sleep 0.05; done\necho \"$n\"\nwindow\n" +
+                        "xdotool mousemove --window $w 100 100 key q\n"
+                        "for i in $(seq 400); do grep -q longest touch.log && ! xdotool search --name ' - "
+                        "fingerpad' && break; "
+                        "sleep 0.05; done >/dev/null 2>&1\n",
+                    folder);
+    EXPECT_THAT(shown.out, testing::StartsWith(wanted));
+    const std::string log = test::bytes_of(folder / "touch.log");
+    const bool twice = log.find("longest") != log.rfind("longest");
+    EXPECT_EQ(twice, !recorded) << log;
+  }
+}
+
 }  // namespace
 }  // namespace fingerpad::real_window_test
