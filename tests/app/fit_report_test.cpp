@@ -29,7 +29,7 @@ class FitReportOfFiles : public testing::Test {
 
 TEST_F(FitReportOfFiles, HoldsNumbersPicturesAndWhatTheFitForetells) {
   const auto fit = program(fmt::format("fit {} --out finger.toml --report report",
-                                       (measurements / "synthetic_rounds.csv").string()));
+                                       (measurements / "synthetic_finger.csv").string()));
   ASSERT_EQ(fit.exit_code, 0) << fit.err;
   EXPECT_THAT(fit.out,
               AllOf(HasSubstr("on trials that a fit has not seen"), HasSubstr("report.html, 2 tables")));

@@ -19,16 +19,16 @@ struct RoundTrial {
   double size = 1;  ///< of the subject's axes
   double inclination_deg = 45;
   bool is_cycloid = false;
-  double duration_s = 0.8;
+  double duration_s = 0.4;
 };
 
 inline Vec2 round_place_m(const RoundTrial& trial, const PadProfile& pad, double t_s) {
   const double deg = std::numbers::pi / 180, turn = 2 * std::numbers::pi * t_s;
   if (trial.is_cycloid)
     return {0.06 * t_s + 0.010 * std::sin(1.5 * turn), 0.010 * (std::cos(1.5 * turn) - 1)};
-  const double share = 0.93 * std::min(1.0, t_s / 0.15);
-  return share * Vec2(pad.lateral_axis_at(trial.inclination_deg * deg) * std::cos(1.5 * turn),
-                      pad.longitudinal_axis_at(trial.inclination_deg * deg) * std::sin(1.5 * turn));
+  const double share = 0.93 * std::min(1.0, t_s / 0.08);
+  return share * Vec2(pad.lateral_axis_at(trial.inclination_deg * deg) * std::cos(3.2 * turn),
+                      pad.longitudinal_axis_at(trial.inclination_deg * deg) * std::sin(3.2 * turn));
 }
 
 /// Its rows at 1 kHz: t, x, y, z, forces, direction, subject, trial; sensors as noisy as those of
@@ -81,7 +81,7 @@ inline std::string shipped_rounds() {
   for (const auto& [subject, size] : {std::pair(1, 0.8), std::pair(3, 1.2)}) {
     for (const double angle : {25.0, 45.0, 65.0})
       text += round_rows({subject, ++number, size, angle}, random);
-    text += round_rows({subject, ++number, size, 45, true, 1.2}, random);
+    text += round_rows({subject, ++number, size, 45, true, 0.7}, random);
   }
   return text;
 }
