@@ -6,7 +6,10 @@ namespace fingerpad {
 struct LookCosts {
   static constexpr long packet = 6;       ///< a float filter looks at eight triangles at once
   static constexpr long fetched = 8;      ///< a triangle's corners are fetched, and its distance told
-  static constexpr long sweep = 20;       ///< the way is swept past a triangle; nothing in a small view
+  static constexpr long held = 2;         ///< what is known of a packet is held against a way
+  static constexpr long tangents = 5;     ///< half spaces are made for a packet's triangles
+  static constexpr long swept = 8;        ///< a way is swept past a packet's half spaces
+  static constexpr long sweep = 20;       ///< the way is swept past a triangle
   static constexpr long closest = 30;     ///< what is left of a packet's triangles is told exactly
   static constexpr long angle = 6;        ///< the angle under which a triangle is seen
   static constexpr long projection = 32;  ///< onto four walls

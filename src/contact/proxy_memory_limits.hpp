@@ -17,8 +17,8 @@ struct ProxyMemoryLimits {
   static constexpr int most_packets = 8192;
   /// A view of about so many triangles pays: more are sorted out for nothing, fewer are soon left behind.
   static constexpr int poor_view = 8, rich_view = 32;
-  /// Up to so many triangles a pass costs too little to be told from another.
-  static constexpr std::size_t small_view = 256;
+  /// Packets that are compared before a pass, so that it begins with the one that is likely to block most.
+  static constexpr std::size_t most_compared = 64;
   /// By how much a poor view grows and a rich one shrinks, a search.
   static constexpr double growth = 1.2, shrinkage = 0.7;
   /// However rich, a view reaches as far as the finger goes in so many ticks, and by this share of the
