@@ -151,16 +151,19 @@ unsigned NearTriangles::lanes_left(const RoughWay& way, const PartWalls& before,
   const std::array<float, 3> here{past.from[0], past.from[1], past.from[2]};
   looks.spend(LookCosts::held);
   unsigned lanes = near.of.lanes;
-  if (near.is_seen) lanes &= may_block_(near.tangents, past) | packet.always_exact;
-  if (lanes == 0) return 0;
   if (!near.is_seen || near.seen_from != here) {
+    if (near.is_seen) {
+      WayPastPacket seen_from_elsewhere = past;
+      seen_from_elsewhere.ends = std::numeric_limits<float>::infinity();
+      lanes &= may_block_(near.tangents, seen_from_elsewhere, near.ends) | packet.always_exact;
+      if (lanes == 0) return 0;
+    }
     looks.spend(LookCosts::tangents);
     make_tangents_(packet, past.from, near.tangents);
     near.seen_from = here;
     near.is_seen = true;
   }
-  looks.spend(LookCosts::swept);
-  lanes &= may_block_swept_(packet, near.tangents, past, near.ends) | packet.always_exact;
+  lanes &= may_block_(near.tangents, past, near.ends) | packet.always_exact;
   return lanes == 0 ? 0 : lanes_in_front(way, before, packet, lanes, looks);
 }
 
@@ -174,6 +177,20 @@ unsigned NearTriangles::lanes_in_front(const RoughWay& way, const PartWalls& wal
     lanes &= ~reach_within_(packet, along, way.behind(wall, packet));
   }
   return lanes;
+}
+
+/// Of the lanes left before, those past which the way is not seen to be free or to be breached less.
+unsigned NearTriangles::lanes_swept(const WayPastPacket& past, const TrianglePacket& packet, unsigned lanes,
+                                    NearPacket& near, Looks& looks) const noexcept {
+  unsigned breaching = 0;
+  for (unsigned left = lanes; left != 0; left &= left - 1) {
+    const auto lane = static_cast<std::size_t>(std::countr_zero(left));
+    breaching |= static_cast<unsigned>(near.ends[lane] <= past.ends) << lane;
+  }
+  lanes &= breaching | packet.always_exact;
+  if ((lanes & ~static_cast<unsigned>(packet.always_exact)) == 0) return lanes;
+  looks.spend(LookCosts::swept);
+  return lanes & (may_block_swept_(packet, near.tangents, past, near.ends) | packet.always_exact);
 }
 
 /// Brings those packets to the front that may be in the way, the one that is likely to block most first: what
@@ -215,10 +232,12 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
     if (k == view.left) k = view.compared;
     if (k == view.end || looks.are_spent()) break;
     NearPacket& near = near_[k];
+    const TrianglePacket& packet = rough.packet(near);
     unsigned lanes = k < view.compared ? near.left : lanes_left(rough, before, worst.slack_m, near, looks);
+    if (lanes == 0) continue;
+    lanes = lanes_swept(rough.past(packet, worst.slack_m), packet, lanes, near, looks);
     while (lanes != 0) {
       const std::size_t lane = take_least(near.ends, lanes);
-      const TrianglePacket& packet = rough.packet(near);
       const bool is_rough = (packet.always_exact >> lane & 1) == 0;
       if (is_rough && near.ends[lane] > rough.past(packet, worst.slack_m).ends) continue;
       const int triangle = packet.exact[lane].triangle;

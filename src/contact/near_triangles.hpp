@@ -65,6 +65,8 @@ class NearTriangles {
                       Looks& looks) const noexcept;
   unsigned lanes_in_front(const RoughWay& way, const PartWalls& walls, const TrianglePacket& packet,
                           unsigned lanes, Looks& looks) const noexcept;
+  unsigned lanes_swept(const WayPastPacket& past, const TrianglePacket& packet, unsigned lanes,
+                       NearPacket& near, Looks& looks) const noexcept;
   void bring_first(const RoughWay& way, const PartWalls& before, double slack_m, PartView& view,
                    Looks& looks) noexcept;
 

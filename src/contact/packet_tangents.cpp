@@ -94,10 +94,25 @@ FINGERPAD_INLINED void make(const TrianglePacket& p, const float* r, PacketTange
   store(made.level, tangents.level);
 }
 
-FINGERPAD_INLINED unsigned may_block(const PacketTangents& known, const WayPastPacket& way) noexcept {
+/// What half spaces tell of a way.
+struct Told {
+  Floats here, ends;  ///< how far outside of them the way begins, and ends, at least
+  Bits left;          ///< those that may block it
+
+  FINGERPAD_INLINED Told(const Floats& begins, const Floats& there, const WayPastPacket& way) noexcept
+      : here(begins) {
+    const Floats least = Floats{} + std::numeric_limits<float>::min();
+    ends = there - way.turn / largest(here, least);
+    left = ~(((there >= way.touched) & (here >= way.touched)) | (here > way.begins) | (ends > way.ends));
+  }
+};
+
+FINGERPAD_INLINED unsigned may_block(const PacketTangents& known, const WayPastPacket& way,
+                                     TrianglePacket::Lanes& ends) noexcept {
   const Tangents tangents(known);
-  const Floats here = tangents.outside(way.from), there = tangents.outside(way.to);
-  return to_mask(~(((here >= way.touched) & (there >= way.touched)) | (here > way.begins)));
+  const Told told(tangents.outside(way.from), tangents.outside(way.to), way);
+  store(ends, told.ends);
+  return to_mask(told.left);
 }
 
 /// How often half spaces are made anew on the way.
@@ -105,12 +120,12 @@ constexpr int most_steps = 2;
 
 FINGERPAD_INLINED unsigned may_block_swept(const TrianglePacket& p, const PacketTangents& known,
                                            const WayPastPacket& way, TrianglePacket::Lanes& ends) noexcept {
-  const Floats zero = {}, one = zero + 1, least = zero + std::numeric_limits<float>::min();
+  const Floats zero = {}, one = zero + 1;
   const Tangents first(known);
-  Floats here = first.outside(way.from), there = first.outside(way.to);
-  Floats ends_at = there - way.turn / largest(here, least);
-  Bits left = ~(((there >= way.touched) & (here >= way.touched)) | (here > way.begins) | (ends_at > way.ends));
-  Floats share = zero;
+  Floats here = first.outside(way.from), there = first.outside(way.to), share = zero;
+  const Told told(here, there, way);
+  Floats ends_at = told.ends;
+  Bits left = told.left;
   for (int step = 0; step < most_steps && to_mask(left) != 0; ++step) {
     // As far as the last half space shows the way free; the next one must show as much there.
     constexpr float shorter = 1 - 0x1p-20F;
@@ -123,8 +138,9 @@ FINGERPAD_INLINED unsigned may_block_swept(const TrianglePacket& p, const Packet
     const Tangents next(p, at);
     here = next.outside(at);
     there = next.outside(way.to);
-    ends_at = largest(ends_at, there - way.turn / largest(here, least));
-    left &= ~(((there >= way.touched) & (here >= way.touched)) | (ends_at > way.ends));
+    const Told told_next(here, there, way);
+    ends_at = largest(ends_at, told_next.ends);
+    left &= told_next.left;
   }
   store(ends, ends_at);
   return to_mask(left);
@@ -140,26 +156,13 @@ FINGERPAD_INLINED unsigned reach_within(const TrianglePacket& p, const float* al
   return to_mask(level + reach_in_frames(p, x, y) <= limit);
 }
 
-FINGERPAD_INLINED unsigned may_block(const PacketTangents& t, const WayPastPacket& way,
-                                     TrianglePacket::Lanes& ends) noexcept {
-  Floats a, b, c, level;
-  load(a, t.towards[0]), load(b, t.towards[1]), load(c, t.towards[2]), load(level, t.level);
-  const Floats here = way.from[0] * a + way.from[1] * b + way.from[2] * c - level;
-  const Floats there = way.to[0] * a + way.to[1] * b + way.to[2] * c - level;
-  store(ends, there);
-  const Floats zero = {}, least = zero + std::numeric_limits<float>::min();
-  const Bits is_untouched = (here >= way.touched) & (there >= way.touched);
-  const Bits is_less =
-      (here > way.begins) | (there > way.ends + way.turn / largest(here, least));
-  return to_mask(~(is_untouched | is_less));
-}
-
 void make_plain(const TrianglePacket& p, const float* r, PacketTangents& made) noexcept {
   make(p, r, made);
 }
 
-unsigned may_block_plain(const PacketTangents& tangents, const WayPastPacket& way) noexcept {
-  return may_block(tangents, way);
+unsigned may_block_plain(const PacketTangents& tangents, const WayPastPacket& way,
+                         TrianglePacket::Lanes& ends) noexcept {
+  return may_block(tangents, way, ends);
 }
 
 unsigned may_block_swept_plain(const TrianglePacket& packet, const PacketTangents& tangents,
@@ -178,8 +181,9 @@ unsigned reach_within_plain(const TrianglePacket& p, const float* along, float l
 }
 
 [[gnu::target("avx2")]] unsigned may_block_with_avx2(const PacketTangents& tangents,
-                                                     const WayPastPacket& way) noexcept {
-  return may_block(tangents, way);
+                                                     const WayPastPacket& way,
+                                                     TrianglePacket::Lanes& ends) noexcept {
+  return may_block(tangents, way, ends);
 }
 
 [[gnu::target("avx2")]] unsigned may_block_swept_with_avx2(const TrianglePacket& packet,

@@ -38,12 +38,13 @@ PacketTangents no_tangents() noexcept;
 /// is the place's, by 4 u |r|.
 /// @param r  the place less the packet's origin, scaled
 using TangentMaker = void (*)(const TrianglePacket& packet, const float* r, PacketTangents& made) noexcept;
-/// The lanes that may block a way, as bits, by half spaces made from anywhere.
-using WayFilter = unsigned (*)(const PacketTangents& tangents, const WayPastPacket& way) noexcept;
+/// The lanes that may block a way, as bits.
+/// @param tangents  made from where the way begins, or, where way.ends is infinite, from anywhere
+/// @param ends  aligned to 32 bytes: how far outside of each half space the way ends, at least
+using WayFilter = unsigned (*)(const PacketTangents& tangents, const WayPastPacket& way,
+                               TrianglePacket::Lanes& ends) noexcept;
 /// The same by half spaces made from where the way begins, and then, as sweep_past_triangle does it, from where
 /// one of these is touched, and from there again.
-/// @param ends  aligned to 32 bytes: of the lanes returned, how far outside of the last half space the way ends,
-/// at least
 using SweepFilter = unsigned (*)(const TrianglePacket& packet, const PacketTangents& tangents,
                                  const WayPastPacket& way, TrianglePacket::Lanes& ends) noexcept;
 /// The lanes whose triangles reach no farther along a unit vector than a limit, as bits; none without a rough
