@@ -125,6 +125,7 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
   const bool is_whole =
       tree.each_within(views_[static_cast<std::size_t>(surface)].at_P, distance_m, limit, found_);
   // How far a search came that found too many depends on the order of Embree's tree.
+  looks.spend(LookCosts::search);
   looks.spend(is_whole ? LookCosts::packet * limit.packets : LookCosts::fetched * limit.most_triangles);
   count_ += limit.triangles;
   if (!is_whole) return false;

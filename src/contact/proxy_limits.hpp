@@ -48,6 +48,10 @@ struct ProxyLimits {
   /// Pushes that a start may take to get out of every surface. Walls that stand at right angles need one
   /// each; between walls that lean towards each other each push leaves a fixed share.
   static constexpr int most_pushes = 200;
+  /// A start that goes round ends: all its pushes would take it less than this share of what it lacks.
+  static constexpr double little_way = 1e-3;
+  /// What a tick may look at for a start after one that found no place.
+  static constexpr long most_looks_again = most_looks / 8;
   /// Steps, and hops over smooth edges, in a tick. Two or three do; the caps bound what a tick may cost.
   static constexpr int most_steps = 64;
   static constexpr int most_hops = 32;
