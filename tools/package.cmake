@@ -23,6 +23,7 @@ install(DIRECTORY scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/fingerpad COMPONEN
 install(FILES README.md DESTINATION ${documents} COMPONENT package EXCLUDE_FROM_ALL)
 install(FILES LICENSE DESTINATION ${documents} RENAME copyright COMPONENT package EXCLUDE_FROM_ALL)
 install(DIRECTORY tools/pictures DESTINATION ${documents}/tools COMPONENT package EXCLUDE_FROM_ALL)
+install(PROGRAMS tools/slurm_shards tools/slurm_ranks DESTINATION ${documents}/tools COMPONENT package EXCLUDE_FROM_ALL)
 foreach(example touch trace view)
   install(DIRECTORY tests/install/${example} DESTINATION ${documents}/examples COMPONENT package EXCLUDE_FROM_ALL)
 endforeach()

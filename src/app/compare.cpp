@@ -21,8 +21,10 @@ int compare(const CompareOptions& options) {
   const FolderComparison found = compare_folders(options.folder_a, options.folder_b, options.tolerance);
   for (const std::string& change : found.changes) print_out("{}\n", change);
   if (!options.quiet) {
-    print_out("{} of {} {} changed from {} to {}\n", found.changed, found.traces,
-              found.traces == 1 ? "trace" : "traces", options.folder_a, options.folder_b);
+    const bool traces = found.traces > 0;
+    const std::size_t count = traces ? found.traces : found.jobs;
+    print_out("{} of {} {}{} changed from {} to {}\n", found.changed, count, traces ? "trace" : "job",
+              count == 1 ? "" : "s", options.folder_a, options.folder_b);
   }
   return found.changes.empty() ? 0 : changed_code;
 }
@@ -42,9 +44,11 @@ void add_compare(CLI::App& program, Action& action) {
       ->capture_default_str();
   add_quiet_flag(*command, options->quiet);
   command->footer(
-      "A line for each trace and column that differs, with the greatest difference and its time. Ends 0 "
+      "A line for each trace and column that differs, with the greatest difference and its time. Where "
+      "neither "
+      "folder holds a trace, a line for each job and figure of summary.csv. Ends 0 where all are alike, 4 "
       "where "
-      "all are alike, 4 where something changed.");
+      "something changed.");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 

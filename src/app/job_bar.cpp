@@ -25,6 +25,11 @@ void JobBar::advance(const BatchJob& job) {
   show(job.job.scene.name);
 }
 
+void JobBar::elsewhere(std::size_t count) {
+  const std::lock_guard lock(mutex_);
+  elsewhere_ = count;
+}
+
 void JobBar::load(std::string_view stage, double done) {
   show(fmt::format("{} {:.0f}%", stage, 100 * done));
 }
@@ -40,16 +45,17 @@ void JobBar::run(const BatchJob& job, double share_done) {
 void JobBar::show(const std::string& what) {
   if (shown_ == Shown::nothing) return;
   const std::lock_guard lock(mutex_);
-  auto done = static_cast<double>(done_);
+  const std::size_t ended = done_ + elsewhere_;
+  auto done = static_cast<double>(ended);
   for (const auto& [job, share] : under_way_) done += share;
   const double share = std::min(1.0, done / static_cast<double>(total_));
   const Clock::time_point now = Clock::now();
   const std::string pace = pace_words(done, std::chrono::duration<double>(now - start_).count());
   if (shown_ == Shown::bar) {
-    bar_.show(share, fmt::format("{}/{}{} {}", done_, total_, pace, what));
+    bar_.show(share, fmt::format("{}/{}{} {}", ended, total_, pace, what));
   } else if (now - last_line_ >= between_lines_) {
     last_line_ = now;
-    print_err("fingerpad: {} of {} jobs done, {:.0f}%{}\n", done_, total_, 100 * share, pace);
+    print_err("fingerpad: {} of {} jobs done, {:.0f}%{}\n", ended, total_, 100 * share, pace);
   }
 }
 

@@ -11,7 +11,7 @@
 
 namespace fingerpad {
 
-/// How many of this rank's jobs are done, how far the others are, at what pace, and what is being loaded for
+/// How many jobs are done, how far those under way are, at what pace, and what is being loaded for
 /// the next: a bar on a terminal, elsewhere a line now and then. Thread-safe.
 class JobBar {
  public:
@@ -20,6 +20,8 @@ class JobBar {
   JobBar(std::size_t total, Shown shown, std::chrono::milliseconds between_lines);
 
   void advance(const BatchJob& job);
+  /// So many jobs have been ended by other ranks.
+  void elsewhere(std::size_t count);
   void load(std::string_view stage, double done);
   void run(const BatchJob& job, double share_done);
   void finish() { bar_.finish(); }
@@ -30,7 +32,7 @@ class JobBar {
   std::string pace_words(double done, double seconds) const;
 
   std::mutex mutex_;
-  std::size_t total_, done_ = 0;
+  std::size_t total_, done_ = 0, elsewhere_ = 0;
   Shown shown_;
   std::chrono::milliseconds between_lines_;
   Clock::time_point start_, last_line_;

@@ -22,6 +22,7 @@
 #include "contact/contact_method_table.hpp"
 #include "friction/law_table.hpp"
 #include "replay/batch.hpp"
+#include "replay/batch_files.hpp"
 #include "scene/scene_key.hpp"
 
 namespace fingerpad {
@@ -78,8 +79,19 @@ void refuse_streams(const std::vector<std::string>& scenes, const Ranks& ranks) 
     if (!stream) continue;
     if (!streams.insert(*stream).second)
       throw Error(ErrorKind::usage, scene, "is named twice, and can be read only once");
-    if (ranks.count() < 2) continue;
+    if (!ranks.are_many()) continue;
     throw Error(ErrorKind::usage, scene, "under mpirun a scene must be a file, which every rank can read");
+  }
+}
+
+/// run_batch(), where a rank that cannot take part says why: the others go on without it.
+BatchEnd run_or_tell(std::vector<BatchJob>& jobs, const BatchOptions& batch, const Ranks& ranks,
+                     const std::function<void(const BatchJob&)>& on_done) {
+  try {
+    return run_batch(jobs, batch, ranks, on_done);
+  } catch (const Error& error) {
+    if (!ranks.is_root()) print_err("fingerpad: warning: rank {} leaves: {}\n", ranks.rank, error.what());
+    throw;
   }
 }
 
@@ -90,9 +102,8 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
     const OutputFolder tried(batch.out_dir);  // gone again: what is planned could be written
     return tell_plan(plan_batch(jobs, batch), batch);
   }
-  const auto share = static_cast<std::size_t>(ranks.count()) * static_cast<std::size_t>(batch.shard_count);
   const bool silent = options.quiet || !ranks.is_root();
-  JobBar bar((jobs.size() + share - 1) / share,
+  JobBar bar(jobs_of_shard(jobs.size(), batch).size(),
              silent                 ? JobBar::Shown::nothing
              : stderr_is_terminal() ? JobBar::Shown::bar
                                     : JobBar::Shown::lines,
@@ -103,15 +114,15 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   batch.on_ticks = [&](const BatchJob& job, double share_done) { bar.run(job, share_done); };
   batch.on_unfinished = [](const std::string& what) { print_err("fingerpad: warning: {}\n", what); };
   if (!options.quiet) batch.on_kept = [](const std::string& what) { print_err("fingerpad: {}\n", what); };
-  const std::vector<Error> lost =
-      run_batch(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job); });
+  batch.on_elsewhere = [&](std::size_t count) { bar.elsewhere(count); };
+  const BatchEnd end = run_or_tell(jobs, batch, ranks, [&](const BatchJob& job) { bar.advance(job); });
   bar.finish();
-  if (!ranks.is_root()) return 0;
+  if (!end.tells) return 0;
   if (!options.quiet) tell_choices(jobs);
   tell_doubts(jobs);
   tell_warnings_of_jobs(jobs);
-  const int lost_code = tell_lost(lost);
-  if (!options.quiet) tell_end(jobs, !lost.empty(), batch);
+  const int lost_code = tell_lost(end.lost);
+  if (!options.quiet) tell_end(jobs, !end.lost.empty(), batch);
   const auto is_left = [](const BatchJob& job) { return job.not_begun; };
   if (std::any_of(jobs.begin(), jobs.end(), is_left)) {
     tell_stopped(jobs, batch);
@@ -131,15 +142,17 @@ int replay(ReplayOptions options) {
   if (!options.batch.traces && !options.batch.choice.is_all())
     throw Error(ErrorKind::usage, "--format none",
                 "writes no traces, of which --columns and --every say what they hold; leave one out");
+  if (options.batch.choice.deflated && options.format != "h5")
+    throw Error(ErrorKind::usage, "--compress", "is for the traces of --format h5; leave one out");
   options.batch.format = options.format == "csv" ? TraceFormat::csv : TraceFormat::hdf5;
   options.batch.version = program_version;
-  const Ranks ranks;
+  const Ranks ranks = launched_ranks();
   try {
     refuse_streams(options.scenes, ranks);
     return run_replay(options, options.batch, ranks);
   } catch (const Error&) {
     if (ranks.is_root()) throw;
-    return 0;  // every rank hears of it; one tells, and gives mpirun the code
+    return 0;  // every rank comes to it; one tells, and gives the launcher the code
   }
 }
 
@@ -201,6 +214,10 @@ void add_replay(CLI::App& program, Action& action) {
           "it one more than --jobs")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false));
+  command->add_flag(
+      "--compress", options->batch.choice.deflated,
+      "Deflate the traces' columns and meshes (h5): smaller files that take longer to write, and "
+      "are read as any other");
   command->add_option("--shard", options->shard, "Run only every N-th job, from the K-th, counted from 1")
       ->type_name("K/N")
       ->capture_default_str();
@@ -221,8 +238,9 @@ void add_replay(CLI::App& program, Action& action) {
       "jobs.csv says which file of a set is of which mesh, motion and values. SIGINT and SIGTERM finish the "
       "jobs "
       "that have begun, and --resume does the rest.\n"
-      "Under mpirun the ranks share the jobs. Ends 4 if some jobs of a batch failed; the others are done all "
-      "the same.\n" +
+      "Under mpirun or srun the ranks share the jobs; one that dies loses those that it had begun. Ends 4 if "
+      "some "
+      "jobs of a batch failed; the others are done all the same.\n" +
       laws_text() + contact_help_text() +
       "\nA scene file, each key with its default (mesh, file, profile and set: with an example):\n\n" +
       scene_keys_text());

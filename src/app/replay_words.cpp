@@ -87,14 +87,18 @@ void tell_doubts(const std::vector<BatchJob>& jobs) {
 }
 
 void tell_choices(const std::vector<BatchJob>& jobs) {
+  constexpr std::size_t most_lines = 12;  // a set has one for every mesh and every place
   std::set<std::string_view> told;
   for (const BatchJob& job : jobs) {
     for (const auto* lines : {&job.motion_notes, &job.contact_reasons}) {
       for (const std::string& line : *lines) {
-        if (told.insert(line).second) print_err("fingerpad: {}\n", line);
+        if (told.insert(line).second && told.size() <= most_lines) print_err("fingerpad: {}\n", line);
       }
     }
   }
+  if (told.size() > most_lines)
+    print_err("fingerpad: and {} more such lines; each trace keeps its own\n",
+              told.size() - most_lines);
 }
 
 void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {

@@ -101,10 +101,6 @@ class Proxy {
   ProxyState state_;
 };
 
-/// Where a proxy that has its place touches: what it stands on holds the finger.
-/// @param contact  its holds and what they give together are written, where there are any
-void take_holds(const ProxyContact& proxy, Contact& contact) noexcept;
-
 /// A proxy with a sight that remembers (ProxyMemory): what callers use.
 Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals,
                  Looks looks = Looks(ProxyLimits::most_looks));

@@ -99,7 +99,7 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
     if (!(weights[k].minCoeff() > 0)) return false;
   }
   // Without its skin the ball's walls stand nearer by that.
-  const ProxyProjection skinless = project_onto_every(state.goal_O, walls_O, room_.together, world_.skin_m());
+  const ProxyProjection skinless = with_walls_nearer(p, room_.together, world_.skin_m());
   if (!skinless.found) return false;
   state.hold_place_O = state.place_O = p.z;
   state.hold.wall_count = room_.wall_count;

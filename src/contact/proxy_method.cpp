@@ -9,15 +9,6 @@ namespace fingerpad {
 std::unique_ptr<ContactMethod> brief_closest_point(std::vector<PlacedSurface> surfaces, double radius_m,
                                                    Normals normals, long most_looks);
 
-void take_holds(const ProxyContact& proxy, Contact& contact) noexcept {
-  contact.hold_count = proxy.touching ? proxy.hold_count : 0;
-  for (std::size_t k = 0; k < static_cast<std::size_t>(contact.hold_count); ++k)
-    contact.holds[k] = proxy.holds[k];
-  contact.depth_m = proxy.depth_m;
-  contact.point_W = proxy.point_W;
-  contact.normal_W = proxy.normal_W;
-}
-
 namespace {
 
 /// A proxy that stays on the surfaces: what it stands on holds the finger.
@@ -29,13 +20,12 @@ class ProxyMethod final : public ContactMethod {
 
   const Contact& touch(const Vec3& p_WQ, double dt_s) noexcept override {
     const ProxyContact& proxy = proxy_.move(p_WQ, dt_s);
-    if (!proxy.placed) contact_ = until_placed_->touch(p_WQ, dt_s);
-    contact_.started = proxy.started;
-    contact_.placed = proxy.placed;
-    contact_.broken_off = proxy.broken_off;
-    if (!proxy.placed) return contact_;
-    take_holds(proxy, contact_);
-    return contact_;
+    if (proxy.placed) return proxy;
+    unplaced_ = until_placed_->touch(p_WQ, dt_s);
+    unplaced_.started = proxy.started;
+    unplaced_.placed = false;
+    unplaced_.broken_off = proxy.broken_off;
+    return unplaced_;
   }
 
   void reset() noexcept override {
@@ -46,7 +36,7 @@ class ProxyMethod final : public ContactMethod {
  private:
   Proxy proxy_;
   std::unique_ptr<ContactMethod> until_placed_;  ///< serves where no place for the ball has been found yet
-  Contact contact_;
+  Contact unplaced_;
 };
 
 std::string nothing(const ContactDemand& /*demand*/) {

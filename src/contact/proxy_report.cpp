@@ -122,13 +122,14 @@ bool is_held_back(const ProxyState& state) noexcept {
 void report_underway(const ProxyWorld& world, ProxyState& state) noexcept {
   ProxyContact& contact = state.contact;
   const ProxyStep& hold = state.hold;
-  if (hold.wall_count > 0) contact.hold_count = hold.wall_count;
+  if (hold.wall_count > 0) contact.known_holds = hold.wall_count;
   for (std::size_t k = 0; k < static_cast<std::size_t>(hold.wall_count); ++k)
     contact.holds[k] = hold_at(world, hold.walls[k], hold.share_m[k], state.place_O);
   const Vec3 push = state.place_O - state.goal_O;
   const double length_m = push.norm();
   contact.depth_m = std::max(0.0, length_m - world.skin_m());
-  contact.touching = contact.depth_m > 0 && contact.hold_count > 0;
+  contact.touching = contact.depth_m > 0 && contact.known_holds > 0;
+  contact.hold_count = contact.touching ? contact.known_holds : 0;
   if (!contact.touching) return;
   contact.settled = false;
   contact.direction_W = push / length_m;
@@ -207,9 +208,10 @@ void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& 
     push += p.share_m[k] * active_wall(state, p, k).normal;
   const bool is_single = p.active_count == 1;
   contact.settled = true;
-  contact.hold_count = p.active_count;
+  contact.known_holds = p.active_count;
   contact.depth_m = is_single ? p.share_m[0] : push.norm();
   contact.touching = contact.depth_m > 0;
+  contact.hold_count = contact.touching ? p.active_count : 0;
   if (!contact.touching) return;
   contact.proxy_W = state.goal_O + push + world.p_WO();
   if (is_single) {

@@ -16,6 +16,7 @@ void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& 
 /// Nothing touches: the proxy is where the finger is.
 inline void report_free(ProxyState& state) noexcept {
   state.contact.touching = false;
+  state.contact.hold_count = 0;
 }
 
 /// The largest change of the push in a tick: the finger's motion and the proxy's [m].

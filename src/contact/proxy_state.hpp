@@ -21,21 +21,17 @@ struct ProxyStep {
   }
 };
 
-/// Where the proxy stands against the finger.
-struct ProxyContact {
-  bool placed = true;    ///< false: a start found no place for the ball; the next move tries again
-  bool started = false;  ///< this move put the proxy down anew
-  bool touching = false;
+/// Where the proxy stands against the finger. Of the Contact, placed is false where a start found no place
+/// for the ball, and started where this move put the proxy down anew; the depth is from the finger to the
+/// proxy, the normal direction_W, shaded (see Proxy), and the point of several holds, and on the way, the
+/// ball's lowest. Each hold has the point under the proxy and the normal as Normals says; on the way: as
+/// before.
+struct ProxyContact : Contact {
+  bool touching = false;        ///< hold_count > 0
   bool settled = true;          ///< false: the proxy is still on its way to where it is closest to the finger
-  bool broken_off = false;      ///< it is not settled because the tick's looks were spent
   Vec3 proxy_W = Vec3::Zero();  ///< centre of the ball, its skin taken off [m]
-  double depth_m = 0;           ///< from the finger to it
   Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to it
-  Vec3 normal_W = Vec3::UnitZ();     ///< unit: direction_W, shaded: see Proxy
-  Vec3 point_W = Vec3::Zero();  ///< S: the surface's point; of several, and on the way, the ball's lowest
-  int hold_count = 0;           ///< >= 1 while touching
-  std::array<ContactHold, 3> holds;  ///< greatest share first, each with the point under the proxy and the
-                                     ///< normal as Normals says; on the way: those of before
+  int known_holds = 0;               ///< of `holds`, also while nothing is touched: what is gone on with
 };
 
 /// All that a proxy takes from one tick to the next.

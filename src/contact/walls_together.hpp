@@ -31,11 +31,15 @@ class WallsTogether {
     return {shift_m.dot(dual_[0]), shift_m.dot(dual_[1]), shift_m.dot(dual_[2])};
   }
 
+  /// How much less each multiplier is for every metre by which all walls stand nearer.
+  const std::array<double, 3>& per_metre_nearer() const noexcept { return per_metre_nearer_; }
+
  private:
   int count_ = 0;
   bool fix_shares_ = true;
   double turn_ = 1, common_ = 0, per_sine2_ = 0;  // of two: the sign of the cosine, 1/(1 + |cosine|), ...
   std::array<Vec3, 3> dual_;                      // of three: 1 along its own normal, 0 along the others
+  std::array<double, 3> per_metre_nearer_{1, 1, 1};
 };
 
 }  // namespace fingerpad

@@ -31,12 +31,6 @@ double Foresight::normal_force_n(const Contact& contact, const Vec3& p_W, double
   return sum_n;
 }
 
-double Foresight::normal_force_n(const ProxyContact& proxy, const Vec3& p_W, double dt_s) noexcept {
-  if (!proxy.placed) return 0;
-  take_holds(proxy, contact_);
-  return normal_force_n(contact_, p_W, dt_s);
-}
-
 double Foresight::try_n(const Vec3& p_W, double dt_s) noexcept {
   if (method_) return normal_force_n(method_->touch(p_W, dt_s), p_W, dt_s);
   if (!tries_) return 0;

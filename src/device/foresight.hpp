@@ -32,7 +32,6 @@ class Foresight {
 
  private:
   double normal_force_n(const Contact& contact, const Vec3& p_W, double dt_s) noexcept;
-  double normal_force_n(const ProxyContact& proxy, const Vec3& p_W, double dt_s) noexcept;
 
   std::shared_ptr<const World> kept_;
   const World* world_;  ///< kept_, until its surfaces have other properties
@@ -42,7 +41,6 @@ class Foresight {
   std::unique_ptr<ContactMethod> method_;  ///< where the scene has a method without memory
   bool strayed_ = false;                   ///< the one for trying stands elsewhere than the one that goes
   Vec3 tried_W_ = Vec3::Zero(), last_W_ = Vec3::Zero(), last_but_one_W_ = Vec3::Zero();
-  Contact contact_;
   Walls walls_;
 };
 

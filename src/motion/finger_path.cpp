@@ -79,6 +79,10 @@ FingerSample interpolated(const Motion& motion, double t_s, const Vec3& directio
 
 }  // namespace
 
+long tick_count(double duration_s, double rate_hz) {
+  return ticks_between(0, duration_s, rate_hz);
+}
+
 FingerPath::FingerPath(Motion motion, double rate_hz, const Vec3& direction_W)
     : rate_hz_(rate_hz),
       direction_W_(direction_W),

@@ -12,6 +12,9 @@ namespace fingerpad {
 /// More ticks are not run: at 1 kHz they last 24 days and fill 400 GB of trace.
 inline constexpr double most_ticks = 2147483648.0;
 
+/// The ticks of a motion that lasts so long. Throws Error (refused) for more than are run.
+long tick_count(double duration_s, double rate_hz);
+
 /// A motion seen at the tick rate: tick k is at t0 + k/rate, k = 0 .. floor((t_end - t0) rate + 1e-6);
 /// recorded positions, forces and velocities are interpolated linearly, directions linearly and made unit
 /// again, attitudes along the shortest turn. Where a motion has attitudes and no directions, the scene's

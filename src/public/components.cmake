@@ -35,7 +35,7 @@ fingerpad_component(touch SOURCES part_surface.cpp touch_world.cpp finger_scene.
                     ${EMBREE_LIBRARY})
 # The HDF5 library names the MPI that it needs by itself; only its headers ask for mpi.h.
 fingerpad_component(trace SOURCES trace_file.cpp FLOORS trace
-                    PUBLIC fingerpad_component_touch PRIVATE fmt::fmt ${HDF5_C_LIBRARIES})
+                    PUBLIC fingerpad_component_touch PRIVATE fmt::fmt ${HDF5_C_LIBRARIES} ZLIB::ZLIB)
 if(FINGERPAD_VIEW)
   fingerpad_component(view SOURCES view.cpp FLOORS view
                       PUBLIC fingerpad_component_trace PRIVATE fmt::fmt ${VTK_LIBRARIES})

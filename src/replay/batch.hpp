@@ -31,11 +31,14 @@ struct BatchOptions {
   LoadProgress on_load;  ///< as MeshStore's
   /// Told now and then how far a job is, 0 .. 1, by the thread that does it. May be empty.
   std::function<void(const BatchJob&, double share_done)> on_ticks;
-  /// Told, on the root, of runs that had begun to write the same folder and ended before they were done:
-  /// "OUT: process 12 on HOST (COMMAND) ...". May be empty.
+  /// Told, by the process that comes first, of runs that had begun to write the same folder and ended before
+  /// they were done: "OUT: process 12 on HOST (COMMAND) ..."; by the last, of ranks that never came. May be
+  /// empty.
   std::function<void(const std::string&)> on_unfinished;
-  /// Told, on the root, where a summary of other scenes is kept. May be empty.
+  /// Told, by the process that comes first, where a summary of other scenes is kept. May be empty.
   std::function<void(const std::string&)> on_kept;
+  /// Told now and then, on a rank, how many jobs the other ranks have ended. May be empty.
+  std::function<void(std::size_t)> on_elsewhere;
   /// Asked before each job by the thread that would do it; where it says so, no further job of this rank is
   /// begun. May be empty.
   std::function<bool()> should_stop;
@@ -62,16 +65,22 @@ struct BatchJob {
 /// traces would overwrite each other).
 std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths);
 
-/// Runs this shard's jobs on `threads` threads a rank, writing a trace each; then the root rank writes
-/// `summary.csv` and `timing.csv`. A job that fails does not stop the rest. Traces and summary depend on the
-/// jobs alone, not on threads, ranks or their timing. On the root every job of the shard has its status
-/// afterwards, elsewhere the rank's own.
+/// How a batch ended, for this process.
+struct BatchEnd {
+  bool tells = true;  ///< false of a rank that left while others went on: the last of them has the whole
+  std::vector<Error> lost;  ///< the tables that could not be written, with the reason; the traces are there
+};
+
+/// Runs this shard's jobs on `threads` threads a rank; then whoever ends last writes `summary.csv` and
+/// `timing.csv`. A job that fails does not stop the rest. Traces and summary depend on the jobs alone, not on
+/// threads, ranks or their timing. Where BatchEnd::tells every job of the shard has its status afterwards,
+/// elsewhere the rank's own. Of many ranks this goes on in a child process (WatchedRank): to be called before
+/// there are threads.
 /// @param on_done  called after each of this rank's jobs, one call at a time, from any thread
-/// @returns on the root, the tables that could not be written, with the reason; the traces are there
-/// Throws Error on every rank, before anything is written: refused where two files of the batch would be one,
-/// where a file that the batch reads would be overwritten, or where a running process writes the same files;
-/// usage where the output folder is no place to write to; fault where the disk is full.
-std::vector<Error> run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
-                             const std::function<void(const BatchJob&)>& on_done);
+/// Throws Error before anything is written: refused where two files of the batch would be one, where a file
+/// that the batch reads would be overwritten, or where a running process writes the same files; usage where
+/// the output folder is no place to write to; fault where the disk is full.
+BatchEnd run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
+                   const std::function<void(const BatchJob&)>& on_done);
 
 }  // namespace fingerpad

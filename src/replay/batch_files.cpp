@@ -114,6 +114,18 @@ bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept {
   return i % static_cast<std::size_t>(options.shard_count) == static_cast<std::size_t>(options.shard - 1);
 }
 
+std::vector<std::size_t> jobs_of_shard(std::size_t job_count, const BatchOptions& options) {
+  std::vector<std::size_t> ours;
+  for (std::size_t i = 0; i < job_count; ++i) {
+    if (is_of_shard(i, options)) ours.push_back(i);
+  }
+  return ours;
+}
+
+void mark_not_begun(std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours) {
+  for (const std::size_t i : ours) jobs[i].not_begun = jobs[i].status.empty();
+}
+
 std::vector<std::string> input_files(const Scene& scene) {
   std::vector<std::string> files;
   const auto add = [&files](const std::string& path) {

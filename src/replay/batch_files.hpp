@@ -23,6 +23,12 @@ bool has_index(const std::vector<BatchJob>& jobs) noexcept;
 /// Whether this call runs job i (from 0) of its batch.
 bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept;
 
+/// The jobs of this call's shard, from 0.
+std::vector<std::size_t> jobs_of_shard(std::size_t job_count, const BatchOptions& options);
+
+/// Marks those of these jobs that have no status: the batch was asked to stop before them.
+void mark_not_begun(std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours);
+
 /// The files that a scene's run reads: the scene itself, meshes, motion and profile.
 std::vector<std::string> input_files(const Scene& scene);
 

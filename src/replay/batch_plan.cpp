@@ -10,9 +10,11 @@
 
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
+#include "scene/scene_reader.hpp"
 #include "scene/toml_tree.hpp"
 #include "touch/closed_loop.hpp"
 #include "touch/mesh_store.hpp"
+#include "trace/column_chunks.hpp"
 #include "trace/motion_source.hpp"
 #include "trace/trace_info.hpp"
 
@@ -54,12 +56,20 @@ struct TryFile {
   std::string path;
 };
 
+/// The rows that a try's file has room for: the last chunk of a plain HDF5 trace is there whole.
+std::uint64_t rows_on_disk(long tried_ticks, long ticks, const BatchOptions& options) {
+  const auto rows = static_cast<std::uint64_t>(tried_ticks);
+  if (options.format == TraceFormat::csv || options.choice.deflated) return rows;
+  const std::uint64_t chunk = chunk_rows_for(static_cast<std::uint64_t>(ticks));
+  return (rows + chunk - 1) / chunk * chunk;
+}
+
 /// Runs the beginning of a job.
 JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptions& options) {
   constexpr double long_enough_s = 0.2;
   constexpr long block_ticks = 4096;
   const Clock::time_point start = Clock::now();
-  const LoadedMotion motion = load_motion(scene_as_written);
+  const LoadedMotion motion = load_motion(scene_as_written, meshes);
   const Scene scene = at_rate(scene_as_written, motion.path);
   const auto world = load_world(scene, meshes);
   JobCost cost;
@@ -70,7 +80,8 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   if (options.traces) {
     TraceInfo info = trace_info(scene, *world, motion.path, options.version);
     choose(options.choice, info);
-    writer = TraceWriter::create(file.path, options.format, info, *world);
+    writer = TraceWriter::create(file.path, options.format, info, *world,
+                                 static_cast<std::uint64_t>(motion.path.tick_count()));
     writer->flush();
   }
   cost.bytes = file.bytes();
@@ -87,8 +98,9 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   if (ticks == 0) return cost;
   cost.s_per_tick = seconds_since(run) / static_cast<double>(ticks);
   // The try writes all its rows.
-  cost.bytes_per_tick =
-      std::max(0.0, file.bytes() - cost.bytes) / static_cast<double>(ticks * options.choice.every);
+  cost.bytes_per_tick = std::max(0.0, file.bytes() - cost.bytes) /
+                        static_cast<double>(rows_on_disk(ticks, loop.tick_count(), options)) /
+                        static_cast<double>(options.choice.every);
   return cost;
 }
 
@@ -96,6 +108,9 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
 class TickCounts {
  public:
   long of(const Scene& scene) {
+    // The part need not be loaded for it.
+    if (scene.motion.laid && !scene.motion.automatic_rate)
+      return tick_count(duration_s(*scene.motion.laid, pressed_depth_m(scene)), scene.motion.rate_hz);
     const TomlNode root = parse_toml(scene.text, scene.path);
     const TomlEntry* motion = find_entry(root, "motion");
     const std::string key = scene.motion.file_path + (motion != nullptr ? write_toml(motion->value) : "");

@@ -199,6 +199,10 @@ BatchResults read_batch_results(const std::string& folder) {
   return results;
 }
 
+bool has_summary(const std::string& folder) {
+  return !tables_named(folder, "summary").empty();
+}
+
 std::vector<JobTrouble> worst_first(const std::vector<JobOutcome>& jobs) {
   std::vector<std::pair<std::vector<double>, JobTrouble>> ranked;
   for (std::size_t i = 0; i < jobs.size(); ++i) {

@@ -31,6 +31,9 @@ struct BatchResults {
 /// folder without a summary, and for a table that cannot be read.
 BatchResults read_batch_results(const std::string& folder);
 
+/// Whether a folder has a summary, or one of a shard.
+bool has_summary(const std::string& folder);
+
 /// Why a job is looked at first: failed; then forces that are not finite, pop-throughs, unsettled ticks,
 /// energy made where it is over a hundredth of the greatest normal force times the greatest depth, and last
 /// the greatest normal force.

@@ -9,10 +9,10 @@
 #include <set>
 
 #include "base/content_hash.hpp"
-#include "base/csv_cells.hpp"
 #include "base/error.hpp"
 #include "base/path_words.hpp"
-#include "base/text_lines.hpp"
+#include "replay/batch_results.hpp"
+#include "replay/summary_column.hpp"
 #include "trace/job_index.hpp"
 #include "trace/trace.hpp"
 #include "trace/trace_column.hpp"
@@ -99,35 +99,63 @@ bool compare_traces(const std::string& job, const Trace& a, const Trace& b, doub
   return changes.size() > before;
 }
 
-/// The status of each job in a folder's summary; empty where it has none.
-std::map<std::string, std::string> statuses_in(const std::string& folder) {
-  std::map<std::string, std::string> statuses;
-  const std::string path = (fs::path(folder) / "summary.csv").string();
-  std::error_code none;
-  if (!fs::is_regular_file(path, none)) return statuses;
-  TextLines lines(path, {"a summary", std::uint64_t{2} << 30});
-  std::string_view line;
-  if (!lines.next(line)) return statuses;
-  std::vector<std::string> header;
-  for (const std::string_view cell : csv_cells(line, ',')) header.emplace_back(cell);
-  const auto status =
-      static_cast<std::size_t>(std::find(header.begin(), header.end(), "status") - header.begin());
-  while (lines.next(line)) {
-    const auto cells = csv_cells(line, ',');
-    if (cells.size() > status && cells.size() > 1)
-      statuses[fmt::format("{} job {}", cells[0], cells[1])] = std::string(cells[status]);
+using OutcomesByJob = std::map<std::pair<std::string, int>, JobOutcome>;
+
+/// The jobs of a folder's summaries; none where it has none.
+OutcomesByJob outcomes_in(const std::string& folder) {
+  OutcomesByJob outcomes;
+  if (!has_summary(folder)) return outcomes;
+  for (JobOutcome& job : read_batch_results(folder).jobs) {
+    const std::pair key(job.scene, job.number);
+    outcomes[key] = std::move(job);
   }
-  return statuses;
+  return outcomes;
 }
 
-void compare_statuses(const std::string& folder_a, const std::string& folder_b,
-                      std::vector<std::string>& changes) {
-  const auto b = statuses_in(folder_b);
-  for (const auto& [job, status] : statuses_in(folder_a)) {
-    const auto other = b.find(job);
-    if (other != b.end() && other->second != status)
-      changes.push_back(fmt::format("{}: was '{}', is '{}'", job, status, other->second));
+/// "s job 3 (seed 3)".
+std::string words_of(const JobOutcome& job) {
+  std::string values;
+  for (const auto& [key, value] : job.values) values += (values.empty() ? "" : ", ") + key + " " + value;
+  const std::string name = job.number > 0 ? fmt::format("{} job {}", job.scene, job.number) : job.scene;
+  return values.empty() ? name : fmt::format("{} ({})", name, values);
+}
+
+void compare_figures(const JobOutcome& a, const JobOutcome& b, double tolerance,
+                     std::vector<std::string>& changes) {
+  const auto columns = summary_figure_columns();
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (!(distance_between(a.figures[i], b.figures[i]) > tolerance)) continue;
+    changes.push_back(fmt::format("{}: {} was {:.9g}, is {:.9g}{}", words_of(a), columns[i].name,
+                                  a.figures[i], b.figures[i],
+                                  columns[i].unit == "1" ? "" : " " + std::string(columns[i].unit)));
   }
+}
+
+/// Jobs whose status differs or which one folder's summary does not have; and where there are no traces their
+/// figures.
+void compare_outcomes(const OutcomesByJob& in_a, const OutcomesByJob& in_b, bool has_traces, double tolerance,
+                      FolderComparison& comparison) {
+  std::set<std::pair<std::string, int>> all;
+  for (const auto& [key, job] : in_a) all.insert(key);
+  for (const auto& [key, job] : in_b) all.insert(key);
+  for (const auto& key : all) {
+    const auto a = in_a.find(key), b = in_b.find(key);
+    const std::size_t before = comparison.changes.size();
+    if (a == in_a.end() || b == in_b.end()) {
+      // A summary that is not there says nothing of its jobs.
+      if (!in_a.empty() && !in_b.empty())
+        comparison.changes.push_back(fmt::format("{}: is in the {} summary alone",
+                                                 words_of(a == in_a.end() ? b->second : a->second),
+                                                 a == in_a.end() ? "second" : "first"));
+    } else if (a->second.status != b->second.status) {
+      comparison.changes.push_back(
+          fmt::format("{}: was '{}', is '{}'", words_of(a->second), a->second.status, b->second.status));
+    } else if (!has_traces) {
+      compare_figures(a->second, b->second, tolerance, comparison.changes);
+    }
+    if (!has_traces) comparison.changed += comparison.changes.size() > before ? 1 : 0;
+  }
+  if (!has_traces) comparison.jobs = all.size();
 }
 
 }  // namespace
@@ -136,7 +164,10 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
   const std::set<std::string> in_a = traces_in(folder_a), in_b = traces_in(folder_b);
   std::set<std::string> all = in_a;
   all.insert(in_b.begin(), in_b.end());
-  if (all.empty()) throw refused(folder_a, "holds no trace, and neither does " + folder_b);
+  const OutcomesByJob outcomes_a = outcomes_in(folder_a), outcomes_b = outcomes_in(folder_b);
+  if (all.empty() && (outcomes_a.empty() || outcomes_b.empty()))
+    throw refused(outcomes_a.empty() ? folder_a : folder_b,
+                  "holds neither traces nor a summary to compare with the other folder's");
   FolderComparison comparison;
   comparison.traces = all.size();
   for (const std::string& name : all) {
@@ -155,7 +186,7 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
                        tolerance, comparison.changes);
     comparison.changed += changed ? 1 : 0;
   }
-  compare_statuses(folder_a, folder_b, comparison.changes);
+  compare_outcomes(outcomes_a, outcomes_b, !all.empty(), tolerance, comparison);
   return comparison;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "base/content_hash.hpp"
+#include "base/number_text.hpp"
 #include "scene/toml_tree.hpp"
 
 namespace fingerpad {
@@ -17,6 +18,11 @@ std::string key_of(const Scene& scene) {
     const TomlEntry* entry = find_entry(root, table);
     if (entry != nullptr) key += std::string(table) + "\n" + write_toml(entry->value);
   }
+  if (scene.motion.placement.in_part) {
+    const PartEntry& part = scene.parts.front();
+    for (const double number : part.rotation.reshaped()) key += number_text(number) + " ";
+    for (const double number : part.position_m) key += number_text(number) + " ";
+  }
   return key;
 }
 
@@ -27,9 +33,9 @@ std::shared_ptr<const StoredMotion> read_motion(const Scene& scene) {
 
 }  // namespace
 
-std::shared_ptr<const StoredMotion> MotionStore::load(const Scene& scene) {
+std::shared_ptr<const StoredMotion> MotionStore::load(const Scene& scene, MeshStore& meshes) {
   if (scene.motion.file_path.empty())
-    return std::make_shared<const StoredMotion>(StoredMotion{load_motion(scene), ""});
+    return std::make_shared<const StoredMotion>(StoredMotion{load_motion(scene, meshes), ""});
   if (scene.motion.automatic_rate) return read_motion(scene);
   const std::string key = key_of(scene);
   std::promise<std::shared_ptr<const StoredMotion>> promise;

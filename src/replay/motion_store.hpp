@@ -27,7 +27,7 @@ class MotionStore {
   explicit MotionStore(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
   /// Throws as load_motion does, to everyone who asks.
-  std::shared_ptr<const StoredMotion> load(const Scene& scene);
+  std::shared_ptr<const StoredMotion> load(const Scene& scene, MeshStore& meshes);
   /// How many were read so far.
   long read_count() const;
 

@@ -1,67 +1,55 @@
 #include "replay/ranks.hpp"
 
+#include <fmt/format.h>
+
 #ifdef FINGERPAD_MPI
 #include <mpi.h>
-
-#include <cstdlib>
-#include <numeric>
 #endif
+
+#include <charconv>
+#include <cstdlib>
+#include <string_view>
 
 namespace fingerpad {
 
 #ifdef FINGERPAD_MPI
 namespace {
 
-bool launched_with_ranks() {
-  // Open MPI's, PMIx's and the older PMI launchers' marks; a plain start must not pay for MPI_Init.
-  for (const char* name : {"OMPI_COMM_WORLD_SIZE", "PMIX_RANK", "PMI_RANK", "PMI_SIZE"}) {
-    if (std::getenv(name) != nullptr) return true;
-  }
-  return false;
+/// Where a launcher says which rank a process is, of how many, and of which start.
+struct Launcher {
+  const char *rank, *count, *run, *step;
+};
+
+// An MPI of its own may run inside a Slurm step, so it comes first. A Slurm script that is not itself a step
+// has no SLURM_STEP_NUM_TASKS, and what it calls is alone.
+constexpr Launcher launchers[] = {
+    {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "PMIX_NAMESPACE", "OMPI_MCA_ess_base_jobid"},
+    {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS", "SLURM_JOB_ID", "SLURM_STEP_ID"},
+    {"PMI_RANK", "PMI_SIZE", "PMI_JOBID", "PMI_ID"},
+};
+
+std::string_view variable(const char* name) noexcept {
+  const char* value = std::getenv(name);
+  return value == nullptr ? std::string_view() : value;
+}
+
+int number_in(const char* name) noexcept {
+  const std::string_view text = variable(name);
+  int number = -1;
+  const auto [end, status] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return status == std::errc{} && end == text.data() + text.size() ? number : -1;
 }
 
 }  // namespace
 
-Ranks::Ranks() {
-  if (!launched_with_ranks()) return;
-  int provided = 0;
-  MPI_Init_thread(nullptr, nullptr, MPI_THREAD_FUNNELED, &provided);
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank_);
-  MPI_Comm_size(MPI_COMM_WORLD, &count_);
-}
-
-Ranks::~Ranks() {
-  int started = 0;
-  int ended = 0;
-  MPI_Initialized(&started);
-  MPI_Finalized(&ended);
-  if (started != 0 && ended == 0) MPI_Finalize();
-}
-
-std::vector<std::string> Ranks::gather(const std::string& text) const {
-  if (count_ == 1) return {text};
-  const auto ranks = static_cast<std::size_t>(count_);
-  const int length = static_cast<int>(text.size());
-  std::vector<int> lengths(ranks), starts(ranks);
-  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
-  std::exclusive_scan(lengths.begin(), lengths.end(), starts.begin(), 0);
-  std::string all(is_root() ? static_cast<std::size_t>(starts.back() + lengths.back()) : 0, '\0');
-  MPI_Gatherv(text.data(), length, MPI_CHAR, all.data(), lengths.data(), starts.data(), MPI_CHAR, 0,
-              MPI_COMM_WORLD);
-  std::vector<std::string> texts;
-  for (std::size_t i = 0; is_root() && i < ranks; ++i) {
-    texts.push_back(all.substr(static_cast<std::size_t>(starts[i]), static_cast<std::size_t>(lengths[i])));
+Ranks launched_ranks() {
+  for (const Launcher& launcher : launchers) {
+    const int rank = number_in(launcher.rank);
+    const int count = number_in(launcher.count);
+    if (rank < 0 || count <= rank) continue;
+    return {rank, count, fmt::format("{}.{}", variable(launcher.run), variable(launcher.step))};
   }
-  return texts;
-}
-
-std::string Ranks::broadcast(std::string text) const {
-  if (count_ == 1) return text;
-  int length = static_cast<int>(text.size());
-  MPI_Bcast(&length, 1, MPI_INT, 0, MPI_COMM_WORLD);
-  text.resize(static_cast<std::size_t>(length));
-  MPI_Bcast(text.data(), length, MPI_CHAR, 0, MPI_COMM_WORLD);
-  return text;
+  return {};
 }
 
 std::string mpi_version() {
@@ -72,13 +60,8 @@ std::string mpi_version() {
   return text.substr(0, text.find_first_of(",\n"));  // "Open MPI v4.1.4", not who built it
 }
 #else
-Ranks::Ranks() = default;
-Ranks::~Ranks() = default;
-std::vector<std::string> Ranks::gather(const std::string& text) const {
-  return {text};
-}
-std::string Ranks::broadcast(std::string text) const {
-  return text;
+Ranks launched_ranks() {
+  return {};
 }
 std::string mpi_version() {
   return "";

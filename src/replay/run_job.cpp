@@ -58,14 +58,23 @@ const std::vector<TickRecord>& thinned(const std::vector<TickRecord>& block, lon
   return kept;
 }
 
-/// Runs it and writes its trace. @returns its figures
-std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& world, const FingerPath& path,
-                        const TraceInfo& info, const JobOutput& output) {
+/// What a run came to.
+struct RunEnd {
+  std::vector<double> figures;
+  FileSum trace;  ///< where one was written
+};
+
+/// Runs it and writes its trace.
+RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const FingerPath& path,
+           const TraceInfo& info, const JobOutput& output) {
   Figures figures(world);
   ClosedLoop loop(world, scene, path, info.changes);
   std::unique_ptr<TraceWriter> writer;
-  if (!output.path.empty()) writer = TraceWriter::create(output.path, output.format, info, *world);
-  constexpr long block_ticks = 4096;
+  if (!output.path.empty())
+    writer = TraceWriter::create(output.path, output.format, info, *world,
+                                 kept_rows(loop.tick_count(), info.every));
+  constexpr long block_ticks = 64;   // that stay in the processor's nearest memory until they are written
+  constexpr long told_ticks = 4096;  // between words on how far it is
   std::vector<TickRecord> block, kept;
   block.reserve(block_ticks);
   for (long first = 0; first < loop.tick_count(); first += block_ticks) {
@@ -75,15 +84,14 @@ std::vector<double> run(const Scene& scene, const std::shared_ptr<const World>& 
       figures.observe(block.back());
     }
     if (writer) writer->append(info.every == 1 ? block : thinned(block, first, loop, info.every, kept));
-    if (output.on_ticks)
-      output.on_ticks(static_cast<double>(first + static_cast<long>(block.size())) /
-                      static_cast<double>(loop.tick_count()));
+    const long done = first + static_cast<long>(block.size());
+    if (output.on_ticks && (done % told_ticks == 0 || done == loop.tick_count()))
+      output.on_ticks(static_cast<double>(done) / static_cast<double>(loop.tick_count()));
     if (!loop.has_diverged()) continue;
     if (writer) writer->flush();  // what there was until then stays behind
     throw refused(scene.path, loop.divergence());
   }
-  if (writer) writer->finish();
-  return figures.values();
+  return {figures.values(), writer ? writer->finish() : FileSum()};
 }
 
 void warn_of_no_touch(const Scene& scene, const World& world, const FingerPath& path, JobResult& result) {
@@ -108,7 +116,7 @@ void warn_of_large_meshes(const Scene& scene, MeshStore& meshes, JobResult& resu
 
 JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore& motions,
                   const JobOutput& output) {
-  const std::shared_ptr<const StoredMotion> stored = motions.load(scene_as_written);
+  const std::shared_ptr<const StoredMotion> stored = motions.load(scene_as_written, meshes);
   const LoadedMotion& motion = stored->motion;
   const FingerPath& path = motion.path;
   const Scene scene = at_rate(scene_as_written, path);
@@ -121,7 +129,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
                    motion.notes, motion.warnings};
   warn_of_large_meshes(scene, meshes, result);
   if (output.path.empty()) {
-    result.figures = run(scene, world, path, info, output);
+    result.figures = run(scene, world, path, info, output).figures;
     warn_of_no_touch(scene, *world, path, result);
     return result;
   }
@@ -143,9 +151,10 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
     }
   }
 
-  result.figures = run(scene, world, path, info, output);
+  const RunEnd end = run(scene, world, path, info, output);
+  result.figures = end.figures;
   warn_of_no_touch(scene, *world, path, result);
-  write_proof(output.path, digest, result.figures);
+  write_proof(output.path, digest, result.figures, end.trace);
   return result;
 }
 

@@ -38,44 +38,11 @@ constexpr std::chrono::seconds patience{10};
 constexpr std::chrono::seconds guard_patience{60};
 constexpr std::chrono::milliseconds between_tries{20};
 
-/// An open file, closed at its end; its locks go with it.
-class OpenFile {
- public:
-  explicit OpenFile(int file) : file_(file) {}
-  OpenFile(OpenFile&& other) noexcept : file_(std::exchange(other.file_, -1)) {}
-  OpenFile& operator=(OpenFile&&) = delete;
-  ~OpenFile() {
-    if (file_ >= 0) close(file_);
-  }
-  int number() const noexcept { return file_; }
-  int release() noexcept { return std::exchange(file_, -1); }
-
- private:
-  int file_;
-};
-
 Error cannot_write(const std::string& folder) {
   const int problem = errno;
   // The folder was there a moment ago: whoever removed it, the call was good.
   return {problem == ENOENT ? ErrorKind::fault : output_fault(problem), folder,
           "cannot be written: " + path_words(folder, problem)};
-}
-
-enum class Locking { got, busy, impossible };
-
-Locking try_lock(int file, int how) noexcept {
-  while (flock(file, how | LOCK_NB) != 0) {
-    if (errno == EINTR) continue;
-    return errno == EWOULDBLOCK ? Locking::busy : Locking::impossible;
-  }
-  return Locking::got;
-}
-
-bool is_at(int file, const std::string& path) noexcept {
-  struct stat opened {
-  }, named{};
-  return fstat(file, &opened) == 0 && stat(path.c_str(), &named) == 0 && opened.st_ino == named.st_ino &&
-         opened.st_dev == named.st_dev;
 }
 
 /// The guard of a state folder, held by whoever reads or changes the registrations. Whoever finds the folder
@@ -122,8 +89,8 @@ std::string own_command() {
   return printable(command);
 }
 
-std::string registration_text(const std::vector<std::string>& names) {
-  std::string text = fmt::format("{}\n{}\n{}\n", getpid(), host_name(), own_command());
+std::string registration_text(const std::vector<std::string>& names, const std::string& run) {
+  std::string text = fmt::format("{}\n{}\n{}\n{}\n", getpid(), host_name(), own_command(), run);
   for (const std::string& name : names) text += name + "\n";
   return text;
 }
@@ -141,6 +108,7 @@ Registration read_registration(const std::string& path) {
   if (std::getline(file, line)) found.process = std::atol(line.c_str());
   std::getline(file, found.host);
   std::getline(file, found.command);
+  std::getline(file, line);  // the run (run_of)
   while (std::getline(file, line)) found.names.insert(line);
   return found;
 }
@@ -159,6 +127,23 @@ bool is_held(const std::string& path, const Registration& registration) {
   }
 }
 
+/// Of which run a registration is, without its names, which may be a million.
+std::string run_of(const std::string& path) {
+  constexpr InputKind head_of_registration{"a registration", std::uint64_t{1} << 30};
+  constexpr int lines_before = 3;
+  try {
+    InputFile file(path, head_of_registration);
+    std::string head(4096, '\0');
+    head.resize(file.read(head.data(), head.size()));
+    std::istringstream lines(head);
+    std::string line;
+    for (int i = 0; i <= lines_before; ++i) std::getline(lines, line);
+    return line;
+  } catch (const Error&) {
+    return "";
+  }
+}
+
 std::vector<std::string> registrations_in(const std::string& state) {
   std::vector<std::string> paths;
   std::error_code failure;
@@ -173,15 +158,10 @@ std::vector<std::string> registrations_in(const std::string& state) {
 OpenFile write_registration(const std::string& path, const std::string& text, const std::string& folder) {
   OpenFile file(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
   if (file.number() < 0) throw cannot_write(folder);
-  for (std::size_t done = 0; done < text.size();) {
-    const ssize_t count = write(file.number(), text.data() + done, text.size() - done);
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) {
-      const Error error = cannot_write(folder);
-      unlink(path.c_str());
-      throw error;
-    }
-    done += static_cast<std::size_t>(count);
+  if (!write_all(file.number(), text.data(), text.size())) {
+    const Error error = cannot_write(folder);
+    unlink(path.c_str());
+    throw error;
   }
   try_lock(file.number(), LOCK_SH);
   return file;
@@ -218,17 +198,30 @@ void remove_if_unused(const std::string& state) {
 
 }  // namespace
 
-RunLock::RunLock(const std::string& folder, const std::vector<std::string>& names)
-    : folder_(folder + "/" + state_folder) {
+RunLock::RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run,
+                 const std::function<void(const RunLock&)>& when_first)
+    : folder_(folder + "/" + state_folder), others_stay_(!run.empty()) {
   const auto guard = take_guard(folder_, folder);
-  if (!guard) return;  // a file system without locks
+  if (!guard && run.empty()) return;  // a file system without locks
+  if (!guard)
+    throw refused(
+        folder,
+        "is on a file system without locks, by which ranks share a batch; without ranks, --shard K/N "
+        "does a share");
   try {
+    if (!run.empty() && join(run)) return;
     end_unfinished(folder_, unfinished_);
     for (const std::string& path : registrations_in(folder_)) refuse_overlap(path, folder, names);
     int number = 1;
     do path_ = fmt::format("{}/run-{}{}", folder_, number++, lock_ending);
     while (access(path_.c_str(), F_OK) == 0);
-    file_ = write_registration(path_, registration_text(names), folder).release();
+    file_ = write_registration(path_, registration_text(names, run), folder);
+    try {
+      if (when_first) when_first(*this);
+    } catch (...) {
+      unlink(path_.c_str());
+      throw;
+    }
   } catch (const Error&) {
     remove_if_unused(folder_);
     throw;
@@ -236,7 +229,7 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
 }
 
 RunLock::~RunLock() {
-  if (file_ < 0) return;
+  if (file_.number() < 0 || others_stay_) return;
   try {
     const auto guard = take_guard(folder_, folder_);
     unlink(path_.c_str());
@@ -244,13 +237,27 @@ RunLock::~RunLock() {
   } catch (const std::exception&) {
     unlink(path_.c_str());  // the folder is gone, or nobody may write there any more
   }
-  close(file_);
 }
 
-std::shared_ptr<void> RunLock::join(const std::string& path) {
-  auto file = std::make_shared<OpenFile>(path.empty() ? -1 : open(path.c_str(), O_RDWR | O_CLOEXEC));
-  if (file->number() >= 0) try_lock(file->number(), LOCK_SH);
-  return file;
+bool RunLock::join(const std::string& run) {
+  for (const std::string& path : registrations_in(folder_)) {
+    if (run_of(path) != run) continue;
+    OpenFile file(open(path.c_str(), O_RDWR | O_CLOEXEC));
+    // What nobody holds is an earlier run's that had the same number.
+    if (file.number() < 0 || try_lock(file.number(), LOCK_EX) != Locking::busy) continue;
+    if (!wait_for_lock(file.number(), LOCK_SH)) continue;
+    file_ = std::move(file);
+    path_ = path;
+    return true;
+  }
+  return false;
+}
+
+bool RunLock::is_registered(const std::string& folder, const std::string& run) {
+  for (const std::string& path : registrations_in(folder + "/" + state_folder)) {
+    if (run_of(path) == run) return true;
+  }
+  return false;
 }
 
 }  // namespace fingerpad

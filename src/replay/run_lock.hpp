@@ -1,8 +1,10 @@
 #pragma once
 
-#include <memory>
+#include <functional>
 #include <string>
 #include <vector>
+
+#include "replay/locked_file.hpp"
 
 namespace fingerpad {
 
@@ -17,8 +19,12 @@ class RunLock {
  public:
   /// Registers `names` for the output folder `folder`, which is there. Throws Error (refused) if a running
   /// process writes one of them, and names it; Error (fault) if the folder cannot be written.
-  RunLock(const std::string& folder, const std::vector<std::string>& names);
-  /// Ends the registration; the state folder goes too if nothing is left in it.
+  /// @param run         of ranks: what they have in common. The first of them registers, the others hold the
+  ///                    registration with it, so that it lasts until all have ended. Empty: a process alone
+  /// @param when_first  called by the one who registers, before any other can join; may be empty
+  RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run = "",
+          const std::function<void(const RunLock&)>& when_first = {});
+  /// Ends the registration (of ranks, the last does); the state folder goes too if nothing is left in it.
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;
@@ -26,15 +32,18 @@ class RunLock {
   /// Runs that were found registered but ended before they were done: "process 12 on HOST (COMMAND)".
   const std::vector<std::string>& unfinished() const noexcept { return unfinished_; }
 
-  /// Of the registration, for join().
-  const std::string& path() const noexcept { return path_; }
-  /// Another process of the same run holds the registration with it, so that it lasts until all have ended.
-  /// Where the file cannot be seen (on another machine), or locks do not work, there is nothing to hold.
-  static std::shared_ptr<void> join(const std::string& path);
+  /// Of ranks this is the last: the registration ends with it. Who leaves before lets the others have it.
+  void stays_last() noexcept { others_stay_ = false; }
+
+  /// Whether a rank of that run has registered in the folder, living or not.
+  static bool is_registered(const std::string& folder, const std::string& run);
 
  private:
+  bool join(const std::string& run);
+
   std::string folder_, path_;
-  int file_ = -1;
+  OpenFile file_;
+  bool others_stay_ = false;
   std::vector<std::string> unfinished_;
 };
 

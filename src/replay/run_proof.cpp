@@ -30,8 +30,12 @@ std::string proof_path(const std::string& trace_path) {
   return (trace.parent_path() / state_folder / trace.filename()).string() + ".proof";
 }
 
+std::string sum_text(const FileSum& sum) {
+  return fmt::format("{} {:016x}", sum.size, sum.checksum);
+}
+
 /// Size and checksum of a file; nothing if it cannot be read, or is none: a trace may go into a pipe.
-std::optional<std::string> fingerprint(const std::string& path) {
+std::optional<FileSum> fingerprint(const std::string& path) {
   constexpr InputKind any_trace{"a trace", std::numeric_limits<std::uint64_t>::max()};
   try {
     InputFile file(path, any_trace);
@@ -42,7 +46,7 @@ std::optional<std::string> fingerprint(const std::string& path) {
       checksum.add(block.data(), count);
       size += count;
     }
-    return fmt::format("{} {:016x}", size, checksum.value(size));
+    return FileSum{size, checksum.value(size)};
   } catch (const Error&) {
     return std::nullopt;
   }
@@ -81,19 +85,24 @@ std::string run_digest(const TraceInfo& info, TraceFormat format) {
   add_all(info.motion_notes);
   if (!info.columns.empty()) add_all(info.columns);
   if (info.every != 1) add(fmt::format("every {}", info.every));
+  if (info.deflated) add("deflated");
   if (!info.changes.empty()) add(scene_changes_text(info.changes));
   return fmt::format("{:016x}", content_hash(std::as_bytes(std::span(text))));
 }
 
 void write_proof(const std::string& trace_path, const std::string& digest,
                  const std::vector<double>& figures) {
-  const auto trace = fingerprint(trace_path);
-  if (!trace) return;
-  std::string text = fmt::format("{}\nrun {}\ntrace {}\n", first_line, digest, *trace);
+  if (const auto trace = fingerprint(trace_path)) write_proof(trace_path, digest, figures, *trace);
+}
+
+void write_proof(const std::string& trace_path, const std::string& digest, const std::vector<double>& figures,
+                 const FileSum& trace) {
+  std::error_code ignored;
+  if (!fs::is_regular_file(trace_path, ignored)) return;  // of what went into a pipe nothing can be proven
+  std::string text = fmt::format("{}\nrun {}\ntrace {}\n", first_line, digest, sum_text(trace));
   for (std::size_t i = 0; i < figures.size(); ++i)
     text += fmt::format("{} {}\n", Figures::names()[i], number_text(figures[i]));
   const std::string path = proof_path(trace_path);
-  std::error_code ignored;
   // Not the folder above it: where that has just been removed, it must not come back with a proof alone.
   fs::create_directory(fs::path(path).parent_path(), ignored);
   try {
@@ -110,7 +119,7 @@ std::optional<std::vector<double>> proven_figures(const std::string& trace_path,
   if (!std::getline(proof, line) || line != first_line) return std::nullopt;
   if (!std::getline(proof, line) || line != "run " + digest) return std::nullopt;
   const auto trace = fingerprint(trace_path);
-  if (!trace || !std::getline(proof, line) || line != "trace " + *trace) return std::nullopt;
+  if (!trace || !std::getline(proof, line) || line != "trace " + sum_text(*trace)) return std::nullopt;
   std::vector<double> figures;
   for (const std::string_view name : Figures::names()) {
     if (!std::getline(proof, line) || !line.starts_with(fmt::format("{} ", name))) return std::nullopt;

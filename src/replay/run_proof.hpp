@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "base/checksum.hpp"
 #include "trace/trace.hpp"
 #include "trace/trace_writer.hpp"
 
@@ -17,6 +18,10 @@ std::string run_digest(const TraceInfo& info, TraceFormat format);
 /// came to: a CSV trace tells nothing of its run, and no trace tells all figures. Nothing of it depends on
 /// when or how often the run was started. A proof that cannot be written is none: then the next `--resume`
 /// makes the trace again.
+/// @param trace  the sum of the file as it was written
+void write_proof(const std::string& trace_path, const std::string& digest, const std::vector<double>& figures,
+                 const FileSum& trace);
+/// As above, of a trace that stands there already: its file is read.
 void write_proof(const std::string& trace_path, const std::string& digest,
                  const std::vector<double>& figures);
 

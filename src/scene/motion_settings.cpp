@@ -8,6 +8,7 @@
 #include "motion/finger_path.hpp"
 #include "scene/motion_values.hpp"
 #include "scene/scene_key.hpp"
+#include "scene/scene_reader.hpp"
 #include "scene/toml_table.hpp"
 
 namespace fingerpad {
@@ -72,17 +73,40 @@ void settle_circle(const TomlTable& table, ScriptedMotion& motion) {
 }
 
 /// So long a motion would fill every disk.
-void refuse_too_many_ticks(const TomlTable& table, const ScriptedMotion& motion, double rate_hz) {
-  const double ticks = motion.duration_s * rate_hz;
+void refuse_too_many_ticks(const TomlTable& table, const char* key, double duration_s, double rate_hz) {
+  const double ticks = duration_s * rate_hz;
   if (ticks <= most_ticks) return;
-  const char* key = motion.kind == ScriptedMotion::Kind::line ? "speed_m_per_s" : "duration_s";
   throw table.error(key,
                     fmt::format("the motion lasts {} s, which is {:.3g} ticks at {} Hz; at most {:.0f} are "
                                 "run: make it shorter or lower rate_hz",
-                                number_text(motion.duration_s), ticks, number_text(rate_hz), most_ticks));
+                                number_text(duration_s), ticks, number_text(rate_hz), most_ticks));
+}
+
+/// A motion on a surface is placed by that, and pressed in by one of its two keys.
+void settle_laid(const TomlTable& table, Scene& scene) {
+  SurfaceMotion& rub = *scene.motion.laid;
+  for (const char* key : {"frame", "position_m", "rotation"}) {
+    if (table.has(key))
+      throw table.error(
+          key, table.name(key) + " does not go with kind = \"on_surface\", whose 'place' says where");
+  }
+  if ((rub.depth_m > 0) == (rub.normal_force_n > 0))
+    throw table.error(
+        table.has("depth_m") ? "depth_m" : "kind",
+        "a motion on a surface is pressed in by 'depth_m' or by 'normal_force_n': give one of them");
+  if (scene.parts.empty()) return;  // a set may still give it; read_scene asks
+  if (!scene.motion.is_rate_open())
+    refuse_too_many_ticks(table, "speed_m_per_s", duration_s(rub, pressed_depth_m(scene)),
+                          scene.motion.rate_hz);
 }
 
 }  // namespace
+
+double pressed_depth_m(const Scene& scene) {
+  const SurfaceMotion& rub = *scene.motion.laid;
+  if (rub.depth_m > 0) return rub.depth_m;
+  return rub.normal_force_n / scene.parts.front().surface.stiffness_n_per_m;
+}
 
 void read_motion_settings(const TomlNode& node, Scene& scene) {
   const SceneTable& rows = scene_table("motion");
@@ -97,12 +121,16 @@ void read_motion_settings(const TomlNode& node, Scene& scene) {
   read_keys(rows, table, scene, kind);
   refuse_one_mark(table, scene.motion.format.dialect);
   scene.motion.table_key = first_table_key(table);
+  if (scene.motion.laid) settle_laid(table, scene);
   if (!scene.motion.scripted) return;
   ScriptedMotion& motion = *scene.motion.scripted;
   if (motion.kind == ScriptedMotion::Kind::line)
     motion.duration_s = (motion.to_m - motion.from_m).norm() / motion.speed_m_per_s;
   if (motion.kind == ScriptedMotion::Kind::circle) settle_circle(table, motion);
-  if (!scene.motion.is_rate_open()) refuse_too_many_ticks(table, motion, scene.motion.rate_hz);
+  if (scene.motion.is_rate_open()) return;
+  const bool is_line = motion.kind == ScriptedMotion::Kind::line;
+  refuse_too_many_ticks(table, is_line ? "speed_m_per_s" : "duration_s", motion.duration_s,
+                        scene.motion.rate_hz);
 }
 
 }  // namespace fingerpad

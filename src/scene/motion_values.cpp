@@ -6,6 +6,7 @@
 #include <array>
 
 #include "base/unit.hpp"
+#include "motion/farthest.hpp"
 #include "scene/scene_key_makers.hpp"
 #include "scene/scene_values.hpp"
 
@@ -15,7 +16,21 @@ namespace {
 void take_kind(Scene& scene, std::size_t word) {
   constexpr std::array kinds{ScriptedMotion::Kind::line, ScriptedMotion::Kind::sine,
                              ScriptedMotion::Kind::circle};
-  scene.motion.scripted.emplace().kind = kinds[word];
+  if (word == kinds.size()) {
+    scene.motion.laid.emplace();
+  } else {
+    scene.motion.scripted.emplace().kind = kinds[word];
+  }
+}
+
+void take_shape(Scene& scene, std::size_t word) {
+  constexpr std::array shapes{SurfaceMotion::Shape::line, SurfaceMotion::Shape::circle,
+                              SurfaceMotion::Shape::spiral};
+  scene.motion.laid->shape = shapes[word];
+}
+
+void take_frame(Scene& scene, std::size_t word) {
+  scene.motion.placement.in_part = word == 1;
 }
 
 void take_recording_unit(Scene& scene, std::size_t word) {
@@ -120,9 +135,29 @@ SceneKey rate_key(std::string_view key) {
 }
 
 SceneKey motion_kind_key(std::string_view key) {
-  SceneKey row = choice_key<take_kind>(key, {"line", "sine", "circle"}, "", "");
+  SceneKey row = choice_key<take_kind>(key, {"line", "sine", "circle", "on_surface"}, "", "");
   row.shown.clear();  // each kind is shown with its keys
   return row;
+}
+
+SceneKey speed_key(std::string_view key) {
+  SceneKey row{key, KeyType::number, "", "0"};
+  row.range = {1e-9, farthest_m, false};
+  row.read = [](const SceneKey& self, const TomlTable& table, Scene& scene) {
+    const double speed = table.number(self.key, 0, self.range);
+    (scene.motion.laid ? scene.motion.laid->speed_m_per_s : scene.motion.scripted->speed_m_per_s) = speed;
+  };
+  return row;
+}
+
+SceneKey shape_key(std::string_view key) {
+  return choice_key<take_shape>(key, {"line", "circle", "spiral"}, "line",
+                                "drawn in the first part's surface at a random place that holds it");
+}
+
+SceneKey frame_key(std::string_view key) {
+  return choice_key<take_frame>(key, {"world", "part"}, "world",
+                                "in which the motion's coordinates are meant; part: the first one's");
 }
 
 SceneKey recording_unit_key(std::string_view key) {

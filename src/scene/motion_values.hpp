@@ -14,6 +14,9 @@ void read_decimal(const SceneKey& row, const TomlTable& motion, Scene& scene);
 
 SceneKey rate_key(std::string_view key);
 SceneKey motion_kind_key(std::string_view key);
+SceneKey speed_key(std::string_view key);
+SceneKey shape_key(std::string_view key);
+SceneKey frame_key(std::string_view key);
 SceneKey recording_unit_key(std::string_view key);
 SceneKey time_unit_key(std::string_view key);
 SceneKey normal_force_key(std::string_view key);

@@ -13,6 +13,7 @@
 #include "motion/hand_settings.hpp"
 #include "motion/recording_format.hpp"
 #include "motion/scripted_motion.hpp"
+#include "motion/surface_motion.hpp"
 #include "scene/device_settings.hpp"
 
 namespace fingerpad {
@@ -69,11 +70,23 @@ struct FingerSettings {
   std::string profile_path;  ///< resolved
 };
 
-/// A motion file (CSV or trace) or a scripted motion; neither in a scene that is only viewed or touched live.
+/// Where a motion lies: its own coordinates are turned, then moved, in the world's frame or the first part's.
+struct MotionPlacement {
+  bool in_part = false;
+  Vec3 position_m = Vec3::Zero();
+  Mat3 rotation = Mat3::Identity();
+
+  bool is_world() const { return !in_part && position_m.isZero(0) && rotation.isIdentity(0); }
+};
+
+/// A motion file (CSV or trace), a scripted motion or one laid on the first part; neither in a scene that is
+/// only viewed or touched live.
 struct MotionSettings {
   std::string file;  ///< as written
   std::string file_path;
   std::optional<ScriptedMotion> scripted;
+  std::optional<SurfaceMotion> laid;
+  MotionPlacement placement;  ///< of a file or a scripted motion
   double rate_hz = 1000;
   bool rate_given = false;      ///< else a file is followed at its own rate, which load_motion finds
   bool automatic_rate = false;  ///< `rate_hz = "auto"`: choose_rate finds it
@@ -83,7 +96,7 @@ struct MotionSettings {
   std::string table_key;    ///< a key that says so, where one stands in the scene: a trace needs none
   double encoder_m = 0;     ///< quantum that its positions are rounded to; 0: none
   double smoothing_hz = 0;  ///< of ZeroPhaseLowPass; 0: none
-  bool given() const { return !file.empty() || scripted.has_value(); }
+  bool given() const { return !file.empty() || scripted.has_value() || laid.has_value(); }
   bool has_own_rate() const { return !file.empty() && !rate_given && !automatic_rate; }
   /// Whether the rate is known only once the motion is: rate_hz says nothing until then.
   bool is_rate_open() const { return has_own_rate() || automatic_rate; }

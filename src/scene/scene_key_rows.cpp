@@ -39,6 +39,12 @@ MotionSettings& motion(Scene& scene) {
 ScriptedMotion& script(Scene& scene) {
   return *scene.motion.scripted;
 }
+SurfaceMotion& laid(Scene& scene) {
+  return *scene.motion.laid;
+}
+MotionPlacement& placement(Scene& scene) {
+  return scene.motion.placement;
+}
 HandSettings& hand(Scene& scene) {
   return *scene.hand;
 }
@@ -187,8 +193,7 @@ std::vector<SceneKey> scripted_keys() {
       motion_kind_key("kind"),
       only_with({"line"}, required(vector_key<script, &M::from_m>("from_m", ""))),
       only_with({"line"}, required(vector_key<script, &M::to_m>("to_m", ""))),
-      only_with({"line"},
-                required(number_key<script, &M::speed_m_per_s>("speed_m_per_s", 1e-9, farthest_m, ""))),
+      only_with({"line", "on_surface"}, required(speed_key("speed_m_per_s"))),
       only_with({"sine", "circle"}, required(vector_key<script, &M::centre_m>("centre_m", ""))),
       only_with({"circle"}, direction_key<script, &M::normal>("normal", "")),
       only_with({"sine", "circle"}, direction_key<script, &M::direction>("direction", "")),
@@ -201,13 +206,39 @@ std::vector<SceneKey> scripted_keys() {
   };
 }
 
+/// Of a motion laid on the first part.
+std::vector<SceneKey> laid_keys() {
+  using L = SurfaceMotion;
+  std::vector<SceneKey> keys = {
+      shape_key("shape"),
+      whole_key<laid, &L::place>("place", 0, std::numeric_limits<std::int64_t>::max(),
+                                 "which random place and direction"),
+      required(number_key<laid, &L::size_m>("size_m", 1e-9, farthest_m,
+                                            "length of the line, radius of the circle and the spiral")),
+      number_key<laid, &L::turns>("turns", 1e-3, 100, "of the circle and the spiral; strokes of the line"),
+      number_key<laid, &L::depth_m>("depth_m", 0, farthest_m, "pressed in so deep; or"),
+      number_key<laid, &L::normal_force_n>("normal_force_n", 0, 1e9, "pressed in with so much"),
+  };
+  for (SceneKey& key : keys) key = only_with({"on_surface"}, std::move(key));
+  return keys;
+}
+
+std::vector<SceneKey> placement_keys() {
+  using P = MotionPlacement;
+  return {
+      frame_key("frame"),
+      vector_key<placement, &P::position_m>("position_m", "where the motion's own origin lies in it"),
+      table_key("rotation", "", read_motion_rotation),
+  };
+}
+
 std::vector<SceneKey> motion_keys() {
   return std::vector<SceneKey>{
              rate_key("rate_hz"),
              text_key("file", "\"motions/rub.csv\"",
                       "t_s,x_m,y_m,z_m and optionally dx,dy,dz or qw,qx,qy,qz; or a trace", read_motion_file),
          } +
-         recording_keys() + scripted_keys();
+         recording_keys() + scripted_keys() + laid_keys() + placement_keys();
 }
 
 std::vector<SceneKey> hand_keys() {
@@ -254,7 +285,8 @@ const std::vector<SceneTable>& scene_tables() {
       {"friction", "[friction]", "a law's own keys are in the table of laws", friction_keys(), {"law"}},
       {"friction.vibration", "vibration of [friction]", "", vibration_keys()},
       {"finger", "[finger]", "", finger_keys()},
-      {"motion", "[motion]", "a file, or a scripted motion by its kind", motion_keys(), {"kind"}},
+      {"motion", "[motion]", "a file, or a motion made by its kind", motion_keys(), {"kind"}},
+      {"motion.rotation", "rotation of [motion]", "", rotation_keys()},
       {"motion.columns", "columns of [motion]", "", recording_column_keys()},
       {"hand", "[hand]", "optional: a simulated hand and device close the loop", hand_keys()},
       {"device", "[device]", "optional: how a live device lies in the world, and what its motors may do",

@@ -78,6 +78,14 @@ void read_table(const TomlNode& root, std::string_view name, Scene& scene) {
   read_keys(rows, open_table(*node, scene.path, rows), scene);
 }
 
+/// A motion that is laid on the first part, or placed in its frame, needs one.
+void refuse_no_part(const TomlNode& motion_node, const Scene& scene) {
+  if (!scene.parts.empty() || (!scene.motion.laid && !scene.motion.placement.in_part)) return;
+  const TomlTable motion = open_table(motion_node, scene.path, scene_table("motion"));
+  const char* key = scene.motion.laid ? "kind" : "frame";
+  throw motion.error(key, motion.name(key) + " is of the first [[part]], and the scene has none");
+}
+
 void read_hand(const TomlNode& root, Scene& scene) {
   const TomlNode* node = find_table(root, "hand", scene.path);
   if (node == nullptr) return;
@@ -135,7 +143,10 @@ Scene read_scene(const TomlNode& root, const std::string& path, Missing missing)
                   "'point_m' and 'normal'");
   }
   for (const char* name : {"contact", "friction", "finger", "device"}) read_table(root, name, scene);
-  if (const TomlNode* node = find_table(root, "motion", path)) read_motion_settings(*node, scene);
+  if (const TomlNode* node = find_table(root, "motion", path)) {
+    read_motion_settings(*node, scene);
+    if (missing == Missing::nothing) refuse_no_part(*node, scene);
+  }
   read_hand(root, scene);
   if (const TomlNode* node = find_table(root, "motion", path)) refuse_measured_in_a_hand(*node, scene);
   return scene;

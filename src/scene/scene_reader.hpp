@@ -19,4 +19,8 @@ Scene read_scene(const TomlNode& root, const std::string& path, Missing missing)
 /// a great many turns in a tick: what its matrix exponential loses by rounding grows with their number.
 void refuse_hand_too_quick(const HandSettings& hand, double rate_hz, const std::string& place);
 
+/// How deep a motion laid on the first part presses the finger in.
+/// @pre scene.motion.laid, and there is a part
+double pressed_depth_m(const Scene& scene);
+
 }  // namespace fingerpad

@@ -93,6 +93,10 @@ void read_rotation(const SceneKey& row, const TomlTable& part, Scene& scene) {
   scene.parts.back().rotation = rotation_of(row, part, scene_table("part.rotation"), scene);
 }
 
+void read_motion_rotation(const SceneKey& row, const TomlTable& motion, Scene& scene) {
+  scene.motion.placement.rotation = rotation_of(row, motion, scene_table("motion.rotation"), scene);
+}
+
 void read_device_rotation(const SceneKey& row, const TomlTable& device, Scene& scene) {
   scene.device.rotation = rotation_of(row, device, scene_table("device.rotation"), scene);
 }

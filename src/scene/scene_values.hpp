@@ -19,6 +19,7 @@ std::string text_that_is_there(const SceneKey& row, const TomlTable& table);
 void read_name(const SceneKey& row, const TomlTable& top, Scene& scene);
 void read_mesh(const SceneKey& row, const TomlTable& part, Scene& scene);
 void read_rotation(const SceneKey& row, const TomlTable& part, Scene& scene);
+void read_motion_rotation(const SceneKey& row, const TomlTable& motion, Scene& scene);
 void read_device_rotation(const SceneKey& row, const TomlTable& device, Scene& scene);
 void read_vibration(const SceneKey& row, const TomlTable& friction, Scene& scene);
 void read_profile_key(const SceneKey& row, const TomlTable& finger, Scene& scene);

@@ -20,15 +20,14 @@ LoadProgress progress_of(const LoadProgress& whole, const PartEntry& entry) {
              std::string_view stage, double share) { whole(file + ": " + std::string(stage), share); };
 }
 
-/// What its arrays take, and what the tree is reckoned to take beside them: not measured.
+/// What the arrays of a part take.
 std::size_t bytes_of(const Part& part) {
-  constexpr std::size_t tree_bytes_per_triangle = 150;
   const auto numbers = part.vertices.size() + part.facet_normals.size() + part.edge_pseudonormals.size() +
                        part.vertex_pseudonormals.size() + part.corner_normals.size();
   const auto indices = part.triangles.size() + part.welded.size() + part.neighbours.size();
   return static_cast<std::size_t>(numbers) * sizeof(double) +
          static_cast<std::size_t>(indices) * sizeof(int) + part.file_triangle.size() * sizeof(int) +
-         part.creases.size() + tree_bytes_per_triangle * static_cast<std::size_t>(part.triangle_count());
+         part.creases.size();
 }
 
 std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry, const LoadProgress& progress) {
@@ -42,7 +41,7 @@ std::shared_ptr<const LoadedMesh> load_mesh(const PartEntry& entry, const LoadPr
   mesh->hash = file_hash(entry.mesh_path);
   tell(progress, "building the search tree", hashed_at);
   mesh->tree = std::make_shared<TriangleTree>(mesh->part);
-  mesh->bytes = bytes_of(*mesh->part);
+  mesh->bytes = bytes_of(*mesh->part) + mesh->tree->memory_bytes();
   tell(progress, "ready", searchable_at);
   return mesh;
 }

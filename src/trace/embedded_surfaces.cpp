@@ -44,7 +44,7 @@ void write_properties(const hdf5::Handle& group, const SurfaceProperties& proper
   write("mu_dynamic", properties.mu_dynamic);
 }
 
-void write_part(const hdf5::Handle& group, const Surface& surface, double crease_deg) {
+void write_part(const hdf5::Handle& group, const Surface& surface, double crease_deg, hdf5::Packing packing) {
   const Part& part = *surface.part;
   hdf5::write_text(group, "kind", "part");
   hdf5::write_text(group, "mesh", surface.mesh);
@@ -57,9 +57,9 @@ void write_part(const hdf5::Handle& group, const Surface& surface, double crease
   write_vector(group, "min_m", bounds.min);
   write_vector(group, "max_m", bounds.max);
   if (!is_embedded(part)) return;
-  hdf5::write_table(group, "vertices_m", Points(part.vertices.colwise() + part.centre_P), "m");
-  hdf5::write_table(group, "triangles", part.triangles);
-  hdf5::write_list(group, "file_triangle", part.file_triangle);
+  hdf5::write_table(group, "vertices_m", Points(part.vertices.colwise() + part.centre_P), "m", packing);
+  hdf5::write_table(group, "triangles", part.triangles, packing);
+  hdf5::write_list(group, "file_triangle", part.file_triangle, packing);
 }
 
 void read_part(const hdf5::Handle& group, EmbeddedSurface& surface) {
@@ -138,7 +138,8 @@ Surface built_plane(const EmbeddedSurface& embedded, const std::string& path) {
 
 }  // namespace
 
-void write_surfaces(const hdf5::Handle& file, const World& world, const std::string& scene_text) {
+void write_surfaces(const hdf5::Handle& file, const World& world, const std::string& scene_text,
+                    hdf5::Packing packing) {
   const std::vector<double> creases_deg = part_crease_degs(scene_text);
   const hdf5::Handle all = hdf5::create_group(file, "surfaces");
   hdf5::write_whole(all, "count", world.surfaces.size());
@@ -147,7 +148,7 @@ void write_surfaces(const hdf5::Handle& file, const World& world, const std::str
     const hdf5::Handle group = hdf5::create_group(all, fmt::format("{}", i));
     write_properties(group, surface.properties);
     if (surface.part) {
-      write_part(group, surface, i < creases_deg.size() ? creases_deg[i] : default_crease_deg);
+      write_part(group, surface, i < creases_deg.size() ? creases_deg[i] : default_crease_deg, packing);
     } else {
       hdf5::write_text(group, "kind", "plane");
       write_vector(group, "point_m", surface.plane_point_W);

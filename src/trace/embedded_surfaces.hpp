@@ -16,7 +16,8 @@ inline constexpr int max_embedded_triangles = 100000;
 /// Writes the surfaces of a world as groups `surfaces/0`, `surfaces/1`, ... under the file's root: kind, pose
 /// and properties as attributes; of a part `vertices_m` (n x 3, frame P), `triangles`, `file_triangle`.
 /// @param scene_text  says at what angle each part was creased
-void write_surfaces(const hdf5::Handle& file, const World& world, const std::string& scene_text);
+void write_surfaces(const hdf5::Handle& file, const World& world, const std::string& scene_text,
+                    hdf5::Packing packing = hdf5::Packing::plain);
 
 /// What a file says of a surface, unchecked.
 struct EmbeddedSurface {

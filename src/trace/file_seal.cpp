@@ -35,9 +35,9 @@ using File = std::unique_ptr<std::FILE, CloseFile>;
 
 /// The seal that the first `size` bytes deserve; nothing is said of what lies behind them. None where the
 /// file cannot be read.
-std::optional<SealBytes> seal_of(std::FILE* file, std::uint64_t size) {
+/// @param checksum  afterwards that of those bytes
+std::optional<SealBytes> seal_of(std::FILE* file, std::uint64_t size, Checksum& checksum) {
   std::vector<char> block(std::size_t{1} << 18);
-  Checksum checksum;
   std::rewind(file);
   for (std::uint64_t left = size; left > 0;) {
     const std::size_t count = std::fread(
@@ -68,15 +68,18 @@ bool append_seal(std::FILE* file, const SealBytes& seal) {
 
 }  // namespace
 
-void seal_file(const std::string& path) {
+FileSum seal_file(const std::string& path) {
   const auto fail = [&path] {
     return Error(ErrorKind::fault, path, "cannot be written: " + path_words(path, errno));
   };
   File file(std::fopen(path.c_str(), "r+b"));
   if (!file) throw fail();
   const auto size = size_of(file.get());
-  const auto seal = size ? seal_of(file.get(), *size) : std::nullopt;
+  Checksum whole;
+  const auto seal = size ? seal_of(file.get(), *size, whole) : std::nullopt;
   if (!seal || !append_seal(file.get(), *seal) || std::fclose(file.release()) != 0) throw fail();
+  whole.add(reinterpret_cast<const char*>(&*seal), sizeof(*seal));
+  return {*size + sizeof(*seal), whole.value(*size + sizeof(*seal))};
 }
 
 Seal check_seal(const std::string& path) {
@@ -87,7 +90,8 @@ Seal check_seal(const std::string& path) {
   if (*size < sizeof(found)) return Seal::none;
   std::fseek(file.get(), -static_cast<long>(sizeof(found)), SEEK_END);
   if (std::fread(&found, sizeof(found), 1, file.get()) != 1 || found.mark != mark) return Seal::none;
-  const auto due = seal_of(file.get(), *size - sizeof(found));
+  Checksum contents;
+  const auto due = seal_of(file.get(), *size - sizeof(found), contents);
   return due && found.size == due->size && found.checksum == due->checksum ? Seal::whole : Seal::broken;
 }
 

@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "base/checksum.hpp"
+
 namespace fingerpad {
 
 /// What a file's seal says. A seal is 32 bytes behind the contents: a mark, their length and their checksum.
@@ -14,7 +16,8 @@ enum class Seal {
 };
 
 /// Appends the seal to a finished file. Throws Error (fault).
-void seal_file(const std::string& path);
+/// @returns the sum of the file with its seal
+FileSum seal_file(const std::string& path);
 
 /// Reads the whole file. Throws Error (refused) if it cannot be read.
 Seal check_seal(const std::string& path);

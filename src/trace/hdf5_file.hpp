@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <span>
@@ -77,27 +78,58 @@ std::optional<std::uint64_t> read_whole(const Handle& object, const std::string&
 /// Exactly `count` numbers.
 std::vector<double> read_numbers(const Handle& object, const std::string& name, std::size_t count);
 
-// Columns: one-dimensional datasets that grow. Chunks are not compressed: deflate took five times as long as
-// writing, and a chunk that changes its size between flushes would have to move.
+// Columns: one-dimensional datasets that grow.
+
+/// How the file keeps a column.
+struct ColumnLayout {
+  NumberType type;
+  std::uint64_t chunk_rows = 1024;
+  bool deflated = false;  ///< its chunks pass through packed_chunk()
+};
+Handle create_column(const Handle& file, const std::string& name, const ColumnLayout& layout,
+                     const std::string& unit);
 Handle create_column(const Handle& file, const std::string& name, NumberType type, const std::string& unit);
+
+/// One chunk of a column as it stands in the file, all its rows, whether they are needed or not.
+struct ChunkBytes {
+  std::span<const std::byte> bytes;
+  std::uint32_t skipped_filters = 0;  ///< HDF5's mask: bit 1 set where deflating did not pay
+};
+/// What a deflated column's chunk becomes: its bytes shuffled (first bytes of all values, then second ones)
+/// and deflated by zlib, as HDF5's own filters would. Takes no turn, so that many threads may pack at once.
+/// @param room  kept by the caller, so that it is not asked for anew each time
+ChunkBytes packed_chunk(std::span<const std::byte> chunk, std::size_t value_bytes,
+                        std::vector<std::byte>& room);
+/// Puts a chunk where it begins, beyond HDF5's cache; the column then has `rows` rows.
+/// @pre first_row is a multiple of the chunk's rows; the numbers are the file's: little-endian
+void write_chunk(const Handle& column, std::uint64_t first_row, const ChunkBytes& chunk, std::uint64_t rows);
+
 /// Adds values behind the first `rows`.
 void append(const Handle& column, std::size_t rows, std::span<const double> values);
 /// Refuses a link that may lead out of the file, what is no dataset, and a dataset whose numbers are not
-/// plain bytes of the file's own: no external storage, no virtual dataset, no filter.
+/// bytes of the file's own: no external storage, no virtual dataset, no filter but HDF5's own shuffle and
+/// deflate, of which nothing is loaded.
 /// @param what  what it is called in messages ("column")
 Handle open_dataset(const Handle& parent, const std::string& name, const std::string& what);
 /// The extents of a dataset of numbers; none if it is something else.
 std::vector<std::uint64_t> extents(const Handle& dataset);
-/// How many values the file has bytes for. (HDF5 reads zeros where it has none.)
+/// Whether its numbers are deflated.
+bool is_deflated(const Handle& dataset);
+/// How many values the file has bytes for, of a deflated dataset chunks. (HDF5 reads zeros where it has
+/// none.)
 std::uint64_t stored_values(const Handle& dataset);
 /// Rows first .. first + out.size() of a column, as doubles; false if they cannot be read.
 bool read_rows(const Handle& column, std::size_t first, std::span<double> out);
 
 // Small fixed tables, n x 3 in the file for 3 x n here.
-void write_table(const Handle& parent, const std::string& name, const Points& points,
-                 const std::string& unit);
-void write_table(const Handle& parent, const std::string& name, const IndexTriples& triples);
-void write_list(const Handle& parent, const std::string& name, std::span<const int> values);
+/// Whether they are deflated as columns are.
+enum class Packing { plain, deflated };
+void write_table(const Handle& parent, const std::string& name, const Points& points, const std::string& unit,
+                 Packing packing = Packing::plain);
+void write_table(const Handle& parent, const std::string& name, const IndexTriples& triples,
+                 Packing packing = Packing::plain);
+void write_list(const Handle& parent, const std::string& name, std::span<const int> values,
+                Packing packing = Packing::plain);
 Points read_points(const Handle& parent, const std::string& name, std::uint64_t max_columns);
 IndexTriples read_triples(const Handle& parent, const std::string& name, std::uint64_t max_columns);
 std::vector<int> read_list(const Handle& parent, const std::string& name, std::uint64_t max_count);

@@ -27,6 +27,19 @@ std::string link_name(H5L_type_t type) {
   return "a link of a kind that HDF5 does not know";
 }
 
+/// Whether a dataset passes through nothing but filters that HDF5 has in itself and that undo what we do:
+/// any other would be looked for among the user's plugins and loaded.
+bool has_known_filters(const Handle& creation, int count) {
+  for (int i = 0; i < count; ++i) {
+    unsigned flags = 0, configuration = 0;
+    std::size_t values = 0;
+    const H5Z_filter_t filter = H5Pget_filter2(creation.id(), static_cast<unsigned>(i), &flags, &values,
+                                               nullptr, 0, nullptr, &configuration);
+    if (filter != H5Z_FILTER_SHUFFLE && filter != H5Z_FILTER_DEFLATE) return false;
+  }
+  return count <= 2;
+}
+
 }  // namespace
 
 void check_link(const Handle& parent, const std::string& name, const std::string& what, H5O_type_t wanted) {
@@ -57,8 +70,10 @@ void check_storage(const Handle& dataset, const std::string& name, const std::st
   const int filters = H5Pget_nfilters(creation.id());
   if (files > 0) throw refuse("keeps its numbers in another file (external storage)");
   if (layout == H5D_VIRTUAL) throw refuse("is put together from other datasets (virtual dataset)");
-  if (filters > 0) {
-    throw refuse("is compressed or filtered, which no trace is; 'h5repack -f NONE IN.h5 OUT.h5' undoes that");
+  if (filters > 0 && !has_known_filters(creation, filters)) {
+    throw refuse(
+        "passes through filters that no trace has (deflate and shuffle alone); 'h5repack -f NONE IN.h5 "
+        "OUT.h5' undoes that");
   }
   const bool plain = layout == H5D_COMPACT || layout == H5D_CONTIGUOUS || layout == H5D_CHUNKED;
   if (files < 0 || filters < 0 || !plain) throw read_error(dataset.path(), name);

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "touch/world.hpp"
 #include "trace/change_log.hpp"
+#include "trace/column_chunks.hpp"
 #include "trace/embedded_surfaces.hpp"
 #include "trace/hdf5_file.hpp"
 #include "trace/trace_column.hpp"
@@ -17,8 +18,8 @@ namespace fingerpad {
 namespace {
 
 // A writer adds at most this many rows to a column before the next column gets them.
-constexpr std::uint64_t max_unfinished_rows = 4096;
-constexpr std::size_t block_rows = 1024;  // a chunk of the file
+constexpr std::uint64_t max_unfinished_rows = most_chunk_rows;
+constexpr std::size_t block_rows = 1024;
 
 /// Rows by column, as they stand in the file.
 using Block = std::vector<std::vector<double>>;
@@ -44,6 +45,7 @@ TraceInfo read_info(const hdf5::Handle& file) {
   info.contact_reasons = hdf5::read_texts(file, "contact_reasons");
   info.columns = hdf5::read_texts(file, "columns");
   info.every = hdf5::read_whole(file, "every").value_or(1);
+  info.deflated = hdf5::read_whole(file, "deflated").value_or(0) != 0;
   return info;
 }
 
@@ -72,6 +74,7 @@ void each_field_of_info(Way& way, Info& info) {
   way(info.contact_reasons);
   way(info.columns);
   way(info.every);
+  way(info.deflated);
 }
 
 struct Columns {
@@ -113,6 +116,9 @@ Columns open_columns(const hdf5::Handle& file, bool complete, bool is_partial) {
       throw refused(file.path(), fmt::format("is no trace: it has no column '{}'", name));
     }
     columns.handles.push_back(hdf5::open_dataset(file, name, "column"));
+    // A row that takes bytes for certain: so what a file unfolds to has a bound.
+    if (name == "t_s" && hdf5::is_deflated(*columns.handles.back()))
+      throw refused(file.path(), "is refused: column 't_s' is compressed, which no trace's is");
     const std::uint64_t rows = rows_of(*columns.handles.back(), name, complete, file_bytes);
     columns.rows = std::min(columns.rows, rows);
     longest = std::max(longest, rows);

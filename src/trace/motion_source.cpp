@@ -9,8 +9,10 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
+#include "motion/placed_motion.hpp"
 #include "motion/recording.hpp"
 #include "scene/scene_reader.hpp"
+#include "touch/mesh_store.hpp"
 #include "touch/rate_choice.hpp"
 #include "trace/trace.hpp"
 
@@ -198,8 +200,54 @@ void refine(Reading& reading) {
                   rate_hz, settings.smoothing_hz, 1e3 * smoothing.rms_m, 1e3 * smoothing.most_m));
 }
 
+/// What takes a motion's own coordinates to the world.
+struct MotionPose {
+  Mat3 rotation;
+  Vec3 position_m;
+};
+
+MotionPose pose_of(const Scene& scene) {
+  const MotionPlacement& placement = scene.motion.placement;
+  if (!placement.in_part) return {placement.rotation, placement.position_m};
+  const PartEntry& part = scene.parts.front();
+  return {part.rotation * placement.rotation, part.position_m + part.rotation * placement.position_m};
+}
+
 LoadedMotion scripted_motion(const Scene& scene) {
-  return {{*scene.motion.scripted, scene.motion.rate_hz, scene.finger.direction}};
+  ScriptedMotion motion = *scene.motion.scripted;
+  if (!scene.motion.placement.is_world()) {
+    const MotionPose pose = pose_of(scene);
+    place(motion, pose.rotation, pose.position_m);
+  }
+  return {{motion, scene.motion.rate_hz, scene.finger.direction}};
+}
+
+std::string shape_text(const SurfaceMotion& rub) {
+  const double size_mm = 1e3 * rub.size_m;
+  if (rub.shape == SurfaceMotion::Shape::line) return fmt::format("a line of {:.4g} mm", size_mm);
+  return fmt::format("a {} of {:.4g} mm radius",
+                     rub.shape == SurfaceMotion::Shape::circle ? "circle" : "spiral", size_mm);
+}
+
+LoadedMotion laid_motion(const Scene& scene, MeshStore& meshes) {
+  const SurfaceMotion& rub = *scene.motion.laid;
+  const PartEntry& part = scene.parts.front();
+  const double depth_m = pressed_depth_m(scene);
+  const auto mesh = meshes.load(part);
+  LaidMotion laid;
+  try {
+    laid = lay_on_surface(*mesh->tree, rub, scene.finger.radius_m, depth_m);
+  } catch (const Error& error) {
+    throw refused(scene.path, fmt::format("{}: {}", part.mesh, error.what()));
+  }
+  place(laid.motion, part.rotation, part.position_m);
+  LoadedMotion motion{{std::move(laid.motion), scene.motion.rate_hz, scene.finger.direction}};
+  const Vec3 place_mm = 1e3 * laid.place_P;
+  motion.notes.push_back(fmt::format(
+      "{}: {} at place {} of {}, ({:.4g}, {:.4g}, {:.4g}) mm in its frame, {:.4g} mm deep; tried {} {}",
+      scene.name, shape_text(rub), rub.place, part.mesh, place_mm.x(), place_mm.y(), place_mm.z(),
+      1e3 * depth_m, laid.tried, laid.tried == 1 ? "point" : "points"));
+  return motion;
 }
 
 /// At the rate that a scene leaves to the program, and that told; as it is where it leaves none.
@@ -225,11 +273,17 @@ void warn_of_no_force(Reading& reading) {
 }  // namespace
 
 LoadedMotion load_motion(const Scene& scene) {
+  MeshStore meshes(1);
+  return load_motion(scene, meshes);
+}
+
+LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   const MotionSettings& settings = scene.motion;
   if (!settings.given()) {
     throw refused(scene.path, "the scene has no motion to follow; give [motion] a 'file' or a 'kind'");
   }
   if (settings.scripted) return at_chosen_rate(scene, scripted_motion(scene));
+  if (settings.laid) return at_chosen_rate(scene, laid_motion(scene, meshes));
   Reading reading{scene, settings, {}, {}, {}, {}, {}};
   read_file(reading);
   reading.clock = recording_clock(reading.motion.t_s);
@@ -241,6 +295,10 @@ LoadedMotion load_motion(const Scene& scene) {
   if (settings.has_own_rate() || is_refined(settings)) warn_of_odd_steps(reading);
   warn_of_no_force(reading);
   if (is_refined(settings)) refine(reading);
+  if (!settings.placement.is_world()) {
+    const MotionPose pose = pose_of(scene);
+    place(reading.motion, pose.rotation, pose.position_m);
+  }
   return in_file(settings, [&] {
     return at_chosen_rate(scene, LoadedMotion{{std::move(reading.motion), rate_hz, scene.finger.direction},
                                               reading.notes,

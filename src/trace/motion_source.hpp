@@ -9,6 +9,8 @@
 
 namespace fingerpad {
 
+class MeshStore;
+
 /// What a scene's finger follows, read and made ready.
 struct LoadedMotion {
   FingerPath path;                         ///< at the scene's rate, or at the recording's own
@@ -17,10 +19,13 @@ struct LoadedMotion {
   std::vector<std::string> warnings = {};  ///< what in it is not as it should be
 };
 
-/// Reads what a scene's [motion] names: a motion table, a trace (HDF5 or CSV), or a scripted motion; finds
-/// its own rate where the scene has none, and estimates velocities and smooths it where the scene asks for
-/// that. Throws Error (refused) if the scene has no motion, it cannot be read, or does not go with what is
-/// asked.
+/// Reads what a scene's [motion] names: a motion table, a trace (HDF5 or CSV), or a scripted motion, puts it
+/// where the scene says, or lays it on the first part; finds its own rate where the scene has none, and
+/// estimates velocities and smooths it where the scene asks for that. Throws Error (refused) if the scene has
+/// no motion, it cannot be read, or does not go with what is asked.
+/// @param meshes  where the part comes from on which a motion is laid
+LoadedMotion load_motion(const Scene& scene, MeshStore& meshes);
+/// As above, with a mesh of its own.
 LoadedMotion load_motion(const Scene& scene);
 
 /// The finger's way alone.

@@ -42,6 +42,7 @@ struct TraceInfo {
   /// The columns that were asked for, where not all were: names, in file order (trace_choice.hpp).
   std::vector<std::string> columns;
   std::uint64_t every = 1;  ///< rows are every so manieth tick, and the last
+  bool deflated = false;    ///< HDF5: its columns, but for time, and its tables are deflated
 };
 
 /// A trace read whole.

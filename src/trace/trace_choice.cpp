@@ -36,6 +36,7 @@ std::vector<std::string> chosen_columns(std::string_view list, const std::string
 void choose(const TraceChoice& choice, TraceInfo& info) {
   info.columns = choice.columns;
   info.every = static_cast<std::uint64_t>(choice.every);
+  info.deflated = choice.deflated;
 }
 
 std::vector<TraceColumn> chosen(std::vector<TraceColumn> columns, const TraceInfo& info) {

@@ -12,6 +12,7 @@ namespace fingerpad {
 struct TraceChoice {
   std::vector<std::string> columns;  ///< names, in file order, t_s among them; empty: all
   long every = 1;                    ///< rows of every so manieth tick, and of the last
+  bool deflated = false;             ///< TraceInfo::deflated
 
   bool is_all() const noexcept { return columns.empty() && every == 1; }
 };
@@ -29,6 +30,12 @@ std::vector<TraceColumn> chosen(std::vector<TraceColumn> columns, const TraceInf
 /// Whether the row of tick k, from 0, is written.
 constexpr bool is_kept(long k, long last, std::uint64_t every) noexcept {
   return k == last || static_cast<std::uint64_t>(k) % every == 0;
+}
+
+/// How many rows a trace of so many ticks has.
+constexpr std::uint64_t kept_rows(long ticks, std::uint64_t every) noexcept {
+  const auto last = static_cast<std::uint64_t>(ticks - 1);
+  return ticks < 1 ? 0 : last / every + 1 + (last % every != 0 ? 1 : 0);
 }
 
 /// Throws Error (refused) where a trace lacks columns: which it has, which it would need, and the mend.

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <cstdint>
 
 namespace fingerpad {
 namespace {
@@ -32,6 +33,11 @@ std::string_view read_value(const TraceColumn& column, double value, TickRecord&
   const std::string_view wrong = damage(column.kind, value);
   if (wrong.empty()) column.set(record, value);
   return wrong;
+}
+
+std::size_t kept_bytes(ColumnKind kind) noexcept {
+  if (kind == ColumnKind::phase) return sizeof(std::uint8_t);
+  return kind == ColumnKind::index ? sizeof(std::int32_t) : sizeof(double);
 }
 
 std::string trace_columns_text() {

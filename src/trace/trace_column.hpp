@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -41,6 +42,8 @@ struct TraceColumn {
   double (*get)(const TickRecord& record) noexcept;
   /// @param value  read_value has nothing against
   void (*set)(TickRecord& record, double value) noexcept;
+  /// The rows' values as HDF5 keeps them, one behind the other: kept_bytes(kind) each.
+  void (*gather)(std::span<const TickRecord> rows, std::byte* out) noexcept;
   std::string_view values{};  ///< what its numbers stand for, an attribute in HDF5; empty: what `unit` says
   ColumnOf of = ColumnOf::every_trace;
 };
@@ -52,6 +55,9 @@ std::vector<TraceColumn> trace_columns(const TraceInfo& info);
 std::vector<TraceColumn> csv_columns(const TraceInfo& info);
 /// Tells the info of a trace that it has a column.
 void tell_of(const TraceColumn& column, TraceInfo& info) noexcept;
+
+/// The bytes of one value in HDF5: 8 of a double, 4 of an index, 1 of a phase.
+std::size_t kept_bytes(ColumnKind kind) noexcept;
 
 /// Puts a number that a file has in this column into a record.
 /// @returns  what is wrong with it (a phase that is none, a time or a position that is not finite), and then

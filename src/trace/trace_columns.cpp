@@ -1,8 +1,28 @@
+#include <cstdint>
+#include <cstring>
+#include <type_traits>
+
 #include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
 
 namespace fingerpad {
 namespace {
+
+/// How HDF5 keeps a value of the record: a double, a phase in a byte, all else in 32 bits.
+template <typename Value>
+using Kept = std::conditional_t<std::is_floating_point_v<Value>, double,
+                                std::conditional_t<std::is_same_v<Value, Phase>, std::uint8_t, std::int32_t>>;
+
+/// @param value  of a record
+template <typename Of>
+void gather_rows(std::span<const TickRecord> rows, std::byte* out, Of value) noexcept {
+  using K = Kept<std::remove_cvref_t<decltype(value(rows.front()))>>;
+  for (const TickRecord& record : rows) {
+    const K kept = static_cast<K>(value(record));
+    std::memcpy(out, &kept, sizeof(kept));
+    out += sizeof(kept);
+  }
+}
 
 /// A number of the record.
 template <auto member>
@@ -16,6 +36,9 @@ constexpr TraceColumn column(std::string_view name, std::string_view unit, std::
           [](TickRecord& record, double value) noexcept {
             record.*member = static_cast<std::remove_reference_t<decltype(record.*member)>>(value);
           },
+          [](std::span<const TickRecord> rows, std::byte* out) noexcept {
+            gather_rows(rows, out, [](const TickRecord& record) { return record.*member; });
+          },
           values};
 }
 
@@ -28,7 +51,10 @@ constexpr TraceColumn column(std::string_view name, std::string_view unit, std::
           doc,
           kind,
           [](const TickRecord& record) noexcept { return (record.*member)[axis]; },
-          [](TickRecord& record, double value) noexcept { (record.*member)[axis] = value; }};
+          [](TickRecord& record, double value) noexcept { (record.*member)[axis] = value; },
+          [](std::span<const TickRecord> rows, std::byte* out) noexcept {
+            gather_rows(rows, out, [](const TickRecord& record) { return (record.*member)[axis]; });
+          }};
 }
 
 constexpr TraceColumn only(ColumnOf of, TraceColumn column) {

@@ -13,6 +13,7 @@
 #include "trace/hdf5_trace.hpp"
 #include "trace/trace.hpp"
 #include "trace/trace_choice.hpp"
+#include "trace/trace_column.hpp"
 #include "trace/trial.hpp"
 
 namespace fingerpad {
@@ -24,14 +25,15 @@ constexpr InputKind trace_file{"a trace", std::numeric_limits<std::uint64_t>::ma
 /// crashed it and one in ninety hung it; and anyone can put a right seal under such a file. So a child
 /// process reads it. The seal tells damage that HDF5 would not see.
 Trace read_hdf5_trace(const std::string& path, TraceContents contents) {
-  constexpr std::uint64_t bytes_per_second = std::uint64_t{50} << 20;  // far slower than any reading
+  constexpr std::uint64_t bytes_per_second = std::uint64_t{5} << 20;  // far slower than any reading
   if (check_seal(path) == Seal::broken)
     throw refused(path, "is damaged: its contents are not those that were written");
   std::error_code vanished;
   const std::uint64_t bytes = std::filesystem::file_size(path, vanished);
   if (vanished) throw refused(path, "cannot be read: " + path_words(path, vanished.value()));
-  // A row takes little more in memory than in the file, and so does all else.
-  const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + 4 * bytes;
+  // A row takes eight bytes of the file at least, its time, and eight of every column where it is told. Of a
+  // plain trace what is told is hardly more than the file, of a deflated one many times that.
+  const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + (trace_columns().size() + 1) * bytes;
   const TrialLimits limits{.seconds = 2 + bytes / bytes_per_second,
                            .memory_bytes = (std::uint64_t{256} << 20) + 4 * bytes};
   const auto work = [&](const Trial::Say& say) {

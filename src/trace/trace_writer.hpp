@@ -1,9 +1,11 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
 
+#include "base/checksum.hpp"
 #include "touch/time_histogram.hpp"
 #include "trace/trace.hpp"
 
@@ -20,8 +22,11 @@ class TraceWriter {
   /// created: usage where the name leads to no place for it, fault where the disk refuses.
   /// @param world  parts of at most 100,000 triangles are embedded, so that the trace can be seen without its
   /// meshes
+  /// @param rows_to_come  how many rows the trace will have, 0 where nobody knows: it is written in chunks
+  /// that fit
   static std::unique_ptr<TraceWriter> create(const std::string& path, TraceFormat format,
-                                             const TraceInfo& info, const World& world);
+                                             const TraceInfo& info, const World& world,
+                                             std::uint64_t rows_to_come = 0);
   virtual ~TraceWriter() = default;
   /// Throws Error (fault) when the disk refuses.
   virtual void append(std::span<const TickRecord> rows) = 0;
@@ -33,7 +38,8 @@ class TraceWriter {
   /// How the loop that made the rows kept its time, for the file's attributes; CSV has no place for it.
   virtual void note_timing(const ServoTiming& /*timing*/) {}
   /// Marks the trace complete and closes it. Without this it reads as cut short.
-  virtual void finish() = 0;
+  /// @returns the sum of the whole file as it was written
+  virtual FileSum finish() = 0;
 };
 
 }  // namespace fingerpad

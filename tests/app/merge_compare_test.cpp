@@ -102,5 +102,31 @@ TEST(Compare, TellsWhatChangedByJobAndColumn) {
   EXPECT_EQ(test::fingerpad("compare none none", folder).exit_code, 3);
 }
 
+TEST(Compare, WithoutTracesGoesByTheFiguresOfTheSummaries) {
+  const fs::path folder = folder_with_set();
+  const std::string replay = "replay s.toml --quiet --format none --out ";
+  ASSERT_EQ(test::fingerpad(replay + "a", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad(replay + "b", folder).exit_code, 0);
+  EXPECT_EQ(test::fingerpad("compare a b", folder).out, "0 of 5 jobs changed from a to b\n");
+  std::string summary = bytes_of(folder / "b" / "summary.csv");
+  summary.replace(summary.find(",ok,"), 4, ",lost,");
+  summary.erase(summary.rfind("s,5,"));
+  std::ofstream(folder / "b" / "summary.csv") << summary;
+  const auto changed = test::fingerpad("compare a b", folder);
+  EXPECT_EQ(changed.exit_code, 4);
+  EXPECT_EQ(changed.out,
+            "s job 1 (seed 1): was 'ok', is 'lost'\n"
+            "s job 5 (seed 5): is in the first summary alone\n2 of 5 jobs changed from a to b\n");
+  std::string text = bytes_of(folder / "s.toml");
+  text.replace(text.find("mu_dynamic = 0.2"), 16, "mu_dynamic = 0.1");
+  std::ofstream(folder / "s.toml") << text;
+  ASSERT_EQ(test::fingerpad(replay + "c", folder).exit_code, 0);
+  const auto figures = test::fingerpad("compare a c", folder);
+  EXPECT_EQ(figures.exit_code, 4);
+  EXPECT_THAT(figures.out, HasSubstr("s job 2 (seed 2): mean_slip_mu was 0.2, is 0.1\n"));
+  EXPECT_THAT(figures.out, HasSubstr("5 of 5 jobs changed from a to c\n"));
+  EXPECT_EQ(test::fingerpad("compare a c --tolerance 100", folder).exit_code, 0);
+}
+
 }  // namespace
 }  // namespace fingerpad::merge_compare_test

@@ -17,6 +17,8 @@ namespace fingerpad::stores_test {
 namespace {
 namespace fs = std::filesystem;
 
+MeshStore no_meshes(1);
+
 Scene scene_of(const fs::path& folder, const std::string& motion) {
   std::ofstream(folder / "s.toml") << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\n"
                                    << motion;
@@ -35,10 +37,10 @@ TEST(MotionStore, ReadsAMotionOnceForThoseWhoFollowItAlike) {
   write_motion(folder / "a.csv", 10);
   MotionStore store(1 << 20);
   const Scene slow = scene_of(folder, "file = \"a.csv\"\nrate_hz = 1000\n");
-  const auto first = store.load(slow);
-  EXPECT_EQ(store.load(slow), first);
+  const auto first = store.load(slow, no_meshes);
+  EXPECT_EQ(store.load(slow, no_meshes), first);
   EXPECT_EQ(store.read_count(), 1);
-  const auto quick = store.load(scene_of(folder, "file = \"a.csv\"\nrate_hz = 2000\n"));
+  const auto quick = store.load(scene_of(folder, "file = \"a.csv\"\nrate_hz = 2000\n"), no_meshes);
   EXPECT_EQ(store.read_count(), 2) << "another rate is another way";
   EXPECT_NE(quick->motion.path.tick_count(), first->motion.path.tick_count());
   EXPECT_EQ(quick->hash, first->hash);
@@ -52,8 +54,8 @@ TEST(MotionStore, LetsGoOfTheOldestBeyondItsBound) {
   MotionStore roomy(100 * 32 * 2), small(100 * 32);
   for (MotionStore* store : {&roomy, &small}) {
     for (int round = 0; round < 2; ++round) {
-      store->load(a);
-      store->load(b);
+      store->load(a, no_meshes);
+      store->load(b, no_meshes);
     }
   }
   EXPECT_EQ(roomy.read_count(), 2);
@@ -64,7 +66,7 @@ TEST(MotionStore, TellsEveryoneWhatIsWrongWithAMotion) {
   const fs::path folder = test::scratch_dir();
   MotionStore store(1 << 20);
   const Scene scene = scene_of(folder, "file = \"none.csv\"\n");
-  for (int i = 0; i < 2; ++i) EXPECT_ANY_THROW(store.load(scene));
+  for (int i = 0; i < 2; ++i) EXPECT_ANY_THROW(store.load(scene, no_meshes));
 }
 
 PartEntry mesh_in(const fs::path& folder, const std::string& name) {
@@ -73,6 +75,21 @@ PartEntry mesh_in(const fs::path& folder, const std::string& name) {
   entry.mesh = name;
   entry.mesh_path = (folder / name).string();
   return entry;
+}
+
+TEST(MeshStore, CountsWhatAMeshTakesInMemory) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "ball.ply", test::binary_ply(test::sphere_soup(9, 4)));
+  PartEntry entry;
+  entry.mesh = "ball.ply";
+  entry.mesh_path = (folder / "ball.ply").string();
+  const auto mesh = MeshStore(1).load(entry);
+  const std::size_t n = 8 * 256, vertices = 4 * 256 + 2;
+  ASSERT_EQ(mesh->part->triangle_count(), static_cast<int>(n));
+  // Three coordinates of each vertex, its normal, and those of facets, edges and corners; corners, welded
+  // corners and neighbours; the file's number and the creases of each triangle.
+  const std::size_t arrays = 8 * (6 * vertices + 3 * n + 9 * n + 9 * n) + 4 * 9 * n + 4 * n + n;
+  EXPECT_EQ(mesh->bytes, arrays + mesh->tree->memory_bytes());
 }
 
 TEST(MeshStore, LetsGoOfAMeshAfterItsLastAnnouncedUse) {

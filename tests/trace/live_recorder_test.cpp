@@ -32,7 +32,10 @@ class FakeWriter final : public TraceWriter {
     log_.rows.insert(log_.rows.end(), rows.begin(), rows.end());
   }
   void flush() override { ++log_.flushes; }
-  void finish() override { log_.finished = true; }
+  FileSum finish() override {
+    log_.finished = true;
+    return {};
+  }
 
  private:
   Log& log_;

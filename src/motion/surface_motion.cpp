@@ -1,0 +1,171 @@
+#include "motion/surface_motion.hpp"
+
+#include <fmt/format.h>
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+
+#include "base/error.hpp"
+#include "base/random_stream.hpp"
+#include "motion/surface_walk.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// How the spiral's angle grows from turn to turn: r = growth * angle.
+double growth_of(const SurfaceMotion& rub) noexcept {
+  return rub.size_m / (2 * pi * rub.turns);
+}
+
+/// Of the figure, as drawn once or as often as it asks for [m].
+double length_m(const SurfaceMotion& rub) noexcept {
+  if (rub.shape == SurfaceMotion::Shape::line) return rub.size_m * rub.turns;
+  if (rub.shape == SurfaceMotion::Shape::circle) return 2 * pi * rub.size_m * rub.turns;
+  const double end = 2 * pi * rub.turns;
+  return growth_of(rub) / 2 * (end * std::hypot(1, end) + std::asinh(end));
+}
+
+/// Between samples: a millisecond's way, but no fewer than 50 and no more than 5,000 of the figure's size.
+long steps_of(const SurfaceMotion& rub) noexcept {
+  const double step_m = std::clamp(rub.speed_m_per_s * 1e-3, rub.size_m / 5000, rub.size_m / 50);
+  return std::max(1L, std::lround(length_m(rub) / step_m));
+}
+
+/// The way from outside to the surface, and back in the end [m].
+double lead_m(const SurfaceMotion& rub, double depth_m) noexcept {
+  return depth_m + rub.size_m / 10;
+}
+
+/// By how much the figure turns on the step from `done_m` of its length.
+class Turning {
+ public:
+  explicit Turning(const SurfaceMotion& rub) : rub_(rub), growth_m_(growth_of(rub)) {}
+  double of_step(double step_m) noexcept {
+    if (rub_.shape == SurfaceMotion::Shape::line) return 0;
+    if (rub_.shape == SurfaceMotion::Shape::circle) return step_m / rub_.size_m;
+    // Half a step, the curvature there, the other half: r = a phi has (2 + phi^2) / (a (1 + phi^2)^(3/2)).
+    const double middle = angle_ + step_m / 2 / (growth_m_ * std::hypot(1, angle_));
+    angle_ += step_m / (growth_m_ * std::hypot(1, middle));
+    return step_m * (2 + middle * middle) / (growth_m_ * std::pow(1 + middle * middle, 1.5));
+  }
+
+ private:
+  const SurfaceMotion& rub_;
+  double growth_m_, angle_ = 0;
+};
+
+/// Random points of a part, each place as likely as its area.
+class RandomPlaces {
+ public:
+  explicit RandomPlaces(const Part& part) : part_(part) {
+    areas_.reserve(static_cast<std::size_t>(part.triangle_count()));
+    double sum = 0;
+    for (int t = 0; t < part.triangle_count(); ++t) {
+      const Vec3 a = corner(t, 0);
+      areas_.push_back(sum += (corner(t, 1) - a).cross(corner(t, 2) - a).norm());
+    }
+  }
+  int triangle(RandomStream& random) const {
+    const auto at = std::upper_bound(areas_.begin(), areas_.end(), random.uniform() * areas_.back());
+    return static_cast<int>(std::min(at - areas_.begin(), std::ssize(areas_) - 1));
+  }
+  Vec3 point_P(int t, RandomStream& random) const {
+    double u = random.uniform(), v = random.uniform();
+    if (u + v > 1) u = 1 - u, v = 1 - v;
+    const Vec3 a = corner(t, 0);
+    return part_.centre_P + a + u * (corner(t, 1) - a) + v * (corner(t, 2) - a);
+  }
+
+ private:
+  Vec3 corner(int t, int k) const { return part_.vertices.col(part_.triangles(k, t)); }
+  const Part& part_;
+  std::vector<double> areas_;  // doubled, and summed
+};
+
+/// Whether the finger can come in from there. What lies around a point is known of a closed part alone: in a
+/// valley of two sheets most of the view is sheet.
+bool is_free(const TriangleTree& tree, SurfaceWalk& walk, const Vec3& from_P, double radius_m) {
+  const Part& part = tree.part();
+  if (!(walk.distance_at(from_P) > radius_m)) return false;
+  const bool is_open = (part.neighbours.array() < 0).any();
+  return is_open || !tree.encloses(from_P - part.centre_P);
+}
+
+/// The finger's centre at even steps, from outside to outside; nothing where this place does not hold it.
+std::optional<std::vector<Vec3>> walked(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
+                                        double depth_m, SurfaceWalker& walker, SurfaceWalk& walk) {
+  const double out_m = lead_m(rub, depth_m);
+  const Vec3 from_P = walker.p_P + out_m * walker.normal_P;
+  if (!is_free(tree, walk, from_P, radius_m)) return std::nullopt;
+  const long steps = steps_of(rub);
+  const double step_m = length_m(rub) / static_cast<double>(steps);
+  // A line goes back on its own way.
+  const bool is_line = rub.shape == SurfaceMotion::Shape::line;
+  const long stroke = is_line ? std::lround(rub.size_m / step_m) : steps;
+  std::vector<SurfaceWalker> way{walker};
+  Turning turning(rub);
+  for (long k = 0; k < std::min(stroke, steps); ++k) {
+    if (!walk.step(step_m, turning.of_step(step_m), walker)) return std::nullopt;
+    way.push_back(walker);
+  }
+  std::vector<Vec3> centres{from_P};
+  long at = 0;
+  for (long k = 0; k <= steps; ++k) {
+    const long along = k % (2 * stroke);
+    at = along <= stroke ? along : 2 * stroke - along;
+    centres.push_back(way[static_cast<std::size_t>(at)].p_P);
+  }
+  const SurfaceWalker& last = way[static_cast<std::size_t>(at)];
+  centres.push_back(last.p_P + out_m * last.normal_P);
+  if (!is_free(tree, walk, centres.back(), radius_m)) return std::nullopt;
+  return centres;
+}
+
+Motion timed(const std::vector<Vec3>& centres, const SurfaceMotion& rub, double depth_m) {
+  const double lead_s = lead_m(rub, depth_m) / rub.speed_m_per_s;
+  const double rub_s = length_m(rub) / rub.speed_m_per_s;
+  const std::size_t steps = centres.size() - 3;
+  Motion motion;
+  motion.p_WQ.resize(3, static_cast<Eigen::Index>(centres.size()));
+  for (std::size_t i = 0; i < centres.size(); ++i) motion.p_WQ.col(static_cast<Eigen::Index>(i)) = centres[i];
+  motion.t_s = {0};
+  for (std::size_t k = 0; k <= steps; ++k)
+    motion.t_s.push_back(lead_s + rub_s * static_cast<double>(k) / static_cast<double>(steps));
+  motion.t_s.push_back(duration_s(rub, depth_m));
+  return motion;
+}
+
+}  // namespace
+
+double duration_s(const SurfaceMotion& rub, double depth_m) noexcept {
+  return (2 * lead_m(rub, depth_m) + length_m(rub)) / rub.speed_m_per_s;
+}
+
+LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
+                          double depth_m) {
+  constexpr int most_tries = 300;
+  constexpr double tolerance_of_size = 1e-6;
+  const RandomPlaces places(tree.part());
+  RandomStream random(static_cast<std::uint64_t>(rub.place));
+  for (int tried = 1; tried <= most_tries; ++tried) {
+    const int t = places.triangle(random);
+    const Vec3 place_P = places.point_P(t, random);
+    const double heading_rad = 2 * pi * random.uniform();
+    SurfaceWalk walk(tree, radius_m - depth_m, tolerance_of_size * rub.size_m);
+    SurfaceWalker walker;
+    if (!walk.start(t, place_P, heading_rad, walker)) continue;
+    const auto centres = walked(tree, rub, radius_m, depth_m, walker, walk);
+    if (centres) return {timed(*centres, rub, depth_m), place_P, tried};
+  }
+  throw refused("", fmt::format("none of {} random places holds a rub of size_m {} for this finger: it would "
+                                "leave the part over an open rim, find no room or press through a thin wall; "
+                                "make size_m, the depth or the finger smaller",
+                                most_tries, rub.size_m));
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <cstdint>
+
+#include "motion/motion.hpp"
+
+namespace fingerpad {
+
+class TriangleTree;
+
+/// A rub that is laid on a part: a figure drawn in the surface at a random place, along which the finger is
+/// pressed in. The figure has its own lengths and bends in the surface, as if drawn on paper that clings to
+/// it.
+struct SurfaceMotion {
+  enum class Shape {
+    line,    ///< to and fro, of length size_m
+    circle,  ///< of radius size_m
+    spiral   ///< from the place outwards to radius size_m, its turns evenly apart (Archimedes)
+  };
+  Shape shape = Shape::line;
+  std::int64_t place = 1;  ///< which of the random places, each with its direction: the seed of both
+  double size_m = 0.01;    ///< see Shape
+  double turns = 1;        ///< of the circle and the spiral; strokes of the line
+  double speed_m_per_s = 0.1;
+  double depth_m = 0;         ///< how deep it is pressed in, 0: as normal_force_n says
+  double normal_force_n = 0;  ///< over the part's stiffness: the depth
+};
+
+/// How long it takes, the way down to the surface and up again with it [s].
+double duration_s(const SurfaceMotion& rub, double depth_m) noexcept;
+
+/// A motion in the part's frame, and how many places were tried until one held it.
+struct LaidMotion {
+  Motion motion;
+  Vec3 place_P = Vec3::Zero();  ///< where the surface is touched first [m]
+  int tried = 0;
+};
+
+/// Lays a rub on a part. The finger's centre keeps the distance radius_m - depth_m from the whole surface, at
+/// an even speed, so that it rolls over edges and turns in corners without being pressed in any deeper; it
+/// comes from outside along the normal, and leaves so. A place where it would leave the part over an open
+/// rim, where the finger has no room or the wall is too thin for the depth is given up for the next of the
+/// stream. Depends on the part, the rub, radius and depth alone. Throws Error (refused) without a place where
+/// no place holds it.
+LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
+                          double depth_m);
+
+}  // namespace fingerpad

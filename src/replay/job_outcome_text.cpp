@@ -1,0 +1,40 @@
+#include "replay/job_outcome_text.hpp"
+
+#include <bit>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+
+namespace fingerpad {
+
+std::string outcome_text(const BatchJob& job, std::size_t index) {
+  // Figures as bits: JSON has no numbers that are not finite.
+  std::vector<std::uint64_t> figures;
+  for (const double figure : job.figures) figures.push_back(std::bit_cast<std::uint64_t>(figure));
+  const nlohmann::json outcome = {index,    job.status,         job.exit_code,       job.seconds,
+                                  figures,  job.contact_method, job.contact_normals, job.contact_reasons,
+                                  job.kept, job.left_behind,    job.motion_notes,    job.warnings};
+  return outcome.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+}
+
+void take_outcome(std::vector<BatchJob>& jobs, const std::string& text) {
+  const auto outcome = nlohmann::json::parse(text, nullptr, false);
+  constexpr std::size_t fields = 12;
+  if (!outcome.is_array() || outcome.size() != fields) return;
+  const auto index = outcome[0].get<std::size_t>();
+  if (index >= jobs.size()) return;
+  BatchJob& job = jobs[index];
+  job.status = outcome[1];
+  job.exit_code = outcome[2];
+  job.seconds = outcome[3];
+  job.figures.clear();
+  for (const std::uint64_t bits : outcome[4]) job.figures.push_back(std::bit_cast<double>(bits));
+  job.contact_method = outcome[5];
+  job.contact_normals = outcome[6];
+  job.contact_reasons = outcome[7].get<std::vector<std::string>>();
+  job.kept = outcome[8];
+  job.left_behind = outcome[9];
+  job.motion_notes = outcome[10].get<std::vector<std::string>>();
+  job.warnings = outcome[11].get<std::vector<std::string>>();
+}
+
+}  // namespace fingerpad

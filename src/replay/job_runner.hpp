@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "replay/batch.hpp"
+#include "replay/motion_store.hpp"
+#include "touch/mesh_store.hpp"
+
+namespace fingerpad {
+
+/// Carries out jobs on a batch's threads, with the meshes and motions that they share.
+class JobRunner {
+ public:
+  /// What to do next, asked by any thread; nothing when there is nothing more.
+  using NextJob = std::function<std::optional<std::size_t>()>;
+  /// Told of each job that has ended, one call at a time.
+  using OnEnd = std::function<void(std::size_t job)>;
+
+  JobRunner(std::vector<BatchJob>& jobs, const BatchOptions& options);
+
+  /// The meshes of these jobs are kept until the last of them.
+  void expect(const std::vector<std::size_t>& jobs);
+  /// The meshes of the last job so announced are kept until another's are, or none.
+  void hold(std::optional<std::size_t> job);
+  /// Runs jobs until there are none. Those that fail say so in their status; what the two functions throw is
+  /// thrown.
+  void run(const NextJob& next, const OnEnd& on_end);
+
+ private:
+  void run_one(std::size_t job);
+
+  std::vector<BatchJob>& jobs_;
+  const BatchOptions& options_;
+  MeshStore meshes_;
+  MotionStore motions_;
+  std::optional<std::size_t> held_;
+};
+
+}  // namespace fingerpad

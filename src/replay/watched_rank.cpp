@@ -1,0 +1,94 @@
+#include "replay/watched_rank.hpp"
+
+#include <sys/mman.h>
+#include <sys/prctl.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <csignal>
+#include <ctime>
+#include <new>
+
+#include "base/error.hpp"
+
+namespace fingerpad {
+
+struct WatchedRank::Told {
+  std::atomic<long> begun{0};
+  std::atomic<bool> left{false};
+};
+
+namespace {
+
+constexpr int most_idle_deaths = 3;
+
+sigset_t watched_signals() noexcept {
+  sigset_t set;
+  sigemptyset(&set);
+  for (const int signal : {SIGCHLD, SIGINT, SIGTERM}) sigaddset(&set, signal);
+  return set;
+}
+
+/// How a child ended: as waitpid's status, and whether it had been asked to stop.
+struct ChildEnd {
+  int status = 0;
+  bool asked = false;
+};
+
+ChildEnd watch_over(pid_t child, pid_t launcher) {
+  const sigset_t set = watched_signals();
+  for (ChildEnd end;;) {
+    if (waitpid(child, &end.status, WNOHANG) == child) return end;
+    const timespec patience{1, 0};
+    const int signal = sigtimedwait(&set, nullptr, &patience);
+    if (signal == SIGINT || signal == SIGTERM) {
+      kill(child, signal);
+      end.asked = true;
+    } else if (!end.asked && getppid() != launcher) {
+      kill(child, SIGTERM);
+      end.asked = true;
+    }
+  }
+}
+
+}  // namespace
+
+WatchedRank::WatchedRank(RankLog& log) {
+  void* const memory = mmap(nullptr, sizeof(Told), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
+  if (memory == MAP_FAILED) throw Error(ErrorKind::fault, "", "no memory is left for a rank");
+  told_ = new (memory) Told;
+  const pid_t launcher = getppid(), watcher = getpid();
+  const sigset_t set = watched_signals();
+  sigset_t before;
+  sigprocmask(SIG_BLOCK, &set, &before);
+  long begun = 0;
+  for (int idle_deaths = 0; idle_deaths < most_idle_deaths;) {
+    const pid_t child = fork();
+    if (child < 0) throw Error(ErrorKind::fault, "", "a rank's process cannot be started");
+    if (child == 0) {
+      prctl(PR_SET_PDEATHSIG, SIGKILL);
+      if (getppid() != watcher) _exit(static_cast<int>(ErrorKind::fault));
+      setpgid(0, 0);  // a launcher's signal to the group comes once, from the watcher
+      sigprocmask(SIG_SETMASK, &before, nullptr);
+      return;
+    }
+    const ChildEnd end = watch_over(child, launcher);
+    if (WIFEXITED(end.status)) _exit(WEXITSTATUS(end.status));
+    log.died(WTERMSIG(end.status));
+    if (told_->left || end.asked) _exit(static_cast<int>(ErrorKind::fault));
+    idle_deaths = told_->begun == begun ? idle_deaths + 1 : 0;
+    begun = told_->begun;
+  }
+  _exit(static_cast<int>(ErrorKind::fault));
+}
+
+void WatchedRank::begins_job() noexcept {
+  ++told_->begun;
+}
+
+void WatchedRank::has_left() noexcept {
+  told_->left = true;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,27 @@
+#pragma once
+
+#include "replay/rank_log.hpp"
+
+namespace fingerpad {
+
+/// Goes on in a child process, and keeps watch over it in this one. A child that a signal ends (a mesh that
+/// crashes a library, the kernel short of memory) loses what it has begun: that is noted in the log, and
+/// another goes on in its place. So what launched the rank does not see it die, and does not end the others.
+/// The one that watches passes SIGINT and SIGTERM on, asks the child to stop where its launcher is gone, and
+/// ends with the child's code; the child ends with it. Returns in the child alone. To be called before there
+/// are threads.
+class WatchedRank {
+ public:
+  explicit WatchedRank(RankLog& log);
+
+  /// A child that is ended before it has begun another job is replaced a few times only.
+  void begins_job() noexcept;
+  /// What comes is not repeated: where a signal ends the child now, it is not replaced.
+  void has_left() noexcept;
+
+ private:
+  struct Told;  // in memory that both have
+  Told* told_;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,161 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// A batch that real ranks share, under mpirun and under Slurm, and what is left when one of them dies.
+
+#ifdef FINGERPAD_MPI
+
+namespace fingerpad::ranks_test {
+namespace {
+namespace fs = std::filesystem;
+using test::bytes_of;
+using test::ShellResult;
+using testing::HasSubstr;
+using testing::Not;
+
+/// Eight rubs over two parts and a plane, in three scenes, one with a mesh that cannot be read.
+fs::path folder_with_batch(int rate_hz = 1000) {
+  const fs::path folder = test::scratch_dir();
+  const std::string rub =
+      "[motion]\nkind = \"sine\"\ncentre_m = [0, 0, -0.001]\ndirection = [1, 0, 0]\n"
+      "amplitude_m = 0.02\nfrequency_hz = 1\nduration_s = 2\nrate_hz = " +
+      std::to_string(rate_hz) + "\n";
+  std::ofstream(folder / "few.off")
+      << "OFF\n4 4 0\n0 0 0\n40 0 0\n0 40 0\n0 0 40\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
+  std::ofstream(folder / "broken.off") << "OFF\n";
+  std::ofstream(folder / "parts.toml")
+      << "name = \"parts\"\n[[part]]\nmesh = \"few.off\"\n" + rub +
+             "[[set]]\nmesh = [\"few.off\", \"broken.off\"]\nseed = [1, 2]\n";
+  std::ofstream(folder / "plane.toml")
+      << "name = \"plane\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n" + rub +
+             "[[set]]\nseed = [1, 2, 3, 4]\n";
+  return folder;
+}
+
+std::string as_ranks(int count, const std::string& options = "") {
+  return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe " + options +
+         " -n " + std::to_string(count) + " '" + test::program().string() + "' ";
+}
+
+std::string support(const std::string& name) {
+  return "'" + (test::source_dir() / "tests" / "support" / name).string() + "' ";
+}
+
+/// Every file but the times, its name first.
+std::vector<std::pair<std::string, std::string>> all_bytes(const fs::path& folder) {
+  std::vector<std::pair<std::string, std::string>> files;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    if (entry.is_regular_file() && entry.path().filename() != "timing.csv")
+      files.emplace_back(fs::relative(entry.path(), folder).string(), bytes_of(entry.path()));
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// Rows of the summary whose job is lost with a rank.
+long lost_jobs(const fs::path& out) {
+  std::ifstream summary(out / "summary.csv");
+  long lost = 0;
+  for (std::string line; std::getline(summary, line);)
+    lost += line.find("lost with rank") != std::string::npos;
+  return lost;
+}
+
+void expect_resumed_to_the_same_bytes(const fs::path& folder, const std::string& scene) {
+  ASSERT_EQ(test::fingerpad("replay " + scene + " --out one --quiet", folder).exit_code, 0);
+  const ShellResult resumed = test::shell(as_ranks(2) + "replay " + scene + " --out o --resume", folder);
+  EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
+  EXPECT_THAT(resumed.out, HasSubstr(" kept from before)"));
+  EXPECT_EQ(all_bytes(folder / "o"), all_bytes(folder / "one"));
+}
+
+TEST(Ranks, LeaveTheBytesOfOneProcessAndOfShards) {
+  const fs::path folder = folder_with_batch();
+  const std::string batch = "replay parts.toml plane.toml --quiet --out ";
+  ASSERT_EQ(test::fingerpad(batch + "one", folder).exit_code, 4) << "a mesh is broken";
+  const auto one = all_bytes(folder / "one");
+  for (const int count : {2, 4}) {
+    const std::string out = "ranks" + std::to_string(count);
+    const ShellResult ranks = test::shell(as_ranks(count) + batch + out, folder);
+    EXPECT_EQ(ranks.exit_code, 4) << ranks.err;
+    EXPECT_THAT(ranks.err, HasSubstr("fingerpad: error: 2 jobs (3, 4): broken.off"));
+    EXPECT_EQ(all_bytes(folder / out), one) << count;
+  }
+  for (const char* shard : {"3", "1", "2"})
+    test::shell(as_ranks(2) + batch + "shards --shard " + shard + "/3", folder);
+  ASSERT_EQ(test::fingerpad("merge shards --out merged", folder).exit_code, 0);
+  EXPECT_EQ(all_bytes(folder / "merged"), one) << "ranks within shards, in any order";
+}
+
+TEST(Ranks, WhoseProcessDiesLoseWhatItHadBegunAndTheRestIsDone) {
+  const fs::path folder = folder_with_batch(100000);
+  const ShellResult run = test::shell(
+      support("kill_rank") + "o 1 worker env " + as_ranks(2) + "replay plane.toml --out o", folder);
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  EXPECT_THAT(run.out, HasSubstr("3 of 4 jobs done, traces and summary.csv in o\n"));
+  EXPECT_THAT(run.err, HasSubstr("lost with rank 1 on "));
+  EXPECT_THAT(run.err,
+              HasSubstr("its process was ended by signal 9 (Killed); the same command with --resume"));
+  EXPECT_EQ(lost_jobs(folder / "o"), 1);
+  EXPECT_FALSE(fs::exists(folder / "o" / ".fingerpad" / "ranks-1of1"));
+  expect_resumed_to_the_same_bytes(folder, "plane.toml");
+}
+
+TEST(Ranks, ThatDieAltogetherDoNotEndTheOthersWhereTheLauncherIsAskedToGoOn) {
+  const fs::path folder = folder_with_batch(100000);
+  const ShellResult run = test::shell(
+      support("kill_rank") + "o 0 rank env " + as_ranks(2, "--enable-recovery") + "replay plane.toml --out o",
+      folder);
+  EXPECT_NE(run.exit_code, 99) << "the rank was not killed: " << run.err;
+  EXPECT_THAT(run.out, HasSubstr("3 of 4 jobs done, traces and summary.csv in o\n"));
+  EXPECT_THAT(run.err, HasSubstr("that rank was killed; the same command with --resume"));
+  EXPECT_EQ(lost_jobs(folder / "o"), 1);
+  expect_resumed_to_the_same_bytes(folder, "plane.toml");
+}
+
+TEST(Ranks, ShareABatchUnderSlurmByTheScriptsInTools) {
+  const fs::path folder = folder_with_batch(100000);
+  const std::string tool = "'" + (test::source_dir() / "tools").string() + "/";
+  std::ofstream(folder / "on_slurm")
+      << "set -e\nexport FINGERPAD='" << test::program().string()
+      << "'\n"
+      // Shards in any order: the last first, the others when it is done.
+      << "SHARDS=3 sbatch --quiet --wait --array=3 --cpus-per-task=1 " << tool
+      << "slurm_shards' shards plane.toml\n"
+      << "SHARDS=3 sbatch --quiet --wait --array=1,2 --cpus-per-task=1 " << tool
+      << "slurm_shards' shards plane.toml\n"
+      << "sbatch --quiet --wait --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 " << tool
+      << "slurm_ranks' ranks plane.toml\n"
+      << support("kill_rank")
+      << "killed 1 rank sbatch --quiet --wait --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 " << tool
+      << "slurm_ranks' killed plane.toml && code=0 || code=$?\n"
+      << "echo killed $code\n"
+      << "sbatch --quiet --wait --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 " << tool
+      << "slurm_ranks' killed plane.toml\n";
+  const ShellResult run = test::shell(support("with_slurm") + "bash on_slurm", folder);
+  if (run.exit_code == 77) GTEST_SKIP() << run.err;
+  std::string logs;
+  for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+    if (entry.path().extension() == ".log") logs += bytes_of(entry.path());
+  }
+  ASSERT_EQ(run.exit_code, 0) << run.err << logs;
+  EXPECT_THAT(run.out, HasSubstr("killed 4\n"));
+  EXPECT_THAT(logs, HasSubstr("lost with rank 1 on "));
+  EXPECT_THAT(logs, HasSubstr("3 of 4 jobs done"));
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad("merge shards --out merged", folder).exit_code, 0);
+  for (const char* out : {"merged", "ranks", "killed"})
+    EXPECT_EQ(all_bytes(folder / out), all_bytes(folder / "one")) << out;
+}
+
+}  // namespace
+}  // namespace fingerpad::ranks_test
+
+#endif
