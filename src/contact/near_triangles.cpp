@@ -121,12 +121,12 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
                                 Looks& looks) noexcept {
   const TriangleTree& tree = *world.surface(surface).tree;
   found_.clear();
-  SearchLimit limit{most - count(), Limits::most_packets};
+  SearchLimit limit{most - count(), std::min(Limits::most_packets, Limits::packets_a_triangle * most)};
   const bool is_whole =
       tree.each_within(views_[static_cast<std::size_t>(surface)].at_P, distance_m, limit, found_);
-  // How far a search came that found too many depends on the order of Embree's tree.
-  looks.spend(LookCosts::search);
-  looks.spend(is_whole ? LookCosts::packet * limit.packets : LookCosts::fetched * limit.most_triangles);
+  // How far a search came that found too many depends on the order of Embree's tree; mostly it found more than
+  // two in a packet.
+  looks.spend(LookCosts::search + LookCosts::packet * (is_whole ? limit.packets : limit.most_triangles / 2));
   count_ += limit.triangles;
   if (!is_whole) return false;
   // What a pass costs depends on the order, too.

@@ -40,7 +40,6 @@ class ProxyStart {
   bool has_failed_ = false;  // the last start that came to its end
   Vec3 place_O_ = Vec3::Zero();
   Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
-  Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   int pushes_ = 0;
   int surface_ = 0;      // to be looked at next ...
   ClosestWalk closest_;  // ... and how far that has come
