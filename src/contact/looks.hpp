@@ -2,7 +2,8 @@
 
 namespace fingerpad {
 
-/// What a look costs, in some eight nanoseconds: fitted to the time that ticks took on the machine of the charts.
+/// What a look costs, in some eight nanoseconds: fitted to the time that ticks took on the machine of the
+/// charts.
 struct LookCosts {
   static constexpr long search = 60;      ///< the trees are asked for what is near
   static constexpr long packet = 5;       ///< a float filter looks at eight triangles at once

@@ -73,7 +73,8 @@ class RoughWay {
   /// How far a packet's triangles may reach from its origin along a wall's normal and stay behind the wall.
   float behind(const PartWalls::PartWall& wall, const TrianglePacket& packet) const noexcept {
     const float margin = 2 * rough_margin * packet.radius + exact_margin_;
-    return -no_less(static_cast<double>(margin) - packed_.scale * wall.offset_m + wall.normal_P.dot(packet.origin));
+    return -no_less(static_cast<double>(margin) - packed_.scale * wall.offset_m +
+                    wall.normal_P.dot(packet.origin));
   }
 
  private:
@@ -124,8 +125,8 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
   SearchLimit limit{most - count(), std::min(Limits::most_packets, Limits::packets_a_triangle * most)};
   const bool is_whole =
       tree.each_within(views_[static_cast<std::size_t>(surface)].at_P, distance_m, limit, found_);
-  // How far a search came that found too many depends on the order of Embree's tree; mostly it found more than
-  // two in a packet.
+  // How far a search came that found too many depends on the order of Embree's tree; mostly it found more
+  // than two in a packet.
   looks.spend(LookCosts::search + LookCosts::packet * (is_whole ? limit.packets : limit.most_triangles / 2));
   count_ += limit.triangles;
   if (!is_whole) return false;
@@ -229,9 +230,10 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
   const RoughWay rough(packed, way.from_P, way.to_P, world.clearance_m(), 2 * world.tolerance_m());
   if (next == 0) bring_first(rough, before, worst.slack_m, view, looks);
   std::size_t k = view.first + next;
-  for (;; ++k) {
+  // At least one, so that it comes to its end however little a tick may look at.
+  for (bool is_first = true;; ++k, is_first = false) {
     if (k == view.left) k = view.compared;
-    if (k == view.end || looks.are_spent()) break;
+    if (k == view.end || (looks.are_spent() && !is_first)) break;
     NearPacket& near = near_[k];
     const TrianglePacket& packet = rough.packet(near);
     unsigned lanes = k < view.compared ? near.left : lanes_left(rough, before, worst.slack_m, near, looks);

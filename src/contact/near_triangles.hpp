@@ -9,16 +9,16 @@
 
 namespace fingerpad {
 
-/// A packet in a proxy's view. Of its triangles half spaces are known, in float, each made by a look from some
-/// place: most are told by them to be out of the way of a step, eight at once. What they leave is told exactly,
-/// so that they are speed alone.
+/// A packet in a proxy's view. Of its triangles half spaces are known, in float, each made by a look from
+/// some place: most are told by them to be out of the way of a step, eight at once. What they leave is told
+/// exactly, so that they are speed alone.
 struct NearPacket {
   PacketTangents tangents = no_tangents();
   alignas(32) TrianglePacket::Lanes ends{};  ///< of those left by bring_first, see SweepFilter
-  std::array<float, 3> seen_from{};  ///< relative to the packet's origin, scaled
-  bool is_seen = false;              ///< so far
-  PacketLanes of;                    ///< the triangles within reach
-  unsigned left = 0;                 ///< those that may be in the way, by bring_first
+  std::array<float, 3> seen_from{};          ///< relative to the packet's origin, scaled
+  bool is_seen = false;                      ///< so far
+  PacketLanes of;                            ///< the triangles within reach
+  unsigned left = 0;                         ///< those that may be in the way, by bring_first
 };
 
 class RoughWay;

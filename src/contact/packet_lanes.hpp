@@ -2,8 +2,8 @@
 
 #include "contact/triangle_packet.hpp"
 
-// A packet's lanes as vectors of eight floats. Wider than what the plain instruction set has they are split by the
-// compiler; they never cross a call that is not inlined, so how they would be passed does not matter.
+// A packet's lanes as vectors of eight floats. Wider than what the plain instruction set has they are split
+// by the compiler; they never cross a call that is not inlined, so how they would be passed does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
 #define FINGERPAD_INLINED [[gnu::always_inline]] inline

@@ -180,8 +180,7 @@ unsigned reach_within_plain(const TrianglePacket& p, const float* along, float l
   make(p, r, made);
 }
 
-[[gnu::target("avx2")]] unsigned may_block_with_avx2(const PacketTangents& tangents,
-                                                     const WayPastPacket& way,
+[[gnu::target("avx2")]] unsigned may_block_with_avx2(const PacketTangents& tangents, const WayPastPacket& way,
                                                      TrianglePacket::Lanes& ends) noexcept {
   return may_block(tangents, way, ends);
 }

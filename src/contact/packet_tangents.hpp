@@ -12,16 +12,16 @@ struct alignas(32) PacketTangents {
   TrianglePacket::Lanes level;                   ///< how far it reaches from the packet's origin, scaled
 };
 
-/// A way of a ball past a packet, and where its triangles need not be looked at; scaled, and longer than what is
-/// meant by the packet's margin.
+/// A way of a ball past a packet, and where its triangles need not be looked at; scaled, and longer than what
+/// is meant by the packet's margin.
 struct WayPastPacket {
   float from[3], to[3];  ///< relative to the packet's origin
   /// A half space that the way stays so far outside of is not touched.
   float touched;
   /// One that the way begins farther outside of, or ends, is breached less than another is.
   float begins, ends;
-  /// What is known of the end is off by this, divided by the distance from the triangle, since the way from it
-  /// is not known better.
+  /// What is known of the end is off by this, divided by the distance from the triangle, since the way from
+  /// it is not known better.
   float turn;
   float margin;  ///< of rough_margin's claim
 };
@@ -30,7 +30,8 @@ struct WayPastPacket {
 PacketTangents no_tangents() noexcept;
 
 /// Makes half spaces from a place. The margin of rough_margin holds for how far outside of them places are:
-/// what is outside of a half space by more than the margin there is as far from the triangle, less the margin.
+/// what is outside of a half space by more than the margin there is as far from the triangle, less the
+/// margin.
 ///
 /// Proof: for any unit vector n the triangle lies in the half space of n that its farthest corner bounds. So
 /// only roundings count: n is unit to 4 u, made of a frame whose axes are unit and square to 3 u each; a
@@ -43,8 +44,8 @@ using TangentMaker = void (*)(const TrianglePacket& packet, const float* r, Pack
 /// @param ends  aligned to 32 bytes: how far outside of each half space the way ends, at least
 using WayFilter = unsigned (*)(const PacketTangents& tangents, const WayPastPacket& way,
                                TrianglePacket::Lanes& ends) noexcept;
-/// The same by half spaces made from where the way begins, and then, as sweep_past_triangle does it, from where
-/// one of these is touched, and from there again.
+/// The same by half spaces made from where the way begins, and then, as sweep_past_triangle does it, from
+/// where one of these is touched, and from there again.
 using SweepFilter = unsigned (*)(const TrianglePacket& packet, const PacketTangents& tangents,
                                  const WayPastPacket& way, TrianglePacket::Lanes& ends) noexcept;
 /// The lanes whose triangles reach no farther along a unit vector than a limit, as bits; none without a rough

@@ -40,9 +40,9 @@ struct ProxyLimits {
   /// is the shortest.
   static constexpr double least_turn_sine = 1e-9;
 
-  /// What a tick may look at (LookCosts): some eight nanoseconds each, so an eighth of a servo's millisecond. A
-  /// part that is touched here and there takes some hundreds; what is broken off is gone on with in the next
-  /// tick.
+  /// What a tick may look at (LookCosts): some eight nanoseconds each, so an eighth of a servo's millisecond.
+  /// A part that is touched here and there takes some hundreds; what is broken off is gone on with in the
+  /// next tick.
   static constexpr long most_looks = 16000;
 
   /// What it may look at besides for the closest point, as long as no start has found a place.

@@ -67,14 +67,15 @@ float margin_at(const TrianglePacket& packet, const float* r) {
 
 double outside(const PacketTangents& tangents, std::size_t lane, const float* r) {
   double sum = -static_cast<double>(tangents.level[lane]);
-  for (std::size_t i = 0; i < 3; ++i) sum += static_cast<double>(r[i]) * static_cast<double>(tangents.towards[i][lane]);
+  for (std::size_t i = 0; i < 3; ++i)
+    sum += static_cast<double>(r[i]) * static_cast<double>(tangents.towards[i][lane]);
   return sum;
 }
 
 double distance_to(const Part& part, int t, const Vec3& q) {
   double distance_m = 0;
-  test::brute_closest_on(part.vertices.col(3 * t), part.vertices.col(3 * t + 1), part.vertices.col(3 * t + 2), q,
-                         &distance_m);
+  test::brute_closest_on(part.vertices.col(3 * t), part.vertices.col(3 * t + 1), part.vertices.col(3 * t + 2),
+                         q, &distance_m);
   return scale * distance_m;
 }
 
@@ -158,7 +159,8 @@ void compare(const Part& part, const TrianglePacket& packet, const Way& way, dou
   ASSERT_EQ(swept & ~may, 0U);
   for (int t = 0; t < packet_width; ++t) {
     if ((packet.always_exact >> t & 1) != 0) continue;
-    const TriangleSweep exact = sweep_past_triangle(corners_of(part, t), way.from, way.to, way.clearance_m, 1e-9);
+    const TriangleSweep exact =
+        sweep_past_triangle(corners_of(part, t), way.from, way.to, way.clearance_m, 1e-9);
     const bool blocks = exact.blocked && exact.end_slack_m < slack_m;
     const bool is_left = (swept >> t & 1) != 0;
     ASSERT_TRUE(is_left || !blocks) << "slack " << exact.end_slack_m << " of " << slack_m;

@@ -23,7 +23,8 @@ constexpr int walk_ticks = 3000;
 /// A resting finger lets the proxy come all the way in one tick of a second.
 constexpr double dt_s = 1;
 /// What a tick may look at beyond its looks: it ends with the search that spends them, with the packets that
-/// are compared before a pass, one of them in front of three walls, and with the fans about a facet's corners.
+/// are compared before a pass, one of them in front of three walls, and with the fans about a facet's
+/// corners.
 constexpr long most_beyond =
     LookCosts::fetched * (ProxyMemoryLimits::richest_view + 6 * ProxyLimits::most_turns) +
     LookCosts::packet * ProxyMemoryLimits::most_packets +

@@ -135,7 +135,8 @@ std::vector<int> triangles_of(const TriangleTree& tree, const std::vector<Packet
   std::vector<int> triangles;
   for (const PacketLanes& p : packets) {
     for (std::size_t lane = 0; lane < packet_width; ++lane) {
-      if ((p.lanes >> lane & 1) != 0) triangles.push_back(tree.packed().packets[p.packet].exact[lane].triangle);
+      if ((p.lanes >> lane & 1) != 0)
+        triangles.push_back(tree.packed().packets[p.packet].exact[lane].triangle);
     }
   }
   std::sort(triangles.begin(), triangles.end());
