@@ -238,17 +238,27 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
     const TrianglePacket& packet = rough.packet(near);
     unsigned lanes = k < view.compared ? near.left : lanes_left(rough, before, worst.slack_m, near, looks);
     if (lanes == 0) continue;
-    lanes = lanes_swept(rough.past(packet, worst.slack_m), packet, lanes, near, looks);
+    if (near.told == 0 || near.told_from_P != way.from_P)
+      lanes = lanes_swept(rough.past(packet, worst.slack_m), packet, lanes, near, looks);
     while (lanes != 0) {
       const std::size_t lane = take_least(near.ends, lanes);
       const bool is_rough = (packet.always_exact >> lane & 1) == 0;
       if (is_rough && near.ends[lane] > rough.past(packet, worst.slack_m).ends) continue;
       const int triangle = packet.exact[lane].triangle;
+      if (near.told_from_P != way.from_P) near.told = 0;
+      TriangleApproach& first = near.approaches[lane];
+      looks.spend(1);
+      if ((near.told >> lane & 1) != 0 &&
+          first.distance_m - world.clearance_m() + first.towards.dot(way.way_P) > worst.slack_m)
+        continue;
       const TriangleCorners corners = corners_of(*packed.part, triangle);
       looks.spend(LookCosts::fetched);
       if (before.hide(corners)) continue;
+      if ((near.told >> lane & 1) == 0) first = approach_triangle(corners, way.from_P);
+      near.told |= 1U << lane;
+      near.told_from_P = way.from_P;
       const int sweeps = worst.sweeps;
-      worst.offer_triangle(world, way, corners, triangle, approach_triangle(corners, way.from_P));
+      worst.offer_triangle(world, way, corners, triangle, first);
       looks.spend(LookCosts::sweep * (worst.sweeps - sweeps));
     }
   }

@@ -18,7 +18,12 @@ struct NearPacket {
   std::array<float, 3> seen_from{};          ///< relative to the packet's origin, scaled
   bool is_seen = false;                      ///< so far
   PacketLanes of;                            ///< the triangles within reach
-  unsigned left = 0;                         ///< those that may be in the way, by bring_first
+  /// How triangles stand before the place that they were last told exactly from, a bit each: a ball that fits
+  /// tightly is held by nearly all of them, pass by pass.
+  unsigned told = 0;
+  Vec3 told_from_P = Vec3::Zero();
+  std::array<TriangleApproach, packet_width> approaches;
+  unsigned left = 0;  ///< those that may be in the way, by bring_first
 };
 
 class RoughWay;
