@@ -52,6 +52,7 @@ inline std::vector<TickRecord> told_rows(long count) {
     r.direction_W = Vec3(0, 0.6, -0.8);
     r.attitude << 0.5, -0.5, 0.5, -0.5;
     r.sent_W_n = Vec3(0.1, -0.0, 1.0 / 3);
+    r.residual_W_n = Vec3(-1.0 / 7, 0.0, r.t_s);
   }
   return rows;
 }
@@ -85,6 +86,7 @@ inline TraceInfo some_info() {
 inline TraceInfo told_info() {
   TraceInfo info = some_info();
   info.several_walls = info.in_hand = info.estimated = info.turning = info.attitudes = info.sent = true;
+  info.compared = true;
   return info;
 }
 

@@ -228,7 +228,7 @@ TEST(TraceWriter, DatasetsStandAtTheRootWithTheirUnits) {
   test::write_trace(path, TraceFormat::hdf5, test::told_rows(10), {}, test::told_info());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   ASSERT_GE(file, 0);
-  ASSERT_EQ(trace_columns().size(), 47u);
+  ASSERT_EQ(trace_columns().size(), 50u);
   for (const TraceColumn& column : trace_columns()) {
     const hid_t dataset = H5Dopen2(file, std::string(column.name).c_str(), H5P_DEFAULT);
     ASSERT_GE(dataset, 0) << column.name;
