@@ -53,6 +53,9 @@ TEST(Comparison, NamesRunsOfScenesWithLittleInCommonByTheirFiles) {
   EXPECT_EQ(runs[1].name, "law lugre");
   runs[1].scene_text += "[contact]\nmethod = \"proxy\"\nnormals = \"curved\"\n[finger]\nradius_m = 0.007\n";
   name_apart(runs);
+  EXPECT_EQ(runs[1].name, "law lugre") << "names that are there stay";
+  for (ComparedRun& run : runs) run.name.clear();
+  name_apart(runs);
   EXPECT_EQ(runs[1].name, "b");
 }
 

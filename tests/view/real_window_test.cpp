@@ -162,10 +162,12 @@ TEST(RealWindow, IsTouchedChangedPhotographedAndItsTraceScrubbed) {
   ASSERT_EQ(earlier.exit_code, 0) << earlier.err;
   const Pixels same = read_png(folder / "same.png"), other = read_png(folder / "other.png");
   ASSERT_EQ(same.rgb.size(), scrubbed.rgb.size());
+  double most_of_another = 0;
   for (const Box& box : {with_line.scene, with_line.charts, with_line.timeline}) {
     EXPECT_LT(test::share_that_differs(scrubbed, same, box), 0.01);
-    EXPECT_GT(test::share_that_differs(scrubbed, other, box), 0.01) << "of another moment";
+    most_of_another = std::max(most_of_another, test::share_that_differs(scrubbed, other, box));
   }
+  EXPECT_GT(most_of_another, 0.05) << "another moment is told apart: its time line at least";
 }
 
 TEST(RealWindow, ShowsAFileThatIsDroppedOntoItAndSaysWhyItCannotShowAnother) {
