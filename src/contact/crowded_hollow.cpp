@@ -23,9 +23,8 @@ int near_facets(const TriangleTree& tree, const SurfacePlace& place, double radi
   Vec3 centre = radius_m * part.facet_normals.col(place.triangle);
   for (int k = 0; k < 3; ++k) centre += part.vertices.col(part.triangles(k, place.triangle)) / 3;
   SearchLimit limit{ProxyMemoryLimits::richest_view, ProxyMemoryLimits::most_packets};
-  std::vector<PacketLanes> found;
-  found.reserve(ProxyMemoryLimits::richest_view + 1);
-  tree.each_within(centre, (1 + near_share) * radius_m, limit, found);
+  tree.each_within(
+      centre, (1 + near_share) * radius_m, limit, [](void*, int) {}, nullptr);
   return limit.is_exceeded() ? ProxyMemoryLimits::richest_view + 1 : limit.triangles;
 }
 

@@ -2,19 +2,13 @@
 
 namespace fingerpad {
 
-/// What a look costs, in some eight nanoseconds: fitted to the time that ticks took on the machine of the
-/// charts.
+/// What a look costs, where one at a triangle that is at hand and was seen before counts once.
 struct LookCosts {
-  static constexpr long search = 60;      ///< the trees are asked for what is near
-  static constexpr long packet = 5;       ///< a float filter looks at eight triangles at once
-  static constexpr long held = 2;         ///< what is known of a packet is held against a way, or a wall
-  static constexpr long tangents = 5;     ///< half spaces are made for a packet's triangles
-  static constexpr long swept = 12;       ///< a way is swept past a packet's half spaces
-  static constexpr long fetched = 4;      ///< a triangle's corners are fetched, and its distance told
-  static constexpr long sweep = 9;        ///< the way is swept past a triangle
-  static constexpr long closest = 40;     ///< what is left of a packet's triangles is told exactly
-  static constexpr long dipole = 2;       ///< the angle under which a cluster is seen, from afar
-  static constexpr long angle = 8;        ///< that under which a triangle is seen
+  static constexpr long packet = 6;       ///< a float filter looks at eight triangles at once
+  static constexpr long fetched = 8;      ///< a triangle's corners are fetched, and its distance told
+  static constexpr long sweep = 20;       ///< the way is swept past a triangle; nothing in a small view
+  static constexpr long closest = 30;     ///< what is left of a packet's triangles is told exactly
+  static constexpr long angle = 6;        ///< the angle under which a triangle is seen
   static constexpr long projection = 32;  ///< onto four walls
   static constexpr long hop = 64;         ///< the way over an edge
 };

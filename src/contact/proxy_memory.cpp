@@ -38,7 +38,6 @@ bool ProxyMemory::slide(ProxyState& state) noexcept {
     return room_.wall_count == 1 ? slide_on_one(state) : slide_on_several(state);
   if (!room_.holds(state.goal_O) || !is_clear_of_planes(state.goal_O, -1)) return false;
   state.place_O = state.goal_O;
-  state.contact.settled = true;
   report_free(state);
   return true;
 }
@@ -54,7 +53,6 @@ bool ProxyMemory::fly(ProxyState& state) noexcept {
       room_.centre_O = state.place_O;
       room_.radius_m = free_m * (1 - Limits::rounding);
       state.place_O = goal_O;
-      state.contact.settled = true;
       return true;
     }
     if (!(free_m > view_reach_m_)) return false;

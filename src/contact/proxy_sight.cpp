@@ -88,7 +88,8 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
                              if (before.hide(corners)) return;
                              const TriangleApproach a = approach_triangle(corners, way.from_P);
                              const int sweeps = round.worst.sweeps;
-                             round.worst.offer_triangle(world_, way, corners, triangle, a);
+                             round.worst.offer_triangle(world_, way, corners, triangle, a.towards,
+                                                        a.distance_m - world_.clearance_m());
                              looks_.spend(LookCosts::sweep * (round.worst.sweeps - sweeps));
                            });
 }

@@ -1,6 +1,5 @@
 #include "contact/proxy_start.hpp"
 
-#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -87,24 +86,13 @@ bool ProxyStart::find_worst(const ProxyWorld& world, Looks& looks) noexcept {
 }
 
 ProxyStart::End ProxyStart::go_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept {
-  // Where the ball has just been found not to fit, it mostly does not the next time.
-  if (!has_failed_ || looks.is_unlimited()) return push_out(world, goal_O, looks);
-  Looks few(std::min(looks.left(), ProxyLimits::most_looks_again));
-  const End end = push_out(world, goal_O, few);
-  looks.spend(few.spent());
-  return end;
-}
-
-ProxyStart::End ProxyStart::push_out(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept {
   if (!(world.extent_m() > 0)) {
     const auto out_O = out_of_planes(world, goal_O);
     place_O_ = out_O.value_or(goal_O);
     return out_O ? End::placed : End::no_place;
   }
   if (!is_underway_) {
-    const bool has_failed = has_failed_;
     *this = {};
-    has_failed_ = has_failed;
     place_O_ = goal_O;
     worst_.lack_m = world.tolerance_m();
   }
@@ -112,25 +100,13 @@ ProxyStart::End ProxyStart::push_out(const ProxyWorld& world, const Vec3& goal_O
   for (; pushes_ < ProxyLimits::most_pushes; ++pushes_) {
     is_underway_ = looks.are_spent() || !find_worst(world, looks);
     if (is_underway_) return End::broken_off;
-    if (!lacks_) {
-      has_failed_ = false;
-      return End::placed;
-    }
+    if (!lacks_) return End::placed;
     place_O_ += worst_.lack_m * worst_.outwards_W;
-    if (is_going_round()) break;
-    if ((pushes_ & (pushes_ - 1)) == 0) passed_O_ = place_O_;
     surface_ = 0;
     worst_ = {world.tolerance_m(), Vec3::UnitZ()};
     lacks_ = false;
   }
-  has_failed_ = true;
   return End::no_place;
-}
-
-/// Whether it is back where it was, between walls that are nearer to each other than the ball is wide: if all
-/// pushes led on by as little, that would be next to nothing of what it lacks.
-bool ProxyStart::is_going_round() const noexcept {
-  return (place_O_ - passed_O_).norm() * ProxyLimits::most_pushes < ProxyLimits::little_way * worst_.lack_m;
 }
 
 }  // namespace fingerpad

@@ -1,7 +1,5 @@
 #pragma once
 
-#include <limits>
-
 #include "contact/looks.hpp"
 #include "contact/proxy_world.hpp"
 #include "contact/triangle_tree.hpp"
@@ -31,15 +29,11 @@ class ProxyStart {
     Vec3 outwards_W = Vec3::UnitZ();
   };
 
-  End push_out(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
-  bool is_going_round() const noexcept;
   bool find_worst(const ProxyWorld& world, Looks& looks) noexcept;
   bool lack_at(const ProxyWorld& world, int surface, Looks& looks, Lack& lack) noexcept;
 
   bool is_underway_ = false;
-  bool has_failed_ = false;  // the last start that came to its end
   Vec3 place_O_ = Vec3::Zero();
-  Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   int pushes_ = 0;
   int surface_ = 0;      // to be looked at next ...
   ClosestWalk closest_;  // ... and how far that has come

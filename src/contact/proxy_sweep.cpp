@@ -8,17 +8,11 @@ namespace fingerpad {
 
 TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept {
-  return sweep_past_triangle(f, from, to, clearance_m, tolerance_m, approach_triangle(f, from));
-}
-
-TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
-                                  double clearance_m, double tolerance_m,
-                                  const TriangleApproach& first) noexcept {
   const Vec3 way = to - from;
   TriangleSweep sweep;
   sweep.reached = 0;
   for (int k = 0; k < ProxyLimits::newton_steps; ++k) {
-    const TriangleApproach here = k == 0 ? first : approach_triangle(f, from + sweep.reached * way);
+    const TriangleApproach here = approach_triangle(f, from + sweep.reached * way);
     const double gap_m = here.distance_m - clearance_m, slope = here.towards.dot(way);
     sweep.normal = here.towards;
     sweep.offset_m = here.towards.dot(here.at.point) + clearance_m;

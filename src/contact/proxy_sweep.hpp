@@ -24,9 +24,5 @@ struct TriangleSweep {
 /// @pre from has the clearance, to within a few tolerances. noexcept, allocates nothing.
 TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept;
-/// The same where it is known how `from` stands before the triangle.
-TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,
-                                  double clearance_m, double tolerance_m,
-                                  const TriangleApproach& first) noexcept;
 
 }  // namespace fingerpad

@@ -177,9 +177,10 @@ bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
 }
 
 double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept {
-  if (overflow_ || looks_.are_spent()) return 0;
+  if (overflow_ || looks_.left() < near_.count()) return 0;
+  looks_.spend(near_.count());
   const double most_m = search_reach_m_ - (centre_O - search_place_O_).norm() * wider;
-  return std::max(0.0, near_.room_m(world_, walls, centre_O, most_m, looks_));
+  return std::max(0.0, near_.room_m(world_, walls, centre_O, most_m));
 }
 
 double ProxyViews::room_m(const Vec3& place_O, double least_m, double enough_m) noexcept {

@@ -1,4 +1,3 @@
-#include <bit>
 #include <cmath>
 #include <utility>
 
@@ -12,13 +11,14 @@ namespace {
 
 struct LimitedSearch : WithinSearch {
   SearchLimit* limit;
-  std::vector<PacketLanes>* packets;
-
-  void add(std::uint32_t packet, unsigned lanes) const noexcept {
-    limit->triangles += std::popcount(lanes);
-    if (lanes != 0) packets->push_back({packet, lanes});
-  }
+  void (*visit)(void* context, int triangle);
+  void* visit_context;
 };
+
+void count_triangle(void* any_search, int triangle) {
+  const LimitedSearch& search = *static_cast<LimitedSearch*>(any_search);
+  if (++search.limit->triangles <= search.limit->most_triangles) search.visit(search.visit_context, triangle);
+}
 
 /// Passes triangles on and counts them.
 struct Counting {
@@ -53,24 +53,24 @@ float visit_limited(void* any_search, unsigned index, float radius) noexcept {
   if (search.limit->is_exceeded()) return 0;
   if (!is_box_near(packed.packets[index], search.scaled, search.bound_m * packed.scale)) return radius;
   ++search.limit->packets;
-  search.add(index, search.lanes_within(packed.packets[index]));
+  search.look_at(packed.packets[index]);
   return search.limit->is_exceeded() ? 0 : radius;
 }
 
 }  // namespace
 
 bool TriangleTree::each_within(const Vec3& q, double reach_m, SearchLimit& limit,
-                               std::vector<PacketLanes>& found) const noexcept {
+                               void (*visit)(void* context, int triangle), void* context) const noexcept {
   const Impl& impl = *impl_;
   const PackedPart& packed = impl.packed;
   const double farthest = q.cwiseAbs().maxCoeff();
   if (packed.packets.empty() || !q.allFinite() || !(reach_m >= 0)) return true;
   if (impl.out_of_reach(farthest, reach_m)) return true;
-  LimitedSearch search{{packed, impl.filter, q, reach_m, nullptr, nullptr}, &limit, &found};
+  LimitedSearch search{{packed, impl.filter, q, reach_m, count_triangle, nullptr}, &limit, visit, context};
+  search.context = &search;
   if (farthest > tree_range * packed.extent_m) {
     limit.packets += static_cast<int>(packed.packets.size());
-    for (std::uint32_t k = 0; k < packed.packets.size() && !limit.is_exceeded(); ++k)
-      search.add(k, search.lanes_within_from_afar(packed.packets[k]));
+    if (!limit.is_exceeded()) impl.far_each_within(q, reach_m, count_triangle, &search);
   } else {
     impl.scene.each_near(search.embree, search.radius(search.bound_m), visit_limited, &search);
   }

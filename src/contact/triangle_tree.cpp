@@ -42,10 +42,6 @@ const Part& TriangleTree::part() const noexcept {
   return *impl_->packed.part;
 }
 
-const PackedPart& TriangleTree::packed() const noexcept {
-  return impl_->packed;
-}
-
 void TriangleTree::prepare_curved() const {
   std::call_once(impl_->curved_once, [this] {
     impl_->curved_table = curved_corner_normals(part());

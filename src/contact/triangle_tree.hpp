@@ -1,11 +1,9 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <vector>
 
 #include "contact/closest_point.hpp"
 #include "contact/looks.hpp"
@@ -13,7 +11,6 @@
 namespace fingerpad {
 
 class ClosestMemory;
-struct PackedPart;
 
 /// The closest triangle of a part to a point.
 struct ClosestTriangle {
@@ -47,11 +44,6 @@ struct SearchLimit {
   int triangles = 0, packets = 0;  ///< found
 
   bool is_exceeded() const noexcept { return triangles > most_triangles || packets > most_packets; }
-};
-
-/// Triangles of one packet (PackedPart), a bit each.
-struct PacketLanes {
-  std::uint32_t packet, lanes;
 };
 
 /// Where a ray leaves a part.
@@ -110,12 +102,11 @@ class TriangleTree {
   void each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
                    void* context) const noexcept;
 
-  /// The same triangles, told by their packets, up to a limit. Whether that is exceeded depends on q and the
-  /// reach alone, and which packets were found means nothing then.
-  /// @param found  has room for a packet more than the limit has triangles; in no order that one may rely on
+  /// The same, up to a limit. Whether that is exceeded depends on q and the reach alone, and which triangles
+  /// were visited means nothing then.
   /// @returns false where it is exceeded
   bool each_within(const Vec3& q, double reach_m, SearchLimit& limit,
-                   std::vector<PacketLanes>& found) const noexcept;
+                   void (*visit)(void* context, int triangle), void* context) const noexcept;
 
   /// The same in pieces, in an order that is the part's alone: looks at what `looks` allows, a packet more at
   /// most, and goes on from `next` with the next call.
@@ -152,7 +143,6 @@ class TriangleTree {
   std::optional<bool> encloses(const Vec3& q, WindingWalk& walk, Looks& looks) const noexcept;
 
   const Part& part() const noexcept;
-  const PackedPart& packed() const noexcept;
 
   /// Makes a table of the normals that curved patches have at corners (curved_normals.hpp), 72 bytes a
   /// triangle, on all threads; once, whoever asks. It makes `curved` queries about twice as fast and

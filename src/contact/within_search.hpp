@@ -31,45 +31,37 @@ struct WithinSearch : ScaledPoint {
         found(visit),
         context(visit_context) {}
 
-  /// Those of a packet that are within reach, as bits.
-  unsigned lanes_within(const TrianglePacket& packet) const noexcept {
+  void look_at(const TrianglePacket& packet) const noexcept {
     const PacketView view(*this, packet);
     RoughDistances distances;
     unsigned lanes = filter(packet, view.r, view.limit2(rough_reach), distances);
     lanes = (lanes | packet.always_exact) & packet.used;
     const float surely_within2 = view.surely_within2(rough_reach);
-    unsigned within = lanes;
     for (; lanes != 0; lanes &= lanes - 1) {
-      const int lane = std::countr_zero(lanes);
-      if (distances.squared[static_cast<std::size_t>(lane)] <= surely_within2) continue;
-      if (!(exact(packet, lane).distance2_m2 <= reach_m * reach_m)) within &= ~(1U << lane);
+      const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      if (distances.squared[lane] <= surely_within2) {
+        found(context, packet.exact[lane].triangle);
+      } else {
+        look_at(packet, static_cast<int>(lane));
+      }
     }
-    return within;
+  }
+
+  void look_at(const TrianglePacket& packet, int lane) const noexcept {
+    if (exact(packet, lane).distance2_m2 <= reach_m * reach_m)
+      found(context, packet.exact[static_cast<std::size_t>(lane)].triangle);
   }
 
   /// The same for a point so far away that floats tell nothing.
-  unsigned lanes_within_from_afar(const TrianglePacket& packet) const noexcept {
+  void look_from_afar_at(const TrianglePacket& packet) const noexcept {
     const Vec3 nearer = within_direction_range(q, packed->extent_m);
     const double nearer_tie_m = tie_distance_m(*packed->part, nearer);
-    unsigned within = 0;
     for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
       const FramePoint p = closest_in(exact_frame(*packed->part, packet, lane), nearer, nearer_tie_m);
-      const bool is_within =
+      const bool within =
           nearer != q ? (q - p.point).stableNorm() <= reach_m : p.distance2_m2 <= reach_m * reach_m;
-      within |= static_cast<unsigned>(is_within) << lane;
+      if (within) found(context, packet.exact[static_cast<std::size_t>(lane)].triangle);
     }
-    return within;
-  }
-
-  void look_at(const TrianglePacket& packet) const noexcept { tell(packet, lanes_within(packet)); }
-  void look_from_afar_at(const TrianglePacket& packet) const noexcept {
-    tell(packet, lanes_within_from_afar(packet));
-  }
-
- private:
-  void tell(const TrianglePacket& packet, unsigned lanes) const noexcept {
-    for (; lanes != 0; lanes &= lanes - 1)
-      found(context, packet.exact[static_cast<std::size_t>(std::countr_zero(lanes))].triangle);
   }
 };
 

@@ -28,6 +28,7 @@ class PartWalls {
                        [&f](const PartWall& wall) { return wall.hides(f); });
   }
 
+ private:
   struct PartWall {
     Vec3 normal_P = Vec3::UnitZ();
     double offset_m = 0;  ///< triangles up to here stand behind it
@@ -37,9 +38,6 @@ class PartWalls {
     }
   };
 
-  std::span<const PartWall> walls() const noexcept { return {walls_.data(), count_}; }
-
- private:
   static constexpr std::size_t most_walls = 3;
 
   std::size_t count_;
@@ -73,16 +71,17 @@ struct WorstWall {
     slack_m = end_slack_m;
   }
 
-  /// @param first  how the place where the way begins stands before the triangle
+  /// @param towards_P  unit, from the triangle's closest point to where the way begins
+  /// @param gap_m      the distance between the two less the clearance
   /// @returns whether this triangle's is the worst now
   bool offer_triangle(const ProxyWorld& world, const PartWay& way, const TriangleCorners& corners,
-                      int triangle, const TriangleApproach& first) noexcept {
+                      int triangle, const Vec3& towards_P, double gap_m) noexcept {
     // The breach only shrinks as the sweep goes on from its first tangent, which is this.
-    const double end_slack_m = first.distance_m - world.clearance_m() + first.towards.dot(way.way_P);
+    const double end_slack_m = gap_m + towards_P.dot(way.way_P);
     if (end_slack_m >= -world.tolerance_m() || end_slack_m > slack_m) return false;
     ++sweeps;
     const TriangleSweep sweep =
-        sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(), world.tolerance_m(), first);
+        sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(), world.tolerance_m());
     if (!sweep.blocked || !is_beaten_by(sweep.end_slack_m, way.surface, triangle)) return false;
     slack_m = sweep.end_slack_m;
     wall = ProxyWall{world.turned_from_part(way.surface, sweep.normal),

@@ -22,13 +22,11 @@ constexpr int walk_ticks = 3000;
 #endif
 /// A resting finger lets the proxy come all the way in one tick of a second.
 constexpr double dt_s = 1;
-/// What a tick may look at beyond its looks: it ends with the search that spends them, with the packets that
-/// are compared before a pass, one of them in front of three walls, and with the fans about a facet's
-/// corners.
+/// What a tick may look at beyond its looks: it ends with the search that spends them, and with the fans
+/// about a facet's corners.
 constexpr long most_beyond =
     LookCosts::fetched * (ProxyMemoryLimits::richest_view + 6 * ProxyLimits::most_turns) +
-    LookCosts::packet * ProxyMemoryLimits::most_packets +
-    (4 * LookCosts::held + LookCosts::tangents) * static_cast<long>(ProxyMemoryLimits::most_compared);
+    LookCosts::packet * ProxyMemoryLimits::most_packets;
 
 Proxy limited_proxy(bool fast, const PlacedSurface& surface, double radius_m, Normals normals, long looks) {
   return fast ? fast_proxy({surface}, radius_m, normals, Looks(looks))

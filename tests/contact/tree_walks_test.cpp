@@ -4,7 +4,6 @@
 #include <limits>
 
 #include "base/random_stream.hpp"
-#include "contact/packed_part.hpp"
 #include "contact/triangle_tree.hpp"
 #include "support/shapes.hpp"
 
@@ -131,18 +130,6 @@ TEST(TreeWalks, ABriefSearchAnswersWithTheClosestOfWhatItLookedAt) {
   EXPECT_LT(same, 200) << "60 looks are too few for the middle";
 }
 
-std::vector<int> triangles_of(const TriangleTree& tree, const std::vector<PacketLanes>& packets) {
-  std::vector<int> triangles;
-  for (const PacketLanes& p : packets) {
-    for (std::size_t lane = 0; lane < packet_width; ++lane) {
-      if ((p.lanes >> lane & 1) != 0)
-        triangles.push_back(tree.packed().packets[p.packet].exact[lane].triangle);
-    }
-  }
-  std::sort(triangles.begin(), triangles.end());
-  return triangles;
-}
-
 TEST(TreeWalks, ALimitIsExceededWhereMoreIsWithinReach) {
   RandomStream random(8);
   int exceeded = 0;
@@ -151,15 +138,16 @@ TEST(TreeWalks, ALimitIsExceededWhereMoreIsWithinReach) {
       const Vec3 q = any(random, 1);
       const double reach_m = random.uniform();
       const auto expected = all_within(tree, q, reach_m);
-      std::vector<PacketLanes> found;
+      std::vector<int> found;
       SearchLimit limit{20, 1000};
-      const bool is_whole = tree.each_within(q, reach_m, limit, found);
+      const bool is_whole = tree.each_within(q, reach_m, limit, add, &found);
       ASSERT_EQ(is_whole, expected.size() <= 20);
-      ASSERT_LE(found.size(), 21U);
+      ASSERT_LE(found.size(), 20U);
+      std::sort(found.begin(), found.end());
       if (is_whole) {
-        ASSERT_EQ(triangles_of(tree, found), expected);
+        ASSERT_EQ(found, expected);
         SearchLimit fewer{1000, std::max(0, limit.packets - 1)};
-        EXPECT_EQ(tree.each_within(q, reach_m, fewer, found), limit.packets == 0);
+        EXPECT_EQ(tree.each_within(q, reach_m, fewer, add, &found), limit.packets == 0);
       }
       exceeded += is_whole ? 0 : 1;
     }

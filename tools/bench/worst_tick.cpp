@@ -3,11 +3,9 @@
 //   build/bench/bin/bench_worst_tick OUT.json [MESH|FOLDER]...
 // Parts that balls fit tightly, spheres, and the meshes named, each with a point and balls of 0.5 to 20 mm;
 // rubbed, struck and jumped about. Every walk is repeated, each time with the same answers, and the least
-// time of each tick counts, the clock's or the processor's, so that what else the machine did falls out.
+// time of each tick counts, so that what else the machine did falls out.
 
 #include <fmt/format.h>
-
-#include <time.h>
 
 #include <algorithm>
 #include <chrono>
@@ -68,13 +66,6 @@ std::shared_ptr<const World> world_of(const std::shared_ptr<const Part>& part) {
   return world;
 }
 
-/// What this thread has had of a processor [us]. Being told takes a third of a microsecond.
-double processor_time_us() {
-  timespec time{};
-  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
-  return 1e6 * static_cast<double>(time.tv_sec) + 1e-3 * static_cast<double>(time.tv_nsec);
-}
-
 void run(Touch& touch, const TickWalk& walk, std::vector<double>& least_us, long& unsettled) {
   touch.reset();
   unsettled = 0;
@@ -82,11 +73,10 @@ void run(Touch& touch, const TickWalk& walk, std::vector<double>& least_us, long
     FingerSample sample;
     sample.t_s = 1e-3 * static_cast<double>(k);
     sample.p_WQ = walk.places[k];
-    const double processor_us = processor_time_us();
     const auto before = std::chrono::steady_clock::now();
     const TickRecord record = touch.tick(sample);
     const std::chrono::duration<double, std::micro> time = std::chrono::steady_clock::now() - before;
-    least_us[k] = std::min({least_us[k], time.count(), processor_time_us() - processor_us});
+    least_us[k] = std::min(least_us[k], time.count());
     unsettled += record.unsettled ? 1 : 0;
   }
 }
