@@ -105,11 +105,11 @@ void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
   };
   // A finger that presses less now and then passes slowly through the forces in between; one that is lifted
   // is gone.
-  constexpr double most_between = 0.3;
+  constexpr double most_between = 0.3, half_way = 0.5, beyond_noise = 4;
   long between = 0;
   for (Eigen::Index i = 0; i < n; ++i) {
     const double above_n = levels.normal_n[static_cast<std::size_t>(i)] - trial.normal_W.dot(tare_at(i));
-    if (above_n > 8 * noise_n && above_n < 0.25 * (levels.press_n - levels.low_n)) ++between;
+    if (above_n > beyond_noise * noise_n && above_n < half_way * (levels.press_n - levels.low_n)) ++between;
   }
   if (static_cast<double>(between) > most_between * static_cast<double>(free.size())) return;
   for (Eigen::Index i = 0; i < n; ++i) trial.force_W.col(i) -= tare_at(i);
