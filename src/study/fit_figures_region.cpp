@@ -143,8 +143,8 @@ Chart force_loop_figure(const FitPictureSource& source) {
     force.x.push_back(parted ? gap : f.x());
     force.y.push_back(parted ? gap : f.y());
   }
-  const std::string across = trial->has_direction ? "lateral" : "x",
-                    along = trial->has_direction ? "longitudinal" : "y";
+  const std::string across = trial->has_direction ? "lateral" : "tangent axis 1",
+                    along = trial->has_direction ? "longitudinal" : "tangent axis 2";
   ChartPanel place{"way", across + " [mm]", along + " [mm]", false, false, {std::move(way)}};
   ChartPanel pull{
       "tangential force on the finger", across + " [N]", along + " [N]", false, false, {std::move(force)}};
