@@ -59,11 +59,11 @@ class WindowedModel {
   std::vector<double> overlap_;
 };
 
-/// How many times the median the highest of some hundred bins must be, so that noise alone is as high in one
-/// of a thousand spectra: the mean of Welch's windows is a gamma variable, here by Wilson and Hilferty
-/// (1931).
+/// How many times the median the highest of some hundred bins must be, so that noise alone is hardly ever as
+/// high, even if it is not quite white: the mean of Welch's windows is a gamma variable, here by Wilson and
+/// Hilferty (1931).
 double least_height(long windows) {
-  constexpr double usual = 3, deviations = 4.3;  // of the normal tail of 1e-5
+  constexpr double usual = 3, deviations = 5;  // a tail of 3e-7 a bin
   // Hann windows that overlap by half are a little alike.
   const double spread = 1 / (9 * std::max(1.0, 0.9 * static_cast<double>(windows)));
   return std::max(usual, std::pow(1 + deviations * std::sqrt(spread) / (1 - spread), 3));

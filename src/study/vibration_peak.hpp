@@ -32,7 +32,7 @@ SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::ve
 ///
 /// Refused where no slip is long enough for a window, rates or lengths differ, or no density between 20 Hz
 /// and nine tenths of half the rate stands out of the rest: three times the median, and where windows are few
-/// as much more as noise alone reaches in one of a thousand spectra. Nor is one that is highest at 20 Hz.
+/// as much more as noise alone hardly ever reaches. Nor is one that is highest at 20 Hz.
 /// @param near  where to begin, from an earlier fit that has shown it to stand out; nullptr: at the highest
 ///              density
 VibrationPeak vibration_peak(const SlipDensity& density, const VibrationPeak* near = nullptr);
