@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/csv_columns.hpp"
 #include "base/csv_header.hpp"
@@ -89,6 +90,21 @@ void take_positions(const std::vector<std::string_view>& keys, const Eigen::Matr
     motion.p_WQ.row(keys[k].front() - 'x') = metres * values.row(static_cast<Eigen::Index>(k));
 }
 
+/// The median of the forces of samples that press one way or the other: beyond a quarter of what 99 % of all
+/// stay within, so that neither a spike nor a finger in the air decides.
+double pressed_median_n(const Eigen::RowVectorXd& force_n) {
+  std::vector<double> sizes(force_n.begin(), force_n.end());
+  for (double& size : sizes) size = std::abs(size);
+  std::sort(sizes.begin(), sizes.end());
+  const double least_n = 0.25 * sizes[(sizes.size() - 1) * 99 / 100];
+  std::vector<double> pressed;
+  for (const double one_n : force_n)
+    if (std::abs(one_n) >= least_n) pressed.push_back(one_n);
+  const auto middle = pressed.begin() + static_cast<std::ptrdiff_t>(pressed.size() / 2);
+  std::nth_element(pressed.begin(), middle, pressed.end());
+  return *middle;
+}
+
 void take_forces(const std::string& path, const RecordingFormat& format,
                  const std::vector<std::string_view>& keys, const Eigen::MatrixXd& values, Motion& motion) {
   const double sign = format.forces_on_surface ? -1 : 1;
@@ -106,12 +122,14 @@ void take_forces(const std::string& path, const RecordingFormat& format,
     throw refused(path, "a force needs all of fx, fy and fz; name them in columns, or none of them");
   if (components == 3) {
     const auto normal = motion.force_W_n.row(2);
-    if (-normal.minCoeff() > normal.maxCoeff())
-      throw refused(path, fmt::format("its fz goes to {:.3g} N and only up to {:.3g} N: pressed on a surface "
-                                      "the finger is pushed along the normal, so that forces on it have fz "
-                                      "above 0; say force_on = \"plate\" (--force-on plate) if it is the "
-                                      "load on the surface",
-                                      normal.minCoeff(), normal.maxCoeff()));
+    const double usual_n = pressed_median_n(normal);
+    if (usual_n < 0)
+      throw refused(path,
+                    fmt::format("its fz is {:.3g} N in the middle of the samples that press: pressed on "
+                                "a surface the finger is pushed along the normal, so that forces on it "
+                                "have fz above 0; say force_on = \"plate\" (--force-on plate) if it "
+                                "is the load on the surface",
+                                usual_n));
     if (motion.normal_force_n.empty()) motion.normal_force_n.assign(normal.begin(), normal.end());
   }
 }

@@ -95,7 +95,8 @@ void settle_delay(std::vector<RecordedTrial>& trials, const CleaningSettings& se
       estimate.interval_s->first += moved_s;
       estimate.interval_s->second += moved_s;
     }
-    measurement.delay = estimate;
+    // What the first pass found was taken out, whether or not the second finds more.
+    if (pass == 0 || estimate.refusal.empty()) measurement.delay = estimate;
     if (!settings.takes_delay || settings.delay_s || !estimate.refusal.empty()) return;
     for (RecordedTrial& trial : trials) shift_positions(trial, step_s);
     moved_s += step_s;

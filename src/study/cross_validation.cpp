@@ -32,7 +32,8 @@ std::vector<int> folds_of(const Measurement& measurement, int& folds) {
 }
 
 Measurement without_fold(const Measurement& measurement, const std::vector<int>& fold, int left_out) {
-  Measurement rest;
+  Measurement rest = measurement;  // all that cleaning knows
+  rest.trials.clear();
   for (std::size_t i = 0; i < measurement.trials.size(); ++i)
     if (fold[i] != left_out) rest.trials.push_back(measurement.trials[i]);
   return rest;
@@ -86,6 +87,7 @@ CrossValidation cross_validate(const Measurement& measurement, const FitSettings
     if (!is_runnable(fit)) {
       checked.refusal =
           "without some of the trials the others do not give a pad with both coefficients of friction";
+      checked.not_foretold += std::count(fold.begin(), fold.end(), left_out);
       continue;
     }
     const PadOnPlate fitted = fitted_pad(fit);
@@ -119,9 +121,14 @@ std::string cross_validation_words(const CrossValidation& checked) {
   return fmt::format(
       "on trials that a fit has not seen ({} of them), of {:.3g} N RMS of tangential force the fitted pad "
       "leaves "
-      "{:.3g} N, the built-in pad {:.3g} N, and with the fitted coefficients of friction {:.3g} N",
+      "{:.3g} N, the built-in pad {:.3g} N, and with the fitted coefficients of friction {:.3g} N{}",
       checked.trials.size(), checked.measured_rms_n, checked.fitted_rms_n, checked.built_in_rms_n,
-      checked.own_friction_rms_n);
+      checked.own_friction_rms_n,
+      checked.not_foretold > 0
+          ? fmt::format("; {} of {} trials are left out, for without them the others give no pad with both "
+                        "coefficients of friction",
+                        checked.not_foretold, checked.not_foretold + static_cast<long>(checked.trials.size()))
+          : "");
 }
 
 }  // namespace fingerpad

@@ -24,7 +24,8 @@ struct CrossValidation {
   std::vector<HeldOutTrial> trials;
   /// Over all trials, each subject with the same weight [N].
   double measured_rms_n = 0, built_in_rms_n = 0, own_friction_rms_n = 0, fitted_rms_n = 0;
-  std::string refusal;  ///< why there is none; empty where there is
+  long not_foretold = 0;  ///< trials left out, because the others' fit gives no pad that can be run
+  std::string refusal;    ///< why there is none; empty where there is
 };
 
 /// Parts the trials into up to four folds, so that each subject's trials are spread over them; fits the pad

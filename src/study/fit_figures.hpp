@@ -30,7 +30,7 @@ Chart normalised_ellipses_figure(const FitPictureSource& source);
 /// Fig. 8: tangential force against displacement in stick, lateral and longitudinal, with the fitted spring.
 Chart force_displacement_figure(const FitPictureSource& source);
 /// Fig. 9: velocity, normal force, tangential force and their ratio where slip gives way to stick, with
-/// v_min.
+/// v_min; on the ratio, where each phase begins and why.
 Chart phase_change_figure(const FitPictureSource& source);
 /// Fig. 10: position (less its mean over 50 ms, the stroke itself) and force of a slipping fingertip, along
 /// the motion and along the normal.

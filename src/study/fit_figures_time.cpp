@@ -117,6 +117,34 @@ void add_marks(const StickSegments& segments, const TrialSpan& span, ChartPanel&
   panel.curves.push_back(std::move(rings));
 }
 
+/// Where the other phases of a span begin, a mark for each reason.
+void add_reasons(const MeasuredTrial& trial, const StickSegments& segments, const TrialSpan& span,
+                 ChartPanel& panel) {
+  struct ReasonMark {
+    BoundaryReason reason;
+    Marker marker;
+    int colour;
+  };
+  constexpr ReasonMark marks[] = {{BoundaryReason::touchdown, Marker::square, palette::sky_blue},
+                                  {BoundaryReason::rupture, Marker::cross, palette::blue},
+                                  {BoundaryReason::spring_gives, Marker::triangle, palette::orange},
+                                  {BoundaryReason::hardly_moves, Marker::diamond, palette::reddish_purple},
+                                  {BoundaryReason::moves_again, Marker::disc, palette::bluish_green}};
+  const ChartCurve& curve = panel.curves.front();
+  std::vector<ChartCurve> found;
+  for (const ReasonMark& mark : marks) {
+    ChartCurve here{std::string(reason_text(mark.reason)), {mark.colour, Dash::none, mark.marker, 1}, {}, {}};
+    for (const PhaseBoundary& boundary : phase_boundaries(trial, segments)) {
+      if (boundary.reason != mark.reason || boundary.sample < span.from || boundary.sample >= span.to)
+        continue;
+      here.x.push_back(curve.x[boundary.sample - span.from]);
+      here.y.push_back(trial.starts_anew[boundary.sample] ? 0 : curve.y[boundary.sample - span.from]);
+    }
+    if (!here.x.empty()) found.push_back(std::move(here));
+  }
+  for (ChartCurve& marked : found) panel.curves.push_back(std::move(marked));
+}
+
 /// Rows below one another, over time.
 Chart strips(std::string name, std::string title, std::vector<std::string> notes,
              std::vector<ChartPanel> panels) {
@@ -192,6 +220,7 @@ Chart phase_change_figure(const FitPictureSource& source) {
       strip("tangential over normal force [1]", "mu [1]", "their ratio", palette::ink, t_s,
             over_span(trial, *span, [&](std::size_t i) { return trial.force_ratio[i].dot(way); })));
   for (ChartPanel& panel : panels) add_marks(segments, *span, panel);
+  add_reasons(trial, segments, *span, panels.back());
   for (const auto& [number, name] :
        {std::pair(PadNumber::mu_static, "mu_s"), std::pair(PadNumber::mu_dynamic, "mu_d")}) {
     if (const double mu = fitted_number(source.fit, number); std::isfinite(mu))

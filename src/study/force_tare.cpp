@@ -11,7 +11,7 @@ namespace {
 
 constexpr double window_s = 0.05;
 
-/// The forces of a trial in the plate's frame of mind: how hard it is pressed, and how noisy each axis is.
+/// How hard the plate is pressed in a trial, and how noisy each axis of its force is.
 struct PressLevels {
   std::vector<double> normal_n;
   Vec3 noise_n;

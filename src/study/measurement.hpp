@@ -24,8 +24,13 @@ struct MeasuredTrial {
   std::vector<Vec2> force_ratio;       ///< q: tangential force on the finger over the normal force
   std::vector<bool> starts_anew;  ///< the sample does not follow the one before: samples or contact missed
   bool has_direction = false;     ///< else the axes are arbitrary
-  double inclination_deg = 0;     ///< mean, finger against the plate
+  double inclination_deg = 0;     ///< mean, finger against the plate; 0 without a direction
 };
+
+/// The finger's angle that a trial is run and drawn at [deg]: 45, where a pad's axes hold, if it says none.
+inline double angle_deg(const MeasuredTrial& trial) noexcept {
+  return trial.has_direction ? trial.inclination_deg : 45;
+}
 
 /// What cleaning did to one trial.
 struct TrialCleaning {

@@ -40,8 +40,9 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
     return;
   }
   if (!layout.is_bare_finger)
-    into.warnings.push_back(fmt::format(
-        "{}: was touched with {}; what is fitted is that's, not a finger pad's", path, layout.touched_with));
+    into.warnings.push_back(
+        fmt::format("{}: was touched with {}: the numbers of the fit are of that, not of a finger pad", path,
+                    layout.touched_with));
   TrialRows trial(path, 0, static_cast<int>(into.trials.size()) + 1, false);
   for (Eigen::Index i = 0; i < motion.p_WQ.cols(); ++i) {
     RecordedRow row;

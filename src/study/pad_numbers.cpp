@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "study/press_fit.hpp"
 #include "study/spring_fit.hpp"
@@ -97,6 +98,35 @@ void add_axis(const SpringFit& fit, const AxisNumbers& numbers, PadValues& found
   value_of(found, numbers.hysteresis_area) = of_axis(fit, 4 * fit.hysteresis_m * mu, loop_refusal);
 }
 
+/// Lengths, stiffnesses, speeds and the like, that cannot be 0 or less.
+constexpr PadNumber sizes[] = {PadNumber::lateral_axis,
+                               PadNumber::longitudinal_axis,
+                               PadNumber::stick_stiffness,
+                               PadNumber::longitudinal_stiffness,
+                               PadNumber::mu_static,
+                               PadNumber::mu_dynamic,
+                               PadNumber::v_min,
+                               PadNumber::vibration,
+                               PadNumber::vibration_bandwidth,
+                               PadNumber::normal_stiffness,
+                               PadNumber::normal_exponent};
+
+/// Refuses what came out as no number, or as a size that is none.
+void refuse_no_numbers(PadValues& found) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    PadValue& value = found[k];
+    if (!value.refusal.empty()) continue;
+    if (!std::isfinite(value.value))
+      value.refusal = fmt::format("the measurement gives no finite {}", pad_number_keys[k]);
+  }
+  for (const PadNumber number : sizes) {
+    PadValue& value = value_of(found, number);
+    if (value.refusal.empty() && !(value.value > 0))
+      value.refusal = fmt::format("the measurement gives a {} of {:.4g}; it must be above 0",
+                                  pad_number_keys[static_cast<std::size_t>(number)], value.value);
+  }
+}
+
 /// Sums of a subject's slip.
 struct SubjectSlip {
   double count = 0, ratio = 0, load = 0, load_2 = 0, load_ratio = 0, log_load = 0;
@@ -167,6 +197,7 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
   at(PadNumber::normal_stiffness) = {1 / (press.depth_at_1_n_m * press.exponent), press.samples, press.trials,
                                      press.refusal};
   at(PadNumber::normal_exponent) = {1 / press.exponent, press.samples, press.trials, press.refusal};
+  refuse_no_numbers(found);
   return found;
 }
 
@@ -184,7 +215,7 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   const PressFit press = fit_press(trials, once, point.evidence.press_exponent);
   if (press.refusal.empty()) next.evidence.press_exponent = std::clamp(press.exponent, 0.1, 2.0);
   const VibrationPeak peak = vibration_peak(slip_density(trials, once));
-  if (peak.refusal.empty()) next.vibration = peak;
+  next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
   return next;
 }
 

@@ -89,7 +89,7 @@ struct FitPoint {
 /// pushed to the limit both ways, 4 h mu_s (too small where the loop turns slowly: of one that turns within a
 /// tenth of the reach some 70 %); linearity the share of the displacement's variance that a straight line
 /// explains. Vibration: see vibration_peak. normal_stiffness is dn/d(depth) at 1 N of n ~
-/// depth^normal_exponent.
+/// depth^normal_exponent. What is not finite, or not above 0 where it must be, is refused.
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                       const FitPoint& point);
 

@@ -69,7 +69,7 @@ std::vector<Vec2> pad_force_n(const MeasuredTrial& trial, const StickSegments& s
     motion.normal_force_n = trial.normal_force_n[i];
     motion.mu_static = pad.mu_static;
     motion.mu_dynamic = pad.mu_dynamic;
-    motion.inclination_rad = trial.inclination_deg * std::numbers::pi / 180;
+    motion.inclination_rad = angle_deg(trial) * std::numbers::pi / 180;
     motion.velocity_m_per_s = segments.velocity_m_per_s[i];
     if (!begins) motion.step_m = trial.position_m[i] - trial.position_m[i - 1];
     force_n.push_back(law->tick(motion, state).force_n);

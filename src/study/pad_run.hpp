@@ -26,8 +26,8 @@ bool is_runnable(const ProfileFit& fit);
 PadOnPlate fitted_pad(const ProfileFit& fit);
 
 /// The tangential force on the finger that the finger-pad law gives along a measured trial, with its measured
-/// normal force and the velocity of its segments; in the pad's axes [N]. A sample that starts anew begins a
-/// contact.
+/// normal force and the velocity of its segments, at its angle (angle_deg); in the pad's axes [N]. A sample
+/// that starts anew begins a contact.
 std::vector<Vec2> pad_force_n(const MeasuredTrial& trial, const StickSegments& segments,
                               const PadOnPlate& pad);
 

@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <set>
 
 #include "study/block_draws.hpp"
 #include "study/phase_stretch.hpp"
@@ -11,7 +13,7 @@ namespace fingerpad {
 namespace {
 
 constexpr double longest_s = 0.05;
-constexpr int lags_each_way = 50;
+constexpr double coarsest_s = 1e-3;  // between lags, where the rate allows
 
 /// The part of a trial around i without a gap.
 PhaseStretch unbroken_around(const MeasuredTrial& trial, std::size_t from, std::size_t to,
@@ -26,7 +28,7 @@ PhaseStretch unbroken_around(const MeasuredTrial& trial, std::size_t from, std::
 /// @param noise_m2  variance of the positions' noise, which takes part of what a position explains
 void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, double noise_m2,
                  DelaySums& sums) {
-  const auto reach = static_cast<std::size_t>(lags_each_way * stride);
+  const auto reach = static_cast<std::size_t>(sums.lags_each_way * stride);
   const PhaseStretch around = unbroken_around(trial, stretch.from, stretch.to, reach);
   stretch.from = std::max(stretch.from, around.from + reach);
   stretch.to = std::min(stretch.to, around.to > reach ? around.to - reach : 0);
@@ -34,7 +36,7 @@ void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, 
   const auto count = static_cast<double>(stretch.to - stretch.from);
   Vec2 mean_q(0, 0);
   for (std::size_t i = stretch.from; i < stretch.to; ++i) mean_q += trial.force_ratio[i] / count;
-  for (int lag = -lags_each_way; lag <= lags_each_way; ++lag) {
+  for (int lag = -sums.lags_each_way; lag <= sums.lags_each_way; ++lag) {
     const auto back = static_cast<std::ptrdiff_t>(lag * stride);
     const Vec2* position = trial.position_m.data() - back;
     Vec2 sum(0, 0), xx(0, 0), xq(0, 0);
@@ -46,7 +48,7 @@ void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, 
       xq += x.cwiseProduct(trial.force_ratio[i] - mean_q);
     }
     xx -= sum.cwiseProduct(sum) / count + Vec2::Constant((count - 1) * noise_m2);
-    const auto k = static_cast<std::size_t>(lag + lags_each_way);
+    const auto k = static_cast<std::size_t>(lag + sums.lags_each_way);
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       sums.xx[static_cast<std::size_t>(axis)][k] += xx[axis];
       sums.xq[static_cast<std::size_t>(axis)][k] += xq[axis];
@@ -56,18 +58,30 @@ void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, 
   sums.noise_m2 += (count - 1) * noise_m2;
 }
 
+/// Lags either way that all trials with stick have: their rates, and so their grids, differ a little.
+int common_lags(const std::vector<DelaySums>& trials) {
+  int least = std::numeric_limits<int>::max();
+  for (const DelaySums& trial : trials)
+    if (trial.samples > 0) least = std::min(least, trial.lags_each_way);
+  return least == std::numeric_limits<int>::max() ? 0 : least;
+}
+
 /// The lag that explains most, in steps of the grid; nothing where that is at the grid's end.
 std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times) {
-  constexpr std::size_t count = 2 * lags_each_way + 1;
-  std::array<double, count> explained{};
+  const int lags_each_way = common_lags(trials);
+  const auto count = static_cast<std::size_t>(2 * lags_each_way + 1);
+  std::vector<double> explained(count, 0);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (times[i] == 0 || trials[i].samples == 0) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
       const std::vector<double>&xx = trials[i].xx[axis], &xq = trials[i].xq[axis];
       // An axis that hardly moves at some lag would seem to explain anything there.
       if (!(*std::min_element(xx.begin(), xx.end()) > 4 * trials[i].noise_m2)) continue;
-      for (std::size_t k = 0; k < count; ++k)
-        if (xq[k] < 0) explained[k] += times[i] * xq[k] * xq[k] / xx[k];
+      const auto ahead = static_cast<std::size_t>(trials[i].lags_each_way - lags_each_way);
+      for (std::size_t k = 0; k < count; ++k) {
+        const std::size_t own = k + ahead;
+        if (xq[own] < 0) explained[k] += times[i] * xq[own] * xq[own] / xx[own];
+      }
     }
   }
   const auto k =
@@ -81,12 +95,13 @@ std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::
 }  // namespace
 
 DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) {
-  const long stride = std::max(1L, std::lround(longest_s / lags_each_way * trial.rate_hz));
+  const long stride = std::max(1L, std::lround(coarsest_s * trial.rate_hz));
   DelaySums sums;
+  sums.lags_each_way = static_cast<int>(longest_s * trial.rate_hz / static_cast<double>(stride) + 1e-6);
   sums.subject = trial.subject;
   sums.step_s = static_cast<double>(stride) / trial.rate_hz;
   for (auto* both : {&sums.xx, &sums.xq})
-    for (auto& axis : *both) axis.assign(2 * lags_each_way + 1, 0);
+    for (auto& axis : *both) axis.assign(static_cast<std::size_t>(2 * sums.lags_each_way + 1), 0);
   const double noise_m2 = segments.position_noise_m * segments.position_noise_m;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     const PhaseStretch stretch = inner_stretch(whole, segments);
@@ -101,12 +116,14 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
   constexpr double most_unsure_s = 5e-3;
   DelayEstimate estimate;
   std::vector<int> subject_of;
+  std::set<int> subjects;
   double step_s = 0, blocks = 0;
   for (const DelaySums& trial : trials) {
     subject_of.push_back(trial.subject);
     estimate.samples += trial.samples;
     if (trial.samples == 0) continue;
     ++blocks;
+    subjects.insert(trial.subject);
     if (step_s > 0 && std::abs(trial.step_s / step_s - 1) > 0.05) {
       estimate.refusal = "trials have different rates";
       return estimate;
@@ -126,7 +143,7 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
     if (const auto drawn = best_lag(trials, drawn_times(subject_of, Blocks::trials, random)))
       spread.add(*drawn * step_s);
   }
-  const double reach = interval_reach(spread, blocks, 1);
+  const double reach = interval_reach(spread, blocks, static_cast<double>(subjects.size()));
   if (!(reach > 0) || spread.count < 0.95 * draws) return estimate;
   estimate.interval_s = {estimate.delay_s - reach, estimate.delay_s + reach};
   if (reach > most_unsure_s) estimate.refusal = "it is not told to within 5 ms";

@@ -11,7 +11,8 @@ namespace fingerpad {
 /// the position of a moment before, for each lag of a grid. Sums, so that those of several trials add up.
 struct DelaySums {
   int subject = 0;
-  double step_s = 0;                          ///< between lags
+  double step_s = 0;                          ///< between lags: 1 ms, or a sample where that is longer
+  int lags_each_way = 0;                      ///< as many steps as 50 ms hold
   std::array<std::vector<double>, 2> xx, xq;  ///< per axis and lag, about each stretch's means [m^2], [m]
   double noise_m2 = 0;                        ///< what noise made of xx, taken off it
   long samples = 0;

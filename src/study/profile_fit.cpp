@@ -63,6 +63,21 @@ void add_intervals(const std::vector<int>& subject_of, const FitSettings& settin
   }
 }
 
+/// The finger-pad law takes a cubic_share of 0 to 1. One that noise puts outside is left if its interval
+/// reaches into that.
+void refuse_odd_cubic_shares(ProfileFit& fit) {
+  for (const PadNumber number : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share}) {
+    const auto k = static_cast<std::size_t>(number);
+    PadValue& share = fit.values[k];
+    const auto [least, most] = fit.interval[k].value_or(std::pair(share.value, share.value));
+    if (!share.refusal.empty() || (most >= 0 && least <= 1)) continue;
+    share.refusal =
+        fmt::format("the measurement gives a {} of {:.4g}; the finger-pad law's spring takes 0 to 1",
+                    pad_number_keys[k], share.value);
+    fit.interval[k].reset();
+  }
+}
+
 }  // namespace
 
 ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings) {
@@ -99,6 +114,7 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
     return fit;
   }
   add_intervals(subject_of, settings, point, fit);
+  refuse_odd_cubic_shares(fit);
   return fit;
 }
 

@@ -16,6 +16,7 @@ enum class SampleOrigin : unsigned char { recorded, filled, missing };
 struct RecordedTrial {
   std::string file;
   int subject = 0, number = 0;
+  int piece = 0;  ///< from 1, of a trial that was read in several pieces; 0: it is whole
   double start_s = 0;
   double rate_hz = 0;
   Points position_W;                 ///< 3 x n, the fingertip [m]
@@ -29,7 +30,7 @@ struct RecordedTrial {
   bool has_direction() const noexcept { return direction_W.squaredNorm() > 0; }
 };
 
-/// "FILE, subject 1, trial 3".
+/// "FILE, subject 1, trial 3", and ", piece 2" of one in pieces.
 std::string trial_name(const RecordedTrial& trial);
 
 /// What the readers of measurements yield, whatever the file's layout was.

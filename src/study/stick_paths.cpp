@@ -42,10 +42,10 @@ Vec2 compliance_m(const ProfileFit& fit, const Vec2& own_axes_m, double inclinat
   return Vec2::Constant(std::isfinite(stiffness) ? 1 / stiffness : 0);
 }
 
-StickPath path_of(const Measurement& measurement, std::size_t k, const StickSegments& segments,
-                  const DrawnStretch& stretch, const Vec2& compliance) {
+StickPath path_of(const Measurement& measurement, std::size_t k, const DrawnStretch& stretch,
+                  const Vec2& compliance) {
   const MeasuredTrial& trial = measurement.trials[k];
-  StickPath path{k, {}, {}, stretch.to < segments.phase.size() && segments.is_rupture[stretch.to]};
+  StickPath path{k, {}, {}};
   Vec2 centre_m(0, 0);
   for (std::size_t i = stretch.from; i < stretch.to; ++i)
     centre_m += (trial.position_m[i] + compliance.cwiseProduct(trial.force_ratio[i])) /
@@ -129,11 +129,11 @@ StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit
   }
   for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
     const MeasuredTrial& trial = measurement.trials[k];
-    const double angle_deg = trial.has_direction ? trial.inclination_deg : 45;
-    const Vec2 compliance = compliance_m(
-        fit, subject_axes_m(measurement, fit, picture.axes, trial.subject, angle_deg), angle_deg);
+    const Vec2 compliance =
+        compliance_m(fit, subject_axes_m(measurement, fit, picture.axes, trial.subject, angle_deg(trial)),
+                     angle_deg(trial));
     for (const DrawnStretch& stretch : stretches[k])
-      picture.paths.push_back(path_of(measurement, k, picture.segments[k], stretch, compliance));
+      picture.paths.push_back(path_of(measurement, k, stretch, compliance));
   }
   return picture;
 }

@@ -12,7 +12,6 @@ struct StickPath {
   std::size_t trial = 0;             ///< of Measurement::trials
   std::vector<Vec2> displacement_m;  ///< of the pad from the stick centre
   std::vector<Vec2> force_n;         ///< tangential, on the finger
-  bool ends_in_rupture = false;
 };
 
 /// What one trial says of the axes by itself: mu_s over the slope of its force ratio against displacement.

@@ -56,6 +56,7 @@ void TrialRows::finish(RecordedMeasurement& into) const {
                            subject_, t_s_.size(), fewest_rows));
   std::size_t begin = 0;
   long lost = 0;
+  const std::size_t first = into.trials.size();
   const auto end_piece = [&](std::size_t end) {
     if (end - begin >= fewest_rows) {
       finish_piece(begin, end, into);
@@ -69,6 +70,10 @@ void TrialRows::finish(RecordedMeasurement& into) const {
     if (is_long || t_s_[i] - t_s_[i - 1] > longest_gap_s) end_piece(i);
   }
   end_piece(t_s_.size());
+  if (into.trials.size() > first + 1) {
+    for (std::size_t k = first; k < into.trials.size(); ++k)
+      into.trials[k].piece = static_cast<int>(k - first) + 1;
+  }
   if (lost > 0)
     into.warnings.push_back(fmt::format("{}: trial {} of subject {}: {} rows between long gaps are left out",
                                         file_, number_, subject_, lost));
@@ -142,7 +147,8 @@ void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasure
 }
 
 std::string trial_name(const RecordedTrial& trial) {
-  return fmt::format("{}, subject {}, trial {}", trial.file, trial.subject, trial.number);
+  return fmt::format("{}, subject {}, trial {}{}", trial.file, trial.subject, trial.number,
+                     trial.piece > 0 ? fmt::format(", piece {}", trial.piece) : "");
 }
 
 }  // namespace fingerpad

@@ -1,9 +1,12 @@
 #include "study/vibration_peak.hpp"
 
+#include <fmt/format.h>
+
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
 
@@ -56,6 +59,16 @@ class WindowedModel {
   std::vector<double> overlap_;
 };
 
+/// How many times the median the highest of some hundred bins must be, so that noise alone is hardly ever as
+/// high, even if it is not quite white: the mean of Welch's windows is a gamma variable, here by Wilson and
+/// Hilferty (1931).
+double least_height(long windows) {
+  constexpr double usual = 3, deviations = 5;  // a tail of 3e-7 a bin
+  // Hann windows that overlap by half are a little alike.
+  const double spread = 1 / (9 * std::max(1.0, 0.9 * static_cast<double>(windows)));
+  return std::max(usual, std::pow(1 + deviations * std::sqrt(spread) / (1 - spread), 3));
+}
+
 /// One step of Fisher's scoring up Whittle's likelihood, sum of -ln E - P/E over bins.
 Parameters scoring_step(const WindowedModel& model, const SlipDensity& mean, std::size_t first,
                         std::size_t end, const Parameters& p) {
@@ -92,6 +105,11 @@ SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::ve
       mean.refusal = "trials have different rates";
       return mean;
     }
+    if (!mean.power.empty() && trial.power.size() != mean.power.size()) {
+      mean.refusal = fmt::format("trials have spectra of {} and of {} frequencies", mean.power.size(),
+                                 trial.power.size());
+      return mean;
+    }
     mean.rate_hz = trial.rate_hz;
     mean.power.resize(trial.power.size(), 0.0);
     for (std::size_t k = 0; k < mean.power.size(); ++k) mean.power[k] += times[i] * trial.power[k];
@@ -104,7 +122,6 @@ SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::ve
 }
 
 VibrationPeak vibration_peak(const SlipDensity& mean, const VibrationPeak* near) {
-  constexpr double least_height = 3;
   VibrationPeak found;
   found.refusal = mean.refusal;
   found.windows = mean.windows;
@@ -125,7 +142,11 @@ VibrationPeak vibration_peak(const SlipDensity& mean, const VibrationPeak* near)
                    sorted.end());
   const double middle = sorted[sorted.size() / 2];
   const auto peak = static_cast<std::size_t>(std::max_element(at(first), at(end)) - mean.power.begin());
-  if (!(mean.power[peak] > least_height * middle)) {
+  // A density that is highest at the lowest frequency falls with it and has no peak.
+  const bool stands_out =
+      mean.power[peak] >
+      least_height(near != nullptr ? std::numeric_limits<long>::max() : mean.windows) * middle;
+  if (!stands_out || (near == nullptr && peak == first)) {
     found.refusal = "no frequency stands out of the spectrum of slip";
     return found;
   }

@@ -30,9 +30,11 @@ SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::ve
 /// (1953). The model is seen through the same window as the data, so that neither its width nor the shortness
 /// of slips widens the peak.
 ///
-/// Refused where no slip is long enough for a window, rates differ, or no density between 20 Hz and nine
-/// tenths of half the rate is three times the median.
-/// @param near  where to begin, from an earlier fit; nullptr: at the highest density
+/// Refused where no slip is long enough for a window, rates or lengths differ, or no density between 20 Hz
+/// and nine tenths of half the rate stands out of the rest: three times the median, and where windows are few
+/// as much more as noise alone hardly ever reaches. Nor is one that is highest at 20 Hz.
+/// @param near  where to begin, from an earlier fit that has shown it to stand out; nullptr: at the highest
+///              density
 VibrationPeak vibration_peak(const SlipDensity& density, const VibrationPeak* near = nullptr);
 
 }  // namespace fingerpad

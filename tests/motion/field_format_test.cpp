@@ -8,6 +8,7 @@
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 
 #include "motion/open_layout.hpp"
 #include "support/paths.hpp"
@@ -152,6 +153,16 @@ TEST(FieldFormat, TheLoadOnTheSurfaceIsToldAndTurnedRound) {
   EXPECT_THAT(refusal_of(path, format), HasSubstr("force_on = \"plate\""));
   format.forces_on_surface = true;
   EXPECT_EQ(recording(path, format).motion.force_W_n.col(3), Vec3(-0.3, 0.1, 0.8));
+}
+
+TEST(FieldFormat, OneSpikeDoesNotDecideTheSenseOfAllForces) {
+  const fs::path path = finger_files(1);
+  std::ifstream file(path);
+  std::string rows{std::istreambuf_iterator<char>(file), {}};
+  const std::string usual = "0.300,-0.3,0.1,0.8";
+  ASSERT_NE(rows.find(usual), std::string::npos);
+  write(path, rows.replace(rows.find(usual), usual.size(), "0.300,-0.3,0.1,-9"));
+  EXPECT_EQ(recording(path, sens3(path)).motion.force_W_n.col(3), Vec3(-0.3, 0.1, 0.8));
 }
 
 TEST(FieldFormat, OneTableOfFingerFrictionNeedsNoOtherFile) {

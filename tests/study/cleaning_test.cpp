@@ -85,6 +85,17 @@ TEST(Cleaning, FindsTheDelayOfForceBehindPosition) {
   }
 }
 
+TEST(Cleaning, LooksForADelayWithin50MillisecondsAtEachRate) {
+  for (const double rate_hz : {40.0, 100.0, 700.0, 1000.0, 1400.0, 1600.0, 5000.0}) {
+    MeasuredTrial trial;
+    trial.rate_hz = rate_hz;
+    const DelaySums sums = delay_sums(trial, {});
+    EXPECT_LE(sums.lags_each_way * sums.step_s, 0.05 + 1e-9) << rate_hz;
+    EXPECT_GT((sums.lags_each_way + 1) * sums.step_s, 0.05) << rate_hz;
+    EXPECT_EQ(sums.xx[0].size(), static_cast<std::size_t>(2 * sums.lags_each_way + 1));
+  }
+}
+
 TEST(Cleaning, AKnownDelayIsTakenOutInstead) {
   test::KnownSensors sensors;
   sensors.delay_s = 0.01;

@@ -19,6 +19,7 @@ namespace fingerpad::cross_validation_test {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 /// Two subjects at three angles, one round of a second each.
 std::vector<test::KnownTrial> few_trials() {
@@ -92,6 +93,31 @@ TEST(CrossValidation, TheFittedPadRunsWithTheNumbersOfTheFit) {
   ProfileFit no_slip = fit;
   no_slip.values[static_cast<std::size_t>(PadNumber::mu_dynamic)].refusal = "no slip";
   EXPECT_FALSE(is_runnable(no_slip));
+}
+
+TEST(CrossValidation, ATrialWithoutDirectionIsRunAtFortyFiveDegrees) {
+  MeasuredTrial trial = measured({few_trials()[1]}).trials.front();
+  const StickSegments segments = stick_segments(trial);
+  trial.inclination_deg = 45;
+  const std::vector<Vec2> told_n = pad_force_n(trial, segments, built_in_pad());
+  trial.has_direction = false;
+  trial.inclination_deg = 0;
+  EXPECT_EQ(pad_force_n(trial, segments, built_in_pad()), told_n);
+}
+
+TEST(CrossValidation, AKnownDelayIsKnownToEachFold) {
+  Measurement measurement = measured(few_trials());
+  const double looked_for_n = cross_validate(measurement, {}).fitted_rms_n;
+  measurement.knows_delay = true;
+  EXPECT_NE(cross_validate(measurement, {}).fitted_rms_n, looked_for_n);
+}
+
+TEST(CrossValidation, TellsHowManyTrialsCouldNotBeForetold) {
+  CrossValidation checked;
+  checked.trials.resize(3);
+  EXPECT_THAT(cross_validation_words(checked), Not(HasSubstr("left out")));
+  checked.not_foretold = 2;
+  EXPECT_THAT(cross_validation_words(checked), HasSubstr("2 of 5 trials are left out"));
 }
 
 TEST(FitReport, HasAPictureOfEachOfThePapersFigures) {

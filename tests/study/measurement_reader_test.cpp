@@ -7,6 +7,7 @@
 #include <cmath>
 #include <fstream>
 
+#include "study/trial_rows.hpp"
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
 #include "trace/hdf5_file.hpp"
@@ -158,6 +159,20 @@ TEST_F(Reading, ASixAxisSensorGivesTheForceAndTheContactPoint) {
   const RecordedTrial trial = read_measurements({path}, format).trials.at(0);
   EXPECT_LT((trial.force_W.col(3) - force).norm(), 1e-5);
   EXPECT_LT((trial.position_W.col(3) - Vec3(0.03, 0.04, 0.006)).norm(), 2e-6);
+}
+
+TEST(TrialRows, NamesThePiecesOfALongTrialApart) {
+  TrialRows rows("long.csv", 1, 3, false);
+  for (int i = 0; i < 450; ++i) {
+    RecordedRow row;
+    row.t_s = 0.1 * i;
+    rows.add(row);
+  }
+  RecordedMeasurement read;
+  rows.finish(read);
+  ASSERT_EQ(read.trials.size(), 3u);
+  EXPECT_EQ(trial_name(read.trials.front()), "long.csv, subject 1, trial 3, piece 1");
+  EXPECT_EQ(trial_name(read.trials.back()), "long.csv, subject 1, trial 3, piece 3");
 }
 
 }  // namespace

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "friction/pad_profile_file.hpp"
 #include "study/measurement_reader.hpp"
@@ -218,6 +220,47 @@ TEST(ProfileFit, PushesThatNeverSlipGiveStiffnessAlone) {
   EXPECT_THAT(why(fit, PadNumber::v_min), HasSubstr("no slip that ends"));
   EXPECT_THAT(why(fit, PadNumber::vibration), HasSubstr("no slip lasts"));
   EXPECT_NEAR(of(fit, PadNumber::stick_stiffness).value, 150 / 0.8, 3);
+}
+
+TEST(ProfileFit, GivesNoNumberThatIsNone) {
+  TrialEvidence trial;
+  trial.has_direction = true;
+  trial.inclination_deg = 45;
+  trial.stick_samples = 100;
+  trial.spring[0](spring_ratio, spring_ratio) = 1;
+  trial.spring[0](spring_position, spring_ratio) = trial.spring[0](spring_ratio, spring_position) = 1e-3;
+  trial.spring[0](spring_position, spring_position) = std::numeric_limits<double>::quiet_NaN();
+  trial.rupture_ratio = -1;
+  trial.ruptures = 10;
+  const PadValues values = pad_numbers({trial}, {1}, {});
+  for (std::size_t k = 0; k < values.size(); ++k) {
+    EXPECT_TRUE(!values[k].refusal.empty() || std::isfinite(values[k].value)) << pad_number_keys[k];
+  }
+  const auto refusal = [&](PadNumber number) { return values[static_cast<std::size_t>(number)].refusal; };
+  EXPECT_THAT(refusal(PadNumber::lateral_linearity), HasSubstr("no finite lateral_linearity"));
+  EXPECT_THAT(refusal(PadNumber::mu_static), HasSubstr("a mu_static of -0.1; it must be above 0"));
+}
+
+TEST(ProfileFit, SpectraOfOtherLengthsAreNotAdded) {
+  TrialEvidence one;
+  one.rate_hz = 1000;
+  one.pieces = 1;
+  one.power.assign(129, 1);
+  TrialEvidence other = one;
+  other.power.assign(65, 1);
+  EXPECT_THAT(slip_density({one, other}, {1, 1}).refusal, HasSubstr("spectra of 129 and of 65"));
+}
+
+TEST(ProfileFit, SlipThatDoesNotVibrateHasNoVibration) {
+  test::KnownFinger finger;
+  finger.vibration = 0;
+  // Some windows of slip, whose noise is three times the median somewhere.
+  const auto refusal = [&](double duration_s, std::uint64_t seed) {
+    return why(fitted({{1, 45, 45, 0.06, 0.3, duration_s}}, seed, finger), PadNumber::vibration);
+  };
+  for (const std::uint64_t seed : {1, 2, 3}) EXPECT_THAT(refusal(2, seed), HasSubstr("stands out")) << seed;
+  finger.law = "stick-slip";
+  EXPECT_THAT(refusal(1, 2), HasSubstr("stands out"));
 }
 
 TEST(ProfileFit, NormalForceAloneIsRefusedByTheMissingColumn) {
