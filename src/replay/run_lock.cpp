@@ -202,12 +202,16 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
                  const std::function<void(const RunLock&)>& when_first)
     : folder_(folder + "/" + state_folder), others_stay_(!run.empty()) {
   const auto guard = take_guard(folder_, folder);
-  if (!guard && run.empty()) return;  // a file system without locks
-  if (!guard)
-    throw refused(
-        folder,
-        "is on a file system without locks, by which ranks share a batch; without ranks, --shard K/N "
-        "does a share");
+  if (!guard) {  // a file system without locks: nothing is left there
+    remove_if_unused(folder_);
+    if (!run.empty())
+      throw refused(
+          folder,
+          "is on a file system without locks, by which ranks share a batch; without ranks, --shard K/N "
+          "does a share");
+    if (when_first) when_first(*this);
+    return;
+  }
   try {
     if (!run.empty() && join(run)) return;
     end_unfinished(folder_, unfinished_);
