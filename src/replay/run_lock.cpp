@@ -73,11 +73,6 @@ struct Registration {
   }
 };
 
-std::string host_name() {
-  char name[256] = {};
-  return gethostname(name, sizeof(name) - 1) == 0 ? name : "?";
-}
-
 /// How this process was started, on one line.
 std::string own_command() {
   constexpr std::size_t most = 200;
@@ -255,6 +250,14 @@ bool RunLock::join(const std::string& run) {
     return true;
   }
   return false;
+}
+
+bool RunLock::is_older_than(const std::string& path) const noexcept {
+  struct stat own {
+  }, other{};
+  if (fstat(file_.number(), &own) != 0 || stat(path.c_str(), &other) != 0) return false;
+  return std::pair(own.st_mtim.tv_sec, own.st_mtim.tv_nsec) <
+         std::pair(other.st_mtim.tv_sec, other.st_mtim.tv_nsec);
 }
 
 bool RunLock::is_registered(const std::string& folder, const std::string& run) {

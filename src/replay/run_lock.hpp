@@ -37,6 +37,9 @@ class RunLock {
   /// Of ranks this is the last: the registration ends with it. Who leaves before lets the others have it.
   void stays_last() noexcept { others_stay_ = false; }
 
+  /// Whether that file was written since the run has registered.
+  bool is_older_than(const std::string& path) const noexcept;
+
   /// Whether a rank of that run has registered in the folder, living or not.
   static bool is_registered(const std::string& folder, const std::string& run);
 

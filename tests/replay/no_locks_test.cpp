@@ -8,12 +8,15 @@
 #include <filesystem>
 #include <fstream>
 
+#include "base/error.hpp"
 #include "replay/batch.hpp"
+#include "replay/job_board.hpp"
+#include "replay/rank_log.hpp"
 #include "replay/run_lock.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 
-// Batches on a file system without locks.
+// Batches on a file system without locks, and ranks that come when the others have done.
 
 namespace fingerpad::no_locks_test {
 namespace {
@@ -62,6 +65,15 @@ BatchOptions options_without_traces(const fs::path& out) {
   return options;
 }
 
+std::string words_of_error(const std::function<void()>& action) {
+  try {
+    action();
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
 TEST(AFileSystemWithoutLocks, HasTheIndexWrittenAndTheSummaryOfAnotherSceneKept) {
   const fs::path folder = test::scratch_dir(), out = folder / "out";
   BatchOptions options = options_without_traces(out);
@@ -77,6 +89,37 @@ TEST(AFileSystemWithoutLocks, HasTheIndexWrittenAndTheSummaryOfAnotherSceneKept)
   EXPECT_THAT(kept, ElementsAre(HasSubstr("is kept as summary.kept-1.csv")));
   EXPECT_EQ(test::bytes_of(out / "summary.kept-1.csv"), summary);
   EXPECT_THAT(test::bytes_of(out / "jobs.csv"), HasSubstr("\n1,,b,"));
+}
+
+TEST(AFileSystemWithoutLocks, IsToldToRanksThatLoseThemOnTheWay) {
+  const fs::path folder = test::scratch_dir();
+  JobOrder order;
+  order.groups.push_back({0, 1, 1});
+  order.jobs.push_back(0);
+  JobBoard::create((folder / "board").string(), order, 7);
+  JobBoard board((folder / "board").string(), 7);
+  const WithoutLocks none;
+  const std::string held = words_of_error([&] { board.claim(2, 0); });
+  EXPECT_THAT(held, HasSubstr("board: cannot be locked (No locks available)"));
+  EXPECT_THAT(held, HasSubstr("--shard K/N"));
+  EXPECT_THAT(words_of_error([&] { RankLog(folder.string(), 0); }), HasSubstr("cannot be locked"));
+}
+
+TEST(ALateRank, LeavesWhereTheOthersHaveToldAllAndSaysSoWhereTheyHaveNot) {
+  const fs::path folder = test::scratch_dir(), out = folder / "out";
+  auto jobs = jobs_of_set(folder, "a");
+  fs::create_directory(out);
+  RunLock others(out.string(), {"summary.csv"}, "run");  // at work still, but without what ranks share
+  others.stays_last();
+  const BatchOptions options = options_without_traces(out);
+  const Ranks late{1, 2, "run", getppid()};
+  const auto run = [&] { return run_batch(jobs, options, late, [](const BatchJob&) {}).tells; };
+  using std::chrono::hours;
+  std::ofstream(out / "summary.csv") << "scene,job,status\na,1,ok\n";
+  fs::last_write_time(out / "summary.csv", fs::file_time_type::clock::now() - hours(1));
+  EXPECT_THAT(words_of_error(run), HasSubstr("board")) << "an earlier run's summary";
+  fs::last_write_time(out / "summary.csv", fs::file_time_type::clock::now() + hours(1));
+  EXPECT_FALSE(run());
 }
 
 }  // namespace
