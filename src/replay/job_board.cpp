@@ -1,12 +1,14 @@
 #include "replay/job_board.hpp"
 
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <bit>
 #include <cerrno>
+#include <system_error>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
@@ -127,12 +129,18 @@ std::vector<std::size_t> JobBoard::claim(int ranks, std::size_t done_since) {
   return claimed;
 }
 
-bool JobBoard::Hold::hold(int file) noexcept {
-  return wait_for_lock(file, LOCK_EX);
+JobBoard::Hold::Hold(const JobBoard& board) : file_(board.file_.number()) {
+  if (wait_for_lock(file_, LOCK_EX)) return;
+  const int problem = errno;
+  throw Error(
+      ErrorKind::fault, board.path_,
+      fmt::format("cannot be locked ({}), by which ranks share a batch; the same command with --resume "
+                  "goes on, and without ranks --shard K/N does a share",
+                  std::generic_category().message(problem)));
 }
 
 JobBoard::Hold::~Hold() {
-  if (held_) unlock(file_);
+  unlock(file_);
 }
 
 }  // namespace fingerpad

@@ -34,18 +34,17 @@ class JobBoard {
   /// The jobs in the order in which they are begun.
   const std::vector<std::uint32_t>& jobs() const noexcept { return order_.jobs; }
 
-  /// Held while whoever leaves looks who else is there.
+  /// Held while ranks come, and while whoever leaves looks who else is there.
   class Hold {
    public:
-    explicit Hold(const JobBoard& board) : file_(board.file_.number()), held_(hold(file_)) {}
+    /// Waits for it. Throws Error (fault) where the file cannot be locked.
+    explicit Hold(const JobBoard& board);
     ~Hold();
     Hold(const Hold&) = delete;
     Hold& operator=(const Hold&) = delete;
 
    private:
-    static bool hold(int file) noexcept;
     int file_;
-    bool held_;
   };
 
  private:

@@ -3,6 +3,7 @@
 #include <bit>
 #include <cstdint>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace fingerpad {
 
@@ -20,21 +21,26 @@ void take_outcome(std::vector<BatchJob>& jobs, const std::string& text) {
   const auto outcome = nlohmann::json::parse(text, nullptr, false);
   constexpr std::size_t fields = 12;
   if (!outcome.is_array() || outcome.size() != fields) return;
-  const auto index = outcome[0].get<std::size_t>();
-  if (index >= jobs.size()) return;
-  BatchJob& job = jobs[index];
-  job.status = outcome[1];
-  job.exit_code = outcome[2];
-  job.seconds = outcome[3];
-  job.figures.clear();
-  for (const std::uint64_t bits : outcome[4]) job.figures.push_back(std::bit_cast<double>(bits));
-  job.contact_method = outcome[5];
-  job.contact_normals = outcome[6];
-  job.contact_reasons = outcome[7].get<std::vector<std::string>>();
-  job.kept = outcome[8];
-  job.left_behind = outcome[9];
-  job.motion_notes = outcome[10].get<std::vector<std::string>>();
-  job.warnings = outcome[11].get<std::vector<std::string>>();
+  try {
+    const auto index = outcome[0].get<std::size_t>();
+    if (index >= jobs.size()) return;
+    BatchJob told;  // taken as a whole or not at all
+    told.status = outcome[1];
+    told.exit_code = outcome[2];
+    told.seconds = outcome[3];
+    for (const std::uint64_t bits : outcome[4]) told.figures.push_back(std::bit_cast<double>(bits));
+    told.contact_method = outcome[5];
+    told.contact_normals = outcome[6];
+    told.contact_reasons = outcome[7].get<std::vector<std::string>>();
+    told.kept = outcome[8];
+    told.left_behind = outcome[9];
+    told.motion_notes = outcome[10].get<std::vector<std::string>>();
+    told.warnings = outcome[11].get<std::vector<std::string>>();
+    told.job = std::move(jobs[index].job);
+    jobs[index] = std::move(told);
+  } catch (
+      const nlohmann::json::exception&) {  // NOLINT(bugprone-empty-catch): what is no outcome tells nothing
+  }
 }
 
 }  // namespace fingerpad

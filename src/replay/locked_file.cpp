@@ -38,6 +38,11 @@ bool is_at(int file, const std::string& path) noexcept {
          opened.st_dev == named.st_dev;
 }
 
+std::string host_name() {
+  char name[256] = {};
+  return gethostname(name, sizeof(name) - 1) == 0 ? name : "?";
+}
+
 bool write_all(int file, const char* bytes, std::size_t count) noexcept {
   for (std::size_t done = 0; done < count;) {
     const ssize_t written = write(file, bytes + done, count - done);

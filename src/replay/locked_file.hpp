@@ -35,6 +35,9 @@ void unlock(int file) noexcept;
 /// Whether the open file is still the one at that path.
 bool is_at(int file, const std::string& path) noexcept;
 
+/// This machine's name, by which others tell who holds a file; "?" where it has none.
+std::string host_name();
+
 /// Writes all of it at the file's place, or at its end if it was opened to append. False where the disk
 /// refuses.
 bool write_all(int file, const char* bytes, std::size_t count) noexcept;

@@ -29,11 +29,6 @@ std::string log_path(const std::string& folder, int rank) {
   return fmt::format("{}/rank-{:04}.log", folder, rank);
 }
 
-std::string own_host() {
-  char name[256] = {};
-  return gethostname(name, sizeof(name) - 1) == 0 ? name : "?";
-}
-
 /// Reads a log's records into a story.
 class StoryReader {
  public:
@@ -114,10 +109,14 @@ class StoryReader {
 RankLog::RankLog(const std::string& folder, int rank) : path_(log_path(folder, rank)) {
   file_ = OpenFile(open(path_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666));
   if (file_.number() < 0) throw Error(output_fault(errno), path_, path_words(path_, errno));
-  if (try_lock(file_.number(), LOCK_EX) != Locking::got)
+  const Locking locking = try_lock(file_.number(), LOCK_EX);
+  if (locking == Locking::busy)
     throw refused(path_,
                   fmt::format("is held by another process: rank {} of this run is there already", rank));
-  add(fmt::format("{} {}", host_mark, own_host()));
+  if (locking == Locking::impossible)
+    throw Error(ErrorKind::fault, path_,
+                "cannot be locked, by which ranks share a batch; without ranks, --shard K/N does a share");
+  add(fmt::format("{} {}", host_mark, host_name()));
 }
 
 bool RankLog::is_in_place() const noexcept {

@@ -14,7 +14,8 @@ namespace fingerpad {
 class RankLog {
  public:
   /// Opens and locks it, made anew where it is not there. Throws Error: refused where another process holds
-  /// it, fault where it cannot be written.
+  /// it, fault where it cannot be written or locked.
+  /// @pre JobBoard::Hold is held: else whoever looks by rank_state() may hold the lock at that moment
   RankLog(const std::string& folder, int rank);
 
   void took(const std::vector<std::size_t>& jobs);
@@ -36,7 +37,8 @@ class RankLog {
 
 enum class RankState { not_come, living, gone };
 
-/// Looks whether a rank lives, without waiting.
+/// Looks whether a rank lives, without waiting, by trying for its lock.
+/// @pre JobBoard::Hold is held
 RankState rank_state(const std::string& folder, int rank);
 
 /// What a rank's log says in the end.

@@ -13,6 +13,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "base/error.hpp"
+
 namespace fingerpad {
 
 bool launcher_is_gone(const Ranks& ranks) noexcept {
@@ -34,7 +36,7 @@ struct Launcher {
 constexpr Launcher launchers[] = {
     {"OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_SIZE", "PMIX_NAMESPACE", "OMPI_MCA_ess_base_jobid"},
     {"SLURM_PROCID", "SLURM_STEP_NUM_TASKS", "SLURM_JOB_ID", "SLURM_STEP_ID"},
-    {"PMI_RANK", "PMI_SIZE", "PMI_JOBID", "PMI_ID"},
+    {"PMI_RANK", "PMI_SIZE", "PMI_JOBID", ""},  // Hydra (MPICH) gives no PMI_JOBID: then it is refused
 };
 
 std::string_view variable(const char* name) noexcept {
@@ -56,6 +58,13 @@ Ranks launched_ranks() {
     const int rank = number_in(launcher.rank);
     const int count = number_in(launcher.count);
     if (rank < 0 || count <= rank) continue;
+    if (count == 1) break;  // alone, whatever started it
+    if (variable(launcher.run).empty() && variable(launcher.step).empty())
+      throw Error(
+          ErrorKind::usage, launcher.rank,
+          fmt::format("says that this is rank {} of {}, but {} does not say of which run; start it with "
+                      "Open MPI's mpirun or with srun, or without ranks, each with a --shard K/N",
+                      rank, count, launcher.run));
     return {rank, count, fmt::format("{}.{}", variable(launcher.run), variable(launcher.step)), getppid()};
   }
   return {};

@@ -6,7 +6,7 @@ namespace fingerpad {
 
 /// This process's place among those that a launcher (mpirun, srun) has started to share a batch; alone
 /// without one, and in a build with FINGERPAD_MPI=OFF. Ranks send one another no messages: what they agree on
-/// lies in the output folder (shared_run.hpp), so that one that dies takes nobody with it.
+/// lies in the output folder (shared_batch.hpp), so that one that dies takes nobody with it.
 struct Ranks {
   int rank = 0;
   int count = 1;
@@ -17,7 +17,8 @@ struct Ranks {
   bool is_root() const noexcept { return rank == 0; }
 };
 
-/// As the launcher's environment says.
+/// As the launcher's environment says. Throws Error (usage) where that tells ranks, but not of which run:
+/// those of two runs would be taken for one.
 Ranks launched_ranks();
 
 /// Whether what started a rank has ended, so that nobody waits for it any more: it is no longer the parent,

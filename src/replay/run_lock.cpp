@@ -73,11 +73,6 @@ struct Registration {
   }
 };
 
-std::string host_name() {
-  char name[256] = {};
-  return gethostname(name, sizeof(name) - 1) == 0 ? name : "?";
-}
-
 /// How this process was started, on one line.
 std::string own_command() {
   constexpr std::size_t most = 200;
@@ -202,12 +197,16 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
                  const std::function<void(const RunLock&)>& when_first)
     : folder_(folder + "/" + state_folder), others_stay_(!run.empty()) {
   const auto guard = take_guard(folder_, folder);
-  if (!guard && run.empty()) return;  // a file system without locks
-  if (!guard)
-    throw refused(
-        folder,
-        "is on a file system without locks, by which ranks share a batch; without ranks, --shard K/N "
-        "does a share");
+  if (!guard) {  // a file system without locks: nothing is left there
+    remove_if_unused(folder_);
+    if (!run.empty())
+      throw refused(
+          folder,
+          "is on a file system without locks, by which ranks share a batch; without ranks, --shard K/N "
+          "does a share");
+    if (when_first) when_first(*this);
+    return;
+  }
   try {
     if (!run.empty() && join(run)) return;
     end_unfinished(folder_, unfinished_);
@@ -251,6 +250,14 @@ bool RunLock::join(const std::string& run) {
     return true;
   }
   return false;
+}
+
+bool RunLock::is_older_than(const std::string& path) const noexcept {
+  struct stat own {
+  }, other{};
+  if (fstat(file_.number(), &own) != 0 || stat(path.c_str(), &other) != 0) return false;
+  return std::pair(own.st_mtim.tv_sec, own.st_mtim.tv_nsec) <
+         std::pair(other.st_mtim.tv_sec, other.st_mtim.tv_nsec);
 }
 
 bool RunLock::is_registered(const std::string& folder, const std::string& run) {

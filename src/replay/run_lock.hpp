@@ -18,10 +18,12 @@ inline constexpr const char* state_folder = ".fingerpad";
 class RunLock {
  public:
   /// Registers `names` for the output folder `folder`, which is there. Throws Error (refused) if a running
-  /// process writes one of them, and names it; Error (fault) if the folder cannot be written.
+  /// process writes one of them, and names it; Error (fault) if the folder cannot be written. On a file
+  /// system without locks a process alone registers nothing and goes on.
   /// @param run         of ranks: what they have in common. The first of them registers, the others hold the
   ///                    registration with it, so that it lasts until all have ended. Empty: a process alone
-  /// @param when_first  called by the one who registers, before any other can join; may be empty
+  /// @param when_first  called by the one who registers, before any other can join, and by a process alone
+  ///                    where nobody can register; may be empty
   RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run = "",
           const std::function<void(const RunLock&)>& when_first = {});
   /// Ends the registration (of ranks, the last does); the state folder goes too if nothing is left in it.
@@ -34,6 +36,9 @@ class RunLock {
 
   /// Of ranks this is the last: the registration ends with it. Who leaves before lets the others have it.
   void stays_last() noexcept { others_stay_ = false; }
+
+  /// Whether that file was written since the run has registered.
+  bool is_older_than(const std::string& path) const noexcept;
 
   /// Whether a rank of that run has registered in the folder, living or not.
   static bool is_registered(const std::string& folder, const std::string& run);

@@ -208,10 +208,18 @@ std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions&
   return lost;
 }
 
+/// The log of a rank that comes, while nobody looks who is there. The board is closed again, so that a child
+/// that dies with it held does not leave it held here.
+RankLog log_of_own(const std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks) {
+  const JobBoard board(board_path(options), hash_of_jobs(jobs));
+  const JobBoard::Hold hold(board);
+  return RankLog(ranks_folder(options), ranks.rank);
+}
+
 /// Takes part, once the folder is claimed.
 BatchEnd take_part(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                    const std::function<void(const BatchJob&)>& on_done, RunLock& claim) {
-  RankLog log(ranks_folder(options), ranks.rank);
+  RankLog log = log_of_own(jobs, options, ranks);
   WatchedRank watched(log, ranks);  // from here on in a child process
   RankWork work(jobs, options, ranks, log, watched);
   work.run(on_done);
@@ -244,6 +252,9 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
   } catch (const Error& error) {
     std::error_code none;
     if (fs::exists(board_path(options), none)) throw;
+    const TableNames names = table_names(options.shard, options.shard_count);
+    if (claim->is_older_than((fs::path(options.out_dir) / names.summary).string()))
+      return {false, {}};  // it came too late: the others have done and told all
     // The folder was good when the run began: what is wrong with it now is no fault of the call.
     throw Error(ErrorKind::fault, "", error.what());
   }

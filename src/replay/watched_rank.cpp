@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <csignal>
 #include <ctime>
 #include <new>
@@ -30,6 +31,11 @@ sigset_t watched_signals() noexcept {
   return set;
 }
 
+/// As waitpid tells of a child that has ended with this code.
+constexpr int status_of_exit(ErrorKind code) noexcept {
+  return static_cast<int>(code) << 8;
+}
+
 /// How a child ended: as waitpid's status, and whether it had been asked to stop.
 struct ChildEnd {
   int status = 0;
@@ -39,7 +45,12 @@ struct ChildEnd {
 ChildEnd watch_over(pid_t child, pid_t launcher) {
   const sigset_t set = watched_signals();
   for (ChildEnd end;;) {
-    if (waitpid(child, &end.status, WNOHANG) == child) return end;
+    const pid_t ended = waitpid(child, &end.status, WNOHANG);
+    if (ended == child) return end;
+    if (ended < 0 && errno != EINTR) {  // gone, nobody knows how; its number may be another's by now
+      end.status = status_of_exit(ErrorKind::fault);
+      return end;
+    }
     const timespec patience{1, 0};
     const int signal = sigtimedwait(&set, nullptr, &patience);
     if (signal == SIGINT || signal == SIGTERM) {
@@ -59,6 +70,7 @@ WatchedRank::WatchedRank(RankLog& log, const Ranks& ranks) {
   if (memory == MAP_FAILED) throw Error(ErrorKind::fault, "", "no memory is left for a rank");
   told_ = new (memory) Told;
   const pid_t watcher = getpid();
+  signal(SIGCHLD, SIG_DFL);  // where whoever started this one ignores it, the kernel keeps no child's end
   const sigset_t set = watched_signals();
   sigset_t before;
   sigprocmask(SIG_BLOCK, &set, &before);

@@ -100,10 +100,11 @@ TEST(Collisions, OfATraceAndAnInputAreRefused) {
 TEST(Collisions, AreToldOnceByManyRanks) {
   const fs::path folder = test::scratch_dir();
   write_scene(folder / "a.toml", "summary");
-  const ShellResult result =
-      test::shell("OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun --oversubscribe -n 2 '" +
-                      test::program().string() + "' replay a.toml --out o --format csv",
-                  folder);
+  const ShellResult result = test::shell(
+      "HWLOC_COMPONENTS=-gl OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 mpirun "
+      "--oversubscribe -n 2 '" +
+          test::program().string() + "' replay a.toml --out o --format csv",
+      folder);
   EXPECT_EQ(result.exit_code, 3) << result.err;
   const std::size_t told = result.err.find("fingerpad: error: ");
   EXPECT_NE(told, std::string::npos);

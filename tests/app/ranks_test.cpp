@@ -145,6 +145,21 @@ TEST(Ranks, WhoseLauncherIsGoneBeforeTheyBeginWriteNothing) {
   }
 }
 
+TEST(Ranks, OfWhichNobodySaysOfWhatRunAreRefusedAndOneByItselfIsNoRank) {
+  const fs::path folder = folder_with_batch();
+  const std::string replay = "'" + test::program().string() + "' replay plane.toml --format none --quiet ";
+  const ShellResult many = test::shell("PMI_RANK=1 PMI_SIZE=2 PMI_ID=1 " + replay + "--out o", folder);
+  EXPECT_EQ(many.exit_code, 2) << many.err;
+  EXPECT_THAT(many.err, HasSubstr("PMI_RANK: says that this is rank 1 of 2, but PMI_JOBID does not say"));
+  EXPECT_THAT(many.err, HasSubstr("--shard K/N"));
+  EXPECT_FALSE(fs::exists(folder / "o"));
+  for (const char* one :
+       {"PMI_RANK=0 PMI_SIZE=1 ", "OMPI_COMM_WORLD_RANK=0 OMPI_COMM_WORLD_SIZE=1 PMIX_NAMESPACE=x "}) {
+    EXPECT_EQ(test::shell(one + replay + "--out one", folder).exit_code, 0) << one;
+    EXPECT_FALSE(fs::exists(folder / "one" / ".fingerpad")) << one << "leaves it registered";
+  }
+}
+
 TEST(Ranks, ShareABatchUnderSlurmByTheScriptsInTools) {
   const fs::path folder = folder_with_batch(100000);
   const std::string tool = "'" + (test::source_dir() / "tools").string() + "/";

@@ -180,8 +180,12 @@ TEST(JobOutcome, ComesBackFromItsTextBitForBit) {
   EXPECT_EQ(std::signbit(read[2].figures[1]), true);
   EXPECT_TRUE(std::isnan(read[2].figures[2]));
   EXPECT_THAT(read[2].contact_reasons, ElementsAre("why"));
-  for (const char* nonsense : {"", "[9", "{}", "[2]", "[9,\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[]]"})
+  for (const char* nonsense :
+       {"", "[9", "{}", "[2]", "[9,\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[]]",
+        "[2,7,0,0,[],\"\",\"\",[],false,\"\",[],[]]", "[2,\"ok\",0,0,[],1,2,3,4,5,6,7]",
+        "[\"\",\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[]]"})
     take_outcome(read, nonsense);
+  EXPECT_EQ(read[2].status, jobs[2].status) << "taken as a whole or not at all";
   EXPECT_EQ(read[2].exit_code, 3);
 }
 
