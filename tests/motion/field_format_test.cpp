@@ -230,6 +230,22 @@ TEST(FieldFormat, HattRefusesWhatIsNotAsDescribed) {
   EXPECT_THAT(refused("no xml"), HasSubstr("holds no element"));
 }
 
+TEST(FieldFormat, HattNamesAndElementsAreBounded) {
+  const fs::path path = test::scratch_dir() / "foam.xml";
+  const auto refused = [&](const std::string& text) {
+    write(path, text);
+    return refusal_of(path, named("hatt"));
+  };
+  const std::string longest(64, 'n'), longer(65, 'n');
+  EXPECT_THAT(refused(fmt::format("<R>\n<{0}>1</{0}></R>", longest)), HasSubstr("has no SampleRate"));
+  EXPECT_THAT(refused(fmt::format("<R>\n<{0}>1</{0}></R>", longer)), HasSubstr("foam.xml:2: <nnnnnnnnnn"));
+  EXPECT_THAT(refused(fmt::format("<R>\n<{0}>1</{0}></R>", longer)),
+              HasSubstr("has a name of 65 characters (at most 64)"));
+  std::string leaves;
+  for (int i = 0; i < 10001; ++i) leaves += "<a></a>\n";
+  EXPECT_THAT(refused("<R>" + leaves + "</R>"), HasSubstr("foam.xml:10001: has more than 10000 elements"));
+}
+
 TEST(FieldFormat, EachRowIsFoundByItsName) {
   for (const FieldFormat& row : field_formats()) {
     EXPECT_EQ(find_field_format(row.name)->summary, row.summary);
