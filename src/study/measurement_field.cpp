@@ -65,7 +65,7 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
     into.without_force.push_back(
         fmt::format("{}: {} has forces in the surface's axes and positions in others, and does not say how "
                     "these stand to "
-                    "each other: nothing can be fitted to both together",
+                    "each other, which a fit must know",
                     path, layout.name));
     return;
   }
