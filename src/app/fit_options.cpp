@@ -11,6 +11,7 @@
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/unit.hpp"
+#include "motion/field_format.hpp"
 #include "study/measurement_reader.hpp"
 
 namespace fingerpad {
@@ -187,6 +188,10 @@ MeasurementFormat measurement_format(const ReadingOptions& options) {
   if (format.says_unit) format.metres_per_unit = *metres_per_unit(options.unit);
   for (const TimeUnit& unit : time_units)
     if (unit.name == options.time_unit) format.seconds_per_unit = unit.seconds;
+  if (!options.positions.empty() && !asks_for_key(options.reader, "positions"))
+    throw fit_usage("--positions",
+                    fmt::format("is read with a --reader that has positions in a file of their own{}",
+                                options.reader.empty() ? "" : ", which '" + options.reader + "' has not"));
   format.positions_path = options.positions;
   format.newtons_per_unit = factor_of(force_units, options.force_unit);
   format.newton_metres_per_unit = factor_of(torque_units, options.torque_unit);

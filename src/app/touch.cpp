@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -17,6 +18,7 @@
 #include "app/touch_recording.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
+#include "base/kept_thread.hpp"
 #include "device/device_table.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_table.hpp"
@@ -130,41 +132,54 @@ void finish_recording(const TouchOptions& options, LiveRecorder& recorder, const
   }
 }
 
-/// Touches until the end. @returns what was dropped onto the window, to be touched next; empty: nothing
-std::optional<Touched> touch_once(const TouchOptions& options, const Touched& touched) {
+/// Loads what was dropped onto the window. @returns why it is not touched; empty where it is
+std::string take_drop(const TouchOptions& options, const std::string& path, std::optional<Touched>& dropped) {
+  if (!find_device(options.device)->needs_window)
+    return fmt::format("--device {} stays with what it touches", options.device);
+  try {
+    dropped = load_touched(options, path);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return {};
+}
+
+/// Touches until the end.
+/// @param kept  older than any window, whose own thread stands back for ever, with all that it begins
+/// @returns what was dropped onto the window, to be touched next; empty: nothing
+std::optional<Touched> touch_once(const TouchOptions& options, const Touched& touched, KeptThread& kept) {
   const Scene& scene = touched.scene;
   const auto& world = touched.world;
   const DeviceEntry& entry = *find_device(options.device);
   const StopSignals signals;  // before a device changes the terminal, or a record is begun
-  const auto device = entry.make({scene, world, resting_finger(*world, scene), options.link, touched.hand});
+  const auto device = kept.run([&] {
+    return entry.make({scene, world, resting_finger(*world, scene), options.link, touched.hand});
+  });
   TouchSwap swap(world, scene);
   swap.change_too([&](const World& changed, const Scene& by) { return device->ready_for(changed, by); });
   swap.schedule(device->scene_changes());
-  const auto recorder = start_recording(options.record, scene, *world, *device, swap);
+  const auto recorder =
+      kept.run([&] { return start_recording(options.record, scene, *world, *device, swap); });
   tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;
   FingerSample sample;  // the servo's, as is:
   long after_end = 0;
-  ServoLoop servo(
-      Touch(world, scene), scene.motion.rate_hz, [&](double) { return sample = device->advance(dt_s); },
-      [&](const TickRecord& record) {
-        device->feel(record);
-        if (device->has_ended()) ++after_end;
-        if (recorder && !device->has_ended()) recorder->push(as_recorded(record, sample, *device));
-      },
-      servo_history_s, options.real_time, &swap);
+  const auto take = [&](double) { return sample = device->advance(dt_s); };
+  const auto give = [&](const TickRecord& record) {
+    device->feel(record);
+    if (device->has_ended()) ++after_end;
+    if (recorder && !device->has_ended()) recorder->push(as_recorded(record, sample, *device));
+  };
+  const auto loop = kept.run([&] {
+    return std::make_unique<ServoLoop>(Touch(world, scene), scene.motion.rate_hz, take, give, servo_history_s,
+                                       options.real_time, &swap);
+  });
+  ServoLoop& servo = *loop;
   for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
   std::optional<Touched> dropped;
-  const auto on_drop = [&](const std::string& path) -> std::string {
-    if (recorder) return "this touch is recorded: close its window first";
-    if (!entry.needs_window) return fmt::format("--device {} stays with what it touches", options.device);
-    try {
-      dropped = load_touched(options, path);
-    } catch (const Error& error) {
-      return error.what();
-    }
-    return {};
+  const auto on_drop = [&](const std::string& path) {
+    return recorder ? "this touch is recorded: close its window first" : take_drop(options, path, dropped);
   };
   if (options.headless) {
     run_headless(options.seconds, options.device, *device, signals);
@@ -188,10 +203,11 @@ int touch(const TouchOptions& options) {
   }
   refuse_unread(options);
   if (!options.headless) need_live_window(window_choice(options, options.subject));
+  KeptThread kept;
   std::optional<Touched> next = load_touched(options, options.subject);
   while (next) {
     const Touched now = std::move(*next);
-    next = touch_once(options, now);
+    next = touch_once(options, now, kept);
   }
   return 0;
 }

@@ -28,6 +28,11 @@ struct FieldFormat {
   /// Throws Error (refused) for what is not as its description says, and, where that leaves something open
   /// that the user's `format` does not say, with the question.
   FieldRecording (*read)(const std::string& path, const RecordingFormat& format);
+  /// Of the keys that say how a file is read (columns, unit, time_unit, separator, decimal, positions,
+  /// force_on, subject, trial) those that `read` asks for; no other is taken.
+  std::span<const std::string_view> keys;
+  /// Forces and positions are in the same axes: then a fit may take both.
+  bool has_one_frame = true;
 };
 
 /// All named formats, in the order of the documentation.
@@ -35,7 +40,13 @@ std::span<const FieldFormat> field_formats() noexcept;
 /// The row of a name; nullptr if there is none.
 const FieldFormat* find_field_format(std::string_view name) noexcept;
 
-/// Reads a recording as its format says: by the named row, or as a table of the program's own kind.
+/// Whether a row of this name, or the program's own kind of table where there is none, asks for a key.
+bool asks_for_key(std::string_view name, std::string_view key) noexcept;
+/// Throws Error (refused) for what `format` says that its row does not ask for, by its key.
+void refuse_unasked_keys(const std::string& path, const RecordingFormat& format);
+
+/// Reads a recording as its format says: by the named row, or as a table of the program's own kind. Throws
+/// Error (refused) as that and refuse_unasked_keys.
 FieldRecording read_field_recording(const std::string& path, const RecordingFormat& format);
 /// The files that are read then.
 std::vector<std::string> field_files(const std::string& path, const RecordingFormat& format);

@@ -12,6 +12,10 @@
 namespace fingerpad {
 namespace {
 
+// With the depth they bound the paths to 20 MB, whatever the file; a recording has some twenty short ones.
+constexpr std::size_t longest_xml_name = 64;
+constexpr std::size_t most_xml_texts = 10000;
+
 struct OpenElement {
   std::string name;
   std::size_t text_at;
@@ -61,6 +65,9 @@ class XmlWalk {
     if (is_empty) inside.remove_suffix(1);
     const std::string_view name = inside.substr(0, inside.find_first_of(" \t\r\n"));
     if (name.empty()) throw fault("has a tag without a name");
+    if (name.size() > longest_xml_name)
+      throw fault(fmt::format("<{}> has a name of {} characters (at most {})", shown(name), name.size(),
+                              longest_xml_name));
     constexpr std::size_t deepest = 32;
     if (open_.size() >= deepest) throw fault("has elements nested too deep");
     if (open_.empty() && had_root_) throw fault("has a second root");
@@ -75,6 +82,8 @@ class XmlWalk {
                               open_.empty() ? "nothing" : "<" + shown(open_.back().name) + ">"));
     const OpenElement element = open_.back();
     if (!element.has_children) {
+      if (found_.size() >= most_xml_texts)
+        throw fault(fmt::format("has more than {} elements with text", most_xml_texts));
       std::string path;
       for (std::size_t k = 1; k < open_.size(); ++k) path += (k > 1 ? "/" : "") + open_[k].name;
       std::transform(path.begin(), path.end(), path.begin(),

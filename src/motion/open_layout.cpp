@@ -47,6 +47,19 @@ void ask_for_columns(const std::string& path, const RecordingFormat& format, con
                   layout.format, fmt::join(open, ", "), names_in(path)));
 }
 
+void refuse_other_columns(const std::string& path, const RecordingFormat& format, const OpenLayout& layout) {
+  constexpr std::string_view taken[] = {"t", "x", "y", "z", "fx", "fy", "fz", "fn"};
+  for (std::size_t k = 0; k < recording_columns.size(); ++k) {
+    const std::string_view key = recording_columns[k].key;
+    if (format.headers[k].empty() || std::find(std::begin(taken), std::end(taken), key) != std::end(taken))
+      continue;
+    throw refused(path,
+                  fmt::format("the column '{}' is named, which {} does not take (it takes {}): leave it "
+                              "out",
+                              key, layout.format, fmt::join(taken, ", ")));
+  }
+}
+
 double ask_for_metres(const std::string& path, const RecordingFormat& format, const OpenLayout& layout) {
   if (format.says_unit) return format.metres_per_unit;
   if (layout.metres_per_unit > 0) return layout.metres_per_unit;
@@ -156,6 +169,7 @@ std::size_t recording_column_place(std::string_view key) noexcept {
 FieldRecording read_open_layout(const std::string& path, const RecordingFormat& format,
                                 const OpenLayout& layout) {
   ask_for_columns(path, format, layout);
+  refuse_other_columns(path, format, layout);
   const double metres = ask_for_metres(path, format, layout);
   const auto places = named_keys(format, {"x", "y", "z"}),
              forces = named_keys(format, {"fx", "fy", "fz", "fn"});

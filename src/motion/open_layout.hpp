@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <string_view>
 
@@ -19,9 +20,14 @@ struct OpenLayout {
 /// and fn whatever is named. Positions with a clock of their own stand in the file `format.positions_path`,
 /// with a time column of the same name, and are joined to the forces (join_clocks). Forces are in newtons;
 /// `forces_on_surface` turns them to those on the finger. Throws Error (refused) with the question for
-/// whatever is open, and where most of the normal force is below 0: that is the load on the surface.
+/// whatever is open, for a column that is named beside those, and where most of the normal force is below 0:
+/// that is the load on the surface.
 FieldRecording read_open_layout(const std::string& path, const RecordingFormat& format,
                                 const OpenLayout& layout);
+
+/// What such a row asks for of the keys that say how a file is read (FieldFormat::keys).
+inline constexpr std::array<std::string_view, 7> open_layout_keys{
+    "columns", "unit", "time_unit", "separator", "decimal", "positions", "force_on"};
 
 /// The file, and that of its positions where there is one.
 std::vector<std::string> open_layout_files(const std::string& path, const RecordingFormat& format);

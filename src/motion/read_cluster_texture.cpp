@@ -12,8 +12,8 @@
 // says:
 //   sensor_data/force/NAME.csv     time,force    s, N    6 kHz   0.0009990528727670048,1.009
 //   sensor_data/position/NAME.csv  time,X,Y      s, mm   100 Hz  0.000613,0.0,45.0
-//   sensor_data/accel/NAME.csv     time,X,Y,Z    s, g    6 kHz   (not read: neither a motion nor a fit asks
-//   for it) NAME = texture_direction_velocity_force_repeat, such as 0_135_40_500_0
+//   sensor_data/accel/NAME.csv     time,X,Y,Z    s, g    6 kHz   (not read: nothing asks for it)
+//   NAME = texture_direction_velocity_force_repeat, such as 0_135_40_500_0
 // One computer's clock stands in all of them. The force is that of a load cell, pressed: normal force alone,
 // and above 0. Not verified: real files, beyond those excerpts. The artificial finger is of urethane rubber.
 
@@ -82,7 +82,8 @@ FieldFormat cluster_texture_format() noexcept {
       "an artificial finger of rubber",
       false,
       cluster_files,
-      read_cluster_texture};
+      read_cluster_texture,
+      {}};
 }
 
 }  // namespace fingerpad

@@ -2,7 +2,7 @@
 
 // Finger friction at 4TU.ResearchData (Balasubramanian, Pool, Vardar 2025, "Data underlying the publication:
 // Sliding Speed Influences Electrovibration-Induced Finger Friction Dynamics on Touchscreens",
-// doi:10.4121/d9f05363-d7d3-411a-9f3a- d78e49b4d3c5): contact forces of ten bare index fingers that slid over
+// doi:10.4121/d9f05363-d7d3-411a-9f3a-d78e49b4d3c5): contact forces of ten bare index fingers that slid over
 // a touchscreen at 20 to 100 mm/s with 0.2 to 0.6 N.
 //
 // From its description: CSV, a bare finger, forces. Not verified, since no file was at hand: the names of
@@ -26,7 +26,8 @@ FieldFormat finger_friction_4tu_format() noexcept {
           "a bare finger",
           true,
           open_layout_files,
-          read_finger_friction};
+          read_finger_friction,
+          open_layout_keys};
 }
 
 }  // namespace fingerpad

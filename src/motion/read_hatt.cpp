@@ -173,8 +173,12 @@ std::vector<std::string> hatt_files(const std::string& path, const RecordingForm
 }  // namespace
 
 FieldFormat hatt_format() noexcept {
-  return {"hatt",   "Penn Haptic Texture Toolkit: its recorded data, XML", "a tool", false, hatt_files,
-          read_hatt};
+  static constexpr std::array<std::string_view, 1> keys{"unit"};  // where PositionUnits is missing
+  constexpr bool has_one_frame = false;
+  return {"hatt",     "Penn Haptic Texture Toolkit: its recorded data, XML",
+          "a tool",   false,
+          hatt_files, read_hatt,
+          keys,       has_one_frame};
 }
 
 }  // namespace fingerpad

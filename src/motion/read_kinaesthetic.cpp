@@ -23,7 +23,8 @@ FieldFormat kinaesthetic_format() noexcept {
           "a haptic device's handle",
           false,
           open_layout_files,
-          read_kinaesthetic};
+          read_kinaesthetic,
+          open_layout_keys};
 }
 
 }  // namespace fingerpad

@@ -22,7 +22,8 @@ FieldRecording read_sens3(const std::string& path, const RecordingFormat& format
 FieldFormat sens3_format() noexcept {
   return {"sens3",           "SENS3, finger-surface interactions; columns and unit to be said",
           "a bare finger",   true,
-          open_layout_files, read_sens3};
+          open_layout_files, read_sens3,
+          open_layout_keys};
 }
 
 }  // namespace fingerpad

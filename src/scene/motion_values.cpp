@@ -195,6 +195,18 @@ void read_field_format(const SceneKey& row, const TomlTable& motion, Scene& scen
   scene.motion.format.name = names[motion.choice(row.key, 0, names)];
 }
 
+SceneKey field_format_key(std::string_view key) {
+  static const std::string doc = [] {
+    std::string others;
+    for (const FieldFormat& format : field_formats().subspan(1))
+      others += fmt::format("{}{}", others.empty() ? "or " : ", ", format.name);
+    return others + ": as others save recordings";
+  }();
+  SceneKey row{key, KeyType::text, doc, fmt::format("\"{}\"", field_formats().front().name)};
+  row.read = read_field_format;
+  return row;
+}
+
 SceneKey force_on_key(std::string_view key) {
   return choice_key<take_force_on>(key, {"finger", "plate"}, "finger", "what the measured force acts on");
 }

@@ -24,6 +24,7 @@ SceneKey frame_key(std::string_view key);
 SceneKey recording_unit_key(std::string_view key);
 SceneKey time_unit_key(std::string_view key);
 SceneKey normal_force_key(std::string_view key);
+SceneKey field_format_key(std::string_view key);
 SceneKey force_on_key(std::string_view key);
 /// Of a table of several trials those rows alone.
 SceneKey chosen_rows_key(std::string_view key, std::string_view doc,

@@ -1,7 +1,6 @@
 #include "study/measured_row.hpp"
 
 #include <fmt/format.h>
-#include <Eigen/Geometry>
 
 #include <Eigen/Geometry>
 #include <algorithm>

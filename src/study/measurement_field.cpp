@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
+#include "base/error.hpp"
 #include "study/trial_rows.hpp"
 
 namespace fingerpad {
@@ -25,11 +28,30 @@ RecordingFormat recording_format(const FieldFormat& layout, const MeasurementFor
   return said;
 }
 
+/// What only tables of the program's own kind are read with.
+void refuse_unread(const FieldFormat& layout, const std::string& path, const MeasurementFormat& format) {
+  const auto refuse = [&](std::string_view option) {
+    return refused(path, fmt::format("{} is not read with --reader {}: leave it out", option, layout.name));
+  };
+  for (std::size_t m = 0; m < measurement_columns.size(); ++m) {
+    const auto is_it = [&](const RecordingColumn& column) {
+      return column.key == measurement_columns[m].key;
+    };
+    if (!format.headers[m].empty() && std::none_of(recording_columns.begin(), recording_columns.end(), is_it))
+      throw refuse(fmt::format("the column {} of --columns", measurement_columns[m].key));
+  }
+  if (format.markers) throw refuse("--markers");
+  if (format.sensor) throw refuse("--sensor-at (or --sensor-turned)");
+}
+
 }  // namespace
 
 void read_measured_field(const FieldFormat& layout, const std::string& path, const MeasurementFormat& format,
                          RecordedMeasurement& into) {
-  const FieldRecording recording = layout.read(path, recording_format(layout, format));
+  refuse_unread(layout, path, format);
+  const RecordingFormat said = recording_format(layout, format);
+  refuse_unasked_keys(path, said);
+  const FieldRecording recording = layout.read(path, said);
   for (const std::string& note : recording.notes) into.notes.push_back(fmt::format("{}: {}", path, note));
   const Motion& motion = recording.motion;
   if (motion.force_W_n.cols() == 0) {
@@ -37,6 +59,14 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
         "{}: column fx_n missing{}", path,
         motion.normal_force_n.empty() ? ""
                                       : fmt::format(": {} has the normal force alone here", layout.name)));
+    return;
+  }
+  if (!layout.has_one_frame) {
+    into.without_force.push_back(
+        fmt::format("{}: {} has forces in the surface's axes and positions in others, and does not say how "
+                    "these stand to "
+                    "each other, which a fit must know",
+                    path, layout.name));
     return;
   }
   if (!layout.is_bare_finger)

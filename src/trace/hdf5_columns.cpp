@@ -24,6 +24,12 @@ void tell_columns(const std::string& path, const std::vector<std::string>& names
     tell(is_there);
     if (!is_there) continue;
     const hdf5::Handle column = hdf5::open_dataset(file, name, "column");
+    // Rows that take bytes for certain: so what a file unfolds to has a bound.
+    if (!rows && hdf5::is_deflated(column))
+      throw refused(path,
+                    fmt::format("is refused: the column '{0}' is compressed, which the first may not be: "
+                                "'h5repack -f {0}:NONE IN.h5 OUT.h5' undoes that",
+                                name));
     const std::vector<std::uint64_t> extents = hdf5::extents(column);
     if (extents.size() != 1) throw refused(path, fmt::format("the column '{}' is no row of numbers", name));
     if (rows && *rows != extents[0])
@@ -60,14 +66,15 @@ Hdf5Columns read_hdf5_columns(const std::string& path, const std::vector<std::st
   std::error_code vanished;
   const std::uint64_t bytes = std::filesystem::file_size(path, vanished);
   if (vanished) throw refused(path, "cannot be read: " + path_words(path, vanished.value()));
-  // Numbers of four bytes or one are told as eight.
-  const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + 8 * bytes;
+  // The first column, never compressed, has no more rows than the file has bytes, and no other has more;
+  // numbers of four bytes or one are told as eight.
+  const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + bytes + 8 * bytes * names.size();
   const auto work = [&](const Trial::Say& say) {
     Teller tell(say);
     tell_columns(path, names, tell);
   };
   std::optional<hdf5::Turn> turn(std::in_place);  // no other thread is amid HDF5 when the child is born
-  Trial trial(work, {.seconds = 2 + bytes / bytes_per_second,
+  Trial trial(work, {.seconds = 2 + bytes * names.size() / bytes_per_second,
                      .memory_bytes = (std::uint64_t{256} << 20) + 8 * bytes});
   turn.reset();
   std::optional<Hdf5Columns> columns;

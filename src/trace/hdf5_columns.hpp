@@ -13,8 +13,9 @@ struct Hdf5Columns {
 };
 
 /// Reads one-dimensional datasets of numbers at a file's root. The file is read by a child process, as
-/// read_trace does it. Throws Error (refused) for one that keeps anything outside of itself or is compressed,
-/// and for columns that differ in length.
+/// read_trace does it. Throws Error (refused) for one that keeps anything outside of itself, for columns that
+/// differ in length, and where the first of `names` that is there is compressed: its bytes bound the rows
+/// that the others, shuffled and deflated or not, unfold to.
 Hdf5Columns read_hdf5_columns(const std::string& path, const std::vector<std::string>& names);
 
 }  // namespace fingerpad

@@ -10,7 +10,8 @@ class DrawingThreads {
  public:
   /// All threads that come from now on are taken for such, and the calling one.
   DrawingThreads();
-  /// They leave others the first turn, for ever. A system that does not let them loses nothing else.
+  /// They leave others the first turn, for ever, and so does what they begin (see KeptThread). A system that
+  /// does not let them loses nothing else.
   void stand_back() const;
 
  private:

@@ -241,6 +241,49 @@ TEST(FieldFormat, HattRefusesWhatIsNotAsDescribed) {
   EXPECT_THAT(refused("no xml"), HasSubstr("holds no element"));
 }
 
+TEST(FieldFormat, HattNamesAndElementsAreBounded) {
+  const fs::path path = test::scratch_dir() / "foam.xml";
+  const auto refused = [&](const std::string& text) {
+    write(path, text);
+    return refusal_of(path, named("hatt"));
+  };
+  const std::string longest(64, 'n'), longer(65, 'n');
+  EXPECT_THAT(refused(fmt::format("<R>\n<{0}>1</{0}></R>", longest)), HasSubstr("has no SampleRate"));
+  EXPECT_THAT(refused(fmt::format("<R>\n<{0}>1</{0}></R>", longer)), HasSubstr("foam.xml:2: <nnnnnnnnnn"));
+  EXPECT_THAT(refused(fmt::format("<R>\n<{0}>1</{0}></R>", longer)),
+              HasSubstr("has a name of 65 characters (at most 64)"));
+  std::string leaves;
+  for (int i = 0; i < 10001; ++i) leaves += "<a></a>\n";
+  EXPECT_THAT(refused("<R>" + leaves + "</R>"), HasSubstr("foam.xml:10001: has more than 10000 elements"));
+}
+
+TEST(FieldFormat, WhatARowDoesNotAskForIsRefusedByItsKey) {
+  const fs::path path = finger_files(1);
+  RecordingFormat places, subject, trial, columns, plate, decimal;
+  places.positions_path = "positions.csv";
+  subject.subject = 1;
+  trial.trial = 2;
+  columns.headers[0] = "time";
+  plate.forces_on_surface = true;
+  decimal.dialect.decimal = ',';
+  const struct {
+    const char *name, *key;
+    RecordingFormat said;
+  } cases[] = {
+      {"", "positions", places},     {"hatt", "positions", places}, {"cluster-texture", "positions", places},
+      {"sens3", "subject", subject}, {"hatt", "trial", trial},      {"cluster-texture", "columns", columns},
+      {"hatt", "force_on", plate},   {"hatt", "decimal", decimal},  {"4tu-finger-friction", "trial", trial},
+  };
+  for (auto c : cases) {
+    c.said.name = c.name;
+    EXPECT_THAT(refusal_of(path, c.said),
+                AllOf(HasSubstr(fmt::format("'{}' is said of it", c.key)), HasSubstr(c.name)));
+  }
+  RecordingFormat finger = sens3(path);
+  finger.headers[recording_column_place("dx")] = "Tx";
+  EXPECT_THAT(refusal_of(path, finger), HasSubstr("the column 'dx' is named, which sens3 does not take"));
+}
+
 TEST(FieldFormat, EachRowIsFoundByItsName) {
   for (const FieldFormat& row : field_formats()) {
     EXPECT_EQ(find_field_format(row.name)->summary, row.summary);

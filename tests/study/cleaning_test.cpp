@@ -101,7 +101,7 @@ TEST(Cleaning, AKnownDelayIsTakenOutInstead) {
   sensors.delay_s = 0.01;
   CleaningSettings settings;
   settings.delay_s = 0.01;
-  const Measurement told = cleaned(sensors, settings), straight = cleaned({});
+  const Measurement told = cleaned(sensors, settings);
   ASSERT_FALSE(told.trials.empty());
   const MeasuredTrial& trial = told.trials.front();
   // In the middle of a rub: places are those of the forces' moments, 10 ms at 0.2 m/s being 2 mm.

@@ -175,5 +175,32 @@ TEST(TrialRows, NamesThePiecesOfALongTrialApart) {
   EXPECT_EQ(trial_name(read.trials.back()), "long.csv, subject 1, trial 3, piece 3");
 }
 
+/// Forces in the surface's axes and positions in the tracker's are no measurement of a finger pad.
+TEST_F(Reading, ALayoutOfTwoFramesIsLeftOutWithItsReason) {
+  const std::string path =
+      written("foam.xml",
+              "<R><SampleRate>1000</SampleRate><PositionUnits>mm</PositionUnits>"
+              "<Force><x>0 0</x><y>0 0</y><z>1 2</z></Force><ForceNormal>1 2</ForceNormal>"
+              "<Position><x>0 1</x><y>0 1</y><z>0 0</z></Position></R>");
+  const RecordedMeasurement read = read_measurements({path}, {}, "hatt");
+  EXPECT_TRUE(read.trials.empty());
+  ASSERT_EQ(read.without_force.size(), 1u);
+  EXPECT_THAT(read.without_force.front(), HasSubstr("forces in the surface's axes and positions in others"));
+}
+
+TEST_F(Reading, WhatAPublishedLayoutDoesNotReadIsRefused) {
+  const std::string path = written("force.csv", "time,F\n");
+  MeasurementFormat markers, normal, plate;
+  markers.markers = TwoMarkers{};
+  normal.headers[7] = "N";  // nx
+  plate.force_on_plate = true;
+  const auto refusal_of = [&](const MeasurementFormat& format) {
+    return test::why_not([&] { read_measurements({path}, format, "cluster-texture"); });
+  };
+  EXPECT_THAT(refusal_of(markers), HasSubstr("--markers is not read with --reader cluster-texture"));
+  EXPECT_THAT(refusal_of(normal), HasSubstr("the column nx of --columns is not read"));
+  EXPECT_THAT(refusal_of(plate), HasSubstr("'force_on' is said of it"));
+}
+
 }  // namespace
 }  // namespace fingerpad::measurement_reader_test

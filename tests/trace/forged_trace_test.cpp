@@ -158,6 +158,23 @@ TEST_F(ForgedTrace, OtherFiltersThanDeflateAreRefusedWithTheirMend) {
   }
 }
 
+/// One deflate within another unfolds a thousand times a thousand times.
+TEST_F(ForgedTrace, AFilterTwiceIsRefused) {
+  const auto message_of = [&](const std::vector<H5Z_filter_t>& filters) {
+    return refusal_of([&](hid_t file) {
+      const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+      H5Pset_chunk(creation, 1, &row_count);
+      constexpr unsigned level = 9;
+      for (const H5Z_filter_t filter : filters)
+        H5Pset_filter(creation, filter, H5Z_FLAG_MANDATORY, filter == H5Z_FILTER_DEFLATE ? 1 : 0, &level);
+      replace_x(file, creation);
+    });
+  };
+  for (const H5Z_filter_t filter : {H5Z_FILTER_DEFLATE, H5Z_FILTER_SHUFFLE})
+    EXPECT_THAT(message_of({filter, filter}), HasSubstr("'x_m' passes through filters that no trace has"));
+  EXPECT_THAT(message_of({H5Z_FILTER_SHUFFLE, H5Z_FILTER_DEFLATE}), Not(HasSubstr("filters")));
+}
+
 void deflate_column(hid_t file, const char* name, hsize_t rows) {
   H5Ldelete(file, name, H5P_DEFAULT);
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
