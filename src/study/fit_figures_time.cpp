@@ -221,12 +221,15 @@ Chart phase_change_figure(const FitPictureSource& source) {
             over_span(trial, *span, [&](std::size_t i) { return trial.force_ratio[i].dot(way); })));
   for (ChartPanel& panel : panels) add_marks(segments, *span, panel);
   add_reasons(trial, segments, *span, panels.back());
+  std::string told = trial.name;  // the legend is full of reasons
   for (const auto& [number, name] :
        {std::pair(PadNumber::mu_static, "mu_s"), std::pair(PadNumber::mu_dynamic, "mu_d")}) {
-    if (const double mu = fitted_number(source.fit, number); std::isfinite(mu))
-      panels.back().levels.push_back({fmt::format("{} {:.3g}", name, mu), mu, palette::reddish_purple});
+    if (const double mu = fitted_number(source.fit, number); std::isfinite(mu)) {
+      panels.back().levels.push_back({"", mu, palette::reddish_purple});
+      told += fmt::format("; {} {:.3g}", name, mu);
+    }
   }
-  Chart chart = strips("figure9", title, {trial.name}, std::move(panels));
+  Chart chart = strips("figure9", title, {told}, std::move(panels));
   chart.stacked = true;
   return chart;
 }

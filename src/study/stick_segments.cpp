@@ -220,17 +220,17 @@ StickSegments stick_segments(const MeasuredTrial& trial) {
 std::string_view reason_text(BoundaryReason reason) noexcept {
   switch (reason) {
     case BoundaryReason::touchdown:
-      return "contact begins";
+      return "contact";
     case BoundaryReason::rupture:
-      return "the force ratio drops at once";
+      return "ratio drops";
     case BoundaryReason::spring_gives:
-      return "force stops to follow displacement";
+      return "spring gives";
     case BoundaryReason::spring_holds:
-      return "force begins to follow displacement";
+      return "spring holds";
     case BoundaryReason::hardly_moves:
-      return "too little motion to tell";
+      return "hardly moves";
     case BoundaryReason::moves_again:
-      return "motion tells again";
+      return "moves again";
   }
   return "";
 }
@@ -246,7 +246,7 @@ std::vector<PhaseBoundary> phase_boundaries(const MeasuredTrial& trial, const St
   std::vector<PhaseBoundary> found;
   for (std::size_t i = 0; i < segments.phase.size(); ++i) {
     const PadPhase before = i > 0 ? segments.phase[i - 1] : PadPhase::unknown, after = segments.phase[i];
-    if (before == after && !segments.begins_run[i]) continue;
+    if (before == after && !segments.is_rupture[i] && !trial.starts_anew[i]) continue;
     found.push_back({i, before, after, reason(i, before, after)});
   }
   return found;
