@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/random_stream.hpp"
 #include "study/force_tare.hpp"
 #include "study/mains_hum.hpp"
 #include "study/measurement.hpp"
@@ -55,6 +56,23 @@ TEST(Cleaning, AFingerThatOnlyPressesLessIsNoTare) {
       take_tare(trial, cleaning);
       EXPECT_EQ(cleaning.free_samples, 0) << trial_name(trial);
     }
+  }
+}
+
+/// The bottom of such a swing is as still as its noise, and low.
+TEST(Cleaning, NeitherIsOneWhoseLoadSwingsSlowly) {
+  RandomStream random(3);
+  for (const double noise_n : {0.004, 0.01, 0.02}) {
+    RecordedTrial trial = test::known_measurement(rubs, {}, {}, 1).trials[0];
+    for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+      const double t_s = static_cast<double>(i) / trial.rate_hz;
+      const double load_n = 0.8 + 0.2 * std::sin(2 * std::numbers::pi * 0.4 * t_s);
+      const Vec3 noise(random.normal(), random.normal(), random.normal());
+      trial.force_W.col(i) = load_n * (trial.normal_W - 0.35 * Vec3::UnitX()) + noise_n * noise;
+    }
+    TrialCleaning cleaning;
+    take_tare(trial, cleaning);
+    EXPECT_EQ(cleaning.free_samples, 0) << noise_n;
   }
 }
 
