@@ -48,7 +48,7 @@ void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, 
       xq += x.cwiseProduct(trial.force_ratio[i] - mean_q);
     }
     xx -= sum.cwiseProduct(sum) / count + Vec2::Constant((count - 1) * noise_m2);
-    const auto k = static_cast<std::size_t>(lag + sums.lags_each_way);
+    const auto k = static_cast<std::size_t>(long{lag} + sums.lags_each_way);
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       sums.xx[static_cast<std::size_t>(axis)][k] += xx[axis];
       sums.xq[static_cast<std::size_t>(axis)][k] += xq[axis];
@@ -69,7 +69,7 @@ int common_lags(const std::vector<DelaySums>& trials) {
 /// The lag that explains most, in steps of the grid; nothing where that is at the grid's end.
 std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times) {
   const int lags_each_way = common_lags(trials);
-  const auto count = static_cast<std::size_t>(2 * lags_each_way + 1);
+  const auto count = 2 * static_cast<std::size_t>(lags_each_way) + 1;
   std::vector<double> explained(count, 0);
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (times[i] == 0 || trials[i].samples == 0) continue;
@@ -101,7 +101,7 @@ DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) 
   sums.subject = trial.subject;
   sums.step_s = static_cast<double>(stride) / trial.rate_hz;
   for (auto* both : {&sums.xx, &sums.xq})
-    for (auto& axis : *both) axis.assign(static_cast<std::size_t>(2 * sums.lags_each_way + 1), 0);
+    for (auto& axis : *both) axis.assign(2 * static_cast<std::size_t>(sums.lags_each_way) + 1, 0);
   const double noise_m2 = segments.position_noise_m * segments.position_noise_m;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     const PhaseStretch stretch = inner_stretch(whole, segments);

@@ -33,7 +33,7 @@ std::optional<double> ratio_at_rupture(const MeasuredTrial& trial, const StickSe
   if (!segments.begins_run[from]) from += half;  // slip before it may reach so far
   from = std::max(from, i > most ? i - most : 0);
   if (i < from + fewest || !(segments.velocity_m_per_s[i].norm() > 0)) return std::nullopt;
-  const auto way = position_parabola(trial, i, static_cast<std::size_t>(2 * segments.half_window),
+  const auto way = position_parabola(trial, i, 2 * static_cast<std::size_t>(segments.half_window),
                                      segments.velocity_m_per_s[i].normalized());
   if (!way) return std::nullopt;
   const auto count = static_cast<double>(i - from);

@@ -21,7 +21,7 @@ void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, co
                    double load_n, TrialEvidence& evidence) {
   const std::size_t window = vibration_window(trial.rate_hz);
   // A shorter one may be stick that hardly moves; and a vibration's mean takes some of its periods.
-  const auto shortest = static_cast<std::size_t>(4 * segments.half_window);
+  const auto shortest = 4 * static_cast<std::size_t>(segments.half_window);
   const double sway = velocity_variance(trial, segments);
   std::vector<double> along;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {

@@ -60,7 +60,7 @@ struct StopSpeed {
 /// At a place of the way, by a parabola through the positions around it.
 std::optional<StopSpeed> speed_at_m(const MeasuredTrial& trial, const StickSegments& segments,
                                     const Vec2& forward, std::size_t near, double place_m) {
-  const auto half = static_cast<std::size_t>(2 * segments.half_window);
+  const auto half = 2 * static_cast<std::size_t>(segments.half_window);
   const std::size_t count = trial.position_m.size();
   // The sample closest to the place.
   std::size_t middle = near;
