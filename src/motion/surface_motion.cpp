@@ -7,9 +7,13 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <string>
+#include <string_view>
 
 #include "base/error.hpp"
 #include "base/random_stream.hpp"
+#include "motion/proxy_trial.hpp"
+#include "motion/sharp_edge.hpp"
 #include "motion/surface_walk.hpp"
 
 namespace fingerpad {
@@ -96,48 +100,100 @@ bool is_free(const TriangleTree& tree, SurfaceWalk& walk, const Vec3& from_P, do
   return is_open || !tree.encloses(from_P - part.centre_P);
 }
 
-/// The finger's centre at even steps, from outside to outside; nothing where this place does not hold it.
-std::optional<std::vector<Vec3>> walked(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
-                                        double depth_m, SurfaceWalker& walker, SurfaceWalk& walk) {
+/// What is drawn on the part, as far as one stroke or one figure goes.
+struct Drawn {
+  std::vector<Vec3> centres;
+  std::vector<Vec3> normals;  ///< of each, outward
+  int edges = 0;              ///< sharp ones that the finger goes round
+};
+
+/// Goes along the figure from where the walker stands; nothing where this place does not hold it.
+std::optional<Drawn> drawn(const SurfaceMotion& rub, double step_m, long steps, double radius_m,
+                           bool is_inside, SurfaceWalker walker, SurfaceWalk& walk) {
+  Drawn way{{walker.p_P}, {walker.normal_P}, 0};
+  Turning turning(rub);
+  for (long k = 0; k < steps; ++k) {
+    const SurfaceWalker before = walker;
+    if (!walk.step(step_m, turning.of_step(step_m), walker)) return std::nullopt;
+    if (is_inside && turns_sharp_edge(before, walker)) {
+      const auto round = way_round_edge(before, walker, step_m, std::max(step_m, radius_m / 4));
+      if (round.empty()) return std::nullopt;
+      ++way.edges;
+      way.centres.insert(way.centres.end(), round.begin(), round.end());
+      way.normals.resize(way.normals.size() + round.size() / 2, before.normal_P);
+      way.normals.resize(way.centres.size(), walker.normal_P);
+    }
+    way.centres.push_back(walker.p_P);
+    way.normals.push_back(walker.normal_P);
+  }
+  return way;
+}
+
+/// A rub's centres from outside to outside.
+struct Walked {
+  std::vector<Vec3> centres;
+  int edges = 0;
+};
+
+/// At even steps; nothing where this place does not hold it.
+std::optional<Walked> walked(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
+                             double depth_m, const SurfaceWalker& walker, SurfaceWalk& walk) {
   const double out_m = lead_m(rub, depth_m);
   const Vec3 from_P = walker.p_P + out_m * walker.normal_P;
   if (!is_free(tree, walk, from_P, radius_m)) return std::nullopt;
   const long steps = steps_of(rub);
   const double step_m = length_m(rub) / static_cast<double>(steps);
-  // A line goes back on its own way.
   const bool is_line = rub.shape == SurfaceMotion::Shape::line;
-  const long stroke = is_line ? std::lround(rub.size_m / step_m) : steps;
-  std::vector<SurfaceWalker> way{walker};
-  Turning turning(rub);
-  for (long k = 0; k < std::min(stroke, steps); ++k) {
-    if (!walk.step(step_m, turning.of_step(step_m), walker)) return std::nullopt;
-    way.push_back(walker);
-  }
-  std::vector<Vec3> centres{from_P};
+  const long stroke = is_line ? std::min(steps, std::lround(rub.size_m / step_m)) : steps;
+  const auto way = drawn(rub, step_m, stroke, radius_m, depth_m > radius_m, walker, walk);
+  if (!way) return std::nullopt;
+  // A line goes back on its own way, round the edges too.
+  const long turn = std::ssize(way->centres) - 1;
+  const long end =
+      std::lround(static_cast<double>(steps) / static_cast<double>(stroke) * static_cast<double>(turn));
+  Walked all{{from_P}, way->edges};
   long at = 0;
-  for (long k = 0; k <= steps; ++k) {
-    const long along = k % (2 * stroke);
-    at = along <= stroke ? along : 2 * stroke - along;
-    centres.push_back(way[static_cast<std::size_t>(at)].p_P);
+  for (long k = 0; k <= end; ++k) {
+    const long along = k % (2 * turn);
+    at = along <= turn ? along : 2 * turn - along;
+    all.centres.push_back(way->centres[static_cast<std::size_t>(at)]);
   }
-  const SurfaceWalker& last = way[static_cast<std::size_t>(at)];
-  centres.push_back(last.p_P + out_m * last.normal_P);
-  if (!is_free(tree, walk, centres.back(), radius_m)) return std::nullopt;
-  return centres;
+  const auto last = static_cast<std::size_t>(at);
+  all.centres.push_back(way->centres[last] + out_m * way->normals[last]);
+  if (!is_free(tree, walk, all.centres.back(), radius_m)) return std::nullopt;
+  return all;
 }
 
-Motion timed(const std::vector<Vec3>& centres, const SurfaceMotion& rub, double depth_m) {
+/// The figure takes its time; what goes round sharp edges comes on top, at the same speed.
+Motion timed(const Walked& walked, const SurfaceMotion& rub, double depth_m) {
+  const std::vector<Vec3>& centres = walked.centres;
   const double lead_s = lead_m(rub, depth_m) / rub.speed_m_per_s;
   const double rub_s = length_m(rub) / rub.speed_m_per_s;
-  const std::size_t steps = centres.size() - 3;
+  const auto steps = static_cast<double>(steps_of(rub));
   Motion motion;
   motion.p_WQ.resize(3, static_cast<Eigen::Index>(centres.size()));
   for (std::size_t i = 0; i < centres.size(); ++i) motion.p_WQ.col(static_cast<Eigen::Index>(i)) = centres[i];
   motion.t_s = {0};
-  for (std::size_t k = 0; k <= steps; ++k)
-    motion.t_s.push_back(lead_s + rub_s * static_cast<double>(k) / static_cast<double>(steps));
-  motion.t_s.push_back(duration_s(rub, depth_m));
+  for (std::size_t k = 0; k + 2 < centres.size(); ++k)
+    motion.t_s.push_back(lead_s + rub_s * static_cast<double>(k) / steps);
+  motion.t_s.push_back(walked.edges > 0 ? motion.t_s.back() + lead_s : duration_s(rub, depth_m));
   return motion;
+}
+
+std::string no_place_words(int tries, bool is_too_deep, const SurfaceMotion& rub, const Part& part) {
+  const double across_m = (part.vertices.rowwise().maxCoeff() - part.vertices.rowwise().minCoeff()).norm();
+  const std::string_view of_edges =
+      is_too_deep ? "; at some a narrow edge would press it over a tenth deeper than asked, which a "
+                    "finger.radius_m over the depth avoids"
+                  : "";
+  const std::string of_unit =
+      rub.size_m > across_m
+          ? fmt::format("; the part is {:.3g} mm across: is its unit right?", 1e3 * across_m)
+          : "";
+  return fmt::format(
+      "none of {} random places holds a rub of size_m {} for this finger: it would leave the part over an "
+      "open rim, find no room or press through a thin wall{}; make size_m, the depth or the finger smaller{}",
+      tries, rub.size_m, of_edges, of_unit);
 }
 
 }  // namespace
@@ -150,8 +206,10 @@ LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, do
                           double depth_m) {
   constexpr int most_tries = 300;
   constexpr double tolerance_of_size = 1e-6;
+  constexpr double most_of_depth = 1.1;
   const RandomPlaces places(tree.part());
   RandomStream random(static_cast<std::uint64_t>(rub.place));
+  bool is_too_deep = false;
   for (int tried = 1; tried <= most_tries; ++tried) {
     const int t = places.triangle(random);
     const Vec3 place_P = places.point_P(t, random);
@@ -159,13 +217,16 @@ LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, do
     SurfaceWalk walk(tree, radius_m - depth_m, tolerance_of_size * rub.size_m);
     SurfaceWalker walker;
     if (!walk.start(t, place_P, heading_rad, walker)) continue;
-    const auto centres = walked(tree, rub, radius_m, depth_m, walker, walk);
-    if (centres) return {timed(*centres, rub, depth_m), place_P, tried};
+    const auto way = walked(tree, rub, radius_m, depth_m, walker, walk);
+    if (!way) continue;
+    // A centre outside of the part is nearest to where its proxy is; one inside may leave it behind.
+    if (depth_m > radius_m && deepest_press_m(tree, way->centres, radius_m) > most_of_depth * depth_m) {
+      is_too_deep = true;
+      continue;
+    }
+    return {timed(*way, rub, depth_m), place_P, tried, way->edges};
   }
-  throw refused("", fmt::format("none of {} random places holds a rub of size_m {} for this finger: it would "
-                                "leave the part over an open rim, find no room or press through a thin wall; "
-                                "make size_m, the depth or the finger smaller",
-                                most_tries, rub.size_m));
+  throw refused("", no_place_words(most_tries, is_too_deep, rub, tree.part()));
 }
 
 }  // namespace fingerpad

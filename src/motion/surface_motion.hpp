@@ -26,7 +26,8 @@ struct SurfaceMotion {
   double normal_force_n = 0;  ///< over the part's stiffness: the depth
 };
 
-/// How long it takes, the way down to the surface and up again with it [s].
+/// How long it takes, the way down to the surface and up again with it [s]; without the ways round sharp
+/// edges, see lay_on_surface().
 double duration_s(const SurfaceMotion& rub, double depth_m) noexcept;
 
 /// A motion in the part's frame, and how many places were tried until one held it.
@@ -34,14 +35,21 @@ struct LaidMotion {
   Motion motion;
   Vec3 place_P = Vec3::Zero();  ///< where the surface is touched first [m]
   int tried = 0;
+  int edges = 0;  ///< sharp ones round which the finger is taken, in a stroke of a line, else in all
 };
 
 /// Lays a rub on a part. The finger's centre keeps the distance radius_m - depth_m from the whole surface, at
 /// an even speed, so that it rolls over edges and turns in corners without being pressed in any deeper; it
-/// comes from outside along the normal, and leaves so. A place where it would leave the part over an open
-/// rim, where the finger has no room or the wall is too thin for the depth is given up for the next of the
-/// stream. Depends on the part, the rub, radius and depth alone. Throws Error (refused) without a place where
-/// no place holds it.
+/// comes from outside along the normal, and leaves so.
+///
+/// A finger pressed in deeper than its radius has its centre inside, where that distance has no way round a
+/// convex edge. At a sharp one it eases off to the edge, goes round it and comes in again beyond
+/// (way_round_edge), which takes longer than duration_s(). So no proxy is left behind on the first face, and
+/// none is ever pressed in by over 1.1 times the depth.
+///
+/// A place where it would leave the part over an open rim, where the finger has no room or the wall is too
+/// thin for the depth is given up for the next of the stream. Depends on the part, the rub, radius and depth
+/// alone. Throws Error (refused) without a place where no place holds it.
 LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
                           double depth_m);
 

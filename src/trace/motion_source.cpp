@@ -248,10 +248,13 @@ LoadedMotion laid_motion(const Scene& scene, MeshStore& meshes) {
   place(laid.motion, part.rotation, part.position_m);
   LoadedMotion motion{{std::move(laid.motion), scene.motion.rate_hz, scene.finger.direction}};
   const Vec3 place_mm = 1e3 * laid.place_P;
+  const std::string edges = laid.edges == 0 ? ""
+                                            : fmt::format(", eased off round {} sharp edge{}", laid.edges,
+                                                          laid.edges == 1 ? "" : "s");
   motion.notes.push_back(fmt::format(
-      "{}: {} at place {} of {}, ({:.4g}, {:.4g}, {:.4g}) mm in its frame, {:.4g} mm deep; tried {} {}",
+      "{}: {} at place {} of {}, ({:.4g}, {:.4g}, {:.4g}) mm in its frame, {:.4g} mm deep{}; tried {} {}",
       scene.name, shape_text(rub), rub.place, part.mesh, place_mm.x(), place_mm.y(), place_mm.z(),
-      1e3 * depth_m, laid.tried, laid.tried == 1 ? "point" : "points"));
+      1e3 * depth_m, edges, laid.tried, laid.tried == 1 ? "point" : "points"));
   return motion;
 }
 

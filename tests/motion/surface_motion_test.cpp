@@ -140,7 +140,12 @@ TEST(SurfaceMotion, DependsOnItsPlaceAlone) {
 
 TEST(SurfaceMotion, AFigureThatNoPlaceHoldsIsRefused) {
   const TriangleTree sheet = tree_of(test::square_soup(0.1, 4));
-  EXPECT_THROW(lay_on_surface(sheet, rub_of(Shape::line, 0.3), 0.002, 0.001), Error);
+  try {
+    lay_on_surface(sheet, rub_of(Shape::line, 0.3), 0.002, 0.001);
+    ADD_FAILURE() << "no place holds it";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("the part is 141 mm across: is its unit right?"));
+  }
   // A wall of 2 mm cannot be pressed in by 1.5 mm: its other side is nearer.
   const TriangleTree plate = tree_of(test::box_soup({0.05, 0.05, 0.002}));
   EXPECT_THROW(lay_on_surface(plate, rub_of(Shape::line, 0.01), 0, 0.0015), Error);
