@@ -64,6 +64,10 @@ Json series_json(const SmallSeries& series, std::string& words, std::string& byt
                               {"span", range.span}});
   }
   for (const Phase phase : series.phases) bytes += static_cast<char>(phase);
+  if (series.bucket_s > 0) json["bucket"] = series.bucket_s;
+  for (const StripCurve& curve : series.curves) {
+    for (const std::uint8_t place : curve.places) bytes += static_cast<char>(place);
+  }
   return json;
 }
 

@@ -49,17 +49,31 @@ constexpr CurveRow curve_rows[] = {
     {"speed", "m/s", speed_at},
 };
 
-/// The least and the greatest value of a bucket in the order in which they come.
-void add_extremes(const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end,
-                  const CurveRow& row, std::vector<double>& values) {
-  std::size_t low = begin, high = begin;
-  for (std::size_t i = begin; i < end; ++i) {
+/// A stretch of time and its rows.
+struct Bucket {
+  std::size_t begin = 0, end = 0;
+  double begin_s = 0, length_s = 0;
+
+  std::uint8_t place(double t_s) const {
+    const double share = length_s > 0 ? (t_s - begin_s) / length_s : 0;
+    return static_cast<std::uint8_t>(std::lround(255 * std::clamp(share, 0.0, 1.0)));
+  }
+};
+
+/// The least and the greatest value of a bucket in the order in which they come, each at its own time.
+void add_extremes(const std::vector<TickRecord>& rows, const Bucket& bucket, const CurveRow& row,
+                  StripCurve& curve) {
+  std::size_t low = bucket.begin, high = bucket.begin;
+  for (std::size_t i = bucket.begin; i < bucket.end; ++i) {
     const double value = row.value(rows, i);
     if (!(value >= row.value(rows, low))) low = i;
     if (!(value <= row.value(rows, high))) high = i;
   }
-  values.push_back(row.value(rows, std::min(low, high)));
-  values.push_back(row.value(rows, std::max(low, high)));
+  if (low == high) high = bucket.end - 1;  // level
+  for (const std::size_t i : {std::min(low, high), std::max(low, high)}) {
+    curve.values.push_back(row.value(rows, i));
+    curve.places.push_back(bucket.place(rows[i].t_s));
+  }
 }
 
 Phase loudest(const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end) {
@@ -115,12 +129,13 @@ SmallSeries small_series(const std::vector<TickRecord>& rows, std::size_t most) 
     series = every_tick(rows);
   } else {
     for (const CurveRow& row : curve_rows) series.curves.push_back({row.name, row.unit, {}});
+    series.bucket_s = whole_s / static_cast<double>(buckets);
     for (std::size_t k = 0; k < buckets; ++k) {
-      const std::size_t begin = rows.size() * k / buckets, end = rows.size() * (k + 1) / buckets;
-      for (std::size_t c = 0; c < series.curves.size(); ++c) {
-        add_extremes(rows, begin, end, curve_rows[c], series.curves[c].values);
-      }
-      series.phases.insert(series.phases.end(), 2, loudest(rows, begin, end));
+      const Bucket bucket{rows.size() * k / buckets, rows.size() * (k + 1) / buckets,
+                          rows.front().t_s + static_cast<double>(k) * series.bucket_s, series.bucket_s};
+      for (std::size_t c = 0; c < series.curves.size(); ++c)
+        add_extremes(rows, bucket, curve_rows[c], series.curves[c]);
+      series.phases.insert(series.phases.end(), 2, loudest(rows, bucket.begin, bucket.end));
     }
   }
   series.begin_s = rows.front().t_s;

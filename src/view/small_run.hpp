@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string_view>
 #include <vector>
 
@@ -23,12 +24,15 @@ SmallPath small_path(const std::vector<TickRecord>& rows, std::size_t most);
 struct StripCurve {
   std::string_view name, unit;
   std::vector<double> values;  ///< nan where there is none
+  /// Of buckets: where in its own each value was, in 255ths of its length.
+  std::vector<std::uint8_t> places = {};
 };
 
 /// A run's curves in few samples: of each bucket of ticks a curve's least and greatest value, in their order,
 /// so that no peak is lost.
 struct SmallSeries {
-  double begin_s = 0, step_s = 0;  ///< of the samples
+  double begin_s = 0, step_s = 0;  ///< of the samples' phases
+  double bucket_s = 0;             ///< of two samples; 0: each tick is one
   std::vector<StripCurve> curves;
   std::vector<Phase> phases;  ///< slip in a bucket before stick before free
 };

@@ -199,13 +199,16 @@ js before.length
 drag #shape canvas 120 60
 js picture() !== before
 js document.querySelectorAll("#strips canvas").length >= 4
+js [...document.querySelectorAll("#strips .dygraph-xlabel")].filter(label => label.textContent === "time [s]").length
+js document.querySelector("#figures td").textContent + document.querySelectorAll("#figures wbr").length
+js (document.querySelector("[data-look=whole]").click(), window.seen = [...Array(shapeView.shapePoints.length / 3).keys()].map(i => new THREE.Vector3().fromArray(shapeView.shapePoints, 3 * i).project(shapeView.camera)).map(p => Math.max(Math.abs(p.x), Math.abs(p.y))), Math.max(...seen))
 js (location.hash = "charts", 1)
 until document.querySelectorAll("#chart circle").length === 3
 js document.querySelectorAll("#matrix td").length
 click nav a[href="#licences"]
 until getComputedStyle(document.getElementById("licences")).display === "block"
 )steps");
-  ASSERT_EQ(answers.size(), 13u);
+  ASSERT_EQ(answers.size(), 16u);
   EXPECT_EQ(answers[0], 6) << "rows";
   EXPECT_THAT(answers[1], HasSubstr("failed: ")) << "the worst stand first";
   EXPECT_EQ(answers[2], 2) << "of the law that was typed";
@@ -214,8 +217,14 @@ until getComputedStyle(document.getElementById("licences")).display === "block"
   EXPECT_GT(answers[7], 4000) << "something is drawn";
   EXPECT_EQ(answers[8], true) << "the part has turned";
   EXPECT_EQ(answers[9], true) << "strip charts";
-  EXPECT_EQ(answers[11], 3) << "medians, a law each";
-  EXPECT_EQ(answers[12], json({{"requests", json::array()}, {"errors", json::array()}}));
+  EXPECT_EQ(answers[10], 4) << "each strip chart's axis is labelled";
+  EXPECT_THAT(answers[11].get<std::string>(), testing::StartsWith("mesh"))
+      << "names can break where they have signs";
+  EXPECT_NE(answers[11], "mesh0");
+  EXPECT_GT(answers[12], 0.8) << "the whole part fills the view";
+  EXPECT_LE(answers[12], 1);
+  EXPECT_EQ(answers[14], 3) << "medians, a law each";
+  EXPECT_EQ(answers[15], json({{"requests", json::array()}, {"errors", json::array()}}));
 }
 
 }  // namespace

@@ -56,12 +56,31 @@ TEST(SmallSeries, LosesNoPeak) {
   EXPECT_NEAR(series.begin_s + 239 * series.step_s, rows.back().t_s, 1e-12);
 }
 
+TEST(SmallSeries, PutsEachSampleAtItsOwnTimeSoThatARampIsStraight) {
+  auto rows = struck_run(5000, 1777);
+  for (TickRecord& row : rows) row.normal_force_n = std::min(row.t_s, 4.0);
+  const SmallSeries series = small_series(rows, 240);
+  const StripCurve& force = series.curves[0];
+  ASSERT_EQ(force.places.size(), 240u);
+  for (std::size_t i = 0; i < force.values.size(); ++i) {
+    const double at_s =
+        series.begin_s + (static_cast<double>(i / 2) + force.places[i] / 255.0) * series.bucket_s;
+    // A byte is a 255th of a bucket; a tick may stand at the end of the bucket before.
+    EXPECT_NEAR(force.values[i], std::min(at_s, 4.0), series.bucket_s / 255 + 1e-3) << i;
+    if (i == 239) {
+      EXPECT_NEAR(at_s, rows.back().t_s, 2e-3) << "it goes on to the end";
+    }
+  }
+}
+
 TEST(SmallSeries, OfFewTicksIsTheRun) {
   const auto rows = struck_run(200, 150);
   const SmallSeries series = small_series(rows, 240);
   ASSERT_EQ(series.curves[0].values.size(), 200u);
   EXPECT_EQ(series.curves[0].values[150], 9);
   EXPECT_NEAR(series.step_s, 1e-3, 1e-12);
+  EXPECT_EQ(series.bucket_s, 0);
+  EXPECT_TRUE(series.curves[0].places.empty());
 }
 
 TEST(SmallShape, KeepsTheSizeOfAPartWithFewTriangles) {

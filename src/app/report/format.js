@@ -31,6 +31,16 @@ function unitOf(column) {
   return column.unit === "1" ? "" : column.unit;
 }
 
+/** Text that breaks its lines where names do: behind their dots, strokes and hyphens, never within a word. */
+function breakable(text) {
+  const broken = document.createDocumentFragment();
+  for (const piece of String(text).split(/(?<=[_.\/-])(?=[^_.\/\s-]{2})/)) {
+    if (broken.childNodes.length > 0) broken.append(document.createElement("wbr"));
+    broken.append(piece);
+  }
+  return broken;
+}
+
 /** The last part of a path. */
 function fileName(path) {
   return path.split("/").pop();

@@ -1,7 +1,7 @@
 function figureTable(job) {
   const table = element("table", { class: "plain" });
   const line = (name, value, title, number) =>
-    table.append(element("tr", { title: title || "" }, element("td", {}, name), element("td", number ? { class: "number" } : {}, value)));
+    table.append(element("tr", { title: title || "" }, element("td", {}, breakable(name)), element("td", number ? { class: "number" } : {}, breakable(value))));
   if (job.mesh) line("mesh", fileName(job.mesh), job.mesh);
   for (const [key, value] of variedOf(job)) line(key, value, "a key of the set");
   if (job.motion && !report.setKeys.includes("motion")) line("motion", fileName(job.motion), job.motion);
@@ -47,7 +47,7 @@ function showShape(job, data) {
     shapeView.colourBy(["force", "phase"][k]);
     legend.replaceChildren(k === 0 ? forceLegend(job.run) : phaseLegend("path: "));
   });
-  const looks = ["contact", "front", "right", "top"].map(name => {
+  const looks = ["contact", "whole", "front", "right", "top"].map(name => {
     const button = element("button", { type: "button", "data-look": name }, name);
     button.addEventListener("click", () => shapeView.lookFrom(name));
     return button;

@@ -9,6 +9,11 @@ function escaped(text) {
   span.textContent = text;
   return span.innerHTML.replace(/"/g, "&quot;");
 }
+function escapedBreakable(text) {
+  const span = document.createElement("span");
+  span.append(breakable(text));
+  return span.innerHTML;
+}
 
 /** "failed: why", or what the figures tell. */
 function troubleOf(job) {
@@ -23,13 +28,13 @@ function motionsVaryOverPart() {
 
 /** The columns of the table, each with its heading and what a job shows in it. */
 function tableColumns() {
-  const text = (title, of, extra) => ({ title: escaped(title), data: null, render: (job, kind) => kind === "display" ? escaped(of(job)) : of(job), ...extra });
+  const text = (title, of, extra) => ({ title: escapedBreakable(title), data: null, render: (job, kind) => kind === "display" ? escapedBreakable(of(job)) : of(job), ...extra });
   const columns = [
     { title: "worst", data: "rank", className: "number", type: "num" },
     { title: "part and path", data: null, orderable: false, render: job => job.run && job.run.thumbnail
       ? `<img alt="${escaped(jobTitle(job))}" src="data:image/jpeg;base64,${job.run.thumbnail}">` : "" },
     { title: "trouble", data: null, className: "trouble", render: (job, kind) => kind === "display"
-      ? `<div title="${escaped(troubleOf(job))}">${escaped(troubleOf(job))}</div>` : troubleOf(job) }];
+      ? `<div title="${escaped(troubleOf(job))}">${escapedBreakable(troubleOf(job))}</div>` : troubleOf(job) }];
   if (new Set(report.jobs.map(job => job.scene)).size > 1) columns.push(text("scene", job => job.scene));
   columns.push({ title: "job", data: "number", className: "number", type: "num" });
   if (!report.setKeys.includes("mesh") && report.jobs.some(job => job.mesh)) columns.push(text("mesh", job => fileName(job.mesh), { className: "name" }));

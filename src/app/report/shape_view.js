@@ -10,6 +10,12 @@ function unpackedPoints(codes, box, about) {
   return points;
 }
 
+/** When a curve's samples were: evenly apart, or two in each stretch of time at the places that their bytes name. */
+function sampleTimes(series, places) {
+  return Array.from({ length: series.count }, (_, i) => series.bucket === undefined
+    ? series.begin + i * series.step : series.begin + ((i >> 1) + places[i] / 255) * series.bucket);
+}
+
 /** What a job's run says, unpacked: path, phases, forces, curves. */
 function unpackedRun(run) {
   const bytes = bytesOf(run.data);
@@ -20,6 +26,7 @@ function unpackedRun(run) {
     path: words.subarray(0, 3 * n), forces: rest.subarray(0, n), phases: rest.subarray(n, 2 * n),
     times: Array.from({ length: m }, (_, i) => run.series.begin + i * run.series.step),
     curves: curves.map((curve, c) => ({ name: curve.name, unit: curve.unit,
+      times: sampleTimes(run.series, rest.subarray(2 * n + (c + 1) * m, 2 * n + (c + 2) * m)),
       values: unpacked(words.subarray(3 * n + c * m, 3 * n + (c + 1) * m), curve.low, curve.span) })),
     seriesPhases: rest.subarray(2 * n, 2 * n + m)
   };
@@ -66,6 +73,7 @@ class ShapeView {
     const words = new Uint16Array(bytes.buffer);
     const geometry = new THREE.BufferGeometry();
     const points = unpackedPoints(words.subarray(0, 3 * shape.points), shape, this.about);
+    this.shapePoints = points;
     geometry.setAttribute("position", new THREE.BufferAttribute(points, 3));
     geometry.setIndex(new THREE.BufferAttribute(words.slice(3 * shape.points), 1));
     const material = new THREE.MeshLambertMaterial({ color: 0xc4ccd4, side: THREE.DoubleSide, flatShading: true,
@@ -85,6 +93,7 @@ class ShapeView {
   /** Once where it is in sight, once faintly where the part's few triangles hide it. */
   addPath() {
     const points = unpackedPoints(this.data.path, this.run.path, this.about);
+    this.pathPoints = points;
     const places = [], colours = [];
     for (let i = 1; i < this.run.path.count; ++i) {
       const colour = this.colourOf(i);
@@ -113,15 +122,35 @@ class ShapeView {
     this.draw();
   }
 
+  /** How far off the eye has to be, in its direction from the target, so that all points are in sight. */
+  distanceToSee(points, target, eye, up) {
+    const across = new THREE.Vector3().crossVectors(up, eye), at = new THREE.Vector3();
+    const slope = Math.tan(this.camera.fov / 2 * Math.PI / 180);
+    let distance = 0;
+    for (let i = 0; i < points.length; i += 3) {
+      at.set(points[i], points[i + 1], points[i + 2]).sub(target);
+      distance = Math.max(distance, at.dot(eye) + Math.max(Math.abs(at.dot(up)), Math.abs(at.dot(across)) / this.camera.aspect) / slope);
+    }
+    return Math.max(1.06 * distance, this.radius / 50);
+  }
+
+  /** From the contact's side: the path with as much of the part about it; else, and where that is nearly all, the whole part. */
   lookFrom(name) {
     const named = { top: [[0, 0, 1], [0, 1, 0]], front: [[0, -1, 0], [0, 0, 1]], right: [[1, 0, 0], [0, 0, 1]],
-      contact: [this.run.look.eye, this.run.look.up] };
-    const [eye, up] = named[name];
-    const distance = 1.08 * this.radius / Math.sin(this.camera.fov / 2 * Math.PI / 180);
-    this.camera.up.set(...up);
+      contact: [this.run.look.eye, this.run.look.up], whole: [this.run.look.eye, this.run.look.up] };
+    const [eye, up] = named[name].map(axes => new THREE.Vector3(...axes));
+    const whole = this.shapePoints || this.pathPoints;
+    let target = new THREE.Vector3(), distance = this.distanceToSee(whole, target, eye, up);
+    if (name === "contact") {
+      const box = new THREE.Box3().setFromArray(this.pathPoints), middle = box.getCenter(new THREE.Vector3());
+      const near = Math.max(4 * this.distanceToSee(this.pathPoints, middle, eye, up), 0.35 * distance);
+      if (near < 0.8 * distance) [target, distance] = [middle, near];
+    }
+    this.camera.up.copy(up);
     this.controls.dispose();
-    this.camera.position.set(...eye).multiplyScalar(distance);
+    this.camera.position.copy(target).addScaledVector(eye, distance);
     this.controls = new THREE.OrbitControls(this.camera, this.renderer.domElement);
+    this.controls.target.copy(target);
     this.controls.addEventListener("change", () => this.draw());
     this.controls.update();
     this.draw();

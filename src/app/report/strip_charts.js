@@ -19,6 +19,23 @@ function paintPhases(canvas, area, plot, times, phases) {
   }
 }
 
+/** A row for each time at which any of the curves has a sample; null where another has none there. */
+function chartRows(curves, scale) {
+  const rows = curves.flatMap((curve, c) => curve.times.map((time, i) => {
+    const row = [time, ...curves.map(() => null)];
+    row[c + 1] = curve.values[i] * scale;
+    return row;
+  })).sort((a, b) => a[0] - b[0]);
+  const joined = [];
+  for (const row of rows) {
+    const last = joined[joined.length - 1];
+    const fits = last && last[0] === row[0] && row.every((value, c) => c === 0 || value === null || last[c] === null);
+    if (!fits) joined.push(row);
+    else row.forEach((value, c) => { if (value !== null) last[c] = value; });
+  }
+  return joined;
+}
+
 /** All panels zoom together. */
 function showStrips(holder, data) {
   holder.replaceChildren();
@@ -35,14 +52,13 @@ function showStrips(holder, data) {
   };
   stripPanels.forEach((panel, p) => {
     const curves = panel.curves.map(name => data.curves.find(curve => curve.name === name));
-    const rows = data.times.map((time, i) => [time, ...curves.map(curve => curve.values[i] * (panel.scale || 1))]);
+    const rows = chartRows(curves, panel.scale || 1);
     const plot = element("div", { class: "plot" }), names = element("div", { class: "labels" });
     holder.append(element("div", { class: "strip" }, element("h3", {}, panel.title), names, plot));
-    const last = p === stripPanels.length - 1;
     plots.push(new Dygraph(plot, rows, {
-      labels: ["t [s]", ...panel.curves], ylabel: panel.label, xlabel: last ? "time [s]" : "",
+      labels: ["t [s]", ...panel.curves], ylabel: panel.label, xlabel: "time [s]", connectSeparatedPoints: true,
       colors: report.colours.palette, strokeWidth: 1.4, legend: "always", labelsDiv: names, includeZero: true,
-      xRangePad: 4, yRangePad: 4, axisLabelWidth: 64, highlightCircleSize: 3, digitsAfterDecimal: 4, maxNumberWidth: 9,
+      dateWindow: [data.times[0], data.times[data.times.length - 1]], yRangePad: 4, axisLabelWidth: 64, highlightCircleSize: 3, digitsAfterDecimal: 4, maxNumberWidth: 9,
       axisLabelFontSize: 12, xLabelHeight: 18, yLabelWidth: 18, gridLineColor: "#e3e6ea", labelsKMB: false,
       underlayCallback: (canvas, area, plot) => paintPhases(canvas, area, plot, data.times, data.seriesPhases),
       zoomCallback: () => zoomAll(plots[p]), drawCallback: (plot, initial) => { if (!initial) zoomAll(plot); }
