@@ -1,32 +1,87 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <optional>
 
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
+#include "base/csv_cell.hpp"
+#include "base/number_text.hpp"
 #include "replay/folder_comparison.hpp"
+#include "trace/output_file.hpp"
 
 namespace fingerpad {
 namespace {
 
 struct CompareOptions {
-  std::string folder_a, folder_b;
+  std::string folder_a, folder_b, out;
   double tolerance = 0;
+  std::size_t most = 10;
   bool quiet = false;
 };
 
+/// The jobs that differ most, in the order in which they were found where they differ alike.
+class WorstJobs {
+ public:
+  explicit WorstJobs(std::size_t most) : most_(most) {}
+
+  void take(ChangedJob&& job) {
+    const auto place = std::upper_bound(jobs_.begin(), jobs_.end(), job,
+                                        [](const auto& a, const auto& b) { return a.force_n > b.force_n; });
+    if (place == jobs_.end() && jobs_.size() >= most_) return;
+    jobs_.insert(place, std::move(job));
+    if (jobs_.size() > most_) jobs_.pop_back();
+  }
+
+  const std::vector<ChangedJob>& jobs() const noexcept { return jobs_; }
+
+ private:
+  std::size_t most_;
+  std::vector<ChangedJob> jobs_;
+};
+
+/// A row for each job and column that differs.
+void write_rows(const ChangedJob& job, OutputFile& file) {
+  for (const JobChange& change : job.changes)
+    file.write(fmt::format("{},{},{},{},{},{}\n", csv_cell(job.job), change.column, number_text(change.most),
+                           change.unit == "1" ? "" : change.unit, number_text(change.at_s),
+                           csv_cell(change.words)));
+}
+
+void tell_end(const CompareOptions& options, const FolderComparison& found) {
+  const bool traces = found.traces > 0;
+  const std::size_t count = traces ? found.traces : found.jobs;
+  print_out("{} of {} {}{} changed from {} to {}\n", found.changed, count, traces ? "trace" : "job",
+            count == 1 ? "" : "s", options.folder_a, options.folder_b);
+}
+
 int compare(const CompareOptions& options) {
   constexpr int changed_code = 4;
-  const FolderComparison found = compare_folders(options.folder_a, options.folder_b, options.tolerance);
-  for (const std::string& change : found.changes) print_out("{}\n", change);
-  if (!options.quiet) {
-    const bool traces = found.traces > 0;
-    const std::size_t count = traces ? found.traces : found.jobs;
-    print_out("{} of {} {}{} changed from {} to {}\n", found.changed, count, traces ? "trace" : "job",
-              count == 1 ? "" : "s", options.folder_a, options.folder_b);
+  if (!options.out.empty()) refuse_other_endings(options.out, "compare", {".csv"});
+  std::optional<OutputFile> file;
+  if (!options.out.empty()) {
+    file.emplace(options.out);
+    file->write("job,column,most,unit,at_s,what\n");
   }
-  return found.changes.empty() ? 0 : changed_code;
+  WorstJobs worst(options.most);
+  const FolderComparison found =
+      compare_folders(options.folder_a, options.folder_b, options.tolerance, [&](ChangedJob&& job) {
+        if (file) write_rows(job, *file);
+        worst.take(std::move(job));
+      });
+  if (file) file->commit();
+  for (const ChangedJob& job : worst.jobs()) {
+    for (const JobChange& change : job.changes) print_out("{}: {}\n", job.job, change.words);
+  }
+  const std::size_t more = found.differing - worst.jobs().size();
+  if (more > 0 && !options.quiet)
+    print_out("and {} more job{}, whose forces differ by no more; --most N tells more, --out FILE.csv all\n",
+              more, more == 1 ? "" : "s");
+  if (!options.quiet) tell_end(options, found);
+  if (file) tell_written(options.quiet, options.out, "a row for each job and column that differs");
+  return found.differing == 0 ? 0 : changed_code;
 }
 
 }  // namespace
@@ -42,13 +97,17 @@ void add_compare(CLI::App& program, Action& action) {
                    "What a column may differ by, in its own unit (phases and counts too)")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
+  command
+      ->add_option(
+          "--most", options->most,
+          "How many jobs to tell of: those that differ as a whole, then the greatest change of force")
+      ->capture_default_str();
+  refuse_empty(command->add_option("--out", options->out, "CSV table of all that differs"));
   add_quiet_flag(*command, options->quiet);
   command->footer(
-      "A line for each trace and column that differs, with the greatest difference and its time. Where "
-      "neither "
-      "folder holds a trace, a line for each job and figure of summary.csv. Ends 0 where all are alike, 4 "
-      "where "
-      "something changed.");
+      "A line for each trace and column that differs, with the greatest difference and its time; rows are "
+      "set against each other by their time. Where neither folder holds a trace, a line for each job and "
+      "figure of summary.csv. Ends 0 where all are alike, 4 where something changed.");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }
 

@@ -13,9 +13,9 @@
 #include "base/path_words.hpp"
 #include "replay/batch_results.hpp"
 #include "replay/summary_column.hpp"
+#include "replay/trace_comparison.hpp"
 #include "trace/job_index.hpp"
 #include "trace/trace.hpp"
-#include "trace/trace_column.hpp"
 
 namespace fingerpad {
 namespace {
@@ -39,64 +39,39 @@ std::set<std::string> traces_in(const std::string& folder) {
   return names;
 }
 
-/// How far a column of two traces is apart.
-struct ColumnChange {
-  std::size_t ticks = 0;
-  double most = 0, at_s = 0;
+/// "s-0003.h5 (plate.stl, mu_static 0.3)".
+std::string name_of_job(const std::map<std::string, std::string>& index, const std::string& name) {
+  const auto known = index.find(name);
+  return known == index.end() || known->second.empty() ? name : fmt::format("{} ({})", name, known->second);
+}
+
+/// Gathers what differs, and passes it on.
+class Changes {
+ public:
+  Changes(FolderComparison& comparison, const std::function<void(ChangedJob&&)>& on_changed)
+      : comparison_(comparison), on_changed_(on_changed) {}
+
+  void tell(std::string job, std::vector<JobChange> changes) {
+    if (changes.empty()) return;
+    ChangedJob changed{std::move(job), std::move(changes), 0};
+    for (const JobChange& change : changed.changes) {
+      if (change.column.empty())
+        changed.force_n = HUGE_VAL;
+      else if (change.unit == "N")
+        changed.force_n = std::max(changed.force_n, change.most);
+    }
+    ++comparison_.differing;
+    on_changed_(std::move(changed));
+  }
+
+ private:
+  FolderComparison& comparison_;
+  const std::function<void(ChangedJob&&)>& on_changed_;
 };
 
-/// 0 for equal numbers and two that are none; infinite where only one is none.
-double distance_between(double a, double b) {
-  if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
-  const double apart = std::abs(a - b);
-  return std::isnan(apart) ? HUGE_VAL : apart;
-}
-
-ColumnChange change_of(const TraceColumn& column, const Trace& a, const Trace& b, double tolerance) {
-  ColumnChange change;
-  for (std::size_t i = 0; i < std::min(a.rows.size(), b.rows.size()); ++i) {
-    const double apart = distance_between(column.get(a.rows[i]), column.get(b.rows[i]));
-    if (!(apart > tolerance)) continue;
-    ++change.ticks;
-    if (apart <= change.most) continue;
-    change.most = apart;
-    change.at_s = a.rows[i].t_s;
-  }
-  return change;
-}
-
-/// "s-0003.h5 (mu_static 0.3)".
-std::string name_of_job(const std::string& folder, const std::string& name) {
-  const std::string varied = varied_in_job((fs::path(folder) / name).string());
-  return varied.empty() ? name : fmt::format("{} ({})", name, varied);
-}
-
-/// Whether a trace was written without the column.
-bool lacks(const Trace& trace, const TraceColumn& column) {
-  return std::find(trace.missing.begin(), trace.missing.end(), column.name) != trace.missing.end();
-}
-
-/// Adds a line for each column that differs. @returns whether any does
-bool compare_traces(const std::string& job, const Trace& a, const Trace& b, double tolerance,
-                    std::vector<std::string>& changes) {
-  const std::size_t before = changes.size();
-  if (a.rows.size() != b.rows.size())
-    changes.push_back(fmt::format("{}: {} ticks, then {}", job, a.rows.size(), b.rows.size()));
-  for (const TraceColumn& column : trace_columns()) {
-    const bool lacks_a = lacks(a, column), lacks_b = lacks(b, column);
-    if (lacks_a != lacks_b)
-      changes.push_back(
-          fmt::format("{}: {} is in the {} trace alone", job, column.name, lacks_a ? "second" : "first"));
-    if (lacks_a || lacks_b) continue;
-    const ColumnChange change = change_of(column, a, b, tolerance);
-    if (change.ticks == 0) continue;
-    const std::string unit = column.unit == "1" ? "" : " " + std::string(column.unit);
-    const std::string most = std::isinf(change.most) ? "from a number to none"
-                                                     : fmt::format("by up to {:.6g}{}", change.most, unit);
-    changes.push_back(fmt::format("{}: {} differs {} at t = {:.6g} s, in {} of {} ticks", job, column.name,
-                                  most, change.at_s, change.ticks, std::min(a.rows.size(), b.rows.size())));
-  }
-  return changes.size() > before;
+/// Of the job itself.
+JobChange whole_change(std::string words) {
+  return {"", std::move(words), TickRecord::nan, "", TickRecord::nan};
 }
 
 using OutcomesByJob = std::map<std::pair<std::string, int>, JobOutcome>;
@@ -121,47 +96,51 @@ std::string words_of(const JobOutcome& job) {
   return values.empty() ? name : fmt::format("{} ({})", name, values);
 }
 
-void compare_figures(const JobOutcome& a, const JobOutcome& b, double tolerance,
-                     std::vector<std::string>& changes) {
+std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, double tolerance) {
+  std::vector<JobChange> changes;
   const auto columns = summary_figure_columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (!(distance_between(a.figures[i], b.figures[i]) > tolerance)) continue;
-    changes.push_back(fmt::format("{}: {} was {:.9g}, is {:.9g}{}", words_of(a), columns[i].name,
-                                  a.figures[i], b.figures[i],
-                                  columns[i].unit == "1" ? "" : " " + std::string(columns[i].unit)));
+    const double apart = distance_between(a.figures[i], b.figures[i]);
+    if (!(apart > tolerance)) continue;
+    changes.push_back({std::string(columns[i].name),
+                       fmt::format("{} was {:.9g}, is {:.9g}{}", columns[i].name, a.figures[i], b.figures[i],
+                                   columns[i].unit == "1" ? "" : " " + std::string(columns[i].unit)),
+                       apart, columns[i].unit, TickRecord::nan});
   }
+  return changes;
 }
 
 /// Jobs whose status differs or which one folder's summary does not have; and where there are no traces their
 /// figures.
 void compare_outcomes(const OutcomesByJob& in_a, const OutcomesByJob& in_b, bool has_traces, double tolerance,
-                      FolderComparison& comparison) {
+                      FolderComparison& comparison, Changes& found) {
   std::set<std::pair<std::string, int>> all;
   for (const auto& [key, job] : in_a) all.insert(key);
   for (const auto& [key, job] : in_b) all.insert(key);
   for (const auto& key : all) {
     const auto a = in_a.find(key), b = in_b.find(key);
-    const std::size_t before = comparison.changes.size();
+    const JobOutcome& job = a == in_a.end() ? b->second : a->second;
+    std::vector<JobChange> changes;
     if (a == in_a.end() || b == in_b.end()) {
       // A summary that is not there says nothing of its jobs.
       if (!in_a.empty() && !in_b.empty())
-        comparison.changes.push_back(fmt::format("{}: is in the {} summary alone",
-                                                 words_of(a == in_a.end() ? b->second : a->second),
-                                                 a == in_a.end() ? "second" : "first"));
+        changes.push_back(
+            whole_change(fmt::format("is in the {} summary alone", a == in_a.end() ? "second" : "first")));
     } else if (a->second.status != b->second.status) {
-      comparison.changes.push_back(
-          fmt::format("{}: was '{}', is '{}'", words_of(a->second), a->second.status, b->second.status));
+      changes.push_back(whole_change(fmt::format("was '{}', is '{}'", a->second.status, b->second.status)));
     } else if (!has_traces) {
-      compare_figures(a->second, b->second, tolerance, comparison.changes);
+      changes = figure_changes(a->second, b->second, tolerance);
     }
-    if (!has_traces) comparison.changed += comparison.changes.size() > before ? 1 : 0;
+    if (!has_traces) comparison.changed += changes.empty() ? 0 : 1;
+    found.tell(words_of(job), std::move(changes));
   }
   if (!has_traces) comparison.jobs = all.size();
 }
 
 }  // namespace
 
-FolderComparison compare_folders(const std::string& folder_a, const std::string& folder_b, double tolerance) {
+FolderComparison compare_folders(const std::string& folder_a, const std::string& folder_b, double tolerance,
+                                 const std::function<void(ChangedJob&&)>& on_changed) {
   const std::set<std::string> in_a = traces_in(folder_a), in_b = traces_in(folder_b);
   std::set<std::string> all = in_a;
   all.insert(in_b.begin(), in_b.end());
@@ -170,24 +149,24 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
     throw refused(outcomes_a.empty() ? folder_a : folder_b,
                   "holds neither traces nor a summary to compare with the other folder's");
   FolderComparison comparison;
+  Changes found(comparison, on_changed);
   comparison.traces = all.size();
+  const auto jobs_a = jobs_in_folder(folder_a), jobs_b = jobs_in_folder(folder_b);
   for (const std::string& name : all) {
-    const bool both = in_a.contains(name) && in_b.contains(name);
-    const std::string job = name_of_job(in_a.contains(name) ? folder_a : folder_b, name);
-    if (!both) {
-      ++comparison.changed;
-      comparison.changes.push_back(
-          fmt::format("{}: is in {} alone", job, in_a.contains(name) ? folder_a : folder_b));
-      continue;
+    const bool is_in_a = in_a.contains(name);
+    std::vector<JobChange> changes;
+    if (!is_in_a || !in_b.contains(name)) {
+      changes.push_back(whole_change(fmt::format("is in {} alone", is_in_a ? folder_a : folder_b)));
+    } else {
+      const std::string a = (fs::path(folder_a) / name).string(), b = (fs::path(folder_b) / name).string();
+      if (file_hash(a) == file_hash(b)) continue;
+      changes = trace_changes(read_trace(a, TraceContents::some_rows),
+                              read_trace(b, TraceContents::some_rows), tolerance);
     }
-    const std::string a = (fs::path(folder_a) / name).string(), b = (fs::path(folder_b) / name).string();
-    if (file_hash(a) == file_hash(b)) continue;
-    const bool changed =
-        compare_traces(job, read_trace(a, TraceContents::some_rows), read_trace(b, TraceContents::some_rows),
-                       tolerance, comparison.changes);
-    comparison.changed += changed ? 1 : 0;
+    comparison.changed += changes.empty() ? 0 : 1;
+    found.tell(name_of_job(is_in_a ? jobs_a : jobs_b, name), std::move(changes));
   }
-  compare_outcomes(outcomes_a, outcomes_b, !all.empty(), tolerance, comparison);
+  compare_outcomes(outcomes_a, outcomes_b, !all.empty(), tolerance, comparison, found);
   return comparison;
 }
 

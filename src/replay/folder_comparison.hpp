@@ -1,25 +1,49 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace fingerpad {
 
-/// What differs between the results of two runs.
+/// One thing in which a job differs.
+struct JobChange {
+  std::string column;  ///< of the trace or the summary; empty: the job itself, as where one folder lacks it
+  std::string words;   ///< what is told of it, without the job's name
+  double most = 0;     ///< the greatest difference; infinite from a number to none, nan without a column
+  std::string_view unit;
+  double at_s = 0;  ///< where that is; nan of a summary's
+};
+
+/// A job whose results differ.
+struct ChangedJob {
+  std::string job;  ///< "s-0003.h5 (plate.stl, mu_static 0.3)"
+  std::vector<JobChange> changes;
+  /// The greatest difference of a column in newtons; infinite where the job itself differs: what is looked at
+  /// first.
+  double force_n = 0;
+};
+
+/// How much differs between the results of two runs.
 struct FolderComparison {
-  std::vector<std::string> changes;  ///< a line each, by job and column
-  std::size_t traces = 0;            ///< looked at, in either folder
-  std::size_t jobs = 0;              ///< looked at in the summaries, where there is no trace
-  std::size_t changed = 0;           ///< of those
+  std::size_t traces = 0;   ///< looked at, in either folder
+  std::size_t jobs = 0;     ///< looked at in the summaries, where there is no trace
+  std::size_t changed = 0;  ///< of those
+  std::size_t differing =
+      0;  ///< jobs that were told: those, and where there are traces those of another status
 };
 
 /// Compares the traces of two folders by their names: those that only one has, the columns that differ and by
-/// how much, and the jobs whose status in summary.csv differs. Files whose bytes are equal are not read
+/// how much, and the jobs whose status in summary.csv differs. Rows are set against each other by their time,
+/// so that a trace of every tenth tick goes with a whole one. Files whose bytes are equal are not read
 /// further.
-/// @param tolerance  what a column may differ by, in its own unit; nan is equal to nan alone
+/// @param tolerance   what a column may differ by, in its own unit; nan is equal to nan alone
+/// @param on_changed  told each job that differs, as it is found: they may be many
 /// Throws Error (refused) for a folder that cannot be read and as read_trace; and where neither has a trace
 /// and one no summary.
-FolderComparison compare_folders(const std::string& folder_a, const std::string& folder_b, double tolerance);
+FolderComparison compare_folders(const std::string& folder_a, const std::string& folder_b, double tolerance,
+                                 const std::function<void(ChangedJob&&)>& on_changed);
 
 }  // namespace fingerpad

@@ -13,7 +13,7 @@ namespace fingerpad {
 namespace {
 
 /// Before the set keys.
-constexpr std::size_t fixed_columns = 5;
+constexpr std::size_t fixed_columns = 5, file_column = 1, mesh_column = 3;
 
 /// "mu_static 0.3, law dahl" of a row; the mesh has its own place in a title.
 std::string words_of(const std::vector<std::string>& keys, const std::vector<std::string_view>& cells) {
@@ -29,23 +29,37 @@ std::string words_of(const std::vector<std::string>& keys, const std::vector<std
   return words;
 }
 
-/// What one index says of a trace's file.
-std::string varied_by(const std::filesystem::path& index, const std::string& file) {
+/// Calls for each row of an index until told to stop, with its keys and cells; not at all where it is none.
+template <typename Take>
+void for_each_row(const std::filesystem::path& index, const Take& take) {
   std::error_code none;
-  if (!std::filesystem::is_regular_file(index, none)) return "";
+  if (!std::filesystem::is_regular_file(index, none)) return;
   try {
     TextLines lines(index.string(), {"an index of jobs", std::uint64_t{64} << 20});
     std::string_view line;
-    if (!lines.next(line) || !line.starts_with("number,file,")) return "";
+    if (!lines.next(line) || !line.starts_with("number,file,")) return;
     std::vector<std::string> keys;
     for (const std::string_view cell : csv_cells(line, ',')) keys.emplace_back(cell);
     while (lines.next(line)) {
       const auto cells = csv_cells(line, ',');
-      if (cells.size() > 1 && cells[1] == file) return words_of(keys, cells);
+      if (cells.size() >= fixed_columns && !take(keys, cells)) return;
     }
   } catch (const Error&) {  // a title does without
   }
-  return "";
+}
+
+/// The indices in a folder, by name.
+std::vector<std::filesystem::path> indices_in(const std::filesystem::path& folder) {
+  std::vector<std::filesystem::path> indices;
+  std::error_code none;
+  std::filesystem::directory_iterator at(folder, none);
+  for (; !none && at != std::filesystem::directory_iterator(); at.increment(none)) {
+    const std::string name = at->path().filename().string();
+    if (name == job_index_name || (name.starts_with("jobs-") && name.ends_with(".csv")))
+      indices.push_back(at->path());
+  }
+  std::sort(indices.begin(), indices.end());
+  return indices;
 }
 
 }  // namespace
@@ -69,20 +83,31 @@ std::string job_index_text(const std::vector<std::string>& keys, const std::vect
 
 std::string varied_in_job(const std::string& trace_path) {
   const std::filesystem::path path(trace_path);
-  const std::filesystem::path folder = path.parent_path().empty() ? "." : path.parent_path();
-  std::vector<std::filesystem::path> indices;
-  std::error_code none;
-  std::filesystem::directory_iterator at(folder, none);
-  for (; !none && at != std::filesystem::directory_iterator(); at.increment(none)) {
-    const std::string name = at->path().filename().string();
-    if (name == job_index_name || (name.starts_with("jobs-") && name.ends_with(".csv")))
-      indices.push_back(at->path());
+  const std::string file = path.filename().string();
+  std::string words;
+  for (const auto& index : indices_in(path.parent_path().empty() ? "." : path.parent_path())) {
+    for_each_row(index, [&](const auto& keys, const auto& cells) {
+      if (cells[file_column] != file) return true;
+      words = words_of(keys, cells);
+      return false;
+    });
+    if (!words.empty()) break;
   }
-  std::sort(indices.begin(), indices.end());
-  for (const std::filesystem::path& index : indices) {
-    if (std::string words = varied_by(index, path.filename().string()); !words.empty()) return words;
+  return words;
+}
+
+std::map<std::string, std::string> jobs_in_folder(const std::string& folder) {
+  std::map<std::string, std::string> jobs;
+  for (const auto& index : indices_in(folder)) {
+    for_each_row(index, [&](const auto& keys, const auto& cells) {
+      std::string words = std::filesystem::path(cells[mesh_column]).filename().string();
+      const std::string varied = words_of(keys, cells);
+      words += words.empty() || varied.empty() ? varied : ", " + varied;
+      jobs.emplace(cells[file_column], std::move(words));
+      return true;
+    });
   }
-  return "";
+  return jobs;
 }
 
 }  // namespace fingerpad

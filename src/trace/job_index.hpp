@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -22,5 +23,9 @@ std::string job_index_text(const std::vector<std::string>& keys, const std::vect
 /// What varies in a trace's job beside its mesh, by the indices in its folder: "mu_static 0.3, law dahl".
 /// Empty where there is no index, or none that knows the trace; an index that cannot be read is none.
 std::string varied_in_job(const std::string& trace_path);
+
+/// The same of every trace that the indices in a folder know, by its file name, with the mesh before it where
+/// there is one: "plate.stl, mu_static 0.3". Each index is read once.
+std::map<std::string, std::string> jobs_in_folder(const std::string& folder);
 
 }  // namespace fingerpad

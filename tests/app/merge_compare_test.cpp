@@ -102,6 +102,53 @@ TEST(Compare, TellsWhatChangedByJobAndColumn) {
   EXPECT_EQ(test::fingerpad("compare none none", folder).exit_code, 3);
 }
 
+TEST(Compare, SetsRowsAgainstEachOtherByTheirTime) {
+  const fs::path folder = folder_with_set();
+  const std::string replay = "replay s.toml --quiet --format csv --out ";
+  ASSERT_EQ(test::fingerpad(replay + "whole", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad(replay + "thin --every 10", folder).exit_code, 0);
+  const auto found = test::fingerpad("compare whole thin", folder);
+  EXPECT_EQ(found.exit_code, 4);
+  EXPECT_THAT(found.out,
+              HasSubstr("s-0001.csv (seed 1): 101 ticks, then 11; 11 times are in both, and compared\n"));
+  EXPECT_THAT(found.out, Not(HasSubstr("differs")));
+}
+
+TEST(Compare, TellsTheWorstJobsAndListsAllInATable) {
+  const fs::path folder = folder_with_set();
+  const std::string replay = "replay s.toml --quiet --format none --out ";
+  ASSERT_EQ(test::fingerpad(replay + "a", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad(replay + "b", folder).exit_code, 0);
+  std::string summary = bytes_of(folder / "b" / "summary.csv");
+  for (const char* row : {"s,2,2,ok,101,", "s,3,3,ok,101,", "s,5,5,ok,101,"}) {
+    ASSERT_NE(summary.find(row), std::string::npos) << summary;
+    summary.replace(summary.find(row) + 9, 3, "102");
+  }
+  // Of the changes only the fourth job's is one of force.
+  const auto row = summary.find("s,4,4,ok,"), next = summary.find('\n', row);
+  std::string fourth = summary.substr(row, next - row);
+  const auto force = fourth.find(",1,1,");  // mean and greatest normal force
+  ASSERT_NE(force, std::string::npos) << fourth;
+  fourth.replace(force, 5, ",1,3,");
+  summary.replace(row, next - row, fourth);
+  std::ofstream(folder / "b" / "summary.csv") << summary;
+  const auto worst = test::fingerpad("compare a b --most 2 --out all.csv", folder);
+  EXPECT_EQ(worst.exit_code, 4);
+  EXPECT_EQ(worst.out,
+            "s job 4 (seed 4): max_normal_force_n was 1, is 3 N\n"
+            "s job 2 (seed 2): ticks was 101, is 102\n"
+            "and 2 more jobs, whose forces differ by no more; --most N tells more, --out FILE.csv all\n"
+            "4 of 5 jobs changed from a to b\n"
+            "wrote all.csv (a row for each job and column that differs)\n");
+  EXPECT_EQ(bytes_of(folder / "all.csv"),
+            "job,column,most,unit,at_s,what\n"
+            "s job 2 (seed 2),ticks,1,,nan,\"ticks was 101, is 102\"\n"
+            "s job 3 (seed 3),ticks,1,,nan,\"ticks was 101, is 102\"\n"
+            "s job 4 (seed 4),max_normal_force_n,2,N,nan,\"max_normal_force_n was 1, is 3 N\"\n"
+            "s job 5 (seed 5),ticks,1,,nan,\"ticks was 101, is 102\"\n");
+  EXPECT_EQ(test::fingerpad("compare a b --out all.txt", folder).exit_code, 2);
+}
+
 TEST(Compare, WithoutTracesGoesByTheFiguresOfTheSummaries) {
   const fs::path folder = folder_with_set();
   const std::string replay = "replay s.toml --quiet --format none --out ";

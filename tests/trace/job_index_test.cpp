@@ -23,6 +23,9 @@ TEST(JobIndex, SaysWhatVariesInATracesJob) {
   EXPECT_EQ(varied_in_job((folder / "t-0001.h5").string()), "mu_static 0.3");
   EXPECT_EQ(varied_in_job((folder / "t-0002.h5").string()), "tap.csv, law a, b");
   EXPECT_EQ(varied_in_job((folder / "t-0003.h5").string()), "");
+  const std::map<std::string, std::string> all{{"t-0001.h5", "a.stl, mu_static 0.3"},
+                                               {"t-0002.h5", "b.stl, tap.csv, law a, b"}};
+  EXPECT_EQ(jobs_in_folder(folder.string()), all);
 }
 
 TEST(JobIndex, ThatIsNoneIsPassedOver) {
@@ -30,6 +33,7 @@ TEST(JobIndex, ThatIsNoneIsPassedOver) {
   EXPECT_EQ(varied_in_job((folder / "none" / "t-0001.h5").string()), "");
   std::ofstream(folder / "jobs.csv") << "what,file,scene,mesh,motion,salary\n1,t-0001.h5,t,,,3\n";
   EXPECT_EQ(varied_in_job((folder / "t-0001.h5").string()), "");
+  EXPECT_TRUE(jobs_in_folder(folder.string()).empty());
 }
 
 }  // namespace

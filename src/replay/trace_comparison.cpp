@@ -1,0 +1,93 @@
+#include "replay/trace_comparison.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "trace/trace_column.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
+
+/// Rows of two traces at one time.
+struct RowPair {
+  std::size_t a = 0, b = 0;
+};
+
+/// The times that both have. Ticks of one rate have the same times to the bit, of others to rounding.
+std::vector<RowPair> rows_at_common_times(const Trace& a, const Trace& b) {
+  constexpr double rounding = 1e-9;  // of a second, or of the time itself
+  std::vector<RowPair> pairs;
+  for (RowPair at; at.a < a.rows.size() && at.b < b.rows.size();) {
+    const double a_s = a.rows[at.a].t_s, b_s = b.rows[at.b].t_s;
+    if (std::abs(a_s - b_s) <= rounding * std::max(1.0, std::abs(a_s))) {
+      pairs.push_back(at);
+      ++at.a;
+      ++at.b;
+    } else {
+      ++(a_s < b_s ? at.a : at.b);
+    }
+  }
+  return pairs;
+}
+
+/// Whether a trace was written without the column.
+bool lacks(const Trace& trace, const TraceColumn& column) {
+  return std::find(trace.missing.begin(), trace.missing.end(), column.name) != trace.missing.end();
+}
+
+/// Adds the column where it differs.
+void compare_column(const TraceColumn& column, const Trace& a, const Trace& b,
+                    const std::vector<RowPair>& pairs, double tolerance, std::vector<JobChange>& changes) {
+  JobChange change{std::string(column.name), "", 0, column.unit, 0};
+  std::size_t rows = 0;
+  for (const RowPair& at : pairs) {
+    const double apart = distance_between(column.get(a.rows[at.a]), column.get(b.rows[at.b]));
+    if (!(apart > tolerance)) continue;
+    ++rows;
+    if (apart <= change.most) continue;
+    change.most = apart;
+    change.at_s = a.rows[at.a].t_s;
+  }
+  if (rows == 0) return;
+  const std::string unit = column.unit == "1" ? "" : " " + std::string(column.unit);
+  const std::string most =
+      std::isinf(change.most) ? "from a number to none" : fmt::format("by up to {:.6g}{}", change.most, unit);
+  change.words = fmt::format("{} differs {} at t = {:.6g} s, in {} of {} ticks", column.name, most,
+                             change.at_s, rows, pairs.size());
+  changes.push_back(std::move(change));
+}
+
+}  // namespace
+
+double distance_between(double a, double b) noexcept {
+  if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
+  const double apart = std::abs(a - b);
+  return std::isnan(apart) ? HUGE_VAL : apart;
+}
+
+std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tolerance) {
+  std::vector<JobChange> changes;
+  const auto tell_whole = [&](std::string words) {
+    changes.push_back({"", std::move(words), not_a_number, "", not_a_number});
+  };
+  const std::vector<RowPair> pairs = rows_at_common_times(a, b);
+  const std::size_t most_rows = std::max(a.rows.size(), b.rows.size());
+  if (pairs.size() < most_rows)
+    tell_whole(fmt::format("{} ticks, then {}; {} times are in both, and compared", a.rows.size(),
+                           b.rows.size(), pairs.size()));
+  for (const TraceColumn& column : trace_columns()) {
+    const bool lacks_a = lacks(a, column), lacks_b = lacks(b, column);
+    if (lacks_a != lacks_b)
+      tell_whole(fmt::format("{} is in the {} trace alone", column.name, lacks_a ? "second" : "first"));
+    if (lacks_a || lacks_b || column.name == "t_s") continue;  // by which they were set side by side
+    compare_column(column, a, b, pairs, tolerance, changes);
+  }
+  return changes;
+}
+
+}  // namespace fingerpad
