@@ -229,6 +229,15 @@ void add_replay(CLI::App& program, Action& action) {
                    "Where standard error is no terminal, tell how far the jobs are every so many seconds")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str();
+  command
+      ->add_option_function<double>(
+          "--wait-for-ranks",
+          [options](double seconds) { options->batch.patience = std::chrono::duration<double>(seconds); },
+          "How many seconds ranks wait for those that have not come: all for the first, the last for the "
+          "others")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e6))
+      ->default_str("30");
   command->add_flag(
       "--quiet", options->quiet,
       "No progress, no choices of contact and no closing line; errors and warnings are still told");

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <functional>
 #include <optional>
 #include <string>
@@ -27,6 +28,8 @@ struct BatchOptions {
   bool resume = false;
   int shard = 1;        ///< this call's share of the jobs, from 1
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1
+  /// How long ranks wait for the first of them to come, and the last to leave for those that have not come.
+  std::chrono::duration<double> patience = std::chrono::seconds(30);
   std::string version;
   LoadProgress on_load;  ///< as MeshStore's
   /// Told now and then how far a job is, 0 .. 1, by the thread that does it. May be empty.

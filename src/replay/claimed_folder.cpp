@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/path_words.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/summary.hpp"
 
 namespace fingerpad {
 namespace {
@@ -16,12 +17,25 @@ namespace {
 /// The root comes first, so that it tells what is refused; if it does not come, another does its work.
 void wait_for_root(const BatchOptions& options, const Ranks& ranks) {
   using std::chrono::steady_clock;
-  constexpr std::chrono::seconds patience{30};
   constexpr std::chrono::milliseconds between_looks{20};
-  for (const auto end = steady_clock::now() + patience; steady_clock::now() < end;) {
+  for (const auto end = steady_clock::now() + options.patience; steady_clock::now() < end;) {
     if (RunLock::is_registered(options.out_dir, ranks.run) || launcher_is_gone(ranks)) return;
     std::this_thread::sleep_for(between_looks);
   }
+}
+
+/// Thrown while a folder is being claimed for a run that has ended.
+struct RunHasEnded {};
+
+/// Whether the ranks have ended without this one, which comes late. Another start can have the same name (one
+/// of a launcher with the same process number, as in a container): a root, without which nothing would be
+/// done, believes tables alone that were written after its own launcher began.
+bool has_ended(const BatchOptions& options, const Ranks& ranks) {
+  std::filesystem::file_time_type written_at;
+  if (!ranks.are_many() || !is_summed_up(options, ranks.run, written_at)) return false;
+  if (!ranks.is_root()) return true;
+  const auto launched_at = launch_time(ranks);
+  return launched_at && std::chrono::file_clock::to_sys(written_at) > *launched_at;
 }
 
 void make_folder(const std::string& folder) {
@@ -45,25 +59,31 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
   if (ranks.are_many() && launcher_is_gone(ranks))
     throw Error(ErrorKind::fault, options.out_dir,
                 fmt::format("rank {} writes nothing there: what started it is gone", ranks.rank));
+  if (!RunLock::is_registered(options.out_dir, ranks.run) && has_ended(options, ranks)) return nullptr;
   const bool others_came = ranks.are_many() && RunLock::is_registered(options.out_dir, ranks.run);
   if (!others_came) {
     refuse_collisions(jobs, options);
     make_folder(options.out_dir);
   }
-  return std::make_unique<RunLock>(
-      options.out_dir, output_names(jobs, options), ranks.run, [&](const RunLock& lock) {
-        if (others_came) refuse_collisions(jobs, options);  // who came was of an earlier run
-        for (const std::string& run : lock.unfinished()) {
-          if (options.on_unfinished)
-            options.on_unfinished(fmt::format("{}: {} ended before it was done; this run takes its place",
-                                              options.out_dir, run));
-        }
-        const std::string kept = keep_other_summary(jobs, options);
-        if (options.on_kept && !kept.empty()) options.on_kept(kept);
-        std::error_code ignored;
-        std::filesystem::remove_all(ranks_folder(options), ignored);
-        when_first();
-      });
+  const auto as_first = [&](const RunLock& lock) {
+    if (has_ended(options, ranks)) throw RunHasEnded();  // between two looks
+    if (others_came) refuse_collisions(jobs, options);   // who came was of an earlier run
+    for (const std::string& run : lock.unfinished()) {
+      if (options.on_unfinished)
+        options.on_unfinished(
+            fmt::format("{}: {} ended before it was done; this run takes its place", options.out_dir, run));
+    }
+    const std::string kept = keep_other_summary(jobs, options);
+    if (options.on_kept && !kept.empty()) options.on_kept(kept);
+    std::error_code ignored;
+    std::filesystem::remove_all(ranks_folder(options), ignored);
+    when_first();
+  };
+  try {
+    return std::make_unique<RunLock>(options.out_dir, output_names(jobs, options), ranks.run, as_first);
+  } catch (const RunHasEnded&) {
+    return nullptr;
+  }
 }
 
 }  // namespace fingerpad

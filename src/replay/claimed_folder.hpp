@@ -17,7 +17,8 @@ std::string ranks_folder(const BatchOptions& options);
 /// once before anything is written is done by the process that comes first, which of ranks is commonly the
 /// root: looking for collisions, removing what the ranks of a killed run have left, keeping a summary of
 /// other scenes, and `when_first`.
-/// @returns what holds the run's place in the folder. Throws Error as run_batch().
+/// @returns what holds the run's place in the folder; none for a rank that comes when the others of its run
+/// have done all and left. Throws Error as run_batch().
 std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
                                         const Ranks& ranks, const std::function<void()>& when_first);
 

@@ -11,11 +11,32 @@
 
 #include <charconv>
 #include <cstdlib>
+#include <fstream>
+#include <iterator>
+#include <sstream>
 #include <string_view>
 
 #include "base/error.hpp"
 
 namespace fingerpad {
+
+std::optional<std::chrono::system_clock::time_point> launch_time(const Ranks& ranks) {
+  using std::chrono::system_clock;
+  // proc(5): behind the command in brackets the 20th is when it began, in clock ticks since the boot.
+  constexpr int words_before = 19;
+  std::ifstream process(fmt::format("/proc/{}/stat", ranks.launcher));
+  std::string words{std::istreambuf_iterator<char>(process), {}};
+  const std::size_t behind_command = words.rfind(')');
+  if (behind_command == std::string::npos) return std::nullopt;
+  std::istringstream fields(words.substr(behind_command + 1));
+  for (int i = 0; i < words_before; ++i) fields >> words;
+  double begun_ticks = 0, since_boot_s = 0;
+  std::ifstream uptime("/proc/uptime");
+  if (!(fields >> begun_ticks) || !(uptime >> since_boot_s)) return std::nullopt;
+  const std::chrono::duration<double> age(since_boot_s -
+                                          begun_ticks / static_cast<double>(sysconf(_SC_CLK_TCK)));
+  return system_clock::now() - std::chrono::duration_cast<system_clock::duration>(age);
+}
 
 bool launcher_is_gone(const Ranks& ranks) noexcept {
   if (getppid() != ranks.launcher) return true;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <chrono>
+#include <optional>
 #include <string>
 
 namespace fingerpad {
@@ -20,6 +22,9 @@ struct Ranks {
 /// As the launcher's environment says. Throws Error (usage) where that tells ranks, but not of which run:
 /// those of two runs would be taken for one.
 Ranks launched_ranks();
+
+/// When what started a rank began; none where this system does not tell.
+std::optional<std::chrono::system_clock::time_point> launch_time(const Ranks& ranks);
 
 /// Whether what started a rank has ended, so that nobody waits for it any more: it is no longer the parent,
 /// or nobody reads the standard error that it gave (it may have ended before this process could look).

@@ -221,7 +221,7 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
       unlink(path_.c_str());
       throw;
     }
-  } catch (const Error&) {
+  } catch (...) {
     remove_if_unused(folder_);
     throw;
   }

@@ -23,7 +23,7 @@ class RunLock {
   /// @param run         of ranks: what they have in common. The first of them registers, the others hold the
   ///                    registration with it, so that it lasts until all have ended. Empty: a process alone
   /// @param when_first  called by the one who registers, before any other can join, and by a process alone
-  ///                    where nobody can register; may be empty
+  ///                    where nobody can register; may be empty. What it throws ends the registration
   RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run = "",
           const std::function<void(const RunLock&)>& when_first = {});
   /// Ends the registration (of ranks, the last does); the state folder goes too if nothing is left in it.

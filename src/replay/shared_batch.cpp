@@ -81,9 +81,8 @@ class RankWork {
   /// @returns whether this is the last, who stays to the end
   bool is_last() {
     using std::chrono::steady_clock;
-    constexpr std::chrono::seconds patience{30};
     constexpr std::chrono::milliseconds between_looks{50};
-    for (const auto end = steady_clock::now() + patience;;) {
+    for (const auto end = steady_clock::now() + options_.patience;;) {
       {
         const JobBoard::Hold hold(board_);
         int living = 0, missing = 0;
@@ -197,14 +196,15 @@ class RankWork {
   std::size_t done_ = 0, done_since_ = 0;
 };
 
-std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions& options) {
+std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions& options,
+                                const Ranks& ranks) {
   mark_not_begun(jobs, jobs_of_shard(jobs.size(), options));
   std::vector<Error> lost;
   const fs::path index = fs::path(options.out_dir) / table_names(options.shard, options.shard_count).jobs;
   std::error_code none;
   if (!fs::exists(index, none))
     lost = write_job_index(jobs, options);  // the first could not, and told nobody
-  for (const Error& error : write_summary(jobs, options)) lost.push_back(error);
+  for (const Error& error : write_summary(jobs, options, ranks.run)) lost.push_back(error);
   return lost;
 }
 
@@ -232,7 +232,7 @@ BatchEnd take_part(std::vector<BatchJob>& jobs, const BatchOptions& options, con
   }
   claim.stays_last();
   work.end(on_done);
-  BatchEnd end{true, write_tables(jobs, options)};
+  BatchEnd end{true, write_tables(jobs, options, ranks)};
   std::error_code ignored;
   fs::remove_all(ranks_folder(options), ignored);
   watched.has_left();
@@ -247,6 +247,7 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
     write_job_index(jobs, options);
     make_board(jobs, options);
   });
+  if (!claim) return {false, {}};  // it came too late: the others have done and told all
   try {
     return take_part(jobs, options, ranks, on_done, *claim);
   } catch (const Error& error) {
@@ -254,7 +255,7 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
     if (fs::exists(board_path(options), none)) throw;
     const TableNames names = table_names(options.shard, options.shard_count);
     if (claim->is_older_than((fs::path(options.out_dir) / names.summary).string()))
-      return {false, {}};  // it came too late: the others have done and told all
+      return {false, {}};  // the same, and it saw them leave
     // The folder was good when the run began: what is wrong with it now is no fault of the call.
     throw Error(ErrorKind::fault, "", error.what());
   }

@@ -7,7 +7,9 @@
 #include <string_view>
 
 #include "base/csv_cell.hpp"
+#include "base/csv_cells.hpp"
 #include "base/number_text.hpp"
+#include "base/text_lines.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/summary_column.hpp"
 #include "trace/job_index.hpp"
@@ -52,11 +54,15 @@ std::string summary_text(const std::vector<BatchJob>& jobs) {
   return text;
 }
 
-std::string timing_text(const std::vector<BatchJob>& jobs) {
-  std::string text = "scene,job,seconds\n";
+/// The last column says which ranks have run the batch, so that one of them that comes late finds it done.
+constexpr std::string_view timing_header = "scene,job,seconds,run\n";
+
+std::string timing_text(const std::vector<BatchJob>& jobs, const std::string& run) {
+  std::string text(timing_header);
   for (const BatchJob& job : jobs) {
     if (job.status.empty()) continue;
-    text += fmt::format("{},{},{:.6f}\n", csv_cell(job.job.scene.name), job.job.number, job.seconds);
+    text += fmt::format("{},{},{:.6f},{}\n", csv_cell(job.job.scene.name), job.job.number, job.seconds,
+                        csv_cell(run));
   }
   return text;
 }
@@ -95,14 +101,34 @@ std::vector<Error> write_job_index(const std::vector<BatchJob>& jobs, const Batc
   return lost;
 }
 
-std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options,
+                                 const std::string& run) {
   const TableNames names = table_names(options.shard, options.shard_count);
   const std::filesystem::path folder(options.out_dir);
   std::vector<Error> lost;
   write_table(folder / names.summary, summary_text(jobs), lost);
   write_table(folder / names.schema, summary_schema_text(set_keys(jobs)), lost);
-  write_table(folder / names.timing, timing_text(jobs), lost);
+  write_table(folder / names.timing, timing_text(jobs, run), lost);
   return lost;
+}
+
+bool is_summed_up(const BatchOptions& options, const std::string& run,
+                  std::filesystem::file_time_type& written_at) {
+  const auto path =
+      std::filesystem::path(options.out_dir) / table_names(options.shard, options.shard_count).timing;
+  std::error_code none;
+  if (!std::filesystem::is_regular_file(path, none)) return false;
+  try {
+    TextLines lines(path.string(), {"a table of times", std::uint64_t{1} << 30});
+    std::string_view line;
+    if (!lines.next(line) || std::string(line) + "\n" != timing_header || !lines.next(line)) return false;
+    const auto cells = csv_cells(line, ',');
+    if (cells.size() != 4 || cells[3] != run) return false;
+    written_at = std::filesystem::last_write_time(path, none);
+    return !none;
+  } catch (const Error&) {
+    return false;
+  }
 }
 
 }  // namespace fingerpad

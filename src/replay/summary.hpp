@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+#include <string>
 #include <vector>
 
 #include "base/error.hpp"
@@ -8,11 +10,18 @@
 namespace fingerpad {
 
 /// Writes `summary.csv` (scene, job, every set key as written, status, figures, contact method and normals:
-/// no times) and `timing.csv` (scene, job, seconds) into the output folder: a row for each job that this call
-/// ran; and beside the summary what its columns are, `summary.schema.json`. With several shards the names
-/// carry the shard: `summary-2of8.csv`.
+/// no times) and `timing.csv` (scene, job, seconds, the run of ranks) into the output folder: a row for each
+/// job that this call ran; and beside the summary what its columns are, `summary.schema.json`. With several
+/// shards the names carry the shard: `summary-2of8.csv`.
+/// @param run  Ranks::run; empty for a process alone
 /// @returns why, for each of them that could not be written
-std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
+std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options,
+                                 const std::string& run = "");
+
+/// Whether the tables in the folder are those of that run of ranks, and so whole: `timing.csv`, which is
+/// written last, says so. Then `written_at` is when.
+bool is_summed_up(const BatchOptions& options, const std::string& run,
+                  std::filesystem::file_time_type& written_at);
 
 /// Writes the index of a set's jobs: which file is of which mesh, motion and values. Nothing for a batch
 /// without sets. Returns as write_summary.

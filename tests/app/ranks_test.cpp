@@ -145,6 +145,30 @@ TEST(Ranks, WhoseLauncherIsGoneBeforeTheyBeginWriteNothing) {
   }
 }
 
+/// A rank of a run of two, started by the shell.
+std::string as_rank(int rank) {
+  return "OMPI_COMM_WORLD_SIZE=2 PMIX_NAMESPACE=x OMPI_COMM_WORLD_RANK=" + std::to_string(rank) + " '" +
+         test::program().string() + "' replay plane.toml --out o --wait-for-ranks 0\n";
+}
+
+TEST(Ranks, ThatComeWhenTheOthersHaveDoneAllDoNothing) {
+  const fs::path folder = folder_with_batch();
+  for (const int first : {0, 1}) {
+    fs::remove_all(folder / "o");
+    const ShellResult run =
+        test::shell(as_rank(first) + "echo changed > o/plane-0001.h5\n" + as_rank(1 - first), folder);
+    EXPECT_EQ(run.exit_code, 0) << run.err;
+    EXPECT_EQ(run.out, "4 of 4 jobs done, traces and summary.csv in o\n") << "told by the one that did them";
+    EXPECT_THAT(run.err, HasSubstr("1 of 2 ranks never came"));
+    EXPECT_EQ(bytes_of(folder / "o" / "plane-0001.h5"), "changed\n") << first;
+    EXPECT_FALSE(fs::exists(folder / "o" / ".fingerpad" / "ranks-1of1"));
+  }
+  // Another launcher's ranks that happen to have the same name.
+  const ShellResult again = test::shell(as_rank(0), folder);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(bytes_of(folder / "o" / "plane-0001.h5"), "changed\n");
+}
+
 TEST(Ranks, OfWhichNobodySaysOfWhatRunAreRefusedAndOneByItselfIsNoRank) {
   const fs::path folder = folder_with_batch();
   const std::string replay = "'" + test::program().string() + "' replay plane.toml --format none --quiet ";
