@@ -29,6 +29,19 @@ std::string numbers_of(const std::vector<const BatchJob*>& jobs) {
   return jobs.size() > most ? words + fmt::format(" and {} more", jobs.size() - most) : words;
 }
 
+/// The traces of an earlier run that these jobs leave in their place: the first, and how many more.
+void tell_left_behind(const std::vector<const BatchJob*>& failed) {
+  std::vector<std::string_view> left;
+  for (const BatchJob* job : failed) {
+    if (!job->left_behind.empty()) left.emplace_back(job->left_behind);
+  }
+  if (left.size() == 1)
+    print_err("fingerpad: warning: {}: is an earlier run's, since this one failed\n", left[0]);
+  if (left.size() > 1)
+    print_err("fingerpad: warning: {} and {} more traces: are an earlier run's, since these jobs failed\n",
+              left[0], left.size() - 1);
+}
+
 /// Each reason once, in the order of the first job that it stopped.
 void tell_failures(const std::vector<BatchJob>& jobs) {
   std::vector<std::string_view> reasons;
@@ -45,10 +58,7 @@ void tell_failures(const std::vector<BatchJob>& jobs) {
     } else {
       print_err("fingerpad: error: {}\n", reason);
     }
-    for (const BatchJob* job : failed) {
-      if (!job->left_behind.empty())
-        print_err("fingerpad: warning: {}: is an earlier run's, since this one failed\n", job->left_behind);
-    }
+    tell_left_behind(failed);
   }
 }
 

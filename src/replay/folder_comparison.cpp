@@ -39,10 +39,18 @@ std::set<std::string> traces_in(const std::string& folder) {
   return names;
 }
 
-/// "s-0003.h5 (plate.stl, mu_static 0.3)".
-std::string name_of_job(const std::map<std::string, std::string>& index, const std::string& name) {
-  const auto known = index.find(name);
-  return known == index.end() || known->second.empty() ? name : fmt::format("{} ({})", name, known->second);
+using JobWords = std::map<std::string, std::string>;
+
+/// "s-0003.h5 (plate.stl, mu_static 0.3)", and what it is in the other folder where that is another job.
+std::string name_of_job(const JobWords& in_a, const JobWords& in_b, const std::string& name) {
+  const auto words_in = [&](const JobWords& index) {
+    const auto known = index.find(name);
+    return known == index.end() ? std::string() : known->second;
+  };
+  const std::string was = words_in(in_a), is = words_in(in_b);
+  if (was.empty() && is.empty()) return name;
+  if (was.empty() || is.empty() || was == is) return fmt::format("{} ({})", name, was.empty() ? is : was);
+  return fmt::format("{} ({}; now {})", name, was, is);
 }
 
 /// Gathers what differs, and passes it on.
@@ -164,7 +172,7 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
                               read_trace(b, TraceContents::some_rows), tolerance);
     }
     comparison.changed += changes.empty() ? 0 : 1;
-    found.tell(name_of_job(is_in_a ? jobs_a : jobs_b, name), std::move(changes));
+    found.tell(name_of_job(jobs_a, jobs_b, name), std::move(changes));
   }
   compare_outcomes(outcomes_a, outcomes_b, !all.empty(), tolerance, comparison, found);
   return comparison;

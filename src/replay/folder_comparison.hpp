@@ -19,7 +19,8 @@ struct JobChange {
 
 /// A job whose results differ.
 struct ChangedJob {
-  std::string job;  ///< "s-0003.h5 (plate.stl, mu_static 0.3)"
+  /// "s-0003.h5 (plate.stl, law dahl)"; with "; now plate.stl, law lugre" where the folders' jobs are others.
+  std::string job;
   std::vector<JobChange> changes;
   /// The greatest difference of a column in newtons; infinite where the job itself differs: what is looked at
   /// first.

@@ -114,6 +114,18 @@ TEST(Compare, SetsRowsAgainstEachOtherByTheirTime) {
   EXPECT_THAT(found.out, Not(HasSubstr("differs")));
 }
 
+TEST(Compare, SaysWhereAJobIsAnotherInTheSecondFolder) {
+  const fs::path folder = folder_with_set();
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);
+  std::string text = bytes_of(folder / "s.toml");
+  text.replace(text.find("seed = {"), std::string::npos,
+               "friction.law = [\"none\", \"none\", \"none\", \"none\", \"none\"]\n");
+  std::ofstream(folder / "s.toml") << text;
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b", folder).exit_code, 0);
+  EXPECT_THAT(test::fingerpad("compare a b", folder).out,
+              HasSubstr("s-0001.h5 (seed 1; now law none): ffx_n"));
+}
+
 TEST(Compare, TellsTheWorstJobsAndListsAllInATable) {
   const fs::path folder = folder_with_set();
   const std::string replay = "replay s.toml --quiet --format none --out ";
