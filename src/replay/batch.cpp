@@ -17,23 +17,20 @@
 namespace fingerpad {
 
 std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths) {
-  std::vector<BatchJob> jobs;
+  std::vector<std::vector<SceneJob>> files;
+  std::size_t total = 0;
   std::set<std::string> names;
-  const auto add = [&jobs](SceneJob job) {
-    jobs.emplace_back();
-    jobs.back().job = std::move(job);
-  };
   for (const std::string& path : scene_paths) {
     SceneFile file;
     try {
       file = read_scene_file(path);
     } catch (const Error& error) {
       if (scene_paths.size() == 1) throw;  // no batch, and nothing of it to write
-      SceneJob failed;
+      SceneJob& failed = files.emplace_back().emplace_back();
       failed.scene.name = std::filesystem::path(path).stem().string();
       failed.scene.path = path;
       failed.error = error.what();
-      add(std::move(failed));
+      ++total;
       continue;
     }
     if (!names.insert(file.scene.name).second) {
@@ -41,7 +38,15 @@ std::vector<BatchJob> batch_jobs(const std::vector<std::string>& scene_paths) {
                                       "file; give one another `name`",
                                       file.scene.name));
     }
-    for (SceneJob& job : file.jobs) add(std::move(job));
+    total += file.jobs.size();
+    files.push_back(std::move(file.jobs));
+  }
+  // Every rank holds them all: each is there once, and no larger array is left behind while it grows.
+  std::vector<BatchJob> jobs;
+  jobs.reserve(total);
+  for (std::vector<SceneJob>& file : files) {
+    for (SceneJob& job : file) jobs.emplace_back().job = std::move(job);
+    std::vector<SceneJob>().swap(file);
   }
   return jobs;
 }

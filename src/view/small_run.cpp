@@ -36,7 +36,8 @@ struct CurveRow {
 };
 
 double speed_at(const std::vector<TickRecord>& rows, std::size_t i) {
-  if (i == 0) return 0;
+  if (rows.size() < 2) return 0;
+  i = std::max<std::size_t>(i, 1);  // it has come to the first tick as it goes on
   const double dt_s = rows[i].t_s - rows[i - 1].t_s;
   return dt_s > 0 ? (rows[i].p_WQ - rows[i - 1].p_WQ).norm() / dt_s : TickRecord::nan;
 }

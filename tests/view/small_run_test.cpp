@@ -80,6 +80,7 @@ TEST(SmallSeries, OfFewTicksIsTheRun) {
   EXPECT_EQ(series.curves[0].values[150], 9);
   EXPECT_NEAR(series.step_s, 1e-3, 1e-12);
   EXPECT_EQ(series.bucket_s, 0);
+  EXPECT_NEAR(series.curves.back().values[0], 0.1, 1e-9) << "the speed's first sample is no 0";
   EXPECT_TRUE(series.curves[0].places.empty());
 }
 
