@@ -50,7 +50,7 @@ void write_rows(const ChangedJob& job, OutputFile& file) {
                            csv_cell(change.words)));
 }
 
-void tell_end(const CompareOptions& options, const FolderComparison& found) {
+void tell_comparison(const CompareOptions& options, const FolderComparison& found) {
   const bool traces = found.traces > 0;
   const std::size_t count = traces ? found.traces : found.jobs;
   print_out("{} of {} {}{} changed from {} to {}\n", found.changed, count, traces ? "trace" : "job",
@@ -79,7 +79,7 @@ int compare(const CompareOptions& options) {
   if (more > 0 && !options.quiet)
     print_out("and {} more job{}, whose forces differ by no more; --most N tells more, --out FILE.csv all\n",
               more, more == 1 ? "" : "s");
-  if (!options.quiet) tell_end(options, found);
+  if (!options.quiet) tell_comparison(options, found);
   if (file) tell_written(options.quiet, options.out, "a row for each job and column that differs");
   return found.differing == 0 ? 0 : changed_code;
 }
