@@ -42,7 +42,7 @@ Vec3 beside_edge(const Vec3& apex_P, const SurfaceWalker& walker, double clearan
 }
 
 /// Adds the points of a straight way, without its begin, with its end.
-void go_straight(const Vec3& to_P, double step_m, Vec3 from_P, std::vector<Vec3>& way) {
+void go_straight(const Vec3& to_P, double step_m, const Vec3& from_P, std::vector<Vec3>& way) {
   const auto steps = std::max(1L, std::lround(std::ceil((to_P - from_P).norm() / step_m)));
   for (long k = 1; k <= steps; ++k)
     way.emplace_back(from_P + (to_P - from_P) * (static_cast<double>(k) / static_cast<double>(steps)));
