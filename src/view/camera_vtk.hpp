@@ -7,11 +7,12 @@ class vtkRenderer;
 
 namespace fingerpad {
 
-/// Sets a parallel camera that sees the contact region from its outside, and enough of the part around it to
-/// know where it is.
+/// Sets a parallel camera that sees the contact region from its outside, with no wall before it (free_sight),
+/// and enough of the part around it to know where it is.
+/// @param shown  the tick that is; may be null
 /// @param width_to_height  of the renderer's viewport
-void set_scene_camera(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& extent,
-                      const DrawSpace& space, double width_to_height);
+void set_scene_camera(vtkRenderer* renderer, const ViewInput& input, const TickRecord* shown,
+                      const ViewExtent& extent, const DrawSpace& space, double width_to_height);
 
 /// Sets a parallel camera that sees everything from a direction.
 void set_look(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& extent, const DrawSpace& space,

@@ -120,7 +120,8 @@ void Stage::paint_grounds() {
 
 void Stage::reset_camera() {
   if (state_.look) return look(*state_.look);
-  set_scene_camera(scene_, input_, extent_, space_, width_to_height());
+  const TickRecord* const row = moment_ ? &moment_->row : nullptr;
+  set_scene_camera(scene_, input_, row, extent_, space_, width_to_height());
 }
 
 void Stage::keep_clear_of_readings() {
