@@ -108,6 +108,13 @@ void set_close_up_camera(vtkRenderer* renderer, const Vec3& contact_mm, const Ma
   camera->SetClippingRange(0.5 * half_height_mm, 14 * half_height_mm);
 }
 
+std::vector<double> view_of(vtkCamera* camera) {
+  std::vector<double> view = {camera->GetParallelScale()};
+  for (const double* vector : {camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp()})
+    view.insert(view.end(), vector, vector + 3);
+  return view;
+}
+
 Mat3 axes_on_screen(vtkRenderer* renderer) {
   vtkCamera* camera = renderer->GetActiveCamera();
   const Vec3 up = Vec3(camera->GetViewUp()).normalized();

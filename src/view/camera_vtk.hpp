@@ -1,8 +1,11 @@
 #pragma once
 
+#include <vector>
+
 #include "view/camera_look.hpp"
 #include "view/draw_space.hpp"
 
+class vtkCamera;
 class vtkRenderer;
 
 namespace fingerpad {
@@ -22,6 +25,9 @@ void set_look(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& e
 /// middle to the top edge.
 void set_close_up_camera(vtkRenderer* renderer, const Vec3& contact_mm, const Mat3& frame,
                          double half_height_mm);
+
+/// From where a camera looks, where to, which way is up, and how near: what a person changes of it.
+std::vector<double> view_of(vtkCamera* camera);
 
 /// World axes on the screen: column i is axis i as (right, up, towards the eye).
 Mat3 axes_on_screen(vtkRenderer* renderer);

@@ -184,13 +184,19 @@ class OverlayPainter {
   }
 
   void paint_help() {
-    const double line = 1.6 * em_, head = 3.4 * em_;
+    constexpr double column_em = 34, line_em = 1.6, least_line_em = 1.1;
+    const double head = 3.4 * em_, room = layout_.window.height - head - em_;
     const auto rows = static_cast<double>(facts_.help.size());
-    const double fit = std::max(1.0, std::floor((layout_.window.height - head - em_) / line));
-    const double columns = std::ceil(rows / fit), per_column = std::ceil(rows / columns);
-    const double height = line * per_column + head;
+    double line = line_em * em_, columns = std::ceil(rows / std::max(1.0, std::floor(room / line)));
+    // Rather close to each other than cut: two columns may be too narrow for what they say.
+    const bool is_narrow = column_em * em_ * columns > layout_.window.width;
+    if (is_narrow && room / rows >= least_line_em * em_) {
+      line = std::min(line, room / rows);
+      columns = 1;
+    }
+    const double per_column = std::ceil(rows / columns), height = line * per_column + head;
     const Vec2 middle = layout_.window.centre();
-    const double width = std::min(34 * em_ * columns, layout_.window.width - em_);
+    const double width = std::min(column_em * em_ * columns, layout_.window.width - em_);
     const Box box{middle.x() - width / 2, middle.y() - height / 2, width, height};
     drawing_.box(box, Colour{255, 255, 255, 0.96});
     drawing_.frame(box, {colours::ink, 0.12 * em_});

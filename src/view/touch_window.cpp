@@ -143,8 +143,10 @@ class TouchWindow {
       else
         return stage_.show_title_note("charts held: r lets them run on   h help");
     }
-    stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", note, note.empty() ? "" : "   ",
-                                       pointer_.press_n(), pointer_.pressing() ? "pressing" : "hovering"));
+    // What must be read comes first: a long name may be cut.
+    stage_.show_title_note(fmt::format("press {:.2f} N ({})   h help{}{}", pointer_.press_n(),
+                                       pointer_.pressing() ? "pressing" : "hovering",
+                                       note.empty() ? "" : "   ", note));
   }
 
   const TouchWindowInput& input_;

@@ -1,6 +1,8 @@
 #include "view/stage_vtk.hpp"
 
 #include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
 
@@ -65,6 +67,29 @@ TEST(Stage, OfALiveTouchShowsThePartBesideTheReadings) {
   stage.resize(400, 300);
   const auto [near, far] = stage.line_of_sight(stage.layout().scene.centre().x(), 20);
   EXPECT_TRUE(near.allFinite() && far.allFinite());
+}
+
+/// How much wider than the scene the part stands: over 1 where something of it is cut off.
+double width_share(Stage& stage, const Vec3& right_mm) {
+  const auto [near, far] = stage.line_of_sight(0, 0);
+  const double px_per_mm = 1 / (stage.line_of_sight(1, 0).first - near).norm();
+  return 2 * right_mm.norm() * px_per_mm / stage.layout().scene.width;
+}
+
+TEST(Stage, FitsAViewThatNobodyHasChangedToANewSize) {
+  const VirtualScreen screen;
+  const ViewInput input = torus_rub(1);
+  Stage stage(input, 1000, 400, false, false);
+  stage.look(*named_look("top"));
+  const Vec3 torus_mm(70, 0, 0);
+  EXPECT_LT(width_share(stage, torus_mm), 1);
+  stage.resize(400, 700);
+  EXPECT_LT(width_share(stage, torus_mm), 1);
+  EXPECT_GT(width_share(stage, torus_mm), 0.8) << "and fills it";
+  stage.zoom(3);
+  const double scale = stage.scene()->GetActiveCamera()->GetParallelScale();
+  stage.resize(500, 700);
+  EXPECT_EQ(stage.scene()->GetActiveCamera()->GetParallelScale(), scale) << "as it was asked for";
 }
 
 TEST(Readings, OfASmallSceneAreBriefAndNeedNoLegend) {
