@@ -106,9 +106,12 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   if (spectrum.panels[0].curves.empty())
     throw refused(input.title, "has forces that do not change: no spectrum");
   const ChartCurve& first = spectrum.panels[0].curves[0];
-  std::vector<std::string> subtitles = {
-      fmt::format("{}; {} peaks at {:.0f} Hz", subtitle_of(input, direction_W), first.name, peak_hz(first))};
-  if (input.every > 1) subtitles.push_back(folding_words(first));
+  std::vector<std::string> subtitles = {subtitle_of(input, direction_W)};
+  // Where ticks were left out a peak may be that of something faster.
+  if (input.every > 1)
+    subtitles.push_back(folding_words(first));
+  else
+    subtitles[0] += fmt::format("; {} peaks at {:.0f} Hz", first.name, peak_hz(first));
   const double top = draw_title(page, input.title, subtitles, width, height, em);
   draw_chart(page, spectrum, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
   return page;

@@ -47,6 +47,9 @@ TEST(Plot, OfAThinnedTraceSaysSo) {
   input.every = 10;
   EXPECT_TRUE(subtitle_is_there("1000 ticks a second, of which 1 in 10 is here", PlotSubject::history));
   EXPECT_TRUE(subtitle_is_there("ticks were left out", PlotSubject::spectrum));
+  EXPECT_FALSE(subtitle_is_there("peaks at", PlotSubject::spectrum));
+  input.every = 1;
+  EXPECT_TRUE(subtitle_is_there("peaks at", PlotSubject::spectrum));
 }
 
 TEST(RunTitle, TellsAWindowWhatVariesInASet) {
