@@ -16,6 +16,11 @@
 namespace fingerpad {
 namespace {
 
+/// A pixel more all around: the row between a box and the scene is half the box's, and nobody else draws it.
+Box with_rim(const Box& box) {
+  return {box.left - 1, box.bottom - 1, box.width + 2, box.height + 2};
+}
+
 /// Draws the overlay; holds what its parts share.
 class OverlayPainter {
  public:
@@ -43,7 +48,7 @@ class OverlayPainter {
 
  private:
   void paint_title() {
-    drawing_.box(layout_.title, colours::white);
+    drawing_.box(with_rim(layout_.title), colours::white);
     const double middle = layout_.title.centre().y(), right = layout_.title.right() - 0.7 * em_;
     const std::string hint = fitted(facts_.hint, 0.95 * em_, false, 0.5 * layout_.title.width);
     const double room = right - text_width(hint, 0.95 * em_) - 2 * em_;
@@ -160,7 +165,7 @@ class OverlayPainter {
   }
 
   void paint_timeline() {
-    drawing_.box(layout_.timeline, colours::white);
+    drawing_.box(with_rim(layout_.timeline), colours::white);
     drawing_.line({layout_.timeline.left, layout_.timeline.top()},
                   {layout_.timeline.right(), layout_.timeline.top()}, {colours::pale_grey, 1});
     const Box slider = time_slider(layout_);

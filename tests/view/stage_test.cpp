@@ -5,6 +5,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "view/overlay_hud.hpp"
 #include "view/pixel_statistics.hpp"
@@ -67,6 +68,25 @@ TEST(Stage, OfALiveTouchShowsThePartBesideTheReadings) {
   stage.resize(400, 300);
   const auto [near, far] = stage.line_of_sight(stage.layout().scene.centre().x(), 20);
   EXPECT_TRUE(near.allFinite() && far.allFinite());
+}
+
+TEST(Stage, LeavesNothingOfAPageThatIsClosedAtAnySize) {
+  const VirtualScreen screen;
+  const ViewInput input = torus_rub(1);
+  Stage stage(input, 520, 340, true, true);
+  stage.show_hint("", std::vector<std::string>(30, "key: what it does"));
+  stage.show(input.rows.front(), 0);
+  for (const auto& [width, height] : {std::pair(520, 340), std::pair(601, 433), std::pair(901, 607)}) {
+    stage.resize(width, height);
+    stage.render();
+    const Pixels before = pixels_of(stage.window());
+    stage.state().help = true;
+    stage.render();
+    EXPECT_GT(pixels_that_differ(before, pixels_of(stage.window())), 1000);
+    stage.state().help = false;
+    stage.render();
+    EXPECT_EQ(pixels_that_differ(before, pixels_of(stage.window())), 0) << width;
+  }
 }
 
 /// How much wider than the scene the part stands: over 1 where something of it is cut off.
