@@ -81,6 +81,7 @@ Vec3 free_sight(const ViewInput& input, const TickRecord* shown, const Vec3& tow
 
   const std::vector<Vec3> directions = sight_directions();
   std::vector<double> shares;
+  shares.reserve(directions.size());
   for (const Vec3& direction : directions) shares.push_back(contacts.share(direction));
   constexpr double near = 0.94;  // cosine of 20 degrees
   constexpr double wide_weight = 0.5, wanted_weight = 0.2;

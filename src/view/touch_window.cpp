@@ -38,6 +38,7 @@ class TouchWindow {
     stage_.keep_clear_of_readings();
     pointer_.show(stage_.pointed());
     follow();
+    if (!history_.rows().empty()) stage_.show_chart(live_chart(history_.rows(), levels_));
   }
 
   void run() { loop_.run(); }

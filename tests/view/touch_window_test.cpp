@@ -170,7 +170,7 @@ TEST(TouchWindow, ItsRunningChartsZoomMoveAlongAndTellValues) {
   EXPECT_EQ(touch.reports.back().press_n, 1) << "the wheel was not the force's";
 }
 
-/// A touch of which half a second goes by whenever somebody asks for the newest tick.
+/// A touch of which two seconds go by whenever somebody asks for the newest tick.
 struct HastyTouch {
   double now_s = 0;
   TickRecord row_at(double t_s) const {
@@ -184,7 +184,7 @@ struct HastyTouch {
     input.view = torus_rub(0.0);
     input.view.rows.clear();
     input.set_target = [](const FingerSample&) {};
-    input.latest = [this] { return row_at(now_s += 0.5); };
+    input.latest = [this] { return row_at(now_s += 2); };
     input.recent = [this](double seconds) {
       std::vector<TickRecord> rows;
       for (double t_s = now_s - seconds; t_s <= now_s; t_s += 0.01) rows.push_back(row_at(t_s));
