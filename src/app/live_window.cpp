@@ -45,7 +45,10 @@ void run_live_window(const LiveWindowChoice& choice, const LiveTouch& touch, con
     input.is_stopped = [&] { return device.emergency_stopped(); };
   }
   input.keeps_pace = choice.real_time && touch.servo.refused().empty();
-  if (touch.recorder != nullptr) input.note = "recording " + choice.record;
+  if (touch.recorder != nullptr) {
+    input.note = "recording " + choice.record;
+    input.view.recording = choice.record;
+  }
   input.alarm = [&] { return alarm_words(touch); };
   WindowOptions window;
   const PictureSize size = read_size(choice.size);

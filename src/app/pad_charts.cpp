@@ -29,11 +29,14 @@ std::vector<PadTick> stick_ticks(const ViewInput& input) {
   }
   std::vector<PadTick> ticks;
   bool first = true;
+  Vec3 centre_W = Vec3::Zero();
   for (const TickRecord& row : input.rows) {
     if (row.phase != Phase::stick || !row.stick_centre_W.allFinite()) {
       first = true;
       continue;
     }
+    // Between the rows of a thinned trace slip may have come and gone.
+    if (input.every > 1 && row.stick_centre_W != std::exchange(centre_W, row.stick_centre_W)) first = true;
     const Mat3 frame = tangent_frame(row.normal_W, input.scene->finger.direction);
     const auto in_pad = [&](const Vec3& v) -> Vec2 { return {frame.col(0).dot(v), frame.col(1).dot(v)}; };
     const SurfaceProperties& surface =

@@ -118,10 +118,11 @@ FingerPath way_through(const std::vector<Vec3>& places_W, const Scene& scene) {
   return {std::move(way), scene.motion.rate_hz, scene.finger.direction};
 }
 
-void take_exact_cases(const TakeCase& take) {
+void take_exact_cases(const TakeCase& take, const std::string& surface_name) {
   std::vector<ExactSurface> surfaces = exact_surfaces();
   for (ExactSurface& small : small_exact_surfaces()) surfaces.push_back(std::move(small));
   for (const ExactSurface& surface : surfaces) {
+    if (!surface_name.empty() && surface.name != surface_name) continue;
     for (const int level : surface.levels) {
       const MeasuredWorld measured(world_of_mesh(surface.mesh(level), surface.name));
       take(exact_case(surface, measured, 0));

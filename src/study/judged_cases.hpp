@@ -29,7 +29,8 @@ using TakeCase = std::function<void(const JudgedCase&)>;
 
 /// Tessellations of the surfaces that are known exactly, each under a point and a ball, pressed lightly and
 /// hard.
-void take_exact_cases(const TakeCase& take);
+/// @param surface  the name of one of them; none: all
+void take_exact_cases(const TakeCase& take, const std::string& surface = "");
 
 /// Scene files of a folder and of its gallery, each part and motion once, with method and normals left open.
 /// Scenes that are refused or have no mesh are passed over; a [hand] does not act.

@@ -6,8 +6,11 @@
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include <cerrno>
+#include <cstdint>
 #include <cstring>
 
 namespace fingerpad {
@@ -20,6 +23,21 @@ constexpr int servo_priority = 80;
 
 void sharpen_timers() noexcept {
   prctl(PR_SET_TIMERSLACK, 1UL, 0UL, 0UL, 0UL);
+}
+
+void ask_for_short_turns() noexcept {
+  // As <linux/sched/types.h> has it, which some C libraries define once more.
+  struct Attributes {
+    std::uint32_t size, policy;
+    std::uint64_t flags;
+    std::int32_t nice;
+    std::uint32_t priority;
+    std::uint64_t runtime_ns, deadline_ns, period_ns;
+  };
+  constexpr std::uint64_t shortest_ns = 100'000;  // that Linux grants
+  const int nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+  Attributes wanted{sizeof(Attributes), SCHED_OTHER, 0, nice, 0, shortest_ns, 0, 0};
+  syscall(SYS_sched_setattr, 0, &wanted, 0);
 }
 
 std::vector<std::string> run_thread_first() {

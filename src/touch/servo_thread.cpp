@@ -1,5 +1,7 @@
 #include "touch/servo_thread.hpp"
 
+#include <pthread.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
@@ -81,7 +83,9 @@ void ServoThread::note(double late_s, double tick_s) noexcept {
 }
 
 void ServoThread::run(bool real_time) {
+  pthread_setname_np(pthread_self(), thread_name);
   sharpen_timers();
+  ask_for_short_turns();
   if (real_time) {
     refused_ = run_thread_first();
     for (std::string& line : lock_memory()) refused_.push_back(std::move(line));

@@ -20,6 +20,9 @@ class ServoThread {
   /// The tick at t_s since the start. On the thread; must neither block, allocate nor throw.
   using Tick = std::function<TickRecord(double t_s)>;
 
+  /// As the system's tools show it (top -H).
+  static constexpr const char* thread_name = "fingerpad-servo";
+
   /// Starts at once.
   /// @param history_s  how much of the past recent() can give
   /// @param real_time  asks for what the system keeps for such loops, and goes on without where it refuses

@@ -9,6 +9,7 @@
 
 #include "part/part.hpp"
 #include "touch/world.hpp"
+#include "view/free_sight.hpp"
 
 namespace fingerpad {
 namespace {
@@ -52,11 +53,12 @@ Vec3 towards_eye(const Vec3& facing) {
 
 }  // namespace
 
-void set_scene_camera(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& extent,
-                      const DrawSpace& space, double width_to_height) {
+void set_scene_camera(vtkRenderer* renderer, const ViewInput& input, const TickRecord* shown,
+                      const ViewExtent& extent, const DrawSpace& space, double width_to_height) {
   const Ball ball = framed(extent);
   const Vec3 focus = space.to_draw(ball.centre_W);
-  const Vec3 eye_direction = extent.path ? towards_eye(extent.facing_W) : extent.facing_W;
+  const Vec3 eye_direction =
+      extent.path ? free_sight(input, shown, towards_eye(extent.facing_W)) : extent.facing_W;
   const double reach_mm = 1e3 * (extent.everything().radius_m + ball.radius_m);
   const Vec3 eye = focus + eye_direction * 3 * reach_mm;
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -104,6 +106,13 @@ void set_close_up_camera(vtkRenderer* renderer, const Vec3& contact_mm, const Ma
   camera->SetViewUp(frame.col(1).data());
   camera->SetParallelScale(half_height_mm);
   camera->SetClippingRange(0.5 * half_height_mm, 14 * half_height_mm);
+}
+
+std::vector<double> view_of(vtkCamera* camera) {
+  std::vector<double> view = {camera->GetParallelScale()};
+  for (const double* vector : {camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp()})
+    view.insert(view.end(), vector, vector + 3);
+  return view;
 }
 
 Mat3 axes_on_screen(vtkRenderer* renderer) {

@@ -27,7 +27,10 @@ DrawingThreads::DrawingThreads() : others_(threads_now()) {
 void DrawingThreads::stand_back() const {
   constexpr int how_far = 10;
   for (const int thread : threads_now()) {
-    if (!others_.contains(thread)) setpriority(PRIO_PROCESS, static_cast<id_t>(thread), how_far);
+    const auto id = static_cast<id_t>(thread);
+    // Who stands farther back already is not to come forward.
+    if (!others_.contains(thread) && getpriority(PRIO_PROCESS, id) < how_far)
+      setpriority(PRIO_PROCESS, id, how_far);
   }
 }
 

@@ -75,7 +75,7 @@ const std::vector<KeyRow>& rows() {
       {"k", "mark a place; of two: their distance", windows::all, {{"k", A::mark}}},
       {"w", "parts as wires", windows::all, {{"w", A::wireframe}}},
       {"d", "dark or light", windows::all, {{"d", A::dark}}},
-      {"s", "screenshot beside the file, numbered", windows::all, {{"s", A::screenshot}}},
+      {"s", "screenshot, whose name is told", windows::all, {{"s", A::screenshot}}},
       {"c", "colour the path by phase or by force", windows::trace, {{"c", A::colouring}}},
       {"p", "show the path", windows::trace, {{"p", A::path}}},
       {"f, a, n",

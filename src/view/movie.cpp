@@ -56,6 +56,7 @@ void write_view_movie(const ViewInput& input, const std::string& path, const Mov
   Stage stage(input, choice.width, choice.height, true, true);
   stage.window()->SetOffScreenRendering(1);
   stage.state() = state;
+  stage.reset_camera();
   stage.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
   // The arrows' scale is that of the greatest force, which the stage knows: it does not change on the way.
   MovieEncoder encoder(path, choice.width, choice.height, choice.frames_per_s);

@@ -16,6 +16,11 @@
 namespace fingerpad {
 namespace {
 
+/// A pixel more all around: the row between a box and the scene is half the box's, and nobody else draws it.
+Box with_rim(const Box& box) {
+  return {box.left - 1, box.bottom - 1, box.width + 2, box.height + 2};
+}
+
 /// Draws the overlay; holds what its parts share.
 class OverlayPainter {
  public:
@@ -43,7 +48,7 @@ class OverlayPainter {
 
  private:
   void paint_title() {
-    drawing_.box(layout_.title, colours::white);
+    drawing_.box(with_rim(layout_.title), colours::white);
     const double middle = layout_.title.centre().y(), right = layout_.title.right() - 0.7 * em_;
     const std::string hint = fitted(facts_.hint, 0.95 * em_, false, 0.5 * layout_.title.width);
     const double room = right - text_width(hint, 0.95 * em_) - 2 * em_;
@@ -160,7 +165,7 @@ class OverlayPainter {
   }
 
   void paint_timeline() {
-    drawing_.box(layout_.timeline, colours::white);
+    drawing_.box(with_rim(layout_.timeline), colours::white);
     drawing_.line({layout_.timeline.left, layout_.timeline.top()},
                   {layout_.timeline.right(), layout_.timeline.top()}, {colours::pale_grey, 1});
     const Box slider = time_slider(layout_);
@@ -184,13 +189,19 @@ class OverlayPainter {
   }
 
   void paint_help() {
-    const double line = 1.6 * em_, head = 3.4 * em_;
+    constexpr double column_em = 34, line_em = 1.6, least_line_em = 1.1;
+    const double head = 3.4 * em_, room = layout_.window.height - head - em_;
     const auto rows = static_cast<double>(facts_.help.size());
-    const double fit = std::max(1.0, std::floor((layout_.window.height - head - em_) / line));
-    const double columns = std::ceil(rows / fit), per_column = std::ceil(rows / columns);
-    const double height = line * per_column + head;
+    double line = line_em * em_, columns = std::ceil(rows / std::max(1.0, std::floor(room / line)));
+    // Rather close to each other than cut: two columns may be too narrow for what they say.
+    const bool is_narrow = column_em * em_ * columns > layout_.window.width;
+    if (is_narrow && room / rows >= least_line_em * em_) {
+      line = std::min(line, room / rows);
+      columns = 1;
+    }
+    const double per_column = std::ceil(rows / columns), height = line * per_column + head;
     const Vec2 middle = layout_.window.centre();
-    const double width = std::min(34 * em_ * columns, layout_.window.width - em_);
+    const double width = std::min(column_em * em_ * columns, layout_.window.width - em_);
     const Box box{middle.x() - width / 2, middle.y() - height / 2, width, height};
     drawing_.box(box, Colour{255, 255, 255, 0.96});
     drawing_.frame(box, {colours::ink, 0.12 * em_});

@@ -27,12 +27,12 @@ void with_rendered_view(const ViewInput& input, int width, int height, std::opti
   Stage stage(input, width, height, moving, moving);
   stage.window()->SetOffScreenRendering(1);
   stage.state() = state;
-  stage.reset_camera();
   if (!input.rows.empty()) {
     const auto row = static_cast<std::size_t>(at_s ? row_at(input, *at_s) : telling_row(input));
     stage.show(input.rows[row],
                row > 0 ? shown_speed(input.rows[row - 1], input.rows[row]) : TickRecord::nan);
   }
+  stage.reset_camera();
   if (moving) stage.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
   stage.render();
   use(stage);

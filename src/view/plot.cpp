@@ -27,6 +27,7 @@ std::string subtitle_of(const ViewInput& input, const Vec3& direction_W) {
   if (input.scene) {
     words = fmt::format("{}, {} ticks a second", input.scene->friction.law,
                         static_cast<long>(std::lround(input.scene->motion.rate_hz)));
+    if (input.every > 1) words += fmt::format(", of which 1 in {} is here", input.every);
   }
   const double largest = direction_W.cwiseAbs().maxCoeff();
   if (largest < 0.99996192) {
@@ -90,6 +91,12 @@ double peak_hz(const ChartCurve& curve) {
   return curve.x[best];
 }
 
+/// What the spectrum of some of the ticks is not.
+std::string folding_words(const ChartCurve& spectrum) {
+  return fmt::format("ticks were left out: what is faster than {:.0f} Hz appears as something slower",
+                     spectrum.x.back());
+}
+
 Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   Drawing page;
   const double em = width / 62.0, margin = 0.8 * em;
@@ -99,9 +106,13 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   if (spectrum.panels[0].curves.empty())
     throw refused(input.title, "has forces that do not change: no spectrum");
   const ChartCurve& first = spectrum.panels[0].curves[0];
-  const std::string subtitle =
-      fmt::format("{}; {} peaks at {:.0f} Hz", subtitle_of(input, direction_W), first.name, peak_hz(first));
-  const double top = draw_title(page, input.title, {subtitle}, width, height, em);
+  std::vector<std::string> subtitles = {subtitle_of(input, direction_W)};
+  // Where ticks were left out a peak may be that of something faster.
+  if (input.every > 1)
+    subtitles.push_back(folding_words(first));
+  else
+    subtitles[0] += fmt::format("; {} peaks at {:.0f} Hz", first.name, peak_hz(first));
+  const double top = draw_title(page, input.title, subtitles, width, height, em);
   draw_chart(page, spectrum, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
   return page;
 }

@@ -4,9 +4,10 @@
 
 namespace fingerpad {
 
-/// The name of the next screenshot: beside the file that is shown, numbered, of no file that exists:
-/// "run.h5" -> "run-view-001.png". What has no file (standard input) is named after `title`, in the
-/// current folder.
-std::string next_screenshot_name(const std::string& file, const std::string& title);
+struct ViewInput;
+
+/// The name of the next screenshot: beside the recording that is shown or made, else in the current folder;
+/// named after what is shown, numbered, of no file that exists: "knob.stl" -> "knob-view-001.png".
+std::string next_screenshot_name(const ViewInput& input);
 
 }  // namespace fingerpad

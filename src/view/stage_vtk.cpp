@@ -82,9 +82,12 @@ Stage::~Stage() = default;
 void Stage::resize(int width, int height) {
   const int* now = window_->GetSize();
   if (now[0] != width || now[1] != height) window_->SetSize(width, height);
+  // A view that nobody has turned, moved or zoomed since is fitted to the new size.
+  const bool is_fitted = !fitted_.empty() && view_of(scene_->GetActiveCamera()) == fitted_;
   layout_ = layout_for(width, height, column_.wanted(), timeline_);
   column_.lay_out(layout_);
   place_renderers();
+  if (is_fitted) fit();
 }
 
 void Stage::place(vtkRenderer* renderer, const Box& box) {
@@ -99,8 +102,19 @@ void Stage::place_renderers() {
   world_->set_line_width(std::max(1.0, 0.09 * layout_.em));
 }
 
+/// Brings what is looked at to the size of the scene.
+void Stage::fit() {
+  const TickRecord* const row = moment_ ? &moment_->row : nullptr;
+  if (look_)
+    set_look(scene_, input_, extent_, space_, *look_, width_to_height());
+  else
+    set_scene_camera(scene_, input_, row, extent_, space_, width_to_height());
+  fitted_ = view_of(scene_->GetActiveCamera());
+}
+
 void Stage::look(const LookFrom& from) {
-  set_look(scene_, input_, extent_, space_, from, width_to_height());
+  look_ = from;
+  fit();
 }
 
 void Stage::look_at_all() {
@@ -119,8 +133,8 @@ void Stage::paint_grounds() {
 }
 
 void Stage::reset_camera() {
-  if (state_.look) return look(*state_.look);
-  set_scene_camera(scene_, input_, extent_, space_, width_to_height());
+  look_ = state_.look;
+  fit();
 }
 
 void Stage::keep_clear_of_readings() {

@@ -66,6 +66,7 @@ class Stage {
   long still_drawn() const { return scene_->drawn(); }
   long charts_drawn() const { return column_.drawn(); }
 
+  /// A view that was fitted and not changed since is fitted again.
   void resize(int width, int height);
   void reset_camera();
   /// From now on what is looked at stands beside the readings, where the window has room for both.
@@ -119,6 +120,7 @@ class Stage {
   void add_renderers();
   void add_flat();
   void place_renderers();
+  void fit();
   void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
   void draw();
@@ -146,6 +148,8 @@ class Stage {
   bool clear_of_readings_ = false;
   Layout layout_;
   ViewState state_;
+  std::optional<LookFrom> look_;  ///< that the camera was set to last; none: the usual view
+  std::vector<double> fitted_;    ///< view_of the camera then
   std::unique_ptr<WorldProps> world_;
   std::optional<ContactMoment> moment_;
   double speed_m_per_s_ = 0;

@@ -112,6 +112,15 @@ void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& leve
   chart.panels.push_back(std::move(mu));
 }
 
+/// How many rows from the first on are as far from each other as these are: all, or all but the last.
+std::size_t evenly_spaced(const std::vector<double>& t_s) {
+  const std::size_t count = t_s.size();
+  if (count < 3) return count;
+  const double step_s = (t_s[count - 2] - t_s.front()) / static_cast<double>(count - 2);
+  constexpr double rounding = 1e-3;
+  return t_s[count - 1] - t_s[count - 2] < (1 - rounding) * step_s ? count - 1 : count;
+}
+
 Chart stacked_chart(const TouchSeries& series) {
   Chart chart;
   chart.stacked = true;
@@ -130,12 +139,14 @@ TouchLevels touch_levels(const ViewInput& input) {
     levels.mu_static = input.world->surfaces[surface].properties.mu_static;
     levels.mu_dynamic = input.world->surfaces[surface].properties.mu_dynamic;
   }
+  levels.thinned = input.every > 1;
   if (input.scene) levels.v_min_m_per_s = v_min_m_per_s(input.scene->friction.settings);
   return levels;
 }
 
 Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, const TouchLevels& levels) {
-  const TouchSeries series = touch_series(rows, direction_W);
+  TouchSeries series = touch_series(rows, direction_W);
+  if (levels.thinned) series.slip_ends.assign(series.slip_ends.size(), false);
   const std::vector<double> position_mm = scaled(series.position_m, 1e3);
   Chart chart = stacked_chart(series);
   chart.panels.push_back(panel_over_time(
@@ -175,11 +186,11 @@ Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
 Chart spectrum_chart(const TouchSeries& series) {
   Chart chart;
   chart.stacked = true;
-  const std::size_t count = series.t_s.size();
-  if (count < 32 || !(series.t_s.back() > series.t_s.front())) return chart;
-  const double rate_hz = static_cast<double>(count - 1) / (series.t_s.back() - series.t_s.front());
-  const auto curve = [rate_hz](std::string name, int colour, const std::vector<double>& force_n) {
-    const Spectrum spectrum = welch_spectrum(force_n, rate_hz);
+  const std::size_t count = evenly_spaced(series.t_s);
+  if (count < 32 || !(series.t_s[count - 1] > series.t_s.front())) return chart;
+  const double rate_hz = static_cast<double>(count - 1) / (series.t_s[count - 1] - series.t_s.front());
+  const auto curve = [rate_hz, count](std::string name, int colour, const std::vector<double>& force_n) {
+    const Spectrum spectrum = welch_spectrum(std::span(force_n).first(count), rate_hz);
     // Without its zero: windows have no mean.
     return ChartCurve{std::move(name),
                       {colour, Dash::solid, Marker::none, line_weight},

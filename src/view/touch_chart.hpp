@@ -8,12 +8,14 @@
 
 namespace fingerpad {
 
-/// The levels that a scene draws into its charts; zero leaves one out.
+/// What a chart shows beside its rows: the levels of a scene (zero leaves one out), and whether ticks are
+/// missing between rows, so that none shows where slip ended.
 struct TouchLevels {
   double mu_static = 0, mu_dynamic = 0, v_min_m_per_s = 0;
+  bool thinned = false;
 };
 
-/// Levels of the surface that was touched first, where the scene and its world are known.
+/// Of the surface that was touched first, where the scene and its world are known.
 TouchLevels touch_levels(const ViewInput& input);
 
 /// The paper's figure layout (figs. 2 and 12): position along the main direction (slip solid, stick dotted,
@@ -25,7 +27,7 @@ Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, con
 Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels);
 
 /// Power spectral density of tangential and normal force (paper, fig. 11). No panels if the rows are too few
-/// for one.
+/// for one. A last row that comes sooner than the others' distance, as a thinned trace's, is left out.
 Chart spectrum_chart(const TouchSeries& series);
 
 }  // namespace fingerpad

@@ -38,6 +38,7 @@ class TouchWindow {
     stage_.keep_clear_of_readings();
     pointer_.show(stage_.pointed());
     follow();
+    if (!history_.rows().empty()) stage_.show_chart(live_chart(history_.rows(), levels_));
   }
 
   void run() { loop_.run(); }
@@ -117,7 +118,8 @@ class TouchWindow {
     since_chart_s_ += elapsed_s;
     if (since_chart_s_ >= chart_period_s) {
       since_chart_s_ = 0;
-      stage_.show_chart(live_chart(history_.rows(), levels_));
+      // What somebody zoomed to stays for as long as it is looked at.
+      if (!stage_.charts().zoomed()) stage_.show_chart(live_chart(history_.rows(), levels_));
       if (input_.timing) {
         const ServoTiming timing = input_.timing();
         stage_.show_readings(timing_readings(timing), tick_bars(timing.tick_times));
@@ -136,15 +138,11 @@ class TouchWindow {
       return;
     }
     const std::string& note = stage_.has_alarm() ? no_note_ : input_.note;
-    if (stage_.charts().zoomed()) {
-      // What they are zoomed to is forgotten after a while; nothing is left to show then.
-      if (stage_.charts().place().x_min < history_.rows().front().t_s)
-        stage_.charts().show_all();
-      else
-        return stage_.show_title_note("charts held: r lets them run on   h help");
-    }
-    stage_.show_title_note(fmt::format("{}{}press {:.2f} N ({})   h help", note, note.empty() ? "" : "   ",
-                                       pointer_.press_n(), pointer_.pressing() ? "pressing" : "hovering"));
+    if (stage_.charts().zoomed()) return stage_.show_title_note("charts held: r lets them run on   h help");
+    // What must be read comes first: a long name may be cut.
+    stage_.show_title_note(fmt::format("press {:.2f} N ({})   h help{}{}", pointer_.press_n(),
+                                       pointer_.pressing() ? "pressing" : "hovering",
+                                       note.empty() ? "" : "   ", note));
   }
 
   const TouchWindowInput& input_;

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 
+#include "view/camera_vtk.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -15,9 +17,7 @@ constexpr std::chrono::milliseconds rest{250};
 }  // namespace
 
 void TurningPace::watch(vtkCamera* camera) {
-  std::vector<double> now = {camera->GetParallelScale()};
-  for (const double* vector : {camera->GetPosition(), camera->GetFocalPoint(), camera->GetViewUp()})
-    now.insert(now.end(), vector, vector + 3);
+  std::vector<double> now = view_of(camera);
   if (!camera_then_.empty() && now != camera_then_) turned_at_ = Clock::now();
   camera_then_ = std::move(now);
 }

@@ -32,6 +32,8 @@ ViewInput view_of_trace(Trace trace, const std::string& path) {
   input.rows = std::move(trace.rows);
   if (input.world) input.world = with_trees(*input.world);
   input.file = path;
+  input.recording = path;
+  input.every = trace.info.every;
   input.changes = std::move(trace.info.changes);
   if (!trace.info.contact_method.empty())
     input.contact_words = trace.info.contact_method + " " + trace.info.contact_normals;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -18,7 +19,8 @@ struct World;
 /// replayed) or a trace.
 struct ViewInput {
   std::string title;
-  std::string file = {};  ///< of what is shown, as it was named: window titles and screenshots go by it
+  std::string file =
+      {};  ///< of what is shown, as it was named: window titles and screenshots are named after it
   std::string contact_words = {};  ///< method and normals that served, where a trace says so
   std::string notice = {};         ///< what cannot be shown, and why; empty: all can
   std::shared_ptr<const World>
@@ -26,6 +28,8 @@ struct ViewInput {
   std::optional<Scene> scene;    ///< the law, the finger and its direction, where known
   std::vector<TickRecord> rows;  ///< in order of time; empty for a mesh
   std::vector<SceneChange> changes = {};  ///< made while it was touched
+  std::string recording = {};  ///< the trace that is shown, or recorded meanwhile; screenshots go beside it
+  std::uint64_t every = 1;     ///< rows are every so manieth tick, and the last
 };
 
 /// What is touched and how, for a title: mesh, law, coefficients, method; "" where nothing is known of it.

@@ -24,6 +24,21 @@ namespace {
 constexpr int frame_ms = 16;
 constexpr float before_the_style = 10;  // the priority of observers that may keep events from the camera
 
+/// What may be answered at once of the mouse's events.
+std::optional<InputEvent::Kind> kind_of(unsigned long event) {
+  switch (event) {
+    case vtkCommand::LeftButtonPressEvent:
+      return InputEvent::Kind::press;
+    case vtkCommand::LeftButtonReleaseEvent:
+      return InputEvent::Kind::release;
+    case vtkCommand::MouseMoveEvent:
+    case vtkCommand::EnterEvent:
+      return InputEvent::Kind::move;
+    default:
+      return std::nullopt;
+  }
+}
+
 }  // namespace
 
 WindowLoop::WindowLoop(Stage& stage, const WindowOptions& options, WindowHandlers handlers)
@@ -32,7 +47,8 @@ WindowLoop::WindowLoop(Stage& stage, const WindowOptions& options, WindowHandler
       handlers_(std::move(handlers)),
       queue_(handlers_.at_once),
       script_(options.events, interactor_),
-      parts_(stage.input().world, stage.panels(), stage.world()) {
+      parts_(stage.input().world, stage.panels(), stage.world()),
+      mouse_(stage, handlers_, parts_) {
   interactor_->SetRenderWindow(stage_.window());
   vtkNew<SharingTrackball> style;
   style->SetMotionFactor(8);
@@ -168,14 +184,6 @@ bool WindowLoop::look(KeyAction action) {
   return true;
 }
 
-void WindowLoop::on_panel(const PanelHit& hit) {
-  if (!parts_.owns(hit)) {
-    if (handlers_.panel) handlers_.panel(hit);
-    return;
-  }
-  parts_.click(hit);
-}
-
 /// Under the mouse.
 void WindowLoop::mark() {
   const int* at = interactor_->GetEventPosition();
@@ -189,7 +197,7 @@ void WindowLoop::take_screenshot() {
   stage_.tell("");
   stage_.render();
   try {
-    const std::string path = next_screenshot_name(stage_.input().file, stage_.input().title);
+    const std::string path = next_screenshot_name(stage_.input());
     write_png(stage_.window(), path);
     tell("wrote " + path);
   } catch (const Error& error) {
@@ -218,77 +226,11 @@ bool WindowLoop::on_key(vtkObject*, unsigned long, void*) {
 
 bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
   const int* at = interactor_->GetEventPosition();
-  ChartBoard& charts = stage_.charts();
-  const double x = at[0], y = at[1];
-  bool taken = false;
-  if (event == vtkCommand::LeftButtonPressEvent)
-    taken = taken_at_once({InputEvent::Kind::press, x, y});
-  else if (event == vtkCommand::LeftButtonReleaseEvent)
-    taken = taken_at_once({InputEvent::Kind::release, x, y});
-  else if (event == vtkCommand::MouseMoveEvent || event == vtkCommand::EnterEvent)
-    taken = taken_at_once({InputEvent::Kind::move, x, y});
-  if (on_panels(event, at[0], at[1])) {
-    changed_ = true;
-    return true;
-  }
-  switch (event) {
-    case vtkCommand::LeftButtonPressEvent:
-      // All of a chart that is not zoomed is in sight: there is nowhere to move it.
-      taken |= charts.zoomed() && charts.press(at[0], at[1]);
-      taken = (handlers_.press && handlers_.press(at[0], at[1])) || taken;
-      break;
-    case vtkCommand::EnterEvent:  // a window that opens under the pointer is told of it so, and of no move
-    case vtkCommand::MouseMoveEvent:
-      if (charts.move(at[0], at[1])) changed_ = true;
-      taken = (handlers_.move && handlers_.move(at[0], at[1])) || taken;
-      break;
-    case vtkCommand::LeftButtonReleaseEvent:
-      taken |= charts.release(at[0], at[1]);
-      taken = (handlers_.release && handlers_.release()) || taken;
-      break;
-    case vtkCommand::MouseWheelForwardEvent:
-    case vtkCommand::MouseWheelBackwardEvent: {
-      const int steps = event == vtkCommand::MouseWheelForwardEvent ? 1 : -1;
-      // All over the charts' column the wheel is theirs: beside a panel it does nothing.
-      const bool on_charts = charts.visible() && stage_.layout().charts.holds(at[0], at[1]);
-      const bool theirs =
-          charts.wheel(at[0], at[1], steps) || on_charts || (handlers_.wheel && handlers_.wheel(steps));
-      if (!theirs) stage_.zoom(steps > 0 ? 1.15 : 1 / 1.15);
-      taken = true;
-      break;
-    }
-    default:
-      break;
-  }
-  changed_ = changed_ || taken;
-  return taken;
-}
-
-/// What the mouse does on a panel goes no further; a button pressed beside it is not its.
-bool WindowLoop::on_panels(unsigned long event, int x, int y) {
-  const auto hit = stage_.panels().hit(stage_.layout(), x, y);
-  switch (event) {
-    case vtkCommand::LeftButtonPressEvent:
-      on_panel_ = hit.has_value();
-      beside_panels_ = !on_panel_;
-      if (hit) on_panel(*hit);
-      return on_panel_;
-    case vtkCommand::LeftButtonReleaseEvent:
-      beside_panels_ = false;
-      return std::exchange(on_panel_, false);
-    case vtkCommand::EnterEvent:
-    case vtkCommand::MouseMoveEvent:
-      return on_panel_ || (hit && !beside_panels_);
-    default:
-      break;
-  }
-  if (!hit) return false;
-  if (!parts_.owns(*hit)) {
-    PanelHit turned = *hit;
-    turned.steps = event == vtkCommand::MouseWheelForwardEvent ? 1 : -1;
-    on_panel(turned);
-  }
-  return true;
+  const auto kind = kind_of(event);
+  const bool taken = kind && taken_at_once({*kind, static_cast<double>(at[0]), static_cast<double>(at[1])});
+  const WindowMouse::Outcome outcome = mouse_.take(event, at[0], at[1], taken);
+  changed_ = changed_ || outcome.new_to_see;
+  return outcome.taken;
 }
 
 /// The first of the files that were dropped.

@@ -3,40 +3,22 @@
 #include <vtkNew.h>
 
 #include <chrono>
-#include <functional>
 #include <string>
 
 #include "view/event_queue_vtk.hpp"
 #include "view/event_script_vtk.hpp"
 #include "view/input_event.hpp"
-#include "view/key_table.hpp"
 #include "view/parts_panel_vtk.hpp"
 #include "view/place_marks.hpp"
 #include "view/stage_vtk.hpp"
 #include "view/window.hpp"
+#include "view/window_handlers.hpp"
+#include "view/window_mouse_vtk.hpp"
 
 class vtkObject;
 class vtkRenderWindowInteractor;
 
 namespace fingerpad {
-
-/// What a window's own keys and mouse do; true means that the event went no further. What they leave turns
-/// the camera.
-struct WindowHandlers {
-  unsigned window = windows::still;  ///< which rows of key_table() hold
-  AtOnce at_once;                    ///< what waits for no frame, before all others; may be none
-  /// Once, after the first frame: the threads that draw are there. May be none.
-  std::function<void()> has_opened;
-  std::function<bool(KeyAction action)> act;
-  std::function<bool(int x, int y)> press, move;
-  std::function<bool()> release;
-  std::function<bool(int steps)> wheel;
-  /// A click (steps 0) or steps on a row of a panel that is not the loop's own.
-  std::function<void(const PanelHit& hit)> panel;
-  /// Once a frame. @returns whether anything is new to see
-  std::function<bool(double elapsed_s)> frame;
-  std::function<void(WindowReport&)> report;
-};
 
 /// Opens a stage's window and passes events on until it is closed. A frame is drawn when something changed,
 /// at most 60 a second.
@@ -69,8 +51,6 @@ class WindowLoop {
   bool act(KeyAction action);
   bool look(KeyAction action);
   void take_screenshot();
-  void on_panel(const PanelHit& hit);
-  bool on_panels(unsigned long event, int x, int y);
   void mark();
 
   Stage& stage_;
@@ -80,11 +60,11 @@ class WindowLoop {
   vtkNew<vtkRenderWindowInteractor> interactor_;
   EventScript script_;
   PartsPanel parts_;
+  WindowMouse mouse_;
   std::chrono::steady_clock::time_point opened_;
   double last_frame_s_ = 0;
   long frames_ = 0;
   bool changed_ = true;
-  bool on_panel_ = false, beside_panels_ = false;  ///< where the button is held that was pressed there
   PlaceMarks marks_;
   bool closing_ = false;
   std::string told_;

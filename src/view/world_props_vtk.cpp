@@ -4,7 +4,6 @@
 #include <vtkPolyDataMapper.h>
 #include <vtkProperty.h>
 #include <vtkRenderer.h>
-#include <vtkStaticCellLocator.h>
 
 #include <algorithm>
 #include <string_view>
@@ -46,8 +45,10 @@ vtkSmartPointer<vtkActor> line_actor(vtkPolyData* mesh, const Colour& colour) {
 WorldProps::WorldProps(const ViewInput& input, const DrawSpace& space, const ViewExtent& extent)
     : world_(input.world),
       space_(space),
+      shown_(world_ ? world_->surfaces.size() : 0),
       part_property_(vtkSmartPointer<vtkProperty>::New()),
       crease_property_(vtkSmartPointer<vtkProperty>::New()) {
+  for (auto& shown : shown_) shown = true;
   paint(part_property_, colours::metal);
   part_property_->SetInterpolationToPhong();
   part_property_->SetAmbient(0.2);
@@ -77,12 +78,12 @@ WorldProps::WorldProps(const ViewInput& input, const DrawSpace& space, const Vie
 
 void WorldProps::add_part(const Surface& surface) {
   SurfaceProps props;
-  props.mesh = part_mesh(surface, space_);
-  props.body = actor_of(props.mesh);
+  const auto mesh = part_mesh(surface, space_);
+  props.body = actor_of(mesh);
   props.body->SetProperty(part_property_);
   props.creases = line_actor(crease_lines(surface, space_), {});
   props.creases->SetProperty(crease_property_);
-  bounds_mm_.AddBounds(props.mesh->GetBounds());
+  bounds_mm_.AddBounds(mesh->GetBounds());
   surfaces_.push_back(std::move(props));
 }
 
@@ -129,21 +130,19 @@ void WorldProps::apply_visibility() {
   const auto show = [](vtkActor* actor, bool shown) {
     if (actor != nullptr) actor->SetVisibility(shown ? 1 : 0);
   };
-  for (const SurfaceProps& props : surfaces_) {
-    const bool coarse = coarse_ && props.coarse_body;
-    show(props.body, props.shown && !coarse);
-    show(props.coarse_body, props.shown && coarse);
-    show(props.creases, props.shown && creases_shown_ && !coarse);
-    show(props.square, props.shown);
-    show(props.grid, props.shown);
+  for (std::size_t i = 0; i < surfaces_.size(); ++i) {
+    const SurfaceProps& props = surfaces_[i];
+    const bool shown = is_shown(i), coarse = coarse_ && props.coarse_body;
+    show(props.body, shown && !coarse);
+    show(props.coarse_body, shown && coarse);
+    show(props.creases, shown && creases_shown_ && !coarse);
+    show(props.square, shown);
+    show(props.grid, shown);
   }
 }
 
 void WorldProps::show_surface(std::size_t index, bool shown) {
-  {
-    const std::lock_guard lock(pointing_);
-    surfaces_[index].shown = shown;
-  }
+  shown_[index] = shown;
   apply_visibility();
 }
 
@@ -188,47 +187,16 @@ void WorldProps::set_line_width(double px) {
   if (path_) path_->GetProperty()->SetLineWidth(static_cast<float>(2.6 * px));
 }
 
-void WorldProps::build_locators() {
-  for (const SurfaceProps& props : surfaces_) {
-    locators_.emplace_back();
-    if (!props.mesh) continue;
-    locators_.back() = vtkSmartPointer<vtkStaticCellLocator>::New();
-    locators_.back()->SetDataSet(props.mesh);
-    locators_.back()->BuildLocator();
-  }
-}
-
-std::optional<SurfaceHit> WorldProps::first_hit(const Vec3& a_mm, const Vec3& b_mm) {
+std::optional<SurfaceHit> WorldProps::first_hit(const Vec3& a_mm, const Vec3& b_mm) const {
   if (!world_) return std::nullopt;
-  const std::lock_guard lock(pointing_);
-  if (locators_.size() != surfaces_.size()) build_locators();
+  const Vec3 a_W = space_.to_world(a_mm), b_W = space_.to_world(b_mm);
   std::optional<SurfaceHit> first;
   for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
-    if (!surfaces_[i].shown) continue;
-    const Surface& surface = world_->surfaces[i];
-    SurfaceHit hit;
-    hit.surface = static_cast<int>(i);
-    if (surface.part) {
-      double x[3], within[3];
-      int sub = 0;
-      vtkIdType cell = -1;
-      if (locators_[i]->IntersectWithLine(a_mm.data(), b_mm.data(), 1e-9, hit.along, x, within, sub, cell) ==
-          0) {
-        continue;
-      }
-      hit.point_W = space_.to_world(Vec3(x[0], x[1], x[2]));
-      hit.normal_W = surface.R_WP * surface.part->facet_normals.col(cell);
-    } else {
-      const Vec3 a_W = space_.to_world(a_mm);
-      const Vec3 way = space_.to_world(b_mm) - a_W;
-      const double fall = way.dot(surface.plane_normal_W);
-      if (!(fall < 0)) continue;  // seen from behind, or along
-      hit.along = (surface.plane_point_W - a_W).dot(surface.plane_normal_W) / fall;
-      if (!(hit.along >= 0 && hit.along <= 1)) continue;
-      hit.point_W = a_W + hit.along * way;
-      hit.normal_W = surface.plane_normal_W;
-    }
-    if (!first || hit.along < first->along) first = hit;
+    if (!is_shown(i)) continue;
+    auto hit = line_hit(world_->surfaces[i], a_W, b_W);
+    if (!hit || (first && hit->along >= first->along)) continue;
+    hit->surface = static_cast<int>(i);
+    first = hit;
   }
   return first;
 }

@@ -5,7 +5,7 @@
 #include <vtkProperty.h>
 #include <vtkSmartPointer.h>
 
-#include <mutex>
+#include <atomic>
 #include <vector>
 
 #include "touch/world.hpp"
@@ -14,7 +14,6 @@
 
 class vtkPolyData;
 class vtkRenderer;
-class vtkStaticCellLocator;
 
 namespace fingerpad {
 
@@ -33,7 +32,7 @@ class WorldProps {
   /// A part or plane with all that belongs to it: hidden it is neither seen nor pointed at, and felt all the
   /// same.
   void show_surface(std::size_t index, bool shown);
-  bool is_shown(std::size_t index) const { return surfaces_[index].shown; }
+  bool is_shown(std::size_t index) const { return shown_[index]; }
   /// Parts as the edges of their facets.
   void show_wireframe(bool wireframe);
   void show_creases(bool shown);
@@ -48,9 +47,9 @@ class WorldProps {
   vtkProperty* part_property() const { return part_property_; }
   vtkProperty* crease_property() const { return crease_property_; }
 
-  /// The first surface on the way from a to b, draw space [mm]. Locators are built on the first call. Any
-  /// thread.
-  std::optional<SurfaceHit> first_hit(const Vec3& a_mm, const Vec3& b_mm);
+  /// The first surface on the way from a to b that is shown, draw space [mm]. Nothing is built for it and it
+  /// waits for nobody. Any thread.
+  std::optional<SurfaceHit> first_hit(const Vec3& a_mm, const Vec3& b_mm) const;
 
   /// Distance between the lines of a plane's grid [m]; 0 without a plane.
   double grid_m() const noexcept { return grid_m_; }
@@ -60,21 +59,17 @@ class WorldProps {
  private:
   /// A part has a body and creases, a plane a square and a grid.
   struct SurfaceProps {
-    vtkSmartPointer<vtkPolyData> mesh;  ///< empty for a plane
     vtkSmartPointer<vtkActor> body, creases, square, grid;
     vtkSmartPointer<vtkActor> coarse_body;  ///< in place of the body; may be none
-    bool shown = true;
   };
   void add_part(const Surface& surface);
   void add_plane(const Surface& surface, const ViewExtent& extent);
-  void build_locators();
   void apply_visibility();
 
   std::shared_ptr<const World> world_;
   DrawSpace space_;
   std::vector<SurfaceProps> surfaces_;
-  std::mutex pointing_;  // of the locators, and of what of a surface is shown
-  std::vector<vtkSmartPointer<vtkStaticCellLocator>> locators_;
+  std::vector<std::atomic<bool>> shown_;  // a surface each; the window's thread sets them, any may ask
   vtkSmartPointer<vtkProperty> part_property_, crease_property_;
   vtkSmartPointer<vtkActor> path_;
   bool creases_shown_ = true, coarse_ = false;

@@ -13,6 +13,7 @@
 #include "contact/surface_point.hpp"
 #include "contact/tree_trials.hpp"
 #include "contact/triangle_tree.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad::hostile_points_test {
@@ -126,7 +127,7 @@ class HostilePoints : public testing::TestWithParam<int> {
   RandomStream random_{11};
 };
 
-constexpr int rounds = 20000;
+constexpr int rounds = test::samples(20000);
 
 TEST_P(HostilePoints, ClosestIsSound) {
   ClosestMemory memory;

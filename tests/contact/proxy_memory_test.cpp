@@ -135,8 +135,7 @@ TEST_P(ProxyMemoryOnRealPart, AnswersAsTheProxyAloneDoes) {
   expect_agreement(std::make_shared<const TriangleTree>(imported.part), GetParam().filename().string());
 }
 
-INSTANTIATE_TEST_SUITE_P(SharedData, ProxyMemoryOnRealPart,
-                         testing::ValuesIn(test::real_files("parts", {".stl", ".obj", ".ply", ".off"})),
+INSTANTIATE_TEST_SUITE_P(SharedData, ProxyMemoryOnRealPart, testing::ValuesIn(test::real_parts()),
                          [](const auto& info) {
                            std::string name = info.param.stem().string();
                            const auto bad = [](char c) {

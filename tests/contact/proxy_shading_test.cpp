@@ -264,7 +264,7 @@ TEST(ShadedProxy, LeansNoFartherThanFacetsMeetAndStepsNoFartherThanFacetsDo) {
 
 /// Those that load faster than they are rubbed.
 std::vector<std::filesystem::path> real_parts() {
-  auto parts = test::real_files("parts", {".stl", ".obj", ".ply", ".off"});
+  auto parts = test::real_parts();
   std::erase_if(parts, [](const auto& path) { return std::filesystem::file_size(path) > 1'000'000; });
   return parts;
 }

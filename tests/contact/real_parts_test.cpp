@@ -161,9 +161,7 @@ std::string test_name(const testing::TestParamInfo<std::filesystem::path>& info)
 }
 
 GTEST_ALLOW_UNINSTANTIATED_PARAMETERIZED_TEST(RealParts);
-INSTANTIATE_TEST_SUITE_P(Parts, RealParts,
-                         testing::ValuesIn(test::real_files("parts", {".stl", ".obj", ".ply", ".off"})),
-                         test_name);
+INSTANTIATE_TEST_SUITE_P(Parts, RealParts, testing::ValuesIn(test::real_parts()), test_name);
 
 }  // namespace
 }  // namespace fingerpad::real_parts_test

@@ -183,7 +183,7 @@ TEST(FirstCrossing, BothEndsCountAndNothingBeyond) {
 }
 
 TEST(TreeQueries, OnRealPartsAreThoseOfBruteForce) {
-  const auto files = test::real_files("parts", {".stl", ".obj", ".ply", ".off"});
+  const auto files = test::real_parts();
   if (files.empty()) GTEST_SKIP() << "no real parts at hand";
   for (const auto& file : files) {
     const auto part = import_part(file.string(), 1e-3, 0.5).part;

@@ -68,7 +68,7 @@ TEST(WindingNumber, AnOpenBowlEnclosesWhereMoreThanHalfOfTheSightIsWall) {
 }
 
 TEST(WindingNumber, OfRealPartsIsTheSumOverAllTriangles) {
-  const auto files = test::real_files("parts", {".stl", ".obj", ".ply", ".off"});
+  const auto files = test::real_parts();
   if (files.empty()) GTEST_SKIP() << "no real parts beside the project";
   for (const auto& file : files) {
     const ImportedPart imported = import_part(file.string(), 1e-3, 0.5);

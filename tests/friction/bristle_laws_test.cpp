@@ -5,7 +5,7 @@
 
 #include "support/sliding_mass.hpp"
 
-namespace fingerpad {
+namespace fingerpad::bristle_laws_test {
 namespace {
 
 using test::make_law;
@@ -280,4 +280,4 @@ TEST(ElastoPlastic, StretchIsMonotoneUpToTheSteadyOne) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::bristle_laws_test

@@ -7,7 +7,7 @@
 
 #include "support/plane_contact.hpp"
 
-namespace fingerpad {
+namespace fingerpad::contact_area_test {
 namespace {
 
 using test::make_law;
@@ -57,4 +57,4 @@ TEST(JkrPad, PartsAtThePullOffTension) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::contact_area_test

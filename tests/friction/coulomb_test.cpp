@@ -2,7 +2,7 @@
 
 #include "support/sliding_mass.hpp"
 
-namespace fingerpad {
+namespace fingerpad::coulomb_test {
 namespace {
 
 using test::make_law;
@@ -44,4 +44,4 @@ TEST(None, NeverPushes) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::coulomb_test

@@ -5,7 +5,7 @@
 
 #include "support/plane_contact.hpp"
 
-namespace fingerpad {
+namespace fingerpad::equal_coefficients_test {
 namespace {
 
 using test::make_law;
@@ -134,4 +134,4 @@ TEST(SalcudeanVlaar, AVMinThatLeavesItsDampingWithoutBoundIsRefused) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::equal_coefficients_test

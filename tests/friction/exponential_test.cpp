@@ -5,7 +5,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace fingerpad {
+namespace fingerpad::exponential_test {
 namespace {
 
 // Against libm in long double, whose own error (5e-20 of the value) is far below a double's rounding
@@ -47,4 +47,4 @@ TEST(InverseCubeRoot, IsExactOverAllLoads) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::exponential_test

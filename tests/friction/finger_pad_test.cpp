@@ -5,7 +5,7 @@
 
 #include "support/plane_contact.hpp"
 
-namespace fingerpad {
+namespace fingerpad::finger_pad_test {
 namespace {
 
 using test::make_law;
@@ -194,4 +194,4 @@ TEST(FingerPad, WithoutStaticFrictionNothingIsDividedByZero) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::finger_pad_test

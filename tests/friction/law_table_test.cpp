@@ -5,7 +5,7 @@
 #include <cmath>
 #include <vector>
 
-namespace fingerpad {
+namespace fingerpad::law_table_test {
 namespace {
 
 TEST(LawTable, HoldsTheLawsOfTheContractInOrder) {
@@ -50,4 +50,4 @@ TEST(LawTable, RefusesWhatAParameterCannotBe) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::law_table_test

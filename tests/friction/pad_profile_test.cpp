@@ -9,7 +9,7 @@
 #include "friction/pad_profile_file.hpp"
 #include "support/paths.hpp"
 
-namespace fingerpad {
+namespace fingerpad::pad_profile_test {
 namespace {
 
 using testing::EndsWith;
@@ -117,4 +117,4 @@ TEST(PadProfile, RefusesWhatIsNoProfileAtAll) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::pad_profile_test

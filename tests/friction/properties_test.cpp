@@ -9,7 +9,7 @@
 #include "base/random_stream.hpp"
 #include "support/sliding_mass.hpp"
 
-namespace fingerpad {
+namespace fingerpad::properties_test {
 namespace {
 
 using test::PlaneContact;
@@ -309,4 +309,4 @@ INSTANTIATE_TEST_SUITE_P(Law, SpringLaw, testing::ValuesIn(all_but({"none", "cou
 INSTANTIATE_TEST_SUITE_P(Law, RestingLaw, testing::ValuesIn(all_but({"coulomb"})), test_name);
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::properties_test

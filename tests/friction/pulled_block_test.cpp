@@ -7,7 +7,7 @@
 
 #include "support/sliding_mass.hpp"
 
-namespace fingerpad {
+namespace fingerpad::pulled_block_test {
 namespace {
 
 using test::make_law;
@@ -243,4 +243,4 @@ TEST(SlidingStop, TakesTheTimeAndWayOfConstantDeceleration) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::pulled_block_test

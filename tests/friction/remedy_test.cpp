@@ -2,7 +2,7 @@
 
 #include "support/plane_contact.hpp"
 
-namespace fingerpad {
+namespace fingerpad::remedy_test {
 namespace {
 
 using test::make_law;
@@ -74,4 +74,4 @@ TEST(Remedy, AtRestDampersAreSilent) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::remedy_test

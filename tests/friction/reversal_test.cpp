@@ -5,7 +5,7 @@
 
 #include "support/plane_contact.hpp"
 
-namespace fingerpad {
+namespace fingerpad::reversal_test {
 namespace {
 
 using test::make_law;
@@ -141,4 +141,4 @@ TEST(Reversal, SalcudeanVlaarSticksInTheCornerToo) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::reversal_test

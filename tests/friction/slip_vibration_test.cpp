@@ -6,7 +6,7 @@
 #include <numbers>
 #include <vector>
 
-namespace fingerpad {
+namespace fingerpad::slip_vibration_test {
 namespace {
 
 /// Power of a signal at one frequency: Goertzel's recurrence over half-overlapping Hann windows of half a
@@ -123,4 +123,4 @@ TEST(SlipVibration, NeverReversesFriction) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::slip_vibration_test

@@ -5,7 +5,7 @@
 
 #include "support/plane_contact.hpp"
 
-namespace fingerpad {
+namespace fingerpad::spring_laws_test {
 namespace {
 
 using test::make_law;
@@ -169,4 +169,4 @@ TEST(Kikuuwe, DamperAddsItsForceInStick) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::spring_laws_test

@@ -7,7 +7,7 @@
 
 #include "support/plane_contact.hpp"
 
-namespace fingerpad {
+namespace fingerpad::stick_slip_test {
 namespace {
 
 using test::at_ticks;
@@ -273,4 +273,4 @@ TEST(StickSlip, ThePaperFigure12RunStaysUnderTheStaticLimit) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::stick_slip_test

@@ -6,7 +6,7 @@
 
 // A spring that hardens buzzes by its stiffness where it stands: SCIENCE 7, "Cubic spring".
 
-namespace fingerpad {
+namespace fingerpad::tangent_stiffness_test {
 namespace {
 
 using test::make_law;
@@ -104,4 +104,4 @@ TEST(TangentStiffness, ACappedSpringNeverSlipsByUnloading) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::tangent_stiffness_test

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cstdlib>
 
+#include "support/effort.hpp"
+
 namespace fingerpad::test {
 namespace fs = std::filesystem;
 
@@ -35,6 +37,13 @@ std::vector<fs::path> real_files(const std::string& folder, const std::vector<st
   }
   std::sort(found.begin(), found.end());
   return found;
+}
+
+std::vector<fs::path> real_parts() {
+  std::vector<fs::path> parts = real_files("parts", {".stl", ".obj", ".ply", ".off"});
+  int number = 0;
+  std::erase_if(parts, [&number](const fs::path&) { return number++ % (samples(40) < 40 ? 4 : 1) != 0; });
+  return parts;
 }
 
 fs::path scratch_dir() {

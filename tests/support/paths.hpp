@@ -21,6 +21,10 @@ std::optional<std::filesystem::path> real_data();
 std::vector<std::filesystem::path> real_files(const std::string& folder,
                                               const std::vector<std::string>& endings);
 
+/// The meshes of its `parts` but for STEP; under a sanitizer one of four, as each takes ten times as long
+/// there.
+std::vector<std::filesystem::path> real_parts();
+
 /// A fresh folder of its own for the running test, emptied at the start of the test.
 std::filesystem::path scratch_dir();
 

@@ -7,7 +7,7 @@
 
 // A finger at rest, as far as a finger ever is: SCIENCE 7 and DESIGN, "Friction in one place".
 
-namespace fingerpad {
+namespace fingerpad::at_rest_test {
 namespace {
 
 using test::friction_work_j;
@@ -88,4 +88,4 @@ TEST(AtRest, UnderASteadyPushThePadCreepsNotAtAll) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::at_rest_test

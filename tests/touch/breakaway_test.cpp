@@ -6,7 +6,7 @@
 #include "support/worlds.hpp"
 #include "touch/touch.hpp"
 
-namespace fingerpad {
+namespace fingerpad::breakaway_test {
 namespace {
 
 /// Distance from first touch to rupture when the finger is dragged slowly in a direction of the plane.
@@ -46,4 +46,4 @@ TEST(Breakaway, LiesOnTheEllipseInEveryDirectionAndAtEveryAngle) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::breakaway_test

@@ -15,7 +15,7 @@
 #include "touch/mesh_store.hpp"
 #include "touch/touch.hpp"
 
-namespace fingerpad {
+namespace fingerpad::contact_choice_test {
 namespace {
 
 using test::box_soup;
@@ -404,4 +404,4 @@ TEST(ContactChoice, ATouchThatLeavesItOpenHoldsAtAThinPlate) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::contact_choice_test

@@ -9,7 +9,7 @@
 
 // What stretches the spring on curved surfaces is the finger's skin: SCIENCE 7.
 
-namespace fingerpad {
+namespace fingerpad::curved_surfaces_test {
 namespace {
 
 using test::friction_work_j;
@@ -179,4 +179,4 @@ TEST(CurvedSurfaces, APointHasNoSkinToRoll) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::curved_surfaces_test

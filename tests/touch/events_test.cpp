@@ -7,7 +7,7 @@
 
 // Rupture and restick at their own places between ticks: SCIENCE 7.
 
-namespace fingerpad {
+namespace fingerpad::events_test {
 namespace {
 
 using test::plane_scene;
@@ -113,4 +113,4 @@ TEST(Events, TheEllipseAndTheCubicSpringLetGoAtTheirOwnPlaces) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::events_test

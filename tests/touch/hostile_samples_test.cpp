@@ -15,7 +15,7 @@
 #include "touch/closed_loop.hpp"
 #include "touch/touch.hpp"
 
-namespace fingerpad {
+namespace fingerpad::hostile_samples_test {
 namespace {
 
 double hostile_number(RandomStream& random) {
@@ -199,4 +199,4 @@ TEST(SimulatedHand, AQuantumTooSmallForADoubleIsNone) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::hostile_samples_test

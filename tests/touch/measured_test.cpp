@@ -8,7 +8,7 @@
 #include "touch/closed_loop.hpp"
 #include "touch/touch.hpp"
 
-namespace fingerpad {
+namespace fingerpad::measured_test {
 namespace {
 
 using test::plane_scene;
@@ -88,4 +88,4 @@ TEST(Measured, ALoopGoesAtItsPathsRate) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::measured_test

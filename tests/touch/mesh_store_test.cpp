@@ -9,7 +9,7 @@
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 
-namespace fingerpad {
+namespace fingerpad::mesh_store_test {
 namespace {
 
 using testing::ElementsAre;
@@ -69,4 +69,4 @@ TEST(MeshStore, ARefusedMeshIsRefusedWhoeverListens) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::mesh_store_test

@@ -58,7 +58,7 @@ void* aligned_alloc(std::size_t alignment, std::size_t size) {
   std::free(p);
 }
 
-namespace fingerpad {
+namespace fingerpad::no_allocation_test {
 namespace {
 
 TEST(Tick, AllocatesNothingWhereItSticksSlipsAndCrossesEdges) {
@@ -133,4 +133,4 @@ TEST(ServoLoop, AllocatesNothingFromItsFirstTickOn) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::no_allocation_test

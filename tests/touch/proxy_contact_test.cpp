@@ -10,7 +10,7 @@
 #include "support/worlds.hpp"
 #include "touch/touch.hpp"
 
-namespace fingerpad {
+namespace fingerpad::proxy_contact_test {
 namespace {
 
 using test::plane_scene;
@@ -243,4 +243,4 @@ TEST(ProxyContact, OnPlanesAloneIsTheDeepestPlane) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_contact_test

@@ -18,7 +18,7 @@
 // normals that auto chooses. The walk of a million ticks over each part, with its figures told:
 //   FINGERPAD_WALK_TICKS=1000000 build/bin/test_touch --gtest_filter='*ProxyOnRealPart*'
 
-namespace fingerpad {
+namespace fingerpad::proxy_real_parts_test {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
@@ -33,7 +33,7 @@ int walk_ticks() {
 }
 
 std::vector<std::filesystem::path> real_parts() {
-  auto parts = test::real_files("parts", {".stl", ".obj", ".ply", ".off"});
+  auto parts = test::real_parts();
 #ifndef __SANITIZE_ADDRESS__  // there its load takes longer than all other walks; RealPart loads it
   for (const auto& dense : test::real_files("dense", {".ply"})) parts.push_back(dense);
 #endif
@@ -124,4 +124,4 @@ INSTANTIATE_TEST_SUITE_P(SharedData, ProxyOnRealPart, testing::ValuesIn(real_par
 });
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::proxy_real_parts_test

@@ -13,7 +13,7 @@
 // Every real part, and the mesh of over a million triangles, touched by a finger that rubs over it and
 // through it.
 
-namespace fingerpad {
+namespace fingerpad::real_parts_test {
 namespace {
 
 #ifdef __SANITIZE_ADDRESS__
@@ -23,7 +23,7 @@ constexpr int samples = 10000;
 #endif
 
 std::vector<std::filesystem::path> real_parts() {
-  auto parts = test::real_files("parts", {".stl", ".obj", ".ply", ".off"});
+  auto parts = test::real_parts();
   for (const auto& dense : test::real_files("dense", {".ply"})) parts.push_back(dense);
   return parts;
 }
@@ -78,4 +78,4 @@ INSTANTIATE_TEST_SUITE_P(SharedData, RealPart, testing::ValuesIn(real_parts()), 
 });
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::real_parts_test

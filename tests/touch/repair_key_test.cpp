@@ -6,7 +6,7 @@
 #include "support/shapes.hpp"
 #include "touch/mesh_store.hpp"
 
-namespace fingerpad {
+namespace fingerpad::repair_key_test {
 namespace {
 
 TEST(RepairKey, APartIsRepairedWhereItsSceneAsksForItAndOnlyThere) {
@@ -25,4 +25,4 @@ TEST(RepairKey, APartIsRepairedWhereItsSceneAsksForItAndOnlyThere) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::repair_key_test

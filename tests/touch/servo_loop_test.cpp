@@ -8,7 +8,7 @@
 
 #include "support/worlds.hpp"
 
-namespace fingerpad {
+namespace fingerpad::servo_loop_test {
 namespace {
 
 TEST(ServoLoop, TicksAtItsRateAndKeepsEveryRecordInOrder) {
@@ -49,4 +49,4 @@ TEST(ServoLoop, StopsAtOnceAndTwice) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::servo_loop_test

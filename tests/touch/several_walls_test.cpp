@@ -9,7 +9,7 @@
 
 // Each wall that holds the finger has its own normal force, coefficients and friction state: SCIENCE 7.
 
-namespace fingerpad {
+namespace fingerpad::several_walls_test {
 namespace {
 
 using test::plane_scene;
@@ -205,4 +205,4 @@ TEST(SeveralWalls, FacetsOfOneSmoothSurfaceAreOneWall) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::several_walls_test

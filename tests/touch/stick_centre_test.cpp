@@ -9,7 +9,7 @@
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 
-namespace fingerpad {
+namespace fingerpad::stick_centre_test {
 namespace {
 
 /// A random contact with a part: of a finger just outside.
@@ -60,4 +60,4 @@ TEST(StickCentre, AnUnstretchedOneIsTheContactPointItself) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::stick_centre_test

@@ -13,7 +13,7 @@
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 
-namespace fingerpad {
+namespace fingerpad::touch_test {
 namespace {
 
 using test::plane_scene;
@@ -311,4 +311,4 @@ TEST(Touch, TheSameSamplesGiveTheSameBits) {
 }
 
 }  // namespace
-}  // namespace fingerpad
+}  // namespace fingerpad::touch_test

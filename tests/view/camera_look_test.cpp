@@ -102,14 +102,26 @@ TEST(Notice, APictureOfATraceWithoutItsMeshSaysSo) {
   EXPECT_GT(test::share_of(with, scene, paper), 0.02);
 }
 
-TEST(Screenshot, IsNumberedBesideTheFileAndOverwritesNothing) {
+ViewInput named_input(const std::string& file, const std::string& recording) {
+  ViewInput input;
+  input.title = "a/b";
+  input.file = file;
+  input.recording = recording;
+  return input;
+}
+
+TEST(Screenshot, GoesBesideTheRecordingElseHereAndOverwritesNothing) {
   const auto folder = test::scratch_dir();
-  const std::string file = (folder / "run.h5").string();
-  EXPECT_EQ(next_screenshot_name(file, "x"), (folder / "run-view-001.png").string());
+  const std::string run = (folder / "run.h5").string();
+  EXPECT_EQ(next_screenshot_name(named_input(run, run)), (folder / "run-view-001.png").string());
+  EXPECT_EQ(next_screenshot_name(named_input("parts/knob.stl", run)),
+            (folder / "knob-view-001.png").string());
   std::ofstream(folder / "run-view-001.png") << "mine";
   std::filesystem::create_symlink("nowhere", folder / "run-view-002.png");
-  EXPECT_EQ(next_screenshot_name(file, "x"), (folder / "run-view-003.png").string());
-  EXPECT_EQ(next_screenshot_name("-", "bracket"), "bracket-view-001.png");
+  EXPECT_EQ(next_screenshot_name(named_input(run, run)), (folder / "run-view-003.png").string());
+  EXPECT_EQ(next_screenshot_name(named_input("parts/knob.stl", "")), "knob-view-001.png")
+      << "not among the parts";
+  EXPECT_EQ(next_screenshot_name(named_input("-", "-")), "a-b-view-001.png");
 }
 
 }  // namespace

@@ -76,6 +76,20 @@ TEST_P(Movie, IsReadBackAsItWasMade) {
   EXPECT_LT(mean_difference(frame, picture), 0.5 * mean_difference(frame, another));
 }
 
+TEST(MovieCamera, LooksFromWhereItWasTold) {
+  if (find_program("ffmpeg").empty()) GTEST_SKIP() << "ffmpeg is not installed";
+  const auto path = test::scratch_dir() / "rub.mp4";
+  const ViewInput input = torus_rub(0.1);
+  ViewState from_below;
+  from_below.look = *named_look("bottom");
+  MovieChoice choice = small_choice();
+  choice.speed = 1;
+  write_view_movie(input, path.string(), choice, from_below, [](long) {});
+  const Pixels frame = frame_of(path, 0, 640, 480);
+  EXPECT_LT(mean_difference(frame, view_pixels(input, 640, 480, 0, from_below)), 4);
+  EXPECT_GT(mean_difference(frame, view_pixels(input, 640, 480, 0, {})), 8);
+}
+
 INSTANTIATE_TEST_SUITE_P(Kinds, Movie, testing::Values(".mp4", ".ogv"),
                          [](const auto& info) { return std::string(info.param + 1); });
 

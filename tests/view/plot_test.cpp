@@ -36,6 +36,22 @@ TEST(Plot, SvgHoldsItsLabelsAsText) {
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+TEST(Plot, OfAThinnedTraceSaysSo) {
+  const auto folder = scratch_dir();
+  ViewInput input = torus_rub();
+  const auto subtitle_is_there = [&](const char* words, PlotSubject subject) {
+    write_plot(input, (folder / "thin.svg").string(), 800, subject, Over::time);
+    return text_of(folder / "thin.svg").find(words) != std::string::npos;
+  };
+  EXPECT_FALSE(subtitle_is_there("1 in ", PlotSubject::history));
+  input.every = 10;
+  EXPECT_TRUE(subtitle_is_there("1000 ticks a second, of which 1 in 10 is here", PlotSubject::history));
+  EXPECT_TRUE(subtitle_is_there("ticks were left out", PlotSubject::spectrum));
+  EXPECT_FALSE(subtitle_is_there("peaks at", PlotSubject::spectrum));
+  input.every = 1;
+  EXPECT_TRUE(subtitle_is_there("peaks at", PlotSubject::spectrum));
+}
+
 TEST(RunTitle, TellsAWindowWhatVariesInASet) {
   EXPECT_EQ(varied_words("t: knob.stl \xC2\xB7 job 3 \xC2\xB7 mu_static 0.3"), "job 3, mu_static 0.3");
   EXPECT_EQ(varied_words("t: knob.stl"), "");

@@ -192,6 +192,46 @@ TEST(RealWindow, ShowsAFileThatIsDroppedOntoItAndSaysWhyItCannotShowAnother) {
   EXPECT_THAT(shown.out, testing::StartsWith("torus.stl: torus.stl - fingerpad"));
 }
 
+/// For scripts: how far the servo's thread of the process $p stands back, and the one that draws its window.
+constexpr const char* nice_words = R"(
+nice_words() {
+  for t in /proc/$p/task/*; do
+    read -r name <$t/comm
+    rest=$(sed 's/.*) //' $t/stat)
+    set -- $rest
+    [ "$name" = fingerpad-servo ] && echo "servo ${17}"
+    [ "${t##*/}" = $p ] && echo "window ${17}"
+  done
+}
+)";
+
+TEST(RealWindow, TheServoDoesNotStandBackWithTheWindowAfterADrop) {
+  std::string why;
+  const auto screen = screen_or_why(why);
+  if (!screen) GTEST_SKIP() << "no X server can be started: " << why;
+  const fs::path folder = workshop();
+  const auto opened = test::shell(hands(*screen) +
+                                      "$P touch ring.toml --size 600x400 >touch.log 2>&1 &\necho $!\n"
+                                      "window || exit 9\necho $w\nawk '{ print $19 }' /proc/self/stat\n",
+                                  folder);
+  ASSERT_EQ(opened.exit_code, 0) << test::bytes_of(folder / "touch.log");
+  std::istringstream told(opened.out);
+  unsigned long process = 0, window = 0;
+  int usual_nice = 0;
+  ASSERT_TRUE(told >> process >> window >> usual_nice) << opened.out;
+  ASSERT_EQ(test::drop_file(screen->display(), window, (folder / "torus.stl").string()), "");
+  const auto after =
+      test::shell(hands(*screen) + nice_words + "p=" + std::to_string(process) +
+                      "\nfor i in $(seq 200); do xdotool search --name '^torus.stl' >/dev/null 2>&1 && "
+                      "break; sleep 0.05; "
+                      "done\nnice_words\nwindow\nxdotool mousemove --window $w 100 100 key q\n",
+                  folder);
+  const std::string servo = "servo " + std::to_string(usual_nice) + "\n";
+  const std::string drawing = "window " + std::to_string(std::min(19, std::max(usual_nice, 10))) + "\n";
+  EXPECT_THAT(after.out, testing::HasSubstr(servo));
+  EXPECT_THAT(after.out, testing::HasSubstr(drawing));
+}
+
 TEST(RealWindow, GoesOnWithAMeshThatIsDroppedOntoALiveTouchUnlessThatIsRecorded) {
   std::string why;
   const auto screen = screen_or_why(why);

@@ -2,11 +2,13 @@
 
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/random_stream.hpp"
 #include "base/spectrum.hpp"
 #include "view/playback.hpp"
 #include "view/rub.hpp"
+#include "view/touch_chart.hpp"
 #include "view/touch_series.hpp"
 
 namespace fingerpad::test {
@@ -72,6 +74,39 @@ TEST(TouchSeries, SlipEndsWhereOneWallHoldsTheFingerAndSticks) {
   }
   const std::vector<bool> expected{false, true, false, false, false, false};
   EXPECT_EQ(touch_series(rows, Vec3::UnitX()).slip_ends, expected);
+}
+
+/// Every 10th row and the last, as `replay --every 10` writes them.
+ViewInput thinned_rub() {
+  ViewInput input = torus_rub(3.004);
+  const std::vector<TickRecord> all = std::exchange(input.rows, {});
+  for (std::size_t k = 0; k < all.size(); ++k) {
+    if (k % 10 == 0 || k + 1 == all.size()) input.rows.push_back(all[k]);
+  }
+  input.every = 10;
+  return input;
+}
+
+TEST(TouchChart, OfAThinnedTraceMarksNoEndOfSlip) {
+  ViewInput input = thinned_rub();
+  const auto rings = [&] {
+    int count = 0;
+    for (const ChartPanel& panel : touch_chart(input.rows, Vec3::UnitX(), touch_levels(input)).panels) {
+      for (const ChartCurve& curve : panel.curves) count += curve.name == "end of slip";
+    }
+    return count;
+  };
+  EXPECT_EQ(rings(), 0);
+  input.every = 1;
+  EXPECT_EQ(rings(), 2) << "of speed and mu, where each row is a tick";
+}
+
+TEST(Spectrum, OfAThinnedTraceGoesByTheDistanceOfItsRowsNotByItsLast) {
+  const ViewInput input = thinned_rub();
+  ASSERT_LT(input.rows.back().t_s - input.rows[input.rows.size() - 2].t_s, 0.0045);
+  const Chart chart = spectrum_chart(touch_series(input.rows, Vec3::UnitX()));
+  ASSERT_FALSE(chart.panels.empty());
+  EXPECT_NEAR(chart.panels[0].curves[0].x.back(), 50, 1e-9) << "half of 100 rows a second";
 }
 
 TEST(TouchSeries, OfNothingIsEmpty) {

@@ -1,8 +1,11 @@
 #include "view/stage_vtk.hpp"
 
 #include <gtest/gtest.h>
+#include <vtkCamera.h>
+#include <vtkRenderer.h>
 
 #include <algorithm>
+#include <utility>
 
 #include "view/overlay_hud.hpp"
 #include "view/pixel_statistics.hpp"
@@ -65,6 +68,48 @@ TEST(Stage, OfALiveTouchShowsThePartBesideTheReadings) {
   stage.resize(400, 300);
   const auto [near, far] = stage.line_of_sight(stage.layout().scene.centre().x(), 20);
   EXPECT_TRUE(near.allFinite() && far.allFinite());
+}
+
+TEST(Stage, LeavesNothingOfAPageThatIsClosedAtAnySize) {
+  const VirtualScreen screen;
+  const ViewInput input = torus_rub(1);
+  Stage stage(input, 520, 340, true, true);
+  stage.show_hint("", std::vector<std::string>(30, "key: what it does"));
+  stage.show(input.rows.front(), 0);
+  for (const auto& [width, height] : {std::pair(520, 340), std::pair(601, 433), std::pair(901, 607)}) {
+    stage.resize(width, height);
+    stage.render();
+    const Pixels before = pixels_of(stage.window());
+    stage.state().help = true;
+    stage.render();
+    EXPECT_GT(pixels_that_differ(before, pixels_of(stage.window())), 1000);
+    stage.state().help = false;
+    stage.render();
+    EXPECT_EQ(pixels_that_differ(before, pixels_of(stage.window())), 0) << width;
+  }
+}
+
+/// How much wider than the scene the part stands: over 1 where something of it is cut off.
+double width_share(Stage& stage, const Vec3& right_mm) {
+  const auto [near, far] = stage.line_of_sight(0, 0);
+  const double px_per_mm = 1 / (stage.line_of_sight(1, 0).first - near).norm();
+  return 2 * right_mm.norm() * px_per_mm / stage.layout().scene.width;
+}
+
+TEST(Stage, FitsAViewThatNobodyHasChangedToANewSize) {
+  const VirtualScreen screen;
+  const ViewInput input = torus_rub(1);
+  Stage stage(input, 1000, 400, false, false);
+  stage.look(*named_look("top"));
+  const Vec3 torus_mm(70, 0, 0);
+  EXPECT_LT(width_share(stage, torus_mm), 1);
+  stage.resize(400, 700);
+  EXPECT_LT(width_share(stage, torus_mm), 1);
+  EXPECT_GT(width_share(stage, torus_mm), 0.8) << "and fills it";
+  stage.zoom(3);
+  const double scale = stage.scene()->GetActiveCamera()->GetParallelScale();
+  stage.resize(500, 700);
+  EXPECT_EQ(stage.scene()->GetActiveCamera()->GetParallelScale(), scale) << "as it was asked for";
 }
 
 TEST(Readings, OfASmallSceneAreBriefAndNeedNoLegend) {

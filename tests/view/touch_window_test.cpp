@@ -170,6 +170,63 @@ TEST(TouchWindow, ItsRunningChartsZoomMoveAlongAndTellValues) {
   EXPECT_EQ(touch.reports.back().press_n, 1) << "the wheel was not the force's";
 }
 
+/// A touch of which two seconds go by whenever somebody asks for the newest tick.
+struct HastyTouch {
+  double now_s = 0;
+  TickRecord row_at(double t_s) const {
+    TickRecord row;
+    row.t_s = t_s;
+    row.p_WQ = Vec3(0.01 * std::sin(t_s), 0, 0.1);
+    return row;
+  }
+  TouchWindowInput input() {
+    TouchWindowInput input;
+    input.view = torus_rub(0.0);
+    input.view.rows.clear();
+    input.set_target = [](const FingerSample&) {};
+    input.latest = [this] { return row_at(now_s += 2); };
+    input.recent = [this](double seconds) {
+      std::vector<TickRecord> rows;
+      for (double t_s = now_s - seconds; t_s <= now_s; t_s += 0.01) rows.push_back(row_at(t_s));
+      return rows;
+    };
+    return input;
+  }
+};
+
+TEST(TouchWindow, ChartsThatAreZoomedIntoAreHeldHoweverOldTheyGet) {
+  const VirtualScreen screen;
+  const Layout layout = layout_for(600, 400, true, false);
+  const int x = static_cast<int>(layout.charts.left + 0.7 * layout.charts.width);
+  const int y = static_cast<int>(layout.charts.bottom + 0.17 * layout.charts.height);
+  HastyTouch touch;
+  const TouchWindowInput input = touch.input();
+  WindowOptions options;
+  options.width = 600;
+  options.height = 400;
+  std::vector<WindowReport> held, after;
+  bool asked = false;
+  double zoomed_at_s = 0;
+  options.events = {{0.5, Kind::wheel_up, "", x, y}, {0.5, Kind::wheel_up, "", x, y}};
+  options.events.push_back({2.5, Kind::key, "r"});
+  options.events.push_back({3.0, Kind::key, "q"});
+  options.on_frame = [&](const WindowReport& report) {
+    const double span_s = report.chart_to - report.chart_from;
+    if (!asked && span_s > 0 && span_s < 3.5 && report.since_open_s >= 0.5) {
+      asked = true;
+      zoomed_at_s = touch.now_s;
+    }
+    if (asked) (report.since_open_s < 2.5 ? held : after).push_back(report);
+  };
+  run_touch_window(input, options);
+  ASSERT_TRUE(asked);
+  ASSERT_FALSE(held.empty() || after.empty());
+  ASSERT_GT(held.back().t_s - zoomed_at_s, 4) << "longer than the charts are";
+  EXPECT_EQ(held.back().chart_from, held.front().chart_from);
+  EXPECT_EQ(held.back().chart_to, held.front().chart_to);
+  EXPECT_GT(after.back().chart_to, held.back().chart_to) << "let go, they run on";
+}
+
 TEST(TouchTarget, ArrowKeysKeepTheFingerOnTheSurface) {
   const ViewInput view = torus_rub(0.0);
   TouchTarget target(view.world, *view.scene, 0.002, FingerSample{});

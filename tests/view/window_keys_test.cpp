@@ -2,10 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <set>
+#include <utility>
+#include <variant>
 
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 #include "view/key_table.hpp"
+#include "view/overlay.hpp"
 
 namespace fingerpad::window_keys_test {
 namespace {
@@ -32,6 +35,26 @@ TEST(KeyTable, TheHelpPageAndTheKeysAreItsRows) {
   EXPECT_THAT(lines, testing::Contains("hold left button: press on the part"));
   EXPECT_THAT(lines, testing::Not(testing::Contains(testing::HasSubstr("emergency"))));
   for (const KeyRow& row : key_table()) EXPECT_FALSE(row.does.empty());
+}
+
+TEST(HelpPage, IsReadWholeInTheSmallestWindowOfATouch) {
+  ViewState state;
+  state.help = true;
+  OverlayFacts facts;
+  facts.help = help_lines(windows::touch | windows::motors);
+  for (const auto& [width, height] : {std::pair(1280, 800), std::pair(520, 340)}) {
+    const Layout layout = layout_for(width, height, true, false);
+    int lines = 0;
+    const Drawing page = overlay_drawing(facts, state, layout);
+    for (const Drawing::Mark& mark : page.marks()) {
+      const auto* const text = std::get_if<Drawing::Text>(&mark);
+      if (text == nullptr) continue;
+      ++lines;
+      EXPECT_THAT(text->words, testing::Not(testing::EndsWith("..."))) << width;
+      EXPECT_TRUE(layout.window.holds(text->at.x(), text->at.y())) << text->words;
+    }
+    EXPECT_GT(lines, 2 * static_cast<int>(facts.help.size()));
+  }
 }
 
 TEST(KeyTable, StandsInTheReadme) {
