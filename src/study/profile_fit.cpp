@@ -49,15 +49,22 @@ void add_intervals(const std::vector<int>& subject_of, const FitSettings& settin
     for (std::size_t k = 0; k < values.size(); ++k)
       if (values[k].refusal.empty()) spreads[k].add(values[k].value);
   }
+  const std::vector<LeftOut> left_out = left_out_times(subject_of, settings.blocks);
+  std::array<LeftOutSpread, pad_number_keys.size()> without;
+  for (const LeftOut& one : left_out) {
+    const PadValues values = pad_numbers(fit.evidence, one.times, point);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (values[k].refusal.empty()) without[k].add(one, values[k].value);
+  }
   const auto subjects = static_cast<double>(fit.subjects);
   const auto unsure = moved_by_sampling(fit, point);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     constexpr double most_missing = 0.05;
     if (!fit.values[k].refusal.empty() || spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
-    const double drawn =
-        settings.blocks == Blocks::subjects
-            ? interval_reach(spreads[k], subjects, 1)
-            : interval_reach(spreads[k], static_cast<double>(fit.values[k].trials), subjects);
+    const double drawn = settings.blocks == Blocks::subjects
+                             ? interval_reach(spreads[k], without[k].deviation(left_out.size()), subjects, 1)
+                             : interval_reach(spreads[k], without[k].deviation(left_out.size()),
+                                              static_cast<double>(fit.values[k].trials), subjects);
     const double reach = drawn + unsure[k];
     if (drawn > 0) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
   }

@@ -35,7 +35,7 @@ Tallies tally(int sets, const test::KnownFinger& finger) {
     const auto truth = test::known_numbers(finger, fit.mu_load_n);
     ++tallies.sets;
     tallies.misfits += fit.residual.misfit.empty() ? 0 : 1;
-    const auto& delay = measurement.delay.interval_s;
+    const auto& delay = measurement.delays.front().estimate.interval_s;
     tallies.delays_held +=
         delay && delay->first <= sensors.delay_s && sensors.delay_s <= delay->second ? 1 : 0;
     for (std::size_t k = 0; k < numbers; ++k) {
