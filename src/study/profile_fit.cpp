@@ -15,7 +15,8 @@ namespace {
 constexpr int bootstrap_draws = 400;
 
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
-/// lie a twentieth of a sample later than in its middle.
+/// lie a twentieth of a sample later than in its middle; ends of slip that pass for stick bend a spring by a
+/// thousandth.
 std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit, const FitPoint& point) {
   constexpr double unsure = 0.1, later = 0.05, earlier = 0.5, beside = 0.025;
   std::vector<TrialEvidence> noisier = fit.evidence;
@@ -30,6 +31,9 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
     if (fit.values[k].refusal.empty() && values[k].refusal.empty())
       moved[k] = std::abs(values[k].value - fit.values[k].value);
   }
+  constexpr double bends = 1e-3;
+  for (const PadNumber share : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share})
+    moved[static_cast<std::size_t>(share)] += bends;
   if (point.vibration) {
     const double step_hz =
         point.vibration->rate_hz / static_cast<double>(vibration_window(point.vibration->rate_hz));
