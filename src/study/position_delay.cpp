@@ -145,7 +145,7 @@ std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::
 }
 
 /// Third where it leaves much less of q: where it is only free, ends of stick bend it, and the delay with it.
-SpringOrder order_of(const std::vector<DelaySums>& trials) {
+SpringOrder spring_order_of(const std::vector<DelaySums>& trials) {
   constexpr double much_less = 0.5;
   const std::vector<int> once(trials.size(), 1);
   double all = 0;
@@ -196,7 +196,7 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
     }
     step_s = trial.step_s;
   }
-  const SpringOrder order = order_of(trials);
+  const SpringOrder order = spring_order_of(trials);
   const auto lag = best_lag(trials, std::vector<int>(trials.size(), 1), order);
   if (estimate.samples < fewest || !lag) {
     estimate.refusal = estimate.samples < fewest ? "too little stick in which force follows position"
