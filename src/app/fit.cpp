@@ -11,6 +11,7 @@
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "base/output_place.hpp"
+#include "study/measurement_doubts.hpp"
 #include "study/measurement_reader.hpp"
 #include "study/profile_text.hpp"
 #include "trace/output_file.hpp"
@@ -58,10 +59,11 @@ int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
   std::optional<OutputFolder> report_folder;
   if (!options.report.empty()) report_folder.emplace(options.report);
-  RecordedMeasurement recorded =
-      read_measurements(options.measurements, measurement_format(options.reading), options.reading.reader);
+  const MeasurementFormat format = measurement_format(options.reading);
+  RecordedMeasurement recorded = read_measurements(options.measurements, format, options.reading.reader);
   for (const std::string& note : recorded.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : recorded.warnings) print_err("fingerpad: warning: {}\n", warning);
+  refuse_doubtful(recorded, format);
   const Measurement measurement = clean(std::move(recorded), cleaning_settings(options.cleaning));
   for (const std::string& name : measurement.untouched)
     print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);

@@ -79,8 +79,18 @@ std::optional<SixAxisSensor> sensor_of(const ReadingOptions& options) {
                       fmt::format("its length is {}, that of a unit quaternion is 1", turn.norm()));
     sensor.rotation_WS = turn.normalized().toRotationMatrix();
   }
-  sensor.plate_height_m = options.plate_height_m;
+  sensor.plate_height_m = options.plate_height_m.value_or(0);
   return sensor;
+}
+
+/// Torque tells the contact point of a six-axis sensor, and nothing else.
+void refuse_unread_torque(const ReadingOptions& options) {
+  if (!options.sensor_at.empty() || !options.sensor_turned.empty()) return;
+  const char* unread = !options.torque_unit.empty() ? "--torque-unit"
+                       : options.plate_height_m     ? "--plate-height"
+                                                    : nullptr;
+  if (unread != nullptr)
+    throw fit_usage(unread, "is read with --sensor-at (or --sensor-turned) alone, of a six-axis sensor");
 }
 
 void add_units(CLI::App& command, ReadingOptions& options) {
@@ -95,10 +105,10 @@ void add_units(CLI::App& command, ReadingOptions& options) {
       ->default_str("s, or the layout's own");
   command.add_option("--force-unit", options.force_unit, "Of forces")
       ->check(CLI::IsMember(names_of(force_units)))
-      ->capture_default_str();
+      ->default_str("N");
   command.add_option("--torque-unit", options.torque_unit, "Of torques")
       ->check(CLI::IsMember(names_of(torque_units)))
-      ->capture_default_str();
+      ->default_str("N.m");
   command.add_option("--separator", options.separator, "Between cells; found where it is left out")
       ->check(CLI::IsMember(names_of(separators)));
   command.add_option("--decimal", options.decimal, "Mark of numbers")
@@ -149,7 +159,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command
       .add_option("--plate-height", options.plate_height_m,
                   "Of the plate along its normal, with --sensor-at [m]")
-      ->capture_default_str();
+      ->default_str("0");
 }
 
 void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
@@ -193,8 +203,11 @@ MeasurementFormat measurement_format(const ReadingOptions& options) {
                     fmt::format("is read with a --reader that has positions in a file of their own{}",
                                 options.reader.empty() ? "" : ", which '" + options.reader + "' has not"));
   format.positions_path = options.positions;
-  format.newtons_per_unit = factor_of(force_units, options.force_unit);
-  format.newton_metres_per_unit = factor_of(torque_units, options.torque_unit);
+  format.says_force_unit = !options.force_unit.empty();
+  if (format.says_force_unit) format.newtons_per_unit = factor_of(force_units, options.force_unit);
+  refuse_unread_torque(options);
+  if (!options.torque_unit.empty())
+    format.newton_metres_per_unit = factor_of(torque_units, options.torque_unit);
   if (!options.separator.empty())
     format.dialect.separator = static_cast<char>(factor_of(separators, options.separator));
   format.dialect.decimal = options.decimal.front();

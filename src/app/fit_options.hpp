@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,10 @@ namespace fingerpad {
 /// How `fit` is told to read its files, as on the command line.
 struct ReadingOptions {
   std::string positions;  ///< a table of positions with a clock of their own; empty: none
-  std::string reader, unit, time_unit, force_unit = "N", torque_unit = "N.m", separator, decimal = ".",
-                                       force_on = "finger";
+  std::string reader, unit, time_unit, force_unit, torque_unit, separator, decimal = ".", force_on = "finger";
   std::vector<std::string> columns;                       ///< KEY=NAME
   std::vector<double> markers, sensor_at, sensor_turned;  ///< none: not given
-  double plate_height_m = 0;
+  std::optional<double> plate_height_m;
 };
 
 /// How it is told to make them clean and to draw its intervals.

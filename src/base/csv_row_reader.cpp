@@ -57,6 +57,12 @@ double number_in(const Row& row, const Wanted& column, char decimal, bool takes_
   }
   const std::string_view cell = row.cells[column.cell];
   if (takes_gaps && is_gap(cell)) return std::numeric_limits<double>::quiet_NaN();
+  if (is_gap(cell))
+    throw refused(
+        row.lines.place(),
+        fmt::format("holds nothing in column '{}' ('{}'), and what lay there is not guessed: leave such "
+                    "rows out, or fill them",
+                    printable(column.name, 60), printable(cell, 40)));
   const auto value = csv_number(cell, decimal);
   if (!value) {
     const char other = decimal == '.' ? ',' : '.';

@@ -8,6 +8,7 @@
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
 #include "motion/farthest.hpp"
+#include "motion/pressed_force.hpp"
 
 namespace fingerpad {
 namespace {
@@ -110,10 +111,14 @@ Recording read_table(const std::string& path, const RecordingFormat& format, cha
   return recording;
 }
 
-void check_times(const Recording& recording, const std::vector<double>& t_s) {
+void check_times(const Recording& recording, const RecordingFormat& format, const std::vector<double>& t_s) {
   for (std::size_t i = 1; i < t_s.size(); ++i) {
     if (t_s[i] > t_s[i - 1]) continue;
-    throw recording.fault(i, fmt::format("time {} s does not come after {} s", t_s[i], t_s[i - 1]));
+    const char* mend =
+        format.trial && format.subject ? ""
+        : format.trial ? "; where subjects have trials of the same number, say 'subject' in [motion] too"
+                       : "; of a table of several trials say which one: 'trial' in [motion] (and 'subject')";
+    throw recording.fault(i, fmt::format("time {} s does not come after {} s{}", t_s[i], t_s[i - 1], mend));
   }
 }
 
@@ -157,8 +162,9 @@ void read_attitudes(const Recording& recording, Motion& motion) {
   }
 }
 
-void read_normal_forces(const Recording& recording, Motion& motion) {
+void read_normal_forces(const Recording& recording, const RecordingFormat& format, Motion& motion) {
   motion.normal_force_n = recording.columns[place_of_fn];
+  if (format.forces_on_surface) turn_to_finger(motion.normal_force_n);
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
     const std::string fault = force_fault(motion.normal_force_n[i]);
     if (!fault.empty()) throw recording.fault(i, fault);
@@ -199,17 +205,28 @@ std::string force_fault(double normal_force_n) {
   return fmt::format("the normal force is {} N; at most {} N are taken", normal_force_n, hardest_n);
 }
 
+void refuse_side_of_no_force(const std::string& path, const RecordingFormat& format) {
+  if (!format.forces_on_surface || format.reads_normal_force) return;
+  for (const std::size_t k : {place_of_fx, place_of_fx + 1, place_of_fx + 2, place_of_fn})
+    if (!format.headers[k].empty()) return;
+  throw refused(
+      path,
+      "force_on = \"plate\" says what a measured force acts on, and none is read of it: name fx, fy and "
+      "fz, or fn, in columns, or leave force_on out");
+}
+
 Motion read_motion_csv(const std::string& path, const RecordingFormat& format, char& separator) {
+  refuse_side_of_no_force(path, format);
   const Recording recording = read_table(path, format, separator);
   Motion motion;
   motion.t_s = recording.columns[0];
   for (double& t_s : motion.t_s) t_s *= format.seconds_per_unit;
-  check_times(recording, motion.t_s);
+  check_times(recording, format, motion.t_s);
   motion.p_WQ = format.metres_per_unit * recording.points(place_of_x);
   check_samples(recording, motion);
   read_directions(recording, motion);
   read_attitudes(recording, motion);
-  if (format.reads_normal_force) read_normal_forces(recording, motion);
+  if (format.reads_normal_force) read_normal_forces(recording, format, motion);
   read_forces(recording, format, motion);
   return motion;
 }

@@ -27,6 +27,8 @@ struct Motion {
 std::string sample_fault(double t_s, const Vec3& p_W);
 /// Why a finger cannot press with such a normal force; empty where it can.
 std::string force_fault(double normal_force_n);
+/// Throws Error (refused) where a format says on what a force acts (forces_on_surface) and names none.
+void refuse_side_of_no_force(const std::string& path, const RecordingFormat& format);
 
 /// Reads a motion table: a header line naming t_s,x_m,y_m,z_m and optionally dx,dy,dz and qw,qx,qy,qz, or the
 /// names that `format` gives them, in any order; other columns are passed over, so a trace written as CSV is

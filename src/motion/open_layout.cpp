@@ -11,6 +11,8 @@
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
 #include "motion/joined_clocks.hpp"
+#include "motion/motion.hpp"
+#include "motion/pressed_force.hpp"
 
 namespace fingerpad {
 namespace {
@@ -103,29 +105,16 @@ void take_positions(const std::vector<std::string_view>& keys, const Eigen::Matr
     motion.p_WQ.row(keys[k].front() - 'x') = metres * values.row(static_cast<Eigen::Index>(k));
 }
 
-/// The median of the forces of samples that press one way or the other: beyond a quarter of what 99 % of all
-/// stay within, so that neither a spike nor a finger in the air decides.
-double pressed_median_n(const Eigen::RowVectorXd& force_n) {
-  std::vector<double> sizes(force_n.begin(), force_n.end());
-  for (double& size : sizes) size = std::abs(size);
-  std::sort(sizes.begin(), sizes.end());
-  const double least_n = 0.25 * sizes[(sizes.size() - 1) * 99 / 100];
-  std::vector<double> pressed;
-  for (const double one_n : force_n)
-    if (std::abs(one_n) >= least_n) pressed.push_back(one_n);
-  const auto middle = pressed.begin() + static_cast<std::ptrdiff_t>(pressed.size() / 2);
-  std::nth_element(pressed.begin(), middle, pressed.end());
-  return *middle;
-}
-
 void take_forces(const std::string& path, const RecordingFormat& format,
                  const std::vector<std::string_view>& keys, const Eigen::MatrixXd& values, Motion& motion) {
+  refuse_side_of_no_force(path, format);
   const double sign = format.forces_on_surface ? -1 : 1;
   std::size_t components = 0;
   for (std::size_t k = 0; k < keys.size(); ++k) {
     const auto row = values.row(static_cast<Eigen::Index>(k));
     if (keys[k] == "fn") {
       motion.normal_force_n.assign(row.begin(), row.end());
+      if (format.forces_on_surface) turn_to_finger(motion.normal_force_n);
       continue;
     }
     if (components++ == 0) motion.force_W_n.resize(3, values.cols());
@@ -134,7 +123,7 @@ void take_forces(const std::string& path, const RecordingFormat& format,
   if (components != 0 && components != 3)
     throw refused(path, "a force needs all of fx, fy and fz; name them in columns, or none of them");
   if (components == 3) {
-    const auto normal = motion.force_W_n.row(2);
+    const std::vector<double> normal(motion.force_W_n.row(2).begin(), motion.force_W_n.row(2).end());
     const double usual_n = pressed_median_n(normal);
     if (usual_n < 0)
       throw refused(path,
@@ -143,7 +132,7 @@ void take_forces(const std::string& path, const RecordingFormat& format,
                                 "have fz above 0; say force_on = \"plate\" (--force-on plate) if it "
                                 "is the load on the surface",
                                 usual_n));
-    if (motion.normal_force_n.empty()) motion.normal_force_n.assign(normal.begin(), normal.end());
+    if (motion.normal_force_n.empty()) motion.normal_force_n = normal;
   }
 }
 

@@ -36,14 +36,49 @@ std::vector<int> drawn_times(const std::vector<int>& subject_of, Blocks blocks, 
   return times;
 }
 
-double interval_reach(const DrawSpread& spread, double blocks, double groups) {
+std::vector<LeftOut> left_out_times(const std::vector<int>& subject_of, Blocks blocks) {
+  constexpr std::size_t most_parts = 100;
+  std::map<int, std::vector<std::size_t>> subjects;
+  for (std::size_t i = 0; i < subject_of.size(); ++i) subjects[subject_of[i]].push_back(i);
+  const std::vector<int> once(subject_of.size(), 1);
+  std::vector<LeftOut> found;
+  for (const auto& [subject, own] : subjects) {
+    const bool is_whole = blocks == Blocks::subjects;
+    const std::size_t parts = is_whole ? 1 : std::min(most_parts, own.size());
+    for (std::size_t part = 0; part < parts; ++part) {
+      found.push_back(
+          {once, is_whole ? 0 : subject, static_cast<double>(is_whole ? subjects.size() : parts)});
+      for (std::size_t k = part; k < own.size(); k += parts) found.back().times[own[k]] = 0;
+    }
+  }
+  return found;
+}
+
+void LeftOutSpread::add(const LeftOut& left_out, double value) {
+  Group& group = groups_[left_out.group];
+  group.values.add(value);
+  group.parts = left_out.parts;
+  ++added_;
+}
+
+std::optional<double> LeftOutSpread::deviation(std::size_t wanted) const {
+  if (added_ < wanted) return std::nullopt;
+  double variance = 0;
+  for (const auto& [name, group] : groups_)
+    variance += (group.parts - 1) / group.parts * group.values.squares;
+  return std::sqrt(variance);
+}
+
+double interval_reach(const DrawSpread& spread, std::optional<double> left_out, double blocks,
+                      double groups) {
   constexpr double least_freedom = 2;
   const double freedom = blocks - groups;
   // Blocks do not weigh alike, so that fewer of them tell the spread: half.
   const double telling = std::max(least_freedom, blocks / 2 - groups);
   if (freedom < least_freedom || spread.count < 2) return 0;
   const double t = telling < 3 ? 4.303 : student_t(telling);
-  return t * std::sqrt(blocks / freedom) * std::sqrt(spread.squares / (spread.count - 1));
+  return t * std::max(std::sqrt(blocks / freedom) * std::sqrt(spread.squares / (spread.count - 1)),
+                      left_out.value_or(0));
 }
 
 }  // namespace fingerpad

@@ -2,21 +2,16 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
-#include "base/tangent_frame.hpp"
 #include "motion/low_pass.hpp"
+#include "study/file_delays.hpp"
 #include "study/force_tare.hpp"
 #include "study/mains_hum.hpp"
 #include "study/measurement.hpp"
-#include "study/position_delay.hpp"
-#include "touch/skin_motion.hpp"
+#include "study/pad_axes.hpp"
 
 namespace fingerpad {
 namespace {
-
-constexpr double least_normal_force_n = 0.05;  // below it a sensor's offset is most of the ratio
-constexpr std::size_t fewest_samples = 16;
 
 /// Samples of gaps that are too long to be filled become missing.
 void limit_fills(RecordedTrial& trial, double longest_s, TrialCleaning& cleaning) {
@@ -42,82 +37,6 @@ void low_pass(RecordedTrial& trial, double cutoff_hz) {
       points->row(axis) = filter.filtered(row);
     }
   }
-}
-
-/// The samples with contact, in the pad's axes.
-MeasuredTrial in_pad_axes(const RecordedTrial& trial) {
-  MeasuredTrial measured;
-  measured.subject = trial.subject;
-  measured.name = trial_name(trial);
-  measured.rate_hz = trial.rate_hz;
-  measured.has_direction = trial.has_direction();
-  if (measured.has_direction)
-    measured.inclination_deg = inclination_rad(trial.direction_W, trial.normal_W) * 180 / std::numbers::pi;
-  const Mat3 frame = tangent_frame(trial.normal_W, trial.direction_W);
-  bool follows = false;
-  for (Eigen::Index i = 0; i < trial.samples(); ++i) {
-    const Vec3 force = frame.transpose() * trial.force_W.col(i),
-               place = frame.transpose() * trial.position_W.col(i);
-    if (trial.origin[static_cast<std::size_t>(i)] == SampleOrigin::missing ||
-        !(force.z() > least_normal_force_n)) {
-      follows = false;
-      continue;
-    }
-    measured.t_s.push_back(trial.start_s + static_cast<double>(i) / trial.rate_hz);
-    measured.position_m.emplace_back(place.head<2>());
-    measured.height_m.push_back(place.z());
-    measured.normal_force_n.push_back(force.z());
-    measured.force_ratio.emplace_back(force.head<2>() / force.z());
-    measured.starts_anew.push_back(!follows);
-    follows = true;
-  }
-  return measured;
-}
-
-/// Estimates the delay, moves the positions by it, and does so once more: stick is told better then.
-void settle_delay(std::vector<RecordedTrial>& trials, const CleaningSettings& settings,
-                  Measurement& measurement) {
-  constexpr int passes = 2;
-  double moved_s = settings.delay_s.value_or(0);
-  if (settings.delay_s)
-    for (RecordedTrial& trial : trials) shift_positions(trial, moved_s);
-  for (int pass = 0; pass < passes; ++pass) {
-    std::vector<DelaySums> sums;
-    for (const RecordedTrial& trial : trials) {
-      const MeasuredTrial measured = in_pad_axes(trial);
-      if (measured.position_m.size() >= fewest_samples)
-        sums.push_back(delay_sums(measured, stick_segments(measured)));
-    }
-    DelayEstimate estimate = estimate_delay(sums, 1);
-    const double step_s = estimate.delay_s;
-    estimate.delay_s += moved_s;
-    if (estimate.interval_s) {
-      estimate.interval_s->first += moved_s;
-      estimate.interval_s->second += moved_s;
-    }
-    // What the first pass found was taken out, whether or not the second finds more.
-    if (pass == 0 || estimate.refusal.empty()) measurement.delay = estimate;
-    if (!settings.takes_delay || settings.delay_s || !estimate.refusal.empty()) return;
-    for (RecordedTrial& trial : trials) shift_positions(trial, step_s);
-    moved_s += step_s;
-  }
-}
-
-std::string delay_text(const DelayEstimate& delay, const CleaningSettings& settings) {
-  std::string told =
-      delay.refusal.empty()
-          ? fmt::format("force lags position by {:.3f} ms", 1e3 * delay.delay_s)
-          : fmt::format("the delay of force behind position cannot be told: {}", delay.refusal);
-  if (delay.refusal.empty() && delay.interval_s)
-    told += fmt::format(" (95 %: {:.3f} .. {:.3f} ms, {} samples of stick)", 1e3 * delay.interval_s->first,
-                        1e3 * delay.interval_s->second, delay.samples);
-  if (settings.delay_s)
-    return fmt::format("delay: {:.3f} ms as given was taken out; {}", 1e3 * *settings.delay_s, told);
-  const bool is_out = settings.takes_delay && delay.refusal.empty();
-  return fmt::format("delay: {}{}", told,
-                     is_out                 ? "; taken out"
-                     : settings.takes_delay ? ""
-                                            : "; left in (off)");
 }
 
 /// What was done, in order.
@@ -149,7 +68,7 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
                                                      static_cast<std::size_t>(tared) < trials
                                                          ? "; the others have no moment without contact"
                                                          : ""));
-  steps.push_back(delay_text(measurement.delay, settings));
+  steps.push_back(delay_text(measurement.delays, settings));
   steps.push_back(settings.smoothing_hz > 0
                       ? fmt::format("low pass: Butterworth, 2nd order, forth and back, {:.6g} Hz halved",
                                     settings.smoothing_hz)
@@ -173,13 +92,13 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
     if (settings.takes_tare) take_tare(trial, cleaning);
     measurement.cleanings.push_back(cleaning);
   }
-  settle_delay(recorded.trials, settings, measurement);
+  measurement.delays = settle_delays(recorded.trials, settings);
   measurement.knows_delay = settings.delay_s || !settings.takes_delay;
   for (RecordedTrial& trial : recorded.trials) {
     if (settings.smoothing_hz > 0) low_pass(trial, settings.smoothing_hz);
     MeasuredTrial measured = in_pad_axes(trial);
     trial = RecordedTrial();
-    if (measured.position_m.size() < fewest_samples) {
+    if (measured.position_m.size() < fewest_touching_samples) {
       measurement.untouched.push_back(measured.name);
     } else {
       measurement.trials.push_back(std::move(measured));

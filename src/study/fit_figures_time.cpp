@@ -8,6 +8,7 @@
 
 #include "base/spectrum.hpp"
 #include "study/fit_figures.hpp"
+#include "study/phase_stretch.hpp"
 
 namespace fingerpad {
 namespace {
@@ -25,14 +26,9 @@ std::vector<TrialSpan> slip_spans(const FitPictureSource& source) {
   std::vector<TrialSpan> spans;
   for (std::size_t k = 0; k < source.stick.segments.size(); ++k) {
     const StickSegments& segments = source.stick.segments[k];
-    const std::size_t samples = segments.phase.size();
-    for (std::size_t from = 0, to = 0; from < samples; from = to) {
-      to = from + 1;
-      if (segments.phase[from] != PadPhase::slip) continue;
-      while (to < samples && segments.phase[to] == PadPhase::slip && !segments.begins_run[to]) ++to;
-      const auto half = static_cast<std::size_t>(segments.half_window);
-      if (to - from > 2 * half + 32) spans.push_back({k, from + half, to - half});
-    }
+    const auto half = static_cast<std::size_t>(segments.half_window);
+    for (const PhaseStretch& s : phase_stretches(segments, PadPhase::slip))
+      if (s.to - s.from > 2 * half + 32) spans.push_back({k, s.from + half, s.to - half});
   }
   std::stable_sort(spans.begin(), spans.end(),
                    [](const TrialSpan& one, const TrialSpan& other) { return one.size() > other.size(); });

@@ -52,11 +52,13 @@ void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& se
     const PhaseStretch s = inner_stretch(whole, segments);
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       const SpringSums& sums = evidence.spring[static_cast<std::size_t>(axis)];
-      const double both =
-          evidence.spring[0](spring_ratio, spring_ratio) + evidence.spring[1](spring_ratio, spring_ratio);
-      if (!(sums(spring_ratio, spring_ratio) > 0.01 * both) || !(sums(spring_position, spring_ratio) > 0))
+      const double both = evidence.spring[0](spring_straight, spring_straight) +
+                          evidence.spring[1](spring_straight, spring_straight);
+      if (!(sums(spring_straight, spring_straight) > 0.01 * both) ||
+          !(sums(spring_position, spring_straight) > 0))
         continue;
-      const double stiffness = sums(spring_ratio, spring_ratio) / sums(spring_position, spring_ratio);
+      const double stiffness =
+          sums(spring_straight, spring_straight) / sums(spring_position, spring_straight);
       const auto left = group_means(
           s, size, [&](std::size_t i) { return ratio[i][axis] + stiffness * trial.position_m[i][axis]; });
       const auto force = group_means(s, size, [&](std::size_t i) { return ratio[i][axis]; });

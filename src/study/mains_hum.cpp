@@ -5,6 +5,7 @@
 #include <cmath>
 #include <complex>
 #include <numbers>
+#include <unsupported/Eigen/FFT>
 #include <vector>
 
 #include "study/sample_noise.hpp"
@@ -28,6 +29,12 @@ Points without_slow(const RecordedTrial& trial, double mains_hz) {
   }
   return rest;
 }
+
+/// Powers of all axes together, at first_hz, first_hz + step_hz, and so on.
+struct HumScan {
+  double first_hz = 0, step_hz = 0;
+  std::vector<double> power;
+};
 
 /// The forces' windowed transform at one frequency, scaled so that a sine of amplitude 1 gives 1. Samples
 /// that stand out, as those of ruptures, do not count.
@@ -68,11 +75,51 @@ class HannLine {
     return sums;
   }
 
+  HumScan scan(double first_hz, double width_hz) const;
+
  private:
+  std::vector<std::complex<double>> block_sums(Eigen::Index axis, double at_hz, Eigen::Index block) const;
+
   double rate_hz_;
   Points rest_, weighted_;
   Vec3 sums_ = Vec3::Zero();
 };
+
+/// Sums over blocks of samples, turned back by a frequency: what is near it moves slowly in them.
+std::vector<std::complex<double>> HannLine::block_sums(Eigen::Index axis, double at_hz,
+                                                       Eigen::Index block) const {
+  const std::complex<double> turn = std::polar(1.0, -2 * std::numbers::pi * at_hz / rate_hz_);
+  std::complex<double> phase = 1;
+  std::vector<std::complex<double>> sums(static_cast<std::size_t>((weighted_.cols() - 1) / block + 1));
+  for (Eigen::Index i = 0; i < weighted_.cols(); ++i) {
+    sums[static_cast<std::size_t>(i / block)] += weighted_(axis, i) * phase;
+    phase *= turn;
+    if (i % 1024 == 0) phase /= std::abs(phase);
+  }
+  return sums;
+}
+
+/// The powers of at() over a band, by one transform of block sums: n log n, where asking for each frequency
+/// grows with the square of the duration. Blocks of 20 ms take 0.1 % off a line at 0.8 Hz from the first. At
+/// least two frequencies for each that the window parts.
+HumScan HannLine::scan(double first_hz, double width_hz) const {
+  constexpr double block_s = 0.02;
+  const Eigen::Index block = std::max<Eigen::Index>(1, static_cast<Eigen::Index>(block_s * rate_hz_));
+  std::size_t length = 2;
+  while (static_cast<Eigen::Index>(length) * block < 2 * weighted_.cols()) length *= 2;
+  HumScan found{first_hz, rate_hz_ / static_cast<double>(static_cast<Eigen::Index>(length) * block), {}};
+  found.power.assign(std::min(length, static_cast<std::size_t>(width_hz / found.step_hz) + 1), 0.0);
+  Eigen::FFT<double> fft;
+  std::vector<std::complex<double>> transform;
+  for (Eigen::Index axis = 0; axis < 3; ++axis) {
+    std::vector<std::complex<double>> sums = block_sums(axis, first_hz, block);
+    sums.resize(length);
+    fft.fwd(transform, sums);
+    for (std::size_t k = 0; k < found.power.size(); ++k)
+      found.power[k] += std::norm(transform[k] * 2.0 / sums_[axis]);
+  }
+  return found;
+}
 
 double power(const Phasors& phasors) {
   double sum = 0;
@@ -81,17 +128,15 @@ double power(const Phasors& phasors) {
 }
 
 /// The frequency near `nominal_hz` at which the forces have most power.
-double strongest_hz(const HannLine& line, double nominal_hz, double resolution_hz) {
+double strongest_hz(const HannLine& line, double nominal_hz) {
   constexpr double reach_hz = 0.4;  // grids keep closer
-  const double step_hz = 0.5 * resolution_hz;
-  double best_hz = nominal_hz, best = -1;
-  for (double hz = nominal_hz - reach_hz; hz <= nominal_hz + reach_hz; hz += step_hz) {
-    const double here = power(line.at(hz));
-    if (here > best) best = here, best_hz = hz;
-  }
-  const double left = power(line.at(best_hz - step_hz)), right = power(line.at(best_hz + step_hz));
+  const HumScan scan = line.scan(nominal_hz - reach_hz, 2 * reach_hz);
+  const auto k = std::max_element(scan.power.begin(), scan.power.end()) - scan.power.begin();
+  const double hz = scan.first_hz + static_cast<double>(k) * scan.step_hz;
+  const double best = power(line.at(hz)), left = power(line.at(hz - scan.step_hz)),
+               right = power(line.at(hz + scan.step_hz));
   const double bend = left - 2 * best + right;
-  return bend < 0 ? best_hz + std::clamp(0.5 * (left - right) / bend, -1.0, 1.0) * step_hz : best_hz;
+  return bend < 0 ? hz + std::clamp(0.5 * (left - right) / bend, -1.0, 1.0) * scan.step_hz : hz;
 }
 
 /// Mean power of the axes around a line, beyond what the window smears of it.
@@ -131,7 +176,7 @@ MainsHum remove_mains_hum(RecordedTrial& trial, Mains mains) {
     for (int pass = 0; pass < passes; ++pass) {
       const HannLine line(trial, nominal_hz);
       if (line.is_empty()) return found;
-      if (pass == 0) hz = strongest_hz(line, nominal_hz, resolution_hz);
+      if (pass == 0) hz = strongest_hz(line, nominal_hz);
       const Phasors hum = line.at(hz);
       const std::array<double, 3> around =
           pass == 0 ? power_around(line, hz, resolution_hz) : std::array<double, 3>{};

@@ -51,12 +51,18 @@ struct DelayEstimate {
   std::string refusal;                                  ///< empty: the estimate holds
 };
 
+/// The delay of a file, or of several that do not tell theirs one by one.
+struct FileDelay {
+  std::vector<std::string> files;
+  DelayEstimate estimate;  ///< whether or not it was taken out
+};
+
 /// Measurements of one or several subjects, ready for a fit.
 struct Measurement {
   std::vector<MeasuredTrial> trials;       ///< with contact, by file and in the file's order
   std::vector<TrialCleaning> cleanings;    ///< of every trial that was read, in that order
   bool knows_delay = false;                ///< it was given, or left in: the fit looks for no rest of it
-  DelayEstimate delay;                     ///< as it was estimated, whether or not it was taken out
+  std::vector<FileDelay> delays;           ///< by file, those taken together last
   std::vector<std::string> untouched;      ///< names of trials whose finger never presses
   std::vector<std::string> without_force;  ///< as RecordedMeasurement
   std::vector<std::string> steps;          ///< what was done to the samples, in order, for people

@@ -46,6 +46,7 @@ struct MeasurementFormat {
   CsvDialect dialect = {found_separator, '.'};
   std::string positions_path;  ///< of a layout that has positions in a file of their own; else empty
   bool says_unit = false, says_time_unit = false;  ///< else a published layout's own units hold
+  bool says_force_unit = false;
   bool force_on_plate = false;        ///< forces are those on the plate: the finger's, turned round
   std::optional<TwoMarkers> markers;  ///< positions and direction come from them
   std::optional<SixAxisSensor> sensor;

@@ -33,6 +33,10 @@ bool is_measured_hdf5(const std::string& path) {
 }
 
 void read_measured_hdf5(const std::string& path, const MeasurementFormat& format, RecordedMeasurement& into) {
+  const CsvDialect plain = MeasurementFormat{}.dialect;
+  if (format.dialect.separator != plain.separator || format.dialect.decimal != plain.decimal)
+    throw refused(
+        path, "--separator and --decimal say how a table of text is read, and this is HDF5: leave them out");
   std::vector<std::string> names;
   for (std::size_t k = 0; k < measurement_columns.size(); ++k) names.emplace_back(header_of(format, k));
   Hdf5Columns file = read_hdf5_columns(path, names);

@@ -18,10 +18,10 @@ std::optional<double> own_number(const TrialEvidence& trial, PadNumber number) {
   };
   const auto stiffness = [&](std::size_t axis) -> std::optional<double> {
     const SpringSums &sums = trial.spring[axis], &other = trial.spring[1 - axis];
-    if (!(sums(spring_ratio, spring_ratio) > 0.1 * other(spring_ratio, spring_ratio)) ||
+    if (!(sums(spring_straight, spring_straight) > 0.1 * other(spring_straight, spring_straight)) ||
         trial.stick_samples < 20)
       return std::nullopt;
-    return sums(spring_ratio, spring_ratio) / sums(spring_position, spring_ratio);
+    return sums(spring_straight, spring_straight) / sums(spring_position, spring_straight);
   };
   switch (number) {
     case PadNumber::mu_static:

@@ -48,10 +48,11 @@ PadValue plain_stiffness(const std::vector<TrialEvidence>& trials, const std::ve
   PadValue found;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const SpringSums both = trials[i].spring[0] + trials[i].spring[1];
-    if (times[i] == 0 || trials[i].stick_samples == 0 || !(both(spring_ratio, spring_ratio) > 0)) continue;
+    if (times[i] == 0 || trials[i].stick_samples == 0 || !(both(spring_straight, spring_straight) > 0))
+      continue;
     auto& [reach, spread] = subjects[trials[i].subject];
-    reach += times[i] * both(spring_position, spring_ratio);
-    spread += times[i] * both(spring_ratio, spring_ratio);
+    reach += times[i] * both(spring_position, spring_straight);
+    spread += times[i] * both(spring_straight, spring_straight);
     found.samples += times[i] * trials[i].stick_samples;
     found.trials += times[i];
   }
@@ -82,11 +83,24 @@ PadValue& value_of(PadValues& values, PadNumber number) {
   return values[static_cast<std::size_t>(number)];
 }
 
-void add_axis(const SpringFit& fit, const AxisNumbers& numbers, PadValues& found) {
+/// The spring as it was fitted about a bend, at an end that may be another.
+struct FittedSpring {
+  double reach = 0;        ///< over A, at the end
+  double cubic_share = 0;  ///< from what the reach is short of that of the first slope
+};
+
+FittedSpring fitted_spring(const SpringBend& bend, double share_left, double mu_static) {
+  const Vec2 end = bend.at(mu_static), begin = bend.at(0);
+  const double secant = end[0] + share_left * end[1], slope = begin[0] + share_left * begin[1];
+  return {mu_static * secant, 1 - secant / slope};
+}
+
+void add_axis(const SpringFit& fit, const SpringBend& bend, const AxisNumbers& numbers, PadValues& found) {
   const PadValue& mu_static = value_of(found, PadNumber::mu_static);
   const bool has_limit = mu_static.refusal.empty();
-  const double mu = has_limit ? mu_static.value : assumed_mu_static, bend = fit.cubic * mu * mu;
-  const double axis_m = has_limit ? fit.compliance45_m * mu * (1 + bend) : fit.straight45_m * mu;
+  const double mu = has_limit ? mu_static.value : assumed_mu_static;
+  const FittedSpring spring = fitted_spring(bend, fit.share_left, mu);
+  const double axis_m = has_limit ? fit.compliance45_m * spring.reach : fit.straight45_m * mu;
   const std::string no_limit = "no rupture from stick was found: where the spring ends is not known";
   const std::string shape_refusal = has_limit ? fit.shape_refusal : no_limit,
                     loop_refusal = has_limit ? fit.hysteresis_refusal : no_limit;
@@ -94,7 +108,7 @@ void add_axis(const SpringFit& fit, const AxisNumbers& numbers, PadValues& found
   value_of(found, numbers.slope) = of_axis(fit, fit.slope_per_deg, fit.slope_refusal);
   value_of(found, numbers.stiffness) = of_axis(fit, mu / axis_m, fit.axis_refusal);
   value_of(found, numbers.linearity) = of_axis(fit, fit.linearity, fit.shape_refusal);
-  value_of(found, numbers.cubic_share) = of_axis(fit, -bend, shape_refusal);
+  value_of(found, numbers.cubic_share) = of_axis(fit, spring.cubic_share, shape_refusal);
   value_of(found, numbers.hysteresis_area) = of_axis(fit, 4 * fit.hysteresis_m * mu, loop_refusal);
 }
 
@@ -172,6 +186,18 @@ PadValue load_exponent(const std::vector<TrialEvidence>& trials, const std::vect
   return found;
 }
 
+/// The spring that was found, for the next pass. The law's shares begin at 0.
+void take_bends(const PadValues& found, EvidencePoint& next) {
+  constexpr double most_bent = 0.9;
+  const PadValue& mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)];
+  if (!mu_static.refusal.empty()) return;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const PadValue& share = found[static_cast<std::size_t>(axis_numbers[axis].cubic_share)];
+    next.bend[axis].mu_static = mu_static.value;
+    if (share.refusal.empty()) next.bend[axis].cubic_share = std::clamp(share.value, 0.0, most_bent);
+  }
+}
+
 }  // namespace
 
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
@@ -185,7 +211,9 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
   at(PadNumber::mu_load_exponent) = load_exponent(trials, times, point.evidence.load.exponent);
   at(PadNumber::v_min) = subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s,
                                        &TrialEvidence::stops, 10, "no slip that ends in stick was found");
-  for (int axis = 0; axis < 2; ++axis) add_axis(fit_spring(trials, times, axis), axis_numbers[axis], found);
+  for (int axis = 0; axis < 2; ++axis)
+    add_axis(fit_spring(trials, times, axis), point.evidence.bend[static_cast<std::size_t>(axis)],
+             axis_numbers[axis], found);
   const bool has_direction =
       std::any_of(trials.begin(), trials.end(), [](const TrialEvidence& t) { return t.has_direction; });
   if (!has_direction) at(PadNumber::stick_stiffness) = plain_stiffness(trials, times);
@@ -216,6 +244,7 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   if (press.refusal.empty()) next.evidence.press_exponent = std::clamp(press.exponent, 0.1, 2.0);
   const VibrationPeak peak = vibration_peak(slip_density(trials, once));
   next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
+  take_bends(pad_numbers(trials, once, point), next.evidence);
   return next;
 }
 

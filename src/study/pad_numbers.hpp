@@ -77,19 +77,19 @@ struct FitPoint {
 /// subjects' own. mu_static is the mean of |q| at ruptures, mu_dynamic of q in slip, both at the load of
 /// `point`; mu_load_exponent is that of mu(n) = mu (n/load)^exponent in slip; v_min the mean of the speeds at
 /// ends of slip.
-/// Axes: a trial at angle alpha gives A of x = A (r + beta r^3), and a = A mu_s (1 + beta mu_s^2), where the
-/// spring reaches mu_s. Each subject's line a(alpha) gives its own a45, by which its points are normalised
-/// (figs. 5, 6); the slope s is that of the weighted least squares line a/a45 = 1 - s (alpha - 45) over all
-/// subjects, the weights of a subject's trials (by what they moved) adding up to 1. Where there is one angle
-/// only, slopes are refused and axes given if it is within 10 degrees of 45. Where mu_static is refused, the
-/// axes hold at 0.3, a profile's default, and the spring is taken for straight: their quotient is what is
-/// measured. stick_stiffness is mu_s/a45, k_f across the finger, longitudinal_stiffness along it; without
-/// directions stick_stiffness is the mean over those that were pushed. cubic_share is c of the finger-pad
-/// law's third-order spring, -beta mu_s^2; hysteresis_area that of the loop of force ratio over displacement,
-/// pushed to the limit both ways, 4 h mu_s (too small where the loop turns slowly: of one that turns within a
-/// tenth of the reach some 70 %); linearity the share of the displacement's variance that a straight line
-/// explains. Vibration: see vibration_peak. normal_stiffness is dn/d(depth) at 1 N of n ~
-/// depth^normal_exponent. What is not finite, or not above 0 where it must be, is refused.
+/// Axes: a trial at angle alpha gives A of x = A g(r) (SpringBend), and a = A mu_s, where the spring ends.
+/// Each subject's line a(alpha) gives its own a45, by which its points are normalised (figs. 5, 6); the slope
+/// s is that of the weighted least squares line a/a45 = 1 - s (alpha - 45) over all subjects, the weights of
+/// a subject's trials (by what they moved) adding up to 1. Where there is one angle only, slopes are refused
+/// and axes given if it is within 10 degrees of 45. Where mu_static is refused, the axes hold at 0.3, a
+/// profile's default, and the spring is taken for straight: their quotient is what is measured.
+/// stick_stiffness is mu_s/a45, k_f across the finger, longitudinal_stiffness along it; without directions
+/// stick_stiffness is the mean over those that were pushed. cubic_share is c of the finger-pad law's
+/// third-order spring; hysteresis_area that of the loop of force ratio over displacement, pushed to the limit
+/// both ways, 4 h mu_s (too small where the loop turns slowly: of one that turns within a tenth of the reach
+/// some 70 %); linearity the share of the displacement's variance that a straight line explains. Vibration:
+/// see vibration_peak. normal_stiffness is dn/d(depth) at 1 N of n ~ depth^normal_exponent. What is not
+/// finite, or not above 0 where it must be, is refused.
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                       const FitPoint& point);
 

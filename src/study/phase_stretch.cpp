@@ -22,11 +22,11 @@ std::vector<PhaseStretch> phase_stretches(const StickSegments& segments, PadPhas
 }
 
 PhaseStretch inner_stretch(PhaseStretch stretch, const StickSegments& segments) {
-  const auto half = static_cast<std::size_t>(segments.half_window);
+  const auto reach = static_cast<std::size_t>(segments.half_window + (segments.half_window + 1) / 2);
   const std::size_t samples = segments.phase.size();
-  if (!segments.begins_run[stretch.from]) stretch.from += half;
+  if (!segments.begins_run[stretch.from]) stretch.from += reach;
   const bool ends_run = stretch.to >= samples || segments.begins_run[stretch.to];
-  if (!ends_run) stretch.to = stretch.to > half ? stretch.to - half : 0;
+  if (!ends_run) stretch.to = stretch.to > reach ? stretch.to - reach : 0;
   stretch.to = std::max(stretch.to, stretch.from);
   return stretch;
 }

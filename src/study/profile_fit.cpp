@@ -15,7 +15,8 @@ namespace {
 constexpr int bootstrap_draws = 400;
 
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
-/// lie a twentieth of a sample later than in its middle.
+/// lie a twentieth of a sample later than in its middle; ends of slip that pass for stick bend a spring by a
+/// thousandth.
 std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit, const FitPoint& point) {
   constexpr double unsure = 0.1, later = 0.05, earlier = 0.5, beside = 0.025;
   std::vector<TrialEvidence> noisier = fit.evidence;
@@ -30,6 +31,9 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
     if (fit.values[k].refusal.empty() && values[k].refusal.empty())
       moved[k] = std::abs(values[k].value - fit.values[k].value);
   }
+  constexpr double bends = 1e-3;
+  for (const PadNumber share : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share})
+    moved[static_cast<std::size_t>(share)] += bends;
   if (point.vibration) {
     const double step_hz =
         point.vibration->rate_hz / static_cast<double>(vibration_window(point.vibration->rate_hz));
@@ -49,15 +53,22 @@ void add_intervals(const std::vector<int>& subject_of, const FitSettings& settin
     for (std::size_t k = 0; k < values.size(); ++k)
       if (values[k].refusal.empty()) spreads[k].add(values[k].value);
   }
+  const std::vector<LeftOut> left_out = left_out_times(subject_of, settings.blocks);
+  std::array<LeftOutSpread, pad_number_keys.size()> without;
+  for (const LeftOut& one : left_out) {
+    const PadValues values = pad_numbers(fit.evidence, one.times, point);
+    for (std::size_t k = 0; k < values.size(); ++k)
+      if (values[k].refusal.empty()) without[k].add(one, values[k].value);
+  }
   const auto subjects = static_cast<double>(fit.subjects);
   const auto unsure = moved_by_sampling(fit, point);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     constexpr double most_missing = 0.05;
     if (!fit.values[k].refusal.empty() || spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
-    const double drawn =
-        settings.blocks == Blocks::subjects
-            ? interval_reach(spreads[k], subjects, 1)
-            : interval_reach(spreads[k], static_cast<double>(fit.values[k].trials), subjects);
+    const double drawn = settings.blocks == Blocks::subjects
+                             ? interval_reach(spreads[k], without[k].deviation(left_out.size()), subjects, 1)
+                             : interval_reach(spreads[k], without[k].deviation(left_out.size()),
+                                              static_cast<double>(fit.values[k].trials), subjects);
     const double reach = drawn + unsure[k];
     if (drawn > 0) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
   }

@@ -38,10 +38,10 @@ struct FitSettings {
 ///
 /// Interval: a block bootstrap, the trials of each subject drawn with replacement (so it holds for these
 /// subjects, not for those who were not measured; with Blocks::subjects whole subjects are drawn); the
-/// estimate -+ Student's t times the spread of the draws (interval_reach), and as far as the number moves
-/// where what the sampling leaves unknown is a little otherwise: the sensors' noise a tenth more than was
-/// taken off, ruptures a twentieth of a sample later, ends of slip half a sample earlier, the peak of
-/// vibration a fortieth of the spectrum's step beside. The same seed gives the same intervals.
+/// estimate -+ Student's t times the spread of the draws, or of the jackknife (interval_reach), and as far as
+/// the number moves where what the sampling leaves unknown is a little otherwise: the sensors' noise a tenth
+/// more than was taken off, ruptures a twentieth of a sample later, ends of slip half a sample earlier, the
+/// peak of vibration a fortieth of the spectrum's step beside. The same seed gives the same intervals.
 ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings);
 
 }  // namespace fingerpad

@@ -11,9 +11,9 @@ namespace {
 
 constexpr double least_angle_span_deg = 10;
 
-/// The terms that all trials share: beta of r |r|^2, h of v/|v|, d of v.
+/// The terms that all trials share: e of dg/dc, h of v/|v|, d of v.
 struct SpringShape {
-  double cubic = 0, hysteresis_m = 0, delay_s = 0;
+  double share_left = 0, hysteresis_m = 0, delay_s = 0;
 };
 
 /// A trial that pushed along the axis.
@@ -28,7 +28,7 @@ struct PushedTrial {
 
 /// A of a trial, the shape being known.
 double compliance_of(const SpringSums& m, const SpringShape& shape) {
-  const double b = shape.cubic, h = shape.hysteresis_m, d = shape.delay_s;
+  const double b = shape.share_left, h = shape.hysteresis_m, d = shape.delay_s;
   const auto with_spring = [&](SpringTerm term) { return m(term, spring_ratio) + b * m(term, spring_cubic); };
   const double pull =
       with_spring(spring_position) - h * with_spring(spring_direction) - d * with_spring(spring_speed);
@@ -110,8 +110,8 @@ SpringSums pooled_sums(const std::vector<PushedTrial>& trials) {
   SpringSums pooled = SpringSums::Zero();
   for (const PushedTrial& trial : trials) {
     if (!(trial.on_line_m > 0)) continue;
-    Eigen::Matrix<double, 5, 1> scale;
-    scale << 1 / trial.on_line_m, 1, 1, 1 / trial.on_line_m, 1 / trial.on_line_m;
+    Eigen::Matrix<double, 6, 1> scale;
+    scale << 1 / trial.on_line_m, 1, 1, 1 / trial.on_line_m, 1 / trial.on_line_m, 1;
     const SpringSums scaled = scale.asDiagonal() * *trial.sums * scale.asDiagonal();
     pooled += trial.weight / (*trial.sums)(spring_ratio, spring_ratio) * scaled;
   }
@@ -119,7 +119,7 @@ SpringSums pooled_sums(const std::vector<PushedTrial>& trials) {
 }
 
 /// Regression of the position on the other terms; those that say nothing beside the ones before them are 0.
-Eigen::Matrix<double, 5, 1> regression(const SpringSums& m) {
+Eigen::Matrix<double, 6, 1> regression(const SpringSums& m) {
   constexpr double least_own = 1e-3;  // of a term's spread, that the terms before it do not have
   std::vector<Eigen::Index> used;
   Eigen::VectorXd solved;
@@ -139,7 +139,7 @@ Eigen::Matrix<double, 5, 1> regression(const SpringSums& m) {
     used = tried;
     solved = a.ldlt().solve(b);
   }
-  Eigen::Matrix<double, 5, 1> found = Eigen::Matrix<double, 5, 1>::Zero();
+  Eigen::Matrix<double, 6, 1> found = Eigen::Matrix<double, 6, 1>::Zero();
   for (std::size_t i = 0; i < used.size(); ++i) found[used[i]] = solved[static_cast<Eigen::Index>(i)];
   return found;
 }
@@ -162,10 +162,10 @@ double linearity(const std::vector<PushedTrial>& trials, double delay_s) {
   double all = 0, explained = 0;
   for (const PushedTrial& trial : trials) {
     const SpringSums& m = *trial.sums;
-    const double xr = m(spring_position, spring_ratio) - delay_s * m(spring_speed, spring_ratio),
+    const double xr = m(spring_position, spring_straight) - delay_s * m(spring_speed, spring_straight),
                  xx = m(spring_position, spring_position) - 2 * delay_s * m(spring_position, spring_speed) +
                       delay_s * delay_s * m(spring_speed, spring_speed),
-                 rr = m(spring_ratio, spring_ratio);
+                 rr = m(spring_straight, spring_straight);
     const double weight = trial.weight / rr / (trial.compliance_m * trial.compliance_m);
     all += weight * xx;
     explained += weight * xr * xr / rr;
@@ -219,7 +219,7 @@ SpringFit fit_spring(const std::vector<TrialEvidence>& trials, const std::vector
     pooled = pooled_sums(pushed);
   }
   fit.compliance45_m = mean_at45_m(lines);
-  fit.cubic = shape.cubic;
+  fit.share_left = shape.share_left;
   fit.hysteresis_m = shape.hysteresis_m;
   fit.linearity = linearity(pushed, shape.delay_s);
   add_slope(pushed, lines, fit);

@@ -9,10 +9,10 @@ namespace fingerpad {
 
 /// One axis of the stick ellipse and its spring, over the finger's angle; see pad_numbers.
 struct SpringFit {
-  double compliance45_m = 0;  ///< A: mean over subjects of dx/dr at 45 deg and no force
+  double compliance45_m = 0;  ///< A: mean over subjects at 45 deg; A mu_s is the axis
   double straight45_m = 0;    ///< likewise of the straight line through all of stick
   double slope_per_deg = 0;
-  double cubic = 0;         ///< beta
+  double share_left = 0;    ///< e: what the cubic share is beyond that of the terms' bend
   double hysteresis_m = 0;  ///< h: half the width of the loop along the displacement
   double linearity = 0;     ///< share of the displacement's variance that a straight line explains
   long samples = 0, trials = 0;

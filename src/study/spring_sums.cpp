@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "friction/stick_spring.hpp"
 #include "study/phase_stretch.hpp"
 #include "study/sample_noise.hpp"
 
 namespace fingerpad {
 namespace {
 
-using Terms = Eigen::Matrix<double, 5, 1>;
+using Terms = Eigen::Matrix<double, 6, 1>;
+using Bends = std::array<SpringBend, 2>;
 
 constexpr std::size_t fewest_groups = 3;
 
@@ -69,7 +71,7 @@ class MotionDirection {
 /// Means over a group of samples, per axis the terms of the spring.
 std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments& segments,
                                  const std::vector<Vec2>& ratio, const MotionDirection& direction,
-                                 std::size_t from, std::size_t to) {
+                                 const Bends& bends, std::size_t from, std::size_t to) {
   Vec2 x(0, 0), r(0, 0), v(0, 0);
   const auto count = static_cast<double>(to - from);
   for (std::size_t i = from; i < to; ++i) {
@@ -79,42 +81,57 @@ std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments
   }
   const Vec2 along = direction.at((from + to) / 2);
   std::array<Terms, 2> terms;
-  for (Eigen::Index axis = 0; axis < 2; ++axis)
-    terms[static_cast<std::size_t>(axis)] << x[axis], r[axis], r[axis] * r.squaredNorm(), along[axis],
-        v[axis];
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const auto k = static_cast<std::size_t>(axis);
+    const Vec2 spring = r[axis] * bends[k].at(r.norm());
+    terms[k] << x[axis], spring[0], spring[1], along[axis], v[axis], r[axis];
+  }
   return terms;
 }
 
-/// What the groups' means keep of the noise: of r, and of r |r|^2 to first order in it.
+/// How the terms of the spring along an axis change with the ratio, along it (first column) and across.
+Eigen::Matrix2d spring_slopes(const SpringBend& bend, const Vec2& own_and_other) {
+  const double step = 1e-4 * bend.mu_static;
+  const auto terms = [&bend](const Vec2& r) -> Vec2 { return r[0] * bend.at(r.norm()); };
+  Eigen::Matrix2d slopes;
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    const Vec2 aside = step * Vec2::Unit(k);
+    slopes.col(k) = (terms(own_and_other + aside) - terms(own_and_other - aside)) / (2 * step);
+  }
+  return slopes;
+}
+
+/// What the groups' means keep of the noise, to first order in it.
 SpringSums noise_sums(const std::vector<std::array<Terms, 2>>& groups, std::size_t axis,
-                      const SpringNoise& noise, std::size_t size) {
+                      const SpringNoise& noise, const SpringBend& bend, std::size_t size) {
   SpringSums sums = SpringSums::Zero();
   const auto count = static_cast<double>(groups.size());
   const double share = (1 - 1 / count) / static_cast<double>(size);
   const auto own = static_cast<Eigen::Index>(axis);
-  const double own2 = noise.ratio2[own], other2 = noise.ratio2[1 - own];
+  const Vec2 ratio2(noise.ratio2[own], noise.ratio2[1 - own]);
   sums(spring_position, spring_position) += count * share * noise.position_m2[own];
-  sums(spring_ratio, spring_ratio) += count * share * own2;
+  sums(spring_straight, spring_straight) += count * share * ratio2[0];
   for (const auto& terms : groups) {
-    const double r = terms[axis][spring_ratio], other = terms[1 - axis][spring_ratio];
-    const double by_own = 3 * r * r + other * other, by_other = 2 * r * other;
-    sums(spring_ratio, spring_cubic) += share * by_own * own2;
-    sums(spring_cubic, spring_ratio) += share * by_own * own2;
-    sums(spring_cubic, spring_cubic) += share * (by_own * by_own * own2 + by_other * by_other * other2);
+    const Eigen::Matrix2d slopes =
+        spring_slopes(bend, {terms[axis][spring_straight], terms[1 - axis][spring_straight]});
+    sums.block<2, 2>(spring_ratio, spring_ratio) += share * slopes * ratio2.asDiagonal() * slopes.transpose();
+    const Vec2 with_straight = share * ratio2[0] * slopes.col(0);
+    sums.block<2, 1>(spring_ratio, spring_straight) += with_straight;
+    sums.block<1, 2>(spring_straight, spring_ratio) += with_straight.transpose();
   }
   return sums;
 }
 
 /// Adds a stretch's groups: their products about their means, without what noise makes of them.
-void add_groups(const std::vector<std::array<Terms, 2>>& groups, const SpringNoise& noise, std::size_t size,
-                TrialEvidence& evidence) {
+void add_groups(const std::vector<std::array<Terms, 2>>& groups, const SpringNoise& noise, const Bends& bends,
+                std::size_t size, TrialEvidence& evidence) {
   const auto count = static_cast<double>(groups.size()), weight = static_cast<double>(size);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     Terms mean = Terms::Zero();
     for (const auto& terms : groups) mean += terms[axis] / count;
     SpringSums sums = SpringSums::Zero();
     for (const auto& terms : groups) sums += (terms[axis] - mean) * (terms[axis] - mean).transpose();
-    const SpringSums noisy = noise_sums(groups, axis, noise, size);
+    const SpringSums noisy = noise_sums(groups, axis, noise, bends[axis], size);
     evidence.spring[axis] += weight * (sums - noisy);
     evidence.spring_noise[axis] += weight * noisy;
   }
@@ -123,8 +140,15 @@ void add_groups(const std::vector<std::array<Terms, 2>>& groups, const SpringNoi
 
 }  // namespace
 
+Vec2 SpringBend::at(double ratio) const noexcept {
+  const double c = cubic_share, share = ratio / mu_static;
+  if (c == 0 || !(share > 1e-6)) return {1 / (1 - c), (1 - share * share) / (1 - c) / (1 - c)};
+  const double rho = cubic_spring_rho(share, c);
+  return Vec2(rho, (rho - rho * rho * rho) / (1 - c + 3 * c * rho * rho)) / share;
+}
+
 void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
-                     const std::vector<Vec2>& ratio, bool knows_delay, TrialEvidence& evidence) {
+                     const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence) {
   constexpr double group_s = 4e-3;
   const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(group_s * trial.rate_hz)));
   std::vector<PhaseStretch> stretches;
@@ -139,10 +163,10 @@ void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
     const std::size_t size = std::max<std::size_t>(1, std::min(wanted, (s.to - s.from) / fewest_groups));
     groups.clear();
     for (std::size_t from = s.from; from + size <= s.to; from += size) {
-      groups.push_back(group_terms(trial, segments, ratio, direction, from, from + size));
-      if (knows_delay) groups.back()[0][spring_speed] = groups.back()[1][spring_speed] = 0;
+      groups.push_back(group_terms(trial, segments, ratio, direction, about.bend, from, from + size));
+      if (about.knows_delay) groups.back()[0][spring_speed] = groups.back()[1][spring_speed] = 0;
     }
-    add_groups(groups, noise, size, evidence);
+    add_groups(groups, noise, about.bend, size, evidence);
   }
 }
 
@@ -152,8 +176,8 @@ double stiffness_along(const TrialEvidence& evidence, const Vec2& forward) {
     const SpringSums& sums = evidence.spring[static_cast<std::size_t>(axis)];
     const double share = forward[axis] * forward[axis];
     if (share < 0.01) continue;
-    if (!(sums(spring_ratio, spring_ratio) > 0)) return 0;
-    compliance_m += share * sums(spring_position, spring_ratio) / sums(spring_ratio, spring_ratio);
+    if (!(sums(spring_straight, spring_straight) > 0)) return 0;
+    compliance_m += share * sums(spring_position, spring_straight) / sums(spring_straight, spring_straight);
   }
   return compliance_m > 0 ? 1 / compliance_m : 0;
 }

@@ -3,26 +3,18 @@
 #include <cmath>
 #include <limits>
 
+#include "study/phase_stretch.hpp"
+
 namespace fingerpad {
 namespace {
 
 constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
 constexpr std::size_t fewest_drawn = 8;  // of a stretch that is drawn
 
-/// A stretch of stick, [from, to), that neither a gap nor a rupture parts.
-struct DrawnStretch {
-  std::size_t from, to;
-};
-
-std::vector<DrawnStretch> drawn_stretches(const StickSegments& segments) {
-  std::vector<DrawnStretch> found;
-  const std::size_t samples = segments.phase.size();
-  for (std::size_t from = 0, to = 0; from < samples; from = to) {
-    to = from + 1;
-    if (segments.phase[from] != PadPhase::stick) continue;
-    while (to < samples && segments.phase[to] == PadPhase::stick && !segments.begins_run[to]) ++to;
-    if (to - from >= fewest_drawn) found.push_back({from, to});
-  }
+/// The stretches of stick that are long enough to be drawn.
+std::vector<PhaseStretch> drawn_stretches(const StickSegments& segments) {
+  std::vector<PhaseStretch> found = phase_stretches(segments, PadPhase::stick);
+  std::erase_if(found, [](const PhaseStretch& s) { return s.to - s.from < fewest_drawn; });
   return found;
 }
 
@@ -42,7 +34,7 @@ Vec2 compliance_m(const ProfileFit& fit, const Vec2& own_axes_m, double inclinat
   return Vec2::Constant(std::isfinite(stiffness) ? 1 / stiffness : 0);
 }
 
-StickPath path_of(const Measurement& measurement, std::size_t k, const DrawnStretch& stretch,
+StickPath path_of(const Measurement& measurement, std::size_t k, const PhaseStretch& stretch,
                   const Vec2& compliance) {
   const MeasuredTrial& trial = measurement.trials[k];
   StickPath path{k, {}, {}};
@@ -59,10 +51,10 @@ StickPath path_of(const Measurement& measurement, std::size_t k, const DrawnStre
 
 /// Regression of displacement on force ratio over all stretches of a trial, along each axis.
 TrialAxes axes_of(const Measurement& measurement, std::size_t k, const StickSegments& segments,
-                  const std::vector<DrawnStretch>& stretches, double mu_static) {
+                  const std::vector<PhaseStretch>& stretches, double mu_static) {
   const MeasuredTrial& trial = measurement.trials[k];
   Vec2 spread(0, 0), pull(0, 0);
-  for (const DrawnStretch& s : stretches) {
+  for (const PhaseStretch& s : stretches) {
     Vec2 mean_x(0, 0), mean_q(0, 0);
     const auto count = static_cast<double>(s.to - s.from);
     for (std::size_t i = s.from; i < s.to; ++i) {
@@ -120,7 +112,7 @@ Vec2 subject_axes_m(const Measurement& measurement, const ProfileFit& fit, const
 
 StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit) {
   StickPicture picture;
-  std::vector<std::vector<DrawnStretch>> stretches;
+  std::vector<std::vector<PhaseStretch>> stretches;
   for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
     picture.segments.push_back(stick_segments(measurement.trials[k]));
     stretches.push_back(drawn_stretches(picture.segments.back()));
@@ -132,7 +124,7 @@ StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit
     const Vec2 compliance =
         compliance_m(fit, subject_axes_m(measurement, fit, picture.axes, trial.subject, angle_deg(trial)),
                      angle_deg(trial));
-    for (const DrawnStretch& stretch : stretches[k])
+    for (const PhaseStretch& stretch : stretches[k])
       picture.paths.push_back(path_of(measurement, k, stretch, compliance));
   }
   return picture;

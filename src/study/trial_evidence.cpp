@@ -55,7 +55,7 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
   evidence.inclination_deg = trial.inclination_deg;
   evidence.rate_hz = trial.rate_hz;
   const std::vector<Vec2> ratio = ratio_at_load(trial, about.load);
-  add_spring_sums(trial, segments, ratio, about.knows_delay, evidence);
+  add_spring_sums(trial, segments, ratio, about, evidence);
   add_rupture_sums(trial, segments, ratio, evidence);
   add_slip_sums(trial, segments, ratio, about.load.load_n, evidence);
   add_stop_sums(trial, segments, ratio, evidence);

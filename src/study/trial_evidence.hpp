@@ -14,16 +14,26 @@ struct LoadLaw {
 };
 
 /// What stick says of one axis' spring, as sums over products about each stretch's means; see SpringTerm.
-using SpringSums = Eigen::Matrix<double, 5, 5>;
+using SpringSums = Eigen::Matrix<double, 6, 6>;
 /// Rows and columns of SpringSums, for the displacement along one axis
-///   x = A (r + beta r |r|^2) + h v/|v| + d v,   r = -q:
-/// the position, r, r |r|^2, v/|v| and v along the axis.
+///   x = A (g(r) + e dg/dc(r)) + h v/|v| + d v,   r = -q:
+/// the position, g of SpringBend, what g changes with the cubic share, v/|v|, v and r along the axis.
 enum SpringTerm : Eigen::Index {
   spring_position,
   spring_ratio,
   spring_cubic,
   spring_direction,
-  spring_speed
+  spring_speed,
+  spring_straight
+};
+
+/// How the finger-pad law's third-order spring gives way to a force ratio r, mu_s being its end:
+///   |r| = mu_s rho (1 - c + c rho^2),   g = mu_s rho r/|r|,   so that x = A g and the axis is A mu_s.
+struct SpringBend {
+  double mu_static = 0.3;  ///< > 0
+  double cubic_share = 0;  ///< c, 0 to 0.9
+  /// g, and its derivative by c, per unit of r.
+  Vec2 at(double ratio) const noexcept;
 };
 
 /// What one trial says about the pad, as sums: those of several trials add up, so that a bootstrap is quick.
@@ -61,7 +71,9 @@ std::size_t vibration_window(double rate_hz);
 struct EvidencePoint {
   LoadLaw load;
   double press_exponent = 0.5;  ///< w of depth ~ n^w
-  bool knows_delay = false;     ///< then no rest of it is looked for: it would take part of a loop
+  std::array<SpringBend, 2>
+      bend;                  ///< lateral, longitudinal: what is left of a share to find is small about it
+  bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
 };
 
 /// Gathers a trial's evidence.

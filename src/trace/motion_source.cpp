@@ -9,8 +9,10 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
+#include "motion/driving_share.hpp"
 #include "motion/field_format.hpp"
 #include "motion/placed_motion.hpp"
+#include "motion/pressed_force.hpp"
 #include "motion/recording.hpp"
 #include "scene/scene_reader.hpp"
 #include "touch/mesh_store.hpp"
@@ -268,14 +270,31 @@ LoadedMotion at_chosen_rate(const Scene& scene, LoadedMotion motion) {
   return motion;
 }
 
-void warn_of_no_force(Reading& reading) {
+void warn_of_odd_force(Reading& reading) {
   const std::vector<double>& forces_n = reading.motion.normal_force_n;
   if (forces_n.empty()) return;
   const double most_n = *std::max_element(forces_n.begin(), forces_n.end());
-  if (most_n > 0) return;
-  reading.warn(
-      "its measured normal force is never above 0, so that no friction acts: is its sign that of "
-      "the force on the sensor?");
+  if (!(most_n > 0))
+    reading.warn(
+        "its measured normal force is never above 0, so that no friction acts: is it that on the surface "
+        "(force_on = \"plate\")?");
+  constexpr double hardest_n = 40;
+  const double usual_n = pressed_median_n(forces_n);
+  if (usual_n > hardest_n)
+    reading.warn(
+        fmt::format("its measured normal force is {:.3g} N where it presses, harder than a finger rubs: "
+                    "forces are read as newtons",
+                    usual_n));
+}
+
+/// The residual would be that of a wrong sign.
+void warn_of_driving_force(Reading& reading) {
+  const Motion& motion = reading.motion;
+  if (motion.force_W_n.cols() == 0 || reading.clock.rate_hz == 0) return;
+  if (driving_share(motion.p_WQ, motion.force_W_n, reading.clock.rate_hz) > most_driving_share)
+    reading.warn(
+        "its measured force drives the finger along its way, and friction holds a finger back: is it that on "
+        "the surface (force_on = \"plate\")?");
 }
 
 }  // namespace
@@ -301,7 +320,8 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   if (settings.has_own_rate()) keep_last_sample(reading.motion, reading.clock);
   if (scene.hand && settings.has_own_rate()) refuse_hand_too_quick(*scene.hand, rate_hz, scene.path);
   if (settings.has_own_rate() || is_refined(settings)) warn_of_odd_steps(reading);
-  warn_of_no_force(reading);
+  warn_of_odd_force(reading);
+  warn_of_driving_force(reading);
   if (is_refined(settings)) refine(reading);
   if (!settings.placement.is_world()) {
     const MotionPose pose = pose_of(scene);

@@ -82,6 +82,19 @@ TEST_F(Fit, ReadsOtherColumnsAndUnits) {
   EXPECT_NEAR(number("one.toml"), number("two.toml"), 1e-9);
 }
 
+TEST_F(Fit, AsksWhereATableIsDoubtful) {
+  std::ofstream(folder / "turn.awk")
+      << "BEGIN { FS = OFS = \",\" } /^[0-9]/ { $5 = -$5; $6 = -$6 } { print }\n";
+  ASSERT_EQ(test::shell("awk -f turn.awk " + shipped.string() + " > turned.csv", folder).exit_code, 0);
+  const auto turned = fit("turned.csv --out none.toml");
+  EXPECT_EQ(turned.exit_code, 3);
+  EXPECT_THAT(turned.err, HasSubstr("turned.csv: its force drives the finger along its way"));
+  EXPECT_EQ(fit("turned.csv --out mended.toml --quiet --sensor-turned 0,0,0,1").exit_code, 0);
+  const auto unread = fit(shipped.string() + " --out none.toml --torque-unit N.mm");
+  EXPECT_EQ(unread.exit_code, 2);
+  EXPECT_THAT(unread.err, HasSubstr("--torque-unit: is read with --sensor-at"));
+}
+
 TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   std::ofstream(folder / "normal_only.csv")
       << "t_s,x_m,y_m,z_m,fz_n\n0,0,0,0,1\n0.001,0,0,0,1\n0.002,0,0,0,1\n";

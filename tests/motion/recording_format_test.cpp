@@ -71,6 +71,35 @@ TEST(RecordingFormat, AMeasuredForceIsReadWhereAllOfItIsNamed) {
   EXPECT_THAT(test::why_not([&] { read(table, format); }), HasSubstr("all of fx, fy and fz"));
 }
 
+TEST(RecordingFormat, ANormalForceOnThePlateIsTurnedRound) {
+  RecordingFormat format = laboratory();
+  format.dialect.decimal = '.';
+  format.forces_on_surface = true;
+  const std::string header = "Zeit,X,Y,Z,Fz\n";
+  EXPECT_THAT(read(header + "0,0,0,0,-1.5\n1,0,0,0,-2\n2,0,0,0,0.25\n", format).normal_force_n,
+              ElementsAre(1.5, 2, -0.25));
+  // One that is above 0 where it presses is that on the finger, whatever the other forces act on.
+  EXPECT_THAT(read(header + "0,0,0,0,1.5\n1,0,0,0,2\n", format).normal_force_n, ElementsAre(1.5, 2));
+}
+
+TEST(RecordingFormat, TheSideOfAForceIsRefusedWhereNoneIsRead) {
+  RecordingFormat format;
+  format.forces_on_surface = true;
+  EXPECT_THAT(test::why_not([&] { read("t_s,x_m,y_m,z_m\n0,0,0,0\n", format); }),
+              AllOf(HasSubstr("force_on"), HasSubstr("name fx, fy and fz, or fn, in columns")));
+}
+
+TEST(RecordingFormat, SaysWhatToDoAboutGapsAndSeveralTrials) {
+  EXPECT_THAT(test::why_not([] { read("t_s,x_m,y_m,z_m\n0,0,0,0\n1,,0,0\n", {}); }),
+              AllOf(HasSubstr("m.csv:3"), HasSubstr("holds nothing in column 'x_m'"),
+                    HasSubstr("leave such rows out")));
+  const std::string trials = "t_s,x_m,y_m,z_m,subject,trial\n0,0,0,0,1,1\n1,0,0,0,1,1\n0,0,0,0,2,1\n";
+  EXPECT_THAT(test::why_not([&] { read(trials, {}); }), HasSubstr("say which one: 'trial' in [motion]"));
+  RecordingFormat first;
+  first.trial = 1;
+  EXPECT_THAT(test::why_not([&] { read(trials, first); }), HasSubstr("say 'subject' in [motion] too"));
+}
+
 TEST(RecordingFormat, OneTrialOfATableIsReadByItself) {
   const std::string table =
       "t_s,x_m,y_m,z_m,subject,trial\n0,1,0,0,1,1\n1,2,0,0,1,1\n0,3,0,0,1,2\n1,4,0,0,1,2\n0,5,0,0,2,2\n";

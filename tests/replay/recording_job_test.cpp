@@ -114,6 +114,15 @@ TEST(RecordingJob, AMotionInAnotherUnitIsToldThatItNeverTouches) {
   EXPECT_THAT(run(folder, scene + "unit = \"mm\"\n").warnings, IsEmpty());
 }
 
+TEST(RecordingJob, AMotionInAnotherUnitIsToldThatItPressesTooDeep) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "m.csv") << "t_s,x_m,y_m,z_m\n0,-40,0,2\n1,40,10,-1\n";
+  const std::string scene = plane + std::string("[motion]\nfile = \"m.csv\"\nrate_hz = 100\n");
+  EXPECT_THAT(run(folder, scene).warnings, testing::Contains(AllOf(HasSubstr("mm deep, which no finger is"),
+                                                                   HasSubstr("check [motion] unit"))));
+  EXPECT_THAT(run(folder, scene + "unit = \"mm\"\n").warnings, IsEmpty());
+}
+
 TEST(NeverTouches, KnowsTheNearestOfAllSurfacesAndTheFingersRadius) {
   auto world = std::make_shared<World>(*test::world_of(test::box_soup({0.1, 0.06, 0.02})));
   world->surfaces[0].mesh = "box.stl";

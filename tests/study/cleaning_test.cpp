@@ -91,16 +91,84 @@ TEST(Cleaning, TakesMainsHumOutAndLeavesTheRest) {
   }
 }
 
+/// Over a minute frequencies lie 16 mHz apart, of which the peak's parabola tells a twentieth.
+TEST(Cleaning, FindsTheHumsFrequencyInALongTrial) {
+  RecordedTrial trial = test::known_measurement({{1, 45, 0, 0.06, 0.6, 60}}, {}, {}, 1).trials[0];
+  for (const double hum_hz : {49.62, 50.113}) {
+    RecordedTrial with = trial;
+    for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+      const double t_s = static_cast<double>(i) / trial.rate_hz;
+      with.force_W(1, i) += 0.02 * std::sin(2 * std::numbers::pi * hum_hz * t_s + 1);
+    }
+    const MainsHum hum = remove_mains_hum(with, Mains::hz_50);
+    EXPECT_NEAR(hum.frequency_hz, hum_hz, 1e-3);
+    EXPECT_NEAR(hum.amplitude_n, 0.02, 1e-3);
+  }
+}
+
 TEST(Cleaning, FindsTheDelayOfForceBehindPosition) {
   for (const double delay_s : {-0.0042, 0.0, 0.0127}) {
     test::KnownSensors sensors;
     sensors.delay_s = delay_s;
     const Measurement measurement = cleaned(sensors);
-    ASSERT_EQ(measurement.delay.refusal, "");
+    ASSERT_EQ(measurement.delays.front().estimate.refusal, "");
     // A third of a sample: it rests on some seconds of stick.
-    EXPECT_NEAR(measurement.delay.delay_s, delay_s, 3.5e-4);
+    EXPECT_NEAR(measurement.delays.front().estimate.delay_s, delay_s, 3.5e-4);
     EXPECT_THAT(measurement.steps, Contains(HasSubstr("taken out")));
   }
+}
+
+/// Trials as if of one file.
+RecordedMeasurement of_file(const std::string& name, const std::vector<test::KnownTrial>& trials,
+                            double delay_s, std::uint64_t seed) {
+  test::KnownSensors sensors;
+  sensors.delay_s = delay_s;
+  RecordedMeasurement recorded = test::known_measurement(trials, {}, sensors, seed);
+  for (RecordedTrial& trial : recorded.trials) trial.file = name;
+  return recorded;
+}
+
+RecordedMeasurement joined(const std::vector<RecordedMeasurement>& files) {
+  RecordedMeasurement all;
+  for (const RecordedMeasurement& file : files)
+    all.trials.insert(all.trials.end(), file.trials.begin(), file.trials.end());
+  return all;
+}
+
+TEST(Cleaning, EachFileHasADelayOfItsOwn) {
+  const Measurement measurement =
+      clean(joined({of_file("one.csv", rubs, 2e-3, 1), of_file("other.csv", rubs, 11.4e-3, 2)}), {});
+  ASSERT_EQ(measurement.delays.size(), 2u);
+  EXPECT_NEAR(measurement.delays[0].estimate.delay_s, 2e-3, 3.5e-4);  // a third of a sample, as above
+  EXPECT_NEAR(measurement.delays[1].estimate.delay_s, 11.4e-3, 3.5e-4);
+  EXPECT_THAT(measurement.steps,
+              Contains(testing::AllOf(HasSubstr("one.csv: force lags position by 2."),
+                                      HasSubstr("other.csv: force lags position by 11."))));
+}
+
+/// A tenth of a second of stick alone says nothing; that of several files does.
+TEST(Cleaning, FilesThatDoNotTellTheirDelayAreTakenTogether) {
+  std::vector<RecordedMeasurement> files;
+  for (std::uint64_t seed = 1; seed <= 6; ++seed)
+    files.push_back(of_file("short" + std::to_string(seed), {{1, 45, 0, 0.003, 4.0, 0.25}}, 5e-3, seed));
+  const Measurement measurement = clean(joined(files), {});
+  ASSERT_EQ(measurement.delays.size(), 1u);
+  EXPECT_EQ(measurement.delays[0].files.size(), 6u);
+  EXPECT_EQ(measurement.delays[0].estimate.refusal, "");
+  EXPECT_NEAR(measurement.delays[0].estimate.delay_s, 5e-3, 1e-3);
+  EXPECT_THAT(measurement.steps, Contains(HasSubstr("6 files together: force lags position")));
+}
+
+/// The bend of a cubic spring must not pass for a delay.
+TEST(Cleaning, ACubicSpringsDelayIsFoundToo) {
+  test::KnownFinger finger;
+  finger.cubic_share = 0.3;
+  test::KnownSensors sensors;
+  sensors.delay_s = 7.3e-3;
+  const Measurement measurement = clean(test::known_measurement(rubs, finger, sensors, 1), {});
+  // Its soft begin passes for slip, which leaves a millisecond or two; a straight spring would be three to
+  // four off.
+  EXPECT_NEAR(measurement.delays.front().estimate.delay_s, 7.3e-3, 2.5e-3);
 }
 
 TEST(Cleaning, LooksForADelayWithin50MillisecondsAtEachRate) {

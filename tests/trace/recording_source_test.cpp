@@ -150,6 +150,22 @@ TEST(RecordingSource, WarnsOfForcesThatNeverPress) {
               ElementsAre(HasSubstr("m.csv: its measured normal force is never above 0")));
 }
 
+TEST(RecordingSource, WarnsOfAForceThatDrivesTheFingerOrIsTooHard) {
+  const auto warnings = [](double fx_n, double fz_n) {
+    const Scene scene = scene_with(
+        "file = \"m.csv\"\nnormal_force = \"measured\"\n"
+        "columns = { fx = \"fx_n\", fy = \"fy_n\", fz = \"fz_n\", fn = \"fz_n\" }\n");
+    std::ofstream file(test::scratch_dir() / "m.csv");
+    file << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n";
+    for (int i = 0; i < 100; ++i) file << fmt::format("{},{},0,0,{},0,{}\n", 0.01 * i, 1e-4 * i, fx_n, fz_n);
+    file.close();
+    return load_motion(scene).warnings;
+  };
+  EXPECT_THAT(warnings(-0.3, 1), IsEmpty());
+  EXPECT_THAT(warnings(0.3, 1), ElementsAre(HasSubstr("drives the finger along its way")));
+  EXPECT_THAT(warnings(-30, 100), ElementsAre(HasSubstr("its measured normal force is 100 N")));
+}
+
 TEST(RecordingSource, AHandIsAskedWhetherItIsTooQuickForTheFilesOwnRate) {
   const Scene scene = scene_with(
       "file = \"m.csv\"\n[hand]\nmass_kg = 1e-6\nstiffness_n_per_m = 5e5\ndamping_n_s_per_m = 0\n");

@@ -1,0 +1,98 @@
+#include "study/measurement_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <span>
+#include <vector>
+
+#include "base/error.hpp"
+#include "motion/driving_share.hpp"
+#include "motion/pressed_force.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// The trials of one file.
+using FileTrials = std::span<const RecordedTrial>;
+
+double pressing_n(const RecordedTrial& trial) {
+  const Eigen::RowVectorXd along_n = trial.normal_W.transpose() * trial.force_W;
+  return pressed_median_n({along_n.data(), static_cast<std::size_t>(along_n.size())});
+}
+
+double extent_m(const RecordedTrial& trial) {
+  return (trial.position_W.rowwise().maxCoeff() - trial.position_W.rowwise().minCoeff()).maxCoeff();
+}
+
+/// The median over a file's trials.
+double usual(FileTrials trials, const std::function<double(const RecordedTrial&)>& of) {
+  std::vector<double> values;
+  for (const RecordedTrial& trial : trials) values.push_back(of(trial));
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+void ask_for_units(FileTrials trials, const MeasurementFormat& format) {
+  constexpr double hardest_n = 40, farthest_way_m = 1, slowest_hz = 20, fastest_hz = 200e3;
+  const std::string& file = trials.front().file;
+  const double rate_hz = usual(trials, [](const RecordedTrial& trial) { return trial.rate_hz; });
+  if (!format.says_time_unit && (rate_hz < slowest_hz || rate_hz > fastest_hz))
+    throw refused(
+        file, fmt::format("taken as seconds, its times give {:.3g} samples a second: say --time-unit ms (or "
+                          "us), or --time-unit s if they are seconds",
+                          rate_hz));
+  const double way_m = usual(trials, extent_m);
+  if (!format.says_unit && way_m > farthest_way_m)
+    throw refused(
+        file, fmt::format("taken as metres, its positions reach over {:.3g} m: say --unit mm (or cm, in), "
+                          "or --unit m if they are metres",
+                          way_m));
+  const double press_n = std::abs(usual(trials, pressing_n));
+  if (!format.says_force_unit && press_n > hardest_n)
+    throw refused(
+        file, fmt::format("taken as newtons, its normal force is {:.3g} N, harder than a finger rubs: say "
+                          "--force-unit mN (or gf), or --force-unit N if they are newtons",
+                          press_n));
+}
+
+void ask_for_signs(FileTrials trials, const MeasurementFormat& format) {
+  constexpr double surely_n = 0.15;  // a sensor's offset may be below 0 where nothing presses
+  const std::string& file = trials.front().file;
+  const double press_n = usual(trials, pressing_n);
+  if (press_n < -surely_n)
+    throw refused(
+        file, fmt::format(
+                  "its force is {:.3g} N along the plate's normal where it presses, and a plate pushes a "
+                  "finger away: say {} if it is the force on the {}, or give the normal (nx, ny, nz) or how "
+                  "the sensor stands (--sensor-turned)",
+                  press_n, format.force_on_plate ? "--force-on finger" : "--force-on plate",
+                  format.force_on_plate ? "finger" : "plate"));
+  const double drives = usual(trials, [](const RecordedTrial& trial) {
+    return driving_share(trial.position_W, trial.force_W, trial.rate_hz);
+  });
+  if (drives > most_driving_share)
+    throw refused(
+        file,
+        "its force drives the finger along its way, and friction holds a finger back: fx and fy have the "
+        "wrong "
+        "sign while the normal force has the right one. --force-on turns all three, --sensor-turned 0,0,0,1 "
+        "(half a turn about z) fx and fy alone");
+}
+
+}  // namespace
+
+void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
+  const std::vector<RecordedTrial>& trials = recorded.trials;
+  for (std::size_t from = 0, to = 0; from < trials.size(); from = to) {
+    while (to < trials.size() && trials[to].file == trials[from].file) ++to;
+    const FileTrials own(trials.data() + from, to - from);
+    ask_for_units(own, format);
+    ask_for_signs(own, format);
+  }
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,78 @@
+#include "study/measurement_doubts.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/measurement.hpp"
+#include "support/pad_measurement.hpp"
+#include "support/refusal.hpp"
+
+namespace fingerpad::measurement_doubts_test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const std::vector<test::KnownTrial> rubs{{1, 45, 0, 0.04, 0.7, 1.5}, {1, 45, 45, 0.04, 0.7, 1.5}};
+
+/// What is asked of a measurement whose trials were changed so.
+template <typename Change>
+std::string asked(const Change& change, const MeasurementFormat& format = {}) {
+  RecordedMeasurement recorded = test::known_measurement(rubs, {}, test::bad_sensors(), 1);
+  for (RecordedTrial& trial : recorded.trials) change(trial);
+  return test::why_not([&] { refuse_doubtful(recorded, format); });
+}
+
+TEST(MeasurementDoubts, NothingIsAskedOfWhatIsAsItShouldBe) {
+  RecordedMeasurement recorded = test::known_measurement(test::known_trials(), {}, test::bad_sensors(), 2);
+  EXPECT_NO_THROW(refuse_doubtful(recorded, {}));
+}
+
+TEST(MeasurementDoubts, AForgottenUnitIsAskedFor) {
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.position_W *= 1e3; }),
+              AllOf(HasSubstr("positions reach over 80.1 m"), HasSubstr("--unit mm")));
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.force_W *= 102; }),
+              AllOf(HasSubstr("harder than a finger rubs"), HasSubstr("--force-unit mN (or gf)")));
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.rate_hz *= 1e-3; }),
+              AllOf(HasSubstr("1 samples a second"), HasSubstr("--time-unit ms")));
+}
+
+TEST(MeasurementDoubts, WhatIsSaidIsBelieved) {
+  MeasurementFormat format;
+  format.says_unit = format.says_time_unit = format.says_force_unit = true;
+  EXPECT_EQ(asked(
+                [](RecordedTrial& trial) {
+                  trial.position_W *= 1e3;
+                  trial.force_W *= 102;
+                  trial.rate_hz *= 1e-3;
+                },
+                format),
+            "taken");
+}
+
+TEST(MeasurementDoubts, AForceOnThePlateIsToldByItsPress) {
+  const auto turned = [](RecordedTrial& trial) { trial.force_W *= -1; };
+  EXPECT_THAT(asked(turned), AllOf(HasSubstr("along the plate's normal"), HasSubstr("--force-on plate")));
+  MeasurementFormat format;
+  format.force_on_plate = true;
+  EXPECT_THAT(asked(turned, format), HasSubstr("--force-on finger"));
+}
+
+TEST(MeasurementDoubts, AWrongSignOfTheTangentialForcesAloneIsToldByItsWork) {
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.force_W.topRows(2) *= -1; }),
+              AllOf(HasSubstr("drives the finger along its way"), HasSubstr("--sensor-turned 0,0,0,1")));
+}
+
+TEST(MeasurementDoubts, OneOddTrialOfManyIsLeftToTheOutliers) {
+  bool is_first = true;
+  RecordedMeasurement recorded =
+      test::known_measurement({rubs[0], rubs[0], rubs[1]}, {}, test::bad_sensors(), 1);
+  for (RecordedTrial& trial : recorded.trials) {
+    if (is_first) trial.force_W *= -1;
+    is_first = false;
+  }
+  EXPECT_NO_THROW(refuse_doubtful(recorded, {}));
+}
+
+}  // namespace
+}  // namespace fingerpad::measurement_doubts_test
