@@ -22,7 +22,7 @@ constexpr double far_away = 4, very_far_away = 10;
 constexpr std::size_t few_packets = 4096 / packet_width;
 /// What rounding to float may take off the distance between a point and a box: a share of that, and of the
 /// part's box and the point's coordinates.
-constexpr float distance_rounding = 1e-5F, place_rounding = 2e-6F;
+constexpr float radius_rounding = 1e-5F, place_rounding = 2e-6F;
 /// What the dipoles' error may make of a winding number, with room to spare.
 constexpr double unclear = 0.1;
 
@@ -114,7 +114,7 @@ struct WindingNumber::Around {
 
   Around(const Vec3& point, double radius) noexcept : slack(1) {
     const float wider =
-        static_cast<float>(std::min(radius, static_cast<double>(far_off))) * (1 + distance_rounding);
+        static_cast<float>(std::min(radius, static_cast<double>(far_off))) * (1 + radius_rounding);
     radius2 = wider * wider;
     for (int i = 0; i < 3; ++i) {
       at[i] = static_cast<float>(point[i]);

@@ -10,7 +10,7 @@ namespace fingerpad {
 namespace {
 
 /// Loads that differ by less are alike.
-constexpr double alike = 1.1;
+constexpr double alike_load = 1.1;
 
 /// Errors below are rounding, which is not to choose.
 constexpr double rounding = 1e-6;
@@ -53,7 +53,7 @@ const ChoicePrice& cheapest(const std::vector<ChoicePrice>& prices) {
   }
   const ChoicePrice* best = &least;
   for (const ChoicePrice& price : prices) {
-    if (price.keeps() && price.load() <= alike * least.load() && loss(price) < loss(*best)) best = &price;
+    if (price.keeps() && price.load() <= alike_load * least.load() && loss(price) < loss(*best)) best = &price;
   }
   return *best;
 }
@@ -61,7 +61,7 @@ const ChoicePrice& cheapest(const std::vector<ChoicePrice>& prices) {
 const ChoicePrice* next_cheaper(const std::vector<ChoicePrice>& prices, const ChoicePrice& chosen) {
   const ChoicePrice* next = nullptr;
   for (const ChoicePrice& price : prices) {
-    if (price.load() * alike >= chosen.load()) continue;
+    if (price.load() * alike_load >= chosen.load()) continue;
     if (next == nullptr || price.load() > next->load()) next = &price;
   }
   return next;

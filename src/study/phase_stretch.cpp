@@ -22,7 +22,8 @@ std::vector<PhaseStretch> phase_stretches(const StickSegments& segments, PadPhas
 }
 
 PhaseStretch inner_stretch(PhaseStretch stretch, const StickSegments& segments) {
-  const auto reach = static_cast<std::size_t>(segments.half_window + (segments.half_window + 1) / 2);
+  const auto reach =
+      static_cast<std::size_t>(segments.half_window) + static_cast<std::size_t>(segments.half_window + 1) / 2;
   const std::size_t samples = segments.phase.size();
   if (!segments.begins_run[stretch.from]) stretch.from += reach;
   const bool ends_run = stretch.to >= samples || segments.begins_run[stretch.to];

@@ -85,9 +85,9 @@ TEST(JobBar, ShowsHowFarALongJobIs) {
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "long.toml")
       << "name = \"long\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = \"none\"\n"
-         "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.5, 0, -0.001]\nspeed_m_per_s = "
+         "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [4, 0, -0.001]\nspeed_m_per_s = "
          "0.001\n";
-  const std::string seen = on_a_terminal("replay long.toml --out o", folder);
+  const std::string seen = on_a_terminal("replay long.toml --out o --format none", folder);
   EXPECT_THAT(seen, testing::ContainsRegex("0/1 long [1-9][0-9]*%"));
   EXPECT_THAT(seen, testing::ContainsRegex("====\\] 100% 1/1(, [^ ]+ jobs/s, 0 s left)? long"));
 }
