@@ -2,19 +2,26 @@
 
 namespace fingerpad {
 
-/// What a look costs, where one at a triangle that is at hand and was seen before counts once.
+/// The prices of looks. The unit is a look at a triangle that is at hand and was seen before: some eight
+/// nanoseconds, with room for memory that is slower than a part in a cache.
 struct LookCosts {
   static constexpr long packet = 6;       ///< a float filter looks at eight triangles at once
-  static constexpr long fetched = 8;      ///< a triangle's corners are fetched, and its distance told
-  static constexpr long sweep = 20;       ///< the way is swept past a triangle; nothing in a small view
+  static constexpr long shadowed = 3;     ///< a triangle within reach is held against a shadow
+  static constexpr long fetched = 5;      ///< its corners are fetched
+  static constexpr long told = 5;         ///< how a place stands before it is told anew
+  static constexpr long sweep = 1;        ///< the way is swept past it ...
+  static constexpr long sweep_step = 6;   ///< ... with so many of Newton's steps
+  static constexpr long of_few = 4;       ///< a pass goes over it in a small view, whatever becomes of it
+  static constexpr long too_many = 200;   ///< a search for a few ends where there are more
   static constexpr long closest = 30;     ///< what is left of a packet's triangles is told exactly
   static constexpr long angle = 6;        ///< the angle under which a triangle is seen
   static constexpr long projection = 32;  ///< onto four walls
   static constexpr long hop = 64;         ///< the way over an edge
 };
 
-/// How much may still be looked at in a tick, in triangles: a bound on its work that is the same on every
-/// machine, as a clock would not be. What looks pays for what it does, and stops where nothing is left.
+/// How much a tick may still spend on looks, at the prices of LookCosts: a bound on its work that is the same
+/// on every machine, as a clock would not be. What looks pays for what it does, and stops where nothing is
+/// left.
 class Looks {
  public:
   static constexpr long unlimited = 1L << 60;
@@ -26,7 +33,7 @@ class Looks {
   bool are_half_spent() const noexcept { return left_ < most_ / 2; }
   long left() const noexcept { return left_; }
   long spent() const noexcept { return most_ - left_; }
-  void spend(long triangles) noexcept { left_ -= triangles; }
+  void spend(long price) noexcept { left_ -= price; }
   /// The next tick's.
   void renew() noexcept { left_ = most_; }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "contact/ball_shadow.hpp"
 #include "contact/proxy_memory_limits.hpp"
 
 namespace fingerpad {
@@ -28,8 +29,8 @@ NearTriangles::NearTriangles(const ProxyWorld& world) {
 }
 
 bool NearTriangles::search(const ProxyWorld& world, const Vec3& place_O, double reach_m, int most,
-                           Looks& looks) noexcept {
-  near_.clear();
+                           const Blocker& blocker, Looks& looks) noexcept {
+  clear();
   bool is_whole = true;
   const double distance_m = world.clearance_m() + reach_m;
   for (int i = 0; i < world.surface_count(); ++i) {
@@ -38,34 +39,52 @@ bool NearTriangles::search(const ProxyWorld& world, const Vec3& place_O, double 
     if (world.is_plane(i)) continue;
     view.at_P = world.in_part(i, place_O);
     view.within_reach = is_box_within(world.part(i), view.at_P, distance_m);
-    if (view.within_reach && is_whole) is_whole = search_part(world, i, distance_m, most, looks);
+    if (view.within_reach && is_whole) is_whole = search_part(world, i, distance_m, most, blocker, looks);
     view.end = near_.size();
   }
   return is_whole;
 }
 
 bool NearTriangles::search_part(const ProxyWorld& world, int surface, double distance_m, int most,
-                                Looks& looks) noexcept {
+                                const Blocker& blocker, Looks& looks) noexcept {
   const TriangleTree& tree = *world.surface(surface).tree;
+  PartView& view = views_[static_cast<std::size_t>(surface)];
   const auto list = [](void* found, int triangle) {
     static_cast<std::vector<int>*>(found)->push_back(triangle);
   };
   found_.clear();
-  SearchLimit limit{most - count(), Limits::most_packets};
-  const bool is_whole =
-      tree.each_within(views_[static_cast<std::size_t>(surface)].at_P, distance_m, limit, list, &found_);
-  // What a pass costs depends on the order; Embree's is for views so small that each pass is paid for alike.
-  if (found_.size() > Limits::small_view) std::sort(found_.begin(), found_.end());
+  bool is_whole = false;
+  if (!view.is_crowded) {
+    SearchLimit few{std::min(Limits::small_view, most) - count(), Limits::small_packets};
+    is_whole = tree.each_within(view.at_P, distance_m, few, list, &found_);
+    // How far it came that found too many depends on the order of Embree's tree.
+    looks.spend(is_whole ? LookCosts::packet * few.packets : LookCosts::too_many);
+    view.is_crowded = !is_whole;
+    if (!is_whole) found_.clear();
+  }
+  view.is_in_order = !is_whole;
+  if (!is_whole) {
+    SearchLimit limit{most - count(), Limits::most_packets};
+    std::optional<KeptPoint> kept;
+    if (blocker.surface == surface && blocker.triangle >= 0)
+      kept = {approach_triangle(tree.part(), blocker.triangle, view.at_P).at.point, world.clearance_m(),
+              2 * world.touching_m()};
+    is_whole = tree.each_within(view.at_P, distance_m, kept ? &*kept : nullptr, limit, list, &found_);
+    looks.spend(limit.tests + LookCosts::packet * limit.packets + LookCosts::shadowed * limit.shadowed);
+    view.is_crowded = !is_whole || limit.packets > Limits::small_packets / 4;
+  }
+  if (!is_whole) {
+    count_ = most;
+    return false;
+  }
   for (const int triangle : found_) {
     NearTriangle& near = near_.emplace_back();
     near.triangle = triangle;
     near.corners = corners_of(tree.part(), triangle);
   }
-  // How far a search came that found too many depends on the order of Embree's tree.
-  const int triangles = is_whole ? limit.triangles : limit.most_triangles;
-  const int packets = is_whole ? limit.packets : 0;
-  looks.spend(LookCosts::fetched * triangles + LookCosts::packet * packets);
-  return is_whole;
+  count_ += static_cast<int>(found_.size());
+  looks.spend(LookCosts::fetched * static_cast<long>(found_.size()));
+  return true;
 }
 
 void NearTriangles::look_from(const ProxyWorld& world, const Vec3& place_O) noexcept {
@@ -85,11 +104,11 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
   const PartWalls before(world, surface, walls, way.from_P);
   const double way_m = way.way_P.norm() * longer, clear_m = 2 * world.tolerance_m();
   std::size_t worst_at = view.end;
-  const bool is_small = view.end - view.first <= Limits::small_view;
-  const long swept = is_small ? 0 : LookCosts::sweep;
+  // In which order Embree finds a few decides what becomes of each.
+  const long each = view.is_in_order ? 1 : LookCosts::of_few, told = view.is_in_order ? LookCosts::told : 0;
   std::size_t k = from;
   for (; k < view.end && !looks.are_spent(); ++k) {
-    looks.spend(1);
+    looks.spend(each);
     NearTriangle& near = near_[k];
     if (near.seen) {
       // An earlier look left a half space free. Where the way begins and ends well in front of it, the
@@ -100,11 +119,10 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
       if (here_m - way_m > worst.slack_m) continue;
     }
     if (before.hide(near.corners)) continue;
-    near.look_from(way.from_P, world.clearance_m());
-    const int sweeps = worst.sweeps;
-    if (worst.offer_triangle(world, way, near.corners, near.triangle, near.towards_P, near.gap_m))
-      worst_at = k;
-    looks.spend(swept * (worst.sweeps - sweeps));
+    if (near.look_from(way.from_P, world.clearance_m())) looks.spend(told);
+    const long before_it = worst.looks;
+    if (worst.offer_triangle(world, way, near.corners, near.triangle, near.first)) worst_at = k;
+    if (view.is_in_order) looks.spend(worst.looks - before_it);
   }
   next = k - view.first;
   // It is likely the worst of the next way too, which then tells at once that others are not.

@@ -11,26 +11,33 @@ namespace fingerpad {
 /// A triangle in a proxy's view, and what is known of its distance. The distance to a triangle is a convex
 /// function of the place that changes no faster than the place does, so that one look bounds it everywhere.
 struct NearTriangle {
-  Vec3 towards_P = Vec3::Zero();  ///< unit, from the triangle to where it was looked at from
-  double level_m = 0;             ///< the gap that the tangent there leaves at the part's centre
-  double gap_m = 0;               ///< distance from there less the clearance
+  FirstApproach first;  ///< of where it was looked at from
+  double level_m = 0;   ///< the gap that the tangent there leaves at the part's centre
+  double gap_m = 0;     ///< distance from there less the clearance
   int triangle = -1;
   bool seen = false;  ///< looked at so far; most stand behind the wall that holds the proxy and never are
   TriangleCorners corners;
   Vec3 seen_from_P = Vec3::Zero();
 
-  void look_from(const Vec3& place_P, double clearance_m) noexcept {
-    if (seen && seen_from_P == place_P) return;
+  /// False where it was last looked at from there.
+  bool look_from(const Vec3& place_P, double clearance_m) noexcept {
+    if (seen && seen_from_P == place_P) return false;
     const TriangleApproach approach = approach_triangle(corners, place_P);
     seen = true;
     seen_from_P = place_P;
-    towards_P = approach.towards;
+    first = {approach.at.point, approach.towards, approach.distance_m};
     gap_m = approach.distance_m - clearance_m;
-    level_m = gap_m - towards_P.dot(place_P);
+    level_m = gap_m - first.towards.dot(place_P);
+    return true;
   }
 
   /// The gap that the tangent leaves at a place; the true one is no smaller.
-  double least_gap_m(const Vec3& place_P) const noexcept { return level_m + towards_P.dot(place_P); }
+  double least_gap_m(const Vec3& place_P) const noexcept { return level_m + first.towards.dot(place_P); }
+};
+
+/// A triangle that holds the proxy, or held it not long ago: it may stand in others' way.
+struct Blocker {
+  int surface = -1, triangle = -1;
 };
 
 /// The triangles that the last search of the trees found within reach of a place, and what is known of each.
@@ -39,11 +46,18 @@ class NearTriangles {
  public:
   explicit NearTriangles(const ProxyWorld& world);
 
-  int count() const noexcept { return static_cast<int>(near_.size()); }
-  void clear() noexcept { near_.clear(); }
+  /// How many the last search found; where these were more than it should find, so many.
+  int count() const noexcept { return count_; }
+  void clear() noexcept {
+    near_.clear();
+    count_ = 0;
+  }
 
-  /// Lists all that the clearance and `reach_m` beyond it reach. False where these are more than `most`.
-  bool search(const ProxyWorld& world, const Vec3& place_O, double reach_m, int most, Looks& looks) noexcept;
+  /// Lists all that a ball at the place, or within `reach_m` of it, may come upon. Where these are many,
+  /// those that stand in the blocker's shadow (BallShadow) are left out. False where they are more than
+  /// `most`.
+  bool search(const ProxyWorld& world, const Vec3& place_O, double reach_m, int most, const Blocker& blocker,
+              Looks& looks) noexcept;
   /// Looks at those that are listed from another place.
   void look_from(const ProxyWorld& world, const Vec3& place_O) noexcept;
 
@@ -61,11 +75,15 @@ class NearTriangles {
   struct PartView {
     Vec3 at_P = Vec3::Zero();  ///< the place looked from
     bool within_reach = false;
+    bool is_crowded = false;   ///< more is near than a small view holds: the next search begins with that
+    bool is_in_order = false;  ///< its triangles stand as in the part, which decides what a pass costs
     std::size_t first = 0, end = 0;  ///< its triangles in near_; the one that blocked last comes first
   };
 
-  bool search_part(const ProxyWorld& world, int surface, double distance_m, int most, Looks& looks) noexcept;
+  bool search_part(const ProxyWorld& world, int surface, double distance_m, int most, const Blocker& blocker,
+                   Looks& looks) noexcept;
 
+  int count_ = 0;
   std::vector<NearTriangle> near_;
   std::vector<int> found_;  // triangles, by the last search of a part
   std::vector<PartView> views_;

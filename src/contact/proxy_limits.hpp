@@ -40,14 +40,18 @@ struct ProxyLimits {
   /// is the shortest.
   static constexpr double least_turn_sine = 1e-9;
 
-  /// Triangles that a tick may look at, where one that a pass of a step goes over counts once (LookCosts):
-  /// some eight nanoseconds each, so an eighth of a servo's millisecond. A part that is touched here and
-  /// there takes some hundreds; what is broken off is gone on with in the next tick.
+  /// What the looks of a tick may cost together, at the prices of LookCosts. The unit is a look at a triangle
+  /// that is at hand, some eight nanoseconds: an eighth of a servo's millisecond in all. A part that is
+  /// touched here and there takes some hundreds; what is broken off is gone on with in the next tick.
   static constexpr long most_looks = 16000;
+  /// What looks for the closest point may cost besides, as long as no start has found a place.
+  static constexpr long most_looks_unplaced = most_looks / 4;
 
   /// Pushes that a start may take to get out of every surface. Walls that stand at right angles need one
   /// each; between walls that lean towards each other each push leaves a fixed share.
   static constexpr int most_pushes = 200;
+  /// A start that goes round ends: all its pushes would take it less than this share of what it lacks.
+  static constexpr double little_way = 1e-3;
   /// Steps, and hops over smooth edges, in a tick. Two or three do; the caps bound what a tick may cost.
   static constexpr int most_steps = 64;
   static constexpr int most_hops = 32;

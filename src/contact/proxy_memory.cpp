@@ -38,6 +38,7 @@ bool ProxyMemory::slide(ProxyState& state) noexcept {
     return room_.wall_count == 1 ? slide_on_one(state) : slide_on_several(state);
   if (!room_.holds(state.goal_O) || !is_clear_of_planes(state.goal_O, -1)) return false;
   state.place_O = state.goal_O;
+  state.contact.settled = true;
   report_free(state);
   return true;
 }
@@ -53,6 +54,7 @@ bool ProxyMemory::fly(ProxyState& state) noexcept {
       room_.centre_O = state.place_O;
       room_.radius_m = free_m * (1 - Limits::rounding);
       state.place_O = goal_O;
+      state.contact.settled = true;
       return true;
     }
     if (!(free_m > view_reach_m_)) return false;
@@ -159,6 +161,7 @@ bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& ed
   next.radius_m = room_in_front_of(std::span(&seen, 1), next.centre_O);
   if (!next.holds(edge_O) || !next.holds(to_O) || !is_clear_of_planes(to_O, -1)) return false;
   room_ = next;
+  blocker_ = {there.surface, there.triangle};
   remember_fan(next.walls_O[0]);
   state.contact.settled = true;
   state.place_O = state.hold_place_O = to_O;

@@ -12,13 +12,13 @@ struct ProxyMemoryLimits {
   /// ... and where a ball fits so well into its surroundings that no view has so few: a bore of its own
   /// radius with 1,440 facets. Of more than these the trees are asked anew with each pass.
   static constexpr int richest_view = 3072;
+  /// Up to so many triangles, in so many packets, are looked for first: mostly there are no more.
+  static constexpr int small_view = 64, small_packets = 64;
   /// Packets of triangles that a search may look at; where facets are so slender that all their boxes
   /// overlap it is as many however near one looks.
-  static constexpr int most_packets = 8192;
+  static constexpr int most_packets = 2048;
   /// A view of about so many triangles pays: more are sorted out for nothing, fewer are soon left behind.
   static constexpr int poor_view = 8, rich_view = 32;
-  /// Up to so many triangles a pass costs too little to be told from another.
-  static constexpr std::size_t small_view = 256;
   /// By how much a poor view grows and a rich one shrinks, a search.
   static constexpr double growth = 1.2, shrinkage = 0.7;
   /// However rich, a view reaches as far as the finger goes in so many ticks, and by this share of the

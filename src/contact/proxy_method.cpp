@@ -16,7 +16,8 @@ class ProxyMethod final : public ContactMethod {
  public:
   ProxyMethod(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
       : proxy_(fast_proxy(surfaces, radius_m, normals)),
-        until_placed_(brief_closest_point(std::move(surfaces), radius_m, normals, ProxyLimits::most_looks)) {}
+        until_placed_(
+            brief_closest_point(std::move(surfaces), radius_m, normals, ProxyLimits::most_looks_unplaced)) {}
 
   const Contact& touch(const Vec3& p_WQ, double dt_s) noexcept override {
     const ProxyContact& proxy = proxy_.move(p_WQ, dt_s);

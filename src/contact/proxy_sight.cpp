@@ -83,15 +83,15 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
                             Round& round) noexcept {
   const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
   const PartWalls before(world_, surface, walls, way.from_P);
-  return each_within_reach(surface, way.from_P, round.next,
-                           [&](const TriangleCorners& corners, int triangle) {
-                             if (before.hide(corners)) return;
-                             const TriangleApproach a = approach_triangle(corners, way.from_P);
-                             const int sweeps = round.worst.sweeps;
-                             round.worst.offer_triangle(world_, way, corners, triangle, a.towards,
-                                                        a.distance_m - world_.clearance_m());
-                             looks_.spend(LookCosts::sweep * (round.worst.sweeps - sweeps));
-                           });
+  return each_within_reach(
+      surface, way.from_P, round.next, [&](const TriangleCorners& corners, int triangle) {
+        if (before.hide(corners)) return;
+        looks_.spend(LookCosts::told);
+        const TriangleApproach a = approach_triangle(corners, way.from_P);
+        const long before_it = round.worst.looks;
+        round.worst.offer_triangle(world_, way, corners, triangle, {a.at.point, a.towards, a.distance_m});
+        looks_.spend(round.worst.looks - before_it);
+      });
 }
 
 /// Looks for the wall that the way by `z` breaches most. False where the looks were spent before the end.
@@ -130,7 +130,7 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
           const TriangleSweep sweep =
               sweep_past_triangle(corners, way.from_P, way.to_P, world_.clearance_m(), world_.tolerance_m());
           if (sweep.blocked) share = std::min(share, sweep.reached);
-          looks_.spend(LookCosts::sweep);
+          looks_.spend(LookCosts::sweep + LookCosts::told + LookCosts::sweep_step * sweep.steps);
         });
     if (!is_whole) return false;
   }

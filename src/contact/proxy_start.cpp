@@ -102,11 +102,19 @@ ProxyStart::End ProxyStart::go_on(const ProxyWorld& world, const Vec3& goal_O, L
     if (is_underway_) return End::broken_off;
     if (!lacks_) return End::placed;
     place_O_ += worst_.lack_m * worst_.outwards_W;
+    if (is_going_round()) break;
+    if ((pushes_ & (pushes_ - 1)) == 0) passed_O_ = place_O_;
     surface_ = 0;
     worst_ = {world.tolerance_m(), Vec3::UnitZ()};
     lacks_ = false;
   }
   return End::no_place;
+}
+
+/// Whether it is back where it was, between walls that are nearer to each other than the ball is wide: if all
+/// pushes led on by as little, that would be next to nothing of what it lacks.
+bool ProxyStart::is_going_round() const noexcept {
+  return (place_O_ - passed_O_).norm() * ProxyLimits::most_pushes < ProxyLimits::little_way * worst_.lack_m;
 }
 
 }  // namespace fingerpad

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "contact/looks.hpp"
 #include "contact/proxy_world.hpp"
 #include "contact/triangle_tree.hpp"
@@ -29,11 +31,13 @@ class ProxyStart {
     Vec3 outwards_W = Vec3::UnitZ();
   };
 
+  bool is_going_round() const noexcept;
   bool find_worst(const ProxyWorld& world, Looks& looks) noexcept;
   bool lack_at(const ProxyWorld& world, int surface, Looks& looks, Lack& lack) noexcept;
 
   bool is_underway_ = false;
   Vec3 place_O_ = Vec3::Zero();
+  Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   int pushes_ = 0;
   int surface_ = 0;      // to be looked at next ...
   ClosestWalk closest_;  // ... and how far that has come

@@ -1,30 +1,48 @@
 #include "contact/proxy_sweep.hpp"
 
 #include <cmath>
+#include <limits>
 
 #include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
+namespace {
+
+FirstApproach approach_of(const TriangleCorners& triangle, const Vec3& place) noexcept {
+  const TriangleApproach a = approach_triangle(triangle, place);
+  return {a.at.point, a.towards, a.distance_m};
+}
+
+}  // namespace
 
 TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept {
+  return sweep_past_triangle(f, from, to, clearance_m, tolerance_m, approach_of(f, from),
+                             std::numeric_limits<double>::infinity());
+}
+
+TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
+                                  double clearance_m, double tolerance_m, const FirstApproach& first,
+                                  double worst_m) noexcept {
   const Vec3 way = to - from;
   TriangleSweep sweep;
   sweep.reached = 0;
-  for (int k = 0; k < ProxyLimits::newton_steps; ++k) {
-    const TriangleApproach here = approach_triangle(f, from + sweep.reached * way);
+  FirstApproach here = first;
+  for (;;) {
     const double gap_m = here.distance_m - clearance_m, slope = here.towards.dot(way);
-    sweep.normal = here.towards;
-    sweep.offset_m = here.towards.dot(here.at.point) + clearance_m;
     sweep.end_slack_m = gap_m + (1 - sweep.reached) * slope;
-    if (sweep.end_slack_m >= -tolerance_m) {
+    if (sweep.end_slack_m >= -tolerance_m || sweep.end_slack_m > worst_m) {
       sweep.reached = 1;
       return sweep;
     }
     if (gap_m <= tolerance_m) break;
     sweep.reached += gap_m / -slope;
+    if (++sweep.steps == ProxyLimits::newton_steps) break;
+    here = approach_of(f, from + sweep.reached * way);
   }
   sweep.blocked = true;
+  sweep.normal = here.towards;
+  sweep.offset_m = here.towards.dot(here.foot) + clearance_m;
 
   const Vec3 &normal = f.normal, corner = f.a;
   const double height_m = normal.dot(from - corner);

@@ -12,6 +12,13 @@ struct TriangleSweep {
   double offset_m = 0;
   double end_slack_m = 0;  ///< normal . to - offset_m
   double reached = 1;      ///< share of the way that is free
+  int steps = 0;           ///< of Newton's method
+};
+
+/// What a sweep begins with.
+struct FirstApproach {
+  Vec3 foot, towards;  ///< TriangleApproach's
+  double distance_m;
 };
 
 /// Sweeps a ball of radius `clearance_m` from `from` to `to` past a triangle, from whichever side.
@@ -24,5 +31,12 @@ struct TriangleSweep {
 /// @pre from has the clearance, to within a few tolerances. noexcept, allocates nothing.
 TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept;
+/// The same where it is known how `from` stands before the triangle.
+/// @param first    the answer of approach_triangle(triangle, from)
+/// @param worst_m  blocked only if end_slack_m is no greater than this: tangents only rise along the way, so
+/// that most sweeps end early
+TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,
+                                  double clearance_m, double tolerance_m, const FirstApproach& first,
+                                  double worst_m) noexcept;
 
 }  // namespace fingerpad

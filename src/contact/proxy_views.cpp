@@ -41,6 +41,7 @@ void ProxyViews::forget() noexcept {
   near_.clear();
   std::fill(seeds_.begin(), seeds_.end(), -1);
   search_reach_m_ = -1;
+  blocker_ = {};
   is_cut_ = is_rich_ = overflow_ = falls_short_ = false;
   view_reach_m_ = Limits::first_view * widest_view_m();
 }
@@ -58,6 +59,7 @@ ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*mos
   if (place_O_ == search_place_O_) suit_view();
   if (overflow_) reach_m_ = (goal_O - place_O).norm() * wider;
   ProxyStep step = step_towards(goal_O, nullptr);
+  if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
   falls_short_ = step.truncated;
   return step;
 }
@@ -115,7 +117,7 @@ bool ProxyViews::look_again(const Vec3& place_O, double need_m) noexcept {
 bool ProxyViews::search(const Vec3& place_O, double reach_m, int most) noexcept {
   place_O_ = place_O;
   reach_m_ = search_reach_m_ = reach_m;
-  return near_.search(world_, place_O, reach_m, most, looks_);
+  return near_.search(world_, place_O, reach_m, most, blocker_, looks_);
 }
 
 /// However rich, a view reaches so far.

@@ -8,9 +8,11 @@ namespace fingerpad {
 
 /// A proxy's sight that keeps what its last search of the trees found. From a place nearby, these triangles
 /// are all that can be within what is left of that search's reach; and what one look at a triangle showed
-/// bounds its distance from everywhere, so that most are passed over. Speed alone: the walls of a step are
-/// those that a search would find. A view may end a step short of the finger, though, where a search made for
-/// it would not; the proxy then goes on from there.
+/// bounds its distance from everywhere, so that most are passed over. The way of a step is as free as with a
+/// search made for it. Its walls are those that the search would find, but for two cases: a view may end a
+/// step short of the finger, and the proxy then goes on from there; and a crowded view leaves out triangles
+/// that a ball in front of its blocker cannot get at (BallShadow), which would only have led a step to its
+/// end by other walls.
 class ProxyViews : public ProxySight {
  public:
   ProxyViews(ProxyWorld world, Looks looks);
@@ -45,6 +47,7 @@ class ProxyViews : public ProxySight {
 
   double finger_m_ = 0;      // how far the finger went in this tick
   double view_reach_m_ = 0;  // of the next search; grows and shrinks with what there is to see
+  Blocker blocker_;
 
  private:
   double look_around(const Vec3& place_O, double reach_m, bool anew) noexcept;

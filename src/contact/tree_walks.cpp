@@ -1,6 +1,7 @@
 #include <cmath>
 #include <utility>
 
+#include "contact/ball_shadow.hpp"
 #include "contact/tree_parts.hpp"
 #include "contact/within_search.hpp"
 
@@ -18,6 +19,25 @@ struct LimitedSearch : WithinSearch {
 void count_triangle(void* any_search, int triangle) {
   const LimitedSearch& search = *static_cast<LimitedSearch*>(any_search);
   if (++search.limit->triangles <= search.limit->most_triangles) search.visit(search.visit_context, triangle);
+}
+
+/// A search among what a shadow leaves.
+struct ShadowedSearch : LimitedSearch {
+  std::optional<BallShadow> shadow;
+};
+
+void count_lit_triangle(void* any_search, int triangle) {
+  const ShadowedSearch& search = *static_cast<ShadowedSearch*>(any_search);
+  if (search.shadow) {
+    const Part& part = *search.packed->part;
+    std::array<Vec3, 3> corners;
+    for (int k = 0; k < 3; ++k)
+      corners[static_cast<std::size_t>(k)] =
+          search.packed->scale * part.vertices.col(part.triangles(k, triangle));
+    ++search.limit->shadowed;
+    if (search.shadow->covers(corners)) return;
+  }
+  count_triangle(any_search, triangle);
 }
 
 /// Passes triangles on and counts them.
@@ -77,6 +97,32 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, SearchLimit& limit
   return !limit.is_exceeded();
 }
 
+bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* kept, SearchLimit& limit,
+                               void (*visit)(void* context, int triangle), void* context) const noexcept {
+  const Impl& impl = *impl_;
+  const PackedPart& packed = impl.packed;
+  const double farthest = q.cwiseAbs().maxCoeff();
+  if (packed.packets.empty() || !q.allFinite() || !(reach_m >= 0)) return true;
+  if (impl.out_of_reach(farthest, reach_m)) return true;
+  if (farthest > tree_range * packed.extent_m) return each_within(q, reach_m, limit, visit, context);
+  ShadowedSearch search{
+      {{packed, impl.filter, q, reach_m, count_lit_triangle, nullptr}, &limit, visit, context}, std::nullopt};
+  search.context = &search;
+  if (kept != nullptr && BallShadow::is_cast(q, reach_m - kept->clearance_m, *kept))
+    search.shadow.emplace(q, reach_m - kept->clearance_m, *kept, packed.scale);
+  const double radius = search.bound_m * packed.scale;
+  std::size_t next = 0;
+  while (!limit.is_exceeded()) {
+    next = impl.winding.next_near(next, search.scaled, radius, limit.tests);
+    if (next >= packed.packets.size()) return true;
+    const TrianglePacket& packet = packed.packets[next++];
+    if (!is_box_near(packet, search.scaled, radius)) continue;
+    ++limit.packets;
+    if (!search.shadow || !search.shadow->covers(packet)) search.look_at(packet);
+  }
+  return false;
+}
+
 bool TriangleTree::each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks,
                                void (*visit)(void* context, int triangle), void* context) const noexcept {
   const Impl& impl = *impl_;
@@ -99,7 +145,7 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, std::size_t& next,
     } else if (is_box_near(packet, search.scaled, radius)) {
       search.look_at(packet);
     }
-    looks.spend(LookCosts::packet + LookCosts::fetched * std::exchange(counting.count, 0));
+    looks.spend(LookCosts::packet + std::exchange(counting.count, 0));
   }
   return false;
 }

@@ -67,6 +67,28 @@ bool set_rough_frame(TrianglePacket& packet, std::size_t lane, const std::array<
   return true;
 }
 
+/// Says how flat it is.
+void set_thickness(TrianglePacket& packet, const Part& part, double scale) noexcept {
+  Vec3 sum = Vec3::Zero();
+  const auto each = [&packet](auto visit) {
+    for (std::size_t lane = 0; lane < packet_width; ++lane) {
+      if ((packet.used >> lane & 1) != 0) visit(packet.exact[lane]);
+    }
+  };
+  each([&sum](const TrianglePacket::Exact& exact) { sum += exact.normal; });
+  const double length = sum.norm();
+  const Vec3 unit = length > 1e-3 ? Vec3(sum / length) : Vec3::UnitZ();
+  for (int i = 0; i < 3; ++i) packet.across[i] = static_cast<float>(unit[i]);
+  const Vec3 across(packet.across[0], packet.across[1], packet.across[2]);
+  double farthest = 0;
+  each([&](const TrianglePacket::Exact& exact) {
+    for (const std::int32_t vertex : exact.vertex)
+      farthest = std::max(farthest, std::abs(across.dot(part.vertices.col(vertex) * scale - packet.origin)));
+  });
+  const double share = farthest / std::max(static_cast<double>(packet.radius), 1e-300);
+  packet.thickness = static_cast<std::uint16_t>(std::min(65535.0, std::ceil(65535 * share * (1 + 1e-9)) + 1));
+}
+
 }  // namespace
 
 TrianglePacket make_packet(const Part& part, std::span<const std::int32_t> triangles, double scale) noexcept {
@@ -105,6 +127,7 @@ TrianglePacket make_packet(const Part& part, std::span<const std::int32_t> trian
   packet.radius = up(radius);
   for (int i = 0; i < 3; ++i)
     packet.box_half[i] = up(std::max(high[i] - packet.origin[i], packet.origin[i] - low[i]));
+  set_thickness(packet, part, scale);
   return packet;
 }
 

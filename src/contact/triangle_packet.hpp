@@ -1,6 +1,8 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <span>
 
@@ -46,6 +48,18 @@ struct alignas(64) TrianglePacket {
   std::array<std::uint8_t, packet_width> order;  ///< corner_order of each triangle, two bits a corner
   std::uint8_t used;                             ///< bit k: lane k holds a triangle
   std::uint8_t always_exact;  ///< bit k: no rough frame (a sliver, or no area); the filter sees it far off
+  std::uint16_t thickness;  ///< no corner is farther from the plane through `origin` that `across` is normal
+                            ///< to than this share of the radius, in 65,535ths
+  float across[3];          ///< about a unit vector: the triangles' mean normal
+
+  /// How far at most a corner stands beyond `origin` in a direction (unit), scaled.
+  double highest(const Vec3& direction) const noexcept {
+    const Vec3 normal(across[0], across[1], across[2]);
+    const double along = direction.dot(normal), per_length2 = 1 / normal.squaredNorm();
+    const double sine2 = std::max(0.0, 1 - along * along * per_length2) + 1e-14;
+    return static_cast<double>(radius) *
+           (std::abs(along) * per_length2 * thickness * (1.0 / 65535) + std::sqrt(sine2));
+  }
 };
 
 /// A lane whose rough frame means nothing has its origin so far off that no distance comes near.

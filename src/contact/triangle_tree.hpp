@@ -11,6 +11,7 @@
 namespace fingerpad {
 
 class ClosestMemory;
+struct KeptPoint;
 
 /// The closest triangle of a part to a point.
 struct ClosestTriangle {
@@ -42,6 +43,7 @@ struct WindingWalk {
 struct SearchLimit {
   int most_triangles, most_packets;
   int triangles = 0, packets = 0;  ///< found
+  long tests = 0, shadowed = 0;    ///< of clusters of packets; of triangles against a shadow
 
   bool is_exceeded() const noexcept { return triangles > most_triangles || packets > most_packets; }
 };
@@ -106,6 +108,13 @@ class TriangleTree {
   /// were visited means nothing then.
   /// @returns false where it is exceeded
   bool each_within(const Vec3& q, double reach_m, SearchLimit& limit,
+                   void (*visit)(void* context, int triangle), void* context) const noexcept;
+
+  /// The same in an order that is the part's alone, for a ball about q: but for triangles that it cannot get
+  /// at, as long as it keeps clear of a point and goes no farther than `reach_m - kept->clearance_m`
+  /// (BallShadow).
+  /// @param kept  null where no such point is known
+  bool each_within(const Vec3& q, double reach_m, const KeptPoint* kept, SearchLimit& limit,
                    void (*visit)(void* context, int triangle), void* context) const noexcept;
 
   /// The same in pieces, in an order that is the part's alone: looks at what `looks` allows, a packet more at

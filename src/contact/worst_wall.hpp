@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "contact/looks.hpp"
 #include "contact/proxy_sweep.hpp"
 #include "contact/proxy_world.hpp"
 
@@ -57,7 +58,7 @@ struct PartWay {
 struct WorstWall {
   std::optional<ProxyWall> wall;  ///< seen from where the way begins
   double slack_m;                 ///< how far in front of it the way ends; < 0
-  int sweeps = 0;                 ///< how many of the triangles offered the way was swept past
+  long looks = 0;                 ///< that the sweeps past the triangles offered have cost (LookCosts)
 
   bool is_beaten_by(double other_slack_m, int surface, int triangle) const noexcept {
     if (!(other_slack_m == slack_m && wall)) return other_slack_m < slack_m;
@@ -71,17 +72,16 @@ struct WorstWall {
     slack_m = end_slack_m;
   }
 
-  /// @param towards_P  unit, from the triangle's closest point to where the way begins
-  /// @param gap_m      the distance between the two less the clearance
+  /// @param first  how the place where the way begins stands before the triangle
   /// @returns whether this triangle's is the worst now
   bool offer_triangle(const ProxyWorld& world, const PartWay& way, const TriangleCorners& corners,
-                      int triangle, const Vec3& towards_P, double gap_m) noexcept {
+                      int triangle, const FirstApproach& first) noexcept {
     // The breach only shrinks as the sweep goes on from its first tangent, which is this.
-    const double end_slack_m = gap_m + towards_P.dot(way.way_P);
+    const double end_slack_m = first.distance_m - world.clearance_m() + first.towards.dot(way.way_P);
     if (end_slack_m >= -world.tolerance_m() || end_slack_m > slack_m) return false;
-    ++sweeps;
-    const TriangleSweep sweep =
-        sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(), world.tolerance_m());
+    const TriangleSweep sweep = sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(),
+                                                    world.tolerance_m(), first, slack_m);
+    looks += LookCosts::sweep + LookCosts::sweep_step * sweep.steps;
     if (!sweep.blocked || !is_beaten_by(sweep.end_slack_m, way.surface, triangle)) return false;
     slack_m = sweep.end_slack_m;
     wall = ProxyWall{world.turned_from_part(way.surface, sweep.normal),
