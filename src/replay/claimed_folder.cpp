@@ -28,12 +28,11 @@ void wait_for_root(const BatchOptions& options, const Ranks& ranks) {
 struct RunHasEnded {};
 
 /// Whether the ranks have ended without this one, which comes late. Another start can have the same name (one
-/// of a launcher with the same process number, as in a container): a root, without which nothing would be
-/// done, believes tables alone that were written after its own launcher began.
+/// of a launcher with the same process number, as in a container): tables are believed that were written
+/// after its own launcher began.
 bool has_ended(const BatchOptions& options, const Ranks& ranks) {
   std::filesystem::file_time_type written_at;
-  if (!ranks.are_many() || !is_summed_up(options, ranks.run, written_at)) return false;
-  if (!ranks.is_root()) return true;
+  if (!ranks.are_many() || !is_summed_up_without(ranks.rank, options, ranks.run, written_at)) return false;
   const auto launched_at = launch_time(ranks);
   return launched_at && std::chrono::file_clock::to_sys(written_at) > *launched_at;
 }

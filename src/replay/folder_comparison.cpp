@@ -59,14 +59,12 @@ class Changes {
   Changes(FolderComparison& comparison, const std::function<void(ChangedJob&&)>& on_changed)
       : comparison_(comparison), on_changed_(on_changed) {}
 
-  void tell(std::string job, std::vector<JobChange> changes) {
+  /// @param is_another  the job itself differs, not what came of it
+  void tell(std::string job, std::vector<JobChange> changes, bool is_another) {
     if (changes.empty()) return;
-    ChangedJob changed{std::move(job), std::move(changes), 0};
+    ChangedJob changed{std::move(job), std::move(changes), is_another ? HUGE_VAL : 0};
     for (const JobChange& change : changed.changes) {
-      if (change.column.empty())
-        changed.force_n = HUGE_VAL;
-      else if (change.unit == "N")
-        changed.force_n = std::max(changed.force_n, change.most);
+      if (change.unit == "N") changed.force_n = std::max(changed.force_n, change.most);
     }
     ++comparison_.differing;
     on_changed_(std::move(changed));
@@ -129,6 +127,7 @@ void compare_outcomes(const OutcomesByJob& in_a, const OutcomesByJob& in_b, bool
     const auto a = in_a.find(key), b = in_b.find(key);
     const JobOutcome& job = a == in_a.end() ? b->second : a->second;
     std::vector<JobChange> changes;
+    const bool is_another = a == in_a.end() || b == in_b.end() || a->second.status != b->second.status;
     if (a == in_a.end() || b == in_b.end()) {
       // A summary that is not there says nothing of its jobs.
       if (!in_a.empty() && !in_b.empty())
@@ -140,7 +139,7 @@ void compare_outcomes(const OutcomesByJob& in_a, const OutcomesByJob& in_b, bool
       changes = figure_changes(a->second, b->second, tolerance);
     }
     if (!has_traces) comparison.changed += changes.empty() ? 0 : 1;
-    found.tell(words_of(job), std::move(changes));
+    found.tell(words_of(job), std::move(changes), is_another);
   }
   if (!has_traces) comparison.jobs = all.size();
 }
@@ -163,7 +162,8 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
   for (const std::string& name : all) {
     const bool is_in_a = in_a.contains(name);
     std::vector<JobChange> changes;
-    if (!is_in_a || !in_b.contains(name)) {
+    const bool is_alone = !is_in_a || !in_b.contains(name);
+    if (is_alone) {
       changes.push_back(whole_change(fmt::format("is in {} alone", is_in_a ? folder_a : folder_b)));
     } else {
       const std::string a = (fs::path(folder_a) / name).string(), b = (fs::path(folder_b) / name).string();
@@ -172,7 +172,7 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
                               read_trace(b, TraceContents::some_rows), tolerance);
     }
     comparison.changed += changes.empty() ? 0 : 1;
-    found.tell(name_of_job(jobs_a, jobs_b, name), std::move(changes));
+    found.tell(name_of_job(jobs_a, jobs_b, name), std::move(changes), is_alone);
   }
   compare_outcomes(outcomes_a, outcomes_b, !all.empty(), tolerance, comparison, found);
   return comparison;

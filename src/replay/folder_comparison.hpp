@@ -22,8 +22,8 @@ struct ChangedJob {
   /// "s-0003.h5 (plate.stl, law dahl)"; with "; now plate.stl, law lugre" where the folders' jobs are others.
   std::string job;
   std::vector<JobChange> changes;
-  /// The greatest difference of a column in newtons; infinite where the job itself differs: what is looked at
-  /// first.
+  /// The greatest difference of a column in newtons; infinite where one folder alone has the job, or it ended
+  /// otherwise: what is looked at first.
   double force_n = 0;
 };
 
@@ -32,8 +32,8 @@ struct FolderComparison {
   std::size_t traces = 0;   ///< looked at, in either folder
   std::size_t jobs = 0;     ///< looked at in the summaries, where there is no trace
   std::size_t changed = 0;  ///< of those
-  std::size_t differing =
-      0;  ///< jobs that were told: those, and where there are traces those of another status
+  /// Jobs that were told: those, and where there are traces those of another status.
+  std::size_t differing = 0;
 };
 
 /// Compares the traces of two folders by their names: those that only one has, the columns that differ and by

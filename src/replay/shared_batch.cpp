@@ -196,6 +196,16 @@ class RankWork {
   std::size_t done_ = 0, done_since_ = 0;
 };
 
+/// The run, and the ranks of it that have not come by its end: of those alone it has ended without them.
+std::string run_and_missing(const BatchOptions& options, const Ranks& ranks) {
+  std::string words = ranks.run;
+  for (int rank = 0; rank < ranks.count; ++rank) {
+    if (rank != ranks.rank && rank_state(ranks_folder(options), rank) == RankState::not_come)
+      words += missing_rank_words(rank);
+  }
+  return words;
+}
+
 std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions& options,
                                 const Ranks& ranks) {
   mark_not_begun(jobs, jobs_of_shard(jobs.size(), options));
@@ -204,7 +214,8 @@ std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions&
   std::error_code none;
   if (!fs::exists(index, none))
     lost = write_job_index(jobs, options);  // the first could not, and told nobody
-  for (const Error& error : write_summary(jobs, options, ranks.run)) lost.push_back(error);
+  for (const Error& error : write_summary(jobs, options, run_and_missing(options, ranks)))
+    lost.push_back(error);
   return lost;
 }
 

@@ -112,8 +112,12 @@ std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchO
   return lost;
 }
 
-bool is_summed_up(const BatchOptions& options, const std::string& run,
-                  std::filesystem::file_time_type& written_at) {
+std::string missing_rank_words(int rank) {
+  return fmt::format(" without rank {}", rank);
+}
+
+bool is_summed_up_without(int rank, const BatchOptions& options, const std::string& run,
+                          std::filesystem::file_time_type& written_at) {
   const auto path =
       std::filesystem::path(options.out_dir) / table_names(options.shard, options.shard_count).timing;
   std::error_code none;
@@ -123,7 +127,9 @@ bool is_summed_up(const BatchOptions& options, const std::string& run,
     std::string_view line;
     if (!lines.next(line) || std::string(line) + "\n" != timing_header || !lines.next(line)) return false;
     const auto cells = csv_cells(line, ',');
-    if (cells.size() != 4 || cells[3] != run) return false;
+    if (cells.size() != 4 || !cells[3].starts_with(run)) return false;
+    const std::string missing = std::string(cells[3]).substr(run.size()) + " ";
+    if (missing.find(missing_rank_words(rank) + " ") == std::string::npos) return false;
     written_at = std::filesystem::last_write_time(path, none);
     return !none;
   } catch (const Error&) {

@@ -20,11 +20,12 @@ struct RowPair {
 
 /// The times that both have. Ticks of one rate have the same times to the bit, of others to rounding.
 std::vector<RowPair> rows_at_common_times(const Trace& a, const Trace& b) {
-  constexpr double rounding = 1e-9;  // of a second, or of the time itself
+  constexpr double least_s = 1e-9;
+  constexpr double rounding = 4 * std::numeric_limits<double>::epsilon();  // of clocks that count from 1970
   std::vector<RowPair> pairs;
   for (RowPair at; at.a < a.rows.size() && at.b < b.rows.size();) {
     const double a_s = a.rows[at.a].t_s, b_s = b.rows[at.b].t_s;
-    if (std::abs(a_s - b_s) <= rounding * std::max(1.0, std::abs(a_s))) {
+    if (std::abs(a_s - b_s) <= std::max(least_s, rounding * std::abs(a_s))) {
       pairs.push_back(at);
       ++at.a;
       ++at.b;

@@ -37,7 +37,8 @@ DelayEstimate estimate_of(const FileDelay& delay, const std::vector<RecordedTria
 std::vector<FileDelay> estimates_of_files(const std::vector<RecordedTrial>& trials) {
   std::vector<FileDelay> told;
   for (const RecordedTrial& trial : trials) {
-    if (told.empty() || !is_of(told.back(), trial)) told.push_back({{trial.file}, {}});  // trials are by file
+    const auto is_known = [&trial](const FileDelay& delay) { return is_of(delay, trial); };
+    if (std::none_of(told.begin(), told.end(), is_known)) told.push_back({{trial.file}, {}});
   }
   const std::vector<DelaySums> sums = delay_sums_of(trials);
   FileDelay others;

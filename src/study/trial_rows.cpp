@@ -70,12 +70,13 @@ void TrialRows::finish(RecordedMeasurement& into) const {
     if (is_long || t_s_[i] - t_s_[i - 1] > longest_gap_s) end_piece(i);
   }
   end_piece(t_s_.size());
-  if (lost == static_cast<long>(t_s_.size()))
+  const double step_s =
+      (t_s_.back() - t_s_.front()) / static_cast<double>(std::max<std::size_t>(t_s_.size(), 2) - 1);
+  if (lost == static_cast<long>(t_s_.size()) && step_s > longest_gap_s)
     throw refused(
         file_, fmt::format("trial {} of subject {}: its {} rows are {:.3g} s apart, longer than the second "
                            "that parts pieces: is its time in another unit than seconds (--time-unit ms)?",
-                           number_, subject_, t_s_.size(),
-                           (t_s_.back() - t_s_.front()) / static_cast<double>(t_s_.size() - 1)));
+                           number_, subject_, t_s_.size(), step_s));
   if (into.trials.size() > first + 1) {
     for (std::size_t k = first; k < into.trials.size(); ++k)
       into.trials[k].piece = static_cast<int>(k - first) + 1;

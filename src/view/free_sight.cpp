@@ -48,9 +48,10 @@ class SightedContacts {
   bool empty() const { return rows_.empty(); }
   /// Which share is seen; the first counts as much as all others.
   double share(const Vec3& towards_eye_W) const {
+    if (rows_.size() == 1) return is_seen(*rows_.front(), towards_eye_W) ? 1 : 0;
     double seen = 0;
     for (std::size_t i = 1; i < rows_.size(); ++i) seen += is_seen(*rows_[i], towards_eye_W) ? 1 : 0;
-    const double others = rows_.size() > 1 ? seen / static_cast<double>(rows_.size() - 1) : 0;
+    const double others = seen / static_cast<double>(rows_.size() - 1);
     return (others + (is_seen(*rows_.front(), towards_eye_W) ? 1 : 0)) / 2;
   }
 

@@ -1,5 +1,7 @@
 #include "view/surface_hit.hpp"
 
+#include <algorithm>
+
 #include "contact/triangle_tree.hpp"
 #include "part/part.hpp"
 #include "touch/world.hpp"
@@ -30,8 +32,8 @@ SegmentHit first_facet(const TriangleTree& tree, const Vec3& a, const Vec3& b) n
     const double start = end < 1 ? end - same : 1;
     const SegmentHit back = tree.first_crossing(a + start * (b - a), a);
     if (back.triangle < 0) break;
-    end = start * (1 - back.along);
-    first = {back.triangle, end};
+    first = {back.triangle, start * (1 - back.along)};
+    end = std::min(first.along, end - same);  // nearer each time: a facet may lie on the line's very end
   }
   return first;
 }
