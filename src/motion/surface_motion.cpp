@@ -219,8 +219,8 @@ LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, do
     if (!walk.start(t, place_P, heading_rad, walker)) continue;
     const auto way = walked(tree, rub, radius_m, depth_m, walker, walk);
     if (!way) continue;
-    // A centre outside of the part is nearest to where its proxy is; one inside may leave it behind.
-    if (depth_m > radius_m && deepest_press_m(tree, way->centres, radius_m) > most_of_depth * depth_m) {
+    // A shallow finger's centre is nearest to where its proxy is; a deep one may leave it behind an edge.
+    if (depth_m > radius_m / 2 && deepest_press_m(tree, way->centres, radius_m) > most_of_depth * depth_m) {
       is_too_deep = true;
       continue;
     }

@@ -53,7 +53,8 @@ const ChoicePrice& cheapest(const std::vector<ChoicePrice>& prices) {
   }
   const ChoicePrice* best = &least;
   for (const ChoicePrice& price : prices) {
-    if (price.keeps() && price.load() <= alike_load * least.load() && loss(price) < loss(*best)) best = &price;
+    if (price.keeps() && price.load() <= alike_load * least.load() && loss(price) < loss(*best))
+      best = &price;
   }
   return *best;
 }

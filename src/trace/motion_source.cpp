@@ -260,11 +260,26 @@ LoadedMotion laid_motion(const Scene& scene, MeshStore& meshes) {
   return motion;
 }
 
+/// A deep finger is laid round sharp edges in steps of a millisecond.
+void warn_of_long_ticks(const Scene& scene, LoadedMotion& motion) {
+  constexpr double planned_hz = 1000;
+  if (!scene.motion.laid || motion.path.rate_hz() >= planned_hz) return;
+  if (pressed_depth_m(scene) <= scene.finger.radius_m / 2) return;
+  motion.warnings.push_back(fmt::format(
+      "{}: a finger deeper than half its radius is laid round sharp edges in steps of a millisecond; "
+      "at {:.6g} Hz it may be pressed far harder there: give rate_hz = 1000 or more",
+      scene.name, motion.path.rate_hz()));
+}
+
 /// At the rate that a scene leaves to the program, and that told; as it is where it leaves none.
 LoadedMotion at_chosen_rate(const Scene& scene, LoadedMotion motion) {
-  if (!scene.motion.automatic_rate) return motion;
+  if (!scene.motion.automatic_rate) {
+    warn_of_long_ticks(scene, motion);
+    return motion;
+  }
   const RateChoice choice = choose_rate(scene, &motion.path);
   motion.path = motion.path.with_rate(choice.rate_hz);
+  warn_of_long_ticks(scene, motion);
   motion.notes.push_back(fmt::format("{}: {}", scene.name, choice.reason));
   if (scene.hand) refuse_hand_too_quick(*scene.hand, choice.rate_hz, scene.path);
   return motion;
