@@ -111,7 +111,8 @@ void PanelChart::follow(const PanelChart& other) {
 
 bool PanelChart::MouseWheelEvent(const vtkContextMouseEvent& mouse, int steps) {
   this->GetTooltip()->SetVisible(false);
-  const Axis now = bottom_->shown();
+  Axis now = bottom_->shown();
+  if (!(now.min < all_x_.max && now.max > all_x_.min)) now = all_x_;  // running charts have left it behind
   const double width = this->Point2[0] - this->Point1[0];
   const double at = std::clamp((mouse.GetScreenPos().GetX() - this->Point1[0]) / width, 0.0, 1.0);
   constexpr double step = 1.25, most = 1e5;
