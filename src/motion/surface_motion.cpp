@@ -12,6 +12,7 @@
 
 #include "base/error.hpp"
 #include "base/random_stream.hpp"
+#include "motion/finger_path.hpp"
 #include "motion/proxy_trial.hpp"
 #include "motion/sharp_edge.hpp"
 #include "motion/surface_walk.hpp"
@@ -32,6 +33,11 @@ double length_m(const SurfaceMotion& rub) noexcept {
   if (rub.shape == SurfaceMotion::Shape::circle) return 2 * pi * rub.size_m * rub.turns;
   const double end = 2 * pi * rub.turns;
   return growth_of(rub) / 2 * (end * std::hypot(1, end) + std::asinh(end));
+}
+
+/// What a finger goes in a tick, or in a millisecond where ticks are shorter.
+double tick_way_m(const SurfaceMotion& rub, double rate_hz) noexcept {
+  return rub.speed_m_per_s * std::max(1e-3, 1 / rate_hz);
 }
 
 /// Between samples: a millisecond's way, but no fewer than 50 and no more than 5,000 of the figure's size.
@@ -108,15 +114,16 @@ struct Drawn {
 };
 
 /// Goes along the figure from where the walker stands; nothing where this place does not hold it.
-std::optional<Drawn> drawn(const SurfaceMotion& rub, double step_m, long steps, double radius_m,
-                           bool is_inside, SurfaceWalker walker, SurfaceWalk& walk) {
+/// @param edge_m  how far the centre keeps from sharp edges that it is taken round; 0: it is not
+std::optional<Drawn> drawn(const SurfaceMotion& rub, double step_m, long steps, double edge_m,
+                           SurfaceWalker walker, SurfaceWalk& walk) {
   Drawn way{{walker.p_P}, {walker.normal_P}, 0};
   Turning turning(rub);
   for (long k = 0; k < steps; ++k) {
     const SurfaceWalker before = walker;
     if (!walk.step(step_m, turning.of_step(step_m), walker)) return std::nullopt;
-    if (is_inside && turns_sharp_edge(before, walker)) {
-      const auto round = way_round_edge(before, walker, step_m, std::max(step_m, radius_m / 4));
+    if (edge_m > 0 && turns_sharp_edge(before, walker)) {
+      const auto round = way_round_edge(before, walker, step_m, edge_m);
       if (round.empty()) return std::nullopt;
       ++way.edges;
       way.centres.insert(way.centres.end(), round.begin(), round.end());
@@ -137,7 +144,7 @@ struct Walked {
 
 /// At even steps; nothing where this place does not hold it.
 std::optional<Walked> walked(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
-                             double depth_m, const SurfaceWalker& walker, SurfaceWalk& walk) {
+                             double depth_m, double rate_hz, const SurfaceWalker& walker, SurfaceWalk& walk) {
   const double out_m = lead_m(rub, depth_m);
   const Vec3 from_P = walker.p_P + out_m * walker.normal_P;
   if (!is_free(tree, walk, from_P, radius_m)) return std::nullopt;
@@ -145,7 +152,9 @@ std::optional<Walked> walked(const TriangleTree& tree, const SurfaceMotion& rub,
   const double step_m = length_m(rub) / static_cast<double>(steps);
   const bool is_line = rub.shape == SurfaceMotion::Shape::line;
   const long stroke = is_line ? std::min(steps, std::lround(rub.size_m / step_m)) : steps;
-  const auto way = drawn(rub, step_m, stroke, radius_m, depth_m > radius_m, walker, walk);
+  // Far enough for a tick to fall there.
+  const double edge_m = depth_m > radius_m ? std::max({step_m, tick_way_m(rub, rate_hz), radius_m / 4}) : 0;
+  const auto way = drawn(rub, step_m, stroke, edge_m, walker, walk);
   if (!way) return std::nullopt;
   // A line goes back on its own way, round the edges too.
   const long turn = std::ssize(way->centres) - 1;
@@ -184,7 +193,7 @@ std::string no_place_words(int tries, bool is_too_deep, const SurfaceMotion& rub
   const double across_m = (part.vertices.rowwise().maxCoeff() - part.vertices.rowwise().minCoeff()).norm();
   const std::string_view of_edges =
       is_too_deep ? "; at some a narrow edge would press it over a tenth deeper than asked, which a "
-                    "finger.radius_m over the depth avoids"
+                    "finger.radius_m over twice the depth avoids, and shorter ticks or less speed may"
                   : "";
   const std::string of_unit =
       rub.size_m > across_m
@@ -202,8 +211,8 @@ double duration_s(const SurfaceMotion& rub, double depth_m) noexcept {
   return (2 * lead_m(rub, depth_m) + length_m(rub)) / rub.speed_m_per_s;
 }
 
-LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
-                          double depth_m) {
+LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m, double depth_m,
+                          double rate_hz) {
   constexpr int most_tries = 300;
   constexpr double tolerance_of_size = 1e-6;
   constexpr double most_of_depth = 1.1;
@@ -217,14 +226,16 @@ LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, do
     SurfaceWalk walk(tree, radius_m - depth_m, tolerance_of_size * rub.size_m);
     SurfaceWalker walker;
     if (!walk.start(t, place_P, heading_rad, walker)) continue;
-    const auto way = walked(tree, rub, radius_m, depth_m, walker, walk);
+    const auto way = walked(tree, rub, radius_m, depth_m, rate_hz, walker, walk);
     if (!way) continue;
+    Motion motion = timed(*way, rub, depth_m);
     // A shallow finger's centre is nearest to where its proxy is; a deep one may leave it behind an edge.
-    if (depth_m > radius_m / 2 && deepest_press_m(tree, way->centres, radius_m) > most_of_depth * depth_m) {
+    if (depth_m > radius_m / 2 && deepest_press_m(tree, FingerPath(motion, rate_hz, Vec3::UnitX()),
+                                                  radius_m) > most_of_depth * depth_m) {
       is_too_deep = true;
       continue;
     }
-    return {timed(*way, rub, depth_m), place_P, tried, way->edges};
+    return {std::move(motion), place_P, tried, way->edges};
   }
   throw refused("", no_place_words(most_tries, is_too_deep, rub, tree.part()));
 }

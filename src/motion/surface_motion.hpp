@@ -44,13 +44,16 @@ struct LaidMotion {
 ///
 /// A finger pressed in deeper than its radius has its centre inside, where that distance has no way round a
 /// convex edge. At a sharp one it eases off to the edge, goes round it and comes in again beyond
-/// (way_round_edge), which takes longer than duration_s(). So no proxy is left behind on the first face, and
-/// none is ever pressed in by over 1.1 times the depth.
+/// (way_round_edge), which takes longer than duration_s(), so that no proxy is left behind on the first face.
+/// A finger pressed in deeper than half its radius is tried: at no tick is a proxy with the facets' normals
+/// pressed in by over 1.1 times the depth.
 ///
-/// A place where it would leave the part over an open rim, where the finger has no room or the wall is too
-/// thin for the depth is given up for the next of the stream. Depends on the part, the rub, radius and depth
-/// alone. Throws Error (refused) without a place where no place holds it.
-LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m,
-                          double depth_m);
+/// A place where it would be, where it would leave the part over an open rim, where the finger has no room or
+/// the wall is too thin for the depth is given up for the next of the stream. Depends on the part, the rub,
+/// radius, depth and rate alone.
+/// @param rate_hz  of the ticks that will feel it
+/// Throws Error (refused) without a place where no place holds it.
+LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, double radius_m, double depth_m,
+                          double rate_hz = 1000);
 
 }  // namespace fingerpad

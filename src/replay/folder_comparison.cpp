@@ -75,11 +75,6 @@ class Changes {
   const std::function<void(ChangedJob&&)>& on_changed_;
 };
 
-/// Of the job itself.
-JobChange whole_change(std::string words) {
-  return {"", std::move(words), TickRecord::nan, "", TickRecord::nan};
-}
-
 using OutcomesByJob = std::map<std::pair<std::string, int>, JobOutcome>;
 
 /// The jobs of a folder's summaries; none where it has none.

@@ -3,19 +3,11 @@
 #include <cstddef>
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
-namespace fingerpad {
+#include "replay/trace_comparison.hpp"
 
-/// One thing in which a job differs.
-struct JobChange {
-  std::string column;  ///< of the trace or the summary; empty: the job itself, as where one folder lacks it
-  std::string words;   ///< what is told of it, without the job's name
-  double most = 0;     ///< the greatest difference; infinite from a number to none, nan without a column
-  std::string_view unit;
-  double at_s = 0;  ///< where that is; nan of a summary's
-};
+namespace fingerpad {
 
 /// A job whose results differ.
 struct ChangedJob {

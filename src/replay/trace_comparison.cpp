@@ -11,8 +11,6 @@
 namespace fingerpad {
 namespace {
 
-constexpr double not_a_number = std::numeric_limits<double>::quiet_NaN();
-
 /// Rows of two traces at one time.
 struct RowPair {
   std::size_t a = 0, b = 0;
@@ -71,20 +69,22 @@ double distance_between(double a, double b) noexcept {
   return std::isnan(apart) ? HUGE_VAL : apart;
 }
 
+JobChange whole_change(std::string words) {
+  return {"", std::move(words), TickRecord::nan, "", TickRecord::nan};
+}
+
 std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tolerance) {
   std::vector<JobChange> changes;
-  const auto tell_whole = [&](std::string words) {
-    changes.push_back({"", std::move(words), not_a_number, "", not_a_number});
-  };
   const std::vector<RowPair> pairs = rows_at_common_times(a, b);
   const std::size_t most_rows = std::max(a.rows.size(), b.rows.size());
   if (pairs.size() < most_rows)
-    tell_whole(fmt::format("{} ticks, then {}; {} times are in both, and compared", a.rows.size(),
-                           b.rows.size(), pairs.size()));
+    changes.push_back(whole_change(fmt::format("{} ticks, then {}; {} times are in both, and compared",
+                                               a.rows.size(), b.rows.size(), pairs.size())));
   for (const TraceColumn& column : trace_columns()) {
     const bool lacks_a = lacks(a, column), lacks_b = lacks(b, column);
     if (lacks_a != lacks_b)
-      tell_whole(fmt::format("{} is in the {} trace alone", column.name, lacks_a ? "second" : "first"));
+      changes.push_back(whole_change(
+          fmt::format("{} is in the {} trace alone", column.name, lacks_a ? "second" : "first")));
     if (lacks_a || lacks_b || column.name == "t_s") continue;  // by which they were set side by side
     compare_column(column, a, b, pairs, tolerance, changes);
   }

@@ -1,11 +1,24 @@
 #pragma once
 
+#include <string>
+#include <string_view>
 #include <vector>
 
-#include "replay/folder_comparison.hpp"
 #include "trace/trace.hpp"
 
 namespace fingerpad {
+
+/// One thing in which a job differs.
+struct JobChange {
+  std::string column;  ///< of the trace or the summary; empty: the job itself, as where one folder lacks it
+  std::string words;   ///< what is told of it, without the job's name
+  double most = 0;     ///< the greatest difference; infinite from a number to none, nan without a column
+  std::string_view unit;
+  double at_s = 0;  ///< where that is; nan of a summary's
+};
+
+/// Of the job or the trace itself, not of a column.
+JobChange whole_change(std::string words);
 
 /// What differs between two traces, a change a column: at the times that both have.
 /// @param tolerance  what a column may differ by, in its own unit

@@ -236,19 +236,19 @@ std::string shape_text(const SurfaceMotion& rub) {
                      rub.shape == SurfaceMotion::Shape::circle ? "circle" : "spiral", size_mm);
 }
 
-LoadedMotion laid_motion(const Scene& scene, MeshStore& meshes) {
+LoadedMotion laid_motion(const Scene& scene, double rate_hz, MeshStore& meshes) {
   const SurfaceMotion& rub = *scene.motion.laid;
   const PartEntry& part = scene.parts.front();
   const double depth_m = pressed_depth_m(scene);
   const auto mesh = meshes.load(part);
   LaidMotion laid;
   try {
-    laid = lay_on_surface(*mesh->tree, rub, scene.finger.radius_m, depth_m);
+    laid = lay_on_surface(*mesh->tree, rub, scene.finger.radius_m, depth_m, rate_hz);
   } catch (const Error& error) {
     throw refused(scene.path, fmt::format("{}: {}", part.mesh, error.what()));
   }
   place(laid.motion, part.rotation, part.position_m);
-  LoadedMotion motion{{std::move(laid.motion), scene.motion.rate_hz, scene.finger.direction}};
+  LoadedMotion motion{{std::move(laid.motion), rate_hz, scene.finger.direction}};
   const Vec3 place_mm = 1e3 * laid.place_P;
   const std::string edges = laid.edges == 0 ? ""
                                             : fmt::format(", eased off round {} sharp edge{}", laid.edges,
@@ -260,29 +260,25 @@ LoadedMotion laid_motion(const Scene& scene, MeshStore& meshes) {
   return motion;
 }
 
-/// A deep finger is laid round sharp edges in steps of a millisecond.
-void warn_of_long_ticks(const Scene& scene, LoadedMotion& motion) {
-  constexpr double planned_hz = 1000;
-  if (!scene.motion.laid || motion.path.rate_hz() >= planned_hz) return;
-  if (pressed_depth_m(scene) <= scene.finger.radius_m / 2) return;
-  motion.warnings.push_back(fmt::format(
-      "{}: a finger deeper than half its radius is laid round sharp edges in steps of a millisecond; "
-      "at {:.6g} Hz it may be pressed far harder there: give rate_hz = 1000 or more",
-      scene.name, motion.path.rate_hz()));
-}
-
 /// At the rate that a scene leaves to the program, and that told; as it is where it leaves none.
 LoadedMotion at_chosen_rate(const Scene& scene, LoadedMotion motion) {
-  if (!scene.motion.automatic_rate) {
-    warn_of_long_ticks(scene, motion);
-    return motion;
-  }
+  if (!scene.motion.automatic_rate) return motion;
   const RateChoice choice = choose_rate(scene, &motion.path);
   motion.path = motion.path.with_rate(choice.rate_hz);
-  warn_of_long_ticks(scene, motion);
   motion.notes.push_back(fmt::format("{}: {}", scene.name, choice.reason));
   if (scene.hand) refuse_hand_too_quick(*scene.hand, choice.rate_hz, scene.path);
   return motion;
+}
+
+/// It is laid for ticks of its rate: where that is chosen by a motion, anew at that rate.
+LoadedMotion laid_at_chosen_rate(const Scene& scene, MeshStore& meshes) {
+  const double first_hz = scene.motion.rate_hz;
+  LoadedMotion motion = at_chosen_rate(scene, laid_motion(scene, first_hz, meshes));
+  const double chosen_hz = motion.path.rate_hz();
+  if (chosen_hz == first_hz) return motion;
+  LoadedMotion again = laid_motion(scene, chosen_hz, meshes);
+  again.notes.push_back(motion.notes.back());  // why that rate
+  return again;
 }
 
 void warn_of_odd_force(Reading& reading) {
@@ -325,7 +321,7 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
     throw refused(scene.path, "the scene has no motion to follow; give [motion] a 'file' or a 'kind'");
   }
   if (settings.scripted) return at_chosen_rate(scene, scripted_motion(scene));
-  if (settings.laid) return at_chosen_rate(scene, laid_motion(scene, meshes));
+  if (settings.laid) return laid_at_chosen_rate(scene, meshes);
   Reading reading{scene, settings, {}, {}, {}, {}, {}};
   read_file(reading);
   reading.clock = recording_clock(reading.motion.t_s);

@@ -114,6 +114,23 @@ TEST(Compare, SetsRowsAgainstEachOtherByTheirTime) {
   EXPECT_THAT(found.out, Not(HasSubstr("differs")));
 }
 
+/// A recording's clock may count from 1970, where a double steps by a quarter of a microsecond.
+TEST(Compare, SetsRowsOfAClockThatCountsFrom1970ByTheirTimeToo) {
+  const fs::path folder = folder_with_set();
+  std::ofstream rub(folder / "rub.csv");
+  rub << "t_s,x_m,y_m,z_m\n";
+  for (int i = 0; i <= 100; ++i) rub << "1700000000." << 100 + i << "," << 1e-4 * i << ",0,-0.001\n";
+  rub.close();
+  std::ofstream(folder / "s.toml") << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+                                      "[motion]\nfile = \"rub.csv\"\nrate_hz = 1000\n";
+  const std::string replay = "replay s.toml --quiet --out ";
+  ASSERT_EQ(test::fingerpad(replay + "whole", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad(replay + "thin --every 10", folder).exit_code, 0);
+  const auto found = test::fingerpad("compare whole thin", folder);
+  EXPECT_THAT(found.out, Not(HasSubstr("differs")));
+  EXPECT_THAT(found.out, HasSubstr("101 ticks, then 11; 11 times are in both"));
+}
+
 TEST(Compare, SaysWhereAJobIsAnotherInTheSecondFolder) {
   const fs::path folder = folder_with_set();
   ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);

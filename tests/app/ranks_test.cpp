@@ -169,6 +169,16 @@ TEST(Ranks, ThatComeWhenTheOthersHaveDoneAllDoNothing) {
   EXPECT_NE(bytes_of(folder / "o" / "plane-0001.h5"), "changed\n");
 }
 
+/// As where one script that is started with ranks calls it twice.
+TEST(Ranks, WhoseRootIsCalledAgainByOneLauncherDoItAgain) {
+  const fs::path folder = folder_with_batch();
+  const ShellResult twice = test::shell(as_rank(0) + "echo changed > o/plane-0001.h5\n" + as_rank(0), folder);
+  EXPECT_EQ(twice.exit_code, 0) << twice.err;
+  const std::string done = "4 of 4 jobs done, traces and summary.csv in o\n";
+  EXPECT_EQ(twice.out, done + done);
+  EXPECT_NE(bytes_of(folder / "o" / "plane-0001.h5"), "changed\n");
+}
+
 TEST(Ranks, OfWhichNobodySaysOfWhatRunAreRefusedAndOneByItselfIsNoRank) {
   const fs::path folder = folder_with_batch();
   const std::string replay = "'" + test::program().string() + "' replay plane.toml --format none --quiet ";

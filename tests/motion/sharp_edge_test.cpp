@@ -56,19 +56,19 @@ struct Pressed {
   double turn_rad = 0;     ///< the greatest between two normals on the way
 };
 
-/// What a replay at 4 kHz does.
+/// What a replay does.
 Pressed pressed(const std::shared_ptr<const TriangleTree>& tree, const Motion& motion, double radius_m,
-                double depth_m, Normals normals) {
+                double depth_m, Normals normals, double rate_hz = 4000) {
   PlacedSurface surface;
   surface.tree = tree;
   surface.part = std::shared_ptr<const Part>(tree, &tree->part());
   Proxy proxy = fast_proxy({surface}, radius_m, normals);
-  const FingerPath path(motion, 4000, Vec3::UnitX());
+  const FingerPath path(motion, rate_hz, Vec3::UnitX());
   Pressed found;
   int touching = 0, whole = 0;
   Vec3 first = Vec3::Zero();
   for (long k = 0; k < path.tick_count(); ++k) {
-    const ProxyContact& contact = proxy.move(path.at(k).p_WQ, 1.0 / 4000);
+    const ProxyContact& contact = proxy.move(path.at(k).p_WQ, 1 / rate_hz);
     if (!contact.touching) continue;
     if (touching++ == 0) first = contact.normal_W;
     found.most_m = std::max(found.most_m, contact.depth_m);
@@ -117,6 +117,41 @@ TEST(SharpEdge, IsRoundedByAFingerDeeperThanItsRadiusWithoutPressingDeeper) {
     }
     EXPECT_GT(turned, 6) << "too few of them met an edge";
   }
+}
+
+TEST(SharpEdge, IsRoundedAtTheTicksOfAnyRateAndSpeed) {
+  const auto tree = tree_of(test::box_soup({0.04, 0.03, 0.02}));
+  for (const double rate_hz : {250.0, 400.0, 1000.0, 3000.0}) {
+    for (const double speed_m_per_s : {0.02, 0.3}) {
+      SCOPED_TRACE(std::to_string(rate_hz) + " Hz, " + std::to_string(speed_m_per_s) + " m/s");
+      int edges = 0;
+      for (std::int64_t place = 0; place < 6; ++place) {
+        SurfaceMotion rub = line_of(0.004, place);
+        rub.shape = SurfaceMotion::Shape::circle;
+        rub.turns = 4;
+        rub.speed_m_per_s = speed_m_per_s;
+        const LaidMotion laid = lay_on_surface(*tree, rub, 0, 0.001, rate_hz);
+        edges += laid.edges;
+        EXPECT_LE(pressed(tree, laid.motion, 0, 0.001, Normals::facet, rate_hz).most_m, 1.1 * 0.001) << place;
+      }
+      EXPECT_GT(edges, 0);
+    }
+  }
+}
+
+/// Whose centre stays outside, and whose proxy yet stays behind on the first face of a sharp edge.
+TEST(SharpEdge, ABallPressedInByNearlyItsRadiusIsGivenUpWhereItWouldPressDeeper) {
+  const auto tree = tree_of(test::box_soup({0.04, 0.03, 0.02}));
+  int given_up = 0;
+  for (const double depth_m : {0.0024, 0.0029, 0.003}) {
+    for (std::int64_t place = 0; place < 6; ++place) {
+      const LaidMotion laid = lay_on_surface(*tree, line_of(0.012, place), 0.003, depth_m);
+      given_up += laid.tried - 1;
+      EXPECT_LE(pressed(tree, laid.motion, 0.003, depth_m, Normals::facet, 1000).most_m, 1.1 * depth_m)
+          << depth_m << " m at " << place;
+    }
+  }
+  EXPECT_GT(given_up, 0);
 }
 
 /// Round a rod of many flat sides there is no sharp edge; but to a centre that goes round close to the axis a

@@ -146,6 +146,14 @@ TEST(Cleaning, EachFileHasADelayOfItsOwn) {
                                       HasSubstr("other.csv: force lags position by 11."))));
 }
 
+TEST(Cleaning, AFileThatIsNamedTwiceHasOneDelay) {
+  const RecordedMeasurement one = of_file("one.csv", rubs, 2e-3, 1),
+                            other = of_file("other.csv", rubs, 11.4e-3, 2);
+  const Measurement once = clean(joined({one, other}), {}), twice = clean(joined({one, other, one}), {});
+  ASSERT_EQ(twice.delays.size(), 2u);
+  EXPECT_NEAR(twice.delays[0].estimate.delay_s, once.delays[0].estimate.delay_s, 1e-12);
+}
+
 /// A tenth of a second of stick alone says nothing; that of several files does.
 TEST(Cleaning, FilesThatDoNotTellTheirDelayAreTakenTogether) {
   std::vector<RecordedMeasurement> files;

@@ -175,6 +175,31 @@ TEST(TrialRows, NamesThePiecesOfALongTrialApart) {
   EXPECT_EQ(trial_name(read.trials.back()), "long.csv, subject 1, trial 3, piece 3");
 }
 
+/// Rows of `step_s`, with a gap in the middle.
+TrialRows short_trial(double step_s, double gap_s) {
+  TrialRows rows("short.csv", 1, 3, true);
+  for (int i = 0; i < 20; ++i) {
+    RecordedRow row;
+    row.t_s = step_s * i + (i < 10 ? 0 : gap_s);
+    rows.add(row);
+  }
+  return rows;
+}
+
+TEST(TrialRows, AShortTrialWithAGapIsLeftOutAndOneOfAnotherUnitIsRefused) {
+  RecordedMeasurement read;
+  short_trial(1e-3, 3).finish(read);
+  EXPECT_TRUE(read.trials.empty());
+  ASSERT_EQ(read.warnings.size(), 1u);
+  EXPECT_THAT(read.warnings.front(), testing::HasSubstr("20 rows between long gaps are left out"));
+  try {
+    short_trial(2, 0).finish(read);
+    FAIL() << "it was taken";
+  } catch (const Error& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("--time-unit ms"));
+  }
+}
+
 /// Forces in the surface's axes and positions in the tracker's are no measurement of a finger pad.
 TEST_F(Reading, ALayoutOfTwoFramesIsLeftOutWithItsReason) {
   const std::string path =

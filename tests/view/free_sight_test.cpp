@@ -58,6 +58,15 @@ TEST(FreeSight, LooksThroughTheOpenSideOfWhatStandsAround) {
   }
 }
 
+TEST(FreeSight, StaysAsWantedWhereThatSeesTheOnlyContactThereIs) {
+  ViewInput input = in_a_shed(false);
+  for (std::size_t row = 0; row < input.rows.size(); ++row) {
+    if (row != 77) input.rows[row].phase = Phase::free;
+  }
+  const Vec3 level = Vec3(1, 0.1, 0.3).normalized();
+  EXPECT_EQ(free_sight(input, &input.rows[77], level), level);
+}
+
 TEST(FreeSight, StaysAsWantedWhereThatSeesTheContactOrNothingDoes) {
   const Vec3 from_above = Vec3(0.3, -0.4, 0.9).normalized();
   EXPECT_EQ(free_sight(in_a_shed(true), nullptr, from_above), from_above);

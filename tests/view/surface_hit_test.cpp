@@ -75,6 +75,17 @@ TEST(LineHit, IsTheNearestFacetFromEitherSideOfAnyPart) {
   EXPECT_GT(expect_plain_hits(sheets), 50);
 }
 
+TEST(LineHit, MayEndOnAFacetThatIsSeenFromBehind) {
+  const Surface surface = test::world_of(test::square_soup(0.1, 3))->surfaces[0];
+  for (const double z_m : {0.0, 1e-18, -1e-18}) {
+    const auto hit = line_hit(surface, Vec3(0.011, 0.013, -1), Vec3(0.011, 0.013, z_m));
+    if (hit) {
+      EXPECT_NEAR(hit->along, 1, 1e-9);
+    }
+  }
+  EXPECT_FALSE(line_hit(surface, Vec3(0.011, 0.013, -1), Vec3(0.011, 0.013, -1e-3)));
+}
+
 TEST(LineHit, OfAPlaneIsSeenFromItsOutsideAlone) {
   const Surface plane = test::plane_world()->surfaces[0];
   const auto hit = line_hit(plane, Vec3(1, 2, 3), Vec3(1, 2, -1));
