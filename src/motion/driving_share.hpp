@@ -10,6 +10,10 @@ namespace fingerpad {
 /// @param position_W, force_W  3 x n, of the same moments; samples that are not finite are passed over
 double driving_share(const Points& position_W, const Points& force_W, double rate_hz);
 
+/// The same of each axis by itself: where one alone drives the finger, its force or its position is mirrored.
+/// Not a number for an axis that does less than a fifth of the work.
+Vec3 driving_share_by_axis(const Points& position_W, const Points& force_W, double rate_hz);
+
 /// Beyond it forces drive the finger.
 inline constexpr double most_driving_share = 0.5;
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -27,10 +28,13 @@ double extent_m(const RecordedTrial& trial) {
   return (trial.position_W.rowwise().maxCoeff() - trial.position_W.rowwise().minCoeff()).maxCoeff();
 }
 
-/// The median over a file's trials.
+/// The median over a file's trials that have it; not a number where none has.
 double usual(FileTrials trials, const std::function<double(const RecordedTrial&)>& of) {
   std::vector<double> values;
-  for (const RecordedTrial& trial : trials) values.push_back(of(trial));
+  for (const RecordedTrial& trial : trials) {
+    if (const double value = of(trial); !std::isnan(value)) values.push_back(value);
+  }
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
   const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
   std::nth_element(values.begin(), middle, values.end());
   return *middle;
@@ -59,6 +63,25 @@ void ask_for_units(FileTrials trials, const MeasurementFormat& format) {
                           press_n));
 }
 
+/// No turn of a sensor puts right what one axis has of a mirror.
+void refuse_mirrored_axis(FileTrials trials) {
+  Vec3 share;
+  for (int axis = 0; axis < 3; ++axis) {
+    share[axis] = usual(trials, [axis](const RecordedTrial& trial) {
+      return driving_share_by_axis(trial.position_W, trial.force_W, trial.rate_hz)[axis];
+    });
+  }
+  for (int axis = 0; axis < 3; ++axis) {
+    const bool others_brake = (share.array() < -most_driving_share).any();
+    if (!(share[axis] > most_driving_share) || !others_brake) continue;
+    throw refused(
+        trials.front().file,
+        fmt::format("along {0} alone its force drives the finger, and friction holds a finger back: "
+                    "the force or the position along {0} is mirrored; turn that column's sign",
+                    "xyz"[axis]));
+  }
+}
+
 void ask_for_signs(FileTrials trials, const MeasurementFormat& format) {
   constexpr double surely_n = 0.15;  // a sensor's offset may be below 0 where nothing presses
   const std::string& file = trials.front().file;
@@ -71,6 +94,7 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format) {
                   "the sensor stands (--sensor-turned)",
                   press_n, format.force_on_plate ? "--force-on finger" : "--force-on plate",
                   format.force_on_plate ? "finger" : "plate"));
+  refuse_mirrored_axis(trials);
   const double drives = usual(trials, [](const RecordedTrial& trial) {
     return driving_share(trial.position_W, trial.force_W, trial.rate_hz);
   });
@@ -78,9 +102,8 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format) {
     throw refused(
         file,
         "its force drives the finger along its way, and friction holds a finger back: fx and fy have the "
-        "wrong "
-        "sign while the normal force has the right one. --force-on turns all three, --sensor-turned 0,0,0,1 "
-        "(half a turn about z) fx and fy alone");
+        "wrong sign while the normal force has the right one. --force-on turns all three, --sensor-turned "
+        "0,0,0,1 (half a turn about z) fx and fy alone");
 }
 
 }  // namespace

@@ -101,9 +101,16 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   }
   FitPoint point;
   point.evidence.knows_delay = measurement.knows_delay;
-  constexpr int passes = 4;
-  for (int pass = 0; pass < passes; ++pass) {
-    if (pass > 0) point = next_point(fit.evidence, point);
+  // The normal law's exponent comes last, where it is far from the half that it is looked for from.
+  constexpr int passes = 4, most_passes = 10;
+  constexpr double settled_exponent = 1e-3;
+  double moved = 0;
+  for (int pass = 0; pass < passes || (pass < most_passes && moved > settled_exponent); ++pass) {
+    if (pass > 0) {
+      const double before = point.evidence.press_exponent;
+      point = next_point(fit.evidence, point);
+      moved = std::abs(point.evidence.press_exponent - before);
+    }
     fit.evidence.clear();
     for (std::size_t i = 0; i < segments.size(); ++i)
       fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));

@@ -19,8 +19,8 @@ struct World;
 /// replayed) or a trace.
 struct ViewInput {
   std::string title;
-  std::string file =
-      {};  ///< of what is shown, as it was named: window titles and screenshots are named after it
+  /// Of what is shown, as it was named: window titles and screenshots are named after it.
+  std::string file = {};
   std::string contact_words = {};  ///< method and normals that served, where a trace says so
   std::string notice = {};         ///< what cannot be shown, and why; empty: all can
   std::shared_ptr<const World>

@@ -63,6 +63,13 @@ TEST(MeasurementDoubts, AWrongSignOfTheTangentialForcesAloneIsToldByItsWork) {
               AllOf(HasSubstr("drives the finger along its way"), HasSubstr("--sensor-turned 0,0,0,1")));
 }
 
+TEST(MeasurementDoubts, AMirroredAxisIsNamed) {
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.force_W.row(1) *= -1; }),
+              AllOf(HasSubstr("along y alone"), HasSubstr("mirrored")));
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.position_W.row(0) *= -1; }),
+              AllOf(HasSubstr("along x alone"), HasSubstr("turn that column's sign")));
+}
+
 TEST(MeasurementDoubts, OneOddTrialOfManyIsLeftToTheOutliers) {
   bool is_first = true;
   RecordedMeasurement recorded =

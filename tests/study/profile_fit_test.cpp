@@ -60,6 +60,17 @@ constexpr std::array<double, pad_number_keys.size()> near{
     0.005, 0.005, 1e-4, 1e-4,  0.01,  0.01,  3e-6, 3e-6,  // springs; the loop's area of 2.4e-3 at most
     0.02,  0.02,  0.1,  0.005, 0.01};                     // v_min; vibration, a random signal; the normal law
 
+TEST(ProfileFit, FindsANormalLawThatIsNotTheUsualOne) {
+  for (const double exponent : {1.0, 1.25, 3.0}) {
+    test::KnownFinger finger;
+    finger.press_exponent = exponent;
+    test::KnownSensors sensors;
+    sensors.air_s = 0.3;
+    const ProfileFit fit = fitted(test::known_trials(), 1, finger, sensors);
+    EXPECT_NEAR(of(fit, PadNumber::normal_exponent).value, exponent, 0.003 * exponent);
+  }
+}
+
 TEST(ProfileFit, FindsTheKnownPadThroughBadSensors) {
   // Pads of one size a subject and 3:2:2 trials: did trials weigh alike, the axes would be 3 % short.
   test::KnownFinger finger;
