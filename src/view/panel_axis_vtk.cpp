@@ -36,6 +36,9 @@ void PanelAxis::set_ends(const Axis& ends) {
 }
 
 void PanelAxis::show_range(double min, double max) {
+  // What is held while running charts go on lies before their ends; VTK would cut it off at its limits.
+  this->SetUnscaledMinimumLimit(std::min(this->UnscaledMinimumLimit, min));
+  this->SetUnscaledMaximumLimit(std::max(this->UnscaledMaximumLimit, max));
   // One end may not pass the other on the way.
   if (min > this->UnscaledMaximum) {
     this->SetUnscaledMaximum(max);

@@ -61,6 +61,19 @@ TEST_F(ChartBoardTest, WheelKeepsWhatIsUnderTheMouseAndMovesAllPanels) {
   EXPECT_EQ(board_.place().x_max, before.x_max);
 }
 
+TEST_F(ChartBoardTest, AZoomIsHeldHoweverFarTheCurvesHaveGoneOn) {
+  show(10);
+  wheel(0.5, 2);
+  const ChartPlace zoomed = board_.place();
+  show(18);
+  EXPECT_EQ(board_.place().x_min, zoomed.x_min);
+  EXPECT_EQ(board_.place().x_max, zoomed.x_max) << "not cut off where the curves begin now";
+  wheel(0.5, 1);
+  const ChartPlace again = board_.place();
+  EXPECT_GE(again.x_min, 14) << "a wheel then means what there is";
+  EXPECT_LT(again.x_min, again.x_max);
+}
+
 TEST_F(ChartBoardTest, AZoomedCurveKeepsToItsFrame) {
   show(10);
   wheel(0.5, 6);
