@@ -281,7 +281,7 @@ void Stage::project_marks(OverlayFacts& facts) {
 OverlayFacts Stage::overlay_facts() {
   OverlayFacts facts;
   facts.title = input_.title;
-  facts.subtitle = subtitle_of(now());
+  facts.subtitle = subtitle_of(now(), input_.title);
   facts.about = about_lines(input_);
   facts.hint = hint_;
   facts.alarm = alarm_;
