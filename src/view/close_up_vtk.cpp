@@ -110,14 +110,14 @@ void CloseUp::hide() {
 }
 
 void CloseUp::show(const ContactMoment& moment, const Box& box, const Box& window, double half_height_mm,
-                   double limit_n) {
+                   double limit_n, const GlyphInk& ink) {
   for (vtkRenderer* renderer : renderers()) {
     renderer->SetDraw(1);
     renderer->SetViewport(box.left / window.width, box.bottom / window.height, box.right() / window.width,
                           box.top() / window.height);
   }
   const TickRecord& row = moment.row;
-  const ContactGlyphs glyphs = close_up_glyphs(moment, space_, limit_n, half_height_mm);
+  const ContactGlyphs glyphs = close_up_glyphs(moment, space_, limit_n, half_height_mm, ink);
   copy_mesh(glyphs.solid, solid_);
   copy_mesh(glyphs.clear, clear_);
   set_close_up_camera(scene_, space_.to_draw(row.contact_W),

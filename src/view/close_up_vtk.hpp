@@ -31,7 +31,7 @@ class CloseUp {
   /// @param box      in the window [px]
   /// @param limit_n  mu_s n at this moment [N]
   void show(const ContactMoment& moment, const Box& box, const Box& window, double half_height_mm,
-            double limit_n);
+            double limit_n, const GlyphInk& ink);
 
  private:
   void show_parts_near(const Vec3& contact_W, double reach_m);

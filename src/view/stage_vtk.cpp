@@ -9,6 +9,7 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 
@@ -23,6 +24,14 @@
 #include "view/surface_words.hpp"
 
 namespace fingerpad {
+namespace {
+
+/// That are drawn as arrows: normal force, friction, and both.
+std::array<Vec3, 3> drawn_forces_W_n(const TickRecord& row) {
+  return {row.normal_W * row.normal_force_n, row.friction_W_n, row.force_W_n};
+}
+
+}  // namespace
 
 Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool timeline)
     : input_(input),
@@ -104,11 +113,10 @@ void Stage::place_renderers() {
 
 /// Brings what is looked at to the size of the scene.
 void Stage::fit() {
-  const TickRecord* const row = moment_ ? &moment_->row : nullptr;
   if (look_)
     set_look(scene_, input_, extent_, space_, *look_, width_to_height());
   else
-    set_scene_camera(scene_, input_, row, extent_, space_, width_to_height());
+    set_scene_camera(scene_, input_, looked_at_ ? &*looked_at_ : nullptr, extent_, space_, width_to_height());
   fitted_ = view_of(scene_->GetActiveCamera());
 }
 
@@ -134,6 +142,8 @@ void Stage::paint_grounds() {
 
 void Stage::reset_camera() {
   look_ = state_.look;
+  looked_at_.reset();
+  if (moment_) looked_at_ = moment_->row;
   fit();
 }
 
@@ -199,8 +209,14 @@ bool Stage::shows_close_up(double scene_px_per_mm) {
 /// Finds room for readings, legend and close-up, none over the contact, its arrows above all.
 void Stage::place_overlay(OverlayFacts& facts) {
   std::optional<Vec2> contact_px;
+  std::vector<Vec2> tips_px;
   if (moment_ && moment_->row.phase != Phase::free) {
-    contact_px = on_screen(space_.to_draw(moment_->row.contact_W));
+    const Vec3 contact = space_.to_draw(moment_->row.contact_W);
+    contact_px = on_screen(contact);
+    if (state_.forces) {
+      for (const Vec3& force_W_n : drawn_forces_W_n(moment_->row))
+        tips_px.push_back(on_screen(contact + force_W_n * facts.mm_per_n));
+    }
   } else if (moment_) {
     contact_px = on_screen(space_.to_draw(moment_->row.p_WQ));
   }
@@ -221,7 +237,7 @@ void Stage::place_overlay(OverlayFacts& facts) {
                                    {{hud.x(), hud.y(), {top_left, top_right, bottom_right}},
                                     {side, side, {top_right, bottom_right, top_left, bottom_left}},
                                     {legend.x(), legend.y(), {bottom_left, bottom_right, top_left}}},
-                                   contact_px, panels_.boxes(below_alarm));
+                                   contact_px, panels_.boxes(below_alarm), tips_px);
   facts.hud = boxes[0];
   inset_ = boxes[1];
   facts.legend = boxes[2];
@@ -241,7 +257,14 @@ void Stage::place_close_up() {
   if (row.surface >= 0 && now().world && surface < now().world->surfaces.size()) {
     mu_static = now().world->surfaces[surface].properties.mu_static;
   }
-  close_up_->show(*moment_, inset_, layout_.window, inset_half_height_mm_, mu_static * row.normal_force_n);
+  close_up_->show(*moment_, inset_, layout_.window, inset_half_height_mm_, mu_static * row.normal_force_n,
+                  glyph_ink());
+}
+
+/// A part's faces are bright in the dark, too; between its wires it is dark.
+GlyphInk Stage::glyph_ink() const {
+  if (!state_.dark || !state_.wireframe) return {};
+  return {in_the_dark(colours::ink), in_the_dark(colours::black)};
 }
 
 Vec2 Stage::on_screen(const Vec3& p_mm) {
@@ -266,8 +289,7 @@ void Stage::project_labels(OverlayFacts& facts, const GlyphChoice& choice) {
   }
   std::vector<ScreenArrow> forces;
   if (choice.forces) {
-    for (const Vec3& force_W_n : {Vec3(row.normal_W * row.normal_force_n), row.friction_W_n, row.force_W_n})
-      forces.push_back(seen(force_W_n * choice.mm_per_n));
+    for (const Vec3& force_W_n : drawn_forces_W_n(row)) forces.push_back(seen(force_W_n * choice.mm_per_n));
   }
   const Box boxes[] = {inset_, facts.hud, facts.legend};
   facts.labels = frame_labels(axes, forces, boxes, layout_.scene, layout_.em);
@@ -318,6 +340,7 @@ void Stage::render() {
   choice.finger = state_.finger;
   choice.forces = state_.forces;
   choice.frame = state_.frame;
+  choice.ink = glyph_ink();
   const ContactGlyphs glyphs = moment_ ? contact_glyphs(*moment_, space_, choice) : ContactGlyphs{};
   copy_mesh(glyphs.solid, solid_);
   copy_mesh(glyphs.clear, clear_);

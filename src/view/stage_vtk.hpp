@@ -127,6 +127,7 @@ class Stage {
   Vec2 on_screen(const Vec3& p_mm);
   bool shows_close_up(double scene_px_per_mm);
   void place_close_up();
+  GlyphInk glyph_ink() const;
   void place_overlay(OverlayFacts& facts);
   double px_per_mm() const;
   double readings_strip_px() const;
@@ -148,8 +149,9 @@ class Stage {
   bool clear_of_readings_ = false;
   Layout layout_;
   ViewState state_;
-  std::optional<LookFrom> look_;  ///< that the camera was set to last; none: the usual view
-  std::vector<double> fitted_;    ///< view_of the camera then
+  std::optional<LookFrom> look_;         ///< that the camera was set to last; none: the usual view
+  std::optional<TickRecord> looked_at_;  ///< the moment for which the usual view was chosen, if for one
+  std::vector<double> fitted_;           ///< view_of the camera then
   std::unique_ptr<WorldProps> world_;
   std::optional<ContactMoment> moment_;
   double speed_m_per_s_ = 0;

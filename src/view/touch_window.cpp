@@ -138,10 +138,10 @@ class TouchWindow {
       return;
     }
     const std::string& note = stage_.has_alarm() ? no_note_ : input_.note;
-    if (stage_.charts().zoomed()) return stage_.show_title_note("charts held: r lets them run on   h help");
+    const char* const held = stage_.charts().zoomed() ? "   charts held: r lets them run on" : "";
     // What must be read comes first: a long name may be cut.
-    stage_.show_title_note(fmt::format("press {:.2f} N ({})   h help{}{}", pointer_.press_n(),
-                                       pointer_.pressing() ? "pressing" : "hovering",
+    stage_.show_title_note(fmt::format("press {:.2f} N ({}){}   h help{}{}", pointer_.press_n(),
+                                       pointer_.pressing() ? "pressing" : "hovering", held,
                                        note.empty() ? "" : "   ", note));
   }
 
