@@ -37,10 +37,7 @@ class OverlayPainter {
       drawing_.text(label.at, label.words,
                     {.size = 0.95 * em_, .across = Across::centre, .upright = Upright::middle});
     }
-    if (state_.hud) {
-      if (facts_.hud.width > 0) paint_readings(drawing_, facts_, facts_.hud, em_);
-      if (facts_.legend.width > 0) paint_legend(drawing_, facts_, state_, facts_.legend, em_);
-    }
+    if (state_.hud && facts_.legend.width > 0) paint_legend(drawing_, facts_, state_, facts_.legend, em_);
     paint_scale_and_axes();
     if (facts_.inset_px_per_mm > 0) paint_inset_frame();
     paint_marks();
@@ -257,6 +254,12 @@ Box time_slider(const Layout& layout) {
   const double left = layout.timeline.left + 3.2 * em;
   return {left, layout.timeline.bottom + 0.5 * em, layout.timeline.right() - 15 * em - left,
           layout.timeline.height - em};
+}
+
+Drawing readings_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout) {
+  Drawing drawing;
+  if (state.hud && facts.hud.width > 0) paint_readings(drawing, facts, facts.hud, layout.em);
+  return drawing;
 }
 
 Drawing overlay_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout) {

@@ -12,6 +12,7 @@
 #include <array>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "base/tangent_frame.hpp"
 #include "view/axis.hpp"
@@ -79,11 +80,14 @@ void Stage::add_renderers() {
 }
 
 void Stage::add_flat() {
-  vtkNew<vtkContextActor> flat;
-  flat->SetForceDevice(device_);
-  flat->GetScene()->SetRenderer(flat_);
-  flat->GetScene()->AddItem(item_);
-  flat_->AddActor(flat);
+  for (const auto& [item, device] :
+       {std::pair{readings_item_.Get(), readings_device_.Get()}, std::pair{item_.Get(), device_.Get()}}) {
+    vtkNew<vtkContextActor> flat;
+    flat->SetForceDevice(device);
+    flat->GetScene()->SetRenderer(flat_);
+    flat->GetScene()->AddItem(item);
+    flat_->AddActor(flat);
+  }
 }
 
 Stage::~Stage() = default;
@@ -133,7 +137,7 @@ void Stage::look_at_all() {
 void Stage::paint_grounds() {
   const bool dark = state_.dark;
   column_.set_dark(dark);
-  device_->set_dark(dark);
+  for (ThemeDevice* const device : {device_.Get(), readings_device_.Get()}) device->set_dark(dark);
   dark ? scene_->SetBackground(0.11, 0.12, 0.14) : scene_->SetBackground(0.93, 0.945, 0.96);
   dark ? scene_->SetBackground2(0.2, 0.21, 0.24) : scene_->SetBackground2(0.995, 0.997, 1.0);
   dark ? close_up_->scene()->SetBackground(0.16, 0.17, 0.19)
@@ -363,6 +367,7 @@ void Stage::render() {
   overlay->append(overlay_drawing(facts, state_, layout_));
   drawings.push_back(std::move(overlay));
   item_->show(std::move(drawings));
+  readings_item_->show({std::make_shared<const Drawing>(readings_drawing(facts, state_, layout_))});
   draw();
 }
 

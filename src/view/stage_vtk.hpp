@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "view/arrow_scale.hpp"
+#include "view/blending_renderer_vtk.hpp"
 #include "view/chart_column_vtk.hpp"
 #include "view/close_up_vtk.hpp"
 #include "view/contact_glyphs.hpp"
@@ -172,10 +173,11 @@ class Stage {
   // From the back to the front: what is still, and what moves, by one camera; the charts and their paper; all
   // that is flat.
   vtkNew<KeptRenderer> scene_;
-  vtkNew<vtkRenderer> moving_, flat_;
+  vtkNew<BlendingRenderer> moving_;
+  vtkNew<vtkRenderer> flat_;
   vtkNew<vtkPolyData> solid_, clear_;
-  vtkNew<DrawingItem> item_;
-  vtkNew<ThemeDevice> device_;
+  vtkNew<DrawingItem> item_, readings_item_;
+  vtkNew<ThemeDevice> device_, readings_device_;
   std::unique_ptr<CloseUp> close_up_;
 };
 
