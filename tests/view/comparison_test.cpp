@@ -200,6 +200,13 @@ TEST(Friction, OnAFlatPartRubbedStraightIsTheWorldsComponent) {
   EXPECT_EQ(series.friction_n[7], rows[7].friction_W_n.x());
 }
 
+TEST(LogAxis, KeepsMoreDecadesOfAPower) {
+  ChartPanel panel{"", "f [Hz]", "power density [N\xC2\xB2/Hz]", false, true, {{"", {}, {1, 2}, {1, 1e-12}}}};
+  EXPECT_LT(page_layout({"", "", {}, 1, {panel}}).panels[0].y.min, 1e-12) << "no curve falls below the axis";
+  panel.y_label = "error [1]";
+  EXPECT_GT(page_layout({"", "", {}, 1, {panel}}).panels[0].y.min, 1e-9) << "that is rounding";
+}
+
 TEST(LeastSpan, KeepsRoundingFlat) {
   EXPECT_EQ(least_span("force on the finger [N]"), 1e-3);
   EXPECT_EQ(least_span("time [s]"), 0);
