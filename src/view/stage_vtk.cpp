@@ -9,30 +9,20 @@
 #include <vtkRenderer.h>
 
 #include <algorithm>
-#include <array>
 #include <chrono>
 #include <cmath>
 #include <utility>
 
-#include "base/tangent_frame.hpp"
 #include "view/axis.hpp"
 #include "view/camera_vtk.hpp"
 #include "view/clipping_range_vtk.hpp"
 #include "view/drawing_item_vtk.hpp"
-#include "view/frame_labels.hpp"
+#include "view/moment_labels.hpp"
 #include "view/overlay_hud.hpp"
 #include "view/surface_mesh_vtk.hpp"
 #include "view/surface_words.hpp"
 
 namespace fingerpad {
-namespace {
-
-/// That are drawn as arrows: normal force, friction, and both.
-std::array<Vec3, 3> drawn_forces_W_n(const TickRecord& row) {
-  return {row.normal_W * row.normal_force_n, row.friction_W_n, row.force_W_n};
-}
-
-}  // namespace
 
 Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool timeline)
     : input_(input),
@@ -280,23 +270,9 @@ Vec2 Stage::on_screen(const Vec3& p_mm) {
 
 void Stage::project_labels(OverlayFacts& facts, const GlyphChoice& choice) {
   if (!moment_ || moment_->row.phase == Phase::free || !state_.frame) return;
-  const TickRecord& row = moment_->row;
-  const Vec3 contact = space_.to_draw(row.contact_W);
-  const auto seen = [&](const Vec3& way_mm) {
-    return ScreenArrow{on_screen(contact), on_screen(contact + way_mm)};
-  };
-  const Mat3 frame = tangent_frame(row.normal_W, moment_->finger_direction_W);
-  std::vector<NamedAxis> axes;
-  for (const int axis : {2, 0, 1}) {
-    constexpr const char* names[] = {"Cx", "Cy", "n"};
-    axes.push_back({names[axis], seen(frame.col(axis) * frame_axis_sizes(axis) * choice.size_mm)});
-  }
-  std::vector<ScreenArrow> forces;
-  if (choice.forces) {
-    for (const Vec3& force_W_n : drawn_forces_W_n(row)) forces.push_back(seen(force_W_n * choice.mm_per_n));
-  }
   const Box boxes[] = {inset_, facts.hud, facts.legend};
-  facts.labels = frame_labels(axes, forces, boxes, layout_.scene, layout_.em);
+  facts.labels = moment_labels(
+      *moment_, choice, space_, [this](const Vec3& p_mm) { return on_screen(p_mm); }, boxes, layout_);
 }
 
 void Stage::project_marks(OverlayFacts& facts) {
