@@ -19,8 +19,18 @@ struct PadTick {
   Vec2 displacement_m, friction_n;
   double angle_deg = 0;
   std::optional<StickAxes> axes;
-  bool first = false;  ///< of its stick phase
+  std::size_t row = 0;  ///< of the trace
+  bool first = false;   ///< of its stick phase
 };
+
+/// Whether a pad that stuck about one place in a row sticks about another one in the next: slip came and went
+/// between them, within a tick or among ticks that were left out, or another wall holds the finger more.
+bool sticks_elsewhere(const Vec3& before_W, const Vec3& centre_W, const std::optional<StickAxes>& axes) {
+  // The place is put on the surface anew at each tick: it may tremble by a little of what the pad gives way.
+  constexpr double still_share = 0.01, still_m = 1e-6;
+  const double still = axes ? still_share * std::max(axes->lateral_m, axes->longitudinal_m) : still_m;
+  return (centre_W - before_W).norm() > still;
+}
 
 /// The chord stands for the way along the surface: exact on a plane, off by (way/radius)^2/24 on a curve.
 std::vector<PadTick> stick_ticks(const ViewInput& input) {
@@ -30,21 +40,20 @@ std::vector<PadTick> stick_ticks(const ViewInput& input) {
   std::vector<PadTick> ticks;
   bool first = true;
   Vec3 centre_W = Vec3::Zero();
-  for (const TickRecord& row : input.rows) {
+  for (std::size_t i = 0; i < input.rows.size(); ++i) {
+    const TickRecord& row = input.rows[i];
     if (row.phase != Phase::stick || !row.stick_centre_W.allFinite()) {
       first = true;
       continue;
     }
-    // Between the rows of a thinned trace slip may have come and gone.
-    if (input.every > 1 && row.stick_centre_W != std::exchange(centre_W, row.stick_centre_W)) first = true;
     const Mat3 frame = tangent_frame(row.normal_W, input.scene->finger.direction);
     const auto in_pad = [&](const Vec3& v) -> Vec2 { return {frame.col(0).dot(v), frame.col(1).dot(v)}; };
     const SurfaceProperties& surface =
         input.world->surfaces[static_cast<std::size_t>(row.surface)].properties;
+    const auto axes = stick_axes(input.scene->friction, surface, row.inclination_rad);
+    if (sticks_elsewhere(std::exchange(centre_W, row.stick_centre_W), row.stick_centre_W, axes)) first = true;
     ticks.push_back({in_pad(row.contact_W - row.stick_centre_W), in_pad(row.friction_W_n),
-                     row.inclination_rad * 180 / std::numbers::pi,
-                     stick_axes(input.scene->friction, surface, row.inclination_rad),
-                     std::exchange(first, false)});
+                     row.inclination_rad * 180 / std::numbers::pi, axes, i, std::exchange(first, false)});
   }
   if (ticks.empty()) throw refused(input.title, "holds no tick of stick");
   return ticks;
@@ -64,13 +73,15 @@ std::map<int, std::vector<const PadTick*>> by_angle(const std::vector<PadTick>& 
   return groups;
 }
 
-/// A curve over a group's ticks with a gap between stick phases.
+/// A curve over a group's ticks with a gap between stick phases, and where ticks of one are another group's:
+/// over a part that curves the finger's angle leaves its group and comes back.
 template <typename X, typename Y>
 ChartCurve curve_over(const std::vector<const PadTick*>& group, std::string name, const CurveStyle& style,
                       X x, Y y) {
   ChartCurve series{std::move(name), style, {}, {}};
-  for (const PadTick* tick : group) {
-    if (tick->first) {
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    const PadTick* const tick = group[i];
+    if (tick->first || (i > 0 && tick->row != group[i - 1]->row + 1)) {
       series.x.push_back(TickRecord::nan);
       series.y.push_back(TickRecord::nan);
     }

@@ -68,11 +68,7 @@ void plot_overlaid(const PlotOptions& options) {
   if (options.show != "history")
     throw Error(ErrorKind::usage, "--show " + options.show, "shows one trace; name only one");
   const Over over = over_of(options.over);
-  std::vector<ComparedRun> runs;
-  for (const std::string& path : options.inputs) {
-    runs.push_back(read_compared_run(path, over, options.from_s, options.to_s));
-  }
-  plot_runs(options, std::move(runs));
+  plot_runs(options, read_compared_runs(options.inputs, over, options.from_s, options.to_s));
 }
 
 int plot(const PlotOptions& options) {

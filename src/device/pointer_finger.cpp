@@ -101,7 +101,7 @@ PointerFinger::Doing PointerFinger::next_doing(double dt_s) noexcept {
   }
   if (doing_ == Doing::lifts) return after_lifting();
   if (doing_ == Doing::lands) return after_landing();
-  if (!wants || !can_land(4)) return Doing::flies;
+  if (!wants || !can_land(landing_begins)) return Doing::flies;
   nearest_m_ = std::numeric_limits<double>::infinity();
   delay_s_ = 0;
   return Doing::lands;
@@ -113,17 +113,28 @@ PointerFinger::Doing PointerFinger::after_lifting() const noexcept {
 }
 
 PointerFinger::Doing PointerFinger::after_landing() const noexcept {
-  return wanted_n_ > 0 && can_land(8) ? Doing::lands : Doing::flies;
+  return wanted_n_ > 0 && can_land(landing_goes_on) ? Doing::lands : Doing::flies;
+}
+
+/// How much the pointer goes on while the finger follows, from 0, at rest, to 1, so far that it must come
+/// down behind it to come down at all.
+double PointerFinger::hurry() const noexcept {
+  return std::min(1.0, flight_.lag_s() * pace_W_.norm() / flight_.soft_m());
 }
 
 /// Whether a finger that comes down meets the place to press on, or, where it has no room there, what is
-/// beside it: it is in front of the place and near. @pre wanted_n_ > 0
-bool PointerFinger::can_land(double soft_shares) const noexcept {
-  const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W();
-  const double soft_m = flight_.soft_m(), away_m = way_W.norm();
-  if (aim_.finger.push_W_n.dot(way_W) < -2 * soft_m * wanted_n_) return false;
-  return away_m < soft_shares * soft_m ||
-         (flight_.has_arrived() && away_m < 10 * soft_m + around_.finger_radius_m());
+/// beside it: it is near the place, in front of it, and not so far aside that it would go down beside the
+/// edge on which the place is. @pre wanted_n_ > 0
+bool PointerFinger::can_land(const LandingRoom& room) const noexcept {
+  const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W(), down_W = aim_.finger.push_W_n / wanted_n_;
+  const double soft_m = flight_.soft_m(), away_m = way_W.norm(), height_m = way_W.dot(down_W);
+  constexpr double most_behind = 2, hurried_aside = 4;
+  if (flight_.has_arrived() && away_m < 10 * soft_m + around_.finger_radius_m())
+    return height_m >= -most_behind * soft_m;
+  const double behind = std::max(room.behind, most_behind * hurry());
+  const double aside_m = (way_W - height_m * down_W).norm();
+  return away_m < room.away * soft_m && height_m >= -behind * soft_m &&
+         aside_m <= height_m + (room.aside + hurried_aside * hurry()) * soft_m;
 }
 
 /// Whether what the pointer wants can be reached over the surface.
@@ -174,9 +185,14 @@ void PointerFinger::land(double dt_s) noexcept {
   const Vec3 down_W = aim_.finger.push_W_n / wanted_n_;
   landed_for_W_ = aim_.finger.p_WQ;
   const Vec3 there_W = landed_for_W_ - flight_.place_W();
-  const double down_m = std::max(0.0, there_W.dot(down_W)) + 2 * flight_.soft_m();
   const Vec3 aside_W = there_W - there_W.dot(down_W) * down_W;
-  const Vec3 way_W = down_m * down_W + aside_W * std::min(1.0, down_m / std::max(aside_W.norm(), down_m));
+  // To the place itself, and through it only from above it: the place may be on an edge, and beside that is
+  // nothing. A pointer that goes on is come down behind.
+  const double soft_m = flight_.soft_m(), aside_m = aside_W.norm();
+  const double over = std::max(0.0, 1 - aside_m / (0.05 * soft_m));
+  const double down_m = std::max(0.0, there_W.dot(down_W)) + 2 * soft_m * std::max(over, hurry());
+  const double steep = std::max(1 - hurry(), std::min(1.0, down_m / std::max(aside_m, down_m)));
+  const Vec3 way_W = down_m * down_W + steep * aside_W;
   Vec3 step_W = std::min(far_m, 0.5 * free_m + into_m) * way_W.normalized();
   for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
     if (try_step(step_W, tried_share * wanted_n_, dt_s)) return;

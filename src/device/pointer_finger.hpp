@@ -34,7 +34,15 @@ class PointerFinger final : public LiveDevice {
   Doing after_lifting() const noexcept;
   Doing after_landing() const noexcept;
   bool is_touching() const noexcept { return touched_.walls > 0; }
-  bool can_land(double soft_shares) const noexcept;
+  double hurry() const noexcept;
+  /// From where a finger comes down, seen from the place that it is to press on: how far away at most, how
+  /// far behind it, and how much farther aside than in front [of what the flight keeps from what it flies
+  /// by].
+  struct LandingRoom {
+    double away, behind, aside;
+  };
+  static constexpr LandingRoom landing_begins{4, 0, 0.5}, landing_goes_on{8, 2, 2};
+  bool can_land(const LandingRoom& room) const noexcept;
   bool can_follow(double dt_s) noexcept;
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;

@@ -5,6 +5,8 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
+#include <utility>
+
 #include "view/colours.hpp"
 
 namespace fingerpad {
@@ -18,14 +20,19 @@ void ChartColumn::add_to(vtkRenderWindow* window) {
   marks_->PreserveColorBufferOn();
   marks_->AutomaticLightCreationOff();
   marks_->keep_box_of(paper_);
+  marks_->set_flat(true);
   // They have no use for depths, and to clear them takes time without a graphics card.
   marks_->PreserveDepthBufferOn();
-  vtkNew<vtkContextActor> charts;
-  charts->SetForceDevice(device_);
-  // By its renderer VTK keeps a tooltip in sight.
-  charts->GetScene()->SetRenderer(marks_);
-  if (wanted_) board_.add_to(charts->GetScene());
-  marks_->AddActor(charts);
+  // A device keeps fifty texts from one frame to the next, and of more none.
+  for (const auto& [item, device] :
+       {std::pair{board_.items()[0], words_device_.Get()}, std::pair{board_.items()[1], device_.Get()}}) {
+    vtkNew<vtkContextActor> charts;
+    charts->SetForceDevice(device);
+    // By its renderer VTK keeps a tooltip in sight.
+    charts->GetScene()->SetRenderer(marks_);
+    if (wanted_) charts->GetScene()->AddItem(item);
+    marks_->AddActor(charts);
+  }
 }
 
 void ChartColumn::show(Chart chart) {
@@ -44,7 +51,7 @@ void ChartColumn::lay_out(const Layout& layout) {
 
 void ChartColumn::set_dark(bool dark) {
   if (dark != device_->dark()) redraw();
-  device_->set_dark(dark);
+  for (ThemeDevice* const device : {words_device_.Get(), device_.Get()}) device->set_dark(dark);
   const Colour paper = dark ? in_the_dark(colours::white) : colours::white;
   paper_->SetBackground(paper.red / 255.0, paper.green / 255.0, paper.blue / 255.0);
   board_.set_dark(dark);

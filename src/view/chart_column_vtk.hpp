@@ -52,7 +52,7 @@ class ChartColumn {
   std::uint64_t changes_ = 0;
   vtkNew<KeptRenderer> marks_;
   vtkNew<vtkRenderer> paper_;
-  vtkNew<ThemeDevice> device_;
+  vtkNew<ThemeDevice> words_device_, device_;  ///< of what stands about the panels, and of the panels
 };
 
 }  // namespace fingerpad

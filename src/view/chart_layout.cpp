@@ -36,8 +36,8 @@ Axis clear_axis(Range range, std::string_view label, bool logarithmic, double sh
                 int most_marks) {
   if (logarithmic) {
     if (range.empty()) return log_axis(1, 10, most_marks);
-    // A floor of rounding says nothing: eight decades are kept.
-    range.min = std::max(range.min, range.max * 1e-8);
+    // A floor of rounding says nothing: eight decades are kept, of a power, which is a square, more.
+    range.min = std::max(range.min, range.max * (label.ends_with("/Hz]") ? 1e-14 : 1e-8));
     const double pad = std::max(std::pow(range.max / range.min, share), 1.1);
     return log_axis(range.min / pad, range.max * pad, most_marks);
   }

@@ -37,17 +37,32 @@ void set_mesh(vtkActor* actor, vtkPolyData* mesh) {
   vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(mesh);
 }
 
-/// The triangles of a part within a ball, in their order; all where there is no tree.
-std::vector<int> triangles_within(const Surface& surface, const Vec3& centre_W, double reach_m) {
+/// The ball about a triangle's middle that holds its corners reaches into the beam; part frame.
+bool may_be_in_beam(const Part& part, int triangle, const Vec3& from, const Vec3& along, double radius_m) {
+  const Vec3 a = part.vertices.col(part.triangles(0, triangle)),
+             b = part.vertices.col(part.triangles(1, triangle)),
+             c = part.vertices.col(part.triangles(2, triangle)), middle = (a + b + c) / 3;
+  const double size_m = std::sqrt(
+      std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
+  const Vec3 way = middle - from;
+  return (way - way.dot(along) * along).norm() <= radius_m + size_m;
+}
+
+/// The triangles of a part that a camera sees, in their order, and few others: of those within a ball, all
+/// near its line of sight; all where there is no tree.
+std::vector<int> triangles_in_sight(const Surface& surface, const CloseUpSight& sight) {
   std::vector<int> found;
+  const Part& part = *surface.part;
   if (!surface.tree) {
-    for (int t = 0; t < surface.part->triangle_count(); ++t) found.push_back(t);
+    for (int t = 0; t < part.triangle_count(); ++t) found.push_back(t);
     return found;
   }
-  const Vec3 q = surface.R_WP.transpose() * (centre_W - surface.p_WP) - surface.part->centre_P;
+  const Vec3 q = surface.R_WP.transpose() * (sight.contact_W - surface.p_WP) - part.centre_P;
+  const Vec3 along = surface.R_WP.transpose() * sight.normal_W;
   surface.tree->each_within(
-      q, reach_m, [](void* list, int triangle) { static_cast<std::vector<int>*>(list)->push_back(triangle); },
-      &found);
+      q, sight.reach_m,
+      [](void* list, int triangle) { static_cast<std::vector<int>*>(list)->push_back(triangle); }, &found);
+  std::erase_if(found, [&](int t) { return !may_be_in_beam(part, t, q, along, sight.across_m); });
   std::sort(found.begin(), found.end());
   return found;
 }
@@ -110,14 +125,14 @@ void CloseUp::hide() {
 }
 
 void CloseUp::show(const ContactMoment& moment, const Box& box, const Box& window, double half_height_mm,
-                   double limit_n) {
+                   double limit_n, const GlyphInk& ink) {
   for (vtkRenderer* renderer : renderers()) {
     renderer->SetDraw(1);
     renderer->SetViewport(box.left / window.width, box.bottom / window.height, box.right() / window.width,
                           box.top() / window.height);
   }
   const TickRecord& row = moment.row;
-  const ContactGlyphs glyphs = close_up_glyphs(moment, space_, limit_n, half_height_mm);
+  const ContactGlyphs glyphs = close_up_glyphs(moment, space_, limit_n, half_height_mm, ink);
   copy_mesh(glyphs.solid, solid_);
   copy_mesh(glyphs.clear, clear_);
   set_close_up_camera(scene_, space_.to_draw(row.contact_W),
@@ -126,18 +141,26 @@ void CloseUp::show(const ContactMoment& moment, const Box& box, const Box& windo
   vtkCamera* const camera = scene_->GetActiveCamera();
   const double far_mm = camera->GetClippingRange()[1] - camera->GetDistance();
   const double across_mm = half_height_mm * std::hypot(1.0, box.width / box.height);
-  show_parts_near(row.contact_W, 1e-3 * 1.02 * std::hypot(far_mm, across_mm));
+  constexpr double spare = 1.02;
+  show_parts_in(
+      {row.contact_W, row.normal_W, 1e-3 * spare * std::hypot(far_mm, across_mm), 1e-3 * spare * across_mm});
 }
 
-void CloseUp::show_parts_near(const Vec3& contact_W, double reach_m) {
+void CloseUp::show_parts_in(const CloseUpSight& sight) {
+  const bool moved = sight != shown_for_;
+  shown_for_ = sight;
+  if (moved) {
+    for (Near& near : near_) near.made = false;
+  }
   for (std::size_t i = 0; i < near_.size(); ++i) {
     if (!near_[i].body) continue;
     const bool shown = world_.is_shown(i);
     near_[i].body->SetVisibility(shown ? 1 : 0);
     near_[i].creases->SetVisibility(shown && world_.creases_shown() ? 1 : 0);
-    if (!shown) continue;
+    if (!shown || near_[i].made) continue;
+    near_[i].made = true;
     const Surface& surface = input_.world->surfaces[i];
-    const PartPiece piece = part_piece(surface, space_, triangles_within(surface, contact_W, reach_m));
+    const PartPiece piece = part_piece(surface, space_, triangles_in_sight(surface, sight));
     set_mesh(near_[i].body, piece.mesh);
     set_mesh(near_[i].creases, piece.creases);
   }

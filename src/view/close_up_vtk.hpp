@@ -5,6 +5,7 @@
 
 #include <vector>
 
+#include "view/blending_renderer_vtk.hpp"
 #include "view/contact_glyphs.hpp"
 #include "view/layout.hpp"
 #include "view/world_props_vtk.hpp"
@@ -15,6 +16,14 @@ class vtkRenderWindow;
 class vtkRenderer;
 
 namespace fingerpad {
+
+/// What the camera of a close-up looks at: down onto the contact, along its normal.
+struct CloseUpSight {
+  Vec3 contact_W = Vec3::Constant(TickRecord::nan), normal_W = Vec3::UnitZ();
+  double reach_m = 0,
+         across_m = 0;  ///< from the contact to the farthest corner in sight, and across the sight
+  bool operator==(const CloseUpSight&) const = default;
+};
 
 /// The contact from near by, in a box over the scene. Of the parts it draws what is near the contact, or it
 /// would cost as much as the scene.
@@ -31,19 +40,21 @@ class CloseUp {
   /// @param box      in the window [px]
   /// @param limit_n  mu_s n at this moment [N]
   void show(const ContactMoment& moment, const Box& box, const Box& window, double half_height_mm,
-            double limit_n);
+            double limit_n, const GlyphInk& ink);
 
  private:
-  void show_parts_near(const Vec3& contact_W, double reach_m);
+  void show_parts_in(const CloseUpSight& sight);
 
   const ViewInput& input_;
   DrawSpace space_;
   WorldProps& world_;
-  vtkNew<vtkRenderer> scene_, marks_;
+  vtkNew<BlendingRenderer> scene_, marks_;
   vtkNew<vtkPolyData> solid_, clear_;
   struct Near {
     vtkSmartPointer<vtkActor> body, creases;
+    bool made = false;  ///< for the sight that is shown, if the part was shown then
   };
+  CloseUpSight shown_for_;
   std::vector<Near> near_;  ///< one a surface; empty for planes
 };
 

@@ -21,7 +21,7 @@ namespace {
 // Fewer are drawn within the time that is left of a smooth frame.
 constexpr int least_triangles_to_coarsen = 30'000;
 // Cells along a part's longest side: a surface fills some of their square, with two triangles a cell.
-constexpr int cells_along = 80;
+constexpr int cells_along = 56;
 
 }  // namespace
 

@@ -11,7 +11,9 @@
 #include "base/input_file.hpp"
 #include "scene/scene_differences.hpp"
 #include "trace/trace.hpp"
+#include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
+#include "view/left_out_ticks.hpp"
 #include "view/run_title.hpp"
 #include "view/touch_series.hpp"
 
@@ -25,12 +27,45 @@ bool is_comparable(const TraceColumn& column) {
   return column.name != "t_s" && column.kind != ColumnKind::phase && column.kind != ColumnKind::index;
 }
 
-ComparedRun of_trace(const std::string& path, Over over, double from_s, double to_s) {
+/// As one run is drawn: a straight rub over a flat place along the world's axis, or every reversal that falls
+/// between two ticks would count as twice the friction.
+std::vector<double> friction_of(const std::vector<TickRecord>& rows) {
+  return touch_series(rows, main_direction(rows)).friction_n;
+}
+
+/// The rows of every so manieth tick and of the last, as a trace of these alone has them.
+std::vector<TickRecord> thinned_rows(const std::vector<TickRecord>& rows, std::uint64_t every) {
+  std::vector<TickRecord> kept;
+  const auto last = static_cast<long>(rows.size()) - 1;
+  for (long k = 0; k <= last; ++k) {
+    if (is_kept(k, last, every)) kept.push_back(rows[static_cast<std::size_t>(k)]);
+  }
+  return kept;
+}
+
+/// Values of some of the rows, at their places among all; nan at the others.
+std::vector<double> among_all(const std::vector<TickRecord>& some, const std::vector<double>& values,
+                              const std::vector<TickRecord>& all) {
+  std::vector<double> out(all.size(), TickRecord::nan);
+  for (std::size_t i = 0, k = 0; i < all.size() && k < some.size(); ++i) {
+    if (all[i].t_s == some[k].t_s) out[i] = values[k++];
+  }
+  return out;
+}
+
+/// @param every  of the trace that has the fewest ticks
+ComparedRun of_trace(const std::string& path, Over over, double from_s, double to_s, std::uint64_t every) {
   Trace trace = read_trace(path, TraceContents::rows);
-  std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
+  const auto is_left_out = [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; };
+  const std::uint64_t own_every = ticks_a_row(trace);
+  std::vector<TickRecord> fewer;
+  if (every > own_every && every % own_every == 0) fewer = thinned_rows(trace.rows, every / own_every);
+  std::erase_if(fewer, is_left_out);
+  std::erase_if(trace.rows, is_left_out);
   const std::string title = scene_title(trace.info, path);
   const std::string scene = trace.info.scene_name.empty() ? title : trace.info.scene_name;
-  ComparedRun run{"", scene, title, path, trace.info.scene_text, true, abscissa(trace.rows, over), {}};
+  ComparedRun run{"", scene, title, path, trace.info.scene_text, true, own_every, abscissa(trace.rows, over),
+                  {}};
   refuse_standstill(run.x, over, path);
   for (const TraceColumn& column : trace_columns(trace.info)) {
     if (!is_comparable(column)) continue;
@@ -38,9 +73,9 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
     for (const TickRecord& row : trace.rows) values.values.push_back(column.get(row));
     run.columns.push_back(std::move(values));
   }
-  // As one run is drawn: a straight rub over a flat place along the world's axis, or every reversal that
-  // falls between two ticks would count as twice the friction.
-  run.columns.push_back({"friction", "N", touch_series(trace.rows, main_direction(trace.rows)).friction_n});
+  run.columns.push_back({"friction", "N", friction_of(trace.rows)});
+  if (!fewer.empty() && over == Over::time)
+    run.columns.back().thinned = among_all(fewer, friction_of(fewer), trace.rows);
   return run;
 }
 
@@ -75,7 +110,7 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
     return kept;
   };
   const std::string stem = std::filesystem::path(path).stem().string();
-  ComparedRun run{"", stem, stem, path, "", false, within(times), {}};
+  ComparedRun run{"", stem, stem, path, "", false, 1, within(times), {}};
   for (std::size_t i = 0; i < request.optional.size(); ++i) {
     if (!table.present[i + 1]) continue;
     run.columns.push_back({std::string(request.optional[i]), units[i], within(table.columns[i + 1])});
@@ -85,6 +120,10 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
   return run;
 }
 
+bool holds_trace(const std::string& path) {
+  return stream_descriptor(path) || is_hdf5(path) || is_csv_trace(path);
+}
+
 bool all_differ(const std::vector<std::string>& words) {
   return std::set<std::string>(words.begin(), words.end()).size() == words.size();
 }
@@ -92,7 +131,7 @@ bool all_differ(const std::vector<std::string>& words) {
 }  // namespace
 
 bool is_measured_table(const std::string& path) {
-  if (stream_descriptor(path) || is_hdf5(path) || is_csv_trace(path)) return false;
+  if (holds_trace(path)) return false;
   try {
     read_csv_columns(path, {{"t_s"}, {}, {found_separator, '.'}});
     return true;
@@ -102,8 +141,23 @@ bool is_measured_table(const std::string& path) {
 }
 
 ComparedRun read_compared_run(const std::string& path, Over over, double from_s, double to_s) {
-  const bool trace = stream_descriptor(path) || is_hdf5(path) || is_csv_trace(path);
-  return trace ? of_trace(path, over, from_s, to_s) : of_table(path, over, from_s, to_s);
+  return holds_trace(path) ? of_trace(path, over, from_s, to_s, 1) : of_table(path, over, from_s, to_s);
+}
+
+std::vector<ComparedRun> read_compared_runs(const std::vector<std::string>& paths, Over over, double from_s,
+                                            double to_s) {
+  std::vector<ComparedRun> runs;
+  std::uint64_t every = 1;
+  for (const std::string& path : paths) {
+    runs.push_back(read_compared_run(path, over, from_s, to_s));
+    every = std::max(every, runs.back().every);
+  }
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    // A stream cannot be read again.
+    if (runs[i].is_trace && runs[i].every < every && !stream_descriptor(paths[i]))
+      runs[i] = of_trace(paths[i], over, from_s, to_s, every);
+  }
+  return runs;
 }
 
 void name_apart(std::vector<ComparedRun>& runs) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,9 @@ struct ComparedColumn {
   std::string name;            ///< as the trace calls it, or "friction" along the sliding direction
   std::string unit;            ///< "N", "m"
   std::vector<double> values;  ///< one a tick; nan where there is none
+  /// The same as a trace of fewer ticks tells it, nan at those that it left out; empty where that is the
+  /// same: friction along the sliding direction goes by the way from one row to the next.
+  std::vector<double> thinned = {};
 };
 
 /// A trace, or a table of measurements, as far as it can be laid over another.
@@ -21,7 +25,8 @@ struct ComparedRun {
   std::string path;
   std::string scene_text;  ///< empty where it holds none
   bool is_trace = false;
-  std::vector<double> x;  ///< never goes back
+  std::uint64_t every = 1;  ///< of a trace: its rows are every so manieth tick, and the last
+  std::vector<double> x;    ///< never goes back
   std::vector<ComparedColumn> columns;
 };
 
@@ -30,6 +35,9 @@ struct ComparedRun {
 /// file that is neither, and as read_trace and read_csv_columns.
 /// @param from_s, to_s  what is earlier or later is left out
 ComparedRun read_compared_run(const std::string& path, Over over, double from_s, double to_s);
+/// Several; where one is a trace of every so manieth tick, friction of the others is told by such ticks too.
+std::vector<ComparedRun> read_compared_runs(const std::vector<std::string>& paths, Over over, double from_s,
+                                            double to_s);
 
 /// Whether a file of text names a time t_s and is no trace. False for a stream, and for what cannot be read.
 bool is_measured_table(const std::string& path);

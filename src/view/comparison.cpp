@@ -89,14 +89,21 @@ CommonTicks common_ticks(const ComparedRun& first, const ComparedRun& other, Ove
   return ticks;
 }
 
+/// What of a column is laid over another run: of one that left out ticks, what such ticks tell.
+const std::vector<double>& compared_values(const ComparedRun& run, const std::string& name,
+                                           const ComparedRun& other) {
+  const ComparedColumn& column = *column_of(run, name);
+  return other.every > run.every && !column.thinned.empty() ? column.thinned : column.values;
+}
+
 Residual residual_of(const std::string& name, const ComparedRun& first, const ComparedRun& other,
                      std::size_t run, const CommonTicks& ticks) {
-  const ComparedColumn &a = *column_of(first, name), &b = *column_of(other, name);
-  Residual residual{run, name, a.unit, {}, {}, 0};
+  const std::vector<double>&a = compared_values(first, name, other), &b = compared_values(other, name, first);
+  Residual residual{run, name, column_of(first, name)->unit, {}, {}, 0};
   double squares = 0, count = 0;
   for (const double x : ticks.grid->x) {
     if (x < ticks.from || x > ticks.to) continue;
-    const double left = value_at(other.x, b.values, x) - value_at(first.x, a.values, x);
+    const double left = value_at(other.x, b, x) - value_at(first.x, a, x);
     residual.x.push_back(x);
     residual.values.push_back(left);
     if (!std::isfinite(left)) continue;
@@ -107,12 +114,22 @@ Residual residual_of(const std::string& name, const ComparedRun& first, const Co
   return residual;
 }
 
+/// Whether both have all ticks at which they are compared, so that nothing is interpolated.
+bool are_shared(const CommonTicks& ticks) {
+  return std::all_of(ticks.grid->x.begin(), ticks.grid->x.end(), [&](double x) {
+    return x < ticks.from || x > ticks.to ||
+           std::binary_search(ticks.between->x.begin(), ticks.between->x.end(), x);
+  });
+}
+
 std::string note_on(const ComparedRun& first, const ComparedRun& other, const CommonTicks& ticks, Over over) {
   const char* unit = over == Over::time ? "s" : over == Over::travel ? "mm" : "deg";
   const std::string span = fmt::format("{}: {:.4g} to {:.4g} {}", other.name, ticks.from, ticks.to, unit);
   if (first.x == other.x) return span;
-  if (ticks.grid == &other) return span + ", at its own ticks, the first interpolated linearly";
-  return span + ", interpolated linearly at the ticks of the first";
+  if (ticks.grid == &other)
+    return span + ", at its own ticks" + (are_shared(ticks) ? "" : ", the first interpolated linearly");
+  return span + (are_shared(ticks) ? ", at the ticks of the first"
+                                   : ", interpolated linearly at the ticks of the first");
 }
 
 }  // namespace

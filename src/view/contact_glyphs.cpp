@@ -27,7 +27,8 @@ void add_region(ContactGlyphs& glyphs, const ContactMoment& moment, std::vector<
 }
 
 /// The finger towards its tip at Q: a fingertip of its radius, or a slender stylus for a point.
-void add_finger(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSpace& space, double size_mm) {
+void add_finger(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSpace& space, double size_mm,
+                const GlyphInk& ink) {
   Vec3 tip = space.to_draw(moment.row.p_WQ);
   // Pressed far into a small part it would be out of sight behind it: so it stands near the surface then.
   const double buried_mm = 1e3 * moment.row.depth_m - size_mm;
@@ -41,7 +42,7 @@ void add_finger(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSp
     return;
   }
   glyphs.clear.bar(tip, tip + back * 7 * size_mm, 0, 0.85 * size_mm, colours::skin.with_opacity(0.8));
-  glyphs.solid.ball(tip, 0.16 * size_mm, colours::ink);
+  glyphs.solid.ball(tip, 0.16 * size_mm, ink.line);
 }
 
 }  // namespace
@@ -68,20 +69,20 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
   ContactGlyphs glyphs;
   const TickRecord& row = moment.row;
   const double size = choice.size_mm;
-  if (choice.finger) add_finger(glyphs, moment, space, size);
+  if (choice.finger) add_finger(glyphs, moment, space, size, choice.ink);
   if (row.phase == Phase::free) return glyphs;
 
   const Vec3 contact = space.to_draw(row.contact_W);
   if (moment.region) add_region(glyphs, moment, moment.rings, space, 0.02 * size, 0.04 * size);
   glyphs.solid.ball(contact, 0.22 * size, phase_colour(row.phase));
   if (row.stick_centre_W.allFinite()) {
-    glyphs.solid.ball(space.to_draw(row.stick_centre_W), 0.14 * size, colours::black);
+    glyphs.solid.ball(space.to_draw(row.stick_centre_W), 0.14 * size, choice.ink.centre);
   }
   if (choice.frame) {
     const Mat3 frame = tangent_frame(row.normal_W, moment.finger_direction_W);
     for (int axis = 0; axis < 3; ++axis) {
       glyphs.solid.arrow(contact, contact + frame.col(axis) * frame_axis_sizes(axis) * size, 0.05 * size,
-                         colours::ink);
+                         choice.ink.line);
     }
   }
   if (choice.forces) {
@@ -97,7 +98,7 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
 }
 
 ContactGlyphs close_up_glyphs(const ContactMoment& moment, const DrawSpace& space, double limit_n,
-                              double half_height_mm) {
+                              double half_height_mm, const GlyphInk& ink) {
   ContactGlyphs glyphs;
   const TickRecord& row = moment.row;
   if (row.phase == Phase::free) return glyphs;
@@ -107,8 +108,8 @@ ContactGlyphs close_up_glyphs(const ContactMoment& moment, const DrawSpace& spac
   if (moment.region) {
     add_region(glyphs, moment, {rim_points(*moment.region, 90, 1)}, space, 0.4 * unit, 0.1 * unit);
     const Vec3 centre = space.to_draw(moment.region->centre_W) + up;
-    glyphs.solid.tube({centre, contact}, false, 0.09 * unit, colours::ink);
-    if (row.phase == Phase::stick) glyphs.solid.ball(centre, 0.35 * unit, colours::black);
+    glyphs.solid.tube({centre, contact}, false, 0.09 * unit, ink.line);
+    if (row.phase == Phase::stick) glyphs.solid.ball(centre, 0.35 * unit, ink.centre);
   }
   glyphs.solid.ball(contact, 0.45 * unit, phase_colour(row.phase));
   if (limit_n > 0) {

@@ -20,11 +20,18 @@ struct ContactMoment {
 
 ContactMoment contact_moment(const ViewInput& input, const TickRecord& row);
 
+/// The colours of what is neither a force nor a phase: lines, and the ball at the stick centre. On the dark
+/// between a part's wires they are bright.
+struct GlyphInk {
+  Colour line = colours::ink, centre = colours::black;
+};
+
 /// What to draw, and how large.
 struct GlyphChoice {
   double size_mm = 1;   ///< a length that reads well: about a thirtieth of the view
   double mm_per_n = 1;  ///< of force arrows
   bool finger = true, forces = true, frame = true;
+  GlyphInk ink;
 };
 
 /// The solids that show a moment, opaque and translucent apart.
@@ -45,6 +52,6 @@ ContactGlyphs contact_glyphs(const ContactMoment& moment, const DrawSpace& space
 /// region is wide at the static limit.
 /// @param limit_n  mu_s n at this moment [N]
 ContactGlyphs close_up_glyphs(const ContactMoment& moment, const DrawSpace& space, double limit_n,
-                              double half_height_mm);
+                              double half_height_mm, const GlyphInk& ink);
 
 }  // namespace fingerpad

@@ -110,7 +110,7 @@ void KeptRenderer::copy(Way way, const Box& box) {
     const vtkOpenGLState::ScopedglEnableDisable whole(state, GL_SCISSOR_TEST);
     state->vtkglDisable(GL_SCISSOR_TEST);
     const int x = box[0], y = box[1], right = x + box[2], top = y + box[3];
-    constexpr unsigned int bits = GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
+    const unsigned int bits = flat_ ? GL_COLOR_BUFFER_BIT : GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT;
     if (way == Way::keep) {
       state->vtkglBlitFramebuffer(x, y, right, top, 0, 0, box[2], box[3], bits, GL_NEAREST);
     } else {

@@ -29,6 +29,8 @@ class KeptRenderer : public vtkOpenGLRenderer {
   void set_keeping(bool keeping) { keeping_ = keeping; }
   /// The part of the window that is kept, that of another renderer; without it the renderer's own.
   void keep_box_of(vtkRenderer* other) { box_of_ = other; }
+  /// It has no depths: they are neither kept nor put back.
+  void set_flat(bool flat) { flat_ = flat; }
   /// What is drawn by items that have no times of their own: another number, another content.
   void set_content(std::uint64_t content) { content_ = content; }
   /// How often it was drawn rather than put back.
@@ -49,7 +51,7 @@ class KeptRenderer : public vtkOpenGLRenderer {
   enum class Way { keep, put_back };
   void copy(Way way, const Box& box);
 
-  bool keeping_ = false;
+  bool keeping_ = false, flat_ = false;
   vtkRenderer* box_of_ = nullptr;
   std::uint64_t content_ = 0;
   long drawn_ = 0;

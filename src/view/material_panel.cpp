@@ -75,10 +75,15 @@ SidePanel MaterialPanel::panel() const {
   }
   const std::string unstable = unstable_words(swap_.scene());
   if (!unstable.empty()) panel.rows.push_back({PanelRow::Kind::note, unstable, "", false, false});
-  panel.rows.push_back({PanelRow::Kind::note,
-                        swap_.is_scheduled() ? "as recorded: the recording changes it"
-                                             : "click, wheel, or Tab and [ ]; kept in the trace",
-                        "", false, false});
+  const auto note = [&panel](const char* words) {
+    panel.rows.push_back({PanelRow::Kind::note, words, "", false, false});
+  };
+  if (swap_.is_scheduled()) {
+    note("as recorded: the recording changes it");
+  } else {  // in two lines, which a small window has room for
+    note("click, wheel, or Tab and [ ]");
+    note("changes are kept in the trace");
+  }
   return panel;
 }
 

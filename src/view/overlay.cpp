@@ -30,13 +30,14 @@ class OverlayPainter {
   void paint() {
     paint_title();
     for (const auto& label : facts_.labels) {
+      // On bright metal, in the dark, letters would be bright as well.
+      const Vec2 half(text_width(label.words, 0.95 * em_) / 2 + 0.2 * em_, 0.65 * em_);
+      drawing_.box({label.at.x() - half.x(), label.at.y() - half.y(), 2 * half.x(), 2 * half.y()},
+                   panel_colour);
       drawing_.text(label.at, label.words,
                     {.size = 0.95 * em_, .across = Across::centre, .upright = Upright::middle});
     }
-    if (state_.hud) {
-      if (facts_.hud.width > 0) paint_readings(drawing_, facts_, facts_.hud, em_);
-      if (facts_.legend.width > 0) paint_legend(drawing_, facts_, state_, facts_.legend, em_);
-    }
+    if (state_.hud && facts_.legend.width > 0) paint_legend(drawing_, facts_, state_, facts_.legend, em_);
     paint_scale_and_axes();
     if (facts_.inset_px_per_mm > 0) paint_inset_frame();
     paint_marks();
@@ -71,15 +72,13 @@ class OverlayPainter {
     if (facts_.marks.empty() || std::all_of(facts_.marks.begin(), facts_.marks.end(), behind)) return;
     if (facts_.marks.size() > 1)
       drawing_.line(facts_.marks[0], facts_.marks[1], {colours::ink, 0.14 * em_, 0.5 * em_, 0.3 * em_});
-    Vec2 middle(0, 0);
     for (const Vec2& mark : facts_.marks) {
-      if (!behind(mark)) {
-        drawing_.disc(mark, 0.36 * em_, colours::white);
-        drawing_.disc(mark, 0.25 * em_, colours::reddish_purple);
-      }
-      middle += mark / static_cast<double>(facts_.marks.size());
+      if (behind(mark)) continue;
+      drawing_.disc(mark, 0.36 * em_, colours::white);
+      drawing_.disc(mark, 0.25 * em_, colours::reddish_purple);
     }
-    paint_pill(drawing_, middle + Vec2(0, 1.9 * em_), facts_.marks_words, em_);
+    const double width = pill_width(facts_.marks_words, em_);
+    paint_pill(drawing_, marks_words_place(facts_.marks, width, layout_), facts_.marks_words, em_);
   }
 
   /// Cut where it does not fit: the terminal has it whole.
@@ -255,6 +254,12 @@ Box time_slider(const Layout& layout) {
   const double left = layout.timeline.left + 3.2 * em;
   return {left, layout.timeline.bottom + 0.5 * em, layout.timeline.right() - 15 * em - left,
           layout.timeline.height - em};
+}
+
+Drawing readings_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout) {
+  Drawing drawing;
+  if (state.hud && facts.hud.width > 0) paint_readings(drawing, facts, facts.hud, layout.em);
+  return drawing;
 }
 
 Drawing overlay_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout) {

@@ -65,7 +65,9 @@ Box alarm_line(const OverlayFacts& facts, const Layout& layout);
 /// The time line's slider within a layout.
 Box time_slider(const Layout& layout);
 
-/// The flat part of a picture that changes from moment to moment.
+/// The flat part of a picture that changes from moment to moment: the readings, and over them all the rest.
+/// They are two, since a device of VTK keeps fifty texts from one frame to the next, and of more none.
+Drawing readings_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout);
 Drawing overlay_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout);
 
 /// A colour for 0 .. 1, dark to light (viridis of van der Walt & Smith, five stops).

@@ -80,9 +80,10 @@ std::vector<LegendKey> legend_keys(const OverlayFacts& facts, const ViewState& s
     keys.push_back({"whole force", colours::reddish_purple, true});
   }
   if (facts.row->stick_centre_W.allFinite()) {
-    // Flat parts turn black and white in the dark, the ball on the part stays black.
+    // Flat parts turn black and white in the dark, the ball on the part stays black, but between wires.
+    const bool stays_black = state.dark && !state.wireframe;
     keys.push_back({facts.row->walls > 1 ? "stick centre on one wall" : "stick centre",
-                    state.dark ? colours::white : colours::black, false, state.dark});
+                    stays_black ? colours::white : colours::black, false, stays_black});
   }
   if (facts.region) {
     const bool holds = facts.row->phase == Phase::stick;

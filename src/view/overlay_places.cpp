@@ -51,39 +51,72 @@ Box words_place(const Layout& layout, double width_px, const std::optional<Vec2>
   return at(usual);
 }
 
+Vec2 marks_words_place(const std::vector<Vec2>& marks_px, double width_px, const Layout& layout) {
+  const double em = layout.em, half_height = 1.1 * em, away = 1.9 * em;
+  const Vec2 half(width_px / 2, half_height);
+  Vec2 middle(0, 0);
+  double top = marks_px.front().y();
+  for (const Vec2& mark : marks_px) {
+    middle += mark / static_cast<double>(marks_px.size());
+    top = std::max(top, mark.y());
+  }
+  const auto is_free = [&](const Vec2& at) {
+    const Box box{at.x() - half.x(), at.y() - half.y(), 2 * half.x(), 2 * half.y()};
+    return within(box, layout.scene) && std::none_of(marks_px.begin(), marks_px.end(), [&](const Vec2& mark) {
+             return widened(box, 0.5 * em).holds(mark.x(), mark.y());
+           });
+  };
+  const double aside = half.x() + 0.8 * em;
+  for (const Vec2& way : {Vec2(0, away), Vec2(0, -away), Vec2(aside, 0), Vec2(-aside, 0)}) {
+    if (is_free(middle + way)) return middle + way;
+  }
+  return {middle.x(), top + away};
+}
+
+/// Where it was, unless the contact comes near; else where it is clear of it by more.
+/// @param is_free  (box, how far from the contact [em], also clear of the tips)
+template <class IsFree>
+Box OverlayPlaces::choose(const Layout& layout, const Placed& box, std::optional<Corner>& before,
+                          const IsFree& is_free) {
+  constexpr double near_em = 1, far_em = 3;
+  for (const bool clear_of_tips : {true, false}) {
+    if (before && *before == box.liked.front() &&
+        is_free(in_corner(layout, box, *before), near_em, clear_of_tips)) {
+      return in_corner(layout, box, *before);
+    }
+    for (const double clear_em : {far_em, near_em}) {
+      for (const Corner corner : box.liked) {
+        if (!is_free(in_corner(layout, box, corner), clear_em, clear_of_tips)) continue;
+        before = corner;
+        return in_corner(layout, box, corner);
+      }
+    }
+  }
+  return {};
+}
+
 std::vector<Box> OverlayPlaces::place(const Layout& layout, const std::vector<Placed>& boxes,
-                                      const std::optional<Vec2>& contact_px, const std::vector<Box>& taken) {
+                                      const std::optional<Vec2>& contact_px, const std::vector<Box>& taken,
+                                      const std::vector<Vec2>& tips_px) {
   before_.resize(boxes.size());
   std::vector<Box> places;
   const auto meets = [](const Box& box) {
     return [&box](const Box& other) { return other.width > 0 && meet(box, other); };
   };
-  const auto is_free = [&](const Box& box, double clear_em) {
-    const bool hides =
-        contact_px && widened(box, clear_em * layout.em).holds(contact_px->x(), contact_px->y());
-    return !hides && within(box, layout.scene) && std::none_of(places.begin(), places.end(), meets(box)) &&
+  const auto is_free = [&](const Box& box, double clear_em, bool clear_of_tips) {
+    const auto hides = [&](const Vec2& px, double by_em) {
+      return widened(box, by_em * layout.em).holds(px.x(), px.y());
+    };
+    constexpr double tip_share = 0.5;  // of what a contact is kept clear by
+    const bool hides_tip = clear_of_tips && std::any_of(tips_px.begin(), tips_px.end(), [&](const Vec2& tip) {
+                             return hides(tip, tip_share * clear_em);
+                           });
+    return !(contact_px && hides(*contact_px, clear_em)) && !hides_tip && within(box, layout.scene) &&
+           std::none_of(places.begin(), places.end(), meets(box)) &&
            std::none_of(taken.begin(), taken.end(), meets(box));
   };
-  for (std::size_t i = 0; i < boxes.size(); ++i) {
-    Box chosen;
-    const Placed& box = boxes[i];
-    if (box.width > 0) {
-      constexpr double near_em = 1, far_em = 3;
-      // Where it was, unless the contact comes near; else where it is clear of it by more.
-      if (before_[i] && *before_[i] == box.liked.front() &&
-          is_free(in_corner(layout, box, *before_[i]), near_em)) {
-        chosen = in_corner(layout, box, *before_[i]);
-      }
-      for (const double clear_em : {far_em, near_em}) {
-        for (const Corner corner : box.liked) {
-          if (chosen.width > 0 || !is_free(in_corner(layout, box, corner), clear_em)) continue;
-          chosen = in_corner(layout, box, corner);
-          before_[i] = corner;
-        }
-      }
-    }
-    places.push_back(chosen);
-  }
+  for (std::size_t i = 0; i < boxes.size(); ++i)
+    places.push_back(boxes[i].width > 0 ? choose(layout, boxes[i], before_[i], is_free) : Box{});
   return places;
 }
 

@@ -23,12 +23,22 @@ class OverlayPlaces {
   /// Boxes in order of rank; one that fits nowhere is left out (empty box).
   /// @param contact_px  what must stay in sight; none: nothing
   /// @param taken       boxes that stand already
+  /// @param tips_px     what stays in sight where there is another corner for the box: ends of arrows
   std::vector<Box> place(const Layout& layout, const std::vector<Placed>& boxes,
-                         const std::optional<Vec2>& contact_px, const std::vector<Box>& taken = {});
+                         const std::optional<Vec2>& contact_px, const std::vector<Box>& taken = {},
+                         const std::vector<Vec2>& tips_px = {});
 
  private:
+  template <class IsFree>
+  Box choose(const Layout& layout, const Placed& box, std::optional<Corner>& before, const IsFree& is_free);
+
   std::vector<std::optional<Corner>> before_;
 };
+
+/// The middle of the line that tells of marks, which lies over none of them: above their middle, else below
+/// it or beside it, else above all.
+/// @param marks_px  at least one
+Vec2 marks_words_place(const std::vector<Vec2>& marks_px, double width_px, const Layout& layout);
 
 /// Room for two lines of words in the middle of the scene, clear of a finger: usually above its foot, else
 /// above that.

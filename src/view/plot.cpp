@@ -28,6 +28,8 @@ std::string subtitle_of(const ViewInput& input, const Vec3& direction_W) {
     words = fmt::format("{}, {} ticks a second", input.scene->friction.law,
                         static_cast<long>(std::lround(input.scene->motion.rate_hz)));
     if (input.every > 1) words += fmt::format(", of which 1 in {} is here", input.every);
+  } else if (input.every > 1) {  // as far as the rows themselves tell
+    words = "ticks were left out: the last row comes sooner than the others";
   }
   const double largest = direction_W.cwiseAbs().maxCoeff();
   if (largest < 0.99996192) {
@@ -111,7 +113,8 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   if (input.every > 1)
     subtitles.push_back(folding_words(first));
   else
-    subtitles[0] += fmt::format("; {} peaks at {:.0f} Hz", first.name, peak_hz(first));
+    subtitles[0] +=
+        fmt::format("{}{} peaks at {:.0f} Hz", subtitles[0].empty() ? "" : "; ", first.name, peak_hz(first));
   const double top = draw_title(page, input.title, subtitles, width, height, em);
   draw_chart(page, spectrum, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
   return page;

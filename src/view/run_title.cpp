@@ -31,6 +31,9 @@ std::string stem_of(const std::string& path) {
 std::string scene_title(const TraceInfo& info, const std::string& path) {
   constexpr std::size_t most_meshes = 3;
   if (info.scene_name.empty()) return stem_of(path);
+  // The scene that a bare mesh makes is called after it.
+  const std::filesystem::path mesh = info.mesh_files.empty() ? "" : info.mesh_files.front();
+  if (info.mesh_files.size() == 1 && mesh.stem() == info.scene_name) return mesh.filename().string();
   std::string title = info.scene_name;
   for (std::size_t i = 0; i < std::min(info.mesh_files.size(), most_meshes); ++i) {
     title += (i == 0 ? ": " : ", ") + std::filesystem::path(info.mesh_files[i]).filename().string();

@@ -11,13 +11,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
-#include "base/tangent_frame.hpp"
 #include "view/axis.hpp"
 #include "view/camera_vtk.hpp"
 #include "view/clipping_range_vtk.hpp"
 #include "view/drawing_item_vtk.hpp"
-#include "view/frame_labels.hpp"
+#include "view/moment_labels.hpp"
 #include "view/overlay_hud.hpp"
 #include "view/surface_mesh_vtk.hpp"
 #include "view/surface_words.hpp"
@@ -70,11 +70,14 @@ void Stage::add_renderers() {
 }
 
 void Stage::add_flat() {
-  vtkNew<vtkContextActor> flat;
-  flat->SetForceDevice(device_);
-  flat->GetScene()->SetRenderer(flat_);
-  flat->GetScene()->AddItem(item_);
-  flat_->AddActor(flat);
+  for (const auto& [item, device] :
+       {std::pair{readings_item_.Get(), readings_device_.Get()}, std::pair{item_.Get(), device_.Get()}}) {
+    vtkNew<vtkContextActor> flat;
+    flat->SetForceDevice(device);
+    flat->GetScene()->SetRenderer(flat_);
+    flat->GetScene()->AddItem(item);
+    flat_->AddActor(flat);
+  }
 }
 
 Stage::~Stage() = default;
@@ -104,11 +107,10 @@ void Stage::place_renderers() {
 
 /// Brings what is looked at to the size of the scene.
 void Stage::fit() {
-  const TickRecord* const row = moment_ ? &moment_->row : nullptr;
   if (look_)
     set_look(scene_, input_, extent_, space_, *look_, width_to_height());
   else
-    set_scene_camera(scene_, input_, row, extent_, space_, width_to_height());
+    set_scene_camera(scene_, input_, looked_at_ ? &*looked_at_ : nullptr, extent_, space_, width_to_height());
   fitted_ = view_of(scene_->GetActiveCamera());
 }
 
@@ -125,7 +127,7 @@ void Stage::look_at_all() {
 void Stage::paint_grounds() {
   const bool dark = state_.dark;
   column_.set_dark(dark);
-  device_->set_dark(dark);
+  for (ThemeDevice* const device : {device_.Get(), readings_device_.Get()}) device->set_dark(dark);
   dark ? scene_->SetBackground(0.11, 0.12, 0.14) : scene_->SetBackground(0.93, 0.945, 0.96);
   dark ? scene_->SetBackground2(0.2, 0.21, 0.24) : scene_->SetBackground2(0.995, 0.997, 1.0);
   dark ? close_up_->scene()->SetBackground(0.16, 0.17, 0.19)
@@ -134,6 +136,8 @@ void Stage::paint_grounds() {
 
 void Stage::reset_camera() {
   look_ = state_.look;
+  looked_at_.reset();
+  if (moment_) looked_at_ = moment_->row;
   fit();
 }
 
@@ -199,8 +203,14 @@ bool Stage::shows_close_up(double scene_px_per_mm) {
 /// Finds room for readings, legend and close-up, none over the contact, its arrows above all.
 void Stage::place_overlay(OverlayFacts& facts) {
   std::optional<Vec2> contact_px;
+  std::vector<Vec2> tips_px;
   if (moment_ && moment_->row.phase != Phase::free) {
-    contact_px = on_screen(space_.to_draw(moment_->row.contact_W));
+    const Vec3 contact = space_.to_draw(moment_->row.contact_W);
+    contact_px = on_screen(contact);
+    if (state_.forces) {
+      for (const Vec3& force_W_n : drawn_forces_W_n(moment_->row))
+        tips_px.push_back(on_screen(contact + force_W_n * facts.mm_per_n));
+    }
   } else if (moment_) {
     contact_px = on_screen(space_.to_draw(moment_->row.p_WQ));
   }
@@ -221,7 +231,7 @@ void Stage::place_overlay(OverlayFacts& facts) {
                                    {{hud.x(), hud.y(), {top_left, top_right, bottom_right}},
                                     {side, side, {top_right, bottom_right, top_left, bottom_left}},
                                     {legend.x(), legend.y(), {bottom_left, bottom_right, top_left}}},
-                                   contact_px, panels_.boxes(below_alarm));
+                                   contact_px, panels_.boxes(below_alarm), tips_px);
   facts.hud = boxes[0];
   inset_ = boxes[1];
   facts.legend = boxes[2];
@@ -241,7 +251,14 @@ void Stage::place_close_up() {
   if (row.surface >= 0 && now().world && surface < now().world->surfaces.size()) {
     mu_static = now().world->surfaces[surface].properties.mu_static;
   }
-  close_up_->show(*moment_, inset_, layout_.window, inset_half_height_mm_, mu_static * row.normal_force_n);
+  close_up_->show(*moment_, inset_, layout_.window, inset_half_height_mm_, mu_static * row.normal_force_n,
+                  glyph_ink());
+}
+
+/// A part's faces are bright in the dark, too; between its wires it is dark.
+GlyphInk Stage::glyph_ink() const {
+  if (!state_.dark || !state_.wireframe) return {};
+  return {in_the_dark(colours::ink), in_the_dark(colours::black)};
 }
 
 Vec2 Stage::on_screen(const Vec3& p_mm) {
@@ -253,24 +270,9 @@ Vec2 Stage::on_screen(const Vec3& p_mm) {
 
 void Stage::project_labels(OverlayFacts& facts, const GlyphChoice& choice) {
   if (!moment_ || moment_->row.phase == Phase::free || !state_.frame) return;
-  const TickRecord& row = moment_->row;
-  const Vec3 contact = space_.to_draw(row.contact_W);
-  const auto seen = [&](const Vec3& way_mm) {
-    return ScreenArrow{on_screen(contact), on_screen(contact + way_mm)};
-  };
-  const Mat3 frame = tangent_frame(row.normal_W, moment_->finger_direction_W);
-  std::vector<NamedAxis> axes;
-  for (const int axis : {2, 0, 1}) {
-    constexpr const char* names[] = {"Cx", "Cy", "n"};
-    axes.push_back({names[axis], seen(frame.col(axis) * frame_axis_sizes(axis) * choice.size_mm)});
-  }
-  std::vector<ScreenArrow> forces;
-  if (choice.forces) {
-    for (const Vec3& force_W_n : {Vec3(row.normal_W * row.normal_force_n), row.friction_W_n, row.force_W_n})
-      forces.push_back(seen(force_W_n * choice.mm_per_n));
-  }
   const Box boxes[] = {inset_, facts.hud, facts.legend};
-  facts.labels = frame_labels(axes, forces, boxes, layout_.scene, layout_.em);
+  facts.labels = moment_labels(
+      *moment_, choice, space_, [this](const Vec3& p_mm) { return on_screen(p_mm); }, boxes, layout_);
 }
 
 void Stage::project_marks(OverlayFacts& facts) {
@@ -281,7 +283,7 @@ void Stage::project_marks(OverlayFacts& facts) {
 OverlayFacts Stage::overlay_facts() {
   OverlayFacts facts;
   facts.title = input_.title;
-  facts.subtitle = subtitle_of(now());
+  facts.subtitle = subtitle_of(now(), input_.title);
   facts.about = about_lines(input_);
   facts.hint = hint_;
   facts.alarm = alarm_;
@@ -318,6 +320,7 @@ void Stage::render() {
   choice.finger = state_.finger;
   choice.forces = state_.forces;
   choice.frame = state_.frame;
+  choice.ink = glyph_ink();
   const ContactGlyphs glyphs = moment_ ? contact_glyphs(*moment_, space_, choice) : ContactGlyphs{};
   copy_mesh(glyphs.solid, solid_);
   copy_mesh(glyphs.clear, clear_);
@@ -340,6 +343,7 @@ void Stage::render() {
   overlay->append(overlay_drawing(facts, state_, layout_));
   drawings.push_back(std::move(overlay));
   item_->show(std::move(drawings));
+  readings_item_->show({std::make_shared<const Drawing>(readings_drawing(facts, state_, layout_))});
   draw();
 }
 

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "view/arrow_scale.hpp"
+#include "view/blending_renderer_vtk.hpp"
 #include "view/chart_column_vtk.hpp"
 #include "view/close_up_vtk.hpp"
 #include "view/contact_glyphs.hpp"
@@ -127,6 +128,7 @@ class Stage {
   Vec2 on_screen(const Vec3& p_mm);
   bool shows_close_up(double scene_px_per_mm);
   void place_close_up();
+  GlyphInk glyph_ink() const;
   void place_overlay(OverlayFacts& facts);
   double px_per_mm() const;
   double readings_strip_px() const;
@@ -148,8 +150,9 @@ class Stage {
   bool clear_of_readings_ = false;
   Layout layout_;
   ViewState state_;
-  std::optional<LookFrom> look_;  ///< that the camera was set to last; none: the usual view
-  std::vector<double> fitted_;    ///< view_of the camera then
+  std::optional<LookFrom> look_;         ///< that the camera was set to last; none: the usual view
+  std::optional<TickRecord> looked_at_;  ///< the moment for which the usual view was chosen, if for one
+  std::vector<double> fitted_;           ///< view_of the camera then
   std::unique_ptr<WorldProps> world_;
   std::optional<ContactMoment> moment_;
   double speed_m_per_s_ = 0;
@@ -170,10 +173,11 @@ class Stage {
   // From the back to the front: what is still, and what moves, by one camera; the charts and their paper; all
   // that is flat.
   vtkNew<KeptRenderer> scene_;
-  vtkNew<vtkRenderer> moving_, flat_;
+  vtkNew<BlendingRenderer> moving_;
+  vtkNew<vtkRenderer> flat_;
   vtkNew<vtkPolyData> solid_, clear_;
-  vtkNew<DrawingItem> item_;
-  vtkNew<ThemeDevice> device_;
+  vtkNew<DrawingItem> item_, readings_item_;
+  vtkNew<ThemeDevice> device_, readings_device_;
   std::unique_ptr<CloseUp> close_up_;
 };
 

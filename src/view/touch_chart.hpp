@@ -23,6 +23,10 @@ TouchLevels touch_levels(const ViewInput& input);
 /// band of phases.
 Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, const TouchLevels& levels);
 
+/// How often charts that run are drawn anew [s]. They need not follow each frame, of which they would take
+/// half the time without a graphics card.
+inline constexpr double live_chart_period_s = 0.12;
+
 /// As touch_chart for a finger that goes anywhere: position as x, y and z.
 Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels);
 

@@ -43,6 +43,19 @@ Vec3 tangential_step(const TickRecord& before, const TickRecord& row) {
   return step - step.dot(row.normal_W) * row.normal_W;
 }
 
+/// Whether the pad sticks at a row after slip only because it is lifted straight off, as a released finger
+/// is.
+bool is_lifted_off(std::span<const TickRecord> rows, std::size_t stick) {
+  constexpr double resting_share = 1e-3;
+  if (stick < 2) return false;
+  const double resting = resting_share * tangential_speed(rows[stick - 2], rows[stick - 1]);
+  std::size_t i = stick;
+  for (; i < rows.size() && rows[i].phase == Phase::stick; ++i) {
+    if (!(tangential_speed(rows[i - 1], rows[i]) < resting)) return false;
+  }
+  return i < rows.size() && rows[i].phase == Phase::free;
+}
+
 }  // namespace
 
 std::vector<double> friction_along_sliding(std::span<const TickRecord> rows) {
@@ -119,7 +132,7 @@ TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction
     series.mu.push_back(free ? TickRecord::nan : row.mu);
     const bool is_stick_after_slip =
         !series.phase.empty() && series.phase.back() == Phase::slip && row.phase == Phase::stick;
-    series.slip_ends.push_back(is_stick_after_slip && row.walls <= 1);
+    series.slip_ends.push_back(is_stick_after_slip && row.walls <= 1 && !is_lifted_off(rows, i));
     series.phase.push_back(row.phase);
   }
   series.friction_name = "friction along " + series.direction_name;

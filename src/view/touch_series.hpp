@@ -26,7 +26,8 @@ struct TouchSeries {
   std::vector<double> mu;     ///< nan while free
   std::vector<Phase> phase;
   /// Slip has just given way to stick (the paper's points a, fig. 9) on the one wall that holds the finger:
-  /// of several the phase is the greatest's, and passes from one to another without an end of slip.
+  /// of several the phase is the greatest's, and passes from one to another without an end of slip. Not where
+  /// the finger is lifted straight off, at rest along the surface for its last ticks.
   std::vector<bool> slip_ends;
 };
 

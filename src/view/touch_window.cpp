@@ -15,8 +15,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double chart_s = 4;            // what the strip charts hold
-constexpr double chart_period_s = 0.06;  // they need not follow each frame
+constexpr double chart_s = 4;  // what the strip charts hold
 constexpr const char* material_panel = "material";
 constexpr const char* invitation = "hold the left button, or space, to press";
 
@@ -116,7 +115,7 @@ class TouchWindow {
     stage_.invite(pointer_.has_pressed() ? "" : invitation);
     follow();
     since_chart_s_ += elapsed_s;
-    if (since_chart_s_ >= chart_period_s) {
+    if (since_chart_s_ >= live_chart_period_s) {
       since_chart_s_ = 0;
       // What somebody zoomed to stays for as long as it is looked at.
       if (!stage_.charts().zoomed()) stage_.show_chart(live_chart(history_.rows(), levels_));
@@ -138,10 +137,10 @@ class TouchWindow {
       return;
     }
     const std::string& note = stage_.has_alarm() ? no_note_ : input_.note;
-    if (stage_.charts().zoomed()) return stage_.show_title_note("charts held: r lets them run on   h help");
+    const char* const held = stage_.charts().zoomed() ? "   charts held: r lets them run on" : "";
     // What must be read comes first: a long name may be cut.
-    stage_.show_title_note(fmt::format("press {:.2f} N ({})   h help{}{}", pointer_.press_n(),
-                                       pointer_.pressing() ? "pressing" : "hovering",
+    stage_.show_title_note(fmt::format("press {:.2f} N ({}){}   h help{}{}", pointer_.press_n(),
+                                       pointer_.pressing() ? "pressing" : "hovering", held,
                                        note.empty() ? "" : "   ", note));
   }
 
@@ -152,7 +151,7 @@ class TouchWindow {
   PointerTouch pointer_;
   TouchLevels levels_;
   std::optional<MaterialPanel> material_;
-  double since_chart_s_ = chart_period_s;
+  double since_chart_s_ = live_chart_period_s;
   WindowLoop loop_;
   DrawingThreads drawing_;  ///< after the loop, whose listener is none of them
 };

@@ -10,6 +10,7 @@
 #include "touch/contact_choice.hpp"
 #include "touch/world.hpp"
 #include "trace/trace.hpp"
+#include "view/left_out_ticks.hpp"
 #include "view/run_title.hpp"
 
 namespace fingerpad {
@@ -28,12 +29,12 @@ std::shared_ptr<const World> with_trees(World world) {
 ViewInput view_of_trace(Trace trace, const std::string& path) {
   ViewInput input;
   input.title = run_title(trace.info, path);
+  input.every = ticks_a_row(trace);
   input.world = std::move(trace.world);
   input.rows = std::move(trace.rows);
   if (input.world) input.world = with_trees(*input.world);
   input.file = path;
   input.recording = path;
-  input.every = trace.info.every;
   input.changes = std::move(trace.info.changes);
   if (!trace.info.contact_method.empty())
     input.contact_words = trace.info.contact_method + " " + trace.info.contact_normals;
@@ -52,14 +53,17 @@ ViewInput view_of_trace(Trace trace, const std::string& path) {
   return input;
 }
 
-std::string subtitle_of(const ViewInput& input) {
+std::string subtitle_of(const ViewInput& input, const std::string& beside) {
   std::vector<std::string> words;
   if (input.world && !input.world->surfaces.empty()) {
     const Surface& first = input.world->surfaces.front();
-    std::string name = first.part ? std::filesystem::path(first.mesh).filename().string() : "plane";
+    const std::filesystem::path mesh = std::filesystem::path(first.mesh).filename();
+    std::string name = first.part ? mesh.string() : "plane";
     const std::size_t more = input.world->surfaces.size() - 1;
     if (more > 0) name += fmt::format(" and {} more", more);
-    words.push_back(name);
+    const bool named = first.part && more == 0 &&
+                       (beside == mesh.stem().string() || beside.find(mesh.string()) != std::string::npos);
+    if (!named) words.push_back(name);
   }
   if (!input.scene) return fmt::format("{}", fmt::join(words, ", "));
   words.push_back(input.scene->friction.law);

@@ -33,7 +33,8 @@ struct ViewInput {
 };
 
 /// What is touched and how, for a title: mesh, law, coefficients, method; "" where nothing is known of it.
-std::string subtitle_of(const ViewInput& input);
+/// @param beside  what stands beside it: a mesh that is named there is not named again
+std::string subtitle_of(const ViewInput& input, const std::string& beside);
 
 /// A trace with the scene that it holds. Surfaces that the trace has not embedded are loaded from the meshes
 /// its scene names; where those cannot be read the world stays empty, and the notice says why.

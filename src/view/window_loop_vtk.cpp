@@ -100,7 +100,7 @@ void WindowLoop::run() {
 void WindowLoop::name_window() {
   const ViewInput& input = stage_.input();
   const std::string name = std::filesystem::path(input.file).filename().string();
-  const std::string varies = varied_words(input.title), with = subtitle_of(input);
+  const std::string varies = varied_words(input.title), with = subtitle_of(input, name);
   const std::string how = varies.empty() ? with : varies;
   stage_.window()->SetWindowName(
       fmt::format("{}{}{} - fingerpad", name.empty() ? input.title : name, how.empty() ? "" : ": ", how)

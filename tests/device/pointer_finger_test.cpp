@@ -189,6 +189,43 @@ TEST(PointerFinger, ForeseesByTheMethodThatTheTouchGoesOnWith) {
   }
 }
 
+/// Presses on a spot beside the upper edge of a cube for a second, from a start beside and below that edge.
+/// @returns the share of the last half second in which it touches
+double touches_beside_edge(double from_edge_m, double below_m, double radius_m, double wanted_n) {
+  const auto world = test::world_of(test::box_soup({0.1, 0.1, 0.1}));
+  Scene scene = test::plane_scene("none");
+  scene.finger.radius_m = radius_m;
+  FingerSample start, target;
+  start.p_WQ = Vec3(0.01, -0.052 - radius_m, 0.05 + radius_m - below_m);
+  target.p_WQ = Vec3(0, -0.05 + from_edge_m, 0.05 + radius_m);
+  target.push_W_n = Vec3(0, 0, -wanted_n);
+  PointerFinger finger({scene, world, start});
+  Touch touch(world, scene);
+  finger.look_from(Vec3(0.35, -0.6, 0.72));
+  finger.set_target(target);
+  int touches = 0;
+  for (int k = 0; k < 1000; ++k) {
+    const TickRecord row = touch.tick(finger.advance(1e-3));
+    finger.feel(row);
+    EXPECT_LE(row.normal_force_n, 2 * wanted_n);
+    touches += k >= 500 && row.walls > 0 ? 1 : 0;
+  }
+  return touches / 500.0;
+}
+
+// From beside the edge a finger that came down short of the spot went down beside the cube, was led up again,
+// and so on.
+TEST(PointerFinger, LandsOnASpotBesideAnEdgeFromBelowIt) {
+  for (const double radius_m : {0.0, 0.007}) {
+    for (const double from_edge_m : {1e-6, 2e-4, 7e-4, 1.5e-3}) {
+      for (const double below_m : {0.0, 1e-3, 2e-3, 5e-3, 0.02}) {
+        EXPECT_GT(touches_beside_edge(from_edge_m, below_m, radius_m, 1), 0.99)
+            << from_edge_m << " m from the edge, from " << below_m << " m below, a finger of " << radius_m;
+      }
+    }
+  }
+}
+
 TEST(PointerFinger, FliesOverAWallToTheSpotBehindIt) {
   Scene scene = test::plane_scene("none");
   scene.contact.method = "proxy";

@@ -10,6 +10,8 @@
 #include "base/error.hpp"
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
+#include "trace/trace_choice.hpp"
+#include "trace/trace_writer.hpp"
 #include "view/chart_layout.hpp"
 #include "view/rub.hpp"
 #include "view/touch_series.hpp"
@@ -19,10 +21,11 @@ namespace {
 
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 /// A run of one column that goes linearly, so that interpolation is exact.
 ComparedRun line_run(const std::string& path, double from_s, double to_s, double step_s, double offset) {
-  ComparedRun run{"", "scene", "scene: a.stl", path, "", true, {}, {{"fn_n", "N", {}}}};
+  ComparedRun run{"", "scene", "scene: a.stl", path, "", true, 1, {}, {{"fn_n", "N", {}}}};
   for (int i = 0; from_s + i * step_s <= to_s + 1e-9; ++i) {
     run.x.push_back(from_s + i * step_s);
     run.columns[0].values.push_back(2 * run.x.back() + offset);
@@ -87,6 +90,34 @@ TEST(Comparison, TellsWhatCannotBeCompared) {
               HasSubstr("b.h5: has no time in common with a.h5: 2 to 3 here, 0 to 1 there"));
   EXPECT_THAT(words({line_run("a.h5", 0, 1, 0.1, 0), line_run("b.h5", 0, 1, 0.1, 0)}, {"tea"}),
               HasSubstr("a.h5: has no column 'tea'; it has fn_n"));
+}
+
+// Friction along the sliding direction goes by the way from one row to the next, which is another where rows
+// are left out.
+TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {
+  const auto folder = test::scratch_dir();
+  const ViewInput input = test::torus_rub(1.004);
+  const std::string whole = (folder / "whole.csv").string(), thin = (folder / "thin.csv").string();
+  for (const std::uint64_t every : {1, 10}) {
+    const auto writer = TraceWriter::create(every == 1 ? whole : thin, TraceFormat::csv, {}, *input.world);
+    const auto last = static_cast<long>(input.rows.size()) - 1;
+    for (long k = 0; k <= last; ++k) {
+      if (is_kept(k, last, every)) writer->append({&input.rows[static_cast<std::size_t>(k)], 1});
+    }
+    writer->finish();
+  }
+  constexpr double all = std::numeric_limits<double>::infinity();
+  for (const auto& paths : {std::vector{whole, thin}, std::vector{thin, whole}}) {
+    const Comparison comparison =
+        compare_runs(read_compared_runs(paths, Over::time, 0.2, all), {"fn_n", "friction"}, Over::time);
+    ASSERT_EQ(comparison.residuals.size(), 2u);
+    for (const Residual& left : comparison.residuals) {
+      EXPECT_EQ(left.rms, 0) << left.column;
+      EXPECT_EQ(std::count_if(left.values.begin(), left.values.end(), [](double x) { return x == 0; }), 92)
+          << "0.2 to 1.1 s, and the last";
+    }
+    EXPECT_THAT(comparison.notes.back(), Not(HasSubstr("interpolated")));
+  }
 }
 
 TEST(Comparison, HasAResidualUnderEachPanelAndOneLegendForWhatDiffers) {
@@ -167,6 +198,13 @@ TEST(Friction, OnAFlatPartRubbedStraightIsTheWorldsComponent) {
   EXPECT_EQ(series.friction_name, "friction along x");
   EXPECT_EQ(series.friction_sign, "+ pushes towards +x");
   EXPECT_EQ(series.friction_n[7], rows[7].friction_W_n.x());
+}
+
+TEST(LogAxis, KeepsMoreDecadesOfAPower) {
+  ChartPanel panel{"", "f [Hz]", "power density [N\xC2\xB2/Hz]", false, true, {{"", {}, {1, 2}, {1, 1e-12}}}};
+  EXPECT_LT(page_layout({"", "", {}, 1, {panel}}).panels[0].y.min, 1e-12) << "no curve falls below the axis";
+  panel.y_label = "error [1]";
+  EXPECT_GT(page_layout({"", "", {}, 1, {panel}}).panels[0].y.min, 1e-9) << "that is rounding";
 }
 
 TEST(LeastSpan, KeepsRoundingFlat) {

@@ -85,6 +85,45 @@ TEST(OverlayPlaces, ABoxStaysUntilTheContactIsNear) {
   EXPECT_EQ(left_at(4), first.left);
 }
 
+TEST(OverlayPlaces, ABoxMakesWayForTheTipOfAnArrowWhereItCan) {
+  const Layout layout = layout_for(1280, 800, true, false);
+  const Vec2 contact = layout.scene.centre();
+  OverlayPlaces places;
+  const Box before = places.place(layout, usual_boxes(layout), contact)[1];
+  const Vec2 tip = before.centre();
+  const Box after = places.place(layout, usual_boxes(layout), contact, {}, {tip})[1];
+  ASSERT_GT(after.width, 0);
+  EXPECT_FALSE(after.holds(tip.x(), tip.y()));
+  // Tips in every corner: then it stands where it would without them.
+  std::vector<Vec2> everywhere;
+  for (double x = layout.scene.left + 5; x < layout.scene.right(); x += 20) {
+    for (double y = layout.scene.bottom + 5; y < layout.scene.top(); y += 20) everywhere.emplace_back(x, y);
+  }
+  EXPECT_EQ(OverlayPlaces().place(layout, usual_boxes(layout), contact, {}, everywhere)[1].left, before.left);
+}
+
+TEST(OverlayPlaces, WhatIsToldOfMarksLiesOnNoneOfThem) {
+  const Layout layout = layout_for(900, 600, false, false);
+  const double em = layout.em, width = 9 * em;
+  const Vec2 middle = layout.scene.centre();
+  for (int turn = 0; turn < 24; ++turn) {
+    for (const double apart_em : {0.0, 1.0, 3.8, 4.5, 9.0}) {
+      const double angle = turn * 3.14159265358979 / 24;
+      const Vec2 half = 0.5 * apart_em * em * Vec2(std::cos(angle), std::sin(angle));
+      for (const double up : {-1.0, 0.0, 1.0}) {
+        const Vec2 at = middle + Vec2(0, up * (0.5 * layout.scene.height - 6 * em));
+        const Vec2 words = marks_words_place({at + half, at - half}, width, layout);
+        for (const Vec2& mark : {Vec2(at + half), Vec2(at - half)}) {
+          EXPECT_FALSE(std::abs(words.x() - mark.x()) < width / 2 &&
+                       std::abs(words.y() - mark.y()) < 1.1 * em)
+              << apart_em << " em apart, turned by " << angle;
+        }
+        EXPECT_TRUE(layout.scene.holds(words.x(), words.y()));
+      }
+    }
+  }
+}
+
 TEST(OverlayPlaces, NoBoxLiesOverTheAxesInTheCorner) {
   for (const auto& [width, height] : {std::pair(1280, 800), std::pair(640, 480)}) {
     const Layout layout = layout_for(width, height, true, true);

@@ -8,6 +8,8 @@
 
 #include "base/error.hpp"
 #include "support/paths.hpp"
+#include "trace/trace_choice.hpp"
+#include "view/left_out_ticks.hpp"
 #include "view/rub.hpp"
 #include "view/run_title.hpp"
 
@@ -15,6 +17,8 @@ namespace fingerpad::test {
 namespace {
 
 using ::testing::HasSubstr;
+using ::testing::Not;
+using ::testing::StartsWith;
 
 std::string text_of(const std::filesystem::path& path) {
   std::ostringstream text;
@@ -50,6 +54,53 @@ TEST(Plot, OfAThinnedTraceSaysSo) {
   EXPECT_FALSE(subtitle_is_there("peaks at", PlotSubject::spectrum));
   input.every = 1;
   EXPECT_TRUE(subtitle_is_there("peaks at", PlotSubject::spectrum));
+}
+
+TEST(Plot, OfAThinnedTraceInCsvSaysSoAsFarAsItsRowsTell) {
+  const auto folder = scratch_dir();
+  Trace trace;
+  trace.rows = torus_rub(3.004).rows;
+  const auto last = static_cast<long>(trace.rows.size()) - 1;
+  EXPECT_EQ(view_of_trace(trace, "whole.csv").every, 1u);
+  long k = 0;
+  std::erase_if(trace.rows, [&](const TickRecord&) { return !is_kept(k++, last, 10); });
+  const ViewInput input = view_of_trace(trace, "thin.csv");
+  EXPECT_EQ(input.every, 10u) << "the last of 3104 ticks comes 3 after the one before it";
+  write_plot(input, (folder / "thin.svg").string(), 800);
+  const std::string history = text_of(folder / "thin.svg");
+  EXPECT_THAT(history, HasSubstr("ticks were left out"));
+  EXPECT_THAT(history, Not(HasSubstr("end of slip")));
+  write_plot(input, (folder / "thin.svg").string(), 800, PlotSubject::spectrum);
+  const std::string spectrum = text_of(folder / "thin.svg");
+  EXPECT_THAT(spectrum, Not(HasSubstr("peaks at")));
+  EXPECT_THAT(spectrum, Not(HasSubstr(">; ")));
+  trace.info.scene_text = "name = \"t\"";
+  EXPECT_EQ(ticks_a_row(trace), 1u) << "a trace that has its scene says it itself";
+}
+
+TEST(Plot, OfATraceInCsvSaysWhereItsSpectrumPeaksAndNothingBeforeThat) {
+  const auto path = scratch_dir() / "csv.svg";
+  Trace trace;
+  trace.rows = torus_rub().rows;
+  write_plot(view_of_trace(trace, "whole.csv"), path.string(), 800, PlotSubject::spectrum);
+  EXPECT_THAT(text_of(path), HasSubstr("peaks at"));
+  EXPECT_THAT(text_of(path), Not(HasSubstr(">; ")));
+}
+
+TEST(RunTitle, NamesAMeshOnce) {
+  TraceInfo info;
+  info.scene_name = "torus";
+  info.mesh_files = {"parts/torus.stl"};
+  EXPECT_EQ(run_title(info, "run.h5"), "torus.stl");
+  info.mesh_files.emplace_back("lid.stl");
+  EXPECT_EQ(run_title(info, "run.h5"), "torus: torus.stl, lid.stl");
+  info.scene_name = "rub";
+  info.mesh_files.pop_back();
+  EXPECT_EQ(run_title(info, "run.h5"), "rub: torus.stl");
+  const ViewInput input = torus_rub(0.1);
+  EXPECT_THAT(subtitle_of(input, "run.h5"), StartsWith("torus.stl, finger-pad"));
+  for (const char* beside : {"torus", "torus.stl", "rub: torus.stl"})
+    EXPECT_THAT(subtitle_of(input, beside), StartsWith("finger-pad, mu ")) << beside;
 }
 
 TEST(RunTitle, TellsAWindowWhatVariesInASet) {

@@ -189,7 +189,7 @@ TEST(RealWindow, ShowsAFileThatIsDroppedOntoItAndSaysWhyItCannotShowAnother) {
                       "2>/dev/null) && break; sleep 0.05; done\necho \"$n\"\nwindow\n" +
                       "xdotool mousemove --window $w 100 100 key q\n",
                   folder);
-  EXPECT_THAT(shown.out, testing::StartsWith("torus.stl: torus.stl - fingerpad"));
+  EXPECT_THAT(shown.out, testing::StartsWith("torus.stl - fingerpad"));
 }
 
 /// For scripts: how far the servo's thread of the process $p stands back, and the one that draws its window.

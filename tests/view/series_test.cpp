@@ -76,6 +76,27 @@ TEST(TouchSeries, SlipEndsWhereOneWallHoldsTheFingerAndSticks) {
   EXPECT_EQ(touch_series(rows, Vec3::UnitX()).slip_ends, expected);
 }
 
+TEST(TouchSeries, HasNoEndOfSlipWhereASlippingFingerIsLiftedOff) {
+  std::vector<TickRecord> rows(9);
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rows[i].t_s = 1e-3 * static_cast<double>(i);
+    rows[i].phase = i < 4 ? Phase::slip : i < 7 ? Phase::stick : Phase::free;
+    rows[i].normal_W = Vec3::UnitZ();
+    rows[i].walls = 1;
+    rows[i].p_WQ = Vec3(1e-4 * std::min<double>(static_cast<double>(i), 3), 0, i < 4 ? 0 : 2e-4 * (i - 3.0));
+  }
+  const auto ends = [&] {
+    const auto marks = touch_series(rows, Vec3::UnitX()).slip_ends;
+    return std::count(marks.begin(), marks.end(), true);
+  };
+  EXPECT_EQ(ends(), 0);
+  rows[7].phase = rows[8].phase = Phase::stick;
+  EXPECT_EQ(ends(), 1) << "it came to rest, and stays";
+  rows[8].phase = Phase::free;
+  rows[6].p_WQ.x() += 1e-5;
+  EXPECT_EQ(ends(), 1) << "it was dragged on in stick before it was lifted";
+}
+
 /// Every 10th row and the last, as `replay --every 10` writes them.
 ViewInput thinned_rub() {
   ViewInput input = torus_rub(3.004);

@@ -137,6 +137,31 @@ TEST(Readings, OfASmallSceneAreBriefAndNeedNoLegend) {
   EXPECT_LT(over_the_scene, 0.07 * 400 * 300);
 }
 
+TEST(Stage, OfAnotherSizeIsLookedAtFromWhereItWas) {
+  const VirtualScreen screen;
+  ViewInput input = torus_rub(1);
+  const std::size_t count = input.rows.size();
+  for (std::size_t i = 0; i < count; ++i) {  // first on the top, later and not so long beneath
+    TickRecord& row = input.rows[i];
+    const double side = i < 2 * count / 3 ? 1 : -1;
+    const Vec3 outwards = Vec3(row.p_WQ.x(), row.p_WQ.y(), 0).normalized();
+    row.contact_W = row.p_WQ = 0.05 * outwards + Vec3(0, 0, 0.02 * side);
+    row.normal_W = Vec3(0, 0, side);
+  }
+  Stage stage(input, 700, 500, true, true);
+  const auto from = [&] { return Vec3(stage.scene()->GetActiveCamera()->GetDirectionOfProjection()); };
+  stage.show(input.rows.back(), 0);
+  stage.reset_camera();
+  const Vec3 last = from();
+  stage.show(input.rows[count / 2 - 1], 0);
+  stage.reset_camera();
+  const Vec3 first = from();
+  ASSERT_LT(first.dot(last), 0.9) << "or there is nothing to tell";
+  stage.show(input.rows.back(), 0);
+  stage.resize(500, 500);
+  EXPECT_GT(from().dot(first), 1 - 1e-9);
+}
+
 TEST(Finger, PressedThroughASmallPartStaysInSight) {
   ContactMoment moment;
   moment.row.phase = Phase::stick;
