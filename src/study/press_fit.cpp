@@ -12,7 +12,7 @@ namespace fingerpad {
 PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, double about) {
   // Height that the force does not explain says nothing of the pad: the hand moves, or the plate is not
   // square.
-  constexpr double least_explained = 0.5, least_rms_m = 5e-5;
+  constexpr double least_explained = 0.5, least_rms_m = 5e-5, least_own_rms_m = 2e-5;
   constexpr double least_spread = 0.1;                        // standard deviation of ln n within trials
   constexpr double least_exponent = 0.5, most_exponent = 10;  // of n over the depth
   PressFit fit;
@@ -23,7 +23,9 @@ PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<i
   };
   std::map<int, Presses> subjects;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (times[i] == 0 || trials[i].press_samples == 0) continue;
+    // A trial whose height does not move at all has none that was measured.
+    const double groups = static_cast<double>(trials[i].press_groups);
+    if (times[i] == 0 || !(trials[i].press(0, 0) > least_own_rms_m * least_own_rms_m * groups)) continue;
     Presses& own = subjects[trials[i].subject];
     own.sums += times[i] * trials[i].press;
     own.load2 += times[i] * trials[i].press_load_2;
