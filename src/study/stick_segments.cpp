@@ -107,7 +107,7 @@ bool ruptures_at(std::size_t i, const MeasuredTrial& trial, int half_window, dou
 
 /// Ratio of the noise of q to friction above which a step of single samples may hide a rupture, and above
 /// which the means of some do.
-constexpr double single_noise = 0.15 / 4.5 / 1.414, means_noise = 1.5 * single_noise;
+constexpr double single_noise = 0.15 / 4.5 / 1.414, means_noise = 2.0 * single_noise;
 constexpr std::size_t means_count = 3;
 
 /// Friction of samples that are pressed, near its greatest.
