@@ -76,7 +76,7 @@ TEST(ProfileFit, ALoadThatHardlyChangesGivesNoNormalLaw) {
   RecordedMeasurement recorded = test::known_measurement({{1, 45, 0}, {1, 45, 90}}, {}, {}, 1);
   for (RecordedTrial& trial : recorded.trials) {
     for (Eigen::Index i = 0; i < trial.samples(); ++i) {
-      trial.force_W.col(i) /= trial.force_W(2, i);
+      trial.force_W.col(i) *= (1 + 0.01 * std::sin(0.1 * static_cast<double>(i))) / trial.force_W(2, i);
       trial.position_W(2, i) = 1e-4 * std::sin(0.002 * static_cast<double>(i));
     }
   }
