@@ -63,8 +63,9 @@ int fit(const FitOptions& options) {
   RecordedMeasurement recorded = read_measurements(options.measurements, format, options.reading.reader);
   for (const std::string& note : recorded.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : recorded.warnings) print_err("fingerpad: warning: {}\n", warning);
-  refuse_doubtful(recorded, format);
-  const Measurement measurement = clean(std::move(recorded), cleaning_settings(options.cleaning));
+  const CleaningSettings cleaning = cleaning_settings(options.cleaning);
+  refuse_doubtful(recorded, format, cleaning.delay_s.value_or(0));
+  const Measurement measurement = clean(std::move(recorded), cleaning);
   for (const std::string& name : measurement.untouched)
     print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);
   if (!measurement.trials.empty()) {

@@ -21,7 +21,8 @@ struct NamedFactor {
   std::string_view name;
   double factor;
 };
-constexpr NamedFactor force_units[] = {{"N", 1}, {"mN", 1e-3}, {"gf", 9.80665e-3}, {"kgf", 9.80665}};
+constexpr NamedFactor force_units[] = {
+    {"N", 1}, {"mN", 1e-3}, {"kN", 1e3}, {"gf", 9.80665e-3}, {"kgf", 9.80665}};
 constexpr NamedFactor torque_units[] = {{"N.m", 1}, {"N.mm", 1e-3}};
 constexpr NamedFactor separators[] = {
     {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"bar", '|'}, {"blank", ' '}};

@@ -10,7 +10,8 @@ namespace {
 
 /// Tells what the force does along each axis over 12 ms around each sample [J].
 template <typename Tell>
-void each_work(const Points& position_W, const Points& force_W, double rate_hz, const Tell& tell) {
+void each_work(const Eigen::Ref<const Points>& position_W, const Eigen::Ref<const Points>& force_W,
+               double rate_hz, const Tell& tell) {
   constexpr double half_window_s = 6e-3;
   const auto half = std::max<Eigen::Index>(1, std::lround(half_window_s * rate_hz));
   for (Eigen::Index i = half; i + half < position_W.cols(); ++i) {
@@ -21,7 +22,8 @@ void each_work(const Points& position_W, const Points& force_W, double rate_hz, 
 
 }  // namespace
 
-double driving_share(const Points& position_W, const Points& force_W, double rate_hz) {
+double driving_share(const Eigen::Ref<const Points>& position_W, const Eigen::Ref<const Points>& force_W,
+                     double rate_hz) {
   double sum = 0, sizes = 0;
   each_work(position_W, force_W, rate_hz, [&](const Vec3& work) {
     sum += work.sum();
@@ -30,7 +32,8 @@ double driving_share(const Points& position_W, const Points& force_W, double rat
   return sizes > 0 ? sum / sizes : 0;
 }
 
-Vec3 driving_share_by_axis(const Points& position_W, const Points& force_W, double rate_hz) {
+Vec3 driving_share_by_axis(const Eigen::Ref<const Points>& position_W,
+                           const Eigen::Ref<const Points>& force_W, double rate_hz) {
   constexpr double least_part = 0.2;
   Vec3 sum = Vec3::Zero(), sizes = Vec3::Zero();
   each_work(position_W, force_W, rate_hz, [&](const Vec3& work) {

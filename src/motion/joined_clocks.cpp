@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 
 #include "base/error.hpp"
 
@@ -88,6 +89,17 @@ JoinedClocks join_clocks(const ClockedValues& first, const ClockedValues& second
   joined.first.swap(first_is_slow ? taken.values : kept);
   joined.second.swap(first_is_slow ? kept : taken.values);
   return joined;
+}
+
+Eigen::MatrixXd values_at(const ClockedValues& values, const std::vector<double>& t_s,
+                          const std::string& where) {
+  const ClockedValues times{"", t_s, Eigen::MatrixXd(0, static_cast<Eigen::Index>(t_s.size()))};
+  const TakenAcross taken = taken_across(values, median_clock_step_s(values, where), times);
+  Eigen::MatrixXd found = Eigen::MatrixXd::Constant(values.values.rows(), times.values.cols(),
+                                                    std::numeric_limits<double>::quiet_NaN());
+  for (std::size_t i = 0; i < taken.times.size(); ++i)
+    found.col(taken.times[i]) = taken.values.col(static_cast<Eigen::Index>(i));
+  return found;
 }
 
 }  // namespace fingerpad

@@ -29,4 +29,9 @@ struct JoinedClocks {
 /// no time in common.
 JoinedClocks join_clocks(const ClockedValues& first, const ClockedValues& second, const std::string& where);
 
+/// The values straight between their samples at other times that count from the same moment; not numbers
+/// before the first sample, after the last, and within gaps (over two steps). Throws Error as join_clocks.
+Eigen::MatrixXd values_at(const ClockedValues& values, const std::vector<double>& t_s,
+                          const std::string& where);
+
 }  // namespace fingerpad

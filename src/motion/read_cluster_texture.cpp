@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 
 #include "base/csv_columns.hpp"
@@ -12,10 +13,11 @@
 // says:
 //   sensor_data/force/NAME.csv     time,force    s, N    6 kHz   0.0009990528727670048,1.009
 //   sensor_data/position/NAME.csv  time,X,Y      s, mm   100 Hz  0.000613,0.0,45.0
-//   sensor_data/accel/NAME.csv     time,X,Y,Z    s, g    6 kHz   (not read: nothing asks for it)
+//   sensor_data/accel/NAME.csv     time,X,Y,Z    s, g    6 kHz
 //   NAME = texture_direction_velocity_force_repeat, such as 0_135_40_500_0
-// One computer's clock stands in all of them. The force is that of a load cell, pressed: normal force alone,
-// and above 0. Not verified: real files, beyond those excerpts. The artificial finger is of urethane rubber.
+// One computer's clock stands in all of them; the accelerations may be missing. The force is that of a load
+// cell, pressed: normal force alone, and above 0. Not verified: real files, beyond those excerpts; how the
+// accelerometer's axes lie to those of positions. The artificial finger is of urethane rubber.
 
 namespace fingerpad {
 namespace {
@@ -44,7 +46,32 @@ ClockedValues cluster_table(const std::string& path, const std::vector<std::stri
 
 std::vector<std::string> cluster_files(const std::string& path, const RecordingFormat&) {
   if (cluster_sibling(path, "force").empty()) return {path};
-  return {cluster_sibling(path, "force"), cluster_sibling(path, "position")};
+  std::vector<std::string> files{cluster_sibling(path, "force"), cluster_sibling(path, "position")};
+  if (fs::exists(cluster_sibling(path, "accel"))) files.push_back(cluster_sibling(path, "accel"));
+  return files;
+}
+
+/// The accelerations beside a recording, at its times; told in its notes.
+void take_cluster_accelerations(const std::string& path, FieldRecording& recording) {
+  constexpr double m_per_s2 = 9.80665;  // of a g
+  const std::string accel = cluster_sibling(path, "accel");
+  if (!fs::exists(accel)) {
+    recording.notes.emplace_back("no accelerations: no file of this name in a folder 'accel' beside it");
+    return;
+  }
+  const ClockedValues table = cluster_table(accel, {"time", "X", "Y", "Z"}, "accelerations");
+  FieldChannel channel{"acceleration", "m/s^2", m_per_s2 * values_at(table, recording.motion.t_s, accel)};
+  double squares = 0, count = 0;
+  for (Eigen::Index i = 0; i < channel.values.cols(); ++i) {
+    if (!channel.values.col(i).allFinite()) continue;
+    squares += channel.values.col(i).squaredNorm();
+    ++count;
+  }
+  if (!(count > 0)) throw refused(accel, "has no time in common with its forces and positions");
+  recording.notes.push_back(fmt::format(
+      "accelerations read at {:.0f} of {} times, straight between their samples: {:.3g} m/s^2 RMS", count,
+      channel.values.cols(), std::sqrt(squares / count)));
+  recording.channels.push_back(std::move(channel));
 }
 
 FieldRecording read_cluster_texture(const std::string& path, const RecordingFormat&) {
@@ -69,6 +96,7 @@ FieldRecording read_cluster_texture(const std::string& path, const RecordingForm
   }
   recording.notes = {joined.note,
                      "read as cluster-texture: normal force alone, positions in the plane z = 0"};
+  take_cluster_accelerations(path, recording);
   return recording;
 }
 

@@ -36,22 +36,25 @@ std::vector<int> drawn_times(const std::vector<int>& subject_of, Blocks blocks, 
   return times;
 }
 
-std::vector<LeftOut> left_out_times(const std::vector<int>& subject_of, Blocks blocks) {
+std::size_t each_left_out(const std::vector<int>& subject_of, Blocks blocks,
+                          const std::function<void(const LeftOut&)>& tell) {
   constexpr std::size_t most_parts = 100;
   std::map<int, std::vector<std::size_t>> subjects;
   for (std::size_t i = 0; i < subject_of.size(); ++i) subjects[subject_of[i]].push_back(i);
-  const std::vector<int> once(subject_of.size(), 1);
-  std::vector<LeftOut> found;
+  LeftOut left{std::vector<int>(subject_of.size(), 1)};
+  std::size_t told = 0;
   for (const auto& [subject, own] : subjects) {
     const bool is_whole = blocks == Blocks::subjects;
     const std::size_t parts = is_whole ? 1 : std::min(most_parts, own.size());
-    for (std::size_t part = 0; part < parts; ++part) {
-      found.push_back(
-          {once, is_whole ? 0 : subject, static_cast<double>(is_whole ? subjects.size() : parts)});
-      for (std::size_t k = part; k < own.size(); k += parts) found.back().times[own[k]] = 0;
+    left.group = is_whole ? 0 : subject;
+    left.parts = static_cast<double>(is_whole ? subjects.size() : parts);
+    for (std::size_t part = 0; part < parts; ++part, ++told) {
+      for (std::size_t k = part; k < own.size(); k += parts) left.times[own[k]] = 0;
+      tell(left);
+      for (std::size_t k = part; k < own.size(); k += parts) left.times[own[k]] = 1;
     }
   }
-  return found;
+  return told;
 }
 
 void LeftOutSpread::add(const LeftOut& left_out, double value) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <map>
 #include <optional>
 #include <vector>
@@ -34,8 +35,10 @@ struct LeftOut {
   double parts = 0;  ///< into which the group was parted
 };
 
-/// Every block left out in turn; of groups of more than a hundred trials a hundredth at a time.
-std::vector<LeftOut> left_out_times(const std::vector<int>& subject_of, Blocks blocks);
+/// Leaves every block out in turn; of groups of more than a hundred trials a hundredth at a time.
+/// @returns how many it was
+std::size_t each_left_out(const std::vector<int>& subject_of, Blocks blocks,
+                          const std::function<void(const LeftOut&)>& tell);
 
 /// The jackknife's spread of a number, by what it is with a block left out (Efron and Stein 1981). A block on
 /// which much of the number rests moves it more by its absence than it does in the draws of a bootstrap,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 
 #include "study/pad_run.hpp"
 
@@ -82,6 +83,7 @@ CrossValidation cross_validate(const Measurement& measurement, const FitSettings
     checked.refusal = "it takes two trials, one to fit and one to foretell";
     return checked;
   }
+  std::vector<std::optional<HeldOutTrial>> told(measurement.trials.size());
   for (int left_out = 0; left_out < folds; ++left_out) {
     const ProfileFit fit = fit_profile(without_fold(measurement, fold, left_out), settings);
     if (!is_runnable(fit)) {
@@ -92,8 +94,10 @@ CrossValidation cross_validate(const Measurement& measurement, const FitSettings
     }
     const PadOnPlate fitted = fitted_pad(fit);
     for (std::size_t i = 0; i < measurement.trials.size(); ++i)
-      if (fold[i] == left_out) checked.trials.push_back(held_out(measurement.trials[i], fitted));
+      if (fold[i] == left_out) told[i] = held_out(measurement.trials[i], fitted);
   }
+  for (std::optional<HeldOutTrial>& trial : told)
+    if (trial) checked.trials.push_back(std::move(*trial));
   if (checked.trials.empty()) return checked;
   checked.refusal.clear();
   checked.measured_rms_n = over_subjects(checked.trials, &HeldOutTrial::measured_rms_n);

@@ -63,8 +63,9 @@ ChartPanel axis_panel(const FitPictureSource& source, std::size_t axis, double f
                  {palette::ink, Dash::solid, Marker::none, 1.3}, slope_per_deg, from_deg, to_deg));
   if (const auto& both = source.fit.interval[static_cast<std::size_t>(slope)]) {
     for (const double limit : {both->first, both->second})
-      panel.curves.push_back(slope_line("95 % of the slope", {palette::grey, Dash::dashed, Marker::none, 1},
-                                        limit, from_deg, to_deg));
+      panel.curves.push_back(slope_line(limit == both->first ? "95 % of the slope" : "",
+                                        {palette::grey, Dash::dashed, Marker::none, 1}, limit, from_deg,
+                                        to_deg));
   }
   return panel;
 }

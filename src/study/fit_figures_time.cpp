@@ -8,6 +8,7 @@
 
 #include "base/spectrum.hpp"
 #include "study/fit_figures.hpp"
+#include "study/phase_boundaries.hpp"
 #include "study/phase_stretch.hpp"
 
 namespace fingerpad {

@@ -29,6 +29,18 @@ std::vector<double> group_means(const PhaseStretch& s, std::size_t size, const V
   return means;
 }
 
+/// Variance of a component's force noise, which is alike at every load, from that of the ratio.
+double force_noise_n2(const MeasuredTrial& trial, const StickSegments& segments) {
+  constexpr double light = 0.3;  // noisier samples count as events to the ratio's noise
+  double inverse2 = 0, samples = 0;
+  for (const double load_n : trial.normal_force_n) {
+    if (load_n < light * segments.usual_normal_n) continue;
+    inverse2 += 1 / (load_n * load_n);
+    ++samples;
+  }
+  return segments.ratio_noise * segments.ratio_noise * samples / inverse2;
+}
+
 double mean_of(const std::vector<double>& values) {
   double sum = 0;
   for (const double value : values) sum += value;
@@ -48,6 +60,7 @@ std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const LoadLaw& load)
 void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& segments,
                              const TrialEvidence& evidence, const std::vector<Vec2>& ratio) {
   const std::size_t size = group_size(trial.rate_hz);
+  const double force2 = force_noise_n2(trial, segments);
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     const PhaseStretch s = inner_stretch(whole, segments);
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
@@ -63,11 +76,13 @@ void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& se
           s, size, [&](std::size_t i) { return ratio[i][axis] + stiffness * trial.position_m[i][axis]; });
       const auto force = group_means(s, size, [&](std::size_t i) { return ratio[i][axis]; });
       if (left.size() < 3) continue;
-      const double mean = mean_of(left), noise = segments.ratio_noise * segments.ratio_noise +
-                                                 std::pow(stiffness * segments.position_noise_m, 2);
+      const double mean = mean_of(left), place2 = std::pow(stiffness * segments.position_noise_m, 2);
+      const auto noise = group_means(s, size, [&](std::size_t i) {
+        return force2 / (trial.normal_force_n[i] * trial.normal_force_n[i]) + place2;
+      });
       for (const double value : left) left_ += (value - mean) * (value - mean);
       for (const double value : force) signal_ += value * value;
-      expected_ += static_cast<double>(left.size() - 1) * noise / static_cast<double>(size);
+      expected_ += static_cast<double>(left.size() - 1) * mean_of(noise) / static_cast<double>(size);
       samples_ += static_cast<long>(left.size() * size);
     }
   }

@@ -35,13 +35,12 @@ double usual(FileTrials trials, const std::function<double(const RecordedTrial&)
     if (const double value = of(trial); !std::isnan(value)) values.push_back(value);
   }
   if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
+  std::sort(values.begin(), values.end());
+  return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
 void ask_for_units(FileTrials trials, const MeasurementFormat& format) {
-  constexpr double hardest_n = 40, farthest_way_m = 1, slowest_hz = 20, fastest_hz = 200e3;
+  constexpr double hardest_n = 40, lightest_n = 0.01, farthest_way_m = 1, slowest_hz = 20, fastest_hz = 200e3;
   const std::string& file = trials.front().file;
   const double rate_hz = usual(trials, [](const RecordedTrial& trial) { return trial.rate_hz; });
   if (!format.says_time_unit && (rate_hz < slowest_hz || rate_hz > fastest_hz))
@@ -61,14 +60,33 @@ void ask_for_units(FileTrials trials, const MeasurementFormat& format) {
         file, fmt::format("taken as newtons, its normal force is {:.3g} N, harder than a finger rubs: say "
                           "--force-unit mN (or gf), or --force-unit N if they are newtons",
                           press_n));
+  if (!format.says_force_unit && press_n > 0 && press_n < lightest_n)
+    throw refused(
+        file, fmt::format("taken as newtons, its normal force is {:.3g} N, lighter than a finger rubs: say "
+                          "--force-unit kN, or --force-unit N if they are newtons",
+                          press_n));
+}
+
+/// A trial's positions and forces of the same moments, where force lags position by a delay.
+struct SameMoments {
+  Eigen::Ref<const Points> position_W, force_W;
+};
+
+SameMoments same_moments(const RecordedTrial& trial, double delay_s) {
+  const Eigen::Index n = trial.samples(), most = n / 2,
+                     lag = std::clamp<Eigen::Index>(std::lround(delay_s * trial.rate_hz), -most, most),
+                     count = n - std::abs(lag);
+  return {trial.position_W.middleCols(std::max<Eigen::Index>(-lag, 0), count),
+          trial.force_W.middleCols(std::max<Eigen::Index>(lag, 0), count)};
 }
 
 /// No turn of a sensor puts right what one axis has of a mirror.
-void refuse_mirrored_axis(FileTrials trials) {
+void refuse_mirrored_axis(FileTrials trials, double delay_s) {
   Vec3 share;
   for (int axis = 0; axis < 3; ++axis) {
-    share[axis] = usual(trials, [axis](const RecordedTrial& trial) {
-      return driving_share_by_axis(trial.position_W, trial.force_W, trial.rate_hz)[axis];
+    share[axis] = usual(trials, [&](const RecordedTrial& trial) {
+      const SameMoments both = same_moments(trial, delay_s);
+      return driving_share_by_axis(both.position_W, both.force_W, trial.rate_hz)[axis];
     });
   }
   for (int axis = 0; axis < 3; ++axis) {
@@ -82,7 +100,7 @@ void refuse_mirrored_axis(FileTrials trials) {
   }
 }
 
-void ask_for_signs(FileTrials trials, const MeasurementFormat& format) {
+void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double delay_s) {
   constexpr double surely_n = 0.15;  // a sensor's offset may be below 0 where nothing presses
   const std::string& file = trials.front().file;
   const double press_n = usual(trials, pressing_n);
@@ -94,27 +112,29 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format) {
                   "the sensor stands (--sensor-turned)",
                   press_n, format.force_on_plate ? "--force-on finger" : "--force-on plate",
                   format.force_on_plate ? "finger" : "plate"));
-  refuse_mirrored_axis(trials);
-  const double drives = usual(trials, [](const RecordedTrial& trial) {
-    return driving_share(trial.position_W, trial.force_W, trial.rate_hz);
+  refuse_mirrored_axis(trials, delay_s);
+  const double drives = usual(trials, [delay_s](const RecordedTrial& trial) {
+    const SameMoments both = same_moments(trial, delay_s);
+    return driving_share(both.position_W, both.force_W, trial.rate_hz);
   });
   if (drives > most_driving_share)
     throw refused(
         file,
         "its force drives the finger along its way, and friction holds a finger back: fx and fy have the "
         "wrong sign while the normal force has the right one. --force-on turns all three, --sensor-turned "
-        "0,0,0,1 (half a turn about z) fx and fy alone");
+        "0,0,0,1 (half a turn about z) fx and fy alone. A force that comes over 50 ms after the position "
+        "looks like it too: then say --delay SECONDS");
 }
 
 }  // namespace
 
-void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
+void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementFormat& format, double delay_s) {
   const std::vector<RecordedTrial>& trials = recorded.trials;
   for (std::size_t from = 0, to = 0; from < trials.size(); from = to) {
     while (to < trials.size() && trials[to].file == trials[from].file) ++to;
     const FileTrials own(trials.data() + from, to - from);
     ask_for_units(own, format);
-    ask_for_signs(own, format);
+    ask_for_signs(own, format, delay_s);
   }
 }
 

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "study/load_exponent.hpp"
 #include "study/press_fit.hpp"
 #include "study/spring_fit.hpp"
 #include "study/vibration_peak.hpp"
@@ -141,51 +142,6 @@ void refuse_no_numbers(PadValues& found) {
   }
 }
 
-/// Sums of a subject's slip.
-struct SubjectSlip {
-  double count = 0, ratio = 0, load = 0, load_2 = 0, load_ratio = 0, log_load = 0;
-};
-
-std::map<int, SubjectSlip> slip_of_subjects(const std::vector<TrialEvidence>& trials,
-                                            const std::vector<int>& times, PadValue& found) {
-  std::map<int, SubjectSlip> subjects;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const TrialEvidence& trial = trials[i];
-    if (times[i] == 0 || trial.slip_samples == 0) continue;
-    SubjectSlip& sums = subjects[trial.subject];
-    sums.count += times[i] * static_cast<double>(trial.slip_samples);
-    sums.ratio += times[i] * trial.slip_ratio;
-    sums.load += times[i] * trial.slip_load;
-    sums.load_2 += times[i] * trial.slip_load_2;
-    sums.load_ratio += times[i] * trial.slip_load_ratio;
-    sums.log_load += times[i] * trial.slip_log_load;
-    found.samples += times[i] * trial.slip_samples;
-    found.trials += times[i];
-  }
-  return subjects;
-}
-
-/// The exponent: that of the last pass, and what the ratios taken to its load still change with the load.
-PadValue load_exponent(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
-                       double about) {
-  constexpr double least_spread = 0.1;  // standard deviation of ln n
-  PadValue found;
-  double exponents = 0, count = 0;
-  const auto subjects = slip_of_subjects(trials, times, found);
-  for (const auto& [subject, sums] : subjects) {
-    const double spread = sums.load_2 - sums.load * sums.load / sums.count;
-    if (!(spread > least_spread * least_spread * sums.count) || !(sums.ratio > 0)) continue;
-    const double slope = (sums.load_ratio - sums.load * sums.ratio / sums.count) / spread;
-    exponents += about + slope / (sums.ratio / sums.count);
-    ++count;
-  }
-  if (count > 0) found.value = exponents / count;
-  if (subjects.empty()) found.refusal = "no slip was found";
-  if (!subjects.empty() && count == 0)
-    found.refusal = "the normal force hardly changes: it takes loads that differ by a tenth";
-  return found;
-}
-
 /// The spring that was found, for the next pass. The law's shares begin at 0.
 void take_bends(const PadValues& found, EvidencePoint& next) {
   constexpr double most_bent = 0.9;
@@ -208,7 +164,8 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
                                            &TrialEvidence::ruptures, 10, "no rupture from stick was found");
   at(PadNumber::mu_dynamic) = subjects_mean(trials, times, &TrialEvidence::slip_ratio,
                                             &TrialEvidence::slip_samples, 500, "no slip was found");
-  at(PadNumber::mu_load_exponent) = load_exponent(trials, times, point.evidence.load.exponent);
+  at(PadNumber::mu_load_exponent) =
+      load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
   at(PadNumber::v_min) = subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s,
                                        &TrialEvidence::stops, 10, "no slip that ends in stick was found");
   for (int axis = 0; axis < 2; ++axis)
@@ -232,16 +189,13 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
 FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point) {
   const std::vector<int> once(trials.size(), 1);
   FitPoint next = point;
-  PadValue ignored;
-  double log_load = 0;
-  const auto subjects = slip_of_subjects(trials, once, ignored);
-  for (const auto& [subject, sums] : subjects)
-    log_load += sums.log_load / sums.count / static_cast<double>(subjects.size());
-  if (!subjects.empty()) next.evidence.load.load_n = std::stod(fmt::format("{:.3g}", std::exp(log_load)));
-  const PadValue exponent = load_exponent(trials, once, point.evidence.load.exponent);
+  if (const auto log_load = mean_log_load(trials))
+    next.evidence.load.load_n = std::stod(fmt::format("{:.3g}", std::exp(*log_load)));
+  next.trial_scatter = trial_scatter(trials);
+  const PadValue exponent = load_exponent(trials, once, point.evidence.load.exponent, next.trial_scatter);
   if (exponent.refusal.empty()) next.evidence.load.exponent = exponent.value;
   const PressFit press = fit_press(trials, once, point.evidence.press_exponent);
-  if (press.refusal.empty()) next.evidence.press_exponent = std::clamp(press.exponent, 0.1, 2.0);
+  if (press.exponent > 0) next.evidence.press_exponent = std::clamp(press.exponent, 0.1, 2.0);
   const VibrationPeak peak = vibration_peak(slip_density(trials, once));
   next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
   take_bends(pad_numbers(trials, once, point), next.evidence);

@@ -68,6 +68,7 @@ using PadValues = std::array<PadValue, pad_number_keys.size()>;
 struct FitPoint {
   EvidencePoint evidence;
   std::optional<VibrationPeak> vibration;  ///< where a draw's own peak is looked for
+  double trial_scatter = 0;                ///< of the trials' friction; see load_exponent
 };
 
 /// The numbers of the trials' evidence, each counted `times` (a bootstrap's draw; once each for the

@@ -14,7 +14,9 @@ struct PhaseStretch {
 /// All runs of a phase, in order; a rupture and a gap part them.
 std::vector<PhaseStretch> phase_stretches(const StickSegments& segments, PadPhase phase);
 
-/// Without the samples at its ends whose windows reach into another phase.
+/// Without one and a half half windows (StickSegments::half_window) at an end where another phase is next:
+/// the windows there reach into it, and it may begin a little sooner than they tell. At a rupture, a gap, or
+/// the trial's end nothing is left out. Empty where the stretch is shorter.
 PhaseStretch inner_stretch(PhaseStretch stretch, const StickSegments& segments);
 
 }  // namespace fingerpad

@@ -109,12 +109,17 @@ class SpringExplains {
   double qq_, share_, own_;
 };
 
-/// How much of q the springs explain at each lag that all have.
-std::vector<double> explained_by_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times,
-                                     SpringOrder order) {
+/// How much of q the springs explain at each lag that all have, and how much there is of it.
+struct ExplainedByLag {
+  std::vector<double> explained;
+  double all = 0;  ///< of the axes that count
+};
+
+ExplainedByLag explained_by_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times,
+                                SpringOrder order) {
   const int lags_each_way = common_lags(trials);
   const auto count = 2 * static_cast<std::size_t>(lags_each_way) + 1;
-  std::vector<double> explained(count, 0);
+  ExplainedByLag found{std::vector<double>(count, 0)};
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (times[i] == 0 || trials[i].samples == 0) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -122,20 +127,21 @@ std::vector<double> explained_by_lag(const std::vector<DelaySums>& trials, const
       const SpringExplains explains(trials[i].spring[axis], order);
       // An axis that hardly moves at some lag would seem to explain anything there.
       if (!(*std::min_element(xx.begin(), xx.end()) > 4 * trials[i].noise_m2)) continue;
+      found.all += times[i] * trials[i].spring[axis](0, 0);
       const auto ahead = static_cast<std::size_t>(trials[i].lags_each_way - lags_each_way);
       for (std::size_t k = 0; k < count; ++k) {
         const std::size_t own = k + ahead;
-        if (xq[own] < 0) explained[k] += times[i] * explains.of(xq[own], xc[own]) / xx[own];
+        if (xq[own] < 0) found.explained[k] += times[i] * explains.of(xq[own], xc[own]) / xx[own];
       }
     }
   }
-  return explained;
+  return found;
 }
 
 /// The lag that explains most, in steps of the grid; nothing where that is at the grid's end.
 std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times,
                                SpringOrder order) {
-  const std::vector<double> explained = explained_by_lag(trials, times, order);
+  const std::vector<double> explained = explained_by_lag(trials, times, order).explained;
   const auto k =
       static_cast<std::size_t>(std::max_element(explained.begin(), explained.end()) - explained.begin());
   if (k == 0 || k + 1 == explained.size()) return std::nullopt;
@@ -148,11 +154,9 @@ std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::
 SpringOrder spring_order_of(const std::vector<DelaySums>& trials) {
   constexpr double much_less = 0.5;
   const std::vector<int> once(trials.size(), 1);
-  double all = 0;
-  for (const DelaySums& trial : trials) all += trial.spring[0](0, 0) + trial.spring[1](0, 0);
   const auto left = [&](SpringOrder order) {
-    const std::vector<double> explained = explained_by_lag(trials, once, order);
-    return all - *std::max_element(explained.begin(), explained.end());
+    const ExplainedByLag found = explained_by_lag(trials, once, order);
+    return found.all - *std::max_element(found.explained.begin(), found.explained.end());
   };
   return left(SpringOrder::third) < much_less * left(SpringOrder::first) ? SpringOrder::third
                                                                          : SpringOrder::first;
@@ -199,8 +203,10 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
   const SpringOrder order = spring_order_of(trials);
   const auto lag = best_lag(trials, std::vector<int>(trials.size(), 1), order);
   if (estimate.samples < fewest || !lag) {
-    estimate.refusal = estimate.samples < fewest ? "too little stick in which force follows position"
-                                                 : "no lag within 50 ms explains the forces best";
+    estimate.refusal = estimate.samples < fewest
+                           ? "too little stick in which force follows position"
+                           : "no lag within 50 ms explains the forces best; one that is longer is to be "
+                             "given";
     return estimate;
   }
   estimate.delay_s = *lag * step_s;
@@ -210,14 +216,13 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
     if (const auto drawn = best_lag(trials, drawn_times(subject_of, Blocks::trials, random), order))
       spread.add(*drawn * step_s);
   }
-  const std::vector<LeftOut> left_out = left_out_times(subject_of, Blocks::trials);
   LeftOutSpread without;
-  for (const LeftOut& one : left_out) {
+  const std::size_t left_out = each_left_out(subject_of, Blocks::trials, [&](const LeftOut& one) {
     if (const auto lag_left = best_lag(trials, one.times, order)) without.add(one, *lag_left * step_s);
-  }
+  });
   constexpr double unsure_steps = 0.05;  // what ends of stick that count as stick move all trials alike
   const auto groups = static_cast<double>(subjects.size());
-  const double drawn = interval_reach(spread, without.deviation(left_out.size()), blocks, groups);
+  const double drawn = interval_reach(spread, without.deviation(left_out), blocks, groups);
   const double reach = drawn > 0 ? drawn + unsure_steps * step_s : 0;
   if (!(reach > 0) || spread.count < 0.95 * draws) return estimate;
   estimate.interval_s = {estimate.delay_s - reach, estimate.delay_s + reach};

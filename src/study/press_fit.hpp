@@ -9,8 +9,8 @@ namespace fingerpad {
 
 /// How the pad yields along the plate's normal: n = (depth/B)^(1/w) in N.
 struct PressFit {
-  double depth_at_1_n_m = 0;  ///< B, mean over subjects
-  double exponent = 0;        ///< w, likewise
+  double depth_at_1_n_m = 0;  ///< B, mean over subjects whose height moves
+  double exponent = 0;  ///< w, likewise; what is to be tried next where it is not found yet, 0 where none is
   long samples = 0, trials = 0;
   std::string refusal;  ///< empty: it holds
 };

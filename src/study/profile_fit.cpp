@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <set>
 
@@ -53,21 +54,20 @@ void add_intervals(const std::vector<int>& subject_of, const FitSettings& settin
     for (std::size_t k = 0; k < values.size(); ++k)
       if (values[k].refusal.empty()) spreads[k].add(values[k].value);
   }
-  const std::vector<LeftOut> left_out = left_out_times(subject_of, settings.blocks);
   std::array<LeftOutSpread, pad_number_keys.size()> without;
-  for (const LeftOut& one : left_out) {
+  const std::size_t left_out = each_left_out(subject_of, settings.blocks, [&](const LeftOut& one) {
     const PadValues values = pad_numbers(fit.evidence, one.times, point);
     for (std::size_t k = 0; k < values.size(); ++k)
       if (values[k].refusal.empty()) without[k].add(one, values[k].value);
-  }
+  });
   const auto subjects = static_cast<double>(fit.subjects);
   const auto unsure = moved_by_sampling(fit, point);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     constexpr double most_missing = 0.05;
     if (!fit.values[k].refusal.empty() || spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
     const double drawn = settings.blocks == Blocks::subjects
-                             ? interval_reach(spreads[k], without[k].deviation(left_out.size()), subjects, 1)
-                             : interval_reach(spreads[k], without[k].deviation(left_out.size()),
+                             ? interval_reach(spreads[k], without[k].deviation(left_out), subjects, 1)
+                             : interval_reach(spreads[k], without[k].deviation(left_out),
                                               static_cast<double>(fit.values[k].trials), subjects);
     const double reach = drawn + unsure[k];
     if (drawn > 0) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
@@ -86,6 +86,21 @@ void refuse_odd_cubic_shares(ProfileFit& fit) {
         fmt::format("the measurement gives a {} of {:.4g}; the finger-pad law's spring takes 0 to 1",
                     pad_number_keys[k], share.value);
     fit.interval[k].reset();
+  }
+}
+
+/// Says of coefficients that are refused that noise may be why.
+void tell_noise(const std::vector<StickSegments>& segments, ProfileFit& fit) {
+  const auto noisy = std::count_if(segments.begin(), segments.end(),
+                                   [](const StickSegments& trial) { return trial.is_too_noisy; });
+  if (noisy == 0) return;
+  for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic}) {
+    std::string& refusal = fit.values[static_cast<std::size_t>(number)].refusal;
+    if (!refusal.empty())
+      refusal += fmt::format(
+          "; in {} of {} trials the forces' noise is so large for their load that ruptures cannot be seen in "
+          "it",
+          noisy, segments.size());
   }
 }
 
@@ -125,6 +140,7 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
   fit.values = pad_numbers(fit.evidence, std::vector<int>(fit.evidence.size(), 1), point);
+  tell_noise(segments, fit);
   if (fit.evidence.empty()) {
     for (PadValue& value : fit.values)
       value.refusal =

@@ -61,11 +61,14 @@ std::optional<double> ratio_at_rupture(const MeasuredTrial& trial, const StickSe
 }  // namespace
 
 void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
-                      const std::vector<Vec2>& ratio, TrialEvidence& evidence) {
+                      const std::vector<Vec2>& ratio, const std::array<SpringBend, 2>& bend,
+                      TrialEvidence& evidence) {
   for (std::size_t i = 2; i < ratio.size(); ++i) {
     const Vec2& velocity = segments.velocity_m_per_s[i];
     if (!segments.is_rupture[i] || !(velocity.norm() > 0)) continue;
-    const double rise = stiffness_along(evidence, velocity.normalized()) * velocity.norm() / trial.rate_hz;
+    const double stiffness_per_m =
+        spring_stiffness_per_m(evidence, bend, velocity.normalized(), ratio[i - 1].norm());
+    const double rise = stiffness_per_m * velocity.norm() / trial.rate_hz;
     if (!has_long_teeth(ratio, i, rise)) continue;
     const auto at_rupture = ratio_at_rupture(trial, segments, ratio, i);
     if (!at_rupture) continue;

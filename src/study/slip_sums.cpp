@@ -15,6 +15,34 @@ double velocity_variance(const MeasuredTrial& trial, const StickSegments& segmen
   return 12 * std::pow(segments.position_noise_m * trial.rate_hz, 2) / (n * (n * n - 1));
 }
 
+/// Adds a stretch's ratios and loads, as means over groups: of single samples the load's noise would stand in
+/// the load and, turned round, in the ratio over it, and pass for friction that falls with the load.
+/// @param along  the ratio against the motion, per sample of the stretch
+void add_loads(const MeasuredTrial& trial, const PhaseStretch& s, const std::vector<double>& along,
+               double load_n, TrialEvidence& evidence) {
+  constexpr double group_s = 20e-3;
+  const std::size_t samples = along.size(),
+                    wanted = static_cast<std::size_t>(std::max(1L, std::lround(group_s * trial.rate_hz))),
+                    groups = std::max<std::size_t>(1, samples / wanted);
+  for (std::size_t k = 0; k < groups; ++k) {
+    const std::size_t from = k * samples / groups, to = (k + 1) * samples / groups;
+    double normal_n = 0, friction_n = 0;
+    for (std::size_t i = from; i < to; ++i) {
+      normal_n += trial.normal_force_n[s.from + i];
+      friction_n += trial.normal_force_n[s.from + i] * along[i];
+    }
+    const auto count = static_cast<double>(to - from);
+    const double ratio = friction_n / normal_n, log_load = std::log(normal_n / count),
+                 load = log_load - std::log(load_n);
+    evidence.slip_log_load += count * log_load;
+    evidence.slip_ratio += count * ratio;
+    evidence.slip_load += count * load;
+    evidence.slip_load_2 += count * load * load;
+    evidence.slip_load_ratio += count * load * ratio;
+  }
+  evidence.slip_samples += static_cast<long>(samples);
+}
+
 }  // namespace
 
 void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
@@ -33,14 +61,8 @@ void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, co
       // A direction with noise of angle e shortens what lies along it by e^2/2 on the average.
       const double shortened = 1 - std::min(0.1, sway / (2 * v.squaredNorm()));
       along.push_back(-ratio[i].dot(v.normalized()) / shortened);
-      const double log_load = std::log(trial.normal_force_n[i]), load = log_load - std::log(load_n);
-      evidence.slip_log_load += log_load;
-      evidence.slip_ratio += along.back();
-      evidence.slip_load += load;
-      evidence.slip_load_2 += load * load;
-      evidence.slip_load_ratio += load * along.back();
     }
-    evidence.slip_samples += static_cast<long>(along.size());
+    add_loads(trial, s, along, load_n, evidence);
     if (along.size() < window) continue;
     const Spectrum spectrum = welch_spectrum(along, trial.rate_hz, window);
     const auto pieces = static_cast<long>((along.size() - window) / (window / 2) + 1);

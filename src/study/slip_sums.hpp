@@ -8,8 +8,8 @@ namespace fingerpad {
 void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
                    double load_n, TrialEvidence& evidence);
 
-/// Adds the speeds at which its slip ends in stick.
+/// Adds the speeds at which its slip ends in stick, told along the spring of the evidence.
 void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
-                   TrialEvidence& evidence);
+                   const std::array<SpringBend, 2>& bend, TrialEvidence& evidence);
 
 }  // namespace fingerpad

@@ -10,7 +10,13 @@ namespace fingerpad {
 void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
                      const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence);
 
-/// The stiffness per newton along a direction, of the trial's own stick; 0: not known.
-double stiffness_along(const TrialEvidence& evidence, const Vec2& forward);
+/// How far the spring of a trial's own stick gives way along a direction to a force ratio; 0: not known.
+/// @param bend  that the evidence was taken about
+double spring_way_m(const TrialEvidence& evidence, const std::array<SpringBend, 2>& bend, const Vec2& forward,
+                    double pull);
+
+/// What the ratio rises a metre there; 0: not known.
+double spring_stiffness_per_m(const TrialEvidence& evidence, const std::array<SpringBend, 2>& bend,
+                              const Vec2& forward, double pull);
 
 }  // namespace fingerpad

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "study/sample_noise.hpp"
 
 namespace fingerpad {
 namespace {
+
+constexpr double rupture_deviations = 4.5;  // of a step's noise, that a drop is beyond
 
 double median_of(const std::vector<double>& values) {
   return values.empty() ? 0 : quantile(values, 0.5);
@@ -22,6 +25,17 @@ double noise_of_both(const std::vector<Vec2>& samples) {
     variance += noise * noise / 2;
   }
   return std::sqrt(variance);
+}
+
+/// Of the ratio's component across the motion: ruptures, which many trials are full of, lie along it.
+double noise_across(const std::vector<Vec2>& ratio, const std::vector<Vec2>& velocity) {
+  std::vector<double> across;
+  for (std::size_t i = 0; i < ratio.size(); ++i) {
+    const double speed = velocity[i].norm();
+    if (speed > 0)
+      across.push_back((ratio[i].x() * velocity[i].y() - ratio[i].y() * velocity[i].x()) / speed);
+  }
+  return sample_noise(across);
 }
 
 /// The window around a sample, [from, to), within its run.
@@ -50,36 +64,76 @@ Vec2 local_velocity(const MeasuredTrial& trial, const SampleWindow& w) {
   return squares > 0 ? Vec2(drift / squares * trial.rate_hz) : Vec2(0, 0);
 }
 
-/// How much the ratio's length falls in the step to sample i.
-double drop_at(const MeasuredTrial& trial, std::size_t i) {
-  return trial.force_ratio[i - 1].norm() - trial.force_ratio[i].norm();
+/// The sensor's noise is one of forces: the lighter the press, the more of it is in the ratio.
+double ratio_noise_at(const MeasuredTrial& trial, const StickSegments& segments, std::size_t i) {
+  return segments.ratio_noise * std::max(1.0, segments.usual_normal_n / trial.normal_force_n[i]);
 }
 
-bool ruptures_at(std::size_t i, const MeasuredTrial& trial, int half_window, double noise) {
-  constexpr double deviations = 4.5, shares = 1, least_share = 0.08;
-  const double least = std::max(deviations * std::sqrt(2.0) * noise,
-                                least_share * trial.force_ratio[i - 1].norm()),
-               drop = drop_at(trial, i);
-  if (!(drop > 0.5 * least)) return false;
-  const auto half = static_cast<std::size_t>(half_window);
-  std::vector<double> drops, sizes;
-  for (std::size_t j = i > half ? i - half : 1; j <= std::min(i + half, trial.force_ratio.size() - 1); ++j) {
-    if (j == i || trial.starts_anew[j]) continue;
-    drops.push_back(drop_at(trial, j));
-    sizes.push_back(std::abs(drops.back()));
+/// How much the length of the ratio's mean falls between the `count` samples before sample i and those from
+/// it on; nothing where they are not all of one run.
+std::optional<double> drop_at(const MeasuredTrial& trial, std::size_t i, std::size_t count) {
+  if (i < count || i + count > trial.force_ratio.size()) return std::nullopt;
+  Vec2 before(0, 0), after(0, 0);
+  for (std::size_t k = 0; k < count; ++k) {
+    if (trial.starts_anew[i - k] || (k > 0 && trial.starts_anew[i + k])) return std::nullopt;
+    before += trial.force_ratio[i - 1 - k];
+    after += trial.force_ratio[i + k];
   }
-  return drop - median_of(drops) > least + shares * median_of(sizes);
+  return (before.norm() - after.norm()) / static_cast<double>(count);
+}
+
+bool ruptures_at(std::size_t i, const MeasuredTrial& trial, int half_window, double noise,
+                 std::size_t count) {
+  constexpr double shares = 1, least_share = 0.08;
+  const std::optional<double> drop = drop_at(trial, i, count);
+  if (!drop) return false;
+  const double least = std::max(rupture_deviations * std::sqrt(2.0 / static_cast<double>(count)) * noise,
+                                least_share * trial.force_ratio[i - 1].norm());
+  if (!(*drop > 0.5 * least)) return false;
+  const auto half = static_cast<std::size_t>(half_window);
+  std::vector<double> drops;
+  for (std::size_t j = i > half ? i - half : 1; j <= std::min(i + half, trial.force_ratio.size() - 1); ++j) {
+    const std::optional<double> other = j == i ? std::nullopt : drop_at(trial, j, count);
+    if (!other) continue;
+    // Means that hold the same step tell of it too: the rupture is where most falls.
+    if (count > 1 && j + count > i && j<i + count&& * other> * drop) return false;
+    drops.push_back(*other);
+  }
+  // The means of a finger that moves on differ by much, and by as much throughout: that is no size of steps.
+  const double usual = median_of(drops);
+  for (double& other : drops) other = std::abs(count > 1 ? other - usual : other);
+  return *drop - usual > least + shares * median_of(drops);
+}
+
+/// Ratio of the noise of q to friction above which a step of single samples may hide a rupture, and above
+/// which the means of some do.
+constexpr double single_noise = 0.15 / 4.5 / 1.414, means_noise = 2.0 * single_noise;
+constexpr std::size_t means_count = 3;
+
+/// Friction of samples that are pressed, near its greatest.
+double most_friction(const MeasuredTrial& trial, double least_n) {
+  std::vector<double> frictions;
+  for (std::size_t i = 0; i < trial.normal_force_n.size(); ++i)
+    if (trial.normal_force_n[i] >= least_n) frictions.push_back(trial.force_ratio[i].norm());
+  return quantile(frictions, 0.98);
 }
 
 void find_ruptures(const MeasuredTrial& trial, StickSegments& found) {
   found.begins_run = trial.starts_anew;
   found.is_rupture.assign(trial.force_ratio.size(), false);
-  // The sensor's noise is one of forces: the lighter the press, the more of it is in the ratio.
-  const double usual_n = quantile(trial.normal_force_n, 0.5);
-  for (std::size_t i = 1; i < trial.force_ratio.size(); ++i) {
-    const double noise = found.ratio_noise * std::max(1.0, usual_n / trial.normal_force_n[i]);
-    if (trial.starts_anew[i] || !ruptures_at(i, trial, found.half_window, noise)) continue;
-    found.is_rupture[i] = found.begins_run[i] = true;
+  found.usual_normal_n = quantile(trial.normal_force_n, 0.5);
+  const double most = most_friction(trial, found.usual_normal_n);
+  for (const std::size_t count : {std::size_t{1}, means_count}) {
+    for (std::size_t i = 1; i < trial.force_ratio.size(); ++i) {
+      const double noise = ratio_noise_at(trial, found, i);
+      if (trial.starts_anew[i] || (count > 1 && !(noise > single_noise * most))) continue;
+      const auto near = found.is_rupture.begin() + static_cast<std::ptrdiff_t>(i > count ? i - count : 0);
+      const auto beyond = found.is_rupture.begin() +
+                          static_cast<std::ptrdiff_t>(std::min(i + count, found.is_rupture.size()));
+      if (count > 1 && std::find(near, beyond, true) != beyond) continue;
+      if (ruptures_at(i, trial, found.half_window, noise, count))
+        found.is_rupture[i] = found.begins_run[i] = true;
+    }
   }
 }
 
@@ -104,14 +158,15 @@ class WindowSums {
     }
   }
 
-  LocalStiffness stiffness(const SampleWindow& w, double noise_m) const {
+  /// @param least_m2  spread below which the window tells nothing
+  LocalStiffness stiffness(const SampleWindow& w, double noise_m, double least_m2) const {
     const auto count = static_cast<double>(w.to - w.from);
     const Sums &from = sums_[w.from], &to = sums_[w.to];
     const Vec2 x = to.x - from.x;
     const double spread = to.xx - from.xx - x.squaredNorm() / count;
     const double pull = x.dot(to.q - from.q) / count - (to.xq - from.xq);
     LocalStiffness local;
-    local.is_known = w.to - w.from >= 4 && spread > 16 * 2 * noise_m * noise_m * count;
+    local.is_known = w.to - w.from >= 4 && spread > std::max(16 * 2 * noise_m * noise_m * count, least_m2);
     if (local.is_known) local.per_m = pull / spread;
     return local;
   }
@@ -148,25 +203,41 @@ double border_per_m(const std::vector<LocalStiffness>& locals, double ratio_rms)
   return low > 0.4 * high ? 0.25 * low : high / 2;
 }
 
-/// Samples pressed so lightly, against what the trial is pressed with, that their ratio is mostly noise.
-std::vector<bool> light_samples(const MeasuredTrial& trial) {
-  constexpr double light = 0.25;
-  const double limit_n = light * quantile(trial.normal_force_n, 0.9);
+/// Samples pressed so lightly that they tell nothing: against what the trial is pressed with, or because the
+/// noise of their ratio hides a rupture. Stick whose ruptures are not seen would pass for slip.
+std::vector<bool> light_samples(const MeasuredTrial& trial, StickSegments& found) {
+  constexpr double light = 0.25;  // of what the trial is pressed with
+  const double most = most_friction(trial, found.usual_normal_n),
+               noisy_n = most > 0 ? found.ratio_noise * found.usual_normal_n / (means_noise * most) : 0,
+               limit_n = std::max(light * quantile(trial.normal_force_n, 0.9), noisy_n);
+  // What is left of a trial that is mostly too noisy is a choice by noise.
+  found.is_too_noisy = noisy_n > found.usual_normal_n;
+  if (found.is_too_noisy) return std::vector<bool>(trial.normal_force_n.size(), true);
   std::vector<bool> is_light(trial.normal_force_n.size());
-  for (std::size_t i = 0; i < is_light.size(); ++i) is_light[i] = trial.normal_force_n[i] < limit_n;
+  for (std::size_t i = 0; i < is_light.size(); ++i) {
+    // A mean, so that noise does not part samples that are pressed alike.
+    const SampleWindow w = window_around(i, trial.starts_anew, found.half_window);
+    double sum_n = 0;
+    for (std::size_t j = w.from; j < w.to; ++j) sum_n += trial.normal_force_n[j];
+    is_light[i] = sum_n < limit_n * static_cast<double>(w.to - w.from);
+  }
   return is_light;
 }
 
-/// The local stiffness at each sample, over windows that are widened where the pad hardly moves.
-std::vector<LocalStiffness> local_stiffnesses(const StickSegments& found, const WindowSums& sums,
-                                              const std::vector<bool>& is_light) {
+/// The local stiffness at each sample, over windows that are widened where the pad hardly moves, until they
+/// tell it by four deviations of the noise from the border (`border_per_m`, where it is known).
+std::vector<LocalStiffness> local_stiffnesses(const MeasuredTrial& trial, const StickSegments& found,
+                                              const WindowSums& sums, const std::vector<bool>& is_light) {
   constexpr int widest = 16;  // times the half window
+  constexpr double deviations = 4;
   std::vector<LocalStiffness> locals(is_light.size());
   for (std::size_t i = 0; i < locals.size(); ++i) {
     if (is_light[i]) continue;
+    const double least_m =
+        found.border_per_m > 0 ? deviations * ratio_noise_at(trial, found, i) / found.border_per_m : 0;
     for (int widened = 1; widened <= widest && !locals[i].is_known; widened *= 2)
       locals[i] = sums.stiffness(window_around(i, found.begins_run, widened * found.half_window),
-                                 found.position_noise_m);
+                                 found.position_noise_m, least_m * least_m);
   }
   return locals;
 }
@@ -181,6 +252,33 @@ void drop_false_ruptures(const MeasuredTrial& trial, const std::vector<LocalStif
   }
 }
 
+/// The phases by the local stiffness alone.
+void tell_phases(const MeasuredTrial& trial, const std::vector<LocalStiffness>& locals,
+                 StickSegments& found) {
+  found.phase.assign(locals.size(), PadPhase::unknown);
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    if (!locals[i].is_known) continue;
+    const bool against = trial.force_ratio[i].dot(found.velocity_m_per_s[i]) < 0;
+    if (locals[i].per_m > found.border_per_m) found.phase[i] = PadPhase::stick;
+    if (locals[i].per_m <= found.border_per_m && against) found.phase[i] = PadPhase::slip;
+  }
+}
+
+/// Slip with little friction is none: where it follows the displacement somewhat, it is stick.
+void take_soft_stick(const MeasuredTrial& trial, const std::vector<LocalStiffness>& locals,
+                     StickSegments& found) {
+  constexpr double least_friction = 0.5, least_stiffness = 0.3;  // of slip's median, and of the border
+  std::vector<double> frictions;
+  for (std::size_t i = 0; i < locals.size(); ++i)
+    if (found.phase[i] == PadPhase::slip) frictions.push_back(trial.force_ratio[i].norm());
+  const double least = least_friction * median_of(frictions);
+  for (std::size_t i = 0; i < locals.size(); ++i) {
+    if (found.phase[i] != PadPhase::slip || trial.force_ratio[i].norm() > least) continue;
+    found.phase[i] =
+        locals[i].per_m > least_stiffness * found.border_per_m ? PadPhase::stick : PadPhase::unknown;
+  }
+}
+
 }  // namespace
 
 StickSegments stick_segments(const MeasuredTrial& trial) {
@@ -188,14 +286,17 @@ StickSegments stick_segments(const MeasuredTrial& trial) {
   StickSegments found;
   found.half_window = std::max(3, static_cast<int>(std::lround(half_window_s * trial.rate_hz)));
   found.position_noise_m = noise_of_both(trial.position_m);
-  found.ratio_noise = noise_of_both(trial.force_ratio);
-  find_ruptures(trial, found);
   const std::size_t samples = trial.position_m.size();
-  const std::vector<bool> is_light = light_samples(trial);
-  double squares = 0;
-  for (std::size_t i = 0; i < samples; ++i) {
+  found.velocity_m_per_s.reserve(samples);
+  for (std::size_t i = 0; i < samples; ++i)
     found.velocity_m_per_s.push_back(
         local_velocity(trial, window_around(i, trial.starts_anew, found.half_window)));
+  found.ratio_noise =
+      std::min(noise_of_both(trial.force_ratio), noise_across(trial.force_ratio, found.velocity_m_per_s));
+  find_ruptures(trial, found);
+  const std::vector<bool> is_light = light_samples(trial, found);
+  double squares = 0;
+  for (std::size_t i = 0; i < samples; ++i) {
     if (!is_light[i]) squares += trial.force_ratio[i].squaredNorm();
     if (!is_light[i]) continue;
     found.is_rupture[i] = false;
@@ -203,52 +304,12 @@ StickSegments stick_segments(const MeasuredTrial& trial) {
     if (i + 1 < samples) found.begins_run[i + 1] = true;
   }
   const WindowSums sums(trial);
-  std::vector<LocalStiffness> locals = local_stiffnesses(found, sums, is_light);
+  std::vector<LocalStiffness> locals = local_stiffnesses(trial, found, sums, is_light);
   found.border_per_m = border_per_m(locals, std::sqrt(squares / static_cast<double>(samples)));
   drop_false_ruptures(trial, locals, found);
-  locals = local_stiffnesses(found, sums, is_light);
-  found.phase.assign(samples, PadPhase::unknown);
-  for (std::size_t i = 0; i < samples; ++i) {
-    if (!locals[i].is_known) continue;
-    const bool against = trial.force_ratio[i].dot(found.velocity_m_per_s[i]) < 0;
-    if (locals[i].per_m > found.border_per_m) found.phase[i] = PadPhase::stick;
-    if (locals[i].per_m <= found.border_per_m && against) found.phase[i] = PadPhase::slip;
-  }
-  return found;
-}
-
-std::string_view reason_text(BoundaryReason reason) noexcept {
-  switch (reason) {
-    case BoundaryReason::touchdown:
-      return "contact";
-    case BoundaryReason::rupture:
-      return "ratio drops";
-    case BoundaryReason::spring_gives:
-      return "spring gives";
-    case BoundaryReason::spring_holds:
-      return "spring holds";
-    case BoundaryReason::hardly_moves:
-      return "hardly moves";
-    case BoundaryReason::moves_again:
-      return "moves again";
-  }
-  return "";
-}
-
-std::vector<PhaseBoundary> phase_boundaries(const MeasuredTrial& trial, const StickSegments& segments) {
-  const auto reason = [&](std::size_t i, PadPhase before, PadPhase after) {
-    if (trial.starts_anew[i]) return BoundaryReason::touchdown;
-    if (segments.is_rupture[i]) return BoundaryReason::rupture;
-    if (after == PadPhase::unknown) return BoundaryReason::hardly_moves;
-    if (before == PadPhase::unknown) return BoundaryReason::moves_again;
-    return after == PadPhase::slip ? BoundaryReason::spring_gives : BoundaryReason::spring_holds;
-  };
-  std::vector<PhaseBoundary> found;
-  for (std::size_t i = 0; i < segments.phase.size(); ++i) {
-    const PadPhase before = i > 0 ? segments.phase[i - 1] : PadPhase::unknown, after = segments.phase[i];
-    if (before == after && !segments.is_rupture[i] && !trial.starts_anew[i]) continue;
-    found.push_back({i, before, after, reason(i, before, after)});
-  }
+  locals = local_stiffnesses(trial, found, sums, is_light);
+  tell_phases(trial, locals, found);
+  take_soft_stick(trial, locals, found);
   return found;
 }
 

@@ -36,7 +36,9 @@ SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, c
 }
 
 /// Where along the way slip ended: the rising samples, taken back along the spring.
-std::optional<double> end_of_slip_m(const SlipStop& stop, double stiffness_per_m, double noise) {
+/// @param spring_m  how far the spring gives way to a ratio
+template <typename Spring>
+std::optional<double> end_of_slip_m(const SlipStop& stop, const Spring& spring_m, double noise) {
   constexpr std::size_t fewest = 3;
   if (stop.ratio.size() < fewest) return std::nullopt;
   const double rise = *std::max_element(stop.ratio.begin(), stop.ratio.end()) - stop.slip_ratio;
@@ -45,7 +47,7 @@ std::optional<double> end_of_slip_m(const SlipStop& stop, double stiffness_per_m
   for (std::size_t i = stop.ratio.size(); i-- > 0;) {
     const double above = stop.ratio[i] - stop.slip_ratio;
     if (above < 0.25 * rise) break;
-    sum += stop.way_m[i] - above / stiffness_per_m;
+    sum += stop.way_m[i] - (spring_m(stop.ratio[i]) - spring_m(stop.slip_ratio));
     ++count;
   }
   if (count < fewest) return std::nullopt;
@@ -84,7 +86,7 @@ std::optional<StopSpeed> speed_at_m(const MeasuredTrial& trial, const StickSegme
 }  // namespace
 
 void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
-                   TrialEvidence& evidence) {
+                   const std::array<SpringBend, 2>& bend, TrialEvidence& evidence) {
   const auto half = static_cast<std::size_t>(segments.half_window);
   for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {
     if (slip.to < slip.from + 4 * half) continue;
@@ -92,10 +94,10 @@ void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, co
     Vec2 forward(0, 0);
     for (std::size_t i = slip.to - 3 * half; i < slip.to; ++i) forward += segments.velocity_m_per_s[i];
     forward.normalize();
-    const double stiffness_per_m = stiffness_along(evidence, forward);
-    if (!(stiffness_per_m > 0)) continue;
     const SlipStop stop = stop_after(trial, segments, ratio, slip, forward);
-    const auto end_m = end_of_slip_m(stop, stiffness_per_m, segments.ratio_noise);
+    const auto spring_m = [&](double pull) { return spring_way_m(evidence, bend, forward, pull); };
+    if (!(spring_m(stop.slip_ratio) > 0)) continue;
+    const auto end_m = end_of_slip_m(stop, spring_m, segments.ratio_noise);
     if (!end_m) continue;
     const auto speed =
         speed_at_m(trial, segments, forward, std::min(slip.to, trial.position_m.size() - 1), *end_m);

@@ -11,30 +11,36 @@
 namespace fingerpad {
 namespace {
 
+using Vec4 = Eigen::Vector4d;
+
 /// Depth against normal force, over means of some samples. Light ones are left out: their noise is a large
 /// part.
 void add_press(const MeasuredTrial& trial, double exponent, TrialEvidence& evidence) {
   constexpr double group_s = 10e-3, light = 0.1;
   const auto size = static_cast<std::size_t>(std::max(1L, std::lround(group_s * trial.rate_hz)));
   const double least_n = light * quantile(trial.normal_force_n, 0.9);
-  std::vector<Vec3> groups;
-  Vec3 mean = Vec3::Zero();
+  std::vector<Vec4> groups;
+  Vec4 mean = Vec4::Zero();
   for (std::size_t from = 0; from + size <= trial.height_m.size(); from += size) {
-    Vec3 group = Vec3::Zero();
+    Vec4 group = Vec4::Zero();
     bool is_whole = true;
     for (std::size_t i = from; i < from + size; ++i) {
       const double load_n = trial.normal_force_n[i];
       is_whole = is_whole && (i == from || !trial.starts_anew[i]) && load_n > least_n;
       if (!is_whole) break;
-      const double term = std::pow(load_n, exponent);
-      group += Vec3(-trial.height_m[i], term, term * std::log(load_n)) / static_cast<double>(size);
+      const double term = std::pow(load_n, exponent), log_load = std::log(load_n);
+      group += Vec4(-trial.height_m[i], term, term * log_load, log_load) / static_cast<double>(size);
     }
     if (!is_whole) continue;
     groups.push_back(group);
     mean += group;
   }
   mean /= static_cast<double>(std::max<std::size_t>(groups.size(), 1));
-  for (const Vec3& group : groups) evidence.press += (group - mean) * (group - mean).transpose();
+  for (const Vec4& group : groups) {
+    const Vec4 off = group - mean;
+    evidence.press += off.head<3>() * off.head<3>().transpose();
+    evidence.press_load_2 += off[3] * off[3];
+  }
   evidence.press_samples += static_cast<long>(groups.size() * size);
   evidence.press_groups += static_cast<long>(groups.size());
 }
@@ -56,9 +62,9 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
   evidence.rate_hz = trial.rate_hz;
   const std::vector<Vec2> ratio = ratio_at_load(trial, about.load);
   add_spring_sums(trial, segments, ratio, about, evidence);
-  add_rupture_sums(trial, segments, ratio, evidence);
+  add_rupture_sums(trial, segments, ratio, about.bend, evidence);
   add_slip_sums(trial, segments, ratio, about.load.load_n, evidence);
-  add_stop_sums(trial, segments, ratio, evidence);
+  add_stop_sums(trial, segments, ratio, about.bend, evidence);
   add_press(trial, about.press_exponent, evidence);
   return evidence;
 }

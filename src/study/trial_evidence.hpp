@@ -49,7 +49,7 @@ struct TrialEvidence {
   double rupture_ratio = 0;  ///< sum over ruptures of |q| just before it
   double rupture_rise = 0;   ///< sum of what |q| rises from sample to sample before them
   long ruptures = 0;
-  double slip_ratio = 0;                                       ///< sum over slip of r = -q.v/|v|
+  double slip_ratio = 0;  ///< sum over slip of r = -q.v/|v|, which and n are means over 20 ms here
   double slip_load = 0, slip_load_2 = 0, slip_load_ratio = 0;  ///< sums of L, L^2 and L r, L = ln(n/load_n)
   double slip_log_load = 0;                                    ///< sum of ln(n/1 N)
   long slip_samples = 0;
@@ -61,6 +61,7 @@ struct TrialEvidence {
   /// Sums of products, about the trial's means, of -height, n^w and n^w ln n over means of some samples of
   /// contact (n in N).
   Mat3 press = Mat3::Zero();
+  double press_load_2 = 0;  ///< likewise of ln n with itself
   long press_samples = 0, press_groups = 0;
 };
 

@@ -20,19 +20,21 @@ template <typename Change>
 std::string asked(const Change& change, const MeasurementFormat& format = {}) {
   RecordedMeasurement recorded = test::known_measurement(rubs, {}, test::bad_sensors(), 1);
   for (RecordedTrial& trial : recorded.trials) change(trial);
-  return test::why_not([&] { refuse_doubtful(recorded, format); });
+  return test::why_not([&] { refuse_doubtful(recorded, format, 0); });
 }
 
 TEST(MeasurementDoubts, NothingIsAskedOfWhatIsAsItShouldBe) {
   RecordedMeasurement recorded = test::known_measurement(test::known_trials(), {}, test::bad_sensors(), 2);
-  EXPECT_NO_THROW(refuse_doubtful(recorded, {}));
+  EXPECT_NO_THROW(refuse_doubtful(recorded, {}, 0));
 }
 
 TEST(MeasurementDoubts, AForgottenUnitIsAskedFor) {
   EXPECT_THAT(asked([](RecordedTrial& trial) { trial.position_W *= 1e3; }),
-              AllOf(HasSubstr("positions reach over 80.1 m"), HasSubstr("--unit mm")));
+              AllOf(HasSubstr("positions reach over 68.4 m"), HasSubstr("--unit mm")));
   EXPECT_THAT(asked([](RecordedTrial& trial) { trial.force_W *= 102; }),
               AllOf(HasSubstr("harder than a finger rubs"), HasSubstr("--force-unit mN (or gf)")));
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.force_W *= 1e-3; }),
+              AllOf(HasSubstr("lighter than a finger rubs"), HasSubstr("--force-unit kN")));
   EXPECT_THAT(asked([](RecordedTrial& trial) { trial.rate_hz *= 1e-3; }),
               AllOf(HasSubstr("1 samples a second"), HasSubstr("--time-unit ms")));
 }
@@ -63,6 +65,17 @@ TEST(MeasurementDoubts, AWrongSignOfTheTangentialForcesAloneIsToldByItsWork) {
               AllOf(HasSubstr("drives the finger along its way"), HasSubstr("--sensor-turned 0,0,0,1")));
 }
 
+TEST(MeasurementDoubts, AForceThatComesLateIsNoWrongSignWhereTheDelayIsKnown) {
+  // A finger that is pushed to and fro, once a second: a quarter of that later its force goes with the
+  // motion.
+  test::KnownSensors sensors;
+  sensors.delay_s = 0.25;
+  const RecordedMeasurement recorded =
+      test::known_measurement({{1, 45, 0, 5e-3, 1}, {1, 45, 90, 5e-3, 1}}, {}, sensors, 1);
+  EXPECT_THAT(test::why_not([&] { refuse_doubtful(recorded, {}, 0); }), HasSubstr("say --delay SECONDS"));
+  EXPECT_NO_THROW(refuse_doubtful(recorded, {}, 0.25));
+}
+
 TEST(MeasurementDoubts, AMirroredAxisIsNamed) {
   EXPECT_THAT(asked([](RecordedTrial& trial) { trial.force_W.row(1) *= -1; }),
               AllOf(HasSubstr("along y alone"), HasSubstr("mirrored")));
@@ -78,7 +91,7 @@ TEST(MeasurementDoubts, OneOddTrialOfManyIsLeftToTheOutliers) {
     if (is_first) trial.force_W *= -1;
     is_first = false;
   }
-  EXPECT_NO_THROW(refuse_doubtful(recorded, {}));
+  EXPECT_NO_THROW(refuse_doubtful(recorded, {}, 0));
 }
 
 }  // namespace

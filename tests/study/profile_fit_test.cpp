@@ -61,8 +61,8 @@ constexpr std::array<double, pad_number_keys.size()> near{
     0.02,  0.02,  0.1,  0.005, 0.01};                     // v_min; vibration, a random signal; the normal law
 
 TEST(ProfileFit, FindsANormalLawThatIsNotTheUsualOne) {
-  std::vector<double> exponents = {1, 1.25, 3};
-  exponents.resize(static_cast<std::size_t>(std::max(1, test::samples(3))));
+  std::vector<double> exponents = {1, 0.8, 1.25, 3};
+  exponents.resize(static_cast<std::size_t>(std::max(1, test::samples(4))));
   for (const double exponent : exponents) {
     test::KnownFinger finger;
     finger.press_exponent = exponent;
@@ -71,6 +71,60 @@ TEST(ProfileFit, FindsANormalLawThatIsNotTheUsualOne) {
     const ProfileFit fit = fitted(test::known_trials(), 1, finger, sensors);
     EXPECT_NEAR(of(fit, PadNumber::normal_exponent).value, exponent, 0.003 * exponent);
   }
+}
+
+TEST(ProfileFit, ALoadThatHardlyChangesGivesNoNormalLaw) {
+  // The finger wanders up and down by itself, by more than the sensor's noise, while it is pressed alike.
+  RecordedMeasurement recorded = test::known_measurement({{1, 45, 0}, {1, 45, 90}}, {}, {}, 1);
+  for (RecordedTrial& trial : recorded.trials) {
+    for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+      trial.force_W.col(i) *= (1 + 0.01 * std::sin(0.1 * static_cast<double>(i))) / trial.force_W(2, i);
+      trial.position_W(2, i) = 1e-4 * std::sin(0.002 * static_cast<double>(i));
+    }
+  }
+  const ProfileFit fit = fit_profile(clean(recorded, {}), {});
+  for (const PadNumber number : {PadNumber::normal_stiffness, PadNumber::normal_exponent})
+    EXPECT_THAT(why(fit, number), HasSubstr("the normal force hardly changes within a trial"));
+  EXPECT_THAT(why(fit, PadNumber::mu_load_exponent), HasSubstr("hardly changes"));
+}
+
+TEST(ProfileFit, ATrialsOwnFrictionIsNoEffectOfItsLoad) {
+  // Within each trial friction does not change with the load; those of 1 N happen to slip with more of it.
+  RecordedMeasurement recorded;
+  int number = 0;
+  for (const auto& [load_n, mu_dynamic] :
+       {std::pair(1.0, 0.200), std::pair(1.0, 0.206), std::pair(1.0, 0.212), std::pair(1.5, 0.200),
+        std::pair(1.5, 0.194), std::pair(1.5, 0.188)}) {
+    test::KnownFinger finger;
+    finger.mu_dynamic = mu_dynamic;
+    recorded.trials.push_back(
+        test::known_measurement({{1, 45, 0, 0.06, 0.6, 4, load_n}}, finger, {}, 1).trials.front());
+    recorded.trials.back().number = ++number;
+  }
+  // Did the trials' means count as an effect of their loads, it would be ln(0.194/0.206)/ln 1.5 = -0.15.
+  const ProfileFit fit = fit_profile(clean(recorded, {}), {});
+  EXPECT_NEAR(of(fit, PadNumber::mu_load_exponent).value, 0, 0.02);
+}
+
+TEST(ProfileFit, TheNoiseOfForcesIsNoMisfitAndMovesNoFriction) {
+  test::KnownFinger finger;
+  finger.rises_with_less_load = true;
+  std::vector<test::KnownTrial> trials;
+  for (const double bearing : {0.0, 90.0, 0.0, 90.0}) trials.push_back({1, 45, bearing, 0.06, 0.6, 4, 1.5});
+  trials.push_back({1, 45, 45, 0.003, 1, 4, 1.5});
+  test::KnownSensors sensors;
+  sensors.force_noise_n = 0.01;
+  const ProfileFit fit = fitted(trials, 1, finger, sensors);
+  const auto truth = test::known_numbers(finger, fit.mu_load_n);
+  EXPECT_EQ(fit.residual.misfit, "");
+  for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic})
+    EXPECT_NEAR(of(fit, number).value / truth[static_cast<std::size_t>(number)], 1, 0.005);
+  EXPECT_NEAR(of(fit, PadNumber::v_min).value, 0.1, 0.005);
+  EXPECT_NEAR(of(fit, PadNumber::mu_load_exponent).value, -1.0 / 3, 0.02);  // ten seconds of slip
+  sensors.force_noise_n = 0.03;                                             // hides the ruptures
+  const ProfileFit noisy = fitted(trials, 1, finger, sensors);
+  EXPECT_EQ(noisy.residual.misfit, "");
+  EXPECT_THAT(why(noisy, PadNumber::mu_static), HasSubstr("in 5 of 5 trials the forces' noise"));
 }
 
 TEST(ProfileFit, FindsTheKnownPadThroughBadSensors) {
@@ -134,16 +188,19 @@ TEST(ProfileFit, TheShippedMeasurementIsOfTheKnownPad) {
 TEST(ProfileFit, TellsACubicSpring) {
   test::KnownSensors sensors;
   sensors.delay_s = 4.2e-3;
-  for (const double share : {0.2, 0.4}) {
+  for (const double share : {0.2, 0.5}) {
     test::KnownFinger finger;
     finger.cubic_share = share;
     const ProfileFit fit =
-        fitted({{1, 45, 0}, {1, 45, 90}, {1, 45, 45}, {1, 45, 0}, {1, 45, 90}}, 1, finger, sensors);
+        fitted({{1, 45, 0}, {1, 45, 90}, {1, 45, 45}, {1, 45, 0}, {1, 45, 90}, {1, 45, 45, 0.003, 1, 3}}, 1,
+               finger, sensors);
     // Noise, and what of the soft begin passes for slip: some twentieth of the share.
     EXPECT_NEAR(of(fit, PadNumber::lateral_cubic_share).value, share, 0.02);
     EXPECT_NEAR(of(fit, PadNumber::longitudinal_cubic_share).value, share, 0.02);
     EXPECT_NEAR(of(fit, PadNumber::lateral_axis).value, 0.8 * 2e-3, 2e-5);
     EXPECT_LT(of(fit, PadNumber::lateral_linearity).value, 0.999);
+    EXPECT_NEAR(of(fit, PadNumber::v_min).value, 0.1, 0.003);
+    EXPECT_NEAR(of(fit, PadNumber::mu_dynamic).value, 0.2, 0.002);
   }
 }
 
