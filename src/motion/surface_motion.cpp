@@ -230,8 +230,8 @@ LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, do
     if (!way) continue;
     Motion motion = timed(*way, rub, depth_m);
     // A shallow finger's centre is nearest to where its proxy is; a deep one may leave it behind an edge.
-    if (depth_m > radius_m / 2 && deepest_press_m(tree, FingerPath(motion, rate_hz, Vec3::UnitX()),
-                                                  radius_m) > most_of_depth * depth_m) {
+    if (depth_m > radius_m / 2 &&
+        presses_deeper(tree, FingerPath(motion, rate_hz, Vec3::UnitX()), radius_m, most_of_depth * depth_m)) {
       is_too_deep = true;
       continue;
     }

@@ -66,7 +66,7 @@ TEST(PlacedSet, IsPlannedWithItsTicksWithoutItsMeshes) {
 }
 
 TEST(PlacedSet, WhatNoPlaceHoldsFailsWithItsReason) {
-  const fs::path folder = folder_with_set("depth_m = 0.03");  // deeper than half the plate
+  const fs::path folder = folder_with_set("depth_m = 0.011");  // its centre past the middle of the plate
   const auto result = test::fingerpad("replay s.toml --out o", folder);
   EXPECT_EQ(result.exit_code, 4);
   EXPECT_THAT(result.err,

@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "support/effort.hpp"
 
 namespace fingerpad::pulled_block_test {
 namespace {
@@ -61,8 +64,10 @@ TEST(PulledBlock, EveryLawWithAStaticLimitMeetsItsOracle) {
   // 10 N). lugre and elasto-plastic creep in the bristle before they yield and so break early: by up to 47 %
   // at a bristle of 5000 N/m, by 1 % at the 5e5 N/m taken here. salcudean-vlaar's slip is a damper, not
   // Coulomb's force: its oracle is the block with F_d = 0 and that damper beside its own.
-  for (const char* law : {"stick-slip", "finger-pad", "friction-cone", "contact-area", "lugre",
-                          "elasto-plastic", "salcudean-vlaar"}) {
+  std::vector<const char*> laws = {"stick-slip", "finger-pad",     "friction-cone",  "contact-area",
+                                   "lugre",      "elasto-plastic", "salcudean-vlaar"};
+  if (test::samples(10) == 1) laws = {"finger-pad", "lugre"};  // a minute of ticks each
+  for (const char* law : laws) {
     const StickSlipCycle expected = reference_cycle({}, law);
     const StickSlipCycle found = measured(law);
     ASSERT_GT(found.cycles, 1) << law;
