@@ -5,18 +5,20 @@ namespace fingerpad {
 /// The prices of looks. The unit is a look at a triangle that is at hand and was seen before: some eight
 /// nanoseconds, with room for memory that is slower than a part in a cache.
 struct LookCosts {
-  static constexpr long packet = 6;       ///< a float filter looks at eight triangles at once
-  static constexpr long shadowed = 3;     ///< a triangle within reach is held against a shadow
-  static constexpr long fetched = 5;      ///< its corners are fetched
-  static constexpr long told = 5;         ///< how a place stands before it is told anew
-  static constexpr long sweep = 1;        ///< the way is swept past it ...
-  static constexpr long sweep_step = 6;   ///< ... with so many of Newton's steps
-  static constexpr long of_few = 4;       ///< a pass goes over it in a small view, whatever becomes of it
-  static constexpr long too_many = 200;   ///< a search for a few ends where there are more
-  static constexpr long closest = 30;     ///< what is left of a packet's triangles is told exactly
-  static constexpr long angle = 6;        ///< the angle under which a triangle is seen
-  static constexpr long projection = 32;  ///< onto four walls
-  static constexpr long hop = 64;         ///< the way over an edge
+  static constexpr long packet = 6;           ///< a float filter looks at eight triangles at once
+  static constexpr long left_out = 6;         ///< a sieve leaves out eight: mostly the way to them
+  static constexpr long shadowed = 3;         ///< a triangle within reach is held against a shadow
+  static constexpr long fetched = 5;          ///< its corners are fetched
+  static constexpr long fetched_cleared = 4;  ///< the same for one that is held against its own plane
+  static constexpr long told = 5;             ///< how a place stands before it is told anew
+  static constexpr long sweep = 1;            ///< the way is swept past it ...
+  static constexpr long sweep_step = 6;       ///< ... with so many of Newton's steps
+  static constexpr long of_few = 4;           ///< a pass goes over it in a small view, whatever becomes of it
+  static constexpr long too_many = 200;       ///< a search for a few ends where there are more
+  static constexpr long closest = 30;         ///< what is left of a packet's triangles is told exactly
+  static constexpr long angle = 6;            ///< the angle under which a triangle is seen
+  static constexpr long projection = 32;      ///< onto four walls
+  static constexpr long hop = 64;             ///< the way over an edge
 };
 
 /// How much a tick may still spend on looks, at the prices of LookCosts: a bound on its work that is the same

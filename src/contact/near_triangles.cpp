@@ -24,6 +24,8 @@ NearTriangles::NearTriangles(const ProxyWorld& world) {
     if (!world.is_plane(i)) triangles += world.part(i).triangle_count();
   }
   near_.reserve(static_cast<std::size_t>(std::min<long>(Limits::richest_view, triangles)));
+  bounds_.reserve(near_.capacity());
+  least_gaps_m_.reserve(near_.capacity());
   found_.reserve(near_.capacity());
   views_.resize(static_cast<std::size_t>(world.surface_count()));
 }
@@ -37,7 +39,7 @@ bool NearTriangles::search(const ProxyWorld& world, const Vec3& place_O, double 
     PartView& view = views_[static_cast<std::size_t>(i)];
     view.first = view.end = near_.size();
     if (world.is_plane(i)) continue;
-    view.at_P = world.in_part(i, place_O);
+    view.at_P = view.searched_P = world.in_part(i, place_O);
     view.within_reach = is_box_within(world.part(i), view.at_P, distance_m);
     if (view.within_reach && is_whole) is_whole = search_part(world, i, distance_m, most, blocker, looks);
     view.end = near_.size();
@@ -49,18 +51,29 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
                                 const Blocker& blocker, Looks& looks) noexcept {
   const TriangleTree& tree = *world.surface(surface).tree;
   PartView& view = views_[static_cast<std::size_t>(surface)];
-  const auto list = [](void* found, int triangle) {
-    static_cast<std::vector<int>*>(found)->push_back(triangle);
+  struct Listing {
+    NearTriangles* near;
+    const SearchLimit* limit;
+    double clearance_m;
+  } listing{this, nullptr, world.clearance_m()};
+  const auto list = [](void* any_listing, int triangle) {
+    const Listing& to = *static_cast<Listing*>(any_listing);
+    to.near->found_.push_back(triangle);
+    to.near->least_gaps_m_.push_back(to.limit->at_least_m - to.clearance_m);
   };
   found_.clear();
   bool is_whole = false;
   if (!view.is_crowded) {
     SearchLimit few{std::min(Limits::small_view, most) - count(), Limits::small_packets};
-    is_whole = tree.each_within(view.at_P, distance_m, few, list, &found_);
+    listing.limit = &few;
+    is_whole = tree.each_within(view.at_P, distance_m, few, list, &listing);
     // How far it came that found too many depends on the order of Embree's tree.
     looks.spend(is_whole ? LookCosts::packet * few.packets : LookCosts::too_many);
     view.is_crowded = !is_whole;
-    if (!is_whole) found_.clear();
+    if (!is_whole) {
+      found_.clear();
+      least_gaps_m_.resize(near_.size());
+    }
   }
   view.is_in_order = !is_whole;
   if (!is_whole) {
@@ -69,7 +82,8 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
     if (blocker.surface == surface && blocker.triangle >= 0)
       kept = {approach_triangle(tree.part(), blocker.triangle, view.at_P).at.point, world.clearance_m(),
               2 * world.touching_m()};
-    is_whole = tree.each_within(view.at_P, distance_m, kept ? &*kept : nullptr, limit, list, &found_);
+    listing.limit = &limit;
+    is_whole = tree.each_within(view.at_P, distance_m, kept ? &*kept : nullptr, limit, list, &listing);
     looks.spend(limit.tests + LookCosts::packet * limit.packets + LookCosts::shadowed * limit.shadowed);
     view.is_crowded = !is_whole || limit.packets > Limits::small_packets / 4;
   }
@@ -77,14 +91,31 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
     count_ = most;
     return false;
   }
-  for (const int triangle : found_) {
-    NearTriangle& near = near_.emplace_back();
-    near.triangle = triangle;
-    near.corners = corners_of(tree.part(), triangle);
-  }
+  list_found(world, surface, blocker);
   count_ += static_cast<int>(found_.size());
   looks.spend(LookCosts::fetched * static_cast<long>(found_.size()));
   return true;
+}
+
+/// Of many the blocker first: it is likely the worst of the next way, which then tells at once that others
+/// are not.
+void NearTriangles::list_found(const ProxyWorld& world, int surface, const Blocker& blocker) noexcept {
+  const std::size_t first = near_.size();
+  for (const int triangle : found_) {
+    NearTriangle& near = near_.emplace_back();
+    near.triangle = triangle;
+    near.corners = corners_of(world.part(surface), triangle);
+  }
+  bounds_.resize(near_.size());
+  if (blocker.surface != surface || !views_[static_cast<std::size_t>(surface)].is_in_order) return;
+  const auto at = std::find(found_.begin(), found_.end(), blocker.triangle);
+  if (at != found_.end()) swap(first, first + static_cast<std::size_t>(at - found_.begin()));
+}
+
+void NearTriangles::swap(std::size_t a, std::size_t b) noexcept {
+  std::swap(near_[a], near_[b]);
+  std::swap(bounds_[a], bounds_[b]);
+  std::swap(least_gaps_m_[a], least_gaps_m_[b]);
 }
 
 void NearTriangles::look_from(const ProxyWorld& world, const Vec3& place_O) noexcept {
@@ -92,6 +123,19 @@ void NearTriangles::look_from(const ProxyWorld& world, const Vec3& place_O) noex
     PartView& view = views_[static_cast<std::size_t>(i)];
     if (view.within_reach) view.at_P = world.in_part(i, place_O);
   }
+}
+
+/// False where it was last looked at from there.
+bool NearTriangles::look_at(std::size_t k, const Vec3& place_P, double clearance_m) noexcept {
+  NearTriangle& near = near_[k];
+  if (near.seen && near.seen_from_P == place_P) return false;
+  const TriangleApproach approach = approach_triangle(near.corners, place_P);
+  near.seen = true;
+  near.seen_from_P = place_P;
+  near.first = {approach.at.point, approach.towards, approach.distance_m};
+  near.gap_m = approach.distance_m - clearance_m;
+  bounds_[k] = GapBound(approach, place_P, clearance_m);
+  return true;
 }
 
 bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
@@ -103,30 +147,31 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
   const PartWay way(world, surface, view.at_P, z);
   const PartWalls before(world, surface, walls, way.from_P);
   const double way_m = way.way_P.norm() * longer, clear_m = 2 * world.tolerance_m();
+  const double nearer_m = way_m + (way.from_P - view.searched_P).norm() * longer;
   std::size_t worst_at = view.end;
   // In which order Embree finds a few decides what becomes of each.
   const long each = view.is_in_order ? 1 : LookCosts::of_few, told = view.is_in_order ? LookCosts::told : 0;
   std::size_t k = from;
   for (; k < view.end && !looks.are_spent(); ++k) {
     looks.spend(each);
-    NearTriangle& near = near_[k];
-    if (near.seen) {
-      // An earlier look left a half space free. Where the way begins and ends well in front of it, the
-      // triangle cannot block; a ball that touches is nearer than that, and looks again.
-      const double here_m = near.least_gap_m(way.from_P), there_m = near.least_gap_m(way.to_P);
-      if (std::min(here_m, there_m) >= clear_m) continue;
-      // The gap shrinks by no more than the way is long. Even so this breach would not be the worst.
-      if (here_m - way_m > worst.slack_m) continue;
-    }
+    // A gap shrinks by no more than one goes: from the place that was searched from, and on the way.
+    if (least_gaps_m_[k] - nearer_m > worst.slack_m) continue;
+    // An earlier look left a half space free. Where the way begins and ends well in front of it, the
+    // triangle cannot block; a ball that touches is nearer than that, and looks again.
+    const double here_m = bounds_[k].least_gap_m(way.from_P), there_m = bounds_[k].least_gap_m(way.to_P);
+    if (std::min(here_m, there_m) >= clear_m) continue;
+    // The gap shrinks by no more than the way is long. Even so this breach would not be the worst.
+    if (here_m - way_m > worst.slack_m) continue;
+    const NearTriangle& near = near_[k];
     if (before.hide(near.corners)) continue;
-    if (near.look_from(way.from_P, world.clearance_m())) looks.spend(told);
+    if (look_at(k, way.from_P, world.clearance_m())) looks.spend(told);
     const long before_it = worst.looks;
     if (worst.offer_triangle(world, way, near.corners, near.triangle, near.first)) worst_at = k;
     if (view.is_in_order) looks.spend(worst.looks - before_it);
   }
   next = k - view.first;
   // It is likely the worst of the next way too, which then tells at once that others are not.
-  if (worst_at != view.end) std::swap(near_[from], near_[worst_at]);
+  if (worst_at != view.end) swap(from, worst_at);
   return k == view.end;
 }
 
@@ -138,12 +183,13 @@ double NearTriangles::room_m(const ProxyWorld& world, std::span<const ProxyWall>
     if (!view.within_reach) continue;
     const Vec3 at_P = world.in_part(i, centre_O);
     const PartWalls before(world, i, walls, view.at_P);
+    const double nearer_m = (at_P - view.searched_P).norm() * longer;
     for (std::size_t k = view.first; k < view.end; ++k) {
-      NearTriangle& near = near_[k];
-      if (near.seen && near.least_gap_m(at_P) >= room_m) continue;
-      if (before.hide(near.corners)) continue;
-      near.look_from(at_P, world.clearance_m());
-      room_m = std::min(room_m, near.gap_m);
+      if (least_gaps_m_[k] - nearer_m >= room_m) continue;
+      if (bounds_[k].least_gap_m(at_P) >= room_m) continue;
+      if (before.hide(near_[k].corners)) continue;
+      look_at(k, at_P, world.clearance_m());
+      room_m = std::min(room_m, near_[k].gap_m);
     }
   }
   return room_m;

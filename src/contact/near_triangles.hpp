@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -8,31 +9,31 @@
 
 namespace fingerpad {
 
-/// A triangle in a proxy's view, and what is known of its distance. The distance to a triangle is a convex
-/// function of the place that changes no faster than the place does, so that one look bounds it everywhere.
+/// A triangle in a proxy's view, and how it was last seen.
 struct NearTriangle {
-  FirstApproach first;  ///< of where it was looked at from
-  double level_m = 0;   ///< the gap that the tangent there leaves at the part's centre
-  double gap_m = 0;     ///< distance from there less the clearance
+  TriangleCorners corners;
+  FirstApproach first;              ///< of where it was looked at from ...
+  Vec3 seen_from_P = Vec3::Zero();  ///< ... and where that was
+  double gap_m = 0;                 ///< distance from there less the clearance
   int triangle = -1;
   bool seen = false;  ///< looked at so far; most stand behind the wall that holds the proxy and never are
-  TriangleCorners corners;
-  Vec3 seen_from_P = Vec3::Zero();
+};
 
-  /// False where it was last looked at from there.
-  bool look_from(const Vec3& place_P, double clearance_m) noexcept {
-    if (seen && seen_from_P == place_P) return false;
-    const TriangleApproach approach = approach_triangle(corners, place_P);
-    seen = true;
-    seen_from_P = place_P;
-    first = {approach.at.point, approach.towards, approach.distance_m};
-    gap_m = approach.distance_m - clearance_m;
-    level_m = gap_m - first.towards.dot(place_P);
-    return true;
-  }
+/// What is known of a triangle's distance. It is a convex function of the place that changes no faster than
+/// the place does, so that one look bounds it everywhere. Kept apart from the triangle, since a pass over a
+/// crowded view asks little else.
+struct alignas(32) GapBound {
+  Vec3 towards = Vec3::Zero();
+  double level_m = -std::numeric_limits<double>::infinity();  ///< the gap that the tangent leaves at the
+                                                              ///< part's centre; of one not seen, no bound
+
+  GapBound() = default;
+  /// @param approach  of the place that it was looked at from
+  GapBound(const TriangleApproach& approach, const Vec3& place_P, double clearance_m) noexcept
+      : towards(approach.towards), level_m(approach.distance_m - clearance_m - towards.dot(place_P)) {}
 
   /// The gap that the tangent leaves at a place; the true one is no smaller.
-  double least_gap_m(const Vec3& place_P) const noexcept { return level_m + first.towards.dot(place_P); }
+  double least_gap_m(const Vec3& place_P) const noexcept { return level_m + towards.dot(place_P); }
 };
 
 /// A triangle that holds the proxy, or held it not long ago: it may stand in others' way.
@@ -50,6 +51,8 @@ class NearTriangles {
   int count() const noexcept { return count_; }
   void clear() noexcept {
     near_.clear();
+    bounds_.clear();
+    least_gaps_m_.clear();
     count_ = 0;
   }
 
@@ -73,7 +76,7 @@ class NearTriangles {
 
  private:
   struct PartView {
-    Vec3 at_P = Vec3::Zero();  ///< the place looked from
+    Vec3 at_P = Vec3::Zero(), searched_P = Vec3::Zero();  ///< the places looked from and searched from
     bool within_reach = false;
     bool is_crowded = false;   ///< more is near than a small view holds: the next search begins with that
     bool is_in_order = false;  ///< its triangles stand as in the part, which decides what a pass costs
@@ -82,10 +85,15 @@ class NearTriangles {
 
   bool search_part(const ProxyWorld& world, int surface, double distance_m, int most, const Blocker& blocker,
                    Looks& looks) noexcept;
+  void list_found(const ProxyWorld& world, int surface, const Blocker& blocker) noexcept;
+  void swap(std::size_t a, std::size_t b) noexcept;
+  bool look_at(std::size_t k, const Vec3& place_P, double clearance_m) noexcept;
 
   int count_ = 0;
   std::vector<NearTriangle> near_;
-  std::vector<int> found_;  // triangles, by the last search of a part
+  std::vector<GapBound> bounds_;      // of each in near_
+  std::vector<double> least_gaps_m_;  // of each from where it was searched from, or less
+  std::vector<int> found_;            // triangles, by the last search of a part
   std::vector<PartView> views_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "contact/facet_fan.hpp"
 #include "contact/proxy_limits.hpp"
+#include "contact/way_sieve.hpp"
 
 namespace fingerpad {
 namespace {
@@ -27,8 +28,10 @@ std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxySt
 
 /// Calls `visit(corners, triangle)` for each triangle of a part that is within reach, from `next` on. False
 /// where the looks were spent before the end.
+/// @param reach_m, sieve  of no matter where the looks have no end: that search is the plain one
 template <class Visit>
-bool ProxySight::each_within_reach(int surface, const Vec3& at_P, std::size_t& next, Visit visit) noexcept {
+bool ProxySight::each_within_reach(int surface, const Vec3& at_P, double reach_m, std::size_t& next,
+                                   const PacketSieve* sieve, Visit visit) noexcept {
   const TriangleTree& tree = *world_.surface(surface).tree;
   struct Passing {
     const Part* part;
@@ -38,9 +41,9 @@ bool ProxySight::each_within_reach(int surface, const Vec3& at_P, std::size_t& n
     const Passing& p = *static_cast<Passing*>(context);
     (*p.visit)(corners_of(*p.part, triangle), triangle);
   };
-  const double distance_m = world_.clearance_m() + reach_m_;
-  if (!looks_.is_unlimited()) return tree.each_within(at_P, distance_m, next, looks_, pass_on, &passing);
-  tree.each_within(at_P, distance_m, pass_on, &passing);
+  if (!looks_.is_unlimited())
+    return tree.each_within(at_P, world_.clearance_m() + reach_m, next, looks_, sieve, pass_on, &passing);
+  tree.each_within(at_P, world_.clearance_m() + reach_m_, pass_on, &passing);
   return true;
 }
 
@@ -83,9 +86,14 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
                             Round& round) noexcept {
   const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
   const PartWalls before(world_, surface, walls, way.from_P);
+  const WaySieve sieve(world_, way, before, round.worst);
+  const PacketSieve asked = sieve.asked();
+  const double reach_m = std::min(reach_m_, reach_of(way.way_P.norm()));
   return each_within_reach(
-      surface, way.from_P, round.next, [&](const TriangleCorners& corners, int triangle) {
+      surface, way.from_P, reach_m, round.next, &asked, [&](const TriangleCorners& corners, int triangle) {
         if (before.hide(corners)) return;
+        looks_.spend(LookCosts::fetched_cleared);
+        if (!looks_.is_unlimited() && round.worst.is_cleared_by_facet(world_, way, corners)) return;
         looks_.spend(LookCosts::told);
         const TriangleApproach a = approach_triangle(corners, way.from_P);
         const long before_it = round.worst.looks;
@@ -125,8 +133,8 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
       continue;
     }
     const PartWay way(world_, i, world_.in_part(i, place_O_), z);
-    const bool is_whole =
-        each_within_reach(i, way.from_P, round.next, [&](const TriangleCorners& corners, int) {
+    const bool is_whole = each_within_reach(
+        i, way.from_P, reach_m_, round.next, nullptr, [&](const TriangleCorners& corners, int) {
           const TriangleSweep sweep =
               sweep_past_triangle(corners, way.from_P, way.to_P, world_.clearance_m(), world_.tolerance_m());
           if (sweep.blocked) share = std::min(share, sweep.reached);

@@ -113,7 +113,8 @@ class ProxySight {
   bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept;
   bool sweep_all(const Vec3& z, Round& round) noexcept;
   template <class Visit>
-  bool each_within_reach(int surface, const Vec3& at_P, std::size_t& next, Visit visit) noexcept;
+  bool each_within_reach(int surface, const Vec3& at_P, double reach_m, std::size_t& next,
+                         const PacketSieve* sieve, Visit visit) noexcept;
 
   Making making_;
 };

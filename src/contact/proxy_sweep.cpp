@@ -15,6 +15,18 @@ FirstApproach approach_of(const TriangleCorners& triangle, const Vec3& place) no
 
 }  // namespace
 
+FacetSide facet_side(const TriangleCorners& f, const Vec3& from, const Vec3& to, double clearance_m,
+                     double tolerance_m) noexcept {
+  const Vec3& normal = f.normal;
+  const double height_m = normal.dot(from - f.a);
+  if (std::abs(height_m) < clearance_m - tolerance_m) return {};
+  // A triangle without area bears a neighbour's normal: it must lie in that plane.
+  if (std::abs(normal.dot(f.b - f.a)) > tolerance_m || std::abs(normal.dot(f.c - f.a)) > tolerance_m)
+    return {};
+  const double side = height_m < 0 ? -1 : 1;
+  return {side, side * normal.dot(to - f.a) - clearance_m};
+}
+
 TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept {
   return sweep_past_triangle(f, from, to, clearance_m, tolerance_m, approach_of(f, from),
@@ -44,19 +56,12 @@ TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, co
   sweep.normal = here.towards;
   sweep.offset_m = here.towards.dot(here.foot) + clearance_m;
 
-  const Vec3 &normal = f.normal, corner = f.a;
-  const double height_m = normal.dot(from - corner);
-  if (std::abs(height_m) < clearance_m - tolerance_m) return sweep;
-  // A triangle without area bears a neighbour's normal: it must lie in that plane.
-  if (std::abs(normal.dot(f.b - f.a)) > tolerance_m || std::abs(normal.dot(f.c - f.a)) > tolerance_m)
-    return sweep;
-  const double side = height_m < 0 ? -1 : 1;
-  const double slack_m = side * normal.dot(to - corner) - clearance_m;
-  if (slack_m <= sweep.end_slack_m) return sweep;
-  sweep.normal = side * normal;
-  sweep.offset_m = side * normal.dot(corner) + clearance_m;
-  sweep.end_slack_m = slack_m;
-  sweep.blocked = slack_m < -tolerance_m;
+  const FacetSide facet = facet_side(f, from, to, clearance_m, tolerance_m);
+  if (facet.side == 0 || facet.slack_m <= sweep.end_slack_m) return sweep;
+  sweep.normal = facet.side * f.normal;
+  sweep.offset_m = facet.side * f.normal.dot(f.a) + clearance_m;
+  sweep.end_slack_m = facet.slack_m;
+  sweep.blocked = facet.slack_m < -tolerance_m;
   return sweep;
 }
 

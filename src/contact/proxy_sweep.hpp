@@ -21,6 +21,16 @@ struct FirstApproach {
   double distance_m;
 };
 
+/// The half space on the start's side of a triangle's own plane, where the ball keeps its clearance from it.
+struct FacetSide {
+  double side = 0;     ///< 1 on the normal's, -1; 0: the start is too near, or the triangle has no plane
+  double slack_m = 0;  ///< how far in front of it the way ends
+};
+
+/// A sweep whose start has such a side ends no farther behind than that: what it leaves free needs no sweep.
+FacetSide facet_side(const TriangleCorners& triangle, const Vec3& from, const Vec3& to, double clearance_m,
+                     double tolerance_m) noexcept;
+
 /// Sweeps a ball of radius `clearance_m` from `from` to `to` past a triangle, from whichever side.
 ///
 /// The distance to a triangle is a convex function of the way, so Newton's method from the start never

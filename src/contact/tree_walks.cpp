@@ -18,7 +18,8 @@ struct LimitedSearch : WithinSearch {
 
 void count_triangle(void* any_search, int triangle) {
   const LimitedSearch& search = *static_cast<LimitedSearch*>(any_search);
-  if (++search.limit->triangles <= search.limit->most_triangles) search.visit(search.visit_context, triangle);
+  if (++search.limit->triangles > search.limit->most_triangles) return;
+  search.visit(search.visit_context, triangle);
 }
 
 /// A search among what a shadow leaves.
@@ -37,6 +38,8 @@ void count_lit_triangle(void* any_search, int triangle) {
     ++search.limit->shadowed;
     if (search.shadow->covers(corners)) return;
   }
+  // A search for a few does without: it costs more than they do.
+  search.limit->at_least_m = search.at_least_m();
   count_triangle(any_search, triangle);
 }
 
@@ -124,7 +127,8 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
 }
 
 bool TriangleTree::each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks,
-                               void (*visit)(void* context, int triangle), void* context) const noexcept {
+                               const PacketSieve* sieve, void (*visit)(void* context, int triangle),
+                               void* context) const noexcept {
   const Impl& impl = *impl_;
   const PackedPart& packed = impl.packed;
   const double farthest = q.cwiseAbs().maxCoeff();
@@ -140,6 +144,10 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, std::size_t& next,
     looks.spend(tests);
     if (next >= packed.packets.size()) return true;
     const TrianglePacket& packet = packed.packets[next++];
+    if (sieve != nullptr && sieve->leaves_out(sieve->context, packet, 1 / packed.scale)) {
+      looks.spend(LookCosts::left_out);
+      continue;
+    }
     if (is_far) {
       search.look_from_afar_at(packet);
     } else if (is_box_near(packet, search.scaled, radius)) {

@@ -12,6 +12,14 @@ namespace fingerpad {
 
 class ClosestMemory;
 struct KeptPoint;
+struct TrianglePacket;
+
+/// Says of which packets of triangles nothing is wanted.
+struct PacketSieve {
+  /// @param scaled_m  how long a length of 1 in the packet is [m], a power of two
+  bool (*leaves_out)(const void* context, const TrianglePacket& packet, double scaled_m) noexcept;
+  const void* context;
+};
 
 /// The closest triangle of a part to a point.
 struct ClosestTriangle {
@@ -44,6 +52,7 @@ struct SearchLimit {
   int most_triangles, most_packets;
   int triangles = 0, packets = 0;  ///< found
   long tests = 0, shadowed = 0;    ///< of clusters of packets; of triangles against a shadow
+  double at_least_m = 0;           ///< while a triangle is visited: its distance is no smaller
 
   bool is_exceeded() const noexcept { return triangles > most_triangles || packets > most_packets; }
 };
@@ -119,9 +128,10 @@ class TriangleTree {
 
   /// The same in pieces, in an order that is the part's alone: looks at what `looks` allows, a packet more at
   /// most, and goes on from `next` with the next call.
+  /// @param sieve  is asked before a packet is looked at; null: nothing is left out
   /// @param next  0 at the beginning; kept between calls with the same q and reach_m
   /// @returns whether it came to its end
-  bool each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks,
+  bool each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks, const PacketSieve* sieve,
                    void (*visit)(void* context, int triangle), void* context) const noexcept;
 
   /// The first triangle that the segment from `from` to `to` crosses from the outside to the inside, that is

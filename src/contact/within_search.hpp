@@ -21,6 +21,7 @@ struct WithinSearch : ScaledPoint {
   float rough_reach;
   void (*found)(void* context, int triangle);
   void* context;
+  mutable float found_squared = 0, found_margin = 0;  ///< rough, of the triangle that is being passed on
 
   WithinSearch(const PackedPart& part, PacketFilter packet_filter, const Vec3& point, double reach,
                void (*visit)(void*, int), void* visit_context) noexcept
@@ -37,14 +38,22 @@ struct WithinSearch : ScaledPoint {
     unsigned lanes = filter(packet, view.r, view.limit2(rough_reach), distances);
     lanes = (lanes | packet.always_exact) & packet.used;
     const float surely_within2 = view.surely_within2(rough_reach);
+    found_margin = view.margin;
     for (; lanes != 0; lanes &= lanes - 1) {
       const auto lane = static_cast<std::size_t>(std::countr_zero(lanes));
+      found_squared = (packet.always_exact >> lane & 1) != 0 ? 0 : distances.squared[lane];
       if (distances.squared[lane] <= surely_within2) {
         found(context, packet.exact[lane].triangle);
       } else {
         look_at(packet, static_cast<int>(lane));
       }
     }
+  }
+
+  /// The distance of the triangle that is being passed on is no smaller.
+  double at_least_m() const noexcept {
+    const double rough = std::sqrt(static_cast<double>(found_squared)) * (1 - 0x1p-20);
+    return std::max(0.0, rough - static_cast<double>(found_margin)) / packed->scale;
   }
 
   void look_at(const TrianglePacket& packet, int lane) const noexcept {

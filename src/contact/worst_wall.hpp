@@ -6,6 +6,7 @@
 #include "contact/looks.hpp"
 #include "contact/proxy_sweep.hpp"
 #include "contact/proxy_world.hpp"
+#include "contact/triangle_packet.hpp"
 
 namespace fingerpad {
 
@@ -27,6 +28,15 @@ class PartWalls {
   bool hide(const TriangleCorners& f) const noexcept {
     return std::any_of(walls_.begin(), walls_.begin() + static_cast<std::ptrdiff_t>(count_),
                        [&f](const PartWall& wall) { return wall.hides(f); });
+  }
+  /// All triangles of a packet, by one wall.
+  /// @param scaled_m  PacketSieve's
+  bool hide(const TrianglePacket& packet, double scaled_m) const noexcept {
+    return std::any_of(
+        walls_.begin(), walls_.begin() + static_cast<std::ptrdiff_t>(count_), [&](const PartWall& wall) {
+          return scaled_m * (wall.normal_P.dot(packet.origin) + packet.highest(wall.normal_P)) <=
+                 wall.offset_m;
+        });
   }
 
  private:
@@ -70,6 +80,14 @@ struct WorstWall {
     if (!is_beaten_by(end_slack_m, plane.surface, -1)) return;
     wall = plane;
     slack_m = end_slack_m;
+  }
+
+  /// Whether a triangle's own plane shows that it is no worse: then it need not be told how far it is.
+  bool is_cleared_by_facet(const ProxyWorld& world, const PartWay& way,
+                           const TriangleCorners& corners) const noexcept {
+    const double tolerance_m = world.tolerance_m();
+    const FacetSide facet = facet_side(corners, way.from_P, way.to_P, world.clearance_m(), tolerance_m);
+    return facet.side != 0 && (facet.slack_m >= -tolerance_m || facet.slack_m > slack_m);
   }
 
   /// @param first  how the place where the way begins stands before the triangle

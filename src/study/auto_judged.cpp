@@ -152,6 +152,22 @@ double JudgedRow::price_ratio(const std::vector<double>& price, bool of_promise)
   return best < price.size() ? price[chosen] / price[best] : std::numeric_limits<double>::quiet_NaN();
 }
 
+JudgedCount count_words(std::span<const JudgedRow> rows, bool of_promise) {
+  constexpr double near_share = 1.2;
+  JudgedCount count;
+  for (const JudgedRow& row : rows) {
+    const JudgedWord word = of_promise ? row.word() : row.word_of_motion();
+    ++count.cases;
+    count.kept += word == JudgedWord::kept ? 1 : 0;
+    count.said += word == JudgedWord::said ? 1 : 0;
+    count.needless += word == JudgedWord::needless ? 1 : 0;
+    count.broken += word == JudgedWord::broken ? 1 : 0;
+    const bool is_near = row.price_ratio(row.cost, of_promise) <= near_share;
+    count.near_cheapest += word == JudgedWord::kept && is_near ? 1 : 0;
+  }
+  return count;
+}
+
 JudgedRow judged(const JudgedCase& one, int turns) {
   const ContactChoice& choice = *one.world->contact;
   JudgedRow row;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <span>
 #include <string>
 
 #include "study/judged_runs.hpp"
@@ -41,6 +42,15 @@ struct JudgedRow {
   /// What the chosen one costs in units of that; nan where there is none.
   double price_ratio(const std::vector<double>& price, bool of_promise) const;
 };
+
+/// What became of auto's word over many cases.
+struct JudgedCount {
+  int cases = 0, kept = 0, said = 0, needless = 0, broken = 0;
+  int near_cheapest = 0;  ///< of those kept: cost at most 1.2 times the cheapest that keeps the promise
+};
+
+/// @param of_promise  by the motions and the trials; else by the motions alone
+JudgedCount count_words(std::span<const JudgedRow> rows, bool of_promise);
 
 /// @param turns  JudgedRun's
 JudgedRow judged(const JudgedCase& one, int turns);

@@ -75,6 +75,23 @@ void tell_judged(StudyReport& report, const std::vector<JudgedRow>& rows) {
   report.tables.push_back(std::move(times));
 }
 
+/// What it came to, over all cases: by the promise, and by the cases' own motions.
+void count_judged(StudyReport& report, const std::vector<JudgedRow>& rows) {
+  StudyTable counts{
+      "auto_judged_counts",
+      {"judged_by", "cases", "kept", "said", "needless", "broken", "kept_at_most_1.2_of_cheapest"},
+      {}};
+  for (const bool of_promise : {true, false}) {
+    const JudgedCount count = count_words(rows, of_promise);
+    std::vector<StudyTable::Cell> row{of_promise ? "motion and trials" : "motion"};
+    for (const int number :
+         {count.cases, count.kept, count.said, count.needless, count.broken, count.near_cheapest})
+      row.emplace_back(static_cast<double>(number));
+    counts.rows.push_back(std::move(row));
+  }
+  report.tables.push_back(std::move(counts));
+}
+
 /// A panel of one number of every case, by what became of auto's word.
 template <typename Number>
 ChartPanel panel_of(const std::vector<JudgedRow>& rows, const std::string& title, const std::string& y_label,
@@ -134,6 +151,7 @@ void study_contact_auto(StudyReport& report, const JudgedFolders& folders, const
       take_part_cases(file, judged_strokes, take);
   }
   tell_judged(report, rows);
+  count_judged(report, rows);
   draw_judged(report, rows);
 }
 

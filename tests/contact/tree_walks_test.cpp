@@ -47,7 +47,7 @@ TEST(TreeWalks, FindTheSameTrianglesInPiecesAsAtOnce) {
       std::size_t next = 0;
       int pieces = 1;
       Looks looks(k % 2 == 0 ? 1 : 50);
-      while (!tree.each_within(q, reach_m, next, looks, add, &found)) {
+      while (!tree.each_within(q, reach_m, next, looks, nullptr, add, &found)) {
         ASSERT_LE(looks.spent(), 50 + 300) << "a packet too many at most, and the clusters on the way to it";
         looks.renew();
         ++pieces;

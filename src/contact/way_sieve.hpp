@@ -1,0 +1,58 @@
+#pragma once
+
+#include <cmath>
+
+#include "contact/triangle_packet.hpp"
+#include "contact/triangle_tree.hpp"
+#include "contact/worst_wall.hpp"
+
+namespace fingerpad {
+
+/// Leaves out those packets of a part of which no triangle can be a worse wall to a ball's way than the worst
+/// so far, or stands before the walls that the ball stays in front of anyway.
+///
+/// A sweep's first tangent bounds how far its wall is breached (TriangleSweep): with f a triangle's foot, q
+/// the way's start, w the way and R the clearance, the wall's slack is at least |q - f| - R + w.(q - f)/|q -
+/// f|. Where all corners lie within r of a packet's middle m, and D = |q - m| > r, |q - f| is at least D - r,
+/// and q - f is turned off q - m by at most asin(r/D), so that the last term is at least
+/// w.(q - m)/D cos(asin(r/D)) - |w| r/D.
+class WaySieve {
+ public:
+  /// @param before  the walls, seen from the way's start
+  /// @param worst   may become worse as the sieve is used
+  WaySieve(const ProxyWorld& world, const PartWay& way, const PartWalls& before,
+           const WorstWall& worst) noexcept
+      : way_(way),
+        before_(before),
+        worst_(worst),
+        clearance_m_(world.clearance_m()),
+        rounding_m_(world.tolerance_m()),
+        way_m_(way.way_P.norm()) {}
+
+  PacketSieve asked() const noexcept {
+    return {[](const void* sieve, const TrianglePacket& packet, double scaled_m) noexcept {
+              return static_cast<const WaySieve*>(sieve)->leaves_out(packet, scaled_m);
+            },
+            this};
+  }
+
+  /// @param scaled_m  PacketSieve's
+  bool leaves_out(const TrianglePacket& packet, double scaled_m) const noexcept {
+    const Vec3 off = way_.from_P - scaled_m * packet.origin;
+    const double distance_m = off.norm(), radius_m = scaled_m * static_cast<double>(packet.radius);
+    if (distance_m > radius_m) {
+      const double sine = radius_m / distance_m;
+      const double slope_m = off.dot(way_.way_P) / distance_m * std::sqrt(1 - sine * sine) - way_m_ * sine;
+      if (distance_m - radius_m - clearance_m_ + slope_m > worst_.slack_m + rounding_m_) return true;
+    }
+    return before_.hide(packet, scaled_m);
+  }
+
+ private:
+  const PartWay& way_;
+  const PartWalls& before_;
+  const WorstWall& worst_;
+  double clearance_m_, rounding_m_, way_m_;
+};
+
+}  // namespace fingerpad

@@ -1,0 +1,135 @@
+#include "contact/way_sieve.hpp"
+
+#include <gtest/gtest.h>
+
+#include "base/random_stream.hpp"
+#include "contact/packed_part.hpp"
+#include "contact/proxies.hpp"
+#include "support/shapes.hpp"
+
+// What a look at a part passes over, against looking at all of it.
+
+namespace fingerpad::way_sieve_test {
+namespace {
+
+Vec3 any(RandomStream& random) {
+  return {random.normal(), random.normal(), random.normal()};
+}
+
+std::vector<PlacedSurface> trial_surfaces() {
+  return {surface_of(test::torus_soup(0.02, 0.008, 48, 24)), surface_of(test::sphere_soup(0.03, 3)),
+          surface_of(test::joined(test::box_soup(Vec3(0.05, 0.04, 0.01)),
+                                  test::moved(test::torus_soup(0.01, 0.003, 24, 12), Vec3(0, 0, 0.006))))};
+}
+
+/// A ball somewhere about a part, its way, and a wall found before.
+struct Stand {
+  ProxyWorld world;
+  PartWay way;
+  PartWalls before;
+  WorstWall worst;
+
+  Stand(const PlacedSurface& surface, RandomStream& random)
+      : world({surface}, random.uniform() < 0.3 ? 0 : 0.02 * random.uniform(), Normals::facet),
+        way(world, 0, start(surface, world.clearance_m(), random),
+            std::pow(10, -4 + 2 * random.uniform()) * any(random)),
+        before(walls(random)),
+        worst{std::nullopt, -world.tolerance_m() - (random.uniform() < 0.5 ? 0 : 0.01 * random.uniform())} {}
+
+  /// Clear of the surface by a share of the way there.
+  static Vec3 start(const PlacedSurface& surface, double clearance_m, RandomStream& random) {
+    const Vec3 q = 0.03 * any(random);
+    const ClosestTriangle near = surface.tree->closest(q, -1, HUGE_VAL);
+    const Vec3 out = (q - near.at.point).normalized();
+    return near.at.point + (clearance_m + 1e-3 * random.uniform()) * out;
+  }
+  PartWalls walls(RandomStream& random) const {
+    ProxyWall wall;
+    wall.normal = any(random).normalized();
+    wall.least_m = -0.01 * random.uniform();
+    return {world, 0, std::span(&wall, random.uniform() < 0.5 ? 0 : 1), way.from_P};
+  }
+
+  /// Whether a triangle is a wall that matters.
+  bool matters(int t) const {
+    const TriangleCorners corners = corners_of(world.part(0), t);
+    if (before.hide(corners)) return false;
+    const TriangleApproach a = approach_triangle(corners, way.from_P);
+    WorstWall other = worst;
+    return other.offer_triangle(world, way, corners, t, {a.at.point, a.towards, a.distance_m});
+  }
+};
+
+TEST(WaySieve, LeavesOutNothingThatMatters) {
+  RandomStream random(31);
+  long left_out = 0, matter = 0;
+  for (const PlacedSurface& surface : trial_surfaces()) {
+    const PackedPart packed = pack(std::make_shared<const Part>(surface.tree->part()));
+    for (int k = 0; k < 300; ++k) {
+      const Stand s(surface, random);
+      const WaySieve sieve(s.world, s.way, s.before, s.worst);
+      for (const TrianglePacket& packet : packed.packets) {
+        const bool is_left_out = sieve.leaves_out(packet, 1 / packed.scale);
+        left_out += is_left_out ? 1 : 0;
+        for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
+          const bool does_matter = s.matters(packet.exact[static_cast<std::size_t>(lane)].triangle);
+          matter += does_matter ? 1 : 0;
+          ASSERT_FALSE(is_left_out && does_matter) << k;
+        }
+      }
+    }
+  }
+  EXPECT_GT(matter, 1000);
+  EXPECT_GT(left_out, 20 * matter) << "most of a part";
+}
+
+TEST(FacetSide, ClearsNoTriangleThatMatters) {
+  RandomStream random(32);
+  long cleared = 0, matter = 0;
+  for (const PlacedSurface& surface : trial_surfaces()) {
+    for (int k = 0; k < 300; ++k) {
+      const Stand s(surface, random);
+      for (int t = 0; t < s.world.part(0).triangle_count(); ++t) {
+        const bool is_cleared = s.worst.is_cleared_by_facet(s.world, s.way, corners_of(s.world.part(0), t));
+        const bool does_matter = s.matters(t);
+        cleared += is_cleared ? 1 : 0;
+        matter += does_matter ? 1 : 0;
+        ASSERT_FALSE(is_cleared && does_matter) << k;
+      }
+    }
+  }
+  EXPECT_GT(matter, 1000);
+  EXPECT_GT(cleared, 2 * matter);
+}
+
+TEST(SearchLimit, OfManyTellsNoMoreThanATrianglesDistance) {
+  RandomStream random(33);
+  struct Told {
+    const TriangleTree* tree;
+    const SearchLimit* limit;
+    Vec3 q;
+    long count = 0, close = 0;
+  };
+  for (const PlacedSurface& surface : trial_surfaces()) {
+    Told told{surface.tree.get(), nullptr, {}, 0, 0};
+    const auto hold = [](void* any_told, int t) {
+      Told& to = *static_cast<Told*>(any_told);
+      const double distance_m = approach_triangle(to.tree->part(), t, to.q).distance_m;
+      EXPECT_LE(to.limit->at_least_m, distance_m);
+      ++to.count;
+      to.close += to.limit->at_least_m > distance_m - 1e-4 * to.tree->part().size_m() ? 1 : 0;
+    };
+    for (int k = 0; k < 100; ++k) {
+      told.q = 0.03 * any(random);
+      SearchLimit limit{1 << 20, 1 << 20};
+      told.limit = &limit;
+      const KeptPoint* none = nullptr;
+      ASSERT_TRUE(surface.tree->each_within(told.q, 0.05 * random.uniform(), none, limit, hold, &told));
+    }
+    EXPECT_GT(told.count, 1000);
+    EXPECT_GT(told.close, told.count - told.count / 100) << "and little less";
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad::way_sieve_test
