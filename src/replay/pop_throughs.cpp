@@ -17,12 +17,18 @@ constexpr double rounding = 1e-12;  // of a position, as a fraction of the numbe
 }  // namespace
 
 PopThroughs::PopThroughs(std::shared_ptr<const World> world) : world_(std::move(world)) {
-  if (!world_) return;
-  for (const Surface& surface : world_->surfaces)
-    is_open_.push_back(surface.part && (surface.part->neighbours.array() < 0).any());
+  if (world_) sides_.resize(world_->surfaces.size(), Sides::unknown);
 }
 
-bool PopThroughs::way_enters_a_part(const Vec3& to_W) const noexcept {
+bool PopThroughs::is_open(std::size_t surface) noexcept {
+  if (sides_[surface] == Sides::unknown) {
+    const bool has_border = (world_->surfaces[surface].part->neighbours.array() < 0).any();
+    sides_[surface] = has_border ? Sides::both : Sides::outside;
+  }
+  return sides_[surface] == Sides::both;
+}
+
+bool PopThroughs::way_enters_a_part(const Vec3& to_W) noexcept {
   if (!world_) return false;
   for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
     const Surface& surface = world_->surfaces[i];
@@ -33,7 +39,7 @@ bool PopThroughs::way_enters_a_part(const Vec3& to_W) const noexcept {
     };
     Vec3 from = from_centre(last_.p_WQ), to = from_centre(to_W);
     SegmentHit hit = surface.tree->first_crossing(from, to);
-    if (hit.triangle < 0 && is_open_[i]) {
+    if (hit.triangle < 0 && is_open(i)) {
       // From behind: the way back enters.
       std::swap(from, to);
       hit = surface.tree->first_crossing(from, to);

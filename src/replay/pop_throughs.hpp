@@ -46,12 +46,17 @@ class PopThroughs {
     bool is_inside() const noexcept { return (p_WQ - contact_W).dot(normal_W) < 0; }
   };
 
-  bool way_enters_a_part(const Vec3& to_W) const noexcept;
+  /// From which sides a part is a wall: one with a border is one from behind too. Looked up when first asked
+  /// for, which takes a look at every triangle.
+  enum class Sides : char { unknown, outside, both };
+
+  bool is_open(std::size_t surface) noexcept;
+  bool way_enters_a_part(const Vec3& to_W) noexcept;
   bool is_guide_held_back(const Vec3& to_W) noexcept;
   bool popped(const Seen& now) noexcept;
 
   std::shared_ptr<const World> world_;
-  std::vector<bool> is_open_;  ///< per surface: a part with a border, which is a wall from behind too
+  std::vector<Sides> sides_;  ///< per surface
   std::optional<Proxy> guide_;
   Seen last_;
   bool any_ = false;

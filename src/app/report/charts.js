@@ -16,7 +16,7 @@ function axisTicks(low, high, most) {
   return ticks;
 }
 
-/** Bounds of an axis that end at ticks, so that nothing stands on its edge. */
+/** Bounds of an axis that end at ticks, so that both ends have their number. */
 function axisEnds(low, high, most) {
   for (let round = 0; round < 2; ++round) {  // wider bounds may ask for wider steps
     const ticks = axisTicks(low, high, most), step = ticks.length > 1 ? ticks[1] - ticks[0] : high - low;
