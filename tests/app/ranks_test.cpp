@@ -176,7 +176,7 @@ TEST(Ranks, ThatComeLateDoNotWaitForARootThatHasLeft) {
   late.replace(late.find("--wait-for-ranks 0\n"), 19, "--wait-for-ranks 86400 &\n");
   const ShellResult run =
       test::shell(as_rank(0) + late +
-                      "late=$!\ntimeout 100 tail --pid=$late -f /dev/null || kill $late\nwait $late\n"
+                      "late=$!\ntimeout 60 tail --pid=$late -f /dev/null || kill -9 $late\nwait $late\n"
                       "echo ended $?\n",
                   folder);
   EXPECT_THAT(run.out, HasSubstr("in o\nended 0\n")) << run.err;
