@@ -386,7 +386,6 @@ TEST(ContactChoice, IsRememberedForNothingElse) {
       [](Scene& scene) { scene.parts[0].surface.stiffness_n_per_m = 333; },
       [](Scene& scene) { scene.motion.rate_hz = 17; },
       [](Scene& scene) { scene.contact.normals = Normals::facet; },
-      [](Scene& scene) { scene.planes[0].point_m.z() = -0.001; },
       [](Scene& scene) { scene.parts[0].position_m.x() = 0.5; },
       [](Scene& scene) { scene.parts[0].crease_deg = 80; },
       [](Scene& scene) { scene.parts[0].mesh = "other.ply"; },
@@ -404,7 +403,7 @@ TEST(ContactChoice, IsRememberedForNothingElse) {
     EXPECT_EQ(shared.reasons, own.reasons);
     said.insert(fmt::format("{} {} {}", own.method, own.normals->name, fmt::join(own.reasons, "\n")));
   }
-  EXPECT_GE(said.size(), 8u) << "so that one taken for another would be seen";
+  EXPECT_GE(said.size(), 7u) << "so that one taken for another would be seen";
 }
 
 TEST(ContactChoice, ManyThreadsMeasureAPartOnceAndChooseTheSame) {
