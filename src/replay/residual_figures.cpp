@@ -75,7 +75,7 @@ double ResidualFigures::bias_n() const noexcept {
 }
 
 double ResidualFigures::lag_s() const noexcept {
-  constexpr std::size_t least_steps = 4 * most_steps;  // so that every shift has most of the run
+  constexpr auto least_steps = std::size_t{4} * most_steps;  // so that every shift has most of the run
   if (steps_ < least_steps) return TickRecord::nan;
   int best = 0;
   double least = shifted(0).unexplained();

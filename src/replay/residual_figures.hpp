@@ -47,7 +47,8 @@ class ResidualFigures {
 
   void compare_shifts(const Vec3& model_n, const Vec3& measured_n) noexcept;
   const Shift& shifted(int steps) const noexcept {
-    return shifts_[static_cast<std::size_t>(most_steps + steps)];
+    const int place = most_steps + steps;
+    return shifts_[static_cast<std::size_t>(place)];
   }
 
   long ticks_ = 0, free_ticks_ = 0;
