@@ -58,8 +58,9 @@ void ResidualFigures::compare_shifts(const Vec3& model_n, const Vec3& measured_n
   const int before = static_cast<int>(std::min<std::size_t>(steps_, most_steps));
   for (int k = 1; k <= before; ++k) {
     const std::size_t then = (steps_ - static_cast<std::size_t>(k)) % ring_size;
-    shifts_[static_cast<std::size_t>(most_steps + k)].add(model_n_[then], measured_n);
-    shifts_[static_cast<std::size_t>(most_steps - k)].add(model_n, measured_n_[then]);
+    const int later = most_steps + k, earlier = most_steps - k;
+    shifts_[static_cast<std::size_t>(later)].add(model_n_[then], measured_n);
+    shifts_[static_cast<std::size_t>(earlier)].add(model_n, measured_n_[then]);
   }
   ++steps_;
 }
