@@ -13,11 +13,6 @@
 namespace fingerpad {
 namespace {
 
-double figure(const BatchJob& job, std::string_view wanted) {
-  const auto names = Figures::names();
-  return job.figures[static_cast<std::size_t>(std::find(names.begin(), names.end(), wanted) - names.begin())];
-}
-
 /// "3, 6, 9 and 15 more": of jobs of one scene.
 std::string numbers_of(const std::vector<const BatchJob*>& jobs) {
   constexpr std::size_t most = 6;
@@ -70,11 +65,11 @@ void tell_doubts(const std::vector<BatchJob>& jobs) {
   double coarse_teeth = 0, remedied_ticks = 0, inside_starts = 0;
   for (const BatchJob& job : jobs) {
     if (job.status != "ok") continue;
-    const double coarse = figure(job, "coarse_teeth");
+    const double coarse = Figures::of(job.figures, "coarse_teeth");
     coarse_jobs += coarse > 0 ? 1 : 0;
     coarse_teeth += coarse;
-    remedied_ticks += figure(job, "remedied_ticks");
-    inside_starts += figure(job, "inside_starts");
+    remedied_ticks += Figures::of(job.figures, "remedied_ticks");
+    inside_starts += Figures::of(job.figures, "inside_starts");
   }
   if (remedied_ticks > 0) {
     print_err(
@@ -126,13 +121,13 @@ int tell_lost(const std::vector<Error>& lost) {
 
 void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const BatchOptions& batch) {
   const auto count = [&jobs](auto which) { return std::count_if(jobs.begin(), jobs.end(), which); };
-  const auto ran = count([](const BatchJob& job) { return !job.status.empty(); });
+  const auto meant = count([](const BatchJob& job) { return !job.status.empty() || job.not_begun; });
   const auto good = count([](const BatchJob& job) { return job.status == "ok"; });
   const auto kept = count([](const BatchJob& job) { return job.kept; });
   const std::string table = any_table_lost ? "" : table_names(batch.shard, batch.shard_count).summary;
   const bool traces = batch.traces && good > 0;
   const char* both = traces && !table.empty() ? " and " : "";
-  print_out("{} of {} {} done{}, {}{}{} in {}\n", good, ran, ran == 1 ? "job" : "jobs",
+  print_out("{} of {} {} done{}, {}{}{} in {}\n", good, meant, meant == 1 ? "job" : "jobs",
             kept > 0 ? fmt::format(" ({} kept from before)", kept) : "", traces ? "traces" : "", both,
             table.empty() && !traces ? "nothing" : table, batch.out_dir);
 }

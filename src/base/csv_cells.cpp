@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 
+#include "base/csv_split.hpp"
 #include "base/number_text.hpp"
 
 namespace fingerpad {
@@ -25,6 +26,7 @@ std::size_t cell_end(std::string_view line, char separator) noexcept {
     const std::size_t closing = line.find('"', at + 1);
     if (closing != std::string_view::npos) at = closing + 1;
   }
+  if (separator != ' ') return std::min(line.find(separator, at), line.size());
   while (at < line.size() && !parts(line[at], separator)) ++at;
   return at;
 }
@@ -57,16 +59,22 @@ std::string_view trimmed(std::string_view text) noexcept {
   return text;
 }
 
-std::vector<std::string_view> csv_cells(std::string_view line, char separator) {
-  std::vector<std::string_view> cells;
+void split_csv(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+  cells.clear();
   if (separator == ' ') line = trimmed(line);
   while (true) {
     const std::size_t end = cell_end(line, separator);
     cells.push_back(unquoted(trimmed(line.substr(0, end))));
-    if (end == line.size()) return cells;
+    if (end == line.size()) return;
     line.remove_prefix(end + 1);
     if (separator == ' ') line = trimmed(line);
   }
+}
+
+std::vector<std::string_view> csv_cells(std::string_view line, char separator) {
+  std::vector<std::string_view> cells;
+  split_csv(line, separator, cells);
+  return cells;
 }
 
 std::optional<double> csv_number(std::string_view cell, char decimal) noexcept {

@@ -7,6 +7,7 @@
 #include <limits>
 
 #include "base/csv_header.hpp"
+#include "base/csv_split.hpp"
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
 
@@ -18,7 +19,7 @@ using Wanted = CsvRowReader::Wanted;
 /// One row of a table.
 struct Row {
   const TextLines& lines;  ///< that it is the last read of
-  std::vector<std::string_view> cells;
+  const std::vector<std::string_view>& cells;
 };
 
 /// A row of more cells than the header names is some other row: a form feed that ends rows, a comma that is
@@ -99,7 +100,8 @@ CsvRowReader::CsvRowReader(const std::string& path, const CsvRequest& request)
 }
 
 void CsvRowReader::take(std::string_view line) {
-  const Row row{lines_, csv_cells(line, separator_)};
+  split_csv(line, separator_, cells_);
+  const Row row{lines_, cells_};
   if (rows_ == 0) refuse_units(row, wanted_, decimal_);
   refuse_extra_cells(row, header_cells_);
   for (const Wanted& column : wanted_) numbers_[column.index] = number_in(row, column, decimal_, takes_gaps_);

@@ -41,6 +41,7 @@ class CsvRowReader {
   std::size_t header_cells_ = 0, rows_ = 0;
   std::vector<Wanted> wanted_;
   std::vector<bool> present_;
+  std::vector<std::string_view> cells_;  // of the row under way
   std::vector<double> numbers_;
 };
 

@@ -12,6 +12,7 @@
 #include "base/number_text.hpp"
 #include "base/path_words.hpp"
 #include "base/text_lines.hpp"
+#include "replay/residual_warnings.hpp"
 #include "replay/summary_column.hpp"
 #include "touch/tick_record.hpp"
 
@@ -84,6 +85,15 @@ void add_set_keys(const std::vector<std::string>& header, std::vector<std::strin
   if (job == header.end()) return;
   for (auto key = job + 1; key < status; ++key) {
     if (std::find(keys.begin(), keys.end(), *key) == keys.end()) keys.push_back(*key);
+  }
+}
+
+void add_absent_figures(const std::vector<std::string>& header, std::vector<std::string>& absent) {
+  for (const SummaryColumn& column : summary_figure_columns()) {
+    const std::string name(column.name);
+    if (std::find(header.begin(), header.end(), name) == header.end() &&
+        std::find(absent.begin(), absent.end(), name) == absent.end())
+      absent.push_back(name);
   }
 }
 
@@ -168,6 +178,9 @@ std::string trouble_words(const JobOutcome& job, const std::vector<double>& bad)
   if (bad[2] > 0) words.push_back(counted(bad[2], "pop-through", "pop-throughs"));
   if (bad[3] > 0) words.push_back(counted(bad[3], "unsettled tick", "unsettled ticks"));
   if (bad[4] > 0) words.push_back(fmt::format("made {:.3g} J of energy", bad[4]));
+  if (job.done()) {
+    for (std::string& doubt : residual_doubts(job.figures)) words.push_back(std::move(doubt));
+  }
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
@@ -185,6 +198,7 @@ BatchResults read_batch_results(const std::string& folder) {
     if (std::find(header.begin(), header.end(), "status") == header.end())
       throw refused(path, "has no column `status`: it is no summary of a replay");
     add_set_keys(header, results.set_keys);
+    add_absent_figures(header, results.absent_figures);
   }
   const auto index = index_of_jobs(folder, results.files);
   for (const ResultTable& table : tables) {

@@ -25,6 +25,8 @@ struct BatchResults {
   std::vector<std::string> set_keys;
   std::vector<JobOutcome> jobs;
   std::vector<std::string> files;  ///< that were read
+  /// Names of figures that a table of these has no column for, as an older program's; nan in all its jobs.
+  std::vector<std::string> absent_figures;
 };
 
 /// Reads `summary.csv` and `jobs.csv` of a folder, or those of all shards in it. Throws Error (refused) for a

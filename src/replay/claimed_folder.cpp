@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <filesystem>
 #include <thread>
@@ -14,16 +15,6 @@
 namespace fingerpad {
 namespace {
 
-/// The root comes first, so that it tells what is refused; if it does not come, another does its work.
-void wait_for_root(const BatchOptions& options, const Ranks& ranks) {
-  using std::chrono::steady_clock;
-  constexpr std::chrono::milliseconds between_looks{20};
-  for (const auto end = steady_clock::now() + options.patience; steady_clock::now() < end;) {
-    if (RunLock::is_registered(options.out_dir, ranks.run) || launcher_is_gone(ranks)) return;
-    std::this_thread::sleep_for(between_looks);
-  }
-}
-
 /// Thrown while a folder is being claimed for a run that has ended.
 struct RunHasEnded {};
 
@@ -35,6 +26,21 @@ bool has_ended(const BatchOptions& options, const Ranks& ranks) {
   if (!ranks.are_many() || !is_summed_up_without(ranks.rank, options, ranks.run, written_at)) return false;
   const auto launched_at = launch_time(ranks);
   return launched_at && std::chrono::file_clock::to_sys(written_at) > *launched_at;
+}
+
+/// The root comes first, so that it tells what is refused; if it does not come, another does its work. Where
+/// the tables say that the ranks have ended without this one, it waits a moment only, for a root that its
+/// launcher has called again.
+void wait_for_root(const BatchOptions& options, const Ranks& ranks) {
+  using std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds between_looks{20};
+  constexpr std::chrono::duration<double> moment{1};
+  const std::chrono::duration<double> patience =
+      has_ended(options, ranks) ? std::min(options.patience, moment) : options.patience;
+  for (const auto end = steady_clock::now() + patience; steady_clock::now() < end;) {
+    if (RunLock::is_registered(options.out_dir, ranks.run) || launcher_is_gone(ranks)) return;
+    std::this_thread::sleep_for(between_looks);
+  }
 }
 
 void make_folder(const std::string& folder) {

@@ -24,6 +24,10 @@ std::span<const std::string_view> Figures::names() noexcept {
   return names;
 }
 
+double Figures::of(const std::vector<double>& values, std::string_view name) noexcept {
+  return values[static_cast<std::size_t>(std::find(names().begin(), names().end(), name) - names().begin())];
+}
+
 std::vector<double> Figures::values() const {
   const auto mean = [](double sum, long count) { return count > 0 ? sum / static_cast<double>(count) : 0.0; };
   const auto count = [](long n) { return static_cast<double>(n); };
@@ -37,7 +41,7 @@ std::vector<double> Figures::values() const {
           mean(sum_normal_n_, contact_ticks_),
           max_normal_n_,
           max_friction_n_,
-          mean(sum_slip_mu_, slip_ticks_),
+          pressed_slip_ticks_ > 0 ? sum_slip_mu_ / count(pressed_slip_ticks_) : TickRecord::nan,
           max_mu_,
           friction_work_j_,
           count(remedied_ticks_),
@@ -48,7 +52,9 @@ std::vector<double> Figures::values() const {
           max_step_n_per_m_,
           count(nonfinite_ticks_),
           count(unsettled_ticks_),
-          compared_ticks_ > 0 ? std::sqrt(residual_squares_n2_ / count(compared_ticks_)) : TickRecord::nan};
+          residual_.rms_n(),
+          residual_.bias_n(),
+          residual_.lag_s()};
 }
 
 void Figures::observe_phase(const TickRecord& record) noexcept {
@@ -96,10 +102,7 @@ void Figures::observe(const TickRecord& record) noexcept {
   observe_phase(record);
   observe_step(record);
   pop_throughs_.observe(record);
-  if (record.residual_W_n.allFinite()) {
-    residual_squares_n2_ += record.residual_W_n.squaredNorm();
-    ++compared_ticks_;
-  }
+  if (record.residual_W_n.allFinite()) residual_.observe(record);
   nonfinite_ticks_ += record.force_W_n.allFinite() ? 0 : 1;
   if (ticks_ > 0) friction_work_j_ += record.friction_W_n.dot(record.p_WQ - last_p_WQ_);
   if (ticks_ > 0) {
@@ -121,7 +124,9 @@ void Figures::observe(const TickRecord& record) noexcept {
   max_normal_n_ = std::max(max_normal_n_, record.normal_force_n);
   max_friction_n_ = std::max(max_friction_n_, record.friction_W_n.norm());
   max_mu_ = std::max(max_mu_, record.mu);
-  if (record.phase == Phase::slip) sum_slip_mu_ += record.mu;
+  if (record.phase != Phase::slip || !(record.normal_force_n > 0)) return;
+  ++pressed_slip_ticks_;
+  sum_slip_mu_ += record.mu;
 }
 
 }  // namespace fingerpad

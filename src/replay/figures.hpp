@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "replay/pop_throughs.hpp"
+#include "replay/residual_figures.hpp"
 #include "touch/tick_record.hpp"
 
 namespace fingerpad {
@@ -22,6 +23,9 @@ class Figures {
 
   /// Names with units, in the order of values().
   static std::span<const std::string_view> names() noexcept;
+  /// One of values() by its name.
+  /// @pre it is among names()
+  static double of(const std::vector<double>& values, std::string_view name) noexcept;
   /// The figures as numbers: counts, then depths, forces, coefficients, the work of friction on the
   /// finger, the ticks on which a remedy acted, the energy that the loop has made (0: passive), and how often
   /// a finger started inside of a part, so that a proxy had to be put outside, or where it does not fit, so
@@ -30,7 +34,8 @@ class Figures {
   /// metre that the finger moved in the tick, which a stiffness alone explains up to its own number; the
   /// ticks whose force was not finite (0: promised); and those, in touch or not, whose proxy stopped before
   /// it was at rest because the bound of a tick's work was reached, not because the finger moved little; and
-  /// the RMS of the residual, nan where no force was measured.
+  /// the RMS, the bias and the lag of the residual, nan where no force was measured. The mean coefficient in
+  /// slip is nan where nothing slipped under a normal force.
   std::vector<double> values() const;
 
   /// Teeth of the sawtooth, from one rupture to the next, and those of them that lasted under two ticks: no
@@ -50,6 +55,7 @@ class Figures {
   Phase last_phase_ = Phase::free;
   double max_depth_m_ = 0, sum_normal_n_ = 0, max_normal_n_ = 0, max_friction_n_ = 0;
   double sum_slip_mu_ = 0, max_mu_ = 0, friction_work_j_ = 0;
+  long pressed_slip_ticks_ = 0;
   Vec3 last_p_WQ_ = Vec3::Zero();
   // Passivity observer (Hannaford & Ryu 2002): what the held forces have given to the finger so far, and its
   // most. A loop that began out of contact stores nothing, so whatever it gives on balance it has made; one
@@ -60,8 +66,7 @@ class Figures {
   PopThroughs pop_throughs_;
   Vec3 last_normal_W_n_ = Vec3::Zero();
   double max_step_n_ = 0, max_step_n_per_m_ = 0;
-  long compared_ticks_ = 0;
-  double residual_squares_n2_ = 0;
+  ResidualFigures residual_;
 };
 
 }  // namespace fingerpad

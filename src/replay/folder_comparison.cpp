@@ -62,30 +62,66 @@ class Changes {
   /// @param is_another  the job itself differs, not what came of it
   void tell(std::string job, std::vector<JobChange> changes, bool is_another) {
     if (changes.empty()) return;
-    ChangedJob changed{std::move(job), std::move(changes), is_another ? HUGE_VAL : 0};
+    ChangedJob changed{std::move(job), std::move(changes), is_another ? HUGE_VAL : 0, ""};
     for (const JobChange& change : changed.changes) {
       if (change.unit == "N") changed.force_n = std::max(changed.force_n, change.most);
     }
+    pass_on(std::move(changed));
+  }
+
+  /// Of a job that one folder alone has.
+  void tell_alone(std::string job, const std::string& where) {
+    const std::string words = fmt::format("is in {} alone", where);
+    pass_on({std::move(job), {whole_change(words)}, HUGE_VAL, words});
+  }
+
+ private:
+  void pass_on(ChangedJob&& changed) {
     ++comparison_.differing;
     on_changed_(std::move(changed));
   }
 
- private:
   FolderComparison& comparison_;
   const std::function<void(ChangedJob&&)>& on_changed_;
 };
 
-using OutcomesByJob = std::map<std::pair<std::string, int>, JobOutcome>;
+using JobName = std::pair<std::string, int>;
 
-/// The jobs of a folder's summaries; none where it has none.
-OutcomesByJob outcomes_in(const std::string& folder) {
-  OutcomesByJob outcomes;
+/// What a folder's summaries say; of no job where it has none.
+struct Outcomes {
+  std::map<JobName, JobOutcome> by_job;
+  std::map<std::string, JobName> by_trace;  ///< its file's name
+  std::vector<std::string> absent_figures;
+
+  bool empty() const noexcept { return by_job.empty(); }
+  const JobOutcome* find(const JobName& name) const {
+    const auto found = by_job.find(name);
+    return found == by_job.end() ? nullptr : &found->second;
+  }
+  bool lacks(std::string_view figure) const {
+    return std::find(absent_figures.begin(), absent_figures.end(), figure) != absent_figures.end();
+  }
+};
+
+Outcomes outcomes_in(const std::string& folder) {
+  Outcomes outcomes;
   if (!has_summary(folder)) return outcomes;
-  for (JobOutcome& job : read_batch_results(folder).jobs) {
-    const std::pair key(job.scene, job.number);
-    outcomes[key] = std::move(job);
+  BatchResults results = read_batch_results(folder);
+  outcomes.absent_figures = std::move(results.absent_figures);
+  for (JobOutcome& job : results.jobs) {
+    const JobName name(job.scene, job.number);
+    if (!job.trace.empty()) outcomes.by_trace[fs::path(job.trace).filename().string()] = name;
+    outcomes.by_job[name] = std::move(job);
   }
   return outcomes;
+}
+
+/// Whether the summaries tell of a trace's job that it ended otherwise in the other folder.
+bool ended_otherwise(const std::string& trace, const Outcomes& in_one, const Outcomes& in_other) {
+  const auto name = in_one.by_trace.find(trace);
+  if (name == in_one.by_trace.end()) return false;
+  const JobOutcome *one = in_one.find(name->second), *other = in_other.find(name->second);
+  return one != nullptr && other != nullptr && one->status != other->status;
 }
 
 /// "s job 3 (seed 3)".
@@ -97,10 +133,12 @@ std::string words_of(const JobOutcome& job) {
   return values.empty() ? name : fmt::format("{} ({})", name, values);
 }
 
-std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, double tolerance) {
+std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, const Outcomes& in_a,
+                                      const Outcomes& in_b, double tolerance) {
   std::vector<JobChange> changes;
   const auto columns = summary_figure_columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
+    if (in_a.lacks(columns[i].name) || in_b.lacks(columns[i].name)) continue;
     const double apart = distance_between(a.figures[i], b.figures[i]);
     if (!(apart > tolerance)) continue;
     changes.push_back({std::string(columns[i].name),
@@ -111,32 +149,48 @@ std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, 
   return changes;
 }
 
+/// Figures that one summary alone has a column for: they are not compared.
+void tell_absent_figures(const Outcomes& in_a, const Outcomes& in_b, Changes& found) {
+  std::vector<JobChange> changes;
+  for (const SummaryColumn& column : summary_figure_columns()) {
+    const bool lacks_a = in_a.lacks(column.name);
+    if (lacks_a == in_b.lacks(column.name)) continue;
+    changes.push_back(whole_change(fmt::format("{} is in the {} summary alone, and not compared", column.name,
+                                               lacks_a ? "second" : "first")));
+  }
+  found.tell("summary.csv", std::move(changes), true);
+}
+
 /// Jobs whose status differs or which one folder's summary does not have; and where there are no traces their
 /// figures.
-void compare_outcomes(const OutcomesByJob& in_a, const OutcomesByJob& in_b, bool has_traces, double tolerance,
+void compare_outcomes(const Outcomes& in_a, const Outcomes& in_b, bool has_traces, double tolerance,
                       FolderComparison& comparison, Changes& found) {
-  std::set<std::pair<std::string, int>> all;
-  for (const auto& [key, job] : in_a) all.insert(key);
-  for (const auto& [key, job] : in_b) all.insert(key);
-  for (const auto& key : all) {
-    const auto a = in_a.find(key), b = in_b.find(key);
-    const JobOutcome& job = a == in_a.end() ? b->second : a->second;
+  std::set<JobName> all;
+  for (const auto& [name, job] : in_a.by_job) all.insert(name);
+  for (const auto& [name, job] : in_b.by_job) all.insert(name);
+  for (const JobName& name : all) {
+    const JobOutcome *a = in_a.find(name), *b = in_b.find(name);
+    if (a == nullptr || b == nullptr) {
+      const JobOutcome& job = a == nullptr ? *b : *a;
+      // A summary that is not there says nothing of its jobs; a trace that is alone has been told.
+      if (in_a.empty() || in_b.empty() || !job.trace.empty()) continue;
+      comparison.changed += has_traces ? 0 : 1;
+      found.tell_alone(words_of(job), fmt::format("the {} summary", a == nullptr ? "second" : "first"));
+      continue;
+    }
     std::vector<JobChange> changes;
-    const bool is_another = a == in_a.end() || b == in_b.end() || a->second.status != b->second.status;
-    if (a == in_a.end() || b == in_b.end()) {
-      // A summary that is not there says nothing of its jobs.
-      if (!in_a.empty() && !in_b.empty())
-        changes.push_back(
-            whole_change(fmt::format("is in the {} summary alone", a == in_a.end() ? "second" : "first")));
-    } else if (a->second.status != b->second.status) {
-      changes.push_back(whole_change(fmt::format("was '{}', is '{}'", a->second.status, b->second.status)));
+    const bool is_another = a->status != b->status;
+    if (is_another) {
+      changes.push_back(whole_change(fmt::format("was '{}', is '{}'", a->status, b->status)));
     } else if (!has_traces) {
-      changes = figure_changes(a->second, b->second, tolerance);
+      changes = figure_changes(*a, *b, in_a, in_b, tolerance);
     }
     if (!has_traces) comparison.changed += changes.empty() ? 0 : 1;
-    found.tell(words_of(job), std::move(changes), is_another);
+    found.tell(words_of(*a), std::move(changes), is_another);
   }
-  if (!has_traces) comparison.jobs = all.size();
+  if (has_traces) return;
+  comparison.jobs = all.size();
+  tell_absent_figures(in_a, in_b, found);
 }
 
 }  // namespace
@@ -146,7 +200,7 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
   const std::set<std::string> in_a = traces_in(folder_a), in_b = traces_in(folder_b);
   std::set<std::string> all = in_a;
   all.insert(in_b.begin(), in_b.end());
-  const OutcomesByJob outcomes_a = outcomes_in(folder_a), outcomes_b = outcomes_in(folder_b);
+  const Outcomes outcomes_a = outcomes_in(folder_a), outcomes_b = outcomes_in(folder_b);
   if (all.empty() && (outcomes_a.empty() || outcomes_b.empty()))
     throw refused(outcomes_a.empty() ? folder_a : folder_b,
                   "holds neither traces nor a summary to compare with the other folder's");
@@ -156,18 +210,19 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
   const auto jobs_a = jobs_in_folder(folder_a), jobs_b = jobs_in_folder(folder_b);
   for (const std::string& name : all) {
     const bool is_in_a = in_a.contains(name);
-    std::vector<JobChange> changes;
-    const bool is_alone = !is_in_a || !in_b.contains(name);
-    if (is_alone) {
-      changes.push_back(whole_change(fmt::format("is in {} alone", is_in_a ? folder_a : folder_b)));
-    } else {
-      const std::string a = (fs::path(folder_a) / name).string(), b = (fs::path(folder_b) / name).string();
-      if (file_hash(a) == file_hash(b)) continue;
-      changes = trace_changes(read_trace(a, TraceContents::some_rows),
-                              read_trace(b, TraceContents::some_rows), tolerance);
+    if (!is_in_a || !in_b.contains(name)) {
+      ++comparison.changed;
+      const bool told = is_in_a ? ended_otherwise(name, outcomes_a, outcomes_b)
+                                : ended_otherwise(name, outcomes_b, outcomes_a);
+      if (!told) found.tell_alone(name_of_job(jobs_a, jobs_b, name), is_in_a ? folder_a : folder_b);
+      continue;
     }
+    const std::string a = (fs::path(folder_a) / name).string(), b = (fs::path(folder_b) / name).string();
+    if (file_hash(a) == file_hash(b)) continue;
+    std::vector<JobChange> changes = trace_changes(read_trace(a, TraceContents::some_rows),
+                                                   read_trace(b, TraceContents::some_rows), tolerance);
     comparison.changed += changes.empty() ? 0 : 1;
-    found.tell(name_of_job(jobs_a, jobs_b, name), std::move(changes), is_alone);
+    found.tell(name_of_job(jobs_a, jobs_b, name), std::move(changes), false);
   }
   compare_outcomes(outcomes_a, outcomes_b, !all.empty(), tolerance, comparison, found);
   return comparison;

@@ -17,6 +17,8 @@ struct ChangedJob {
   /// The greatest difference of a column in newtons; infinite where one folder alone has the job, or it ended
   /// otherwise: what is looked at first.
   double force_n = 0;
+  /// "is in OUT_A alone" of a job of one folder alone; empty where both have it.
+  std::string alone;
 };
 
 /// How much differs between the results of two runs.
@@ -29,7 +31,8 @@ struct FolderComparison {
 };
 
 /// Compares the traces of two folders by their names: those that only one has, the columns that differ and by
-/// how much, and the jobs whose status in summary.csv differs. Rows are set against each other by their time,
+/// how much, and the jobs whose status in summary.csv differs. A job is told once: one that failed in one
+/// folder by its status, not by the trace that it lacks. Rows are set against each other by their time,
 /// so that a trace of every tenth tick goes with a whole one. Files whose bytes are equal are not read
 /// further.
 /// @param tolerance   what a column may differ by, in its own unit; nan is equal to nan alone

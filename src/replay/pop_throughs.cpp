@@ -14,19 +14,21 @@ constexpr int guide_steps = 64;
 constexpr double guide_step_s = 1;
 constexpr double rounding = 1e-12;  // of a position, as a fraction of the numbers it came from
 
-bool is_inside(const TickRecord& record) noexcept {
-  return (record.p_WQ - record.contact_W).dot(record.normal_W) < 0;
-}
-
 }  // namespace
 
 PopThroughs::PopThroughs(std::shared_ptr<const World> world) : world_(std::move(world)) {
-  if (!world_) return;
-  for (const Surface& surface : world_->surfaces)
-    is_open_.push_back(surface.part && (surface.part->neighbours.array() < 0).any());
+  if (world_) sides_.resize(world_->surfaces.size(), Sides::unknown);
 }
 
-bool PopThroughs::way_enters_a_part(const Vec3& to_W) const noexcept {
+bool PopThroughs::is_open(std::size_t surface) noexcept {
+  if (sides_[surface] == Sides::unknown) {
+    const bool has_border = (world_->surfaces[surface].part->neighbours.array() < 0).any();
+    sides_[surface] = has_border ? Sides::both : Sides::outside;
+  }
+  return sides_[surface] == Sides::both;
+}
+
+bool PopThroughs::way_enters_a_part(const Vec3& to_W) noexcept {
   if (!world_) return false;
   for (std::size_t i = 0; i < world_->surfaces.size(); ++i) {
     const Surface& surface = world_->surfaces[i];
@@ -37,7 +39,7 @@ bool PopThroughs::way_enters_a_part(const Vec3& to_W) const noexcept {
     };
     Vec3 from = from_centre(last_.p_WQ), to = from_centre(to_W);
     SegmentHit hit = surface.tree->first_crossing(from, to);
-    if (hit.triangle < 0 && is_open_[i]) {
+    if (hit.triangle < 0 && is_open(i)) {
       // From behind: the way back enters.
       std::swap(from, to);
       hit = surface.tree->first_crossing(from, to);
@@ -69,7 +71,7 @@ bool PopThroughs::is_guide_held_back(const Vec3& to_W) noexcept {
   return true;
 }
 
-bool PopThroughs::popped(const TickRecord& now) noexcept {
+bool PopThroughs::popped(const Seen& now) noexcept {
   const Vec3 motion_W = now.p_WQ - last_.p_WQ;
   const double moved_m = motion_W.norm();
   const bool was_free = last_.phase == Phase::free, is_free = now.phase == Phase::free;
@@ -78,12 +80,13 @@ bool PopThroughs::popped(const TickRecord& now) noexcept {
   if (was_free) return now.normal_W.dot(motion_W) > push_along_motion * moved_m;
   if (now.normal_W.dot(last_.normal_W) > turned_round) return false;
   if (moved_m < last_.depth_m + now.depth_m) return true;
-  return is_inside(last_) && is_inside(now) && !way_enters_a_part(now.p_WQ);
+  return last_.is_inside() && now.is_inside() && !way_enters_a_part(now.p_WQ);
 }
 
 void PopThroughs::observe(const TickRecord& record) noexcept {
-  if (any_ && popped(record)) ++count_;
-  last_ = record;
+  const Seen now{record.p_WQ, record.contact_W, record.normal_W, record.depth_m, record.phase};
+  if (any_ && popped(now)) ++count_;
+  last_ = now;
   any_ = true;
 }
 

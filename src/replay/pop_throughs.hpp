@@ -37,14 +37,28 @@ class PopThroughs {
   long count() const noexcept { return count_; }
 
  private:
-  bool way_enters_a_part(const Vec3& to_W) const noexcept;
+  /// What the next tick asks of the last one: a whole record is far longer to copy.
+  struct Seen {
+    Vec3 p_WQ = Vec3::Zero(), contact_W = Vec3::Zero(), normal_W = Vec3::Zero();
+    double depth_m = 0;
+    Phase phase = Phase::free;
+
+    bool is_inside() const noexcept { return (p_WQ - contact_W).dot(normal_W) < 0; }
+  };
+
+  /// From which sides a part is a wall: one with a border is one from behind too. Looked up when first asked
+  /// for, which takes a look at every triangle.
+  enum class Sides : char { unknown, outside, both };
+
+  bool is_open(std::size_t surface) noexcept;
+  bool way_enters_a_part(const Vec3& to_W) noexcept;
   bool is_guide_held_back(const Vec3& to_W) noexcept;
-  bool popped(const TickRecord& now) noexcept;
+  bool popped(const Seen& now) noexcept;
 
   std::shared_ptr<const World> world_;
-  std::vector<bool> is_open_;  ///< per surface: a part with a border, which is a wall from behind too
+  std::vector<Sides> sides_;  ///< per surface
   std::optional<Proxy> guide_;
-  TickRecord last_;
+  Seen last_;
   bool any_ = false;
   long count_ = 0;
 };

@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "replay/never_touches.hpp"
+#include "replay/residual_warnings.hpp"
 #include "replay/run_proof.hpp"
 #include "touch/closed_loop.hpp"
 #include "trace/file_seal.hpp"
@@ -94,23 +95,24 @@ RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const 
   return {figures.values(), writer ? writer->finish() : FileSum()};
 }
 
-double figure(const JobResult& result, std::string_view name) {
-  const auto names = Figures::names();
-  return result
-      .figures[static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
-}
-
 /// A recording whose unit was forgotten touches nothing, or presses far deeper than a finger can.
 void warn_of_odd_depth(const Scene& scene, const World& world, const FingerPath& path, JobResult& result) {
   constexpr double deepest_m = 0.1, mm_per_m = 1e3;
-  const double depth_m = figure(result, "max_depth_m");
+  const double depth_m = Figures::of(result.figures, "max_depth_m");
   if (!scene.motion.file.empty() && depth_m > deepest_m)
     result.warnings.push_back(
         fmt::format("{}: the finger is pressed {:.4g} mm deep, which no finger is: check [motion] unit{}",
                     scene.name, mm_per_m * depth_m, scene.parts.empty() ? "" : " and [[part]] unit"));
-  if (figure(result, "contact_ticks") > 0) return;
+  if (Figures::of(result.figures, "contact_ticks") > 0) return;
   const std::string words = never_touches(world, path, scene.finger.radius_m);
   if (!words.empty()) result.warnings.push_back(fmt::format("{}: {}", scene.name, words));
+}
+
+/// What a finished run's figures tell of its recording.
+void warn_of_run(const Scene& scene, const World& world, const FingerPath& path, JobResult& result) {
+  warn_of_odd_depth(scene, world, path, result);
+  for (const std::string& words : residual_warnings(result.figures))
+    result.warnings.push_back(fmt::format("{}: {}", scene.name, words));
 }
 
 /// Told of each mesh that is larger than what meshes may take.
@@ -141,7 +143,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
   warn_of_large_meshes(scene, meshes, result);
   if (output.path.empty()) {
     result.figures = run(scene, world, path, info, output).figures;
-    warn_of_odd_depth(scene, *world, path, result);
+    warn_of_run(scene, *world, path, result);
     return result;
   }
   const std::string digest = run_digest(info, output.format);
@@ -157,14 +159,14 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
       remove_unfinished(output.path);
       result.figures = *figures;
       result.kept = true;
-      warn_of_odd_depth(scene, *world, path, result);
+      warn_of_run(scene, *world, path, result);
       return result;
     }
   }
 
   const RunEnd end = run(scene, world, path, info, output);
   result.figures = end.figures;
-  warn_of_odd_depth(scene, *world, path, result);
+  warn_of_run(scene, *world, path, result);
   write_proof(output.path, digest, result.figures, end.trace);
   return result;
 }

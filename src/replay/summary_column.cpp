@@ -28,7 +28,10 @@ constexpr SummaryColumn figure_columns[] = {
     {"mean_normal_force_n", "N", "the mean normal force while it touched"},
     {"max_normal_force_n", "N", "the greatest normal force"},
     {"max_friction_n", "N", "the greatest friction force"},
-    {"mean_slip_mu", "1", "the mean coefficient of friction in slip"},
+    {"mean_slip_mu", "1",
+     "the mean coefficient of friction of the ticks in slip that have a normal force; nan where there are "
+     "none",
+     Kind::number, true},
     {"max_mu", "1", "the greatest coefficient of friction"},
     {"friction_work_j", "J",
      "the work of friction on the finger; below 0 where it takes energy, as it should"},
@@ -51,6 +54,15 @@ constexpr SummaryColumn figure_columns[] = {
      "of a motion with a measured force: the root mean square of the model's whole force less the measured "
      "one; "
      "else nan",
+     Kind::number, true},
+    {"residual_bias_n", "N",
+     "of a motion with a measured force: the length of what is left of it on average, without contact where "
+     "the finger is ever free (what a sensor that was not tared shows), else over the whole run; else nan",
+     Kind::number, true},
+    {"residual_lag_s", "s",
+     "of a motion with a measured force: how much later than the model's the measured force comes, where "
+     "that "
+     "makes both fit better; 0 where nothing does, nan where it cannot be told",
      Kind::number, true},
 };
 

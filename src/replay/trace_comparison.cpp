@@ -34,9 +34,8 @@ std::vector<RowPair> rows_at_common_times(const Trace& a, const Trace& b) {
   return pairs;
 }
 
-/// Whether a trace was written without the column.
 bool lacks(const Trace& trace, const TraceColumn& column) {
-  return std::find(trace.missing.begin(), trace.missing.end(), column.name) != trace.missing.end();
+  return std::find(trace.absent.begin(), trace.absent.end(), column.name) != trace.absent.end();
 }
 
 /// Adds the column where it differs.
@@ -83,8 +82,8 @@ std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tole
   for (const TraceColumn& column : trace_columns()) {
     const bool lacks_a = lacks(a, column), lacks_b = lacks(b, column);
     if (lacks_a != lacks_b)
-      changes.push_back(whole_change(
-          fmt::format("{} is in the {} trace alone", column.name, lacks_a ? "second" : "first")));
+      changes.push_back(whole_change(fmt::format("{} is in the {} trace alone, and not compared", column.name,
+                                                 lacks_a ? "second" : "first")));
     if (lacks_a || lacks_b || column.name == "t_s") continue;  // by which they were set side by side
     compare_column(column, a, b, pairs, tolerance, changes);
   }

@@ -14,6 +14,7 @@
 #include "part/load_progress.hpp"
 #include "part/verdict.hpp"
 #include "scene/scene.hpp"
+#include "touch/choice_memory.hpp"
 
 namespace fingerpad {
 
@@ -53,6 +54,9 @@ class MeshStore {
   /// How many parts were measured so far.
   long measured_count() const noexcept { return measured_count_; }
 
+  /// How the parts were to be touched, kept for as long as the store.
+  ChoiceMemory& choices() noexcept { return choices_; }
+
   /// How many meshes are loaded and kept.
   std::size_t kept_count();
 
@@ -81,6 +85,7 @@ class MeshStore {
   std::deque<Key> last_used_;                          // newest in front
   std::map<Key, std::shared_ptr<Measured>> measured_;  // by the file's hash in place of its path
   std::atomic<long> measured_count_{0};
+  ChoiceMemory choices_;
 };
 
 }  // namespace fingerpad

@@ -8,13 +8,35 @@ std::vector<PlacedSurface> placed_surfaces(const World& world) {
   return {world.surfaces.begin(), world.surfaces.end()};
 }
 
-void settle_contact(World& world, const Scene& scene, std::span<const PartMeasures> measures) {
-  world.contact = choose_contact(scene, world.surfaces, measures);
+namespace {
+
+void prepare_normals(const World& world, const Scene& scene) {
   const auto prepare = settled_contact(scene, world).normals->prepare;
   if (prepare == nullptr) return;
   for (const Surface& surface : world.surfaces) {
     if (surface.tree) prepare(*surface.tree);
   }
+}
+
+/// Chosen for the world, or for another like it.
+ContactChoice chosen_contact(const World& world, const Scene& scene, MeshStore& meshes,
+                             std::span<const std::shared_ptr<const LoadedMesh>> loaded) {
+  if (!leaves_a_choice(scene.contact)) return choose_contact(scene, world.surfaces, {});
+  const std::string key = choice_key(scene, world);
+  if (const auto known = meshes.choices().find(key)) return *known;
+  std::vector<PartMeasures> measures;
+  for (std::size_t i = 0; i < loaded.size(); ++i)
+    measures.push_back(meshes.measure(scene.parts[i], *loaded[i]));
+  const ContactChoice choice = choose_contact(scene, world.surfaces, measures);
+  meshes.choices().keep(key, choice);
+  return choice;
+}
+
+}  // namespace
+
+void settle_contact(World& world, const Scene& scene, std::span<const PartMeasures> measures) {
+  world.contact = choose_contact(scene, world.surfaces, measures);
+  prepare_normals(world, scene);
 }
 
 std::shared_ptr<const World> load_world(const Scene& scene, const LoadProgress& progress) {
@@ -24,9 +46,9 @@ std::shared_ptr<const World> load_world(const Scene& scene, const LoadProgress& 
 
 std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
   auto world = std::make_shared<World>();
-  std::vector<PartMeasures> measures;
+  std::vector<std::shared_ptr<const LoadedMesh>> loaded;
   for (const PartEntry& entry : scene.parts) {
-    const auto mesh = meshes.load(entry);
+    const auto& mesh = loaded.emplace_back(meshes.load(entry));
     Surface surface;
     surface.properties = entry.surface;
     surface.part = mesh->part;
@@ -37,7 +59,6 @@ std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
     surface.mesh_hash = mesh->hash;
     world->surfaces.push_back(std::move(surface));
     world->verdicts.push_back(mesh->verdict);
-    if (leaves_a_choice(scene.contact)) measures.push_back(meshes.measure(entry, *mesh));
   }
   for (const PlaneEntry& entry : scene.planes) {
     Surface surface;
@@ -46,7 +67,8 @@ std::shared_ptr<const World> load_world(const Scene& scene, MeshStore& meshes) {
     surface.plane_normal_W = entry.normal;
     world->surfaces.push_back(std::move(surface));
   }
-  settle_contact(*world, scene, measures);
+  world->contact = chosen_contact(*world, scene, meshes, loaded);
+  prepare_normals(*world, scene);
   return world;
 }
 

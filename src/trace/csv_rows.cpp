@@ -9,6 +9,7 @@
 #include <system_error>
 
 #include "base/csv_columns.hpp"
+#include "base/csv_split.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
@@ -55,6 +56,7 @@ std::vector<std::size_t> find_columns(const std::string& where, std::string_view
   const std::size_t beyond = names.size();
   for (const TraceColumn& column : trace_columns()) {
     const auto place = csv_column(header, column.name, where);
+    if (!place) trace.absent.emplace_back(column.name);
     if (!place && column.of == ColumnOf::every_trace) {
       trace.missing.emplace_back(column.name);
       trace.info.columns = {names.begin(), names.end()};
@@ -80,9 +82,8 @@ bool is_blank(std::string_view line) {
   return line.find_first_not_of(" \t\r") == std::string_view::npos;
 }
 
-TickRecord read_row(const TextLines& lines, std::string_view line, const std::vector<std::size_t>& places,
-                    std::size_t cell_count) {
-  const auto cells = csv_cells(line, ',');
+TickRecord read_row(const TextLines& lines, const std::vector<std::string_view>& cells,
+                    const std::vector<std::size_t>& places, std::size_t cell_count) {
   if (cells.size() != cell_count) {
     throw refused(lines.place(),
                   fmt::format("has {} cells, but the header has {}", cells.size(), cell_count));
@@ -157,6 +158,7 @@ Trace read_csv_trace(const std::string& path) {
   }
   trace.info.changes = read_scene_changes(read_change_file(path), change_file_name(path));
   trace.complete = !path.ends_with(".part");
+  std::vector<std::string_view> cells;
   while (lines.next(line)) {
     if (!lines.ended() && !trace.complete) break;  // the row that was under way
     if (is_blank(line)) continue;
@@ -165,7 +167,8 @@ Trace read_csv_trace(const std::string& path) {
       trace.complete = false;
       break;
     }
-    trace.rows.push_back(read_row(lines, line, places, cell_count));
+    split_csv(line, ',', cells);
+    trace.rows.push_back(read_row(lines, cells, places, cell_count));
   }
   return trace;
 }

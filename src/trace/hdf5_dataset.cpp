@@ -136,14 +136,22 @@ Handle create_column(const Handle& file, const std::string& name, NumberType typ
   return create_column(file, name, ColumnLayout{type}, unit);
 }
 
-void write_chunk(const Handle& column, std::uint64_t first_row, const ChunkBytes& chunk, std::uint64_t rows) {
+void write_chunks(std::span<const ColumnChunk> chunks, std::uint64_t first_row, std::uint64_t rows) {
   static_assert(std::endian::native == std::endian::little, "chunks are written as they lie in memory");
-  const Turn turn;
   const hsize_t at = first_row, total = rows;
-  if (H5Dset_extent(column.id(), &total) < 0 ||
-      H5Dwrite_chunk(column.id(), H5P_DEFAULT, chunk.skipped_filters, &at, chunk.bytes.size(),
-                     chunk.bytes.data()) < 0)
-    throw write_error(column.path(), "a column");
+  LateBytes late;
+  {
+    const Turn turn;
+    for (const auto& [column, chunk] : chunks) {
+      if (H5Dset_extent(column->id(), &total) < 0) throw write_error(column->path(), "a column");
+      late.expect(chunk.bytes);
+      const herr_t status = H5Dwrite_chunk(column->id(), H5P_DEFAULT, chunk.skipped_filters, &at,
+                                           chunk.bytes.size(), chunk.bytes.data());
+      late.settle();
+      if (status < 0) throw write_error(column->path(), "a column");
+    }
+  }
+  late.write();
 }
 
 void append(const Handle& column, std::size_t rows, std::span<const double> values) {

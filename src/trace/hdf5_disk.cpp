@@ -108,8 +108,9 @@ herr_t disk_read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, 
   return 0;
 }
 
-herr_t disk_write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, const void* from) {
-  Disk& disk = disk_of(file);
+thread_local LateBytes* late_bytes = nullptr;
+
+void write_now(Disk& disk, haddr_t at, std::size_t size, const void* from) noexcept {
   const auto* bytes = static_cast<const char*>(from);
   while (size > 0 && disk.failure == 0) {
     const ssize_t count = pwrite(disk.file, bytes, size, static_cast<off_t>(at));
@@ -122,6 +123,12 @@ herr_t disk_write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size,
     at += static_cast<haddr_t>(count);
     size -= static_cast<std::size_t>(count);
   }
+}
+
+herr_t disk_write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, const void* from) {
+  Disk& disk = disk_of(file);
+  const bool is_late = late_bytes != nullptr && late_bytes->notes(file, at, size, from);
+  if (!is_late) write_now(disk, at, size, from);
   disk.eof = std::max(disk.eof, at + size);
   return 0;
 }
@@ -156,6 +163,29 @@ H5FD_class_t disk_class() {
 }
 
 }  // namespace
+
+void LateBytes::expect(std::span<const std::byte> bytes) {
+  places_.reserve(places_.size() + 1);  // so that nothing throws amid HDF5
+  expected_ = bytes;
+  late_bytes = this;
+}
+
+void LateBytes::settle() noexcept {
+  expected_ = {};
+  if (late_bytes == this) late_bytes = nullptr;
+}
+
+void LateBytes::write() noexcept {
+  for (const Place& place : places_)
+    write_now(disk_of(place.file), place.at, place.bytes.size(), place.bytes.data());
+  places_.clear();
+}
+
+bool LateBytes::notes(H5FD_t* file, haddr_t at, std::size_t size, const void* from) noexcept {
+  if (from != expected_.data() || size != expected_.size()) return false;
+  places_.push_back({file, at, expected_});
+  return true;
+}
 
 bool write_through_disk(const Handle& access) {
   static const H5FD_class_t driver = disk_class();

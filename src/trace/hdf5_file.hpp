@@ -100,9 +100,15 @@ struct ChunkBytes {
 /// @param room  kept by the caller, so that it is not asked for anew each time
 ChunkBytes packed_chunk(std::span<const std::byte> chunk, std::size_t value_bytes,
                         std::vector<std::byte>& room);
-/// Puts a chunk where it begins, beyond HDF5's cache; the column then has `rows` rows.
-/// @pre first_row is a multiple of the chunk's rows; the numbers are the file's: little-endian
-void write_chunk(const Handle& column, std::uint64_t first_row, const ChunkBytes& chunk, std::uint64_t rows);
+struct ColumnChunk {
+  const Handle* column;
+  ChunkBytes chunk;
+};
+/// Puts chunks of one file's columns where they begin, beyond HDF5's cache; the columns then have `rows`
+/// rows. The turn is taken to find their places; the disk has their bytes afterwards, while other threads
+/// take theirs.
+/// @pre first_row is a multiple of the chunks' rows; the numbers are the file's: little-endian
+void write_chunks(std::span<const ColumnChunk> chunks, std::uint64_t first_row, std::uint64_t rows);
 
 /// Adds values behind the first `rows`.
 void append(const Handle& column, std::size_t rows, std::span<const double> values);

@@ -2,8 +2,11 @@
 
 #include <hdf5.h>
 
+#include <cstddef>
+#include <span>
 #include <string>
 #include <type_traits>
+#include <vector>
 
 #include "base/error.hpp"
 #include "trace/hdf5_file.hpp"
@@ -27,6 +30,34 @@ int last_open_failure();
 int last_close_failure();
 /// errno of the first write of this file that failed; 0 if none has.
 int write_failure(const Handle& file);
+
+/// Of a chunk that HDF5 is asked to write as it lies in memory: the driver notes where it belongs, and writes
+/// it when the thread no longer holds up the others.
+class LateBytes {
+ public:
+  /// The driver takes these bytes of this thread's next writes for late ones. They must stay until write().
+  void expect(std::span<const std::byte> bytes);
+  /// From now on writes of this thread are written at once again.
+  void settle() noexcept;
+  /// Writes what was noted; a failure is kept as that of any write (write_failure). Needs no turn.
+  void write() noexcept;
+  LateBytes() = default;
+  ~LateBytes() { settle(); }
+  LateBytes(const LateBytes&) = delete;
+  LateBytes& operator=(const LateBytes&) = delete;
+
+  /// Of the driver: whether the bytes are expected, and are noted.
+  bool notes(H5FD_t* file, haddr_t at, std::size_t size, const void* from) noexcept;
+
+ private:
+  struct Place {
+    H5FD_t* file;
+    haddr_t at;
+    std::span<const std::byte> bytes;
+  };
+  std::span<const std::byte> expected_;
+  std::vector<Place> places_;
+};
 
 /// HDF5 itself would not write `what`.
 Error write_error(const std::string& path, const std::string& what);

@@ -172,9 +172,10 @@ std::vector<TraceColumn> hear_columns(Hearer& hear, Trace& trace) {
   for (std::size_t k = 0; k < columns.size(); ++k) {
     if (there[k] == '1') {
       present.push_back(columns[k]);
-    } else if (columns[k].of == ColumnOf::every_trace) {
-      trace.missing.emplace_back(columns[k].name);
+      continue;
     }
+    trace.absent.emplace_back(columns[k].name);
+    if (columns[k].of == ColumnOf::every_trace) trace.missing.emplace_back(columns[k].name);
   }
   return present;
 }

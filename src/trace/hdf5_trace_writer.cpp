@@ -1,6 +1,5 @@
 #include "trace/hdf5_trace_writer.hpp"
 
-#include <optional>
 #include <utility>
 #include <vector>
 
@@ -125,15 +124,16 @@ class Hdf5TraceWriter final : public TraceWriter {
     if (chunks_.row_count() == 0) return;
     chunks_.clear_rest();
     const std::uint64_t rows = first_row_ + chunks_.row_count();
-    std::optional<hdf5::Turn> turn;
-    if (!deflated_) turn.emplace();  // what is to be packed first is packed without
+    std::vector<hdf5::ColumnChunk> written;
     for (std::size_t k = 0; k < datasets_.size(); ++k) {
       const std::span<const std::byte> chunk = chunks_.chunk(k);
       const TraceColumn& column = chunks_.columns()[k];
-      hdf5::write_chunk(datasets_[k], first_row_,
-                        is_deflated(column) ? hdf5::packed_chunk(chunk, kept_bytes(column.kind), room_)
-                                            : hdf5::ChunkBytes{chunk},
-                        rows);
+      written.push_back({&datasets_[k], is_deflated(column)
+                                            ? hdf5::packed_chunk(chunk, kept_bytes(column.kind), room_)
+                                            : hdf5::ChunkBytes{chunk}});
+      if (!deflated_ && k + 1 < datasets_.size()) continue;
+      hdf5::write_chunks(written, first_row_, rows);  // one by one where they share the room for packing
+      written.clear();
     }
     if (!chunks_.is_full()) return;
     first_row_ = rows;

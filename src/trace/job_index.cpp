@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <optional>
 #include <string_view>
 
 #include "base/csv_cell.hpp"
@@ -13,18 +14,23 @@ namespace fingerpad {
 namespace {
 
 /// Before the set keys.
-constexpr std::size_t fixed_columns = 5, file_column = 1, mesh_column = 3;
+constexpr std::size_t fixed_columns = 5, file_column = 1, mesh_column = 3, motion_column = 4;
 
-/// "mu_static 0.3, law dahl" of a row; the mesh has its own place in a title.
-std::string words_of(const std::vector<std::string>& keys, const std::vector<std::string_view>& cells) {
+/// Whether a set key says what a fixed column says too.
+bool has_own_column(std::string_view key) noexcept {
+  return key == "mesh" || key == "motion";
+}
+
+/// "rub.csv, mu_static 0.3, law dahl" of a row; the mesh has its own place in a title.
+std::string words_of(const std::vector<std::string>& keys, const std::vector<std::string_view>& cells,
+                     bool motions_vary) {
   std::string words;
+  if (motions_vary) words = std::filesystem::path(cells[motion_column]).filename().string();
   for (std::size_t i = fixed_columns; i < std::min(keys.size(), cells.size()); ++i) {
     const std::string& key = keys[i];
-    if (cells[i].empty() || key == "mesh" || key == "part.mesh") continue;
-    const bool is_file = key == "motion" || key == "motion.file";
+    if (cells[i].empty() || has_own_column(key) || key == "part.mesh" || key == "motion.file") continue;
     words += words.empty() ? "" : ", ";
-    words += is_file ? std::filesystem::path(cells[i]).filename().string()
-                     : key.substr(key.rfind('.') + 1) + " " + std::string(cells[i]);
+    words += key.substr(key.rfind('.') + 1) + " " + std::string(cells[i]);
   }
   return words;
 }
@@ -48,6 +54,17 @@ void for_each_row(const std::filesystem::path& index, const Take& take) {
   }
 }
 
+bool motions_vary_in(const std::filesystem::path& index) {
+  std::optional<std::string> first;
+  bool vary = false;
+  for_each_row(index, [&](const auto&, const auto& cells) {
+    if (!first) first = cells[motion_column];
+    vary = *first != cells[motion_column];
+    return !vary;
+  });
+  return vary;
+}
+
 /// The indices in a folder, by name.
 std::vector<std::filesystem::path> indices_in(const std::filesystem::path& folder) {
   std::vector<std::filesystem::path> indices;
@@ -66,12 +83,15 @@ std::vector<std::filesystem::path> indices_in(const std::filesystem::path& folde
 
 std::string job_index_text(const std::vector<std::string>& keys, const std::vector<JobIndexRow>& rows) {
   std::string text = "number,file,scene,mesh,motion";
-  for (const std::string& key : keys) text += "," + csv_cell(key);
+  for (const std::string& key : keys) {
+    if (!has_own_column(key)) text += "," + csv_cell(key);
+  }
   text += "\n";
   for (const JobIndexRow& row : rows) {
     text += std::to_string(row.number);
     for (const std::string& cell : {row.file, row.scene, row.mesh, row.motion}) text += "," + csv_cell(cell);
     for (const std::string& key : keys) {
+      if (has_own_column(key)) continue;
       const auto found = std::find_if(row.values.begin(), row.values.end(),
                                       [&](const auto& value) { return value.first == key; });
       text += "," + (found != row.values.end() ? csv_cell(found->second) : "");
@@ -88,7 +108,7 @@ std::string varied_in_job(const std::string& trace_path) {
   for (const auto& index : indices_in(path.parent_path().empty() ? "." : path.parent_path())) {
     for_each_row(index, [&](const auto& keys, const auto& cells) {
       if (cells[file_column] != file) return true;
-      words = words_of(keys, cells);
+      words = words_of(keys, cells, motions_vary_in(index));
       return false;
     });
     if (!words.empty()) break;
@@ -99,9 +119,10 @@ std::string varied_in_job(const std::string& trace_path) {
 std::map<std::string, std::string> jobs_in_folder(const std::string& folder) {
   std::map<std::string, std::string> jobs;
   for (const auto& index : indices_in(folder)) {
+    const bool motions_vary = motions_vary_in(index);
     for_each_row(index, [&](const auto& keys, const auto& cells) {
       std::string words = std::filesystem::path(cells[mesh_column]).filename().string();
-      const std::string varied = words_of(keys, cells);
+      const std::string varied = words_of(keys, cells, motions_vary);
       words += words.empty() || varied.empty() ? varied : ", " + varied;
       jobs.emplace(cells[file_column], std::move(words));
       return true;

@@ -284,13 +284,17 @@ LoadedMotion laid_at_chosen_rate(const Scene& scene, MeshStore& meshes) {
 void warn_of_odd_force(Reading& reading) {
   const std::vector<double>& forces_n = reading.motion.normal_force_n;
   if (forces_n.empty()) return;
-  const double most_n = *std::max_element(forces_n.begin(), forces_n.end());
-  if (!(most_n > 0))
-    reading.warn(
-        "its measured normal force is never above 0, so that no friction acts: is it that on the surface "
-        "(force_on = \"plate\")?");
   constexpr double hardest_n = 40;
   const double usual_n = pressed_median_n(forces_n);
+  if (usual_n < 0)
+    reading.warn(fmt::format(
+        "its measured normal force is {:.3g} N where it presses, and one below 0 presses nothing: "
+        "the finger feels no force there, nor friction; where it is the force on the surface, as "
+        "a plate measures it, say force_on = \"plate\" in [motion]",
+        usual_n));
+  if (usual_n == 0)
+    reading.warn(
+        "its measured normal force is 0 throughout, so that no force acts: is its column the right one?");
   if (usual_n > hardest_n)
     reading.warn(
         fmt::format("its measured normal force is {:.3g} N where it presses, harder than a finger rubs: "

@@ -56,6 +56,9 @@ struct Trace {
   std::shared_ptr<const World> world;
   /// Columns that every whole trace has, and this one was written without; rows are there as they are made.
   std::vector<std::string> missing;
+  /// All columns that the file does not have, those of other kinds of runs too; rows are there as they are
+  /// made.
+  std::vector<std::string> absent;
 };
 
 /// What of a trace is wanted: the surfaces cost time to rebuild. `some_rows` takes a trace that was written

@@ -143,6 +143,76 @@ TEST(Compare, SaysWhereAJobIsAnotherInTheSecondFolder) {
               HasSubstr("s-0001.h5 (seed 1; now law none): ffx_n"));
 }
 
+TEST(Compare, CountsJobsOfOneFolderAlone) {
+  const fs::path folder = folder_with_set();
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b --shard 1/5", folder).exit_code, 0);
+  const auto few = test::fingerpad("compare a b --out alone.csv", folder);
+  EXPECT_EQ(few.exit_code, 4);
+  EXPECT_THAT(
+      few.out,
+      HasSubstr("4 jobs are in a alone: s-0002.h5 (seed 2), s-0003.h5 (seed 3), s-0004.h5 (seed 4) and 1 "
+                "more\n4 of 5 traces changed from a to b\n"));
+  EXPECT_THAT(few.out, Not(HasSubstr("first summary")));
+  const std::string rows = bytes_of(folder / "alone.csv");
+  EXPECT_EQ(std::count(rows.begin(), rows.end(), '\n'), 1 + 4);
+  const auto quiet = test::fingerpad("compare a b --quiet --out alone.csv", folder);
+  EXPECT_EQ(quiet.exit_code, 4);
+  EXPECT_EQ(quiet.out, "");
+}
+
+TEST(Compare, TellsAFailedJobOnce) {
+  const fs::path folder = folder_with_set();
+  std::string text = bytes_of(folder / "s.toml");
+  const auto with_laws = [&](const std::string& laws) {
+    std::ofstream(folder / "s.toml") << text.substr(0, text.find("seed = {")) << "friction.law = " << laws
+                                     << "\n";
+  };
+  with_laws("[\"dahl\", \"coulomb\"]");
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);
+  with_laws("[\"dahl\", \"column\"]");
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b", folder).exit_code, 4);
+  const auto found = test::fingerpad("compare a b", folder);
+  EXPECT_THAT(found.out, HasSubstr("s job 2 (friction.law coulomb): was 'ok', is 's.toml"));
+  EXPECT_THAT(found.out, HasSubstr("unknown law 'column'"));
+  EXPECT_THAT(found.out, Not(HasSubstr("alone")));
+  EXPECT_THAT(found.out, HasSubstr("1 of 2 traces changed from a to b\n"));
+}
+
+/// The rows of a table without its last columns, or with one more.
+void write_other_columns(const fs::path& from, const fs::path& to, const std::string& awk) {
+  EXPECT_EQ(test::shell("awk -F, -v OFS=, '" + awk + "' '" + from.string() + "' > '" + to.string() + "'",
+                        to.parent_path())
+                .exit_code,
+            0);
+}
+
+TEST(Compare, TellsAColumnThatOneSideLacksAsAbsent) {
+  const fs::path folder = folder_with_set();
+  const std::string replay = "replay s.toml --quiet --out ";
+  ASSERT_EQ(test::fingerpad(replay + "a --format none", folder).exit_code, 0);
+  fs::create_directory(folder / "b");
+  // Without residual_bias_n and residual_lag_s, as an older program's.
+  write_other_columns(folder / "a/summary.csv", folder / "b/summary.csv",
+                      "{ $(NF-3) = $(NF-1); $(NF-2) = $NF; NF -= 2; print }");
+  const auto older = test::fingerpad("compare b a", folder);
+  EXPECT_EQ(older.exit_code, 4);
+  EXPECT_EQ(older.out,
+            "summary.csv: residual_bias_n is in the second summary alone, and not compared\n"
+            "summary.csv: residual_lag_s is in the second summary alone, and not compared\n"
+            "0 of 5 jobs changed from b to a\n");
+
+  ASSERT_EQ(test::fingerpad(replay + "c --format csv --shard 1/5", folder).exit_code, 0);
+  fs::create_directory(folder / "d");
+  write_other_columns(folder / "c/s-0001.csv", folder / "d/s-0001.csv",
+                      "{ print $0, NR == 1 ? \"walls\" : 1 }");
+  const auto walls = test::fingerpad("compare c d", folder);
+  EXPECT_EQ(walls.exit_code, 4);
+  EXPECT_EQ(walls.out,
+            "s-0001.csv (seed 1): walls is in the second trace alone, and not compared\n"
+            "1 of 1 trace changed from c to d\n");
+}
+
 TEST(Compare, TellsTheWorstJobsAndListsAllInATable) {
   const fs::path folder = folder_with_set();
   const std::string replay = "replay s.toml --quiet --format none --out ";

@@ -169,6 +169,19 @@ TEST(Ranks, ThatComeWhenTheOthersHaveDoneAllDoNothing) {
   EXPECT_NE(bytes_of(folder / "o" / "plane-0001.h5"), "changed\n");
 }
 
+/// Its patience is a day: one that sits it out is ended, and says so.
+TEST(Ranks, ThatComeLateDoNotWaitForARootThatHasLeft) {
+  const fs::path folder = folder_with_batch();
+  std::string late = as_rank(1);
+  late.replace(late.find("--wait-for-ranks 0\n"), 19, "--wait-for-ranks 86400 &\n");
+  const ShellResult run =
+      test::shell(as_rank(0) + late +
+                      "late=$!\ntimeout 60 tail --pid=$late -f /dev/null || kill -9 $late\nwait $late\n"
+                      "echo ended $?\n",
+                  folder);
+  EXPECT_THAT(run.out, HasSubstr("in o\nended 0\n")) << run.err;
+}
+
 /// As where one script that is started with ranks calls it twice.
 TEST(Ranks, WhoseRootIsCalledAgainByOneLauncherDoItAgain) {
   const fs::path folder = folder_with_batch();

@@ -205,10 +205,14 @@ js (document.querySelector("[data-look=whole]").click(), window.seen = [...Array
 js (location.hash = "charts", 1)
 until document.querySelectorAll("#chart circle").length === 3
 js document.querySelectorAll("#matrix td").length
+js (window.teeth = { inPairs: true, times: [...Array(40).keys()], values: [...Array(40).keys()].map(i => i % 2) }, [denseStretches(teeth).every(Boolean), denseStretches({ inPairs: true, values: teeth.times }).some(Boolean)])
+js (window.fills = 0, curvePlotter(teeth)({ points: teeth.times.map((t, i) => ({ xval: t, yval: teeth.values[i], canvasx: t, canvasy: teeth.values[i] })), drawingContext: new Proxy({}, { get: (_, name) => () => { fills += name === "fill"; }, set: () => true }), color: "red", strokeWidth: 1 }), fills)
+js [[1, 1.001, 2], [1, 1.001], [1, 1000]].map(values => { const scale = colourScale(values); return Math.round(1000 * (scale.share(values[1]) - scale.share(values[0]))); })
+js axisEnds(0, 0.73, 6).concat(axisEnds(-0.2, 31, 6)).map(end => +end.toPrecision(3))
 click nav a[href="#licences"]
 until getComputedStyle(document.getElementById("licences")).display === "block"
 )steps");
-  ASSERT_EQ(answers.size(), 16u);
+  ASSERT_EQ(answers.size(), 20u);
   EXPECT_EQ(answers[0], 6) << "rows";
   EXPECT_THAT(answers[1], HasSubstr("failed: ")) << "the worst stand first";
   EXPECT_EQ(answers[2], 2) << "of the law that was typed";
@@ -224,7 +228,11 @@ until getComputedStyle(document.getElementById("licences")).display === "block"
   EXPECT_GT(answers[12], 0.8) << "the whole part fills the view";
   EXPECT_LE(answers[12], 1);
   EXPECT_EQ(answers[14], 3) << "medians, a law each";
-  EXPECT_EQ(answers[15], json({{"requests", json::array()}, {"errors", json::array()}}));
+  EXPECT_EQ(answers[15], json({true, false})) << "teeth are dense, a rise is not";
+  EXPECT_EQ(answers[16], 1) << "a band";
+  EXPECT_EQ(answers[17], json({1, 0, 1000})) << "what differs by a thousandth looks alike";
+  EXPECT_EQ(answers[18], json({0, 0.8, -10, 40})) << "ends at ticks";
+  EXPECT_EQ(answers[19], json({{"requests", json::array()}, {"errors", json::array()}}));
 }
 
 }  // namespace

@@ -16,7 +16,10 @@ namespace fingerpad::residual_test {
 namespace {
 
 namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::Not;
 
 constexpr const char* scene =
@@ -38,13 +41,13 @@ std::vector<BatchJob> run(const fs::path& folder, double stiffness_per_m, const 
 }
 
 double rms_of(const BatchJob& job) {
-  const auto names = Figures::names();
-  const auto at = std::find(names.begin(), names.end(), "residual_rms_n") - names.begin();
-  return job.figures[static_cast<std::size_t>(at)];
+  return Figures::of(job.figures, "residual_rms_n");
 }
 
 /// A rub of one second, 1 mm deep, and the forces that a pad of 150 1/m has along it.
-fs::path measured_rub() {
+/// @param late_ms  how long a recorder keeps them
+/// @param off_n    of a sensor that was not tared
+fs::path measured_rub(int late_ms = 0, double off_n = 0) {
   const fs::path folder = test::scratch_dir();
   const auto place_text = [](int i) {
     return fmt::format("{:.3f},{:.9f},0,-0.001", i / 1000.0, 0.02 * std::sin(2 * M_PI * i / 1000.0));
@@ -58,7 +61,8 @@ fs::path measured_rub() {
   std::ofstream table(folder / "rub.csv");
   table << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n";
   for (int i = 0; i <= 1000; ++i) {
-    const Vec3& force_n = trace.rows[static_cast<std::size_t>(i)].force_W_n;
+    const Vec3 force_n =
+        trace.rows[static_cast<std::size_t>(std::max(0, i - late_ms))].force_W_n + Vec3(0, 0, off_n);
     table << place_text(i) << fmt::format(",{},{},{}\n", force_n.x(), force_n.y(), force_n.z());
   }
   return folder;
@@ -92,6 +96,22 @@ TEST(Residual, OfAMotionWithoutAMeasuredForceIsNoNumber) {
   const BatchJob job = run(folder, 150, "", TraceFormat::csv)[0];
   EXPECT_TRUE(std::isnan(rms_of(job)));
   EXPECT_THAT(test::bytes_of(folder / "out/s.csv").substr(0, 600), Not(HasSubstr("rfx_n")));
+}
+
+TEST(Residual, TellsARecorderThatIsLate) {
+  const fs::path folder = measured_rub(12);
+  const BatchJob job = run(folder, 150, measured_columns)[0];
+  EXPECT_NEAR(Figures::of(job.figures, "residual_lag_s"), 0.012, 2e-4);
+  EXPECT_THAT(job.warnings, Contains(AllOf(HasSubstr("s: the measured force fits the model's best"),
+                                           HasSubstr("12 ms earlier"), HasSubstr("--delay"))));
+}
+
+TEST(Residual, TellsASensorThatWasNotTared) {
+  const fs::path folder = measured_rub(0, 0.3);
+  const BatchJob job = run(folder, 150, measured_columns)[0];
+  EXPECT_NEAR(Figures::of(job.figures, "residual_bias_n"), 0.3, 1e-9);
+  EXPECT_THAT(job.warnings, Contains(HasSubstr("0.3 N of the residual's 0.3 N are the same all along")));
+  EXPECT_THAT(run(measured_rub(), 150, measured_columns)[0].warnings, IsEmpty());
 }
 
 TEST(Residual, OfAHandIsNone) {

@@ -1,10 +1,12 @@
 #include "touch/contact_choice.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
 
 #include <numbers>
+#include <set>
 #include <thread>
 
 #include "support/mesh_files.hpp"
@@ -369,6 +371,39 @@ TEST(ContactChoice, APartIsMeasuredOnceForItsContentAndOnlyWhereThereIsAChoice) 
   EXPECT_EQ(meshes.measured_count(), 3);
   scene.parts[0].metres_per_unit = 1;
   EXPECT_THAT(load_world(scene, meshes)->contact->reasons.at(0), HasSubstr("near an edge")) << "1 m thick";
+}
+
+/// Everything that a choice may go by, one after the other, in one store and each in one of its own.
+TEST(ContactChoice, IsRememberedForNothingElse) {
+  using Change = void (*)(Scene&);
+  constexpr Change changes[] = {
+      [](Scene& scene) { scene.finger.radius_m = 0.004; },
+      [](Scene& scene) { scene.contact.greatest_force_n = 0.1; },
+      [](Scene& scene) { scene.contact.force_tolerance = 1e-6; },
+      [](Scene& scene) { scene.contact.automatic_normals = true; },
+      [](Scene& scene) { scene.contact.mu_tolerance = 1e-9; },
+      [](Scene& scene) { scene.parts[0].surface.mu_dynamic = 0.7; },
+      [](Scene& scene) { scene.parts[0].surface.stiffness_n_per_m = 333; },
+      [](Scene& scene) { scene.motion.rate_hz = 17; },
+      [](Scene& scene) { scene.contact.normals = Normals::facet; },
+      [](Scene& scene) { scene.parts[0].position_m.x() = 0.5; },
+      [](Scene& scene) { scene.parts[0].crease_deg = 80; },
+      [](Scene& scene) { scene.parts[0].mesh = "other.ply"; },
+      [](Scene& scene) { scene.contact.method = "closest-point"; },
+  };
+  Scene scene = plate_scene();
+  MeshStore meshes(1);
+  std::set<std::string> said;
+  for (const Change change : changes) {
+    load_world(scene, meshes);
+    change(scene);
+    const ContactChoice shared = *load_world(scene, meshes)->contact, own = *load_world(scene)->contact;
+    EXPECT_EQ(shared.method, own.method);
+    EXPECT_EQ(shared.normals, own.normals);
+    EXPECT_EQ(shared.reasons, own.reasons);
+    said.insert(fmt::format("{} {} {}", own.method, own.normals->name, fmt::join(own.reasons, "\n")));
+  }
+  EXPECT_GE(said.size(), 7u) << "so that one taken for another would be seen";
 }
 
 TEST(ContactChoice, ManyThreadsMeasureAPartOnceAndChooseTheSame) {

@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <fstream>
+#include <sstream>
 
 #include "scene/scene_file.hpp"
 #include "support/paths.hpp"
@@ -143,11 +145,23 @@ TEST(RecordingSource, ATraceHasARateAndNormalForcesToo) {
   EXPECT_NEAR(motion.path.at(30).normal_force_n.value(), 3, 1e-9);
 }
 
-TEST(RecordingSource, WarnsOfForcesThatNeverPress) {
+TEST(RecordingSource, WarnsOfForcesThatPressNothing) {
   const Scene scene = scene_with("file = \"m.csv\"\nnormal_force = \"measured\"\nrate_hz = 100\n");
-  std::ofstream(test::scratch_dir() / "m.csv") << "t_s,x_m,y_m,z_m,fn_n\n0,0,0,0,-1\n1,0,0,0,0\n";
-  EXPECT_THAT(load_motion(scene).warnings,
-              ElementsAre(HasSubstr("m.csv: its measured normal force is never above 0")));
+  const auto warnings = [&](const std::string& forces) {
+    std::ofstream file(test::scratch_dir() / "m.csv");
+    file << "t_s,x_m,y_m,z_m,fn_n\n";
+    std::istringstream each(forces);
+    int row = 0;
+    for (std::string force; each >> force;) file << fmt::format("{},0,0,0,{}\n", row++, force);
+    file.close();
+    return load_motion(scene).warnings;
+  };
+  // What a plate feels, whose noise is above 0 now and then.
+  EXPECT_THAT(warnings("0.02 -1 -1.5 -1.2 0.01"),
+              ElementsAre(AllOf(HasSubstr("m.csv: its measured normal force is -1.2 N where it presses"),
+                                HasSubstr("the finger feels no force"), HasSubstr("force_on = \"plate\""))));
+  EXPECT_THAT(warnings("0 0 0"), ElementsAre(HasSubstr("is 0 throughout")));
+  EXPECT_THAT(warnings("-0.02 1 1.5 -0.01"), IsEmpty());
 }
 
 TEST(RecordingSource, WarnsOfAForceThatDrivesTheFingerOrIsTooHard) {

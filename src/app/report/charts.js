@@ -10,10 +10,29 @@ function svg(tag, attributes, ...children) {
 function axisTicks(low, high, most) {
   const rough = (high - low) / most;
   const power = 10 ** Math.floor(Math.log10(rough));
-  const step = [1, 2, 5, 10].map(k => k * power).find(s => s >= rough);
+  const step = [1, 2, 5, 10].map(k => k * power).find(s => s >= rough * (1 - 1e-9));
   const ticks = [];
   for (let tick = Math.ceil(low / step - 1e-9) * step; tick <= high + step * 1e-6; tick += step) ticks.push(Math.abs(tick) < step * 1e-6 ? 0 : tick);
   return ticks;
+}
+
+/** Bounds of an axis that end at ticks, so that both ends have their number. */
+function axisEnds(low, high, most) {
+  for (let round = 0; round < 2; ++round) {  // wider bounds may ask for wider steps
+    const ticks = axisTicks(low, high, most), step = ticks.length > 1 ? ticks[1] - ticks[0] : high - low;
+    low = Math.floor(low / step + 1e-9) * step;
+    high = Math.ceil(high / step - 1e-9) * step;
+  }
+  return [low, high];
+}
+
+/** Where values stand between their least and greatest, 0 to 1: by size, or by powers where they are all above 0 and far apart.
+ *  Those that differ by less than a hundredth stand together in the middle. */
+function colourScale(values) {
+  const least = Math.min(...values), most = Math.max(...values);
+  if (!(most - least > 0.01 * Math.max(Math.abs(least), Math.abs(most)))) return { name: "alike to a hundredth, and so of one colour", share: () => 0.5 };
+  if (least > 0 && most / least > 50) return { name: "coloured by powers of ten", share: value => Math.log(value / least) / Math.log(most / least) };
+  return { name: "coloured by size", share: value => (value - least) / (most - least) };
 }
 
 function middle(values) {
@@ -43,8 +62,8 @@ function drawDots() {
   const values = jobs.map(job => job.figures[chosen.figure]);
   const scale = value => chosen.log ? Math.log10(value) : value;
   const least = Math.min(...values), most = Math.max(...values);
-  const low = chosen.log ? Math.floor(scale(least) + 1e-9) : Math.min(0, least);
-  const high = chosen.log ? Math.max(Math.ceil(scale(most) - 1e-9), low + 1) : Math.max(most, low + 1e-12);
+  const powers = [Math.floor(scale(least) + 1e-9), Math.ceil(scale(most) - 1e-9)];
+  const [low, high] = chosen.log ? [powers[0], Math.max(powers[1], powers[0] + 1)] : axisEnds(Math.min(0, least), Math.max(most, Math.min(0, least) + 1e-12), 6);
   const y = value => top + height * (1 - (scale(value) - low) / (high - low));
   const ticks = chosen.log ? axisTicks(low, high, 8).filter(Number.isInteger).map(power => 10 ** power) : axisTicks(low, high, 6);
   const picture = svg("svg", { width: room, height: top + height + bottom + 10, role: "img", "aria-label": words(column) + " across " + across.name });
@@ -94,7 +113,7 @@ function drawMatrix() {
     cells.set(key, [...(cells.get(key) || []), job.figures[chosen.matrix]]);
   }
   const medians = [...cells.values()].map(middle).filter(Number.isFinite);
-  const inOrder = [...new Set(medians)].sort((a, b) => a - b);
+  const scale = colourScale(medians);
   const across = sorted(new Set(jobs.map(columns.of)));
   const table = element("table", { class: "matrix" });
   table.append(element("tr", {}, element("th", {}, rows.name), ...across.map(name => element("th", {}, name || "(none)"))));
@@ -103,7 +122,7 @@ function drawMatrix() {
     for (const other of across) {
       const values = cells.get(JSON.stringify([name, other])) || [];
       const value = middle(values);
-      const share = inOrder.length > 1 ? inOrder.indexOf(value) / (inOrder.length - 1) : 0.5;
+      const share = scale.share(value);
       const cell = element("td", {}, Number.isFinite(value) ? si(value, unitOf(column) || "1") : "–");
       if (Number.isFinite(value)) {
         cell.style.background = report.colours.ramp[Math.round(share * (report.colours.ramp.length - 1))];
@@ -115,7 +134,7 @@ function drawMatrix() {
     table.append(line);
   }
   holder.replaceChildren(table, element("p", { class: "unit" },
-    `Median of ${words(column)}${unitOf(column) ? " [" + unitOf(column) + "]" : ""} of the jobs that ended ok, coloured by rank: the darkest is the least, the brightest the greatest.`));
+    `Median of ${words(column)}${unitOf(column) ? " [" + unitOf(column) + "]" : ""} of the jobs that ended ok, ${scale.name}${scale.share(NaN) === 0.5 ? "." : ": the darkest is the least, the brightest the greatest."}`));
 }
 
 function logarithmic() {

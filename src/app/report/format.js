@@ -25,7 +25,7 @@ function si(value, unit, digits = 3) {
 
 /** "max normal force" of max_normal_force_n: the unit is told beside it. */
 function words(column) {
-  return column.name.replace(/_(n_per_m|m|n|j)$/, "").replace(/_/g, " ");
+  return column.name.replace(/_(n_per_m|m|n|j|s)$/, "").replace(/_/g, " ");
 }
 function unitOf(column) {
   return column.unit === "1" ? "" : column.unit;

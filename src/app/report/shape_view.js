@@ -25,7 +25,7 @@ function unpackedRun(run) {
   return {
     path: words.subarray(0, 3 * n), forces: rest.subarray(0, n), phases: rest.subarray(n, 2 * n),
     times: Array.from({ length: m }, (_, i) => run.series.begin + i * run.series.step),
-    curves: curves.map((curve, c) => ({ name: curve.name, unit: curve.unit,
+    curves: curves.map((curve, c) => ({ name: curve.name, unit: curve.unit, inPairs: run.series.bucket > 0,
       times: sampleTimes(run.series, rest.subarray(2 * n + (c + 1) * m, 2 * n + (c + 2) * m)),
       values: unpacked(words.subarray(3 * n + c * m, 3 * n + (c + 1) * m), curve.low, curve.span) })),
     seriesPhases: rest.subarray(2 * n, 2 * n + m)

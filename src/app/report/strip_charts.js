@@ -36,12 +36,84 @@ function chartRows(curves, scale) {
   return joined;
 }
 
+/** Of each pair of samples, the least and the greatest of a stretch, whether the curve goes up and down between them:
+ *  the stretches beside it span most of what it spans. A rise spans what they do not. */
+function denseStretches(curve) {
+  if (!curve.inPairs) return [];
+  const spans = [];
+  for (let i = 0; i + 1 < curve.values.length; i += 2) spans.push([Math.min(curve.values[i], curve.values[i + 1]), Math.max(curve.values[i], curve.values[i + 1])]);
+  const whole = Math.max(...spans.map(span => span[1])) - Math.min(...spans.map(span => span[0]));
+  const shares = (span, beside) => !beside || Math.min(span[1], beside[1]) - Math.max(span[0], beside[0]) > 0.5 * (span[1] - span[0]);
+  const up = spans.map((span, k) => span[1] - span[0] > 0.02 * whole && shares(span, spans[k - 1]) && shares(span, spans[k + 1]));
+  return up.map((dense, k) => dense && Boolean(up[k - 1] || up[k + 1]));
+}
+
+/** A band between the least and the greatest, from the first sample to the last. */
+function drawBand(canvas, stretches, color) {
+  const first = stretches[0], last = stretches[stretches.length - 1];
+  const edge = side => [[first.from, side(first)], ...stretches.map(one => [(one.from + one.to) / 2, side(one)]), [last.to, side(last)]];
+  const above = edge(one => one.above), below = edge(one => one.below);
+  const trace = points => points.forEach(([x, y], i) => i === 0 ? canvas.moveTo(x, y) : canvas.lineTo(x, y));
+  canvas.save();
+  canvas.beginPath();
+  trace([...above, ...below.slice().reverse()]);
+  canvas.globalAlpha = 0.35;
+  canvas.fillStyle = color;
+  canvas.fill();
+  canvas.beginPath();
+  trace(above);
+  trace(below);
+  canvas.globalAlpha = 1;
+  canvas.lineWidth = 1;
+  canvas.strokeStyle = color;
+  canvas.stroke();
+  canvas.restore();
+}
+
+function drawLine(canvas, points, color, width) {
+  canvas.save();
+  canvas.beginPath();
+  points.forEach((point, i) => i === 0 ? canvas.moveTo(point.canvasx, point.canvasy) : canvas.lineTo(point.canvasx, point.canvasy));
+  canvas.strokeStyle = color;
+  canvas.lineWidth = width;
+  canvas.stroke();
+  canvas.restore();
+}
+
+/** Draws a curve as a line, and as a band where it goes up and down faster than its samples follow. */
+function curvePlotter(curve) {
+  const dense = denseStretches(curve), stretchAt = new Map();
+  curve.times.forEach((time, i) => { if (dense[i >> 1]) stretchAt.set(time, i >> 1); });
+  return drawn => {
+    const points = drawn.points.filter(point => point.yval !== null && Number.isFinite(point.canvasy));
+    const isDense = i => i < points.length && stretchAt.has(points[i].xval);
+    for (let i = 0; i < points.length;) {
+      if (!isDense(i)) {
+        const begin = Math.max(0, i - 1);
+        while (i < points.length && !isDense(i)) ++i;
+        drawLine(drawn.drawingContext, points.slice(begin, i + 1), drawn.color, drawn.strokeWidth);
+        continue;
+      }
+      const stretches = [];
+      for (let last = -1; isDense(i); ++i) {
+        const { canvasx: x, canvasy: y, xval } = points[i], stretch = stretchAt.get(xval);
+        if (stretch !== last) stretches.push({ from: x, to: x, above: y, below: y });
+        const one = stretches[stretches.length - 1];
+        Object.assign(one, { to: x, above: Math.min(one.above, y), below: Math.max(one.below, y) });
+        last = stretch;
+      }
+      drawBand(drawn.drawingContext, stretches, drawn.color);
+    }
+  };
+}
+
 /** All panels zoom together. */
 function showStrips(holder, data) {
   holder.replaceChildren();
   holder.append(element("h2", {}, "Over time"), phaseLegend("behind the curves: ", ["stick", "slip"]));
   holder.append(element("p", { class: "unit" },
-    "Drag over a chart to zoom all of them, double-click for the whole run. Samples are the least and greatest of their ticks."));
+    "Drag over a chart to zoom all of them, double-click for the whole run. Samples are the least and greatest of their ticks; " +
+    "where a curve goes up and down faster than they follow, a band spans all that it takes."));
   const plots = [];
   let busy = false;
   const zoomAll = from => {
@@ -56,6 +128,7 @@ function showStrips(holder, data) {
     const plot = element("div", { class: "plot" }), names = element("div", { class: "labels" });
     holder.append(element("div", { class: "strip" }, element("h3", {}, panel.title), names, plot));
     plots.push(new Dygraph(plot, rows, {
+      series: Object.fromEntries(curves.map(curve => [curve.name, { plotter: curvePlotter(curve) }])),
       labels: ["t [s]", ...panel.curves], ylabel: panel.label, xlabel: "time [s]", connectSeparatedPoints: true,
       colors: report.colours.palette, strokeWidth: 1.4, legend: "always", labelsDiv: names, includeZero: true,
       dateWindow: [data.times[0], data.times[data.times.length - 1]], yRangePad: 4, axisLabelWidth: 64, highlightCircleSize: 3, digitsAfterDecimal: 4, maxNumberWidth: 9,

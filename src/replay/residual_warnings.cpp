@@ -1,0 +1,92 @@
+#include "replay/residual_warnings.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "replay/figures.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// A bias below both is a good sensor's.
+constexpr double notable_n = 0.02, notable_share = 0.02;
+/// A mean that is nearly all of the residual.
+constexpr double nearly_all = 0.9;
+constexpr double notable_lag_s = 2e-3, ms_per_s = 1e3;
+
+/// Where a constant in the residual is seen.
+enum class BiasSeen { nowhere, without_contact, all_along };
+
+BiasSeen bias_seen(const std::vector<double>& figures) {
+  const double bias_n = Figures::of(figures, "residual_bias_n");
+  const double most_n = Figures::of(figures, "max_normal_force_n");
+  if (!(bias_n > std::max(notable_n, notable_share * most_n))) return BiasSeen::nowhere;
+  const double free_ticks = Figures::of(figures, "ticks") - Figures::of(figures, "contact_ticks");
+  if (free_ticks >= ResidualFigures::least_free_ticks) return BiasSeen::without_contact;
+  return bias_n > nearly_all * Figures::of(figures, "residual_rms_n") ? BiasSeen::all_along
+                                                                      : BiasSeen::nowhere;
+}
+
+bool is_late(const std::vector<double>& figures) {
+  return std::abs(Figures::of(figures, "residual_lag_s")) >= notable_lag_s;
+}
+
+std::string bias_words(const std::vector<double>& figures) {
+  const double bias_n = Figures::of(figures, "residual_bias_n");
+  switch (bias_seen(figures)) {
+    case BiasSeen::without_contact:
+      return fmt::format(
+          "the measured force is {:.2g} N on average while the model touches nothing (residual_bias_n): take "
+          "the sensor's zero off the file's forces, as `fingerpad fit` does by itself (its tare), or mend "
+          "the "
+          "surface's place, where the finger did touch there",
+          bias_n);
+    case BiasSeen::all_along:
+      return fmt::format(
+          "{:.2g} N of the residual's {:.2g} N are the same all along (residual_bias_n): the sensor was not "
+          "tared, or the contact is too hard or too soft throughout; a recording that begins before the "
+          "touch "
+          "tells which, and `fingerpad fit` takes its tare off",
+          bias_n, Figures::of(figures, "residual_rms_n"));
+    case BiasSeen::nowhere:
+      break;
+  }
+  return "";
+}
+
+std::string lag_words(const std::vector<double>& figures) {
+  if (!is_late(figures)) return "";
+  const double lag_s = Figures::of(figures, "residual_lag_s");
+  return fmt::format(
+      "the measured force fits the model's best when it is taken {:.3g} ms {} (residual_lag_s): the "
+      "recorder's "
+      "forces come {} than its positions; shift them in the file, or let `fingerpad fit` find that delay and "
+      "take it out (--delay)",
+      ms_per_s * std::abs(lag_s), lag_s > 0 ? "earlier" : "later", lag_s > 0 ? "later" : "earlier");
+}
+
+}  // namespace
+
+std::vector<std::string> residual_warnings(const std::vector<double>& figures) {
+  std::vector<std::string> warnings;
+  for (std::string words : {bias_words(figures), lag_words(figures)}) {
+    if (!words.empty()) warnings.push_back(std::move(words));
+  }
+  return warnings;
+}
+
+std::vector<std::string> residual_doubts(const std::vector<double>& figures) {
+  std::vector<std::string> doubts;
+  if (bias_seen(figures) != BiasSeen::nowhere)
+    doubts.push_back(fmt::format("measured force off by {:.2g} N{}", Figures::of(figures, "residual_bias_n"),
+                                 bias_seen(figures) == BiasSeen::without_contact ? " without contact" : ""));
+  if (!is_late(figures)) return doubts;
+  const double lag_s = Figures::of(figures, "residual_lag_s");
+  doubts.push_back(
+      fmt::format("measured force {:.3g} ms {}", ms_per_s * std::abs(lag_s), lag_s > 0 ? "late" : "early"));
+  return doubts;
+}
+
+}  // namespace fingerpad

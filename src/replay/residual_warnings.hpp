@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace fingerpad {
+
+/// What passes for a fault of the model and is one of the measurement: a sensor that was not tared, a
+/// recorder that is late. A sentence each; none where no force was measured, and where nothing of the kind is
+/// seen.
+/// @param figures  Figures::values()
+std::vector<std::string> residual_warnings(const std::vector<double>& figures);
+
+/// The same in a few words each: "measured force off by 0.2 N without contact", "measured force 12 ms late".
+std::vector<std::string> residual_doubts(const std::vector<double>& figures);
+
+}  // namespace fingerpad
