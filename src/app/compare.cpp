@@ -92,7 +92,7 @@ void tell_changes(const CompareOptions& options, const FolderComparison& found, 
   for (const ChangedJob& job : worst.jobs()) {
     for (const JobChange& change : job.changes) print_out("{}: {}\n", job.job, change.words);
   }
-  const std::size_t more = found.differing - alone.count() - worst.jobs().size();
+  const std::size_t more = found.differing + found.notes - alone.count() - worst.jobs().size();
   if (more > 0 && !options.quiet)
     print_out("and {} more job{}, whose forces differ by no more; --most N tells more, --out FILE.csv all\n",
               more, more == 1 ? "" : "s");

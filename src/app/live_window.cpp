@@ -35,6 +35,7 @@ void run_live_window(const LiveWindowChoice& choice, const LiveTouch& touch, con
   input.view.scene = touch.scene;
   input.set_target = [&](const FingerSample& target) { device.set_target(target); };
   input.look_from = [&](const Vec3& towards_eye_W) { device.look_from(towards_eye_W); };
+  input.pointer_leads = choice.pointer_leads;
   input.swap = &touch.swap;
   input.latest = [&] { return touch.servo.latest(); };
   input.timing = [&] { return touch.servo.timing(); };

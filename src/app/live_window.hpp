@@ -20,6 +20,7 @@ struct LiveWindowChoice {
   std::string size;                    ///< "1280x800"
   std::optional<double> seconds = {};  ///< none: until it is closed
   bool real_time = false;
+  bool pointer_leads = true;  ///< the device follows what is done in the window
 };
 
 /// A live touch under way.

@@ -70,7 +70,8 @@ Scene touched_scene(const TouchOptions& options, const std::string& subject) {
 }
 
 LiveWindowChoice window_choice(const TouchOptions& options, const std::string& subject) {
-  return {subject, options.record, options.size, options.seconds, options.real_time};
+  return {subject,         options.record,    options.size,
+          options.seconds, options.real_time, find_device(options.device)->needs_window};
 }
 
 /// What was asked for that the device does not read.

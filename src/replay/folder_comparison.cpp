@@ -69,6 +69,13 @@ class Changes {
     pass_on(std::move(changed));
   }
 
+  /// What is no change of a job.
+  void note(std::string of_what, std::vector<JobChange> changes) {
+    if (changes.empty()) return;
+    ++comparison_.notes;
+    on_changed_({std::move(of_what), std::move(changes), HUGE_VAL, ""});
+  }
+
   /// Of a job that one folder alone has.
   void tell_alone(std::string job, const std::string& where) {
     const std::string words = fmt::format("is in {} alone", where);
@@ -149,7 +156,7 @@ std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, 
   return changes;
 }
 
-/// Figures that one summary alone has a column for: they are not compared.
+/// Figures that one summary alone has a column for, as where another version wrote it: they are not compared.
 void tell_absent_figures(const Outcomes& in_a, const Outcomes& in_b, Changes& found) {
   std::vector<JobChange> changes;
   for (const SummaryColumn& column : summary_figure_columns()) {
@@ -158,7 +165,7 @@ void tell_absent_figures(const Outcomes& in_a, const Outcomes& in_b, Changes& fo
     changes.push_back(whole_change(fmt::format("{} is in the {} summary alone, and not compared", column.name,
                                                lacks_a ? "second" : "first")));
   }
-  found.tell("summary.csv", std::move(changes), true);
+  found.note("summary.csv", std::move(changes));
 }
 
 /// Jobs whose status differs or which one folder's summary does not have; and where there are no traces their

@@ -28,6 +28,7 @@ struct FolderComparison {
   std::size_t changed = 0;  ///< of those
   /// Jobs that were told: those, and where there are traces those of another status.
   std::size_t differing = 0;
+  std::size_t notes = 0;  ///< told of what is no change
 };
 
 /// Compares the traces of two folders by their names: those that only one has, the columns that differ and by

@@ -88,6 +88,17 @@ double ResidualFigures::lag_s() const noexcept {
     least = left;
   }
   if (!(least < clearly_less * as_it_is)) return 0;
+  // A rub to and fro fits again a period on: of what fits as well, the nearest counts.
+  const double as_well = least + 0.01 * (as_it_is - least);
+  const auto fits = [&](int k) {
+    return shifted(k).unexplained() <= as_well && shifted(k).unexplained() <= shifted(k - 1).unexplained() &&
+           shifted(k).unexplained() <= shifted(k + 1).unexplained();
+  };
+  for (int far = 1; far < std::abs(best); ++far) {
+    if (!fits(far) && !fits(-far)) continue;
+    best = fits(far) ? far : -far;
+    least = shifted(best).unexplained();
+  }
   if (std::abs(best) == most_steps) return TickRecord::nan;
   // Between the steps, by the parabola through the least one and its neighbours.
   const double before = shifted(best - 1).unexplained(), after = shifted(best + 1).unexplained();

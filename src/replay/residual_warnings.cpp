@@ -61,10 +61,10 @@ std::string lag_words(const std::vector<double>& figures) {
   const double lag_s = Figures::of(figures, "residual_lag_s");
   return fmt::format(
       "the measured force fits the model's best when it is taken {:.3g} ms {} (residual_lag_s): the "
-      "recorder's "
-      "forces come {} than its positions; shift them in the file, or let `fingerpad fit` find that delay and "
-      "take it out (--delay)",
-      ms_per_s * std::abs(lag_s), lag_s > 0 ? "earlier" : "later", lag_s > 0 ? "later" : "earlier");
+      "recorder's forces come {} than its positions, or the finger's spring is {} than the model's; "
+      "`fingerpad fit` tells which: its delay, or its stick_stiffness",
+      ms_per_s * std::abs(lag_s), lag_s > 0 ? "earlier" : "later", lag_s > 0 ? "later" : "earlier",
+      lag_s > 0 ? "softer" : "stiffer");
 }
 
 }  // namespace
@@ -84,8 +84,9 @@ std::vector<std::string> residual_doubts(const std::vector<double>& figures) {
                                  bias_seen(figures) == BiasSeen::without_contact ? " without contact" : ""));
   if (!is_late(figures)) return doubts;
   const double lag_s = Figures::of(figures, "residual_lag_s");
-  doubts.push_back(
-      fmt::format("measured force {:.3g} ms {}", ms_per_s * std::abs(lag_s), lag_s > 0 ? "late" : "early"));
+  doubts.push_back(fmt::format("measured force fits {:.3g} ms {}: {}, or a {} spring",
+                               ms_per_s * std::abs(lag_s), lag_s > 0 ? "later" : "earlier",
+                               lag_s > 0 ? "late" : "early", lag_s > 0 ? "softer" : "stiffer"));
   return doubts;
 }
 

@@ -61,8 +61,8 @@ constexpr SummaryColumn figure_columns[] = {
      Kind::number, true},
     {"residual_lag_s", "s",
      "of a motion with a measured force: how much later than the model's the measured force comes, where "
-     "that "
-     "makes both fit better; 0 where nothing does, nan where it cannot be told",
+     "that makes both fit better: by a late recorder, or by a finger that is softer than the model's; 0 "
+     "where nothing does, nan where it cannot be told",
      Kind::number, true},
 };
 

@@ -62,12 +62,13 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
                       ? "mains hum: none stands out"
                       : fmt::format("mains hum: taken out of {} of {} trials, at most {:.3g} N at {:.2f} Hz",
                                     humming, trials, most_hum_n, hum_hz));
-  steps.push_back(!settings.takes_tare ? "tare: left as it is (off)"
-                                       : fmt::format("tare: taken off {} of {} trials, at most {:.3g} N{}",
-                                                     tared, trials, most_tare_n,
-                                                     static_cast<std::size_t>(tared) < trials
-                                                         ? "; the others have no moment without contact"
-                                                         : ""));
+  steps.push_back(!settings.takes_tare
+                      ? "tare: left as it is (off)"
+                      : fmt::format("tare: taken off {} of {} trials, at most {:.3g} N{}", tared, trials,
+                                    most_tare_n,
+                                    static_cast<std::size_t>(tared) < trials
+                                        ? "; the others have no moment that is surely without contact"
+                                        : ""));
   steps.push_back(delay_text(measurement.delays, settings));
   steps.push_back(settings.smoothing_hz > 0
                       ? fmt::format("low pass: Butterworth, 2nd order, forth and back, {:.6g} Hz halved",

@@ -23,7 +23,7 @@ using EvidenceCount = long TrialEvidence::*;
 /// The mean of the subjects' means. A trial's weight grows with its samples up to `enough` and hardly beyond:
 /// more of them say the same trial again, and a trial of low mu_s ruptures more often.
 PadValue subjects_mean(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
-                       EvidenceSum sum, EvidenceCount count, double enough, const char* refusal) {
+                       EvidenceSum sum, EvidenceCount count, double enough, const std::string& refusal) {
   std::map<int, std::pair<double, double>> subjects;
   PadValue found;
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -85,6 +85,17 @@ PadValue& value_of(PadValues& values, PadNumber number) {
 }
 
 /// The spring as it was fitted about a bend, at an end that may be another.
+/// Why too few ruptures tell where stick ends.
+std::string no_rupture_words(const std::vector<TrialEvidence>& trials) {
+  long short_teeth = 0;
+  for (const TrialEvidence& trial : trials) short_teeth += trial.short_teeth;
+  if (short_teeth == 0) return "no rupture from stick was found";
+  return fmt::format(
+      "{} rupture{} from stick {} of teeth with too few samples to tell where they gave way: rub slower, or "
+      "sample faster",
+      short_teeth, short_teeth == 1 ? "" : "s", short_teeth == 1 ? "is" : "are");
+}
+
 struct FittedSpring {
   double reach = 0;        ///< over A, at the end
   double cubic_share = 0;  ///< from what the reach is short of that of the first slope
@@ -102,7 +113,7 @@ void add_axis(const SpringFit& fit, const SpringBend& bend, const AxisNumbers& n
   const double mu = has_limit ? mu_static.value : assumed_mu_static;
   const FittedSpring spring = fitted_spring(bend, fit.share_left, mu);
   const double axis_m = has_limit ? fit.compliance45_m * spring.reach : fit.straight45_m * mu;
-  const std::string no_limit = "no rupture from stick was found: where the spring ends is not known";
+  const std::string no_limit = "where the spring ends is not known, as mu_static is not";
   const std::string shape_refusal = has_limit ? fit.shape_refusal : no_limit,
                     loop_refusal = has_limit ? fit.hysteresis_refusal : no_limit;
   value_of(found, numbers.axis) = of_axis(fit, axis_m, fit.axis_refusal);
@@ -161,7 +172,7 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
   PadValues found;
   const auto at = [&](PadNumber number) -> PadValue& { return value_of(found, number); };
   at(PadNumber::mu_static) = subjects_mean(trials, times, &TrialEvidence::rupture_ratio,
-                                           &TrialEvidence::ruptures, 10, "no rupture from stick was found");
+                                           &TrialEvidence::ruptures, 10, no_rupture_words(trials));
   at(PadNumber::mu_dynamic) = subjects_mean(trials, times, &TrialEvidence::slip_ratio,
                                             &TrialEvidence::slip_samples, 500, "no slip was found");
   at(PadNumber::mu_load_exponent) =

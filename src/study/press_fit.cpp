@@ -20,6 +20,7 @@ PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<i
   struct Presses {
     Mat3 sums = Mat3::Zero();
     double load2 = 0, groups = 0;
+    long samples = 0, trials = 0;
   };
   std::map<int, Presses> subjects;
   for (std::size_t i = 0; i < trials.size(); ++i) {
@@ -30,8 +31,8 @@ PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<i
     own.sums += times[i] * trials[i].press;
     own.load2 += times[i] * trials[i].press_load_2;
     own.groups += static_cast<double>(times[i] * trials[i].press_groups);
-    fit.samples += times[i] * trials[i].press_samples;
-    fit.trials += times[i];
+    own.samples += times[i] * trials[i].press_samples;
+    own.trials += times[i];
   }
   std::erase_if(subjects, [](const auto& one) {
     return !(one.second.sums(0, 0) > least_rms_m * least_rms_m * one.second.groups);
@@ -44,6 +45,8 @@ PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<i
     const Mat3& m = own.sums;
     groups += own.groups;
     load2 += own.load2;
+    fit.samples += own.samples;
+    fit.trials += own.trials;
     const Eigen::Matrix2d normal = m.bottomRightCorner<2, 2>();
     const Vec2 right = m.bottomLeftCorner<2, 1>();
     const Vec2 found = normal.ldlt().solve(right);

@@ -69,7 +69,10 @@ void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
     const double stiffness_per_m =
         spring_stiffness_per_m(evidence, bend, velocity.normalized(), ratio[i - 1].norm());
     const double rise = stiffness_per_m * velocity.norm() / trial.rate_hz;
-    if (!has_long_teeth(ratio, i, rise)) continue;
+    if (!has_long_teeth(ratio, i, rise)) {
+      ++evidence.short_teeth;
+      continue;
+    }
     const auto at_rupture = ratio_at_rupture(trial, segments, ratio, i);
     if (!at_rupture) continue;
     evidence.rupture_rise += rise;

@@ -49,6 +49,7 @@ struct TrialEvidence {
   double rupture_ratio = 0;  ///< sum over ruptures of |q| just before it
   double rupture_rise = 0;   ///< sum of what |q| rises from sample to sample before them
   long ruptures = 0;
+  long short_teeth = 0;   ///< ruptures of teeth with too few samples to tell where they gave way
   double slip_ratio = 0;  ///< sum over slip of r = -q.v/|v|, which and n are means over 20 ms here
   double slip_load = 0, slip_load_2 = 0, slip_load_ratio = 0;  ///< sums of L, L^2 and L r, L = ln(n/load_n)
   double slip_log_load = 0;                                    ///< sum of ln(n/1 N)

@@ -140,18 +140,25 @@ void write_chunks(std::span<const ColumnChunk> chunks, std::uint64_t first_row, 
   static_assert(std::endian::native == std::endian::little, "chunks are written as they lie in memory");
   const hsize_t at = first_row, total = rows;
   LateBytes late;
+  const Handle* refused = nullptr;  // the first column that HDF5 does not take
   {
     const Turn turn;
     for (const auto& [column, chunk] : chunks) {
-      if (H5Dset_extent(column->id(), &total) < 0) throw write_error(column->path(), "a column");
-      late.expect(chunk.bytes);
-      const herr_t status = H5Dwrite_chunk(column->id(), H5P_DEFAULT, chunk.skipped_filters, &at,
-                                           chunk.bytes.size(), chunk.bytes.data());
-      late.settle();
-      if (status < 0) throw write_error(column->path(), "a column");
+      herr_t status = H5Dset_extent(column->id(), &total);
+      if (status >= 0) {
+        late.expect(chunk.bytes);
+        status = H5Dwrite_chunk(column->id(), H5P_DEFAULT, chunk.skipped_filters, &at, chunk.bytes.size(),
+                                chunk.bytes.data());
+        late.settle();
+      }
+      if (status < 0) {
+        refused = column;
+        break;
+      }
     }
   }
-  late.write();
+  late.write();  // what was taken before it has its place in the file
+  if (refused != nullptr) throw write_error(refused->path(), "a column");
 }
 
 void append(const Handle& column, std::size_t rows, std::span<const double> values) {

@@ -69,12 +69,13 @@ std::vector<int> triangles_in_sight(const Surface& surface, const CloseUpSight& 
 
 }  // namespace
 
-void add_glyphs(vtkRenderer* renderer, vtkPolyData* mesh) {
+void add_glyphs(vtkRenderer* renderer, vtkPolyData* mesh, bool outsides_alone) {
   vtkNew<vtkPolyDataMapper> mapper;
   mapper->SetInputData(mesh);
   mapper->SetRelativeCoincidentTopologyPolygonOffsetParameters(-3, -20);
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
+  actor->GetProperty()->SetBackfaceCulling(outsides_alone ? 1 : 0);
   actor->GetProperty()->SetAmbient(0.35);
   actor->GetProperty()->SetDiffuse(0.65);
   renderer->AddActor(actor);

@@ -59,7 +59,7 @@ class CloseUp {
 };
 
 /// Adds an actor for marks, in front of the surface that they lie on.
-void add_glyphs(vtkRenderer* renderer, vtkPolyData* mesh);
+void add_glyphs(vtkRenderer* renderer, vtkPolyData* mesh, bool outsides_alone = false);
 
 /// A key light over the left shoulder and a fill light: both move with the camera.
 void light(vtkRenderer* renderer);

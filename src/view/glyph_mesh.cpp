@@ -53,7 +53,9 @@ void GlyphMesh::bar(const Vec3& from, const Vec3& to, double from_radius, double
     if (!(radius > 0)) continue;
     std::vector<Vec3> rim;
     rim.reserve(static_cast<std::size_t>(sides));
-    for (int i = 0; i < sides; ++i) rim.push_back((far ? to : from) + around(frame, i) * radius);
+    // Outward is where the rim goes round to the left.
+    for (int i = 0; i < sides; ++i)
+      rim.push_back((far ? to : from) + around(frame, far ? i : sides - i) * radius);
     fan(far ? to : from, rim, far ? axis : Vec3(-axis), colour);
   }
 }

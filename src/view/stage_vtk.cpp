@@ -43,7 +43,7 @@ Stage::Stage(const ViewInput& input, int width, int height, bool charts, bool ti
   world_->add_still_to(scene_);
   world_->add_clear_to(moving_);
   add_glyphs(moving_, solid_);
-  add_glyphs(moving_, clear_);
+  add_glyphs(moving_, clear_, true);
   add_flat();
   resize(width, height);
   reset_camera();

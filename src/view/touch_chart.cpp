@@ -139,6 +139,11 @@ TouchLevels touch_levels(const ViewInput& input) {
     levels.mu_static = input.world->surfaces[surface].properties.mu_static;
     levels.mu_dynamic = input.world->surfaces[surface].properties.mu_dynamic;
   }
+  // One line over a run in which it was another for a while would be untrue.
+  for (const SceneChange& change : input.changes) {
+    if (change.key.ends_with("mu_static")) levels.mu_static = 0;
+    if (change.key.ends_with("mu_dynamic")) levels.mu_dynamic = 0;
+  }
   levels.thinned = input.every > 1;
   if (input.scene) levels.v_min_m_per_s = v_min_m_per_s(input.scene->friction.settings);
   return levels;

@@ -33,7 +33,7 @@ class TouchWindow {
         loop_(stage_, options, handlers()) {
     if (input.swap != nullptr) material_.emplace(*input.swap, *input.view.world);
     stage_.show_hint("", help_lines(touch_window_kind(input_)));
-    stage_.invite(invitation);
+    invite();
     stage_.keep_clear_of_readings();
     pointer_.show(stage_.pointed());
     follow();
@@ -74,7 +74,7 @@ class TouchWindow {
       report.target_W = pointer_.pressed_W();
       report.pressing = pointer_.pressing();
       report.press_n = pointer_.press_n();
-      report.invites = !pointer_.has_pressed();
+      report.invites = input_.pointer_leads && !pointer_.has_pressed();
     };
     return handlers;
   }
@@ -112,7 +112,7 @@ class TouchWindow {
     if (input_.is_over && input_.is_over()) loop_.close();
     if (input_.alarm) stage_.show_alarm(input_.alarm());
     pointer_.show(stage_.pointed());
-    stage_.invite(pointer_.has_pressed() ? "" : invitation);
+    invite();
     follow();
     since_chart_s_ += elapsed_s;
     if (since_chart_s_ >= live_chart_period_s) {
@@ -127,6 +127,8 @@ class TouchWindow {
     return true;
   }
 
+  void invite() { stage_.invite(input_.pointer_leads && !pointer_.has_pressed() ? invitation : ""); }
+
   void follow() {
     history_.gather(input_);
     if (history_.rows().empty()) return;
@@ -139,9 +141,12 @@ class TouchWindow {
     const std::string& note = stage_.has_alarm() ? no_note_ : input_.note;
     const char* const held = stage_.charts().zoomed() ? "   charts held: r lets them run on" : "";
     // What must be read comes first: a long name may be cut.
-    stage_.show_title_note(fmt::format("press {:.2f} N ({}){}   h help{}{}", pointer_.press_n(),
-                                       pointer_.pressing() ? "pressing" : "hovering", held,
-                                       note.empty() ? "" : "   ", note));
+    const std::string press = input_.pointer_leads
+                                  ? fmt::format("press {:.2f} N ({})", pointer_.press_n(),
+                                                pointer_.pressing() ? "pressing" : "hovering")
+                                  : "";
+    const std::string line = fmt::format("{}{}   h help{}{}", press, held, note.empty() ? "" : "   ", note);
+    stage_.show_title_note(line.substr(line.find_first_not_of(' ')));
   }
 
   const TouchWindowInput& input_;

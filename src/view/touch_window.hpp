@@ -36,6 +36,8 @@ struct TouchWindowInput {
   std::function<ServoTiming()> timing;
   /// The servo keeps its pace whatever else there is to do, as under SCHED_FIFO: drawing need not stand back.
   bool keeps_pace = false;
+  /// The finger follows the mouse: without, nobody is told how to press with it.
+  bool pointer_leads = true;
   std::string note;  ///< in the title line, as "recording run.h5"
 };
 

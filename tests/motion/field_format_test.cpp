@@ -108,6 +108,14 @@ TEST(FieldFormat, ClusterTextureHasItsAccelerationsAtTheTimesOfItsForces) {
               Contains(HasSubstr("accel/0_0_40_500_0")));
 }
 
+TEST(FieldFormat, ClusterTextureIsNoneTheWorseForSpoiltAccelerations) {
+  const fs::path path = cluster_files();
+  write(path.parent_path().parent_path() / "accel" / path.filename(), "time,a,b,c\n0,0,0,0\n");
+  const FieldRecording read = recording(path, named("cluster-texture"));
+  EXPECT_THAT(read.channels, IsEmpty());
+  EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr("no accelerations: "), HasSubstr("0_0_40_500_0.csv"))));
+}
+
 TEST(FieldFormat, ClusterTextureTellsWhereItsFilesMustStand) {
   const fs::path path = cluster_files();
   fs::rename(path.parent_path().parent_path() / "position", path.parent_path().parent_path() / "places");

@@ -68,6 +68,22 @@ TEST(ResidualFigures, TellHowLateTheMeasuredForceIs) {
   EXPECT_TRUE(std::isnan(ResidualFigures().lag_s()));
 }
 
+TEST(ResidualFigures, OfAQuickRubTellTheNearerOfTwoShiftsThatFitAlike) {
+  for (const double late_s : {-0.005, 0.005}) {
+    ResidualFigures figures;
+    for (int k = 0; k < 2000; ++k) {
+      const auto force_n = [](double t_s) { return Vec3(0.3 * std::sin(2 * M_PI * 25 * t_s), 0, 1); };
+      TickRecord record;
+      record.t_s = k / 1000.0;
+      record.phase = Phase::slip;
+      record.force_W_n = force_n(record.t_s);
+      record.residual_W_n = record.force_W_n - force_n(record.t_s - late_s);
+      figures.observe(record);
+    }
+    EXPECT_NEAR(figures.lag_s(), late_s, 2e-4) << "not a period of 40 ms on";
+  }
+}
+
 TEST(ResidualFigures, TellASensorThatWasNotTared) {
   const Vec3 off_n(0.1, 0, -0.2);
   EXPECT_NEAR(compared(0, off_n, 1000, 0.5).bias_n(), off_n.norm(), 1e-12);

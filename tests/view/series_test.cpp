@@ -122,6 +122,14 @@ TEST(TouchChart, OfAThinnedTraceMarksNoEndOfSlip) {
   EXPECT_EQ(rings(), 2) << "of speed and mu, where each row is a tick";
 }
 
+TEST(TouchLevels, OfACoefficientThatWasChangedMeanwhileAreNone) {
+  ViewInput input = torus_rub(0.1);
+  ASSERT_GT(touch_levels(input).mu_static, 0);
+  input.changes.push_back({0.05, "part.mu_static", "0.5"});
+  EXPECT_EQ(touch_levels(input).mu_static, 0);
+  EXPECT_GT(touch_levels(input).mu_dynamic, 0);
+}
+
 TEST(Spectrum, OfAThinnedTraceGoesByTheDistanceOfItsRowsNotByItsLast) {
   const ViewInput input = thinned_rub();
   ASSERT_LT(input.rows.back().t_s - input.rows[input.rows.size() - 2].t_s, 0.0045);

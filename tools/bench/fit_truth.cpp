@@ -18,10 +18,13 @@ namespace {
 
 constexpr std::size_t numbers = pad_number_keys.size();
 
-/// What the sets say of one number.
+/// What the sets say of one number; errors and widths of those that do not refuse it.
 struct Tally {
   int held = 0, given = 0;
   double error = 0, width = 0;
+
+  double mean_error() const { return error / given; }
+  double mean_width() const { return width / given; }
 };
 
 struct Tallies {
@@ -30,7 +33,7 @@ struct Tallies {
 };
 
 /// What one set's fit says, as a tally of one.
-Tallies tally_one(int sets, int seed, const test::KnownFinger& finger, const test::KnownSensors& sensors) {
+Tallies tally_one(int seed, const test::KnownFinger& finger, const test::KnownSensors& sensors) {
   Tallies tallies;
   const Measurement measurement = clean(
       test::known_measurement(test::known_trials(), finger, sensors, static_cast<std::uint64_t>(seed)), {});
@@ -43,8 +46,8 @@ Tallies tally_one(int sets, int seed, const test::KnownFinger& finger, const tes
   for (std::size_t k = 0; k < numbers; ++k) {
     if (!fit.interval[k]) continue;
     const auto [low, high] = *fit.interval[k];
-    tallies.of[k] = {low <= truth[k] && truth[k] <= high ? 1 : 0, 1, (fit.values[k].value - truth[k]) / sets,
-                     (high - low) / sets};
+    tallies.of[k] = {low <= truth[k] && truth[k] <= high ? 1 : 0, 1, fit.values[k].value - truth[k],
+                     high - low};
   }
   return tallies;
 }
@@ -58,7 +61,7 @@ Tallies tally(int sets, int first_seed, const test::KnownFinger& finger, const t
     for (unsigned k = 0; k < std::max(1U, std::thread::hardware_concurrency()); ++k)
       workers.emplace_back([&] {
         for (int set = next++; set < sets; set = next++)
-          each[static_cast<std::size_t>(set)] = tally_one(sets, first_seed + set, finger, sensors);
+          each[static_cast<std::size_t>(set)] = tally_one(first_seed + set, finger, sensors);
       });
   }
   Tallies sum;
@@ -89,13 +92,13 @@ const Tally& of_number(const Tallies& tallies, PadNumber number) {
 std::string bent_text(int sets, int first_seed, test::KnownFinger finger, double share) {
   finger.cubic_share = share;
   const Tallies bent = tally(sets, first_seed, finger, test::bad_sensors());
-  const double found = share + (of_number(bent, PadNumber::lateral_cubic_share).error +
-                                of_number(bent, PadNumber::longitudinal_cubic_share).error) /
+  const double found = share + (of_number(bent, PadNumber::lateral_cubic_share).mean_error() +
+                                of_number(bent, PadNumber::longitudinal_cubic_share).mean_error()) /
                                    2;
   return fmt::format(
       "a cubic share of {} as {:.3f}, with `v_min_m_per_s` {:+.1f} % and `mu_dynamic` {:+.1f} % off", share,
-      found, 100 * of_number(bent, PadNumber::v_min).error / finger.pad.v_min_m_per_s,
-      100 * of_number(bent, PadNumber::mu_dynamic).error / finger.mu_dynamic);
+      found, 100 * of_number(bent, PadNumber::v_min).mean_error() / finger.pad.v_min_m_per_s,
+      100 * of_number(bent, PadNumber::mu_dynamic).mean_error() / finger.mu_dynamic);
 }
 
 /// What noise of the force sensor comes to beyond that of the table.
@@ -108,10 +111,11 @@ std::string noise_text(int sets, int first_seed, const test::KnownFinger& finger
   for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::mu_load_exponent}) {
     const auto k = static_cast<std::size_t>(number);
     text += noisy.of[k].given == sets ? fmt::format(" `{}` {:+.2f} %,", pad_number_keys[k],
-                                                    100 * noisy.of[k].error / std::abs(truth[k]))
+                                                    100 * noisy.of[k].mean_error() / std::abs(truth[k]))
                                       : fmt::format(" `{}` refused in {} of {},", pad_number_keys[k],
                                                     sets - noisy.of[k].given, sets);
   }
+  if (of_number(noisy, PadNumber::mu_dynamic).given == 0) return text.substr(0, text.size() - 1);
   return text + fmt::format(" and the law said not to fit in {}", noisy.misfits);
 }
 
@@ -145,9 +149,10 @@ void print_tables(int sets, int first_seed) {
       "|\n|---|---|---|---|---|---|---|---|\n");
   for (std::size_t k = 0; k < numbers; ++k) {
     fmt::print("| `{}` | {:.4g} | {} | {} | {} | {} | {} | {} |\n", pad_number_keys[k], truth[k],
-               one.of[k].held, share_text(one.of[k].error, truth[k]), share_text(one.of[k].width, truth[k]),
-               other.of[k].held, share_text(other.of[k].error, truth[k]),
-               share_text(other.of[k].width, truth[k]));
+               one.of[k].held, share_text(one.of[k].mean_error(), truth[k]),
+               share_text(one.of[k].mean_width(), truth[k]), other.of[k].held,
+               share_text(other.of[k].mean_error(), truth[k]),
+               share_text(other.of[k].mean_width(), truth[k]));
   }
   test::KnownFinger lugre = alike;
   lugre.law = "lugre";
