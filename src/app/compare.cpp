@@ -154,7 +154,7 @@ void add_compare(CLI::App& program, Action& action) {
   add_quiet_flag(*command, options->quiet);
   command->footer(
       "A line for each trace and column that differs, with the greatest difference and its time; rows are "
-      "set against each other by their time. Where neither folder holds a trace, a line for each job and "
+      "set against each other by their time. Where a folder holds no trace, a line for each job and "
       "figure of summary.csv. Jobs of one folder alone are counted. With --quiet --out nothing is printed. "
       "Ends 0 where all are alike, 4 where something changed.");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });

@@ -213,6 +213,13 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
                   "holds neither traces nor a summary to compare with the other folder's");
   FolderComparison comparison;
   Changes found(comparison, on_changed);
+  if (in_a.empty() != in_b.empty() && !outcomes_a.empty() && !outcomes_b.empty()) {
+    found.note("summary.csv",
+               {whole_change(fmt::format("the other folder has no traces, as of --format none: "
+                                         "those of {} are not compared",
+                                         in_a.empty() ? folder_b : folder_a))});
+    all.clear();
+  }
   comparison.traces = all.size();
   const auto jobs_a = jobs_in_folder(folder_a), jobs_b = jobs_in_folder(folder_b);
   for (const std::string& name : all) {

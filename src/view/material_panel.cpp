@@ -97,8 +97,9 @@ std::string MaterialPanel::unstable_words(const Scene& scene) const {
                                         .tick_s = 1 / scene.motion.rate_hz,
                                         .delay_ticks = hand.delay_ticks});
   if (surface.stiffness_n_per_m <= most) return {};
-  return fmt::format("a motor shakes: over {} N/m at {} Hz", std::lround(most),
-                     number_text(scene.motion.rate_hz));
+  const std::string limit =
+      most < 100 ? fmt::format("{:.3g}", most) : number_text(10 * std::round(most / 10));
+  return fmt::format("a motor shakes: over {} N/m at {} Hz", limit, number_text(scene.motion.rate_hz));
 }
 
 /// The row's value so many steps on, and the key that it is the value of.

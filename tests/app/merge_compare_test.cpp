@@ -187,6 +187,18 @@ void write_other_columns(const fs::path& from, const fs::path& to, const std::st
             0);
 }
 
+TEST(Compare, GoesByTheSummariesWhereOneFolderHasNoTraces) {
+  const fs::path folder = folder_with_set();
+  const std::string replay = "replay s.toml --quiet --out ";
+  ASSERT_EQ(test::fingerpad(replay + "a", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad(replay + "b --format none", folder).exit_code, 0);
+  const auto alike = test::fingerpad("compare a b", folder);
+  EXPECT_EQ(alike.exit_code, 0);
+  EXPECT_EQ(alike.out,
+            "summary.csv: the other folder has no traces, as of --format none: those of a are not compared\n"
+            "0 of 5 jobs changed from a to b\n");
+}
+
 TEST(Compare, TellsAColumnThatOneSideLacksAsAbsent) {
   const fs::path folder = folder_with_set();
   const std::string replay = "replay s.toml --quiet --out ";
