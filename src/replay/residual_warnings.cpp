@@ -40,15 +40,13 @@ std::string bias_words(const std::vector<double>& figures) {
       return fmt::format(
           "the measured force is {:.2g} N on average while the model touches nothing (residual_bias_n): take "
           "the sensor's zero off the file's forces, as `fingerpad fit` does by itself (its tare), or mend "
-          "the "
-          "surface's place, where the finger did touch there",
+          "the surface's place, where the finger did touch there",
           bias_n);
     case BiasSeen::all_along:
       return fmt::format(
           "{:.2g} N of the residual's {:.2g} N are the same all along (residual_bias_n): the sensor was not "
           "tared, or the contact is too hard or too soft throughout; a recording that begins before the "
-          "touch "
-          "tells which, and `fingerpad fit` takes its tare off",
+          "touch tells which, and `fingerpad fit` takes its tare off",
           bias_n, Figures::of(figures, "residual_rms_n"));
     case BiasSeen::nowhere:
       break;
