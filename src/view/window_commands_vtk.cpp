@@ -68,8 +68,9 @@ void WindowCommands::leave() {
 void WindowCommands::mark() {
   const auto [x, y] = window_.mouse_px();
   const auto [near, far] = stage_.line_of_sight(x, y);
-  if (!marks_.mark(stage_.world().first_hit(near, far)))
-    window_.tell("no part under the mouse: marks are gone");
+  const bool marked = marks_.mark(stage_.world().first_hit(near, far));
+  // Of a mark that is there what was told before is no longer true.
+  window_.tell(marked ? "" : "no part under the mouse: marks are gone");
   stage_.show_marks(marks_);
 }
 
