@@ -61,7 +61,7 @@ std::vector<Box> lists_in(const Layout& layout) {
 }
 
 TEST(Words, AreWholeAndLieOverNoListInTheSmallestWindow) {
-  const std::string message = "stiffness: 1250 N/m; a motor shakes: over 990 N/m at 1000 Hz";
+  const std::string message = "stiffness: 1250 N/m; motors shake over 990 N/m at 1000 Hz";
   for (const auto& [width, height] : {std::pair(1280, 800), std::pair(600, 420), std::pair(400, 300)}) {
     const Layout layout = layout_for(width, height, true, false);
     OverlayFacts facts;
