@@ -127,13 +127,13 @@ TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {
 
 // A finger that rests while it is pressed is at one place of its way for many ticks.
 TEST(Comparison, OverTheWayGoesByTheNearestTimeWhereTheFingerRests) {
-  ComparedRun a = line_run("a.h5", 0, 1, 0.1, 0), b = line_run("b.h5", 0, 1, 0.05, 0);
+  ComparedRun a = line_run("a.h5", 0.1, 1, 0.1, 0), b = line_run("b.h5", 0, 1, 0.05, 0);
   for (ComparedRun* run : {&a, &b}) {
     run->t_s = run->x;
     for (double& x : run->x) x = std::max(0.0, x - 0.5);  // it rests for half a second
   }
   const Comparison comparison = compare_runs({a, b}, {}, Over::travel);
-  EXPECT_EQ(comparison.residuals[0].values.size(), 11u);
+  EXPECT_EQ(comparison.residuals[0].values.size(), 10u);
   EXPECT_NEAR(comparison.residuals[0].rms, 0, 1e-12);
 }
 
