@@ -24,26 +24,12 @@ std::shared_ptr<const World> with_trees(World world) {
   return std::make_shared<const World>(std::move(world));
 }
 
-/// Why its charts have no rings; empty where every tick is there.
-std::string left_out_words(const TraceInfo& info, std::uint64_t every) {
-  if (every <= 1) return {};
-  const std::string how =
-      info.every > 1 ? fmt::format("One tick in {} is here", every) : "Ticks were left out";
-  return how + ": no rings show where slip ended.";
-}
-
-void add_notice(ViewInput& input, const std::string& words) {
-  if (!input.notice.empty() && !words.empty()) input.notice += " ";
-  input.notice += words;
-}
-
 }  // namespace
 
 ViewInput view_of_trace(Trace trace, const std::string& path) {
   ViewInput input;
   input.title = run_title(trace.info, path);
   input.every = ticks_a_row(trace);
-  input.notice = left_out_words(trace.info, input.every);
   input.world = std::move(trace.world);
   input.rows = std::move(trace.rows);
   if (input.world) input.world = with_trees(*input.world);
@@ -54,8 +40,7 @@ ViewInput view_of_trace(Trace trace, const std::string& path) {
     input.contact_words = trace.info.contact_method + " " + trace.info.contact_normals;
   if (trace.info.scene_text.empty()) {
     if (!input.world)
-      add_notice(input,
-                 "The parts are not shown: a trace in CSV has neither scene nor meshes (HDF5 has both).");
+      input.notice = "The parts are not shown: a trace in CSV has neither scene nor meshes (HDF5 has both).";
     return input;
   }
   // The trace was recorded elsewhere perhaps: a scene whose files are gone costs its labels, not the picture.
@@ -63,7 +48,7 @@ ViewInput view_of_trace(Trace trace, const std::string& path) {
     input.scene = read_recorded_scene(trace.info.scene_text, trace.info.profile_text, path);
     if (!input.world) input.world = load_world(*input.scene);
   } catch (const Error& error) {
-    if (!input.world) add_notice(input, fmt::format("The parts are not shown: {}", error.what()));
+    if (!input.world) input.notice = fmt::format("The parts are not shown: {}", error.what());
   }
   return input;
 }

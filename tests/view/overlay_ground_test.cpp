@@ -3,10 +3,10 @@
 
 #include <variant>
 
-#include "trace/trace.hpp"
 #include "view/overlay.hpp"
 #include "view/overlay_words.hpp"
 #include "view/rub.hpp"
+#include "view/stage_words.hpp"
 
 // What belongs to places of a scene, and what is said in the middle of it.
 
@@ -85,15 +85,12 @@ TEST(Words, AreWholeAndLieOverNoListInTheSmallestWindow) {
   }
 }
 
-TEST(Notice, OfAThinnedTraceSaysWhyThereAreNoRings) {
-  Trace trace;
-  trace.rows = test::torus_rub(0.1).rows;
-  trace.info.scene_text = "name = \"t\"\n";
-  trace.info.every = 10;
-  EXPECT_THAT(view_of_trace(trace, "t.h5").notice,
-              testing::StartsWith("One tick in 10 is here: no rings show where slip ended."));
-  trace.info.every = 1;
-  EXPECT_THAT(view_of_trace(trace, "t.h5").notice, testing::Not(testing::HasSubstr("rings")));
+TEST(Subtitle, OfAThinnedTraceSaysWhyThereAreNoRings) {
+  ViewInput input = test::torus_rub(0.1);
+  const auto subtitle = [&] { return facts_to_tell(input, input, {}, std::nullopt).subtitle; };
+  EXPECT_THAT(subtitle(), testing::Not(testing::HasSubstr("rings")));
+  input.every = 10;
+  EXPECT_THAT(subtitle(), testing::StartsWith("1 tick in 10: no rings where slip ended; "));
 }
 
 }  // namespace
