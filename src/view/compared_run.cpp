@@ -46,6 +46,7 @@ std::vector<std::size_t> places_of(const std::vector<double>& fewer_t_s, const s
 
 std::vector<TickRecord> rows_at(const std::vector<TickRecord>& rows, const std::vector<std::size_t>& places) {
   std::vector<TickRecord> some;
+  some.reserve(places.size());
   for (const std::size_t place : places) some.push_back(rows[place]);
   return some;
 }
