@@ -51,12 +51,24 @@ void JobBar::show(const std::string& what) {
   const double share = std::min(1.0, done / static_cast<double>(total_));
   const Clock::time_point now = Clock::now();
   const std::string pace = pace_words(done, std::chrono::duration<double>(now - start_).count());
+  const bool is_stopping = is_told_to_stop_ && is_told_to_stop_();
   if (shown_ == Shown::bar) {
-    bar_.show(share, fmt::format("{}/{}{} {}", ended, total_, pace, what));
+    bar_.show(share, is_stopping ? fmt::format("{}/{} {}", ended, total_, stop_words())
+                                 : fmt::format("{}/{}{} {}", ended, total_, pace, what));
+  } else if (is_stopping && !has_told_stop_ && !under_way_.empty()) {
+    has_told_stop_ = true;
+    print_err("fingerpad: {} of {} jobs done, {}\n", ended, total_, stop_words());
   } else if (now - last_line_ >= between_lines_) {
     last_line_ = now;
     print_err("fingerpad: {} of {} jobs done, {:.0f}%{}\n", ended, total_, 100 * share, pace);
   }
+}
+
+/// Of a batch that is told to stop: what it has begun it ends.
+std::string JobBar::stop_words() const {
+  if (under_way_.empty()) return "stopped";
+  return fmt::format("stopping: {} under way {} first", under_way_.size(),
+                     under_way_.size() == 1 ? "ends" : "end");
 }
 
 /// ", 2.5 jobs/s, 40 s left"; nothing before anything can be said.

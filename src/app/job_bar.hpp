@@ -1,10 +1,12 @@
 #pragma once
 
 #include <chrono>
+#include <functional>
 #include <map>
 #include <mutex>
 #include <string>
 #include <string_view>
+#include <utility>
 
 #include "app/progress_bar.hpp"
 #include "replay/batch.hpp"
@@ -19,6 +21,9 @@ class JobBar {
   /// @param between_lines  at least so long passes from one line to the next
   JobBar(std::size_t total, Shown shown, std::chrono::milliseconds between_lines);
 
+  /// From when the batch is told to stop, what it still waits for is said. Before the first job.
+  void watch_stop(std::function<bool()> is_told_to_stop) { is_told_to_stop_ = std::move(is_told_to_stop); }
+
   void advance(const BatchJob& job);
   /// So many jobs have been ended by other ranks.
   void elsewhere(std::size_t count);
@@ -30,6 +35,7 @@ class JobBar {
   using Clock = std::chrono::steady_clock;
   void show(const std::string& what);
   std::string pace_words(double done, double seconds) const;
+  std::string stop_words() const;
 
   std::mutex mutex_;
   std::size_t total_, done_ = 0, elsewhere_ = 0;
@@ -37,6 +43,8 @@ class JobBar {
   std::chrono::milliseconds between_lines_;
   Clock::time_point start_, last_line_;
   std::map<const BatchJob*, double> under_way_;  ///< the share that is done of each
+  std::function<bool()> is_told_to_stop_;
+  bool has_told_stop_ = false;  ///< in a line of its own
   ProgressBar bar_;
 };
 

@@ -71,6 +71,23 @@ void plot_overlaid(const PlotOptions& options) {
   plot_runs(options, read_compared_runs(options.inputs, over, options.from_s, options.to_s));
 }
 
+/// Whether a trace was written with some of its columns alone.
+bool lacks_columns(const std::string& path) {
+  return is_hdf5(path) && !read_trace(path, TraceContents::some_rows).missing.empty();
+}
+
+/// One trace: whole as the paper lays it out, of some columns these. Which it is, is asked where the whole
+/// was refused, or all traces would be read twice.
+void plot_one(const PlotOptions& options) {
+  try {
+    plot_alone(options);
+  } catch (const Error& error) {
+    const bool is_history = options.show == "history";
+    if (error.kind() != ErrorKind::refused || !is_history || !lacks_columns(options.inputs[0])) throw;
+    plot_overlaid(options);
+  }
+}
+
 int plot(const PlotOptions& options) {
   if (options.from_s > options.to_s)
     throw Error(ErrorKind::usage, "--from",
@@ -85,7 +102,7 @@ int plot(const PlotOptions& options) {
   } else if (options.inputs.size() > 1 || !options.columns.empty() || table) {
     plot_overlaid(options);
   } else {
-    plot_alone(options);
+    plot_one(options);
   }
   return 0;
 }
@@ -123,7 +140,7 @@ void add_plot(CLI::App& program, Action& action) {
           "What is overlaid: a trace's columns, or friction, which is along the sliding direction and "
           "negative where it holds the finger back; parted by commas")
       ->delimiter(',')
-      ->default_str("fn_n,friction,mu, or the forces that all have");
+      ->default_str("fn_n,friction,mu, or the forces and mu that all have");
   command->add_option("--from", options->from_s, "Leave out what is earlier [s]")->default_str("start");
   command->add_option("--to", options->to_s, "Leave out what is later [s]")->default_str("end");
   command

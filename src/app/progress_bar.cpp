@@ -17,6 +17,13 @@ namespace {
 // Together less than the 80 columns of the narrowest terminal.
 constexpr int bar_width = 20, stage_width = 50;
 
+/// Of SIGINT, once: what the line said last stays, and the prompt stands below it.
+void end_line_and_program(int signal) {
+  constexpr char words[] = "\nfingerpad: stopped by Ctrl-C\n";
+  [[maybe_unused]] const auto written = write(STDERR_FILENO, words, sizeof(words) - 1);
+  raise(signal);  // whose own way is back (SA_RESETHAND)
+}
+
 }  // namespace
 
 bool stderr_is_terminal() noexcept {
@@ -24,11 +31,24 @@ bool stderr_is_terminal() noexcept {
 }
 
 ProgressBar::ProgressBar(bool shown, std::chrono::milliseconds patience, End end) : end_(end) {
-  if (shown) drawer_ = std::thread([this, patience] { draw_now_and_then(patience); });
+  if (!shown) return;
+  if (end == End::wiped) end_line_on_interrupt();
+  drawer_ = std::thread([this, patience] { draw_now_and_then(patience); });
 }
 
 ProgressBar::~ProgressBar() {
   finish();
+}
+
+/// Unless somebody else waits for the signal.
+void ProgressBar::end_line_on_interrupt() {
+  sigaction(SIGINT, nullptr, &before_);
+  if (before_.sa_handler != SIG_DFL) return;
+  struct sigaction action {};
+  action.sa_handler = end_line_and_program;
+  action.sa_flags = SA_RESETHAND;
+  sigemptyset(&action.sa_mask);
+  ends_line_ = sigaction(SIGINT, &action, nullptr) == 0;
 }
 
 void ProgressBar::show(double share_done, std::string what) {
@@ -44,6 +64,7 @@ void ProgressBar::finish() {
   }
   woken_.notify_all();
   drawer_.join();
+  if (std::exchange(ends_line_, false)) sigaction(SIGINT, &before_, nullptr);
   if (end_ == End::kept && state_) {
     draw(*state_);
     print_err("\n");

@@ -2,6 +2,7 @@
 
 #include <chrono>
 #include <condition_variable>
+#include <csignal>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ bool stderr_is_terminal() noexcept;
 class ProgressBar {
  public:
   /// What is left of the line at the end: its last state, or nothing (what was quick leaves no trace at all).
+  /// One that would be wiped is ended plainly where Ctrl-C ends the program.
   enum class End { kept, wiped };
 
   /// @param patience  nothing is drawn for so long
@@ -41,6 +43,7 @@ class ProgressBar {
     double share_done = 0;
     std::string what;
   };
+  void end_line_on_interrupt();
   void draw_now_and_then(std::chrono::milliseconds patience);
   void draw(const State& state);
 
@@ -49,6 +52,8 @@ class ProgressBar {
   std::condition_variable woken_;
   std::optional<State> state_;  ///< none before the first show()
   bool finished_ = false, is_drawn_ = false;
+  bool ends_line_ = false;  ///< Ctrl-C ends the line, then the program
+  struct sigaction before_ {};
   std::thread drawer_;
 };
 

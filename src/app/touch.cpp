@@ -96,6 +96,12 @@ void tell_device(const TouchOptions& options, const std::string& words) {
   if (!words.empty()) print_err("fingerpad: {}: {}\n", options.device, words);
 }
 
+/// On a terminal in a line of its own: "^C" stands in the one before.
+void tell_signal(const TouchOptions& options) {
+  print_err("{}fingerpad: {}: told to end, by Ctrl-C or another signal\n", stderr_is_terminal() ? "\n" : "",
+            options.device);
+}
+
 void tell_timing(const ServoTiming& timing, double rate_hz) {
   print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks, rate_hz,
             timing.late_ticks, 1e3 * timing.worst_late_s);
@@ -189,6 +195,7 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
                     {scene, world, *device, servo, swap, recorder.get(), on_drop}, signals);
   }
   servo.stop();
+  if (signals.has_come()) tell_signal(options);
   tell_device(options, device->closing_words());
   tell_timing(servo.timing(), scene.motion.rate_hz);
   if (recorder) finish_recording(options, *recorder, servo.timing(), after_end);

@@ -9,12 +9,9 @@
 #include <vtkRenderWindow.h>
 #include <vtkRenderer.h>
 
-#include <algorithm>
 #include <cmath>
 
 #include "base/tangent_frame.hpp"
-#include "contact/triangle_tree.hpp"
-#include "part/part.hpp"
 #include "touch/world.hpp"
 #include "view/camera_vtk.hpp"
 #include "view/part_mesh_vtk.hpp"
@@ -35,36 +32,6 @@ vtkSmartPointer<vtkActor> near_actor(vtkProperty* property, double line_units) {
 
 void set_mesh(vtkActor* actor, vtkPolyData* mesh) {
   vtkPolyDataMapper::SafeDownCast(actor->GetMapper())->SetInputData(mesh);
-}
-
-/// The ball about a triangle's middle that holds its corners reaches into the beam; part frame.
-bool may_be_in_beam(const Part& part, int triangle, const Vec3& from, const Vec3& along, double radius_m) {
-  const Vec3 a = part.vertices.col(part.triangles(0, triangle)),
-             b = part.vertices.col(part.triangles(1, triangle)),
-             c = part.vertices.col(part.triangles(2, triangle)), middle = (a + b + c) / 3;
-  const double size_m = std::sqrt(
-      std::max({(a - middle).squaredNorm(), (b - middle).squaredNorm(), (c - middle).squaredNorm()}));
-  const Vec3 way = middle - from;
-  return (way - way.dot(along) * along).norm() <= radius_m + size_m;
-}
-
-/// The triangles of a part that a camera sees, in their order, and few others: of those within a ball, all
-/// near its line of sight; all where there is no tree.
-std::vector<int> triangles_in_sight(const Surface& surface, const CloseUpSight& sight) {
-  std::vector<int> found;
-  const Part& part = *surface.part;
-  if (!surface.tree) {
-    for (int t = 0; t < part.triangle_count(); ++t) found.push_back(t);
-    return found;
-  }
-  const Vec3 q = surface.R_WP.transpose() * (sight.contact_W - surface.p_WP) - part.centre_P;
-  const Vec3 along = surface.R_WP.transpose() * sight.normal_W;
-  surface.tree->each_within(
-      q, sight.reach_m,
-      [](void* list, int triangle) { static_cast<std::vector<int>*>(list)->push_back(triangle); }, &found);
-  std::erase_if(found, [&](int t) { return !may_be_in_beam(part, t, q, along, sight.across_m); });
-  std::sort(found.begin(), found.end());
-  return found;
 }
 
 }  // namespace

@@ -8,6 +8,7 @@
 #include "view/blending_renderer_vtk.hpp"
 #include "view/contact_glyphs.hpp"
 #include "view/layout.hpp"
+#include "view/triangles_in_sight.hpp"
 #include "view/world_props_vtk.hpp"
 
 class vtkActor;
@@ -16,14 +17,6 @@ class vtkRenderWindow;
 class vtkRenderer;
 
 namespace fingerpad {
-
-/// What the camera of a close-up looks at: down onto the contact, along its normal.
-struct CloseUpSight {
-  Vec3 contact_W = Vec3::Constant(TickRecord::nan), normal_W = Vec3::UnitZ();
-  double reach_m = 0,
-         across_m = 0;  ///< from the contact to the farthest corner in sight, and across the sight
-  bool operator==(const CloseUpSight&) const = default;
-};
 
 /// The contact from near by, in a box over the scene. Of the parts it draws what is near the contact, or it
 /// would cost as much as the scene.

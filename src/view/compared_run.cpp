@@ -13,7 +13,6 @@
 #include "trace/trace.hpp"
 #include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
-#include "view/left_out_ticks.hpp"
 #include "view/run_title.hpp"
 #include "view/touch_series.hpp"
 
@@ -33,49 +32,86 @@ std::vector<double> friction_of(const std::vector<TickRecord>& rows) {
   return touch_series(rows, main_direction(rows)).friction_n;
 }
 
-/// The rows of every so manieth tick and of the last, as a trace of these alone has them.
-std::vector<TickRecord> thinned_rows(const std::vector<TickRecord>& rows, std::uint64_t every) {
-  std::vector<TickRecord> kept;
-  const auto last = static_cast<long>(rows.size()) - 1;
-  for (long k = 0; k <= last; ++k) {
-    if (is_kept(k, last, every)) kept.push_back(rows[static_cast<std::size_t>(k)]);
+/// Where in a trace the ticks of another stand that has some of them; empty where one is not there.
+std::vector<std::size_t> places_of(const std::vector<double>& fewer_t_s, const std::vector<double>& t_s) {
+  std::vector<std::size_t> places;
+  for (const double at_s : fewer_t_s) {
+    if (t_s.empty() || at_s < t_s.front() || at_s > t_s.back()) continue;
+    const auto place = std::lower_bound(t_s.begin(), t_s.end(), at_s);
+    if (*place != at_s) return {};
+    places.push_back(static_cast<std::size_t>(place - t_s.begin()));
   }
-  return kept;
+  return places;
+}
+
+std::vector<TickRecord> rows_at(const std::vector<TickRecord>& rows, const std::vector<std::size_t>& places) {
+  std::vector<TickRecord> some;
+  some.reserve(places.size());
+  for (const std::size_t place : places) some.push_back(rows[place]);
+  return some;
 }
 
 /// Values of some of the rows, at their places among all; nan at the others.
-std::vector<double> among_all(const std::vector<TickRecord>& some, const std::vector<double>& values,
-                              const std::vector<TickRecord>& all) {
-  std::vector<double> out(all.size(), TickRecord::nan);
-  for (std::size_t i = 0, k = 0; i < all.size() && k < some.size(); ++i) {
-    if (all[i].t_s == some[k].t_s) out[i] = values[k++];
-  }
+std::vector<double> among_all(const std::vector<double>& values, const std::vector<std::size_t>& places,
+                              std::size_t count) {
+  std::vector<double> out(count, TickRecord::nan);
+  for (std::size_t i = 0; i < places.size(); ++i) out[places[i]] = values[i];
   return out;
 }
 
-/// @param every  of the trace that has the fewest ticks
-ComparedRun of_trace(const std::string& path, Over over, double from_s, double to_s, std::uint64_t every) {
-  Trace trace = read_trace(path, TraceContents::rows);
-  const auto is_left_out = [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; };
-  const std::uint64_t own_every = ticks_a_row(trace);
-  std::vector<TickRecord> fewer;
-  if (every > own_every && every % own_every == 0) fewer = thinned_rows(trace.rows, every / own_every);
-  std::erase_if(fewer, is_left_out);
-  std::erase_if(trace.rows, is_left_out);
+/// The way of all ticks where that of some of them is given: between two of these it goes on as their own way
+/// does, or their time where that stands still.
+/// @pre at least one place
+std::vector<double> way_by_some(const std::vector<double>& own, const std::vector<double>& t_s,
+                                const std::vector<double>& of_some, const std::vector<std::size_t>& places) {
+  std::vector<double> x(own.size());
+  for (std::size_t i = 0; i < places.front(); ++i) x[i] = of_some.front() + (own[i] - own[places.front()]);
+  for (std::size_t k = 0; k + 1 < places.size(); ++k) {
+    const std::size_t from = places[k], to = places[k + 1];
+    const std::vector<double>& pace = own[to] > own[from] ? own : t_s;
+    for (std::size_t i = from; i < to; ++i) {
+      const double share = (pace[i] - pace[from]) / (pace[to] - pace[from]);
+      x[i] = of_some[k] + share * (of_some[k + 1] - of_some[k]);
+    }
+  }
+  for (std::size_t i = places.back(); i < own.size(); ++i)
+    x[i] = of_some.back() + (own[i] - own[places.back()]);
+  return x;
+}
+
+/// Tells a run's way and its friction as a trace of these of its ticks tells them.
+void tell_by_some(ComparedRun& run, const std::vector<TickRecord>& rows,
+                  const std::vector<std::size_t>& places, Over over) {
+  const std::vector<TickRecord> some = rows_at(rows, places);
+  for (ComparedColumn& column : run.columns) {
+    if (column.name == "friction") column.thinned = among_all(friction_of(some), places, rows.size());
+  }
+  if (over == Over::time) return;
+  run.x = way_by_some(run.x, run.t_s, abscissa(some, over), places);
+  run.x_by_fewer = true;
+}
+
+/// @param fewer_t_s  of a trace that has fewer ticks, perhaps some of this one's; empty: none
+ComparedRun of_trace(const std::string& path, Over over, double from_s, double to_s,
+                     const std::vector<double>& fewer_t_s) {
+  Trace trace = read_trace(path, TraceContents::some_rows);
+  if (over != Over::time) refuse_missing_columns(trace, path);
+  std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
   const std::string title = scene_title(trace.info, path);
   const std::string scene = trace.info.scene_name.empty() ? title : trace.info.scene_name;
-  ComparedRun run{"", scene, title, path, trace.info.scene_text, true, own_every, abscissa(trace.rows, over),
-                  {}};
+  ComparedRun run{"", scene, title, path, trace.info.scene_text, true, abscissa(trace.rows, over), {}};
   refuse_standstill(run.x, over, path);
+  run.t_s = abscissa(trace.rows, Over::time);
   for (const TraceColumn& column : trace_columns(trace.info)) {
     if (!is_comparable(column)) continue;
     ComparedColumn values{std::string(column.name), std::string(column.unit), {}};
     for (const TickRecord& row : trace.rows) values.values.push_back(column.get(row));
     run.columns.push_back(std::move(values));
   }
+  if (!trace.missing.empty()) return run;
   run.columns.push_back({"friction", "N", friction_of(trace.rows)});
-  if (!fewer.empty() && over == Over::time)
-    run.columns.back().thinned = among_all(fewer, friction_of(fewer), trace.rows);
+  const std::vector<std::size_t> places = places_of(fewer_t_s, run.t_s);
+  if (!places.empty()) tell_by_some(run, trace.rows, places, over);
   return run;
 }
 
@@ -110,7 +146,7 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
     return kept;
   };
   const std::string stem = std::filesystem::path(path).stem().string();
-  ComparedRun run{"", stem, stem, path, "", false, 1, within(times), {}};
+  ComparedRun run{"", stem, stem, path, "", false, within(times), {}};
   for (std::size_t i = 0; i < request.optional.size(); ++i) {
     if (!table.present[i + 1]) continue;
     run.columns.push_back({std::string(request.optional[i]), units[i], within(table.columns[i + 1])});
@@ -141,21 +177,23 @@ bool is_measured_table(const std::string& path) {
 }
 
 ComparedRun read_compared_run(const std::string& path, Over over, double from_s, double to_s) {
-  return holds_trace(path) ? of_trace(path, over, from_s, to_s, 1) : of_table(path, over, from_s, to_s);
+  return holds_trace(path) ? of_trace(path, over, from_s, to_s, {}) : of_table(path, over, from_s, to_s);
 }
 
 std::vector<ComparedRun> read_compared_runs(const std::vector<std::string>& paths, Over over, double from_s,
                                             double to_s) {
   std::vector<ComparedRun> runs;
-  std::uint64_t every = 1;
+  std::vector<double> fewest_t_s;
   for (const std::string& path : paths) {
     runs.push_back(read_compared_run(path, over, from_s, to_s));
-    every = std::max(every, runs.back().every);
+    const std::vector<double>& t_s = runs.back().t_s;
+    if (!t_s.empty() && (fewest_t_s.empty() || t_s.size() < fewest_t_s.size())) fewest_t_s = t_s;
   }
   for (std::size_t i = 0; i < runs.size(); ++i) {
     // A stream cannot be read again.
-    if (runs[i].is_trace && runs[i].every < every && !stream_descriptor(paths[i]))
-      runs[i] = of_trace(paths[i], over, from_s, to_s, every);
+    const bool has_more = runs[i].t_s.size() > fewest_t_s.size() && !stream_descriptor(paths[i]);
+    if (has_more && !places_of(fewest_t_s, runs[i].t_s).empty())
+      runs[i] = of_trace(paths[i], over, from_s, to_s, fewest_t_s);
   }
   return runs;
 }

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,9 +24,10 @@ struct ComparedRun {
   std::string path;
   std::string scene_text;  ///< empty where it holds none
   bool is_trace = false;
-  std::uint64_t every = 1;  ///< of a trace: its rows are every so manieth tick, and the last
-  std::vector<double> x;    ///< never goes back
+  std::vector<double> x;  ///< never goes back
   std::vector<ComparedColumn> columns;
+  std::vector<double> t_s = {};  ///< of a trace: when each tick was
+  bool x_by_fewer = false;       ///< its way is told as a trace of fewer ticks tells it
 };
 
 /// Reads a trace, or a table with a column t_s and others named as a trace's (fx_n, fn_n, x_m). Over
@@ -35,7 +35,8 @@ struct ComparedRun {
 /// file that is neither, and as read_trace and read_csv_columns.
 /// @param from_s, to_s  what is earlier or later is left out
 ComparedRun read_compared_run(const std::string& path, Over over, double from_s, double to_s);
-/// Several; where one is a trace of every so manieth tick, friction of the others is told by such ticks too.
+/// Several. Where one is a trace of some of another's ticks, the other's way and its friction along the
+/// sliding direction are told by these ticks too: from one to the next it is shorter than between them.
 std::vector<ComparedRun> read_compared_runs(const std::vector<std::string>& paths, Over over, double from_s,
                                             double to_s);
 

@@ -28,34 +28,50 @@ std::string names_in(const ComparedRun& run) {
   return names;
 }
 
+/// Of these names those that all runs have.
+std::vector<std::string> had_by_all(const std::vector<ComparedRun>& runs, std::vector<std::string> names) {
+  std::erase_if(names, [&](const std::string& name) { return !all_have(runs, name); });
+  return names;
+}
+
 std::vector<std::string> usual_columns(const std::vector<ComparedRun>& runs) {
-  constexpr std::size_t most = 4;
-  for (const std::vector<std::string>& wanted :
-       {std::vector<std::string>{"fn_n", "friction", "mu"}, {"fn_n", "fx_n", "fy_n", "fz_n"}}) {
-    std::vector<std::string> have;
-    for (const std::string& name : wanted) {
-      if (all_have(runs, name)) have.push_back(name);
-    }
-    if (have.size() == wanted.size() || (wanted.size() == most && !have.empty())) return have;
-  }
-  std::vector<std::string> have;
-  for (const ComparedColumn& column : runs.front().columns) {
-    if (have.size() < most && all_have(runs, column.name)) have.push_back(column.name);
-  }
+  constexpr std::size_t most = 6;
+  std::vector<std::string> have = had_by_all(runs, {"fn_n", "friction", "mu"});
+  if (have.size() == 3) return have;
+  std::vector<std::string> all;
+  for (const ComparedColumn& column : runs.front().columns) all.push_back(column.name);
+  all = had_by_all(runs, all);
+  // What was written with a few columns alone was meant for them.
+  if (runs.size() == 1 && !all.empty() && all.size() <= most) return all;
+  have = had_by_all(runs, {"fn_n", "fx_n", "fy_n", "fz_n", "mu"});
+  if (have.empty())
+    have.assign(all.begin(), all.begin() + static_cast<std::ptrdiff_t>(std::min(most, all.size())));
   if (!have.empty()) return have;
   throw refused(runs.back().path,
                 fmt::format("has no column in common with {}: {} there, {} here", runs.front().path,
                             names_in(runs.front()), names_in(runs.back())));
 }
 
-/// The value at x, linearly between the ticks beside it. @pre x lies within the run
-double value_at(const std::vector<double>& x_of, const std::vector<double>& values, double x) {
-  const auto after = std::lower_bound(x_of.begin(), x_of.end(), x);
-  const auto i = static_cast<std::size_t>(after - x_of.begin());
-  if (i == x_of.size()) return values.back();
-  if (x_of[i] == x || i == 0) return values[i];
-  const double share = (x - x_of[i - 1]) / (x_of[i] - x_of[i - 1]);
-  return values[i - 1] + share * (values[i] - values[i - 1]);
+/// The value at x, linearly between the ticks beside it; of several ticks at x, as of a finger that rests,
+/// that of the nearest time.
+/// @pre x lies within the run
+double value_at(const ComparedRun& run, const std::vector<double>& values, double x, double t_s) {
+  const auto [from, to] = std::equal_range(run.x.begin(), run.x.end(), x);
+  const auto first = static_cast<std::size_t>(from - run.x.begin());
+  const auto beyond = static_cast<std::size_t>(to - run.x.begin());
+  if (beyond > first) {
+    if (beyond == first + 1 || run.t_s.empty()) return values[first];
+    const auto begin = run.t_s.begin();
+    const auto after = std::lower_bound(begin + static_cast<std::ptrdiff_t>(first),
+                                        begin + static_cast<std::ptrdiff_t>(beyond - 1), t_s);
+    const auto i = static_cast<std::size_t>(after - begin);
+    const bool before_is_nearer = i > first && t_s - run.t_s[i - 1] < run.t_s[i] - t_s;
+    return values[before_is_nearer ? i - 1 : i];
+  }
+  if (first == run.x.size()) return values.back();
+  if (first == 0) return values.front();
+  const double share = (x - run.x[first - 1]) / (run.x[first] - run.x[first - 1]);
+  return values[first - 1] + share * (values[first] - values[first - 1]);
 }
 
 /// Where two runs are compared.
@@ -93,7 +109,7 @@ CommonTicks common_ticks(const ComparedRun& first, const ComparedRun& other, Ove
 const std::vector<double>& compared_values(const ComparedRun& run, const std::string& name,
                                            const ComparedRun& other) {
   const ComparedColumn& column = *column_of(run, name);
-  return other.every > run.every && !column.thinned.empty() ? column.thinned : column.values;
+  return other.x.size() < run.x.size() && !column.thinned.empty() ? column.thinned : column.values;
 }
 
 Residual residual_of(const std::string& name, const ComparedRun& first, const ComparedRun& other,
@@ -101,9 +117,11 @@ Residual residual_of(const std::string& name, const ComparedRun& first, const Co
   const std::vector<double>&a = compared_values(first, name, other), &b = compared_values(other, name, first);
   Residual residual{run, name, column_of(first, name)->unit, {}, {}, 0};
   double squares = 0, count = 0;
-  for (const double x : ticks.grid->x) {
+  for (std::size_t i = 0; i < ticks.grid->x.size(); ++i) {
+    const double x = ticks.grid->x[i];
     if (x < ticks.from || x > ticks.to) continue;
-    const double left = value_at(other.x, b, x) - value_at(first.x, a, x);
+    const double t_s = ticks.grid->t_s.empty() ? x : ticks.grid->t_s[i];
+    const double left = value_at(other, b, x, t_s) - value_at(first, a, x, t_s);
     residual.x.push_back(x);
     residual.values.push_back(left);
     if (!std::isfinite(left)) continue;
@@ -148,6 +166,10 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
   if (std::find(comparison.columns.begin(), comparison.columns.end(), "friction") != comparison.columns.end())
     comparison.notes.push_back(
         "friction: along the sliding direction, negative where it holds the finger back");
+  const auto is_by_fewer = [](const ComparedRun& run) { return run.x_by_fewer; };
+  if (std::any_of(runs.begin(), runs.end(), is_by_fewer))
+    comparison.notes.push_back(
+        "way: from each tick to the next of the run that has fewest; what lies between is longer");
   std::vector<CommonTicks> ticks;
   for (std::size_t i = 1; i < runs.size(); ++i) {
     ticks.push_back(common_ticks(runs[0], runs[i], over));

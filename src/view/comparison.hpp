@@ -25,8 +25,9 @@ struct Comparison {
 
 /// Compares runs with the first. Two runs are compared where both are there, at the ticks of the one that has
 /// fewer; the other is interpolated linearly between its own.
-/// @param columns  by name; empty: normal force, friction and its coefficient where all have them, else the
-///                 forces that all have, or else whatever they all have, at most four
+/// @param columns  by name; empty: normal force, friction and its coefficient where all have them; of one run
+///                 that has no more than six, all; else the forces and the coefficient that all have, or else
+///                 whatever they all have, at most six
 /// Throws Error (refused) for no common column, a column that one lacks, or two that have no time in common.
 Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::string>& columns, Over over);
 

@@ -15,18 +15,15 @@ const std::vector<KeyRow>& rows() {
        "give the device its force back",
        windows::motors,
        {{"g", A::give_back}, {"X", A::give_back}}},
-      {"move the mouse", "the finger follows over the part", windows::live},
-      {"hold left button", "press on the part", windows::live},
-      {"Space", "press without holding, lift", windows::live, {{"space", A::press}}},
-      {"wheel, Page keys",
-       "press harder, softer",
-       windows::live,
-       {{"Prior", A::harder}, {"Next", A::softer}}},
+      {"move the mouse", "the finger follows over the part", windows::led},
+      {"hold left button", "press on the part", windows::led},
+      {"Space", "press without holding, lift", windows::led, {{"space", A::press}}},
+      {"wheel, Page keys", "press harder, softer", windows::led, {{"Prior", A::harder}, {"Next", A::softer}}},
       {"arrow keys",
        "move the finger on the surface",
-       windows::live,
+       windows::led,
        {{"Left", A::go_left}, {"Right", A::go_right}, {"Up", A::go_up}, {"Down", A::go_down}}},
-      {"drag beside part", "turn the view", windows::live},
+      {"drag beside part", "turn the view", windows::led},
       {"+, -",
        "view nearer, farther",
        windows::live,
@@ -51,9 +48,9 @@ const std::vector<KeyRow>& rows() {
         {"minus", A::slower},
         {"KP_Subtract", A::slower}}},
       {"click charts, line", "go to that time", windows::trace},
-      {"left drag", "turn the view", windows::view},
+      {"left drag", "turn the view", windows::view | windows::watched},
       {"middle drag", "move the view"},
-      {"right drag, wheel", "nearer, farther", windows::view},
+      {"right drag, wheel", "nearer, farther", windows::view | windows::watched},
       {"wheel on a chart", "zoom; drag: move along", windows::moving},
       {"mouse over curve", "its value", windows::moving},
       {"1, 2, 3, 4",
@@ -94,6 +91,8 @@ std::string where_text(unsigned in) {
   if (in == windows::all) return "all";
   if (in == windows::live) return "live";
   if (in == windows::motors) return "live, with motors";
+  if (in == windows::led) return "live, by mouse";
+  if (in == (windows::view | windows::watched)) return "view; live, by a device";
   if (in == windows::view) return "view";
   if (in == windows::trace) return "view of a trace";
   return "view of a trace, live";

@@ -63,10 +63,12 @@ enum class KeyAction {
 
 /// The kinds of windows, to be joined by |.
 namespace windows {
-inline constexpr unsigned still = 1;   ///< a mesh, or a scene without a motion: nothing moves
-inline constexpr unsigned trace = 2;   ///< of a trace, or of a scene that was replayed
-inline constexpr unsigned touch = 4;   ///< live
-inline constexpr unsigned motors = 8;  ///< live, on a device with motors
+inline constexpr unsigned still = 1;     ///< a mesh, or a scene without a motion: nothing moves
+inline constexpr unsigned trace = 2;     ///< of a trace, or of a scene that was replayed
+inline constexpr unsigned touch = 4;     ///< live
+inline constexpr unsigned motors = 8;    ///< live, on a device with motors
+inline constexpr unsigned led = 16;      ///< live, the mouse leads the finger
+inline constexpr unsigned watched = 32;  ///< live, something else leads it: the mouse turns the view
 inline constexpr unsigned view = still | trace, live = touch | motors, moving = trace | live,
                           all = view | live;
 }  // namespace windows
@@ -88,7 +90,7 @@ struct KeyRow {
 std::span<const KeyRow> key_table();
 
 /// What a key does in a window; none: nothing.
-/// @param window  one of `windows`
+/// @param window  what it is of `windows`, joined by |
 std::optional<KeyAction> action_of(std::string_view symbol, unsigned window);
 
 /// "key: what it does", a line a row, for a window's help page.

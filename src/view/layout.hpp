@@ -20,6 +20,8 @@ inline constexpr int least_width_with_charts_px = 540, least_height_with_charts_
 
 /// So high above the scene's foot are the axes in its lower right corner, whichever of them points upwards.
 inline constexpr double axes_foot_em = 7.2;
+/// So far the scale bar reaches from the scene's right side, beside them.
+inline constexpr double scale_bar_reach_em = 17.5;
 
 /// @param charts    a column of charts stands on the right, where there is room for it
 /// @param timeline  a bar with the time stands at the bottom

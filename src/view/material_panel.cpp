@@ -99,7 +99,7 @@ std::string MaterialPanel::unstable_words(const Scene& scene) const {
   if (surface.stiffness_n_per_m <= most) return {};
   const std::string limit =
       most < 100 ? fmt::format("{:.3g}", most) : number_text(10 * std::round(most / 10));
-  return fmt::format("a motor shakes: over {} N/m at {} Hz", limit, number_text(scene.motion.rate_hz));
+  return fmt::format("motors shake over {} N/m at {} Hz", limit, number_text(scene.motion.rate_hz));
 }
 
 /// The row's value so many steps on, and the key that it is the value of.

@@ -17,7 +17,7 @@ std::vector<ComparedRun> read_measured_and_model(const std::string& path, Over o
                   "in columns = { fx = \"fx_n\", fy = \"fy_n\", fz = \"fz_n\" }, and replay it");
   std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
   const std::string title = scene_title(trace.info, path);
-  ComparedRun measured{"measured", title, title, path, "", false, 1, abscissa(trace.rows, over), {}};
+  ComparedRun measured{"measured", title, title, path, "", false, abscissa(trace.rows, over), {}};
   refuse_standstill(measured.x, over, path);
   ComparedRun model = measured;
   model.name = "model";

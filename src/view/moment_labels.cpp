@@ -9,6 +9,18 @@ std::array<Vec3, 3> drawn_forces_W_n(const TickRecord& row) {
   return {row.normal_W * row.normal_force_n, row.friction_W_n, row.force_W_n};
 }
 
+InSight moment_in_sight(const ContactMoment& moment, const DrawSpace& space,
+                        const std::function<Vec2(const Vec3& p_mm)>& on_screen, double mm_per_n) {
+  const TickRecord& row = moment.row;
+  if (row.phase == Phase::free) return {on_screen(space.to_draw(row.p_WQ)), {}};
+  const Vec3 contact_mm = space.to_draw(row.contact_W);
+  InSight in_sight{on_screen(contact_mm), {}};
+  if (mm_per_n == 0) return in_sight;
+  for (const Vec3& force_W_n : drawn_forces_W_n(row))
+    in_sight.tips_px.push_back(on_screen(contact_mm + force_W_n * mm_per_n));
+  return in_sight;
+}
+
 std::vector<OverlayFacts::Label> moment_labels(const ContactMoment& moment, const GlyphChoice& choice,
                                                const DrawSpace& space,
                                                const std::function<Vec2(const Vec3& p_mm)>& on_screen,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 #include "view/axis.hpp"
 #include "view/colours.hpp"
@@ -29,18 +30,6 @@ class OverlayPainter {
 
   void paint() {
     paint_title();
-    for (const auto& label : facts_.labels) {
-      // On bright metal, in the dark, letters would be bright as well.
-      const Vec2 half(text_width(label.words, 0.95 * em_) / 2 + 0.2 * em_, 0.65 * em_);
-      drawing_.box({label.at.x() - half.x(), label.at.y() - half.y(), 2 * half.x(), 2 * half.y()},
-                   panel_colour);
-      drawing_.text(label.at, label.words,
-                    {.size = 0.95 * em_, .across = Across::centre, .upright = Upright::middle});
-    }
-    if (state_.hud && facts_.legend.width > 0) paint_legend(drawing_, facts_, state_, facts_.legend, em_);
-    paint_scale_and_axes();
-    if (facts_.inset_px_per_mm > 0) paint_inset_frame();
-    paint_marks();
     paint_words();
     if (layout_.timeline.height > 0) paint_timeline();
     if (!facts_.alarm.empty()) paint_alarm();
@@ -65,102 +54,62 @@ class OverlayPainter {
     }
   }
 
-  void paint_marks() {
-    const auto behind = [this](const Vec2& mark) {
-      return facts_.inset_px_per_mm > 0 && facts_.inset.holds(mark.x(), mark.y());
-    };
-    if (facts_.marks.empty() || std::all_of(facts_.marks.begin(), facts_.marks.end(), behind)) return;
-    if (facts_.marks.size() > 1)
-      drawing_.line(facts_.marks[0], facts_.marks[1], {colours::ink, 0.14 * em_, 0.5 * em_, 0.3 * em_});
-    for (const Vec2& mark : facts_.marks) {
-      if (behind(mark)) continue;
-      drawing_.disc(mark, 0.36 * em_, colours::white);
-      drawing_.disc(mark, 0.25 * em_, colours::reddish_purple);
-    }
-    const double width = pill_width(facts_.marks_words, em_);
-    paint_pill(drawing_, marks_words_place(facts_.marks, width, layout_), facts_.marks_words, em_);
-  }
-
   /// Cut where it does not fit: the terminal has it whole.
   void paint_alarm() {
     const Box line = alarm_line(facts_, layout_);
+    constexpr Colour on_red{255, 252, 204};  // a colour, which the dark theme leaves bright
     drawing_.box(line, Colour{178, 24, 32});
     drawing_.text({line.left + 0.7 * em_, line.centre().y()},
                   fitted(facts_.alarm, 1.15 * em_, true, line.width - 1.4 * em_),
-                  {.size = 1.15 * em_, .colour = colours::white, .upright = Upright::middle, .bold = true});
+                  {.size = 1.15 * em_, .colour = on_red, .upright = Upright::middle, .bold = true});
   }
 
-  /// What is said once: what is missing, how to press, what has just been done.
+  /// What is said once: what is missing, how to press, what has just been done. Where lists leave too little
+  /// room for long lines, in shorter ones.
   void paint_words() {
-    const double most = layout_.scene.width - 4 * em_;
-    std::array<std::string, 2> lines;
-    double width = 0;
-    for (std::size_t i = 0; i < lines.size(); ++i) {
-      lines[i] = fitted(i == 0 ? facts_.invitation : facts_.message, em_, true, most);
-      width = std::max(width, lines[i].empty() ? 0.0 : pill_width(lines[i], em_));
-    }
-    const Box place = words_place(layout_, width, facts_.finger_px, {facts_.hud, facts_.legend});
-    Vec2 at(place.centre().x(), place.bottom + 1.1 * em_);
-    for (const std::string& words : lines) {
-      if (!words.empty()) paint_pill(drawing_, at, words, em_);
-      at.y() += 3 * em_;
-    }
     paint_notice(drawing_, facts_, layout_);
-  }
-
-  void paint_scale_and_axes() {
-    const Vec2 middle(layout_.scene.right() - 3.6 * em_, layout_.scene.bottom + 3.6 * em_);
-    constexpr const char* names[] = {"x", "y", "z"};
-    std::array<int, 3> order{0, 1, 2};  // the axis nearest to the eye comes last
-    std::sort(order.begin(), order.end(),
-              [this](int a, int b) { return facts_.axes_px(2, a) < facts_.axes_px(2, b); });
-    for (const int axis : order) {
-      const Vec2 along = facts_.axes_px.col(axis).head<2>();
-      const Colour colour = facts_.axes_px(2, axis) < -0.2 ? colours::grey : colours::ink;
-      drawing_.line(middle, middle + along * 2.0 * em_, {colour, 0.15 * em_});
-      // Of an axis seen from its end the letter stands beside the corner of the others.
-      const bool from_its_end = along.norm() < 0.25;
-      const Vec2 place = from_its_end ? Vec2(-0.7 * em_, -0.7 * em_) : Vec2(along * 2.7 * em_);
-      drawing_.text(middle + place, names[axis],
-                    {.size = em_, .colour = colour, .across = Across::centre, .upright = Upright::middle});
+    if (facts_.invitation.empty() && facts_.message.empty()) return;
+    const double gap = 0.8 * em_;
+    Pills pills;
+    std::optional<Box> place;
+    for (const double share : {1.0, 0.5, 0.35}) {
+      const double most = std::max(share * layout_.scene.width - 4 * em_, 8 * em_);
+      pills = {wrapped(facts_.invitation, em_, most, true), wrapped(facts_.message, em_, most, true)};
+      place = words_place(layout_, room_for(pills, gap), facts_.finger_px, taken_places());
+      if (place) break;
     }
-    if (!(facts_.px_per_mm > 0)) return;
-    const double length_mm = round_down_125(9 * em_ / facts_.px_per_mm);
-    paint_scale_bar({middle.x() - 4.2 * em_, layout_.scene.bottom + 1.2 * em_}, length_mm, facts_.px_per_mm);
-  }
-
-  /// A bar that ends at `right_end`, with its length above.
-  void paint_scale_bar(const Vec2& right_end, double length_mm, double px_per_mm) {
-    const Vec2 left_end = right_end - Vec2(length_mm * px_per_mm, 0);
-    const double half = 0.3 * em_;
-    const Stroke stroke{colours::ink, 0.14 * em_};
-    drawing_.line(left_end, right_end, stroke);
-    for (const Vec2& end : {left_end, right_end}) {
-      drawing_.line(end - Vec2(0, half), end + Vec2(0, half), stroke);
+    if (!place) place = Box{layout_.scene.centre().x(), layout_.scene.bottom + 6 * em_, 0, 0};
+    double bottom = place->bottom;
+    for (const std::vector<std::string>& lines : pills) {
+      const double height = height_of(lines);
+      paint_pill(drawing_, {place->centre().x(), bottom + height / 2}, lines, em_);
+      bottom += height + gap;
     }
-    drawing_.text((left_end + right_end) / 2 + Vec2(0, 0.4 * em_), plain_number(length_mm) + " mm",
-                  {.size = em_, .across = Across::centre});
   }
 
-  void paint_inset_frame() {
-    const Box& box = facts_.inset;
-    drawing_.frame(box, {colours::grey, std::max(1.0, 0.1 * em_)});
-    drawing_.box({box.left, box.top() - 1.5 * em_, box.width, 1.5 * em_}, panel_colour);
-    const double zoom = facts_.inset_px_per_mm / facts_.px_per_mm;
-    drawing_.text({box.centre().x(), box.top() - 0.75 * em_},
-                  fmt::format("contact, {}{:.{}f}x", walls_words(), zoom, zoom < 10 ? 1 : 0),
-                  {.size = em_, .across = Across::centre, .upright = Upright::middle});
-    drawing_.box({box.left, box.bottom, box.width, 2.3 * em_}, panel_colour);
-    drawing_.text({box.left + 0.6 * em_, box.bottom + 1.15 * em_}, "up: finger",
-                  {.size = em_, .colour = colours::grey, .upright = Upright::middle});
-    const double length_mm = round_down_125(0.4 * box.width / facts_.inset_px_per_mm);
-    paint_scale_bar({box.right() - 0.8 * em_, box.bottom + 0.6 * em_}, length_mm, facts_.inset_px_per_mm);
+  using Pills = std::array<std::vector<std::string>, 2>;
+
+  /// A line's at the least, so that words do not leap where another line comes or goes.
+  double height_of(const std::vector<std::string>& lines) const {
+    return pill_size(lines.empty() ? std::vector<std::string>{""} : lines, em_).y();
   }
 
-  /// Of several the region is not drawn: a record has the greatest wall's centre and the mean of their
-  /// normals.
-  std::string walls_words() const {
-    return facts_.row && facts_.row->walls > 1 ? fmt::format("{} walls, ", facts_.row->walls) : "";
+  Vec2 room_for(const Pills& pills, double gap) const {
+    return {std::max(pill_size(pills[0], em_).x(), pill_size(pills[1], em_).x()),
+            height_of(pills[0]) + gap + height_of(pills[1])};
+  }
+
+  /// What words keep clear of: readings, legend, close-up, alarm, lists, scale and axes.
+  std::vector<Box> taken_places() const {
+    std::vector<Box> taken = {facts_.hud, facts_.legend, alarm_line(facts_, layout_)};
+    if (facts_.inset_px_per_mm > 0) taken.push_back(facts_.inset);
+    taken.insert(taken.end(), facts_.panels.begin(), facts_.panels.end());
+    const Box& scene = layout_.scene;
+    taken.push_back(
+        {scene.right() - axes_foot_em * em_, scene.bottom, axes_foot_em * em_, axes_foot_em * em_});
+    taken.push_back(
+        {scene.right() - scale_bar_reach_em * em_, scene.bottom, scale_bar_reach_em * em_, 3 * em_});
+    return taken;
   }
 
   void paint_timeline() {

@@ -31,11 +31,12 @@ struct OverlayFacts {
   std::string surface_name;        ///< of what is touched
   std::vector<Reading> readings;   ///< beside those of the row
   TickBars tick_bars;
-  bool brief = false;      ///< in a small window: phase and forces alone, and no legend
-  Box hud, legend;         ///< where readings and legend stand; empty: they have no room
-  double mm_per_n = 1;     ///< of force arrows
-  double px_per_mm = 1;    ///< of the scene
-  double max_force_n = 0;  ///< the colour bar's end
+  bool brief = false;            ///< in a small window: phase and forces alone, and no legend
+  Box hud, legend;               ///< where readings and legend stand; empty: they have no room
+  std::vector<Box> panels = {};  ///< where lists stand
+  double mm_per_n = 1;           ///< of force arrows
+  double px_per_mm = 1;          ///< of the scene
+  double max_force_n = 0;        ///< the colour bar's end
   double t_first_s = 0, t_last_s = 0;
   Mat3 axes_px = Mat3::Identity();  ///< column i: world axis i as seen on the screen (x, y, towards the eye)
   double inset_px_per_mm = 0;       ///< 0: no inset
@@ -65,9 +66,12 @@ Box alarm_line(const OverlayFacts& facts, const Layout& layout);
 /// The time line's slider within a layout.
 Box time_slider(const Layout& layout);
 
-/// The flat part of a picture that changes from moment to moment: the readings, and over them all the rest.
-/// They are two, since a device of VTK keeps fifty texts from one frame to the next, and of more none.
+/// The flat part of a picture that changes from moment to moment: the readings; over them what belongs to
+/// places of the scene (axes, scale, legend, marks); and over that and the lists all the rest. The readings
+/// are drawn by themselves, since a device of VTK keeps fifty texts from one frame to the next, and of more
+/// none.
 Drawing readings_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout);
+Drawing ground_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout);
 Drawing overlay_drawing(const OverlayFacts& facts, const ViewState& state, const Layout& layout);
 
 /// A colour for 0 .. 1, dark to light (viridis of van der Walt & Smith, five stops).

@@ -8,7 +8,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double notice_line_em = 1.5, scale_bar_reach_em = 17.5, least_notice_em = 14;
+constexpr double notice_line_em = 1.5, least_notice_em = 14;
 
 /// Left, bottom and width of the room there is for it.
 Box notice_room(const OverlayFacts& facts, const Layout& layout) {

@@ -28,30 +28,53 @@ bool within(const Box& box, const Box& around) {
          box.top() <= around.top();
 }
 
-}  // namespace
-
-Box words_place(const Layout& layout, double width_px, const std::optional<Vec2>& finger_px,
-                const std::vector<Box>& taken) {
-  const double em = layout.em, clear = 3 * em, height = 5.2 * em, foot = layout.scene.bottom;
-  const double usual = foot + std::max(0.3 * layout.scene.height, 6 * em) - 1.1 * em;
-  const auto at = [&](double bottom) {
-    Box place{layout.scene.centre().x() - width_px / 2, bottom, width_px, height};
-    for (const Box& box : taken) {
-      const double beside = box.right() + 0.7 * em;
-      if (box.width > 0 && meet(place, box) && beside + width_px < layout.scene.right()) place.left = beside;
-    }
-    return place;
-  };
-  if (!finger_px) return at(usual);
-  // At the very foot stand the legend and the scale: only a small scene has no other room.
-  for (const double bottom : {usual, usual + height + 2 * clear, foot + 0.7 * em}) {
-    const bool fits = bottom + height < layout.scene.top();
-    if (fits && !widened(at(bottom), clear).holds(finger_px->x(), finger_px->y())) return at(bottom);
-  }
-  return at(usual);
+bool meets_any(const Box& box, const std::vector<Box>& taken) {
+  return std::any_of(taken.begin(), taken.end(),
+                     [&](const Box& other) { return other.width > 0 && meet(box, other); });
 }
 
-Vec2 marks_words_place(const std::vector<Vec2>& marks_px, double width_px, const Layout& layout) {
+/// Where words may stand at one height: in the middle, or beside the boxes that stand there.
+std::vector<Box> words_places_at(const Layout& layout, const Vec2& size_px, double bottom,
+                                 const std::vector<Box>& taken) {
+  const double gap = 0.7 * layout.em;
+  std::vector<double> lefts = {layout.scene.centre().x() - size_px.x() / 2};
+  for (const Box& box : taken) {
+    if (box.width > 0) lefts.insert(lefts.end(), {box.right() + gap, box.left - gap - size_px.x()});
+  }
+  std::vector<Box> places;
+  for (const double left : lefts) {
+    const Box place{left, bottom, size_px.x(), size_px.y()};
+    if (within(place, layout.scene) && !meets_any(place, taken)) places.push_back(place);
+    if (left == lefts.front() && !places.empty()) break;
+  }
+  return places;
+}
+
+}  // namespace
+
+std::optional<Box> words_place(const Layout& layout, const Vec2& size_px,
+                               const std::optional<Vec2>& finger_px, const std::vector<Box>& taken) {
+  const double em = layout.em, clear = 3 * em, gap = 0.7 * em, foot = layout.scene.bottom;
+  const double usual = foot + std::max(0.3 * layout.scene.height, 6 * em) - 1.1 * em;
+  std::vector<double> bottoms = {usual, usual + size_px.y() + 2 * clear};
+  for (const Box& box : taken) {
+    if (box.width > 0) bottoms.push_back(box.bottom - gap - size_px.y());
+  }
+  // At the very foot stand the legend and the scale: only a small scene has no other room.
+  bottoms.push_back(foot + gap);
+  for (const bool clear_of_finger : {true, false}) {
+    for (const double bottom : bottoms) {
+      for (const Box& place : words_places_at(layout, size_px, bottom, taken)) {
+        const bool hides = finger_px && widened(place, clear).holds(finger_px->x(), finger_px->y());
+        if (!clear_of_finger || !hides) return place;
+      }
+    }
+  }
+  return std::nullopt;
+}
+
+Vec2 marks_words_place(const std::vector<Vec2>& marks_px, double width_px, const Layout& layout,
+                       const std::vector<Box>& taken) {
   const double em = layout.em, half_height = 1.1 * em, away = 1.9 * em;
   const Vec2 half(width_px / 2, half_height);
   Vec2 middle(0, 0);
@@ -62,15 +85,24 @@ Vec2 marks_words_place(const std::vector<Vec2>& marks_px, double width_px, const
   }
   const auto is_free = [&](const Vec2& at) {
     const Box box{at.x() - half.x(), at.y() - half.y(), 2 * half.x(), 2 * half.y()};
-    return within(box, layout.scene) && std::none_of(marks_px.begin(), marks_px.end(), [&](const Vec2& mark) {
-             return widened(box, 0.5 * em).holds(mark.x(), mark.y());
-           });
+    return within(box, layout.scene) && !meets_any(box, taken) &&
+           std::none_of(marks_px.begin(), marks_px.end(),
+                        [&](const Vec2& mark) { return widened(box, 0.5 * em).holds(mark.x(), mark.y()); });
   };
   const double aside = half.x() + 0.8 * em;
   for (const Vec2& way : {Vec2(0, away), Vec2(0, -away), Vec2(aside, 0), Vec2(-aside, 0)}) {
     if (is_free(middle + way)) return middle + way;
   }
-  return {middle.x(), top + away};
+  std::optional<Vec2> nearest;
+  const Box& scene = layout.scene;
+  for (double y = scene.bottom + half.y(); y <= scene.top() - half.y(); y += em) {
+    for (double x = scene.left + half.x(); x <= scene.right() - half.x(); x += em) {
+      const Vec2 at(x, y);
+      const bool is_nearer = !nearest || (at - middle).squaredNorm() < (*nearest - middle).squaredNorm();
+      if (is_nearer && is_free(at)) nearest = at;
+    }
+  }
+  return nearest.value_or(Vec2(middle.x(), top + away));
 }
 
 /// Where it was, unless the contact comes near; else where it is clear of it by more.

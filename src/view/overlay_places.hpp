@@ -35,16 +35,20 @@ class OverlayPlaces {
   std::vector<std::optional<Corner>> before_;
 };
 
-/// The middle of the line that tells of marks, which lies over none of them: above their middle, else below
-/// it or beside it, else above all.
+/// The middle of the line that tells of marks, which lies over none of them and over no box: above their
+/// middle, else below it or beside it, else where there is room nearest to it, else above all.
 /// @param marks_px  at least one
-Vec2 marks_words_place(const std::vector<Vec2>& marks_px, double width_px, const Layout& layout);
+/// @param taken     boxes that stand already
+Vec2 marks_words_place(const std::vector<Vec2>& marks_px, double width_px, const Layout& layout,
+                       const std::vector<Box>& taken = {});
 
-/// Room for two lines of words in the middle of the scene, clear of a finger: usually above its foot, else
-/// above that.
+/// Room for words in the middle of the scene, clear of all boxes, and of a finger where that is possible:
+/// usually above the scene's foot, else above that, else below a box. Where a box stands in the middle the
+/// words stand beside it.
 /// @param finger_px  none: the usual place
-/// @param taken      boxes that stand already; beside those at the left where there is room
-Box words_place(const Layout& layout, double width_px, const std::optional<Vec2>& finger_px,
-                const std::vector<Box>& taken = {});
+/// @param taken      boxes that stand already
+/// @returns none where words of this size have no room
+std::optional<Box> words_place(const Layout& layout, const Vec2& size_px,
+                               const std::optional<Vec2>& finger_px, const std::vector<Box>& taken = {});
 
 }  // namespace fingerpad

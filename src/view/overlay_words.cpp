@@ -5,6 +5,11 @@
 #include <algorithm>
 
 namespace fingerpad {
+namespace {
+
+constexpr double pill_line_em = 1.5;
+
+}  // namespace
 
 void draw_panel(Drawing& drawing, const Box& box) {
   drawing.box(box, panel_colour);
@@ -23,14 +28,14 @@ std::string fitted(const std::string& words, double size, bool bold, double widt
   return cut.empty() ? "" : cut + "...";
 }
 
-std::vector<std::string> wrapped(const std::string& words, double size, double width) {
+std::vector<std::string> wrapped(const std::string& words, double size, double width, bool bold) {
   std::vector<std::string> lines;
   std::string line;
   for (std::size_t from = 0; from < words.size();) {
     const std::size_t space = std::min(words.find(' ', from), words.size());
     const std::string word = words.substr(from, space - from);
     const std::string longer = line.empty() ? word : fmt::format("{} {}", line, word);
-    if (!line.empty() && text_width(longer, size) > width) {
+    if (!line.empty() && text_width(longer, size, bold) > width) {
       lines.push_back(line);
       line = word;
     } else {
@@ -39,24 +44,32 @@ std::vector<std::string> wrapped(const std::string& words, double size, double w
     from = space + 1;
   }
   if (!line.empty()) lines.push_back(line);
-  for (std::string& one : lines) one = fitted(one, size, false, width);
+  for (std::string& one : lines) one = fitted(one, size, bold, width);
   return lines;
 }
 
-double pill_width(const std::string& words, double em) {
-  return text_width(words, em, true) + 2.4 * em;
+Vec2 pill_size(const std::vector<std::string>& lines, double em) {
+  if (lines.empty()) return {0, 0};
+  double width = 0;
+  for (const std::string& line : lines) width = std::max(width, text_width(line, em, true));
+  return {width + 2.4 * em, (2.2 + pill_line_em * (static_cast<double>(lines.size()) - 1)) * em};
 }
 
-void paint_pill(Drawing& drawing, const Vec2& centre, const std::string& words, double em) {
-  const double width = pill_width(words, em), height = 2.2 * em;
-  drawing.box({centre.x() - width / 2, centre.y() - height / 2, width, height},
+void paint_pill(Drawing& drawing, const Vec2& centre, const std::vector<std::string>& lines, double em) {
+  if (lines.empty()) return;
+  const Vec2 size = pill_size(lines, em);
+  drawing.box({centre.x() - size.x() / 2, centre.y() - size.y() / 2, size.x(), size.y()},
               colours::ink.with_opacity(0.85));
-  drawing.text(centre, words,
-               {.size = em,
-                .colour = colours::white,
-                .across = Across::centre,
-                .upright = Upright::middle,
-                .bold = true});
+  double y = centre.y() + pill_line_em * em * (static_cast<double>(lines.size()) - 1) / 2;
+  for (const std::string& line : lines) {
+    drawing.text({centre.x(), y}, line,
+                 {.size = em,
+                  .colour = colours::white,
+                  .across = Across::centre,
+                  .upright = Upright::middle,
+                  .bold = true});
+    y -= pill_line_em * em;
+  }
 }
 
 }  // namespace fingerpad

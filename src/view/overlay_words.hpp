@@ -14,10 +14,10 @@ void draw_panel(Drawing& drawing, const Box& box);
 /// Words cut to a width, with dots where something was cut.
 std::string fitted(const std::string& words, double size, bool bold, double width);
 /// Words in lines of at most this width.
-std::vector<std::string> wrapped(const std::string& words, double size, double width);
+std::vector<std::string> wrapped(const std::string& words, double size, double width, bool bold = false);
 
-/// A line in a box of its own, about a point, and how wide that is.
-double pill_width(const std::string& words, double em);
-void paint_pill(Drawing& drawing, const Vec2& centre, const std::string& words, double em);
+/// A few lines in a box of their own, about a point, and how large that is; (0, 0) without lines.
+Vec2 pill_size(const std::vector<std::string>& lines, double em);
+void paint_pill(Drawing& drawing, const Vec2& centre, const std::vector<std::string>& lines, double em);
 
 }  // namespace fingerpad

@@ -27,9 +27,10 @@ std::string subtitle_of(const ViewInput& input, const Vec3& direction_W) {
   if (input.scene) {
     words = fmt::format("{}, {} ticks a second", input.scene->friction.law,
                         static_cast<long>(std::lround(input.scene->motion.rate_hz)));
-    if (input.every > 1) words += fmt::format(", of which 1 in {} is here", input.every);
+    if (input.every > 1)
+      words += fmt::format(", of which 1 in {} is here: no rings where slip ended", input.every);
   } else if (input.every > 1) {  // as far as the rows themselves tell
-    words = "ticks were left out: the last row comes sooner than the others";
+    words = "ticks were left out (the last row comes sooner than the others): no rings where slip ended";
   }
   const double largest = direction_W.cwiseAbs().maxCoeff();
   if (largest < 0.99996192) {

@@ -6,7 +6,8 @@
 namespace fingerpad {
 
 unsigned touch_window_kind(const TouchWindowInput& input) {
-  return input.set_stop ? windows::touch | windows::motors : windows::touch;
+  const unsigned leader = input.pointer_leads ? windows::led : windows::watched;
+  return windows::touch | leader | (input.set_stop ? windows::motors : 0);
 }
 
 PointerTouch::PointerTouch(const TouchWindowInput& input, TouchTarget target, FirstHit first_hit)
@@ -23,6 +24,8 @@ bool PointerTouch::is_on_panel(double x_px, double y_px) const {
 }
 
 bool PointerTouch::take(const InputEvent& event) {
+  // What something else leads is not pointed at: the mouse is the view's.
+  if (!input_.pointer_leads && event.kind != InputEvent::Kind::key) return false;
   const std::lock_guard lock(mutex_);
   const bool hit = event.kind != InputEvent::Kind::key && is_on_panel(event.x_px, event.y_px);
   bool taken = false;

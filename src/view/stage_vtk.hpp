@@ -19,10 +19,12 @@
 #include "view/kept_renderer_vtk.hpp"
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
-#include "view/overlay_places.hpp"
+#include "view/overlay_room.hpp"
 #include "view/place_marks.hpp"
 #include "view/pointed_scene.hpp"
+#include "view/scene_view_vtk.hpp"
 #include "view/side_panels.hpp"
+#include "view/stage_words.hpp"
 #include "view/theme_device_vtk.hpp"
 #include "view/turning_pace_vtk.hpp"
 #include "view/view_state.hpp"
@@ -72,11 +74,9 @@ class Stage {
   void reset_camera();
   /// From now on what is looked at stands beside the readings, where the window has room for both.
   void keep_clear_of_readings();
-  /// All in sight from a direction.
-  void look(const LookFrom& from);
-  void look_at_all();  ///< from where it is looked now
-  /// Nearer (> 1) or farther.
-  void zoom(double factor);
+  void look(const LookFrom& from) { view_.look(from); }
+  void look_at_all() { view_.look_at_all(); }
+  void zoom(double factor) { view_.zoom(factor); }
 
   /// The moment shown; `speed_m_per_s` may be nan. Without a row only the surfaces are shown.
   void show(const std::optional<TickRecord>& row, double speed_m_per_s);
@@ -92,19 +92,8 @@ class Stage {
   /// The chart column: zoomed by the wheel, panned by a drag, asked by the mouse over it.
   ChartBoard& charts() { return column_.board(); }
   const ArrowScale& arrow_scale() const { return arrow_scale_; }
-  void show_hint(std::string hint, std::vector<std::string> help);
-  void show_title_note(std::string note) { hint_ = std::move(note); }
-  /// A line in red below the title; empty: none.
-  void show_alarm(std::string words) { alarm_ = std::move(words); }
-  bool has_alarm() const { return !alarm_.empty(); }
-  /// More for the head-up display, and how often ticks took how long (OverlayFacts).
-  void show_readings(std::vector<Reading> readings, TickBars tick_bars) {
-    readings_ = std::move(readings);
-    tick_bars_ = std::move(tick_bars);
-  }
-  /// How to begin, until it was done once; what has just been done. Empty: nothing.
-  void invite(std::string words) { invitation_ = std::move(words); }
-  void tell(std::string words) { message_ = std::move(words); }
+  /// What the window says beside its picture.
+  StageWords& words() { return words_; }
 
   /// Brings everything in line with state, camera and moment, and renders.
   void render();
@@ -113,30 +102,23 @@ class Stage {
   std::optional<double> time_at(double x_px, double y_px) const;
 
   /// The line of sight through a pixel of the scene, near to far, draw space [mm].
-  std::pair<Vec3, Vec3> line_of_sight(double x_px, double y_px);
+  std::pair<Vec3, Vec3> line_of_sight(double x_px, double y_px) const {
+    return view_.line_of_sight(x_px, y_px);
+  }
   /// For one who points at it.
-  PointedScene pointed();
+  PointedScene pointed() const;
 
  private:
   void add_renderers();
   void add_flat();
   void place_renderers();
-  void fit();
   void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
   void draw();
-  Vec2 on_screen(const Vec3& p_mm);
-  bool shows_close_up(double scene_px_per_mm);
-  void place_close_up();
-  GlyphInk glyph_ink() const;
-  void place_overlay(OverlayFacts& facts);
-  double px_per_mm() const;
-  double readings_strip_px() const;
-  double width_to_height() const;
-  void make_way_for_readings();
-  OverlayFacts overlay_facts();
+  std::optional<double> close_up_half_height_mm() const;
+  void place_overlay(OverlayFacts& facts, const GlyphInk& ink);
+  OverlayFacts overlay_facts() const;
   void project_labels(OverlayFacts& facts, const GlyphChoice& choice);
-
   void project_marks(OverlayFacts& facts);
 
   const ViewInput& input_;
@@ -147,24 +129,14 @@ class Stage {
   DrawSpace space_;
   ChartColumn column_;
   bool timeline_;
-  bool clear_of_readings_ = false;
   Layout layout_;
   ViewState state_;
-  std::optional<LookFrom> look_;         ///< that the camera was set to last; none: the usual view
-  std::optional<TickRecord> looked_at_;  ///< the moment for which the usual view was chosen, if for one
-  std::vector<double> fitted_;           ///< view_of the camera then
   std::unique_ptr<WorldProps> world_;
   std::optional<ContactMoment> moment_;
   double speed_m_per_s_ = 0;
   ArrowScale arrow_scale_;
   OverlayPlaces places_;
-  double inset_px_per_mm_ = 0, inset_half_height_mm_ = 1;
-  Box inset_;
-  std::string hint_, alarm_;
-  std::vector<std::string> help_;
-  std::vector<Reading> readings_;
-  TickBars tick_bars_;
-  std::string invitation_, message_;
+  StageWords words_;
 
   bool keeping_ = true;
   std::unique_ptr<TurningPace> pace_;
@@ -173,6 +145,7 @@ class Stage {
   // From the back to the front: what is still, and what moves, by one camera; the charts and their paper; all
   // that is flat.
   vtkNew<KeptRenderer> scene_;
+  SceneView view_;  ///< by the scene's camera
   vtkNew<BlendingRenderer> moving_;
   vtkNew<vtkRenderer> flat_;
   vtkNew<vtkPolyData> solid_, clear_;

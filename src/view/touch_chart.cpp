@@ -5,7 +5,6 @@
 
 #include "base/spectrum.hpp"
 #include "friction/law_parameters.hpp"
-#include "touch/world.hpp"
 #include "view/colours.hpp"
 
 namespace fingerpad {
@@ -93,8 +92,27 @@ ChartPanel speed_panel(const TouchSeries& series, const TouchLevels& levels) {
   return speed;
 }
 
+/// A level of the coefficient, or a line with steps where it was not the same all the time; 0: none.
+void add_mu_level(ChartPanel& panel, const TouchSeries& series, const std::string& name, int colour,
+                  std::vector<double> mu) {
+  const auto is_known = [](double value) { return value > 0; };
+  if (std::none_of(mu.begin(), mu.end(), is_known)) return;
+  const auto is_first = [&](double value) { return value == mu.front(); };
+  if (std::all_of(mu.begin(), mu.end(), is_first)) {
+    panel.levels.push_back({name, mu.front(), colour});
+    return;
+  }
+  constexpr double level_weight = 0.72;  // as thin as a level is drawn
+  for (double& value : mu) {
+    if (!is_known(value)) value = TickRecord::nan;
+  }
+  panel.curves.push_back(
+      {name, {colour, Dash::dashed, Marker::none, level_weight}, series.t_s, std::move(mu)});
+}
+
 /// The panels below the position.
-void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& levels) {
+void add_panels(Chart& chart, std::span<const TickRecord> rows, const TouchSeries& series,
+                const TouchLevels& levels) {
   chart.panels.push_back(speed_panel(series, levels));
   chart.panels.push_back(
       panel_over_time("force on the finger [N]", "force [N]",
@@ -107,8 +125,13 @@ void add_panels(Chart& chart, const TouchSeries& series, const TouchLevels& leve
                                   {line(series, "mu", palette::ink, series.mu)}, true);
   mu.least_y_span = least_mu;
   add_slip_ends(mu, series);
-  if (levels.mu_static > 0) mu.levels.push_back({"mu_s", levels.mu_static, palette::bluish_green});
-  if (levels.mu_dynamic > 0) mu.levels.push_back({"mu_d", levels.mu_dynamic, palette::orange});
+  std::vector<double> mu_s, mu_d;
+  for (const MuPair& at : mu_at_rows(rows, levels.mu)) {
+    mu_s.push_back(at.mu_static);
+    mu_d.push_back(at.mu_dynamic);
+  }
+  add_mu_level(mu, series, "mu_s", palette::bluish_green, std::move(mu_s));
+  add_mu_level(mu, series, "mu_d", palette::orange, std::move(mu_d));
   chart.panels.push_back(std::move(mu));
 }
 
@@ -132,18 +155,7 @@ Chart stacked_chart(const TouchSeries& series) {
 
 TouchLevels touch_levels(const ViewInput& input) {
   TouchLevels levels;
-  const auto touched = std::find_if(input.rows.begin(), input.rows.end(),
-                                    [](const TickRecord& row) { return row.surface >= 0; });
-  const std::size_t surface = touched != input.rows.end() ? static_cast<std::size_t>(touched->surface) : 0;
-  if (input.world && surface < input.world->surfaces.size()) {
-    levels.mu_static = input.world->surfaces[surface].properties.mu_static;
-    levels.mu_dynamic = input.world->surfaces[surface].properties.mu_dynamic;
-  }
-  // One line over a run in which it was another for a while would be untrue.
-  for (const SceneChange& change : input.changes) {
-    if (change.key.ends_with("mu_static")) levels.mu_static = 0;
-    if (change.key.ends_with("mu_dynamic")) levels.mu_dynamic = 0;
-  }
+  levels.mu = mu_history(input);
   levels.thinned = input.every > 1;
   if (input.scene) levels.v_min_m_per_s = v_min_m_per_s(input.scene->friction.settings);
   return levels;
@@ -161,7 +173,7 @@ Chart touch_chart(std::span<const TickRecord> rows, const Vec3& direction_W, con
        line(series, "stick centre", palette::vermillion, scaled(series.centre_m, 1e3), Dash::dashed)},
       false));
   chart.panels.back().least_y_span = least_way_mm;
-  add_panels(chart, series, levels);
+  add_panels(chart, rows, series, levels);
   return chart;
 }
 
@@ -180,7 +192,7 @@ Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
   }
   position.least_y_span = least_way_mm;
   chart.panels.push_back(std::move(position));
-  add_panels(chart, series, levels);
+  add_panels(chart, rows, series, levels);
   // The direction of a hand that goes anywhere wanders from frame to frame: magnitudes stay put.
   ChartCurve& friction = chart.panels[2].curves[1];
   friction.name = "friction";

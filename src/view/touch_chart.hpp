@@ -1,21 +1,24 @@
 #pragma once
 
 #include <span>
+#include <vector>
 
 #include "base/chart.hpp"
+#include "view/mu_history.hpp"
 #include "view/touch_series.hpp"
 #include "view/view_input.hpp"
 
 namespace fingerpad {
 
-/// What a chart shows beside its rows: the levels of a scene (zero leaves one out), and whether ticks are
-/// missing between rows, so that none shows where slip ended.
+/// What a chart shows beside its rows: the levels of a scene, and whether ticks are missing between rows, so
+/// that none shows where slip ended.
 struct TouchLevels {
-  double mu_static = 0, mu_dynamic = 0, v_min_m_per_s = 0;
+  std::vector<MuFrom> mu;    ///< steps where it was changed, or another surface is touched; empty: none
+  double v_min_m_per_s = 0;  ///< 0: none
   bool thinned = false;
 };
 
-/// Of the surface that was touched first, where the scene and its world are known.
+/// Where the scene and its world are known.
 TouchLevels touch_levels(const ViewInput& input);
 
 /// The paper's figure layout (figs. 2 and 12): position along the main direction (slip solid, stick dotted,

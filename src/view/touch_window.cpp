@@ -17,6 +17,7 @@ namespace {
 
 constexpr double chart_s = 4;  // what the strip charts hold
 constexpr const char* material_panel = "material";
+constexpr const char* stopped_words = "STOPPED: no force on the device; g gives it back";
 constexpr const char* invitation = "hold the left button, or space, to press";
 
 class TouchWindow {
@@ -29,10 +30,11 @@ class TouchWindow {
                  [this](const Vec3& from_mm, const Vec3& to_mm) {
                    return stage_.world().first_hit(from_mm, to_mm);
                  }),
-        levels_(touch_levels(input.view)),
+        changed_(input.view),
+        levels_(touch_levels(changed_)),
         loop_(stage_, options, handlers()) {
     if (input.swap != nullptr) material_.emplace(*input.swap, *input.view.world);
-    stage_.show_hint("", help_lines(touch_window_kind(input_)));
+    stage_.words().help = help_lines(touch_window_kind(input_));
     invite();
     stage_.keep_clear_of_readings();
     pointer_.show(stage_.pointed());
@@ -59,6 +61,7 @@ class TouchWindow {
       if (!input_.keeps_pace) drawing_.stand_back();
     };
     handlers.wheel = [this](int steps) {
+      if (!input_.pointer_leads) return false;
       pointer_.change_force(steps, loop_.event_s());
       return true;
     };
@@ -83,8 +86,19 @@ class TouchWindow {
     const std::string told = material_->step(row, steps);
     if (!told.empty()) loop_.tell(told);
     stage_.panels().show(material_->panel());
-    stage_.put(input_.swap->scene());
-    levels_ = touch_levels(stage_.now());
+  }
+
+  /// A change holds from its tick on: in the title, and in the charts' lines of friction. A recording that is
+  /// followed makes its changes by itself.
+  void follow_changes() {
+    if (input_.swap == nullptr || !input_.view.scene) return;
+    const std::vector<SceneChange> fresh = input_.swap->taken(changed_.changes.size());
+    if (fresh.empty()) return;
+    changed_.changes.insert(changed_.changes.end(), fresh.begin(), fresh.end());
+    levels_ = touch_levels(changed_);
+    Scene scene = *input_.view.scene;
+    for (const SceneChange& change : changed_.changes) apply(change, scene);
+    stage_.put(scene);
   }
 
   /// Keys of the material, which also open its panel.
@@ -110,10 +124,11 @@ class TouchWindow {
 
   bool frame(double elapsed_s) {
     if (input_.is_over && input_.is_over()) loop_.close();
-    if (input_.alarm) stage_.show_alarm(input_.alarm());
+    warn();
     pointer_.show(stage_.pointed());
     invite();
     follow();
+    follow_changes();
     since_chart_s_ += elapsed_s;
     if (since_chart_s_ >= live_chart_period_s) {
       since_chart_s_ = 0;
@@ -121,24 +136,32 @@ class TouchWindow {
       if (!stage_.charts().zoomed()) stage_.show_chart(live_chart(history_.rows(), levels_));
       if (input_.timing) {
         const ServoTiming timing = input_.timing();
-        stage_.show_readings(timing_readings(timing), tick_bars(timing.tick_times));
+        stage_.words().readings = timing_readings(timing);
+        stage_.words().tick_bars = tick_bars(timing.tick_times);
       }
     }
     return true;
   }
 
-  void invite() { stage_.invite(input_.pointer_leads && !pointer_.has_pressed() ? invitation : ""); }
+  /// In red, whatever moves the finger: an emergency stop, and what has gone wrong.
+  void warn() {
+    const std::string trouble = input_.alarm ? input_.alarm() : "";
+    is_troubled_ = !trouble.empty();
+    const bool stopped = input_.is_stopped && input_.is_stopped();
+    stage_.words().alarm =
+        fmt::format("{}{}{}", stopped ? stopped_words : "", stopped && is_troubled_ ? "; " : "", trouble);
+  }
+
+  void invite() {
+    stage_.words().invitation = input_.pointer_leads && !pointer_.has_pressed() ? invitation : "";
+  }
 
   void follow() {
     history_.gather(input_);
     if (history_.rows().empty()) return;
     const TickRecord& row = history_.rows().back();
     stage_.show(row, history_.speed_m_per_s());
-    if (input_.is_stopped && input_.is_stopped()) {
-      stage_.show_title_note("STOPPED: no force on the device   g gives it back   h help");
-      return;
-    }
-    const std::string& note = stage_.has_alarm() ? no_note_ : input_.note;
+    const std::string& note = is_troubled_ ? no_note_ : input_.note;
     const char* const held = stage_.charts().zoomed() ? "   charts held: r lets them run on" : "";
     // What must be read comes first: a long name may be cut.
     const std::string press = input_.pointer_leads
@@ -146,14 +169,16 @@ class TouchWindow {
                                                 pointer_.pressing() ? "pressing" : "hovering")
                                   : "";
     const std::string line = fmt::format("{}{}   h help{}{}", press, held, note.empty() ? "" : "   ", note);
-    stage_.show_title_note(line.substr(line.find_first_not_of(' ')));
+    stage_.words().hint = line.substr(line.find_first_not_of(' '));
   }
 
   const TouchWindowInput& input_;
   const std::string no_note_;
+  bool is_troubled_ = false;
   RecentTicks history_;
   Stage stage_;
   PointerTouch pointer_;
+  ViewInput changed_;  ///< the view, with the changes that were made so far
   TouchLevels levels_;
   std::optional<MaterialPanel> material_;
   double since_chart_s_ = live_chart_period_s;

@@ -78,4 +78,11 @@ std::string subtitle_of(const ViewInput& input, const std::string& beside) {
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+std::string window_name(const ViewInput& input) {
+  const std::string name = std::filesystem::path(input.file).filename().string();
+  const std::string varies = varied_words(input.title), with = subtitle_of(input, name);
+  const std::string how = varies.empty() ? with : varies;
+  return fmt::format("{}{}{} - fingerpad", name.empty() ? input.title : name, how.empty() ? "" : ": ", how);
+}
+
 }  // namespace fingerpad

@@ -36,6 +36,9 @@ struct ViewInput {
 /// @param beside  what stands beside it: a mesh that is named there is not named again
 std::string subtitle_of(const ViewInput& input, const std::string& beside);
 
+/// What a window on it is called: "bracket.h5: job 3, mu_static 0.3 - fingerpad".
+std::string window_name(const ViewInput& input);
+
 /// A trace with the scene that it holds. Surfaces that the trace has not embedded are loaded from the meshes
 /// its scene names; where those cannot be read the world stays empty, and the notice says why.
 /// @param path  of the trace: where relative paths of its scene start, and the title of a trace without name

@@ -32,8 +32,7 @@ std::optional<PresetLook> preset_look(KeyAction action) {
   for (const auto& [preset, name] : names) {
     if (preset != action) continue;
     const bool askew = action == KeyAction::isometric;
-    return PresetLook{*named_look(name),
-                      fmt::format("from {}{}", askew ? "" : "the ", askew ? "askew" : name)};
+    return PresetLook{*named_look(name), askew ? "askew" : fmt::format("from the {}", name)};
   }
   return std::nullopt;
 }

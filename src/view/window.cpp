@@ -23,7 +23,8 @@ class ViewWindow {
     if (input.rows.size() > 1) {
       stage_.show_chart(touch_chart(input.rows, main_direction(input.rows), touch_levels(input)));
     }
-    stage_.show_hint(playback_ ? "space plays   h help" : "h help", help_lines(window_kind()));
+    stage_.words().hint = playback_ ? "space plays   h help" : "h help";
+    stage_.words().help = help_lines(window_kind());
     show_moment();
   }
 

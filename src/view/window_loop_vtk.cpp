@@ -7,16 +7,7 @@
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
 
-#include <fmt/format.h>
-
-#include <filesystem>
-
-#include "base/error.hpp"
-#include "view/png_vtk.hpp"
-#include "view/run_title.hpp"
-#include "view/screenshot.hpp"
 #include "view/sharing_trackball_vtk.hpp"
-#include "view/view_keys.hpp"
 
 namespace fingerpad {
 namespace {
@@ -48,7 +39,10 @@ WindowLoop::WindowLoop(Stage& stage, const WindowOptions& options, WindowHandler
       queue_(handlers_.at_once),
       script_(options.events, interactor_),
       parts_(stage.input().world, stage.panels(), stage.world()),
-      mouse_(stage, handlers_, parts_) {
+      mouse_(stage, handlers_, parts_),
+      commands_(stage, parts_,
+                {[this] { close(); }, [this](const std::string& words) { tell(words); },
+                 [this] { return mouse_px(); }}) {
   interactor_->SetRenderWindow(stage_.window());
   vtkNew<SharingTrackball> style;
   style->SetMotionFactor(8);
@@ -87,24 +81,14 @@ void WindowLoop::run() {
   opened_ = std::chrono::steady_clock::now();
   render();
   if (handlers_.has_opened) handlers_.has_opened();
-  name_window();
+  // Only now: who looks for a window by its name finds one that listens.
+  stage_.window()->SetWindowName(window_name(stage_.input()).c_str());
   if (queue_.is_known()) {
     handle_events();
     return;
   }
   interactor_->CreateRepeatingTimer(frame_ms);
   interactor_->Start();
-}
-
-/// By what it shows. Only now: who looks for a window by its name finds one that listens.
-void WindowLoop::name_window() {
-  const ViewInput& input = stage_.input();
-  const std::string name = std::filesystem::path(input.file).filename().string();
-  const std::string varies = varied_words(input.title), with = subtitle_of(input, name);
-  const std::string how = varies.empty() ? with : varies;
-  stage_.window()->SetWindowName(
-      fmt::format("{}{}{} - fingerpad", name.empty() ? input.title : name, how.empty() ? "" : ": ", how)
-          .c_str());
 }
 
 /// All events that wait, then a frame: the newest is never drawn late for those before it.
@@ -131,78 +115,10 @@ void WindowLoop::close() {
 
 void WindowLoop::tell(const std::string& words) {
   constexpr double told_s = 4;
-  stage_.tell(words);
+  stage_.words().message = words;
   told_ = words;
   told_until_s_ = last_frame_s_ + told_s;
   changed_ = true;
-}
-
-bool WindowLoop::act(KeyAction action) {
-  ViewState& state = stage_.state();
-  if (toggle(action, state)) return true;
-  switch (action) {
-    case KeyAction::leave:
-      if (!state.help) close();
-      state.help = false;
-      return true;
-    case KeyAction::close:
-      close();
-      return true;
-    case KeyAction::first_view:
-      stage_.reset_camera();
-      stage_.charts().show_all();
-      return true;
-    case KeyAction::nearer:
-    case KeyAction::farther:
-      stage_.zoom(action == KeyAction::nearer ? 1.15 : 1 / 1.15);
-      return true;
-    case KeyAction::colouring:
-      state.colouring = state.colouring == PathColouring::phase ? PathColouring::force : PathColouring::phase;
-      return true;
-    case KeyAction::all_in_sight:
-      stage_.look_at_all();
-      return true;
-    case KeyAction::parts:
-      parts_.toggle();
-      return true;
-    case KeyAction::mark:
-      mark();
-      return true;
-    case KeyAction::screenshot:
-      take_screenshot();
-      return true;
-    default:
-      return look(action);
-  }
-}
-
-bool WindowLoop::look(KeyAction action) {
-  const auto preset = preset_look(action);
-  if (!preset) return false;
-  stage_.look(preset->from);
-  tell(preset->words);
-  return true;
-}
-
-/// Under the mouse.
-void WindowLoop::mark() {
-  const int* at = interactor_->GetEventPosition();
-  const auto [near, far] = stage_.line_of_sight(at[0], at[1]);
-  if (!marks_.mark(stage_.world().first_hit(near, far))) tell("no part under the mouse: marks are gone");
-  stage_.show_marks(marks_);
-}
-
-/// As the window stands, without what was told last.
-void WindowLoop::take_screenshot() {
-  stage_.tell("");
-  stage_.render();
-  try {
-    const std::string path = next_screenshot_name(stage_.input());
-    write_png(stage_.window(), path);
-    tell("wrote " + path);
-  } catch (const Error& error) {
-    tell(std::string("no screenshot: ") + error.what());
-  }
 }
 
 /// What the window system sent was, or was not, when it came; what a program makes up is asked now.
@@ -220,7 +136,7 @@ bool WindowLoop::on_key(vtkObject*, unsigned long, void*) {
     return true;
   }
   const auto action = action_of(key, handlers_.window);
-  if (action && ((handlers_.act && handlers_.act(*action)) || act(*action))) changed_ = true;
+  if (action && ((handlers_.act && handlers_.act(*action)) || commands_.act(*action))) changed_ = true;
   return true;
 }
 
@@ -231,6 +147,11 @@ bool WindowLoop::on_mouse(vtkObject*, unsigned long event, void*) {
   const WindowMouse::Outcome outcome = mouse_.take(event, at[0], at[1], taken);
   changed_ = changed_ || outcome.new_to_see;
   return outcome.taken;
+}
+
+std::pair<int, int> WindowLoop::mouse_px() {
+  const int* at = interactor_->GetEventPosition();
+  return {at[0], at[1]};
 }
 
 /// The first of the files that were dropped.
@@ -267,7 +188,7 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
   last_frame_s_ = now_s;
   if (handlers_.frame && handlers_.frame(elapsed_s)) changed_ = true;
   if (told_until_s_ > 0 && now_s > told_until_s_) {
-    stage_.tell("");
+    stage_.words().message.clear();
     told_.clear();
     told_until_s_ = 0;
     changed_ = true;
@@ -284,24 +205,28 @@ bool WindowLoop::on_timer(vtkObject*, unsigned long, void*) {
     render();
     stage_.charts().ask_again();
   }
-  if (options_.on_frame) {
-    WindowReport report;
-    report.state = stage_.state();
-    report.frames = frames_;
-    report.since_open_s = now_s;
-    vtkCamera* const camera = stage_.scene()->GetActiveCamera();
-    report.towards_eye_W = -Vec3(camera->GetDirectionOfProjection());
-    report.half_height_mm = camera->GetParallelScale();
-    report.message = told_;
-    report.arrow_force_n = stage_.arrow_scale().force_n();
-    const ChartPlace charts = stage_.charts().place();
-    report.chart_from = charts.x_min;
-    report.chart_to = charts.x_max;
-    report.chart_tells = stage_.charts().told();
-    if (handlers_.report) handlers_.report(report);
-    options_.on_frame(report);
-  }
+  if (options_.on_frame) options_.on_frame(report(now_s));
   return true;
+}
+
+/// What the window shows, for those who are told after each frame.
+WindowReport WindowLoop::report(double now_s) {
+  WindowReport report;
+  report.state = stage_.state();
+  report.frames = frames_;
+  report.since_open_s = now_s;
+  vtkCamera* const camera = stage_.scene()->GetActiveCamera();
+  report.towards_eye_W = -Vec3(camera->GetDirectionOfProjection());
+  report.half_height_mm = camera->GetParallelScale();
+  report.message = told_;
+  report.alarm = stage_.words().alarm;
+  report.arrow_force_n = stage_.arrow_scale().force_n();
+  const ChartPlace charts = stage_.charts().place();
+  report.chart_from = charts.x_min;
+  report.chart_to = charts.x_max;
+  report.chart_tells = stage_.charts().told();
+  if (handlers_.report) handlers_.report(report);
+  return report;
 }
 
 }  // namespace fingerpad

@@ -4,14 +4,15 @@
 
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "view/event_queue_vtk.hpp"
 #include "view/event_script_vtk.hpp"
 #include "view/input_event.hpp"
 #include "view/parts_panel_vtk.hpp"
-#include "view/place_marks.hpp"
 #include "view/stage_vtk.hpp"
 #include "view/window.hpp"
+#include "view/window_commands_vtk.hpp"
 #include "view/window_handlers.hpp"
 #include "view/window_mouse_vtk.hpp"
 
@@ -39,7 +40,6 @@ class WindowLoop {
  private:
   void observe();
   bool taken_at_once(InputEvent event);
-  void name_window();
   void handle_events();
   bool on_key(vtkObject*, unsigned long, void*);
   bool on_mouse(vtkObject*, unsigned long event, void*);
@@ -48,10 +48,8 @@ class WindowLoop {
   bool on_drop(vtkObject*, unsigned long, void* paths);
   bool on_camera(vtkObject*, unsigned long, void*);
   void render();
-  bool act(KeyAction action);
-  bool look(KeyAction action);
-  void take_screenshot();
-  void mark();
+  std::pair<int, int> mouse_px();
+  WindowReport report(double now_s);
 
   Stage& stage_;
   const WindowOptions& options_;
@@ -61,11 +59,11 @@ class WindowLoop {
   EventScript script_;
   PartsPanel parts_;
   WindowMouse mouse_;
+  WindowCommands commands_;
   std::chrono::steady_clock::time_point opened_;
   double last_frame_s_ = 0;
   long frames_ = 0;
   bool changed_ = true;
-  PlaceMarks marks_;
   bool closing_ = false;
   std::string told_;
   double told_until_s_ = 0;  ///< what was told stays so long

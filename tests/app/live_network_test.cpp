@@ -139,6 +139,7 @@ TEST(LiveNetwork, AnEmergencyStopHoldsTheForceAtZeroAndALimitIsKept) {
     EXPECT_EQ(was_stopped, (status & stopped) != 0) << "nobody takes it back";
     EXPECT_LE(norm_of(answer["force_n"]), was_stopped ? 0 : 5);
   }
+  EXPECT_THAT(run.shell.err, HasSubstr("fingerpad: network: told to end, by Ctrl-C or another signal\n"));
   EXPECT_TRUE(was_limited) << "20 mm into 1000 N/m are 20 N";
   EXPECT_TRUE(was_stopped);
 }

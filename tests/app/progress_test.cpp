@@ -37,6 +37,16 @@ std::string on_a_terminal(const std::string& arguments, const fs::path& folder) 
   return test::shell("script --quiet --return --command \"" + call + "\" /dev/null", folder).out;
 }
 
+/// What a terminal gets where Ctrl-C is typed as soon as the program has said something.
+std::string interrupted_on_a_terminal(const std::string& said, const std::string& arguments,
+                                      const fs::path& folder) {
+  const fs::path typist = test::source_dir() / "tests" / "support" / "type_in_terminal";
+  return test::shell("'" + typist.string() + "' '" + said + "' '\\x03' '" + test::program().string() + "' " +
+                         arguments,
+                     folder)
+      .out;
+}
+
 bool has_script() {
   return test::shell("script --version", test::scratch_dir()).exit_code == 0;
 }
@@ -80,16 +90,36 @@ TEST(JobBar, NamesTheMeshThatABatchWaitsForAndKeepsItsLastLine) {
   EXPECT_THAT(on_a_terminal("replay ball.toml --out q --quiet", folder), Not(HasSubstr("[")));
 }
 
-TEST(JobBar, ShowsHowFarALongJobIs) {
-  if (!has_script()) GTEST_SKIP() << "no script(1) to play a terminal";
+/// A scene whose only job has a million ticks a metre.
+fs::path folder_with_long_job(int length_m) {
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "long.toml")
       << "name = \"long\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[friction]\nlaw = \"none\"\n"
-         "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [4, 0, -0.001]\nspeed_m_per_s = "
-         "0.001\n";
+         "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nspeed_m_per_s = 0.001\nto_m = ["
+      << length_m << ", 0, -0.001]\n";
+  return folder;
+}
+
+TEST(JobBar, ShowsHowFarALongJobIs) {
+  if (!has_script()) GTEST_SKIP() << "no script(1) to play a terminal";
+  const fs::path folder = folder_with_long_job(4);
   const std::string seen = on_a_terminal("replay long.toml --out o --format none", folder);
   EXPECT_THAT(seen, testing::ContainsRegex("0/1 long [1-9][0-9]*%"));
   EXPECT_THAT(seen, testing::ContainsRegex("====\\] 100% 1/1(, [^ ]+ jobs/s, 0 s left)? long"));
+}
+
+TEST(LoadBar, ThatCtrlCEndsLeavesAWholeLine) {
+  const fs::path folder = folder_with_meshes();
+  const std::string seen =
+      interrupted_on_a_terminal("% ball.ply", "query ball.ply points.csv --out out.csv", folder);
+  EXPECT_THAT(seen, testing::EndsWith("\nfingerpad: stopped by Ctrl-C\r\n")) << seen;
+}
+
+TEST(JobBar, SaysThatItStopsAndWhatItWaitsFor) {
+  const fs::path folder = folder_with_long_job(12);
+  const std::string seen =
+      interrupted_on_a_terminal("0/1 long ", "replay long.toml --out o --format none", folder);
+  EXPECT_THAT(seen, HasSubstr("0/1 stopping: 1 under way ends first"));
 }
 
 }  // namespace

@@ -60,7 +60,8 @@ TEST(ChosenColumns, WhatIsNotThereIsNamedByWhoeverNeedsIt) {
       "o/s.h5: has no column x_m, y_m, z_m and 20 more: it was written with t_s, fn_n, mu";
   EXPECT_THAT(test::fingerpad("export o/s.h5 --out e.vtp", folder).err, HasSubstr(words));
 #ifdef FINGERPAD_VIEW
-  for (const char* command : {"plot o/s.h5 --out p.svg", "view o/s.h5 --png v.png"}) {
+  for (const char* command : {"plot o/s.h5 --out p.svg --over s", "plot o/s.h5 --show spectrum --out p.svg",
+                              "view o/s.h5 --png v.png"}) {
     const auto result = test::fingerpad(command, folder);
     EXPECT_EQ(result.exit_code, 3);
     EXPECT_THAT(result.err, HasSubstr(words)) << command;
@@ -75,6 +76,19 @@ TEST(ChosenColumns, WhatIsNotThereIsNamedByWhoeverNeedsIt) {
   EXPECT_THAT(unknown.err, HasSubstr("--columns: 'fn' is no column of a trace"));
   EXPECT_EQ(replay(folder, "--out u --columns mu --format none").exit_code, 2);
 }
+
+#ifdef FINGERPAD_VIEW
+TEST(ChosenColumns, AreAllPlotted) {
+  const fs::path folder = folder_with_scene();
+  for (const std::string format : {"h5", "csv"}) {
+    ASSERT_EQ(replay(folder, "--out o --columns fn_n,mu,fx_n --format " + format).exit_code, 0);
+    const auto result = test::fingerpad("plot o/s." + format + " --out p.svg", folder);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    for (const char* label : {">fn_n [N]<", ">fx_n [N]<", ">mu [1]<"})
+      EXPECT_THAT(bytes_of(folder / "p.svg"), HasSubstr(label)) << format;
+  }
+}
+#endif
 
 TEST(EveryNthTick, IsWrittenWithTheLast) {
   const fs::path folder = folder_with_scene();

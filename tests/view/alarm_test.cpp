@@ -25,13 +25,12 @@ TEST(Alarm, IsALineInRedAcrossTheScene) {
   stage.show(input.rows.front(), 0);
   stage.render();
   const long before = red_pixels(pixels_of(stage.window()));
-  stage.show_alarm("NOT RECORDED any longer: run.h5: cannot be written: No space left on device");
-  EXPECT_TRUE(stage.has_alarm());
+  stage.words().alarm = "NOT RECORDED any longer: run.h5: cannot be written: No space left on device";
   stage.render();
   const Box scene = stage.layout().scene;
   // Nearly two lines high, but for its letters.
   EXPECT_GT(red_pixels(pixels_of(stage.window())) - before, scene.width * stage.layout().em);
-  stage.show_alarm("");
+  stage.words().alarm.clear();
   stage.render();
   EXPECT_EQ(red_pixels(pixels_of(stage.window())), before);
 }

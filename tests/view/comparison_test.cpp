@@ -25,7 +25,7 @@ using ::testing::Not;
 
 /// A run of one column that goes linearly, so that interpolation is exact.
 ComparedRun line_run(const std::string& path, double from_s, double to_s, double step_s, double offset) {
-  ComparedRun run{"", "scene", "scene: a.stl", path, "", true, 1, {}, {{"fn_n", "N", {}}}};
+  ComparedRun run{"", "scene", "scene: a.stl", path, "", true, {}, {{"fn_n", "N", {}}}};
   for (int i = 0; from_s + i * step_s <= to_s + 1e-9; ++i) {
     run.x.push_back(from_s + i * step_s);
     run.columns[0].values.push_back(2 * run.x.back() + offset);
@@ -107,17 +107,34 @@ TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {
     writer->finish();
   }
   constexpr double all = std::numeric_limits<double>::infinity();
-  for (const auto& paths : {std::vector{whole, thin}, std::vector{thin, whole}}) {
-    const Comparison comparison =
-        compare_runs(read_compared_runs(paths, Over::time, 0.2, all), {"fn_n", "friction"}, Over::time);
-    ASSERT_EQ(comparison.residuals.size(), 2u);
-    for (const Residual& left : comparison.residuals) {
-      EXPECT_EQ(left.rms, 0) << left.column;
-      EXPECT_EQ(std::count_if(left.values.begin(), left.values.end(), [](double x) { return x == 0; }), 92)
-          << "0.2 to 1.1 s, and the last";
+  const std::string by_fewer =
+      "way: from each tick to the next of the run that has fewest; what lies between is longer";
+  for (const Over over : {Over::time, Over::travel, Over::turn})
+    for (const auto& paths : {std::vector{whole, thin}, std::vector{thin, whole}}) {
+      const Comparison comparison =
+          compare_runs(read_compared_runs(paths, over, 0.2, all), {"fn_n", "friction", "x_m"}, over);
+      ASSERT_EQ(comparison.residuals.size(), 3u);
+      for (const Residual& left : comparison.residuals) {
+        EXPECT_EQ(left.rms, 0) << left.column;
+        EXPECT_EQ(std::count_if(left.values.begin(), left.values.end(), [](double x) { return x == 0; }), 92)
+            << "0.2 to 1.1 s, and the last";
+      }
+      EXPECT_THAT(comparison.notes.back(), Not(HasSubstr("interpolated")));
+      EXPECT_EQ(std::count(comparison.notes.begin(), comparison.notes.end(), by_fewer),
+                over == Over::time ? 0 : 1);
     }
-    EXPECT_THAT(comparison.notes.back(), Not(HasSubstr("interpolated")));
+}
+
+// A finger that rests while it is pressed is at one place of its way for many ticks.
+TEST(Comparison, OverTheWayGoesByTheNearestTimeWhereTheFingerRests) {
+  ComparedRun a = line_run("a.h5", 0.1, 1, 0.1, 0), b = line_run("b.h5", 0, 1, 0.05, 0);
+  for (ComparedRun* run : {&a, &b}) {
+    run->t_s = run->x;
+    for (double& x : run->x) x = std::max(0.0, x - 0.5);  // it rests for half a second
   }
+  const Comparison comparison = compare_runs({a, b}, {}, Over::travel);
+  EXPECT_EQ(comparison.residuals[0].values.size(), 10u);
+  EXPECT_NEAR(comparison.residuals[0].rms, 0, 1e-12);
 }
 
 TEST(Comparison, HasAResidualUnderEachPanelAndOneLegendForWhatDiffers) {

@@ -57,7 +57,7 @@ TEST(MaterialPanel, SaysWhereAMotorWouldShake) {
   MaterialPanel material(swap, *view.world);
   EXPECT_EQ(material.panel().rows.size(), static_cast<std::size_t>(MaterialPanel::row_count) + 2);
   // b = 0.5 N s/m at 1 kHz holds some 1000 N/m (SCIENCE 4).
-  EXPECT_NE(material.step(Row::stiffness, 1).find("; a motor shakes: over 1000 N/m"), std::string::npos)
+  EXPECT_NE(material.step(Row::stiffness, 1).find("; motors shake over 1000 N/m"), std::string::npos)
       << material.step(Row::stiffness, 0);
   EXPECT_EQ(material.panel().rows.size(), static_cast<std::size_t>(MaterialPanel::row_count) + 3);
   EXPECT_EQ(material.step(Row::damping, 4), "damping: 2 N s/m") << "which the wall's own damping prevents";

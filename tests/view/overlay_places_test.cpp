@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace fingerpad::overlay_places_test {
@@ -42,13 +43,18 @@ TEST(OverlayPlaces, NoBoxHidesTheContactOrAnotherBoxWhereverItIs) {
   }
 }
 
+/// Of two lines of words, so many em wide.
+Vec2 two_lines(double width_em, const Layout& layout) {
+  return Vec2(width_em, 5.2) * layout.em;
+}
+
 TEST(OverlayPlaces, WordsKeepClearOfTheFingerWhereThereIsRoom) {
   for (const auto& [width, height] : {std::pair(1280, 800), std::pair(900, 600)}) {
     const Layout layout = layout_for(width, height, true, false);
-    const Box usual = words_place(layout, 26 * layout.em, std::nullopt);
+    const Box usual = words_place(layout, two_lines(26, layout), std::nullopt).value();
     for (double y = layout.scene.bottom; y < layout.scene.top(); y += 7) {
       const Vec2 finger(layout.scene.centre().x(), y);
-      const Box place = words_place(layout, 26 * layout.em, finger);
+      const Box place = words_place(layout, two_lines(26, layout), finger).value();
       EXPECT_FALSE(place.holds(finger.x(), finger.y())) << y;
       EXPECT_GE(place.bottom, usual.bottom) << "the foot is the legend's";
       EXPECT_LT(place.top(), layout.scene.top());
@@ -63,10 +69,43 @@ TEST(OverlayPlaces, WordsStandBesideTheReadings) {
   const double em = layout.em;
   const Box hud{layout.scene.left + 0.7 * em, layout.scene.top() - 28 * em, 15 * em, 27 * em};
   for (double y = layout.scene.bottom; y < layout.scene.top(); y += 7) {
-    const Box place = words_place(layout, 22 * em, Vec2(layout.scene.centre().x(), y), {hud});
+    const Vec2 finger(layout.scene.centre().x(), y);
+    const Box place = words_place(layout, two_lines(22, layout), finger, {hud}).value();
     EXPECT_FALSE(overlap(place, hud)) << y;
     EXPECT_LT(place.right(), layout.scene.right());
   }
+}
+
+/// Lists of a material and of parts, one under the other at the upper right.
+std::vector<Box> two_lists(const Layout& layout) {
+  const double em = layout.em, width = 21 * em, left = layout.scene.right() - 0.7 * em - width;
+  const double middle = layout.scene.top() - 20.8 * em;
+  return {{left, middle, width, 20.1 * em}, {left, middle - 7 * em, width, 6.3 * em}};
+}
+
+TEST(OverlayPlaces, WordsAndMeasuresLieOverNoList) {
+  for (const auto& [width, height] : {std::pair(1280, 800), std::pair(700, 500), std::pair(400, 300)}) {
+    const Layout layout = layout_for(width, height, true, false);
+    const double em = layout.em;
+    const std::vector<Box> lists = two_lists(layout);
+    const auto lies_on_one = [&](const Box& place) {
+      return std::any_of(lists.begin(), lists.end(), [&](const Box& list) { return overlap(place, list); });
+    };
+    for (double y = layout.scene.bottom; y < layout.scene.top(); y += 11) {
+      for (double x = layout.scene.left; x < layout.scene.right(); x += 13) {
+        const auto place = words_place(layout, two_lines(16, layout), Vec2(x, y), lists);
+        ASSERT_TRUE(place) << width;
+        EXPECT_FALSE(lies_on_one(*place)) << width << " at " << x << ", " << y;
+        const double wide = 11 * em;
+        const Vec2 at = marks_words_place({{x, y}, {x + 2 * em, y}}, wide, layout, lists);
+        EXPECT_FALSE(lies_on_one({at.x() - wide / 2, at.y() - 1.1 * em, wide, 2.2 * em}))
+            << width << " marks at " << x << ", " << y;
+      }
+    }
+  }
+  const Layout small = layout_for(400, 300, true, false);
+  EXPECT_FALSE(words_place(small, two_lines(30, small), std::nullopt, two_lists(small)))
+      << "too long for the room: to be parted into lines";
 }
 
 TEST(OverlayPlaces, ABoxStaysUntilTheContactIsNear) {

@@ -95,6 +95,17 @@ TEST(PointerTouch, KeysLatchStopAndMoveAndTimesNeverGoBack) {
   EXPECT_NEAR(over.told.back().push_W_n.norm(), 1.25, 1e-12);
 }
 
+TEST(PointerTouch, OfAFingerThatADeviceLeadsIsTheViews) {
+  OverFloor over;
+  over.input.pointer_leads = false;
+  EXPECT_FALSE(over.take(Kind::move, 20, 30, 1));
+  EXPECT_FALSE(over.take(Kind::press, 20, 30, 2));
+  EXPECT_FALSE(over.key("space", 3));
+  EXPECT_FALSE(over.pointer.has_pressed());
+  EXPECT_TRUE(over.told.empty());
+  EXPECT_TRUE(over.key("x", 4)) << "it is stopped all the same";
+}
+
 /// A window that is held up in a frame until what a person does meanwhile was heard of.
 struct HeldUpWindow {
   std::mutex mutex;

@@ -122,12 +122,53 @@ TEST(TouchChart, OfAThinnedTraceMarksNoEndOfSlip) {
   EXPECT_EQ(rings(), 2) << "of speed and mu, where each row is a tick";
 }
 
-TEST(TouchLevels, OfACoefficientThatWasChangedMeanwhileAreNone) {
+/// The panel of the coefficient of friction, by what it draws of a level: values at the rows; empty: a level.
+std::vector<double> steps_of(const Chart& chart, const std::string& name) {
+  const ChartPanel& mu = chart.panels.back();
+  for (const ChartCurve& curve : mu.curves) {
+    if (curve.name == name) return curve.y;
+  }
+  return {};
+}
+
+TEST(TouchLevels, OfACoefficientThatIsChangedMeanwhileStepThere) {
   ViewInput input = torus_rub(0.1);
-  ASSERT_GT(touch_levels(input).mu_static, 0);
-  input.changes.push_back({0.05, "part.mu_static", "0.5"});
-  EXPECT_EQ(touch_levels(input).mu_static, 0);
-  EXPECT_GT(touch_levels(input).mu_dynamic, 0);
+  input.scene->parts.emplace_back();
+  input.changes.push_back({0.15, "part.0.mu_static", "0.5"});
+  const double before = input.world->surfaces[0].properties.mu_static;
+  const TouchLevels levels = touch_levels(input);
+  for (const Chart& chart :
+       {touch_chart(input.rows, Vec3::UnitX(), levels), live_chart(input.rows, levels)}) {
+    const std::vector<double> mu_s = steps_of(chart, "mu_s");
+    ASSERT_EQ(mu_s.size(), input.rows.size());
+    for (std::size_t i = 0; i < mu_s.size(); ++i) EXPECT_EQ(mu_s[i], input.rows[i].t_s < 0.15 ? before : 0.5);
+    ASSERT_EQ(chart.panels.back().levels.size(), 1u) << "what was not changed stays a level";
+    EXPECT_EQ(chart.panels.back().levels[0].name, "mu_d");
+  }
+  // Long after it the window's charts begin when it holds already.
+  const std::span<const TickRecord> late = std::span(input.rows).subspan(160);
+  EXPECT_EQ(live_chart(late, levels).panels.back().levels[0].y, 0.5);
+}
+
+TEST(TouchLevels, AreThoseOfTheSurfaceThatIsTouched) {
+  ViewInput input = torus_rub(0.1);
+  World two = *input.world;
+  two.surfaces.push_back(two.surfaces[0]);
+  two.surfaces[1].properties.mu_static = 0.9;
+  input.world = std::make_shared<const World>(two);
+  for (std::size_t i = 150; i < input.rows.size(); ++i) input.rows[i].surface = 1;
+  const std::vector<double> mu_s = steps_of(live_chart(input.rows, touch_levels(input)), "mu_s");
+  ASSERT_EQ(mu_s.size(), input.rows.size());
+  EXPECT_EQ(mu_s[0], two.surfaces[0].properties.mu_static) << "in the air: of the first that is touched";
+  EXPECT_EQ(mu_s[149], two.surfaces[0].properties.mu_static);
+  EXPECT_EQ(mu_s[150], 0.9);
+}
+
+TEST(TouchLevels, OfAChangeThatTheSceneCannotHaveAreNotKnown) {
+  ViewInput input = torus_rub(0.1);
+  ASSERT_FALSE(touch_levels(input).mu.empty());
+  input.changes.push_back({0.05, "part.7.mu_static", "0.5"});
+  EXPECT_TRUE(touch_levels(input).mu.empty());
 }
 
 TEST(Spectrum, OfAThinnedTraceGoesByTheDistanceOfItsRowsNotByItsLast) {

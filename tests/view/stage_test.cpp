@@ -74,7 +74,7 @@ TEST(Stage, LeavesNothingOfAPageThatIsClosedAtAnySize) {
   const VirtualScreen screen;
   const ViewInput input = torus_rub(1);
   Stage stage(input, 520, 340, true, true);
-  stage.show_hint("", std::vector<std::string>(30, "key: what it does"));
+  stage.words().help = std::vector<std::string>(30, "key: what it does");
   stage.show(input.rows.front(), 0);
   for (const auto& [width, height] : {std::pair(520, 340), std::pair(601, 433), std::pair(901, 607)}) {
     stage.resize(width, height);
@@ -125,7 +125,8 @@ TEST(Readings, OfASmallSceneAreBriefAndNeedNoLegend) {
   ViewInput input = torus_rub(1);
   Stage stage(input, 400, 300, true, false);
   stage.show(input.rows.back(), 0);
-  stage.show_readings({{"median tick", "2 us"}, {"99.9 % of ticks", "9 us"}}, {{1, 1}, "1 us", "2 us"});
+  stage.words().readings = {{"median tick", "2 us"}, {"99.9 % of ticks", "9 us"}};
+  stage.words().tick_bars = {{1, 1}, "1 us", "2 us"};
   stage.state().close_up = false;  // which stands elsewhere without them
   stage.render();
   const Pixels with = pixels_of(stage.window());

@@ -13,9 +13,11 @@
 namespace fingerpad::window_keys_test {
 namespace {
 
+constexpr unsigned by_mouse = windows::touch | windows::led, by_device = windows::touch | windows::watched;
+
 TEST(KeyTable, NoKeyMeansTwoThingsInOneWindow) {
   for (const unsigned window :
-       {windows::still, windows::trace, windows::touch, windows::touch | windows::motors}) {
+       {windows::still, windows::trace, by_mouse, by_device, by_device | windows::motors}) {
     std::set<std::string_view> seen;
     for (const KeyRow& row : key_table()) {
       if ((row.in & window) == 0) continue;
@@ -26,22 +28,34 @@ TEST(KeyTable, NoKeyMeansTwoThingsInOneWindow) {
 
 TEST(KeyTable, TheHelpPageAndTheKeysAreItsRows) {
   EXPECT_EQ(action_of("space", windows::trace), KeyAction::play);
-  EXPECT_EQ(action_of("space", windows::touch), KeyAction::press);
+  EXPECT_EQ(action_of("space", by_mouse), KeyAction::press);
   EXPECT_EQ(action_of("space", windows::still), std::nullopt);
-  EXPECT_EQ(action_of("x", windows::touch), std::nullopt) << "without motors there is nothing to stop";
-  EXPECT_EQ(action_of("x", windows::touch | windows::motors), KeyAction::stop);
-  EXPECT_EQ(action_of("X", windows::touch | windows::motors), KeyAction::give_back);
-  const auto lines = help_lines(windows::touch);
+  EXPECT_EQ(action_of("x", by_mouse), std::nullopt) << "without motors there is nothing to stop";
+  EXPECT_EQ(action_of("x", by_device | windows::motors), KeyAction::stop);
+  EXPECT_EQ(action_of("X", by_device | windows::motors), KeyAction::give_back);
+  const auto lines = help_lines(by_mouse);
   EXPECT_THAT(lines, testing::Contains("hold left button: press on the part"));
   EXPECT_THAT(lines, testing::Not(testing::Contains(testing::HasSubstr("emergency"))));
   for (const KeyRow& row : key_table()) EXPECT_FALSE(row.does.empty());
+}
+
+TEST(KeyTable, OfAWindowThatADeviceLeadsLeavesTheMouseToTheView) {
+  for (const char* key : {"space", "Prior", "Next", "Left", "Right", "Up", "Down"}) {
+    EXPECT_EQ(action_of(key, by_device), std::nullopt) << key;
+    EXPECT_NE(action_of(key, by_mouse), std::nullopt) << key;
+  }
+  EXPECT_EQ(action_of("m", by_device), KeyAction::materials);
+  const auto lines = help_lines(by_device);
+  EXPECT_THAT(lines, testing::Contains("left drag: turn the view"));
+  EXPECT_THAT(lines, testing::Each(testing::Not(testing::HasSubstr("press "))));
+  EXPECT_THAT(lines, testing::Each(testing::Not(testing::HasSubstr("move the mouse"))));
 }
 
 TEST(HelpPage, IsReadWholeInTheSmallestWindowOfATouch) {
   ViewState state;
   state.help = true;
   OverlayFacts facts;
-  facts.help = help_lines(windows::touch | windows::motors);
+  facts.help = help_lines(by_mouse | windows::motors);
   for (const auto& [width, height] : {std::pair(1280, 800), std::pair(520, 340)}) {
     const Layout layout = layout_for(width, height, true, false);
     int lines = 0;

@@ -128,7 +128,7 @@ class Window {
   void frame(double t_s) {
     const auto k = static_cast<std::size_t>(1e3 * t_s) % rows_.size();
     stage_.show(rows_[k], 0.1);
-    stage_.show_title_note(fmt::format("press {:.2f} N (pressing)   h help", rows_[k].normal_force_n));
+    stage_.words().hint = fmt::format("press {:.2f} N (pressing)   h help", rows_[k].normal_force_n);
     if (live_ && std::abs(t_s - chart_at_s_) > live_chart_period_s) show_last_seconds(t_s, k);
     stage_.render();
   }
@@ -140,8 +140,8 @@ class Window {
     last.insert(last.end(), rows_.begin(), rows_.begin() + static_cast<long>(k));
     for (std::size_t i = 0; i < last.size(); ++i) last[i].t_s = t_s - 4 + 1e-3 * static_cast<double>(i);
     stage_.show_chart(live_chart(last, levels_));
-    stage_.show_readings({{"median tick", "8.3 us"}, {"late ticks", fmt::format("{}", k)}},
-                         {{0.1, 1, 0.4}, "0.5 us", "30 us"});
+    stage_.words().readings = {{"median tick", "8.3 us"}, {"late ticks", fmt::format("{}", k)}};
+    stage_.words().tick_bars = {{0.1, 1, 0.4}, "0.5 us", "30 us"};
   }
 
   const std::vector<TickRecord>& rows_;
