@@ -42,7 +42,7 @@ std::vector<fs::path> real_files(const std::string& folder, const std::vector<st
 std::vector<fs::path> real_parts() {
   std::vector<fs::path> parts = real_files("parts", {".stl", ".obj", ".ply", ".off"});
   int number = 0;
-  std::erase_if(parts, [&number](const fs::path&) { return number++ % (samples(40) < 40 ? 4 : 1) != 0; });
+  std::erase_if(parts, [&number](const fs::path&) { return number++ % (samples(40) < 40 ? 6 : 1) != 0; });
   return parts;
 }
 

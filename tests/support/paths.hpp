@@ -21,7 +21,7 @@ std::optional<std::filesystem::path> real_data();
 std::vector<std::filesystem::path> real_files(const std::string& folder,
                                               const std::vector<std::string>& endings);
 
-/// The meshes of its `parts` but for STEP; under a sanitizer one of four, as each takes ten times as long
+/// The meshes of its `parts` but for STEP; under a sanitizer one of six, as each takes ten times as long
 /// there.
 std::vector<std::filesystem::path> real_parts();
 
