@@ -132,14 +132,16 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   }
   fit.mu_load_n = point.evidence.load.load_n;
   fit.outliers = outlier_trials(measurement, fit.evidence);
-  ResidualSums residual;
+  const std::vector<int> once(fit.evidence.size(), 1);
+  ResidualSums residual(
+      {point.evidence, {fit_spring(fit.evidence, once, 0).shape, fit_spring(fit.evidence, once, 1).shape}});
   for (std::size_t i = 0; i < segments.size(); ++i)
-    residual.add(measurement.trials[i], segments[i], fit.evidence[i], point.evidence.load);
+    residual.add(measurement.trials[i], segments[i], fit.evidence[i]);
   fit.residual = residual.verdict();
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
-  fit.values = pad_numbers(fit.evidence, std::vector<int>(fit.evidence.size(), 1), point);
+  fit.values = pad_numbers(fit.evidence, once, point);
   tell_noise(segments, fit);
   if (fit.evidence.empty()) {
     for (PadValue& value : fit.values)
