@@ -32,6 +32,15 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
     if (fit.values[k].refusal.empty() && values[k].refusal.empty())
       moved[k] = std::abs(values[k].value - fit.values[k].value);
   }
+  // Where stick passes for slip before slip is seen to end, it does so within mu_dynamic too.
+  if (!fit.values[static_cast<std::size_t>(PadNumber::v_min)].refusal.empty()) {
+    double rise = 0;
+    long stops = 0;
+    for (const TrialEvidence& trial : fit.evidence) rise += trial.stop_rise, stops += trial.stops;
+    if (stops > 0)
+      moved[static_cast<std::size_t>(PadNumber::mu_dynamic)] +=
+          std::max(0.0, rise / static_cast<double>(stops));
+  }
   constexpr double bends = 1e-3;
   for (const PadNumber share : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share})
     moved[static_cast<std::size_t>(share)] += bends;
