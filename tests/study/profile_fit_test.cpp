@@ -259,6 +259,15 @@ TEST(ProfileFit, AnotherLawIsToldByItsResiduals) {
   EXPECT_THAT(fit_notes(fit).back(), HasSubstr("the pad's law does not fit"));
 }
 
+TEST(ProfileFit, AxesThatNoFingerHasAreAskedAbout) {
+  ProfileFit fit;
+  for (PadValue& value : fit.values) value.refusal = "not here";
+  fit.values[0] = {0.02, 100, 1, ""};
+  EXPECT_THAT(fit_notes(fit), testing::ElementsAre(HasSubstr("lateral_axis_m is 20 mm")));
+  fit.values[0].value = 0.004;
+  EXPECT_THAT(fit_notes(fit), testing::IsEmpty());
+}
+
 TEST(ProfileFit, ListsAnOutlierTrialAndCountsIt) {
   std::vector<test::KnownTrial> trials(6, {2, 45, 0});
   RecordedMeasurement measurement = test::known_measurement(trials, {}, {}, 1);
