@@ -28,7 +28,7 @@ struct LawSpring {
 /// the trial's own compliance; in slip the force ratio is the trial's mean.
 class ResidualSums {
  public:
-  explicit ResidualSums(LawSpring spring) : spring_(std::move(spring)) {}
+  explicit ResidualSums(const LawSpring& spring) : spring_(spring) {}
   void add(const MeasuredTrial& trial, const StickSegments& segments, const TrialEvidence& evidence);
   LawResidual verdict() const;
 
