@@ -74,11 +74,16 @@ int fit(const FitOptions& options) {
   }
   const FitSettings settings{options.seed, blocks_of(options.cleaning)};
   const ProfileFit found = fit_profile(measurement, settings);
+  const bool is_without_force = measurement.trials.empty() && !measurement.without_force.empty();
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any)
     throw refused(options.measurements.front(),
-                  fmt::format("nothing can be fitted: {}", found.values.front().refusal));
+                  fmt::format("nothing can be fitted: {}{}", found.values.front().refusal,
+                              is_without_force && options.reading.reader.empty()
+                                  ? "; where its forces are called otherwise, say --columns "
+                                    "fx=NAME,fy=NAME,fz=NAME"
+                                  : ""));
   std::string source =
       fmt::format("fitted to {} trials of {} subjects, seed {}:", found.trials, found.subjects, options.seed);
   for (const std::string& path : options.measurements) source += fmt::format(" {}", path);

@@ -10,19 +10,11 @@
 
 namespace fingerpad {
 
-/// What a recording says beside places and forces, in SI units, at the times of its motion.
-struct FieldChannel {
-  std::string name;        ///< "acceleration"
-  std::string unit;        ///< "m/s^2"
-  Eigen::MatrixXd values;  ///< k x n, column i at Motion::t_s[i]; not numbers where it was not recorded
-};
-
 /// A recording as a laboratory or a database saved it, in the program's units and on one clock.
 struct FieldRecording {
   Motion motion;
-  std::vector<FieldChannel> channels;  ///< neither a motion nor a fit asks for them
-  std::vector<std::string> notes;      ///< how it was read, a line each, for people
-  char separator = ',';                ///< of a table that a scene's own words read
+  std::vector<std::string> notes;  ///< how it was read, a line each, for people
+  char separator = ',';            ///< of a table that a scene's own words read
 };
 
 /// A published layout of recordings: one row of a table, one file.

@@ -51,8 +51,9 @@ std::vector<std::string> cluster_files(const std::string& path, const RecordingF
   return files;
 }
 
-/// The accelerations beside a recording, at its times; told in its notes.
-void take_cluster_accelerations(const std::string& path, FieldRecording& recording) {
+/// Tells in its notes how great the accelerations beside a recording are, at its times: neither a motion nor
+/// a fit asks for more of them.
+void tell_cluster_accelerations(const std::string& path, FieldRecording& recording) {
   constexpr double m_per_s2 = 9.80665;  // of a g
   const std::string accel = cluster_sibling(path, "accel");
   if (!fs::exists(accel)) {
@@ -60,18 +61,17 @@ void take_cluster_accelerations(const std::string& path, FieldRecording& recordi
     return;
   }
   const ClockedValues table = cluster_table(accel, {"time", "X", "Y", "Z"}, "accelerations");
-  FieldChannel channel{"acceleration", "m/s^2", m_per_s2 * values_at(table, recording.motion.t_s, accel)};
+  const Eigen::MatrixXd values = m_per_s2 * values_at(table, recording.motion.t_s, accel);
   double squares = 0, count = 0;
-  for (Eigen::Index i = 0; i < channel.values.cols(); ++i) {
-    if (!channel.values.col(i).allFinite()) continue;
-    squares += channel.values.col(i).squaredNorm();
+  for (Eigen::Index i = 0; i < values.cols(); ++i) {
+    if (!values.col(i).allFinite()) continue;
+    squares += values.col(i).squaredNorm();
     ++count;
   }
   if (!(count > 0)) throw refused(accel, "has no time in common with its forces and positions");
   recording.notes.push_back(fmt::format(
       "accelerations read at {:.0f} of {} times, straight between their samples: {:.3g} m/s^2 RMS", count,
-      channel.values.cols(), std::sqrt(squares / count)));
-  recording.channels.push_back(std::move(channel));
+      values.cols(), std::sqrt(squares / count)));
 }
 
 FieldRecording read_cluster_texture(const std::string& path, const RecordingFormat&) {
@@ -97,7 +97,7 @@ FieldRecording read_cluster_texture(const std::string& path, const RecordingForm
   recording.notes = {joined.note,
                      "read as cluster-texture: normal force alone, positions in the plane z = 0"};
   try {
-    take_cluster_accelerations(path, recording);
+    tell_cluster_accelerations(path, recording);
   } catch (const Error& error) {  // they move no finger: a recording is none the worse for them
     recording.notes.push_back(fmt::format("no accelerations: {}", error.what()));
   }

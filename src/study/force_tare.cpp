@@ -46,16 +46,91 @@ bool is_still(const RecordedTrial& trial, const PressLevels& levels, Eigen::Inde
   return (squares.cwiseSqrt().array() <= stillness * levels.noise_n.array() + 1e-9 * levels.press_n).all();
 }
 
+using Samples = std::vector<Eigen::Index>;
+
+constexpr std::size_t fewest_free = 20;
+
+Eigen::Index window_of(const RecordedTrial& trial) {
+  return std::max<Eigen::Index>(4, std::lround(window_s * trial.rate_hz));
+}
+
 /// The samples of all windows that are still and low.
-std::vector<Eigen::Index> free_samples(const RecordedTrial& trial, const PressLevels& levels) {
-  const auto window = std::max<Eigen::Index>(4, std::lround(window_s * trial.rate_hz));
-  std::vector<Eigen::Index> found;
+Samples free_samples(const RecordedTrial& trial, const PressLevels& levels) {
+  const Eigen::Index window = window_of(trial);
+  Samples found;
   for (Eigen::Index from = 0; from + window <= trial.samples(); from += window / 2) {
     if (!is_still(trial, levels, from, from + window)) continue;
     for (Eigen::Index i = found.empty() ? from : std::max(from, found.back() + 1); i < from + window; ++i)
       found.push_back(i);
   }
-  if (found.size() < 20) found.clear();
+  if (found.size() < fewest_free) found.clear();
+  return found;
+}
+
+/// Samples [from, to) of windows that are still, low and alike.
+struct LevelRun {
+  Eigen::Index from, to;
+  double normal_n;
+};
+
+/// Runs of two such windows or more, half a window apart, whose means differ by less than the noise.
+std::vector<LevelRun> level_runs(const RecordedTrial& trial, const PressLevels& levels, double noise_n) {
+  const Eigen::Index window = window_of(trial), step = window / 2;
+  std::vector<LevelRun> runs;
+  for (Eigen::Index from = 0; from + window <= trial.samples(); from += step) {
+    if (!is_still(trial, levels, from, from + window)) continue;
+    double normal_n = 0;
+    for (Eigen::Index i = from; i < from + window; ++i)
+      normal_n += levels.normal_n[static_cast<std::size_t>(i)] / static_cast<double>(window);
+    const bool goes_on = !runs.empty() && runs.back().to == from - step + window &&
+                         std::abs(normal_n - runs.back().normal_n) < noise_n;
+    if (goes_on) runs.back().to = from + window;
+    if (!goes_on) runs.push_back({from, from + window, normal_n});
+  }
+  std::erase_if(runs, [window](const LevelRun& run) { return run.to - run.from == window; });
+  return runs;
+}
+
+/// Whether the finger leaves the run's level as one that comes down on the plate or is lifted from it does:
+/// in a corner. One whose load only swings goes through its least along a parabola, on which it takes almost
+/// two runs' length to come 20 deviations of the noise above it, and twice as many where the trial begins or
+/// ends there.
+bool is_left_in_a_corner(const RecordedTrial& trial, const PressLevels& levels, const LevelRun& run,
+                         double noise_n) {
+  constexpr double surely_above = 20, most_length = 0.8;
+  const double above_n = run.normal_n + surely_above * noise_n;
+  const bool is_half = run.from < window_of(trial) || trial.samples() - run.to < window_of(trial);
+  const auto most =
+      static_cast<Eigen::Index>((is_half ? 2 : 1) * most_length * static_cast<double>(run.to - run.from));
+  bool is_left = false;
+  for (const Eigen::Index way : {Eigen::Index{-1}, Eigen::Index{1}}) {
+    const Eigen::Index edge = way < 0 ? run.from - 1 : run.to;
+    for (Eigen::Index i = edge; i >= 0 && i < trial.samples(); i += way) {
+      const auto k = static_cast<std::size_t>(i);
+      if (std::abs(i - edge) > most || trial.origin[k] == SampleOrigin::missing) return false;
+      if (levels.normal_n[k] < above_n) continue;
+      is_left = true;
+      break;
+    }
+  }
+  return is_left;
+}
+
+/// The samples of short moments without contact beside slow ramps: those of runs that are left in a corner,
+/// if all such are about as low.
+Samples cornered_samples(const RecordedTrial& trial, const PressLevels& levels, double noise_n) {
+  constexpr double least_press = 40, alike = 0.1;  // of the noise; of the press
+  Samples found;
+  if (!(levels.press_n - levels.low_n > least_press * noise_n)) return found;
+  double least_n = 0, most_n = 0;
+  for (const LevelRun& run : level_runs(trial, levels, noise_n)) {
+    if (!is_left_in_a_corner(trial, levels, run, noise_n)) continue;
+    least_n = found.empty() ? run.normal_n : std::min(least_n, run.normal_n);
+    most_n = found.empty() ? run.normal_n : std::max(most_n, run.normal_n);
+    for (Eigen::Index i = run.from; i < run.to; ++i) found.push_back(i);
+  }
+  const bool are_alike = most_n - least_n < alike * (levels.press_n - levels.low_n);
+  if (found.size() < fewest_free || !are_alike) found.clear();
   return found;
 }
 
@@ -65,7 +140,7 @@ struct TareLine {
   double at(double i) const noexcept { return level_n + slope_n * (i - middle); }
 };
 
-TareLine line_through(const RecordedTrial& trial, Eigen::Index axis, const std::vector<Eigen::Index>& samples,
+TareLine line_through(const RecordedTrial& trial, Eigen::Index axis, const Samples& samples,
                       bool takes_slope) {
   TareLine line;
   const auto count = static_cast<double>(samples.size());
@@ -83,39 +158,52 @@ TareLine line_through(const RecordedTrial& trial, Eigen::Index axis, const std::
   return line;
 }
 
+/// A straight line in time on each axis; a constant, where the samples do not span a third of the trial.
+struct Tare {
+  Vec3 begin_n, end_n;
+  double last;  ///< sample
+
+  Tare(const RecordedTrial& trial, const Samples& free)
+      : last(static_cast<double>(std::max<Eigen::Index>(trial.samples() - 1, 1))) {
+    const bool takes_slope = 3 * (free.back() - free.front()) > trial.samples();
+    for (Eigen::Index axis = 0; axis < 3; ++axis) {
+      const TareLine line = line_through(trial, axis, free, takes_slope);
+      begin_n[axis] = line.at(0);
+      end_n[axis] = line.at(last);
+    }
+  }
+  Vec3 at(Eigen::Index i) const { return begin_n + (static_cast<double>(i) / last) * (end_n - begin_n); }
+};
+
+/// A finger that presses less now and then passes slowly through the forces in between; one that is lifted
+/// is gone.
+bool passes_slowly(const RecordedTrial& trial, const PressLevels& levels, const Tare& tare, double noise_n,
+                   std::size_t free) {
+  constexpr double most_between = 0.3, half_way = 0.5, beyond_noise = 4;
+  long between = 0;
+  for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+    const double above_n = levels.normal_n[static_cast<std::size_t>(i)] - trial.normal_W.dot(tare.at(i));
+    if (above_n > beyond_noise * noise_n && above_n < half_way * (levels.press_n - levels.low_n)) ++between;
+  }
+  return static_cast<double>(between) > most_between * static_cast<double>(free);
+}
+
 }  // namespace
 
 void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
-  const Eigen::Index n = trial.samples();
   const PressLevels levels(trial);
   const double noise_n = std::abs(trial.normal_W.cwiseAbs().dot(levels.noise_n));
   if (!(levels.press_n - levels.low_n > 20 * noise_n)) return;
-  const std::vector<Eigen::Index> free = free_samples(trial, levels);
+  Samples free = free_samples(trial, levels);
   if (free.empty()) return;
-  const bool takes_slope = 3 * (free.back() - free.front()) > n;
-  Vec3 begin_n, end_n;
-  for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    const TareLine line = line_through(trial, axis, free, takes_slope);
-    begin_n[axis] = line.at(0);
-    end_n[axis] = line.at(static_cast<double>(n - 1));
-  }
-  const double last = static_cast<double>(std::max<Eigen::Index>(n - 1, 1));
-  const auto tare_at = [&](Eigen::Index i) -> Vec3 {
-    return begin_n + (static_cast<double>(i) / last) * (end_n - begin_n);
-  };
-  // A finger that presses less now and then passes slowly through the forces in between; one that is lifted
-  // is gone.
-  constexpr double most_between = 0.3, half_way = 0.5, beyond_noise = 4;
-  long between = 0;
-  for (Eigen::Index i = 0; i < n; ++i) {
-    const double above_n = levels.normal_n[static_cast<std::size_t>(i)] - trial.normal_W.dot(tare_at(i));
-    if (above_n > beyond_noise * noise_n && above_n < half_way * (levels.press_n - levels.low_n)) ++between;
-  }
-  if (static_cast<double>(between) > most_between * static_cast<double>(free.size())) return;
-  for (Eigen::Index i = 0; i < n; ++i) trial.force_W.col(i) -= tare_at(i);
+  if (passes_slowly(trial, levels, Tare(trial, free), noise_n, free.size()))
+    free = cornered_samples(trial, levels, noise_n);
+  if (free.empty()) return;
+  const Tare tare(trial, free);
+  for (Eigen::Index i = 0; i < trial.samples(); ++i) trial.force_W.col(i) -= tare.at(i);
   cleaning.free_samples = static_cast<long>(free.size());
-  cleaning.tare_begin_n = begin_n;
-  cleaning.tare_end_n = end_n;
+  cleaning.tare_begin_n = tare.begin_n;
+  cleaning.tare_end_n = tare.end_n;
 }
 
 }  // namespace fingerpad

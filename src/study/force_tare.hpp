@@ -8,8 +8,9 @@ namespace fingerpad {
 /// samples without contact (a constant, where they do not span a third of the trial), on each axis.
 ///
 /// Samples are without contact where the normal force is at its lowest for 50 ms and as still as its noise,
-/// and hardly any lie between there and the press: a finger that only presses less does not count. Where
-/// there are none the trial stays as it is, and `free_samples` 0 says so.
+/// and either hardly any lie between there and the press, or it is level for 75 ms and left in a corner: a
+/// finger that only presses less does not count. Where there are none the trial stays as it is, and
+/// `free_samples` 0 says so.
 void take_tare(RecordedTrial& trial, TrialCleaning& cleaning);
 
 }  // namespace fingerpad

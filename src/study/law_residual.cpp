@@ -41,10 +41,53 @@ double force_noise_n2(const MeasuredTrial& trial, const StickSegments& segments)
   return segments.ratio_noise * segments.ratio_noise * samples / inverse2;
 }
 
-double mean_of(const std::vector<double>& values) {
+/// The mean of 1/n^2 over a group.
+double mean_inverse_load2(const MeasuredTrial& trial, const SpringGroups& groups, std::size_t group) {
+  const std::size_t from = groups.stretch.from + group * groups.size;
   double sum = 0;
-  for (const double value : values) sum += value;
-  return values.empty() ? 0 : sum / static_cast<double>(values.size());
+  for (std::size_t i = from; i < from + groups.size; ++i)
+    sum += 1 / (trial.normal_force_n[i] * trial.normal_force_n[i]);
+  return sum / static_cast<double>(groups.size);
+}
+
+/// A trial's own spring along one axis.
+struct OwnSpring {
+  const SpringBend& bend;
+  const SpringShape& shape;
+  double compliance_m;
+  std::size_t axis;
+};
+
+/// What a spring leaves of a stretch, by group.
+struct StretchLeft {
+  std::vector<double> ratio;    ///< of the force ratio
+  std::vector<double> slope_m;  ///< the spring's way for a unit of force ratio there
+};
+
+/// The stick centre is where the spring leaves least of the force ratio.
+StretchLeft left_of_stretch(const SpringGroups& groups, const OwnSpring& own) {
+  StretchLeft left;
+  std::vector<double> way_m;
+  double centre_m = 0, weights = 0;
+  for (const auto& both : groups.terms) {
+    const SpringTerms& terms = both[own.axis];
+    const Eigen::Vector2d slopes =
+        spring_slopes(own.bend, {terms[spring_straight], both[1 - own.axis][spring_straight]}).col(0);
+    constexpr double least_slope = 0.1;  // of a straight spring's; a bend that does not hold may come to less
+    left.slope_m.push_back(own.compliance_m *
+                           std::max(least_slope, slopes[0] + own.shape.share_left * slopes[1]));
+    way_m.push_back(terms[spring_position] -
+                    own.compliance_m * (terms[spring_ratio] + own.shape.share_left * terms[spring_cubic]) -
+                    own.shape.hysteresis_m * terms[spring_direction] -
+                    own.shape.delay_s * terms[spring_speed]);
+    const double weight = 1 / (left.slope_m.back() * left.slope_m.back());
+    centre_m += weight * way_m.back();
+    weights += weight;
+  }
+  centre_m /= weights;
+  for (std::size_t k = 0; k < way_m.size(); ++k)
+    left.ratio.push_back((way_m[k] - centre_m) / left.slope_m[k]);
+  return left;
 }
 
 }  // namespace
@@ -59,31 +102,28 @@ std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const LoadLaw& load)
 
 void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& segments,
                              const TrialEvidence& evidence, const std::vector<Vec2>& ratio) {
-  const std::size_t size = group_size(trial.rate_hz);
-  const double force2 = force_noise_n2(trial, segments);
-  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
-    const PhaseStretch s = inner_stretch(whole, segments);
-    for (Eigen::Index axis = 0; axis < 2; ++axis) {
-      const SpringSums& sums = evidence.spring[static_cast<std::size_t>(axis)];
-      const double both = evidence.spring[0](spring_straight, spring_straight) +
-                          evidence.spring[1](spring_straight, spring_straight);
-      if (!(sums(spring_straight, spring_straight) > 0.01 * both) ||
-          !(sums(spring_position, spring_straight) > 0))
-        continue;
-      const double stiffness =
-          sums(spring_straight, spring_straight) / sums(spring_position, spring_straight);
-      const auto left = group_means(
-          s, size, [&](std::size_t i) { return ratio[i][axis] + stiffness * trial.position_m[i][axis]; });
-      const auto force = group_means(s, size, [&](std::size_t i) { return ratio[i][axis]; });
-      if (left.size() < 3) continue;
-      const double mean = mean_of(left), place2 = std::pow(stiffness * segments.position_noise_m, 2);
-      const auto noise = group_means(s, size, [&](std::size_t i) {
-        return force2 / (trial.normal_force_n[i] * trial.normal_force_n[i]) + place2;
-      });
-      for (const double value : left) left_ += (value - mean) * (value - mean);
-      for (const double value : force) signal_ += value * value;
-      expected_ += static_cast<double>(left.size() - 1) * mean_of(noise) / static_cast<double>(size);
-      samples_ += static_cast<long>(left.size() * size);
+  const double force2 = force_noise_n2(trial, segments),
+               both = evidence.spring[0](spring_straight, spring_straight) +
+                      evidence.spring[1](spring_straight, spring_straight);
+  const std::vector<SpringGroups> stretches = spring_groups(trial, segments, ratio, spring_.about);
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const SpringSums& sums = evidence.spring[axis];
+    const double compliance_m = spring_compliance_m(sums, spring_.shape[axis]);
+    if (!(sums(spring_straight, spring_straight) > 0.01 * both) || !(compliance_m > 0)) continue;
+    const OwnSpring own{spring_.about.bend[axis], spring_.shape[axis], compliance_m, axis};
+    for (const SpringGroups& groups : stretches) {
+      if (groups.is_short) continue;
+      const StretchLeft left = left_of_stretch(groups, own);
+      double noise2 = 0;
+      for (std::size_t k = 0; k < groups.terms.size(); ++k) {
+        const double place = segments.position_noise_m / left.slope_m[k];
+        noise2 += force2 * mean_inverse_load2(trial, groups, k) + place * place;
+        left_ += left.ratio[k] * left.ratio[k];
+        signal_ += groups.terms[k][axis][spring_straight] * groups.terms[k][axis][spring_straight];
+      }
+      const auto count = static_cast<double>(groups.terms.size()), size = static_cast<double>(groups.size);
+      expected_ += (count - 1) / count * noise2 / size;
+      samples_ += static_cast<long>(groups.terms.size() * groups.size);
     }
   }
 }
@@ -121,8 +161,8 @@ void ResidualSums::add_slip(const StickSegments& segments, const std::vector<Vec
 }
 
 void ResidualSums::add(const MeasuredTrial& trial, const StickSegments& segments,
-                       const TrialEvidence& evidence, const LoadLaw& load) {
-  const std::vector<Vec2> ratio = ratio_at_load(trial, load);
+                       const TrialEvidence& evidence) {
+  const std::vector<Vec2> ratio = ratio_at_load(trial, spring_.about.load);
   add_stick(trial, segments, evidence, ratio);
   add_slip(segments, ratio, trial.rate_hz);
   const std::size_t shortest = 4 * static_cast<std::size_t>(segments.half_window);

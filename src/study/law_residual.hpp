@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "study/trial_evidence.hpp"
+#include "study/spring_fit.hpp"
 
 namespace fingerpad {
 
@@ -18,12 +18,18 @@ struct LawResidual {
       misfit;  ///< why the pad's law does not fit; empty where it does, or too little is there to tell
 };
 
-/// Holds the law against one trial: in stick each stretch is a straight spring of the trial's own stiffness,
-/// in slip the force ratio is the trial's mean. Adds to sums; residual_verdict makes shares of them.
+/// The spring that was fitted to all trials, which the law is held against.
+struct LawSpring {
+  EvidencePoint about;               ///< that the evidence was taken about
+  std::array<SpringShape, 2> shape;  ///< lateral, longitudinal
+};
+
+/// Holds the law against one trial: in stick each stretch is the fitted spring, bent and with its loop, of
+/// the trial's own compliance; in slip the force ratio is the trial's mean.
 class ResidualSums {
  public:
-  void add(const MeasuredTrial& trial, const StickSegments& segments, const TrialEvidence& evidence,
-           const LoadLaw& load);
+  explicit ResidualSums(const LawSpring& spring) : spring_(spring) {}
+  void add(const MeasuredTrial& trial, const StickSegments& segments, const TrialEvidence& evidence);
   LawResidual verdict() const;
 
  private:
@@ -31,6 +37,7 @@ class ResidualSums {
                  const std::vector<Vec2>& ratio);
   void add_slip(const StickSegments& segments, const std::vector<Vec2>& ratio, double rate_hz);
 
+  LawSpring spring_;
   double left_ = 0, expected_ = 0, signal_ = 0;  // squares
   long samples_ = 0, gives_ = 0, drops_ = 0;
 };

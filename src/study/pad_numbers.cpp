@@ -84,7 +84,6 @@ PadValue& value_of(PadValues& values, PadNumber number) {
   return values[static_cast<std::size_t>(number)];
 }
 
-/// The spring as it was fitted about a bend, at an end that may be another.
 /// Why too few ruptures tell where stick ends.
 std::string no_rupture_words(const std::vector<TrialEvidence>& trials) {
   long short_teeth = 0;
@@ -96,6 +95,7 @@ std::string no_rupture_words(const std::vector<TrialEvidence>& trials) {
       short_teeth, short_teeth == 1 ? "" : "s", short_teeth == 1 ? "is" : "are");
 }
 
+/// The spring as it was fitted about a bend, at an end that may be another.
 struct FittedSpring {
   double reach = 0;        ///< over A, at the end
   double cubic_share = 0;  ///< from what the reach is short of that of the first slope
@@ -111,7 +111,7 @@ void add_axis(const SpringFit& fit, const SpringBend& bend, const AxisNumbers& n
   const PadValue& mu_static = value_of(found, PadNumber::mu_static);
   const bool has_limit = mu_static.refusal.empty();
   const double mu = has_limit ? mu_static.value : assumed_mu_static;
-  const FittedSpring spring = fitted_spring(bend, fit.share_left, mu);
+  const FittedSpring spring = fitted_spring(bend, fit.shape.share_left, mu);
   const double axis_m = has_limit ? fit.compliance45_m * spring.reach : fit.straight45_m * mu;
   const std::string no_limit = "where the spring ends is not known, as mu_static is not";
   const std::string shape_refusal = has_limit ? fit.shape_refusal : no_limit,
@@ -121,7 +121,45 @@ void add_axis(const SpringFit& fit, const SpringBend& bend, const AxisNumbers& n
   value_of(found, numbers.stiffness) = of_axis(fit, mu / axis_m, fit.axis_refusal);
   value_of(found, numbers.linearity) = of_axis(fit, fit.linearity, fit.shape_refusal);
   value_of(found, numbers.cubic_share) = of_axis(fit, spring.cubic_share, shape_refusal);
-  value_of(found, numbers.hysteresis_area) = of_axis(fit, 4 * fit.hysteresis_m * mu, loop_refusal);
+  value_of(found, numbers.hysteresis_area) = of_axis(fit, 4 * fit.shape.hysteresis_m * mu, loop_refusal);
+}
+
+bool has_short_teeth(const std::vector<TrialEvidence>& trials) {
+  return std::any_of(trials.begin(), trials.end(), [](const TrialEvidence& t) { return t.short_teeth > 0; });
+}
+
+/// Refuses a v_min that stick which passes for slip has made too low.
+void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
+                         PadValues& found) {
+  constexpr double most_rise = 0.25;  // of what a rupture drops; of hidden teeth it is half of that
+  const PadValue &mu_static = value_of(found, PadNumber::mu_static),
+                 &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
+  PadValue& v_min = value_of(found, PadNumber::v_min);
+  if (!v_min.refusal.empty()) return;
+  if (mu_static.samples == 0 && has_short_teeth(trials)) {
+    v_min.refusal = fmt::format(
+        "where slip ends (seen at {:.3g} m/s) stick gives way again within a few samples, and passes for "
+        "slip "
+        "before: sample faster",
+        v_min.value);
+    return;
+  }
+  if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty()) return;
+  double rise = 0, stops = 0;
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    rise += times[i] * trials[i].stop_rise;
+    stops += static_cast<double>(times[i] * trials[i].stops);
+  }
+  rise /= stops;
+  const double drop = mu_static.value - mu_dynamic.value;
+  if (!(rise > most_rise * drop)) return;
+  v_min.refusal = fmt::format(
+      "friction is up by {:.0f} % of what a rupture drops just before slip is seen to end (at {:.3g} m/s): "
+      "stick "
+      "that gives way again within a few samples hides there (then sample faster), or friction rises as the "
+      "finger "
+      "slows",
+      100 * rise / std::max(drop, 1e-9), v_min.value);
 }
 
 /// Lengths, stiffnesses, speeds and the like, that cannot be 0 or less.
@@ -179,6 +217,7 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
       load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
   at(PadNumber::v_min) = subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s,
                                        &TrialEvidence::stops, 10, "no slip that ends in stick was found");
+  refuse_hidden_stick(trials, times, found);
   for (int axis = 0; axis < 2; ++axis)
     add_axis(fit_spring(trials, times, axis), point.evidence.bend[static_cast<std::size_t>(axis)],
              axis_numbers[axis], found);
@@ -209,7 +248,10 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   if (press.exponent > 0) next.evidence.press_exponent = std::clamp(press.exponent, 0.1, 2.0);
   const VibrationPeak peak = vibration_peak(slip_density(trials, once));
   next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
-  take_bends(pad_numbers(trials, once, point), next.evidence);
+  const PadValues found = pad_numbers(trials, once, point);
+  take_bends(found, next.evidence);
+  const PadValue& v_min = found[static_cast<std::size_t>(PadNumber::v_min)];
+  next.evidence.v_min_m_per_s = v_min.refusal.empty() ? v_min.value : 0;
   return next;
 }
 

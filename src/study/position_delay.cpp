@@ -25,20 +25,21 @@ PhaseStretch unbroken_around(const MeasuredTrial& trial, std::size_t from, std::
   return found;
 }
 
-/// q and q |q|^2 of both axes.
-using SpringTerms = Eigen::Matrix2d;
+/// q, q |q|^2 and q |q|^4 (columns) of both axes.
+using OrderTerms = Eigen::Matrix<double, 2, 3>;
 
 /// At each sample of a stretch, about their means.
-std::vector<SpringTerms> centred_spring(const MeasuredTrial& trial, const PhaseStretch& stretch) {
-  std::vector<SpringTerms> spring;
-  SpringTerms mean = SpringTerms::Zero();
+std::vector<OrderTerms> centred_spring(const MeasuredTrial& trial, const PhaseStretch& stretch) {
+  std::vector<OrderTerms> spring;
+  OrderTerms mean = OrderTerms::Zero();
   for (std::size_t i = stretch.from; i < stretch.to; ++i) {
     const Vec2& q = trial.force_ratio[i];
+    const double square = q.squaredNorm();
     spring.emplace_back();
-    spring.back() << q, q.squaredNorm() * q;
+    spring.back() << q, square * q, square * square * q;
     mean += spring.back() / static_cast<double>(stretch.to - stretch.from);
   }
-  for (SpringTerms& terms : spring) terms -= mean;
+  for (OrderTerms& terms : spring) terms -= mean;
   return spring;
 }
 
@@ -51,29 +52,28 @@ void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, 
   stretch.to = std::min(stretch.to, around.to > reach ? around.to - reach : 0);
   if (stretch.to < stretch.from + 5) return;
   const auto count = static_cast<double>(stretch.to - stretch.from);
-  const std::vector<SpringTerms> spring = centred_spring(trial, stretch);
-  for (const SpringTerms& terms : spring) {
+  const std::vector<OrderTerms> spring = centred_spring(trial, stretch);
+  for (const OrderTerms& terms : spring) {
     for (Eigen::Index axis = 0; axis < 2; ++axis)
       sums.spring[static_cast<std::size_t>(axis)] += terms.row(axis).transpose() * terms.row(axis);
   }
   for (int lag = -sums.lags_each_way; lag <= sums.lags_each_way; ++lag) {
     const auto back = static_cast<std::ptrdiff_t>(lag * stride);
     const Vec2* position = trial.position_m.data() - back;
-    Vec2 sum(0, 0), xx(0, 0), xq(0, 0), xc(0, 0);
+    Vec2 sum(0, 0), xx(0, 0);
+    OrderTerms xq = OrderTerms::Zero();
     const Vec2 origin = position[stretch.from];
     for (std::size_t i = stretch.from; i < stretch.to; ++i) {
       const Vec2 x = position[i] - origin;
       sum += x;
       xx += x.cwiseProduct(x);
-      xq += x.cwiseProduct(spring[i - stretch.from].col(0));
-      xc += x.cwiseProduct(spring[i - stretch.from].col(1));
+      xq += x.asDiagonal() * spring[i - stretch.from];
     }
     xx -= sum.cwiseProduct(sum) / count + Vec2::Constant((count - 1) * noise_m2);
     const auto k = static_cast<std::size_t>(long{lag} + sums.lags_each_way);
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       sums.xx[static_cast<std::size_t>(axis)][k] += xx[axis];
-      sums.xq[static_cast<std::size_t>(axis)][k] += xq[axis];
-      sums.xc[static_cast<std::size_t>(axis)][k] += xc[axis];
+      sums.xq[static_cast<std::size_t>(axis)][k] += xq.row(axis).transpose();
     }
   }
   sums.samples += static_cast<long>(stretch.to - stretch.from);
@@ -88,25 +88,38 @@ int common_lags(const std::vector<DelaySums>& trials) {
   return least == std::numeric_limits<int>::max() ? 0 : least;
 }
 
-enum class SpringOrder { first, third };
+/// How many of q, q |q|^2 and q |q|^4 a spring has.
+enum class SpringOrder : Eigen::Index { first = 1, third = 2, fifth = 3 };
 
 /// How much of a position's spread a spring explains, times that of q.
 class SpringExplains {
  public:
-  SpringExplains(const Eigen::Matrix2d& spring, SpringOrder order)
-      : qq_(spring(0, 0)),
-        share_(qq_ > 0 ? spring(0, 1) / qq_ : 0),
-        own_(spring(1, 1) - share_ * spring(0, 1)) {
-    constexpr double least_own = 1e-3;  // else the third order says nothing beside the first
-    if (order == SpringOrder::first || !(own_ > least_own * spring(1, 1))) own_ = 0;
+  /// @param spring  DelaySums::spring of an axis
+  SpringExplains(const Mat3& spring, SpringOrder order) : qq_(spring(0, 0)) {
+    constexpr double least_own = 1e-3;  // else a term says nothing beside those before it
+    for (Eigen::Index term = 0; term < static_cast<Eigen::Index>(order); ++term) {
+      Vec3 rest = Vec3::Unit(term);
+      for (const OwnTerm& before : terms_)
+        rest -= before.of.dot(spring.col(term)) / before.spread * before.of;
+      const double spread = rest.dot(spring * rest);
+      if (term == 0 || spread > least_own * spring(term, term)) terms_.push_back({rest, spread});
+    }
   }
-  double of(double xq, double xc) const {
-    const double rest = xc - share_ * xq;
-    return xq * xq + (own_ > 0 ? qq_ * rest * rest / own_ : 0);
+  /// @param xq  DelaySums::xq of that axis at a lag
+  double of(const Vec3& xq) const {
+    double explained = 0;
+    for (const OwnTerm& term : terms_) explained += std::pow(term.of.dot(xq), 2) / term.spread;
+    return qq_ * explained;
   }
 
  private:
-  double qq_, share_, own_;
+  /// What a term has that those before it have not.
+  struct OwnTerm {
+    Vec3 of;
+    double spread;
+  };
+  double qq_;
+  std::vector<OwnTerm> terms_;
 };
 
 /// How much of q the springs explain at each lag that all have, and how much there is of it.
@@ -123,7 +136,8 @@ ExplainedByLag explained_by_lag(const std::vector<DelaySums>& trials, const std:
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (times[i] == 0 || trials[i].samples == 0) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
-      const std::vector<double>&xx = trials[i].xx[axis], &xq = trials[i].xq[axis], &xc = trials[i].xc[axis];
+      const std::vector<double>& xx = trials[i].xx[axis];
+      const std::vector<Vec3>& xq = trials[i].xq[axis];
       const SpringExplains explains(trials[i].spring[axis], order);
       // An axis that hardly moves at some lag would seem to explain anything there.
       if (!(*std::min_element(xx.begin(), xx.end()) > 4 * trials[i].noise_m2)) continue;
@@ -131,7 +145,7 @@ ExplainedByLag explained_by_lag(const std::vector<DelaySums>& trials, const std:
       const auto ahead = static_cast<std::size_t>(trials[i].lags_each_way - lags_each_way);
       for (std::size_t k = 0; k < count; ++k) {
         const std::size_t own = k + ahead;
-        if (xq[own] < 0) found.explained[k] += times[i] * explains.of(xq[own], xc[own]) / xx[own];
+        if (xq[own][0] < 0) found.explained[k] += times[i] * explains.of(xq[own]) / xx[own];
       }
     }
   }
@@ -150,7 +164,8 @@ std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::
   return static_cast<double>(k) - common_lags(trials) + 0.5 * (explained[k - 1] - explained[k + 1]) / bend;
 }
 
-/// Third where it leaves much less of q: where it is only free, ends of stick bend it, and the delay with it.
+/// A higher one where it leaves much less of q: where it is only free, ends of stick bend it, and the delay
+/// with it.
 SpringOrder spring_order_of(const std::vector<DelaySums>& trials) {
   constexpr double much_less = 0.5;
   const std::vector<int> once(trials.size(), 1);
@@ -158,8 +173,9 @@ SpringOrder spring_order_of(const std::vector<DelaySums>& trials) {
     const ExplainedByLag found = explained_by_lag(trials, once, order);
     return found.all - *std::max_element(found.explained.begin(), found.explained.end());
   };
-  return left(SpringOrder::third) < much_less * left(SpringOrder::first) ? SpringOrder::third
-                                                                         : SpringOrder::first;
+  const double third = left(SpringOrder::third);
+  if (!(third < much_less * left(SpringOrder::first))) return SpringOrder::first;
+  return left(SpringOrder::fifth) < much_less * third ? SpringOrder::fifth : SpringOrder::third;
 }
 
 }  // namespace
@@ -170,8 +186,11 @@ DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) 
   sums.lags_each_way = static_cast<int>(longest_s * trial.rate_hz / static_cast<double>(stride) + 1e-6);
   sums.subject = trial.subject;
   sums.step_s = static_cast<double>(stride) / trial.rate_hz;
-  for (auto* both : {&sums.xx, &sums.xq, &sums.xc})
-    for (auto& axis : *both) axis.assign(2 * static_cast<std::size_t>(sums.lags_each_way) + 1, 0);
+  const auto lags = 2 * static_cast<std::size_t>(sums.lags_each_way) + 1;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    sums.xx[axis].assign(lags, 0);
+    sums.xq[axis].assign(lags, Vec3::Zero());
+  }
   const double noise_m2 = segments.position_noise_m * segments.position_noise_m;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     const PhaseStretch stretch = inner_stretch(whole, segments);

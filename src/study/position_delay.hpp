@@ -13,20 +13,21 @@ struct DelaySums {
   int subject = 0;
   double step_s = 0;      ///< between lags: 1 ms, or a sample where that is longer
   int lags_each_way = 0;  ///< as many steps as 50 ms hold
-  /// Per axis and lag, about each stretch's means: products of the position with itself, with q and with
-  /// q |q|^2.
-  std::array<std::vector<double>, 2> xx, xq, xc;
-  std::array<Eigen::Matrix2d, 2> spring{Eigen::Matrix2d::Zero(), Eigen::Matrix2d::Zero()};  ///< of q, q |q|^2
-  double noise_m2 = 0;  ///< what noise made of xx, taken off it
+  /// Per axis and lag, about each stretch's means: products of the position with itself, and with q, q |q|^2
+  /// and q |q|^4.
+  std::array<std::vector<double>, 2> xx;
+  std::array<std::vector<Vec3>, 2> xq;
+  std::array<Mat3, 2> spring{Mat3::Zero(), Mat3::Zero()};  ///< products of these three with one another
+  double noise_m2 = 0;                                     ///< what noise made of xx, taken off it
   long samples = 0;
 };
 
 DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments);
 
-/// The lag of the highest cross-correlation: the one at which a spring, of first and third order and of its
-/// own for each trial and axis, explains most (without the third order its bend would pass for a delay),
-/// refined by the parabola through the highest three. Within 50 ms either way. A spring that yields late
-/// (hysteresis) looks like a delay: what they share is taken for delay.
+/// The lag of the highest cross-correlation: the one at which a spring, of first, third or fifth order and of
+/// its own for each trial and axis, explains most (without the higher orders its bend would pass for a
+/// delay), refined by the parabola through the highest three. Within 50 ms either way. A spring that yields
+/// late (hysteresis) looks like a delay: what they share is taken for delay.
 DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t seed);
 
 /// Moves a trial's positions by a delay, so that they are those of the forces' moments: whole samples, and

@@ -32,6 +32,15 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
     if (fit.values[k].refusal.empty() && values[k].refusal.empty())
       moved[k] = std::abs(values[k].value - fit.values[k].value);
   }
+  // Where stick passes for slip before slip is seen to end, it does so within mu_dynamic too.
+  if (!fit.values[static_cast<std::size_t>(PadNumber::v_min)].refusal.empty()) {
+    double rise = 0;
+    long stops = 0;
+    for (const TrialEvidence& trial : fit.evidence) rise += trial.stop_rise, stops += trial.stops;
+    if (stops > 0)
+      moved[static_cast<std::size_t>(PadNumber::mu_dynamic)] +=
+          std::max(0.0, rise / static_cast<double>(stops));
+  }
   constexpr double bends = 1e-3;
   for (const PadNumber share : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share})
     moved[static_cast<std::size_t>(share)] += bends;
@@ -132,14 +141,16 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   }
   fit.mu_load_n = point.evidence.load.load_n;
   fit.outliers = outlier_trials(measurement, fit.evidence);
-  ResidualSums residual;
+  const std::vector<int> once(fit.evidence.size(), 1);
+  ResidualSums residual(
+      {point.evidence, {fit_spring(fit.evidence, once, 0).shape, fit_spring(fit.evidence, once, 1).shape}});
   for (std::size_t i = 0; i < segments.size(); ++i)
-    residual.add(measurement.trials[i], segments[i], fit.evidence[i], point.evidence.load);
+    residual.add(measurement.trials[i], segments[i], fit.evidence[i]);
   fit.residual = residual.verdict();
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
-  fit.values = pad_numbers(fit.evidence, std::vector<int>(fit.evidence.size(), 1), point);
+  fit.values = pad_numbers(fit.evidence, once, point);
   tell_noise(segments, fit);
   if (fit.evidence.empty()) {
     for (PadValue& value : fit.values)

@@ -35,6 +35,14 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
     notes.push_back(fmt::format("outlier: {}: its {} is {:.4g}, the usual one {:.4g}; counted all the same",
                                 outlier.name, pad_number_keys[static_cast<std::size_t>(outlier.number)],
                                 outlier.value, outlier.usual));
+  constexpr double widest_m = 0.01;
+  for (const PadNumber axis : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
+    const auto k = static_cast<std::size_t>(axis);
+    if (fit.values[k].refusal.empty() && fit.values[k].value > widest_m)
+      notes.push_back(fmt::format(
+          "{} is {:.3g} mm, further than the skin of a finger gives way: is the positions' unit right?",
+          pad_number_keys[k], 1e3 * fit.values[k].value));
+  }
   const LawResidual& residual = fit.residual;
   if (residual.samples == 0) return notes;
   if (!residual.misfit.empty()) {

@@ -13,10 +13,12 @@ constexpr std::size_t fewest = 5;  // samples of a line
 
 /// Whether the teeth of a finger that moves on so have enough samples, wherever between two of them each
 /// gives way: did the tooth's own number decide, those that give way late would be kept.
-/// @param rise  of |q| from sample to sample
-bool has_long_teeth(const std::vector<Vec2>& ratio, std::size_t i, double rise) {
-  const double drop = ratio[i - 1].norm() - ratio[i].norm();
-  return drop + rise >= static_cast<double>(fewest + 1) * rise;
+/// @param tooth_m  the spring's way from where it is entered to where it gives way; a bent spring's is soft
+/// in
+///                 its beginning, so that its stiffness at the end would make it too short
+/// @param step_m   the finger's from sample to sample
+bool has_long_teeth(double tooth_m, double step_m) {
+  return tooth_m >= static_cast<double>(fewest) * step_m;
 }
 
 /// |q| where stick gives way: the last samples' line over the way, which is that of the spring, taken on to
@@ -66,10 +68,13 @@ void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
   for (std::size_t i = 2; i < ratio.size(); ++i) {
     const Vec2& velocity = segments.velocity_m_per_s[i];
     if (!segments.is_rupture[i] || !(velocity.norm() > 0)) continue;
-    const double stiffness_per_m =
-        spring_stiffness_per_m(evidence, bend, velocity.normalized(), ratio[i - 1].norm());
-    const double rise = stiffness_per_m * velocity.norm() / trial.rate_hz;
-    if (!has_long_teeth(ratio, i, rise)) {
+    const Vec2 forward = velocity.normalized();
+    const double before = ratio[i - 1].norm(), after = ratio[i].norm(),
+                 step_m = velocity.norm() / trial.rate_hz;
+    const double rise = spring_stiffness_per_m(evidence, bend, forward, before) * step_m;
+    const double tooth_m =
+        spring_way_m(evidence, bend, forward, before) - spring_way_m(evidence, bend, forward, after);
+    if (rise > 0 && !has_long_teeth(tooth_m, step_m)) {
       ++evidence.short_teeth;
       continue;
     }

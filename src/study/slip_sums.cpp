@@ -43,17 +43,28 @@ void add_loads(const MeasuredTrial& trial, const PhaseStretch& s, const std::vec
   evidence.slip_samples += static_cast<long>(samples);
 }
 
+/// Without what is slower at its ends than v_min, and a little more, since a trial's own may be higher.
+PhaseStretch fast_part(PhaseStretch s, const StickSegments& segments, double v_min_m_per_s) {
+  constexpr double above = 1.1;
+  const auto is_slow = [&](std::size_t i) {
+    return segments.velocity_m_per_s[i].norm() < above * v_min_m_per_s;
+  };
+  while (s.from < s.to && is_slow(s.from)) ++s.from;
+  while (s.to > s.from && is_slow(s.to - 1)) --s.to;
+  return s;
+}
+
 }  // namespace
 
 void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
-                   double load_n, TrialEvidence& evidence) {
+                   const EvidencePoint& about, TrialEvidence& evidence) {
   const std::size_t window = vibration_window(trial.rate_hz);
   // A shorter one may be stick that hardly moves; and a vibration's mean takes some of its periods.
   const auto shortest = 4 * static_cast<std::size_t>(segments.half_window);
   const double sway = velocity_variance(trial, segments);
   std::vector<double> along;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {
-    const PhaseStretch s = inner_stretch(whole, segments);
+    const PhaseStretch s = fast_part(inner_stretch(whole, segments), segments, about.v_min_m_per_s);
     if (s.to - s.from < shortest) continue;
     along.clear();
     for (std::size_t i = s.from; i < s.to; ++i) {
@@ -62,7 +73,7 @@ void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, co
       const double shortened = 1 - std::min(0.1, sway / (2 * v.squaredNorm()));
       along.push_back(-ratio[i].dot(v.normalized()) / shortened);
     }
-    add_loads(trial, s, along, load_n, evidence);
+    add_loads(trial, s, along, about.load.load_n, evidence);
     if (along.size() < window) continue;
     const Spectrum spectrum = welch_spectrum(along, trial.rate_hz, window);
     const auto pieces = static_cast<long>((along.size() - window) / (window / 2) + 1);

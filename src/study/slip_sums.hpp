@@ -4,9 +4,10 @@
 
 namespace fingerpad {
 
-/// Adds what a trial's slip says: mean ratio, its change with the load, and the spectrum.
+/// Adds what a trial's slip says: mean ratio, its change with the load, and the spectrum. Its ends that are
+/// slower than v_min are left out.
 void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
-                   double load_n, TrialEvidence& evidence);
+                   const EvidencePoint& about, TrialEvidence& evidence);
 
 /// Adds the speeds at which its slip ends in stick, told along the spring of the evidence.
 void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,

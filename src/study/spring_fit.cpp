@@ -6,15 +6,12 @@
 #include <cmath>
 #include <map>
 
+#include "study/spring_sums.hpp"
+
 namespace fingerpad {
 namespace {
 
 constexpr double least_angle_span_deg = 10;
-
-/// The terms that all trials share: e of dg/dc, h of v/|v|, d of v.
-struct SpringShape {
-  double share_left = 0, hysteresis_m = 0, delay_s = 0;
-};
 
 /// A trial that pushed along the axis.
 struct PushedTrial {
@@ -25,17 +22,6 @@ struct PushedTrial {
   double compliance_m = 0;  ///< its own A
   double on_line_m = 0;     ///< of its subject's line
 };
-
-/// A of a trial, the shape being known.
-double compliance_of(const SpringSums& m, const SpringShape& shape) {
-  const double b = shape.share_left, h = shape.hysteresis_m, d = shape.delay_s;
-  const auto with_spring = [&](SpringTerm term) { return m(term, spring_ratio) + b * m(term, spring_cubic); };
-  const double pull =
-      with_spring(spring_position) - h * with_spring(spring_direction) - d * with_spring(spring_speed);
-  const double spread = m(spring_ratio, spring_ratio) + 2 * b * m(spring_ratio, spring_cubic) +
-                        b * b * m(spring_cubic, spring_cubic);
-  return pull / spread;
-}
 
 std::vector<PushedTrial> pushed_trials(const std::vector<TrialEvidence>& trials,
                                        const std::vector<int>& times, int axis, SpringFit& fit) {
@@ -94,7 +80,7 @@ using SubjectLines = std::map<int, SubjectLine>;
 SubjectLines settle_lines(std::vector<PushedTrial>& trials, const SpringShape& shape) {
   SubjectLines lines;
   for (PushedTrial& trial : trials) {
-    trial.compliance_m = compliance_of(*trial.sums, shape);
+    trial.compliance_m = spring_compliance_m(*trial.sums, shape);
     lines[trial.subject];
   }
   for (auto& [subject, line] : lines) line = line_of(trials, subject);
@@ -106,24 +92,37 @@ SubjectLines settle_lines(std::vector<PushedTrial>& trials, const SpringShape& s
 }
 
 /// The sums of all trials as those of one whose A is 1, each subject with the same weight.
-SpringSums pooled_sums(const std::vector<PushedTrial>& trials) {
-  SpringSums pooled = SpringSums::Zero();
+struct PooledSums {
+  SpringSums whole = SpringSums::Zero();
+  /// What each term has that its own trial's spring_ratio has not. Each trial has an A of its own; did one
+  /// for all explain their positions, those that stick further, of more friction, would seem stiffer far out,
+  /// and all springs bent.
+  SpringSums beside_ratio = SpringSums::Zero();
+};
+
+PooledSums pooled_sums(const std::vector<PushedTrial>& trials) {
+  PooledSums pooled;
   for (const PushedTrial& trial : trials) {
     if (!(trial.on_line_m > 0)) continue;
-    Eigen::Matrix<double, 6, 1> scale;
+    SpringTerms scale;
     scale << 1 / trial.on_line_m, 1, 1, 1 / trial.on_line_m, 1 / trial.on_line_m, 1;
     const SpringSums scaled = scale.asDiagonal() * *trial.sums * scale.asDiagonal();
-    pooled += trial.weight / (*trial.sums)(spring_ratio, spring_ratio) * scaled;
+    const double ratio2 = scaled(spring_ratio, spring_ratio);
+    pooled.whole += trial.weight / ratio2 * scaled;
+    pooled.beside_ratio +=
+        trial.weight / ratio2 * (scaled - scaled.col(spring_ratio) * scaled.row(spring_ratio) / ratio2);
   }
   return pooled;
 }
 
-/// Regression of the position on the other terms; those that say nothing beside the ones before them are 0.
-Eigen::Matrix<double, 6, 1> regression(const SpringSums& m) {
+/// Regression of the position on the terms beside the ratio; those that say nothing beside the ones before
+/// them are 0.
+SpringTerms regression(const PooledSums& pooled) {
   constexpr double least_own = 1e-3;  // of a term's spread, that the terms before it do not have
+  const SpringSums& m = pooled.beside_ratio;
   std::vector<Eigen::Index> used;
   Eigen::VectorXd solved;
-  for (const Eigen::Index term : {spring_ratio, spring_speed, spring_direction, spring_cubic}) {
+  for (const Eigen::Index term : {spring_speed, spring_direction, spring_cubic}) {
     std::vector<Eigen::Index> tried = used;
     tried.push_back(term);
     const auto n = static_cast<Eigen::Index>(tried.size());
@@ -134,12 +133,12 @@ Eigen::Matrix<double, 6, 1> regression(const SpringSums& m) {
       for (Eigen::Index j = 0; j < n; ++j)
         a(i, j) = m(tried[static_cast<std::size_t>(i)], tried[static_cast<std::size_t>(j)]);
     }
-    const double own = 1 / a.inverse()(n - 1, n - 1);
-    if (!(own > least_own * m(term, term)) || !(m(term, term) > 0)) continue;
+    const double own = 1 / a.inverse()(n - 1, n - 1), whole = pooled.whole(term, term);
+    if (!(own > least_own * whole) || !(whole > 0)) continue;
     used = tried;
     solved = a.ldlt().solve(b);
   }
-  Eigen::Matrix<double, 6, 1> found = Eigen::Matrix<double, 6, 1>::Zero();
+  SpringTerms found = SpringTerms::Zero();
   for (std::size_t i = 0; i < used.size(); ++i) found[used[i]] = solved[static_cast<Eigen::Index>(i)];
   return found;
 }
@@ -191,6 +190,16 @@ void refuse_all(SpringFit& fit, const std::string& axis, const std::string& angl
 
 }  // namespace
 
+double spring_compliance_m(const SpringSums& m, const SpringShape& shape) {
+  const double b = shape.share_left, h = shape.hysteresis_m, d = shape.delay_s;
+  const auto with_spring = [&](SpringTerm term) { return m(term, spring_ratio) + b * m(term, spring_cubic); };
+  const double pull =
+      with_spring(spring_position) - h * with_spring(spring_direction) - d * with_spring(spring_speed);
+  const double spread = m(spring_ratio, spring_ratio) + 2 * b * m(spring_ratio, spring_cubic) +
+                        b * b * m(spring_cubic, spring_cubic);
+  return pull / spread;
+}
+
 SpringFit fit_spring(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, int axis) {
   SpringFit fit;
   std::vector<PushedTrial> pushed = pushed_trials(trials, times, axis, fit);
@@ -208,19 +217,17 @@ SpringFit fit_spring(const std::vector<TrialEvidence>& trials, const std::vector
   SubjectLines lines = settle_lines(pushed, shape);
   fit.straight45_m = mean_at45_m(lines);
   if (!(fit.straight45_m > 0)) fit.axis_refusal = "one finger angle only, more than 10 degrees from 45";
-  SpringSums pooled = pooled_sums(pushed);
+  PooledSums pooled = pooled_sums(pushed);
   constexpr int passes = 3;
   for (int pass = 0; pass < passes; ++pass) {
     const auto found = regression(pooled);
     fit.hysteresis_refusal = found[spring_direction] == 0 ? "stick is not pushed to and fro" : "";
-    shape = {found[spring_cubic] / std::max(found[spring_ratio], 1e-9), found[spring_direction],
-             found[spring_speed]};
+    shape = {found[spring_cubic], found[spring_direction], found[spring_speed]};
     lines = settle_lines(pushed, shape);
     pooled = pooled_sums(pushed);
   }
   fit.compliance45_m = mean_at45_m(lines);
-  fit.share_left = shape.share_left;
-  fit.hysteresis_m = shape.hysteresis_m;
+  fit.shape = shape;
   fit.linearity = linearity(pushed, shape.delay_s);
   add_slope(pushed, lines, fit);
   return fit;

@@ -7,14 +7,23 @@
 
 namespace fingerpad {
 
+/// What all trials share of an axis' spring: the coefficients of SpringTerm beside the compliance A.
+struct SpringShape {
+  double share_left = 0;    ///< e: what the cubic share is beyond that of the terms' bend
+  double hysteresis_m = 0;  ///< h: half the width of the loop along the displacement
+  double delay_s = 0;       ///< d: what is left of a delay
+};
+
+/// A of a trial, the shape being known.
+double spring_compliance_m(const SpringSums& sums, const SpringShape& shape);
+
 /// One axis of the stick ellipse and its spring, over the finger's angle; see pad_numbers.
 struct SpringFit {
   double compliance45_m = 0;  ///< A: mean over subjects at 45 deg; A mu_s is the axis
   double straight45_m = 0;    ///< likewise of the straight line through all of stick
   double slope_per_deg = 0;
-  double share_left = 0;    ///< e: what the cubic share is beyond that of the terms' bend
-  double hysteresis_m = 0;  ///< h: half the width of the loop along the displacement
-  double linearity = 0;     ///< share of the displacement's variance that a straight line explains
+  SpringShape shape;
+  double linearity = 0;  ///< share of the displacement's variance that a straight line explains
   long samples = 0, trials = 0;
   std::string axis_refusal, slope_refusal, shape_refusal, hysteresis_refusal;  ///< empty: the number holds
 };

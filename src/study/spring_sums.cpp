@@ -10,7 +10,7 @@
 namespace fingerpad {
 namespace {
 
-using Terms = Eigen::Matrix<double, 6, 1>;
+using Terms = SpringTerms;
 using Bends = std::array<SpringBend, 2>;
 
 constexpr std::size_t fewest_groups = 3;
@@ -89,18 +89,6 @@ std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments
   return terms;
 }
 
-/// How the terms of the spring along an axis change with the ratio, along it (first column) and across.
-Eigen::Matrix2d spring_slopes(const SpringBend& bend, const Vec2& own_and_other) {
-  const double step = 1e-4 * bend.mu_static;
-  const auto terms = [&bend](const Vec2& r) -> Vec2 { return r[0] * bend.at(r.norm()); };
-  Eigen::Matrix2d slopes;
-  for (Eigen::Index k = 0; k < 2; ++k) {
-    const Vec2 aside = step * Vec2::Unit(k);
-    slopes.col(k) = (terms(own_and_other + aside) - terms(own_and_other - aside)) / (2 * step);
-  }
-  return slopes;
-}
-
 /// What the groups' means keep of the noise, to first order in it.
 SpringSums noise_sums(const std::vector<std::array<Terms, 2>>& groups, std::size_t axis,
                       const SpringNoise& noise, const SpringBend& bend, std::size_t size) {
@@ -147,27 +135,45 @@ Vec2 SpringBend::at(double ratio) const noexcept {
   return Vec2(rho, (rho - rho * rho * rho) / (1 - c + 3 * c * rho * rho)) / share;
 }
 
-void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
-                     const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence) {
+Eigen::Matrix2d spring_slopes(const SpringBend& bend, const Vec2& own_and_other) {
+  const double step = 1e-4 * bend.mu_static;
+  const auto terms = [&bend](const Vec2& r) -> Vec2 { return r[0] * bend.at(r.norm()); };
+  Eigen::Matrix2d slopes;
+  for (Eigen::Index k = 0; k < 2; ++k) {
+    const Vec2 aside = step * Vec2::Unit(k);
+    slopes.col(k) = (terms(own_and_other + aside) - terms(own_and_other - aside)) / (2 * step);
+  }
+  return slopes;
+}
+
+std::vector<SpringGroups> spring_groups(const MeasuredTrial& trial, const StickSegments& segments,
+                                        const std::vector<Vec2>& ratio, const EvidencePoint& about) {
   constexpr double group_s = 4e-3;
   const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(group_s * trial.rate_hz)));
-  std::vector<PhaseStretch> stretches;
+  const MotionDirection direction(trial, segments.half_window);
+  std::vector<SpringGroups> found;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     const PhaseStretch s = inner_stretch(whole, segments);
-    if (s.to - s.from >= fewest_groups * std::min<std::size_t>(wanted, 2)) stretches.push_back(s);
-  }
-  const SpringNoise noise = noise_in_stick(trial, stretches, ratio);
-  const MotionDirection direction(trial, segments.half_window);
-  std::vector<std::array<Terms, 2>> groups;
-  for (const PhaseStretch& s : stretches) {
-    const std::size_t size = std::max<std::size_t>(1, std::min(wanted, (s.to - s.from) / fewest_groups));
-    groups.clear();
-    for (std::size_t from = s.from; from + size <= s.to; from += size) {
-      groups.push_back(group_terms(trial, segments, ratio, direction, about.bend, from, from + size));
-      if (about.knows_delay) groups.back()[0][spring_speed] = groups.back()[1][spring_speed] = 0;
+    if (s.to - s.from < fewest_groups * std::min<std::size_t>(wanted, 2)) continue;
+    SpringGroups groups{s, std::max<std::size_t>(1, std::min(wanted, (s.to - s.from) / fewest_groups)), {}};
+    groups.is_short = groups.size < wanted;
+    for (std::size_t from = s.from; from + groups.size <= s.to; from += groups.size) {
+      groups.terms.push_back(
+          group_terms(trial, segments, ratio, direction, about.bend, from, from + groups.size));
+      if (about.knows_delay) groups.terms.back()[0][spring_speed] = groups.terms.back()[1][spring_speed] = 0;
     }
-    add_groups(groups, noise, about.bend, size, evidence);
+    found.push_back(std::move(groups));
   }
+  return found;
+}
+
+void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
+                     const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence) {
+  const std::vector<SpringGroups> all = spring_groups(trial, segments, ratio, about);
+  std::vector<PhaseStretch> stretches;
+  for (const SpringGroups& groups : all) stretches.push_back(groups.stretch);
+  const SpringNoise noise = noise_in_stick(trial, stretches, ratio);
+  for (const SpringGroups& groups : all) add_groups(groups.terms, noise, about.bend, groups.size, evidence);
 }
 
 double spring_way_m(const TrialEvidence& evidence, const std::array<SpringBend, 2>& bend, const Vec2& forward,

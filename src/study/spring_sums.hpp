@@ -1,12 +1,34 @@
 #pragma once
 
+#include <vector>
+
+#include "study/phase_stretch.hpp"
 #include "study/trial_evidence.hpp"
 
 namespace fingerpad {
 
-/// Adds a trial's stretches of stick to its evidence.
+/// One group's means of what SpringTerm lists, along one axis.
+using SpringTerms = Eigen::Matrix<double, 6, 1>;
+
+/// A stretch of stick as means over groups of samples.
+struct SpringGroups {
+  PhaseStretch stretch;
+  std::size_t size = 1;                           ///< samples of a group, 4 ms
+  std::vector<std::array<SpringTerms, 2>> terms;  ///< lateral, longitudinal
+  bool is_short = false;                          ///< the stretch gave smaller groups than that
+};
+
+/// All stretches of a trial's stick that are long enough for three groups.
 /// @param ratio  the force ratios at the load that the evidence is taken at
 /// @param about  where it knows the delay, the term of speed stays empty
+std::vector<SpringGroups> spring_groups(const MeasuredTrial& trial, const StickSegments& segments,
+                                        const std::vector<Vec2>& ratio, const EvidencePoint& about);
+
+/// How the terms of the spring along an axis (first row: of its bend, second: of the cubic share) change with
+/// the ratio, along it (first column) and across.
+Eigen::Matrix2d spring_slopes(const SpringBend& bend, const Vec2& own_and_other);
+
+/// Adds a trial's stretches of stick to its evidence; parameters as spring_groups.
 void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
                      const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence);
 

@@ -2,14 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
+#include "study/rupture_search.hpp"
 #include "study/sample_noise.hpp"
 
 namespace fingerpad {
 namespace {
-
-constexpr double rupture_deviations = 4.5;  // of a step's noise, that a drop is beyond
 
 double median_of(const std::vector<double>& values) {
   return values.empty() ? 0 : quantile(values, 0.5);
@@ -62,79 +60,6 @@ Vec2 local_velocity(const MeasuredTrial& trial, const SampleWindow& w) {
     squares += t * t;
   }
   return squares > 0 ? Vec2(drift / squares * trial.rate_hz) : Vec2(0, 0);
-}
-
-/// The sensor's noise is one of forces: the lighter the press, the more of it is in the ratio.
-double ratio_noise_at(const MeasuredTrial& trial, const StickSegments& segments, std::size_t i) {
-  return segments.ratio_noise * std::max(1.0, segments.usual_normal_n / trial.normal_force_n[i]);
-}
-
-/// How much the length of the ratio's mean falls between the `count` samples before sample i and those from
-/// it on; nothing where they are not all of one run.
-std::optional<double> drop_at(const MeasuredTrial& trial, std::size_t i, std::size_t count) {
-  if (i < count || i + count > trial.force_ratio.size()) return std::nullopt;
-  Vec2 before(0, 0), after(0, 0);
-  for (std::size_t k = 0; k < count; ++k) {
-    if (trial.starts_anew[i - k] || (k > 0 && trial.starts_anew[i + k])) return std::nullopt;
-    before += trial.force_ratio[i - 1 - k];
-    after += trial.force_ratio[i + k];
-  }
-  return (before.norm() - after.norm()) / static_cast<double>(count);
-}
-
-bool ruptures_at(std::size_t i, const MeasuredTrial& trial, int half_window, double noise,
-                 std::size_t count) {
-  constexpr double shares = 1, least_share = 0.08;
-  const std::optional<double> drop = drop_at(trial, i, count);
-  if (!drop) return false;
-  const double least = std::max(rupture_deviations * std::sqrt(2.0 / static_cast<double>(count)) * noise,
-                                least_share * trial.force_ratio[i - 1].norm());
-  if (!(*drop > 0.5 * least)) return false;
-  const auto half = static_cast<std::size_t>(half_window);
-  std::vector<double> drops;
-  for (std::size_t j = i > half ? i - half : 1; j <= std::min(i + half, trial.force_ratio.size() - 1); ++j) {
-    const std::optional<double> other = j == i ? std::nullopt : drop_at(trial, j, count);
-    if (!other) continue;
-    // Means that hold the same step tell of it too: the rupture is where most falls.
-    if (count > 1 && j + count > i && j<i + count&& * other> * drop) return false;
-    drops.push_back(*other);
-  }
-  // The means of a finger that moves on differ by much, and by as much throughout: that is no size of steps.
-  const double usual = median_of(drops);
-  for (double& other : drops) other = std::abs(count > 1 ? other - usual : other);
-  return *drop - usual > least + shares * median_of(drops);
-}
-
-/// Ratio of the noise of q to friction above which a step of single samples may hide a rupture, and above
-/// which the means of some do.
-constexpr double single_noise = 0.15 / 4.5 / 1.414, means_noise = 2.0 * single_noise;
-constexpr std::size_t means_count = 3;
-
-/// Friction of samples that are pressed, near its greatest.
-double most_friction(const MeasuredTrial& trial, double least_n) {
-  std::vector<double> frictions;
-  for (std::size_t i = 0; i < trial.normal_force_n.size(); ++i)
-    if (trial.normal_force_n[i] >= least_n) frictions.push_back(trial.force_ratio[i].norm());
-  return quantile(frictions, 0.98);
-}
-
-void find_ruptures(const MeasuredTrial& trial, StickSegments& found) {
-  found.begins_run = trial.starts_anew;
-  found.is_rupture.assign(trial.force_ratio.size(), false);
-  found.usual_normal_n = quantile(trial.normal_force_n, 0.5);
-  const double most = most_friction(trial, found.usual_normal_n);
-  for (const std::size_t count : {std::size_t{1}, means_count}) {
-    for (std::size_t i = 1; i < trial.force_ratio.size(); ++i) {
-      const double noise = ratio_noise_at(trial, found, i);
-      if (trial.starts_anew[i] || (count > 1 && !(noise > single_noise * most))) continue;
-      const auto near = found.is_rupture.begin() + static_cast<std::ptrdiff_t>(i > count ? i - count : 0);
-      const auto beyond = found.is_rupture.begin() +
-                          static_cast<std::ptrdiff_t>(std::min(i + count, found.is_rupture.size()));
-      if (count > 1 && std::find(near, beyond, true) != beyond) continue;
-      if (ruptures_at(i, trial, found.half_window, noise, count))
-        found.is_rupture[i] = found.begins_run[i] = true;
-    }
-  }
 }
 
 /// What a window says.
@@ -208,7 +133,7 @@ double border_per_m(const std::vector<LocalStiffness>& locals, double ratio_rms)
 std::vector<bool> light_samples(const MeasuredTrial& trial, StickSegments& found) {
   constexpr double light = 0.25;  // of what the trial is pressed with
   const double most = most_friction(trial, found.usual_normal_n),
-               noisy_n = most > 0 ? found.ratio_noise * found.usual_normal_n / (means_noise * most) : 0,
+               noisy_n = most > 0 ? found.ratio_noise * found.usual_normal_n / (most_noise_share * most) : 0,
                limit_n = std::max(light * quantile(trial.normal_force_n, 0.9), noisy_n);
   // What is left of a trial that is mostly too noisy is a choice by noise.
   found.is_too_noisy = noisy_n > found.usual_normal_n;

@@ -35,6 +35,19 @@ SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, c
   return stop;
 }
 
+/// How much friction is above the trial's in the last of slip, where windows do not reach beyond it.
+double rise_before_stop(const StickSegments& segments, const std::vector<Vec2>& ratio,
+                        const PhaseStretch& slip, const Vec2& forward, const TrialEvidence& evidence) {
+  const auto half = static_cast<std::size_t>(segments.half_window);
+  const std::size_t to = slip.to - (3 * half + 1) / 2, reach = 5 * half,
+                    from = to > slip.from + reach ? to - reach : slip.from;
+  if (evidence.slip_samples == 0) return 0;
+  double sum = 0;
+  for (std::size_t i = from; i < to; ++i) sum -= ratio[i].dot(forward);
+  return sum / static_cast<double>(to - from) -
+         evidence.slip_ratio / static_cast<double>(evidence.slip_samples);
+}
+
 /// Where along the way slip ended: the rising samples, taken back along the spring.
 /// @param spring_m  how far the spring gives way to a ratio
 template <typename Spring>
@@ -104,6 +117,7 @@ void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, co
     if (!speed) continue;
     evidence.stop_speed_m_per_s += speed->speed_m_per_s;
     evidence.stop_slowing_m_per_s += speed->slowing_m_per_s;
+    evidence.stop_rise += rise_before_stop(segments, ratio, slip, forward, evidence);
     ++evidence.stops;
   }
 }

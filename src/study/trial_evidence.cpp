@@ -63,7 +63,7 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
   const std::vector<Vec2> ratio = ratio_at_load(trial, about.load);
   add_spring_sums(trial, segments, ratio, about, evidence);
   add_rupture_sums(trial, segments, ratio, about.bend, evidence);
-  add_slip_sums(trial, segments, ratio, about.load.load_n, evidence);
+  add_slip_sums(trial, segments, ratio, about, evidence);
   add_stop_sums(trial, segments, ratio, about.bend, evidence);
   add_press(trial, about.press_exponent, evidence);
   return evidence;

@@ -56,6 +56,7 @@ struct TrialEvidence {
   long slip_samples = 0;
   double stop_speed_m_per_s = 0;    ///< sum over ends of slip of the speed at which q begins to rise
   double stop_slowing_m_per_s = 0;  ///< sum of how much the finger slows there from sample to sample
+  double stop_rise = 0;  ///< sum of what friction is above the trial's in slip in the 30 ms before them
   long stops = 0;
   std::vector<double> power;  ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
@@ -73,6 +74,7 @@ std::size_t vibration_window(double rate_hz);
 struct EvidencePoint {
   LoadLaw load;
   double press_exponent = 0.5;  ///< w of depth ~ n^w
+  double v_min_m_per_s = 0;     ///< below which what seems to slip is stick whose ruptures are not seen
   std::array<SpringBend, 2>
       bend;                  ///< lateral, longitudinal: what is left of a share to find is small about it
   bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
@@ -85,6 +87,8 @@ struct EvidencePoint {
 /// window beside a border that is not a rupture, over means of some samples, and without the sensors' noise.
 /// v_min (paper, fig. 9): where slip ends, q rises from mu_d along the spring, q = mu_d + K (s - s*); s* is
 /// where slip ended and the speed there is v_min. A stop counts where the rise is five times the noise.
+/// Friction that rises before it says that slip ended sooner: stick that gives way within some samples passes
+/// for slip.
 TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& segments,
                              const EvidencePoint& about);
 

@@ -101,6 +101,7 @@ TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   const auto normal_only = fit("normal_only.csv --out none.toml");
   EXPECT_EQ(normal_only.exit_code, 3);
   EXPECT_THAT(normal_only.err, HasSubstr("nothing can be fitted: normal_only.csv: column fx_n missing"));
+  EXPECT_THAT(normal_only.err, HasSubstr("say --columns fx=NAME,fy=NAME,fz=NAME"));
   EXPECT_FALSE(fs::exists(folder / "none.toml"));
   const auto both = fit("normal_only.csv " + shipped.string() + " --out both.toml");
   EXPECT_EQ(both.exit_code, 0);

@@ -54,8 +54,10 @@ TEST(CsvDialect, HasADecimalComma) {
 }
 
 TEST(CsvDialect, TellsTheDecimalMarkThatWouldDo) {
-  EXPECT_THAT(refusal("t;x\n0;1,5\n"), HasSubstr("is no number; with decimal = \",\" it would be one"));
-  EXPECT_THAT(refusal("t;x\n0;1.5\n", ';', ','), HasSubstr("with decimal = \".\" it would be one"));
+  EXPECT_THAT(refusal("t;x\n0;1,5\n"),
+              HasSubstr("is no number; with decimal = \",\" (--decimal ,) it would be one"));
+  EXPECT_THAT(refusal("t;x\n0;1.5\n", ';', ','),
+              HasSubstr("with decimal = \".\" (--decimal .) it would be one"));
   EXPECT_THAT(refusal("t;x\n0;a\n1;1\n"), Not(HasSubstr("would be one")));
 }
 

@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -84,26 +85,20 @@ TEST(FieldFormat, ClusterTextureJoinsForceAndPositionOfTheirOwnClocks) {
               ElementsAre(HasSubstr("force/0_0_40_500_0.csv"), HasSubstr("position/0_0_40_500_0.csv")));
 }
 
-TEST(FieldFormat, ClusterTextureHasItsAccelerationsAtTheTimesOfItsForces) {
+TEST(FieldFormat, ClusterTextureTellsTheAccelerationsBesideIt) {
   const fs::path path = cluster_files();
   EXPECT_THAT(recording(path, named("cluster-texture")).notes, Contains(HasSubstr("no accelerations")));
-  // In g, of a clock of their own, from 0.1 s on; along x they grow by 1 g a second.
+  // In g, of a clock of their own, from 0.1 s on.
   std::string accel = "time,X,Y,Z\n";
-  for (int i = 0; i < 2400; ++i) accel += fmt::format("{0:.16g},{0:.16g},0.5,-1\n", 0.1 + 7e-5 + i / 6000.0);
+  for (int i = 0; i < 2400; ++i) accel += fmt::format("{:.16g},2,1,-2\n", 0.1 + 7e-5 + i / 6000.0);
   write(path.parent_path().parent_path() / "accel" / path.filename(), accel);
   const FieldRecording read = recording(path, named("cluster-texture"));
-  ASSERT_EQ(read.channels.size(), 1u);
-  const FieldChannel& channel = read.channels.front();
-  EXPECT_EQ(channel.name + " " + channel.unit, "acceleration m/s^2");
-  ASSERT_EQ(channel.values.cols(), static_cast<Eigen::Index>(read.motion.t_s.size()));
-  for (Eigen::Index i = 0; i < channel.values.cols(); ++i) {
-    const double t_s = read.motion.t_s[static_cast<std::size_t>(i)];
-    if (t_s < 0.1 + 7e-5) {
-      EXPECT_FALSE(channel.values.col(i).allFinite()) << t_s;
-    } else {
-      EXPECT_LT((channel.values.col(i) - 9.80665 * Vec3(t_s, 0.5, -1)).norm(), 1e-9) << t_s;
-    }
-  }
+  const auto there = std::count_if(read.motion.t_s.begin(), read.motion.t_s.end(),
+                                   [](double t_s) { return t_s >= 0.1 + 7e-5; });
+  ASSERT_LT(there, static_cast<std::ptrdiff_t>(read.motion.t_s.size()));
+  EXPECT_THAT(read.notes, Contains(HasSubstr(fmt::format("accelerations read at {} of {} times", there,
+                                                         read.motion.t_s.size()))));
+  EXPECT_THAT(read.notes, Contains(HasSubstr("29.4 m/s^2 RMS")));  // three times 9.80665
   EXPECT_THAT(field_files(path.string(), named("cluster-texture")),
               Contains(HasSubstr("accel/0_0_40_500_0")));
 }
@@ -112,7 +107,6 @@ TEST(FieldFormat, ClusterTextureIsNoneTheWorseForSpoiltAccelerations) {
   const fs::path path = cluster_files();
   write(path.parent_path().parent_path() / "accel" / path.filename(), "time,a,b,c\n0,0,0,0\n");
   const FieldRecording read = recording(path, named("cluster-texture"));
-  EXPECT_THAT(read.channels, IsEmpty());
   EXPECT_THAT(read.notes, Contains(AllOf(HasSubstr("no accelerations: "), HasSubstr("0_0_40_500_0.csv"))));
 }
 

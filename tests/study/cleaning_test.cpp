@@ -46,6 +46,25 @@ TEST(Cleaning, TakesADriftingTareOff) {
   }
 }
 
+/// A tenth of a second in the air, beside a second in which it comes down slowly.
+TEST(Cleaning, TakesTheTareOfAShortMomentBesideSlowRamps) {
+  test::KnownSensors sensors;
+  sensors.air_s = 0.1;
+  sensors.tare_n = 0.2;
+  std::vector<test::KnownTrial> slow = rubs;
+  for (test::KnownTrial& trial : slow) trial.ramp_s = 1;
+  RecordedMeasurement with = test::known_measurement(slow, {}, sensors, 1);
+  for (RecordedTrial& trial : with.trials) {
+    TrialCleaning cleaning;
+    EXPECT_GT(trial.force_W.leftCols(100).rowwise().mean().norm(), 0.02);
+    take_tare(trial, cleaning);
+    EXPECT_GT(cleaning.free_samples, 100) << trial_name(trial);
+    // The mean of 100 samples of 5 mN noise, and what of the ramp's begin passes for none.
+    EXPECT_LT(trial.force_W.leftCols(100).rowwise().mean().norm(), 3e-3);
+    EXPECT_LT(trial.force_W.rightCols(100).rowwise().mean().norm(), 3e-3);
+  }
+}
+
 TEST(Cleaning, AFingerThatOnlyPressesLessIsNoTare) {
   test::KnownFinger quiet;
   quiet.vibration = 0;  // so that even slip is as still as the noise

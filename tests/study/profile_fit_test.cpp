@@ -201,7 +201,30 @@ TEST(ProfileFit, TellsACubicSpring) {
     EXPECT_LT(of(fit, PadNumber::lateral_linearity).value, 0.999);
     EXPECT_NEAR(of(fit, PadNumber::v_min).value, 0.1, 0.003);
     EXPECT_NEAR(of(fit, PadNumber::mu_dynamic).value, 0.2, 0.002);
+    EXPECT_EQ(fit.residual.misfit, "");  // the law has such a spring
   }
+}
+
+TEST(ProfileFit, StickThatHidesInSlipGivesNoVMin) {
+  // Teeth of some two samples where slip ends: what is seen of it is at 0.08 m/s, then at 0.03.
+  test::KnownFinger slippery;
+  slippery.pad = assumed_profile(0.15, 150);
+  slippery.mu_dynamic = 0.12;
+  test::KnownSensors sensors;
+  std::vector<test::KnownTrial> trials;
+  for (const double bearing : {0.0, 90.0, 45.0}) trials.push_back({1, 45, bearing});
+  for (const double noise_n : {0.001, 0.002}) {
+    sensors.force_noise_n = noise_n;
+    const ProfileFit fit = fitted(trials, 1, slippery, sensors);
+    EXPECT_THAT(why(fit, PadNumber::v_min), HasSubstr("sample faster")) << noise_n;
+    EXPECT_EQ(why(fit, PadNumber::mu_dynamic), "") << noise_n;
+  }
+  // Of slower rubs some teeth are long enough, and friction says that slip ended before it is seen to.
+  for (const double frequency_hz : {0.1, 0.15}) trials.push_back({1, 45, 0, 0.06, frequency_hz, 6});
+  sensors.force_noise_n = 0.003;
+  const ProfileFit fit = fitted(trials, 1, slippery, sensors);
+  EXPECT_EQ(why(fit, PadNumber::mu_static), "");
+  EXPECT_THAT(why(fit, PadNumber::v_min), HasSubstr("just before slip is seen to end"));
 }
 
 TEST(ProfileFit, TellsASpringsLoop) {
@@ -234,6 +257,15 @@ TEST(ProfileFit, AnotherLawIsToldByItsResiduals) {
   EXPECT_THAT(fit.residual.misfit, HasSubstr("stick gives way without a drop of the force"));
   EXPECT_GT(fit.residual.share, 1.5 * fit.residual.expected);
   EXPECT_THAT(fit_notes(fit).back(), HasSubstr("the pad's law does not fit"));
+}
+
+TEST(ProfileFit, AxesThatNoFingerHasAreAskedAbout) {
+  ProfileFit fit;
+  for (PadValue& value : fit.values) value.refusal = "not here";
+  fit.values[0] = {0.02, 100, 1, ""};
+  EXPECT_THAT(fit_notes(fit), testing::ElementsAre(HasSubstr("lateral_axis_m is 20 mm")));
+  fit.values[0].value = 0.004;
+  EXPECT_THAT(fit_notes(fit), testing::IsEmpty());
 }
 
 TEST(ProfileFit, ListsAnOutlierTrialAndCountsIt) {

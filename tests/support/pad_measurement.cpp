@@ -51,16 +51,15 @@ TrialPad trial_pad(const KnownFinger& finger, RandomStream& random) {
   return made;
 }
 
-/// The finger's true way and load: in the air, pressed within 150 ms, lifted likewise.
+/// The finger's true way and load: in the air, pressed within the ramp, lifted likewise.
 struct TrueMotion {
   const KnownFinger& finger;
   const KnownTrial& trial;
   double air_s;
 
   double load_n(double t) const {
-    const double ramp_s = 0.15;
-    const double from_end = air_s == 0 ? ramp_s : std::min(t, trial.duration_s - t);
-    const double s = std::clamp(from_end / ramp_s, 0.0, 1.0);
+    const double from_end = air_s == 0 ? trial.ramp_s : std::min(t, trial.duration_s - t);
+    const double s = std::clamp(from_end / trial.ramp_s, 0.0, 1.0);
     return trial.load_n * (1 + 0.2 * std::sin(2 * pi * 0.35 * t)) * s * s * (3 - 2 * s);
   }
   Vec2 place(double t) const {

@@ -43,6 +43,7 @@ struct KnownTrial {
   double inclination_deg = 45;
   double bearing_deg = 0;  ///< 0 lateral, 90 longitudinal
   double amplitude_m = 0.06, frequency_hz = 0.6, duration_s = 4, load_n = 1;
+  double ramp_s = 0.15;  ///< in which it is pressed and lifted, where the sensors watch it in the air
 };
 
 /// A row of a measured table.

@@ -1,0 +1,23 @@
+#pragma once
+
+#include "study/stick_segments.hpp"
+
+namespace fingerpad {
+
+/// Ratio of the noise of q to friction above which ruptures cannot be seen, not even between means of
+/// samples.
+inline constexpr double most_noise_share = 2.0 * 0.15 / 4.5 / 1.414;
+
+/// Standard deviation of q at a sample. The sensor's noise is one of forces: the lighter the press, the more
+/// of it is in the ratio.
+double ratio_noise_at(const MeasuredTrial& trial, const StickSegments& segments, std::size_t i);
+
+/// Friction of samples that are pressed, near its greatest.
+double most_friction(const MeasuredTrial& trial, double least_n);
+
+/// Finds where the force ratio drops, and parts the runs there (StickSegments::is_rupture, begins_run,
+/// usual_normal_n). Some may be the slip's vibration.
+/// @pre  half_window and ratio_noise are known
+void find_ruptures(const MeasuredTrial& trial, StickSegments& found);
+
+}  // namespace fingerpad
