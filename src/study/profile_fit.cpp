@@ -17,7 +17,7 @@ constexpr int bootstrap_draws = 400;
 
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
 /// lie a twentieth of a sample later than in its middle; ends of slip that pass for stick bend a spring by a
-/// thousandth.
+/// thousandth and lengthen it by half of that.
 std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit, const FitPoint& point) {
   constexpr double unsure = 0.1, later = 0.05, earlier = 0.5, beside = 0.025;
   std::vector<TrialEvidence> noisier = fit.evidence;
@@ -44,6 +44,12 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
   constexpr double bends = 1e-3;
   for (const PadNumber share : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share})
     moved[static_cast<std::size_t>(share)] += bends;
+  constexpr double stretches = 5e-4;
+  for (const PadNumber length : {PadNumber::lateral_axis, PadNumber::longitudinal_axis,
+                                 PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {
+    const auto k = static_cast<std::size_t>(length);
+    moved[k] += stretches * std::abs(fit.values[k].value);
+  }
   if (point.vibration) {
     const double step_hz =
         point.vibration->rate_hz / static_cast<double>(vibration_window(point.vibration->rate_hz));
