@@ -43,7 +43,13 @@ Vec3 ProxyWorld::from_part(int i, const Vec3& q_P) const noexcept {
 }
 
 TriangleApproach ProxyWorld::approach(int i, int triangle, const Vec3& place_O) const noexcept {
-  return approach_triangle(part(i), triangle, in_part(i, place_O));
+  for (const Told& told : told_) {
+    if (told.triangle == triangle && told.surface == i && told.place_O == place_O) return told.approach;
+  }
+  Told& told = told_[told_next_];
+  told_next_ = (told_next_ + 1) % told_.size();
+  told = {i, triangle, place_O, approach_triangle(part(i), triangle, in_part(i, place_O))};
+  return told.approach;
 }
 
 ProxyWall ProxyWorld::plane_wall(int i, const Vec3& place_O) const noexcept {
