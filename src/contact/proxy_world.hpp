@@ -56,7 +56,8 @@ class ProxyWorld {
   Vec3 from_part(int surface, const Vec3& q_P) const noexcept;
   /// How a place stands before a part's triangle; in the frame of the part's arrays. A proxy that lies on an
   /// edge asks this several times a tick, each time of the same place: what was told last is kept.
-  TriangleApproach approach(int surface, int triangle, const Vec3& place_O) const noexcept;
+  /// @returns good until the fourth other question
+  const TriangleApproach& approach(int surface, int triangle, const Vec3& place_O) const noexcept;
 
   /// The half space that a plane leaves free, seen from a place.
   ProxyWall plane_wall(int surface, const Vec3& place_O) const noexcept;
