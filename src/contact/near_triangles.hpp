@@ -87,6 +87,8 @@ class NearTriangles {
                    Looks& looks) noexcept;
   void list_found(const ProxyWorld& world, int surface, const Blocker& blocker) noexcept;
   void swap(std::size_t a, std::size_t b) noexcept;
+  bool is_cleared_by_plane(std::size_t k, const ProxyWorld& world, const PartWay& way,
+                           const WorstWall& worst) noexcept;
   bool look_at(std::size_t k, const Vec3& place_P, double clearance_m) noexcept;
 
   int count_ = 0;

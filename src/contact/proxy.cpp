@@ -137,7 +137,7 @@ bool Proxy::advance(const ProxyStep& step, double& budget_m) noexcept {
 bool Proxy::is_at_rest(const ProxyStep& step) const noexcept {
   return std::all_of(step.held_by().begin(), step.held_by().end(), [this](const ProxyWall& wall) {
     if (wall.triangle < 0) return true;
-    const TriangleApproach here = world().approach(wall.surface, wall.triangle, state_.place_O);
+    const TriangleApproach& here = world().approach(wall.surface, wall.triangle, state_.place_O);
     const Vec3 turned = world().turned_from_part(wall.surface, here.towards) - wall.normal;
     return here.distance_m <= world().clearance_m() + world().touching_m() &&
            turned.squaredNorm() <= ProxyLimits::same_wall * ProxyLimits::same_wall;

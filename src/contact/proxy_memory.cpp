@@ -150,19 +150,19 @@ bool ProxyMemory::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3&
 /// Slides on from there, if the room in front of the wall holds both places; else nothing is changed.
 bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& edge_O,
                        const Vec3& to_O) noexcept {
-  Room next;
-  next.kind = Room::Kind::slide;
-  next.wall_count = 1;
-  next.walls_O[0] = there.seen_from(-state.place_O);
-  next.facets[0] = FacetWeights(world_, there);
-  if (!(next.facets[0].at(to_O).minCoeff() > 0)) return false;
-  const ProxyWall seen = next.walls_O[0].seen_from(place_O_);
-  next.centre_O = search_place_O();
-  next.radius_m = room_in_front_of(std::span(&seen, 1), next.centre_O);
-  if (!next.holds(edge_O) || !next.holds(to_O) || !is_clear_of_planes(to_O, -1)) return false;
-  room_ = next;
+  const FacetWeights facet(world_, there);
+  if (!(facet.at(to_O).minCoeff() > 0)) return false;
+  const ProxyWall wall_O = there.seen_from(-state.place_O), seen = wall_O.seen_from(place_O_);
+  Ball room{search_place_O(), 0};
+  room.radius_m = room_in_front_of(std::span(&seen, 1), room.centre_O);
+  if (!room.holds(edge_O) || !room.holds(to_O) || !is_clear_of_planes(to_O, -1)) return false;
+  static_cast<Ball&>(room_) = room;
+  room_.kind = Room::Kind::slide;
+  room_.wall_count = 1;
+  room_.walls_O[0] = wall_O;
+  room_.facets[0] = facet;
   blocker_ = {there.surface, there.triangle};
-  remember_fan(next.walls_O[0]);
+  remember_fan(wall_O);
   state.contact.settled = true;
   state.place_O = state.hold_place_O = to_O;
   state.hold = {};

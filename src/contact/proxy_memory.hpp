@@ -29,19 +29,23 @@ class ProxyMemory : public ProxyViews {
   void forget() noexcept override;
 
  private:
-  /// A ball that the proxy may go about in: free, or with nothing in front of the walls that hold the proxy.
-  struct Room {
-    enum class Kind { none, flight, slide } kind = Kind::none;
+  struct Ball {
     Vec3 centre_O = Vec3::Zero();
     double radius_m = 0;
+
+    bool holds(const Vec3& place_O) const noexcept {
+      return (place_O - centre_O).squaredNorm() <= radius_m * radius_m;
+    }
+  };
+
+  /// A ball that the proxy may go about in: free, or with nothing in front of the walls that hold the proxy.
+  struct Room : Ball {
+    enum class Kind { none, flight, slide } kind = Kind::none;
     int wall_count = 0;  ///< slide
     std::array<ProxyWall, 3> walls_O;
     WallsTogether together;  ///< of several walls
     std::array<FacetWeights, 3> facets;
 
-    bool holds(const Vec3& place_O) const noexcept {
-      return (place_O - centre_O).squaredNorm() <= radius_m * radius_m;
-    }
     bool is_slide_on_one() const noexcept { return kind == Kind::slide && wall_count == 1; }
   };
 

@@ -173,7 +173,7 @@ ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share
         place_O + (world.plane_wall(wall.surface, place_O).least_m - world.clearance_m()) * wall.normal;
     return {wall.surface, wall.triangle, point + world.p_WO(), wall.normal, share_m};
   }
-  const TrianglePoint at = world.approach(wall.surface, wall.triangle, place_O).at;
+  const TrianglePoint& at = world.approach(wall.surface, wall.triangle, place_O).at;
   return {wall.surface, wall.triangle, world.from_part(wall.surface, at.point) + world.p_WO(),
           shaded_W(world, wall, at), share_m};
 }

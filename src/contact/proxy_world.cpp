@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
 
 #include "contact/proxy_limits.hpp"
 
@@ -42,8 +43,18 @@ Vec3 ProxyWorld::from_part(int i, const Vec3& q_P) const noexcept {
   return turned_from_part(i, q_P) + middle_O_[static_cast<std::size_t>(i)];
 }
 
-TriangleApproach ProxyWorld::approach(int i, int triangle, const Vec3& place_O) const noexcept {
-  return approach_triangle(part(i), triangle, in_part(i, place_O));
+const TriangleApproach& ProxyWorld::approach(int i, int triangle, const Vec3& place_O) const noexcept {
+  for (const Told& told : told_) {
+    if (told.triangle == triangle && told.surface == i && told.place_O == place_O) return told.approach;
+  }
+  Told& told = told_[told_next_];
+  told_next_ = (told_next_ + 1) % told_.size();
+  told.surface = i;
+  told.triangle = triangle;
+  told.place_O = place_O;
+  new (&told.approach)
+      TriangleApproach(approach_triangle(part(i), triangle, in_part(i, place_O)));  // no copy
+  return told.approach;
 }
 
 ProxyWall ProxyWorld::plane_wall(int i, const Vec3& place_O) const noexcept {
@@ -53,7 +64,7 @@ ProxyWall ProxyWorld::plane_wall(int i, const Vec3& place_O) const noexcept {
 
 ProxyWall ProxyWorld::tangent_wall(int i, int triangle, const Vec3& from_O,
                                    const Vec3& place_O) const noexcept {
-  const TriangleApproach from = approach(i, triangle, from_O);
+  const TriangleApproach& from = approach(i, triangle, from_O);
   const Vec3 normal = turned_from_part(i, from.towards);
   return {normal, clearance_m() - from.distance_m + normal.dot(from_O - place_O), i, triangle};
 }

@@ -152,7 +152,7 @@ template <typename Spring>
     const PlaneVector ratio = spring.ratio_of(stretch_m);
     is_done = !is_longer(ratio, m.mu_static() * rounding) && !(state.event_share > 0.5);
     if (is_done) answer = spring_force(m, spring, ratio, stretch_m, Phase::stick, state);
-    is_toothed = rule.restick == Restick::level && rule.events == Events::exact &&
+    is_toothed = !is_done && rule.restick == Restick::level && rule.events == Events::exact &&
                  velocity.is_nowhere_above(rule.v_min_m_per_s);
   } else if (state.phase == Phase::slip) {
     is_done = velocity.is_plainly_above(rule.v_min_m_per_s);
