@@ -10,79 +10,81 @@ namespace fingerpad {
 namespace {
 
 /// A list is made for so many steps of the path, and not where it would serve fewer than `least_steps`.
-constexpr double steps_ahead = 200, least_steps = 12;
-/// In radii of the packet that holds the closest triangle: how far a list reaches at least and at most.
-constexpr double least_reach = 1, greatest_reach = 6;
+constexpr double steps_ahead = 24, least_steps = 6;
+/// In radii of the packet that holds the closest triangle: how long a way a list serves at least and at most.
+constexpr double least_way = 1, longest_way = 2.5;
+/// Where nothing is within reach, it serves more steps, as nothing need be looked at.
+constexpr double free_steps_ahead = 200;
+/// A lift for which there is no room is halved, down to none, and grows again slowly.
+constexpr double least_lift = 0.5, lift_growth = 1.1;
 /// Queries without a list after one that did not pay.
 constexpr int pause_queries = 64;
+/// Of clusters: a gathering that takes more is given up.
+constexpr long most_tests = 400;
 /// Rounding of a distance between two points, in sizes of the part.
 constexpr double distance_rounding = 1e-12;
 
 }  // namespace
 
-/// Lists the packets within a radius, or the nearest of them.
+/// Lists the packets that come within a ball, or the nearest of them to its middle. Scaled.
 struct PacketGathering {
-  const PackedPart& packed;
   ClosestMemory& memory;
-  float point[3];  ///< scaled
-  float radius;    ///< scaled: what is farther need not be listed
-  std::array<float, ClosestMemory::most> squared{};
-  int farthest = 0;
+  Vec3 about;
+  double radius;  ///< what is farther is not listed
+  std::array<double, ClosestMemory::most> distance{};
+  std::size_t farthest = 0;
 
-  PacketGathering(const PackedPart& part, ClosestMemory& into, const float* at, float within) noexcept
-      : packed(part), memory(into), point{at[0], at[1], at[2]}, radius(within) {
+  PacketGathering(ClosestMemory& into, const Vec3& anchor, const Vec3& middle, double within) noexcept
+      : memory(into), about(middle), radius(within) {
     memory.count_ = 0;
-    for (PacketBoxes& boxes : memory.boxes_) {
-      for (auto& lanes : boxes.centre) lanes.fill(far_off);
-      for (auto& lanes : boxes.half) lanes.fill(0);
-    }
+    memory.spread_ = 0;
+    memory.anchor_ = anchor;
   }
 
-  void list(std::uint32_t index) noexcept {
-    const TrianglePacket& packet = packed.packets[index];
-    float centre[3], half[3], distance2 = 0;
-    for (int i = 0; i < 3; ++i) {
-      centre[i] = static_cast<float>(packet.origin[i]);
-      half[i] = packet.box_half[i] + box_padding;
-      const float beyond = std::max(0.0f, std::abs(point[i] - centre[i]) - half[i]);
-      distance2 += beyond * beyond;
-    }
-    int place = memory.count_;
-    if (place == ClosestMemory::most) {
-      radius = std::min(radius, std::sqrt(std::max(distance2, squared[static_cast<std::size_t>(farthest)])));
-      if (distance2 >= squared[static_cast<std::size_t>(farthest)]) return;
-      place = farthest;
+  bool is_full() const noexcept { return memory.count_ == ClosestMemory::most; }
+
+  void offer(const TrianglePacket& packet, std::uint32_t index) noexcept {
+    const double away = packet.least_distance(about);
+    if (away > radius) return;
+    std::size_t place = farthest;
+    if (is_full()) {
+      radius = std::min(radius, std::max(away, distance[farthest]));
+      if (away >= distance[farthest]) return;
     } else {
-      ++memory.count_;
+      place = static_cast<std::size_t>(memory.count_++);
     }
-    const auto at = static_cast<std::size_t>(place);
-    squared[at] = distance2;
-    memory.packet_[at] = index;
-    PacketBoxes& boxes = memory.boxes_[at / packet_width];
-    for (int i = 0; i < 3; ++i) {
-      boxes.centre[i][at % packet_width] = centre[i];
-      boxes.half[i][at % packet_width] = half[i];
+    distance[place] = away;
+    put(packet, index, place);
+    if (is_full())
+      farthest =
+          static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
+  }
+
+ private:
+  void put(const TrianglePacket& packet, std::uint32_t index, std::size_t place) noexcept {
+    constexpr float up = 1 + 0x1p-22f;
+    memory.packet_[place] = index;
+    PacketDiscs& discs = memory.discs_[place / packet_width];
+    const std::size_t lane = place % packet_width;
+    float reaches = packet.radius;
+    for (std::size_t i = 0; i < 3; ++i) {
+      discs.centre[i][lane] =
+          static_cast<float>(packet.origin[static_cast<int>(i)] - memory.anchor_[static_cast<int>(i)]);
+      discs.across[i][lane] = packet.across[i];
+      reaches += std::abs(discs.centre[i][lane]);
     }
-    if (memory.count_ == ClosestMemory::most)
-      farthest = static_cast<int>(std::max_element(squared.begin(), squared.end()) - squared.begin());
+    discs.radius[lane] = packet.radius;
+    discs.thick[lane] = packet.radius * (static_cast<float>(packet.thickness) * (1.0F / 65535)) * up;
+    memory.spread_ = std::max(memory.spread_, reaches);
   }
 };
 
-namespace {
-
-float visit_to_list(void* any_gathering, unsigned index, float) noexcept {
-  PacketGathering& gathering = *static_cast<PacketGathering*>(any_gathering);
-  gathering.list(index);
-  return gathering.radius;
-}
-
-}  // namespace
-
-/// Lists what stands around a point whose closest triangle is known, if that pays.
+/// Lists what stands around the way to come, if that pays. Costs no more than `most_tests` and as many
+/// packets.
+/// @param search    has looked at its seed
 /// @param step_m    how far the path went since the last query
-void TriangleTree::Impl::remember_packets(const ClosestSearch& search, double step_m,
-                                          ClosestMemory& memory) const noexcept {
-  const double within_m = std::sqrt(search.winner.at.distance2_m2);  // the reach where there is none
+void TriangleTree::Impl::list_packets(const ClosestSearch& search, double step_m,
+                                      ClosestMemory& memory) const noexcept {
   const bool poor = memory.clear_m_ >= 0 && memory.served_ < least_steps;
   memory.forget_packets();
   if (poor) memory.pause_ = pause_queries;
@@ -90,24 +92,81 @@ void TriangleTree::Impl::remember_packets(const ClosestSearch& search, double st
     --memory.pause_;
     return;
   }
-  double ahead_m = std::max(steps_ahead * step_m, within_m / 8);
+  const double near_m = std::sqrt(search.winner.at.distance2_m2);  // the reach where there is none
+  Vec3 about = search.q;
+  double lift_m = 0, way_m = std::max(free_steps_ahead * step_m, near_m / 8), ahead_m = way_m;
   if (search.won_in != nullptr) {
     const double radius_m = static_cast<double>(search.won_in->radius) / packed.scale;
-    ahead_m = std::clamp(steps_ahead * step_m, least_reach * radius_m, greatest_reach * radius_m);
+    way_m = std::clamp(steps_ahead * step_m, least_way * radius_m, longest_way * radius_m);
+    ahead_m = way_m;
+    if (near_m > way_m / 2 && memory.lift_ > least_lift) {
+      lift_m = memory.lift_ * way_m;
+      about += lift_m / near_m * (search.q - search.winner.at.point);
+      // Straight on, and along a surface that is as curved as the ball.
+      ahead_m = way_m * way_m * (0.5 / lift_m + 0.5 / (lift_m + near_m)) * 1.1;
+    }
   }
-  if (!(ahead_m >= least_steps * step_m)) return;
-  PacketGathering gathering(packed, memory, search.embree, search.radius(within_m + ahead_m));
-  scene.each_near(search.embree, gathering.radius, visit_to_list, &gathering);
-  const double clear =
-      (static_cast<double>(gathering.radius) - absolute_slack) * (1 - 2 * relative_slack) - search.rounding;
-  memory.clear_m_ = std::min(within_m + ahead_m, clear / packed.scale);
-  memory.from_ = search.q;
+  const double within = (lift_m + near_m + ahead_m) * packed.scale;
+  if (!(way_m >= least_steps * step_m) || !(within < static_cast<double>(far_off))) return;
+
+  PacketGathering gathering(memory, search.scaled, about * packed.scale, within);
+  const double least = (lift_m + near_m + ahead_m / 4) * packed.scale;
+  long tests = 0;
+  for (std::size_t next = 0; tests <= most_tests && gathering.radius > least; ++next) {
+    next = winding.next_near(next, gathering.about, gathering.radius, tests);
+    if (next >= packed.packets.size()) break;
+    gathering.offer(packed.packets[next], static_cast<std::uint32_t>(next));
+  }
+  const bool fits = tests <= most_tests && gathering.radius > least;
+  if (!fits) {
+    memory.forget_packets();
+    if (!(lift_m > 0)) memory.pause_ = pause_queries;
+    memory.lift_ /= 2;
+    return;
+  }
+  memory.lift_ = std::clamp(memory.lift_ * lift_growth, least_lift, ClosestMemory::greatest_lift);
+  memory.clear_m_ = gathering.radius / packed.scale * (1 - distance_rounding);
+  memory.about_ = about;
   memory.served_ = 0;
 }
 
 /// Whether no packet that is not listed can hold a triangle as near as `distance_m`.
 bool ClosestMemory::covers(const Vec3& q, double distance_m, double rounding_m) const noexcept {
-  return clear_m_ - (q - from_).norm() > distance_m + rounding_m;
+  return clear_m_ - (q - about_).norm() > distance_m + rounding_m;
+}
+
+bool TriangleTree::Impl::search_list(ClosestSearch& search, ClosestMemory& memory, int seed) const noexcept {
+  if (memory.tree_ != number) {
+    memory.forget();
+    memory.tree_ = number;
+  }
+  if (memory.triangle_ >= 0) search.look_at_seed(memory.triangle_);
+  if (seed >= 0 && !search.is_beside_winner()) search.look_at_seed(seed);
+  const Vec3& q = search.q;
+  const double step_m = (q - memory.last_).norm();
+  memory.last_ = q;
+  const double rounding_m = distance_rounding * (packed.extent_m + q.cwiseAbs().maxCoeff());
+  const double near_m = std::sqrt(search.winner.at.distance2_m2);
+  if (!memory.covers(q, near_m, rounding_m)) {
+    list_packets(search, step_m, memory);
+    if (!memory.covers(q, near_m, rounding_m)) return false;
+  }
+  ++memory.served_;
+  float at[3], spread = memory.spread_;
+  for (int i = 0; i < 3; ++i) {
+    at[i] = static_cast<float>(search.scaled[i] - memory.anchor_[i]);
+    spread += std::abs(at[i]);
+  }
+  const float limit = search.best + disc_margin * spread + search.exact_margin;
+  const int groups = (memory.count_ + packet_width - 1) / packet_width;
+  std::uint64_t near = disc_filter(memory.discs_.data(), groups, at, limit, disc_margin * (spread * spread));
+  if (memory.count_ < ClosestMemory::most) near &= (std::uint64_t{1} << memory.count_) - 1;
+  for (; near != 0; near &= near - 1) {
+    const TrianglePacket& packet =
+        packed.packets[memory.packet_[static_cast<std::size_t>(std::countr_zero(near))]];
+    if (&packet != search.looked_at) search.look_at(packet);
+  }
+  return true;
 }
 
 ClosestTriangle TriangleTree::closest(const Vec3& q, ClosestMemory& memory, double reach_m) const noexcept {
@@ -117,32 +176,10 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, ClosestMemory& memory, doub
   if (packed.packets.empty() || !q.allFinite() || !(farthest <= tree_range * packed.extent_m))
     return closest(q, -1, reach_m);
   if (impl.out_of_reach(farthest, reach_m)) return {};
-  if (memory.tree_ != impl.number) {
-    memory.forget();
-    memory.tree_ = impl.number;
-  }
-
   ClosestSearch search(packed, impl.filter, q, reach_m);
-  if (memory.triangle_ >= 0) search.look_at_seed(memory.triangle_);
-  const double step_m = (q - memory.last_).norm();
-  memory.last_ = q;
-  const double rounding_m = distance_rounding * (packed.extent_m + farthest);
-  const double near_m = std::sqrt(search.winner.at.distance2_m2);
-  if (memory.covers(q, near_m, rounding_m)) {
-    ++memory.served_;
-    const float radius = search.radius(near_m);
-    const int groups = (memory.count_ + packet_width - 1) / packet_width;
-    std::uint64_t near = impl.box_filter(memory.boxes_.data(), groups, search.embree, radius * radius);
-    for (; near != 0; near &= near - 1) {
-      const TrianglePacket& packet =
-          packed.packets[memory.packet_[static_cast<std::size_t>(std::countr_zero(near))]];
-      if (&packet != search.looked_at) search.look_at(packet);
-    }
-  } else {
-    impl.search_tree(search, near_m);
-    impl.remember_packets(search, step_m, memory);
-  }
-  ClosestTriangle found = search.answer();
+  if (!impl.search_list(search, memory, -1))
+    impl.search_tree(search, std::sqrt(search.winner.at.distance2_m2));
+  const ClosestTriangle found = search.answer();
   memory.triangle_ = found.triangle;
   return found;
 }

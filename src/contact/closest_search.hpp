@@ -119,6 +119,14 @@ struct ClosestSearch : ScaledPoint {
     look_at(packet, lanes_within_best(packet) & ~(1U << lane));
   }
 
+  /// Whether a winner is known that is not far away in the size of its packet.
+  bool is_beside_winner() const noexcept { return won_in != nullptr && best <= 4 * won_in->radius; }
+
+  /// Whether none of a packet's triangles can win, by the disc around them.
+  bool passes_over(const TrianglePacket& packet) const noexcept {
+    return packet.least_distance(scaled) > static_cast<double>(best + exact_margin);
+  }
+
   ClosestTriangle answer() const noexcept {
     if (won_in == nullptr) return {};
     return {winner.triangle, in_part_corners(winner.at, lane_order(*won_in, won_lane))};

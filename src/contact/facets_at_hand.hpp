@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/closest_memory.hpp"
 #include "contact/facet_at_hand.hpp"
 
 namespace fingerpad {
@@ -17,12 +18,15 @@ class FacetsAtHand {
     if (own_.find_foot(p_W, foot_W) || (goes_on_ && beside_.find_foot(p_W, foot_W))) return true;
     return look_up(p_W, foot_W);
   }
+  /// For searches where they find none.
+  ClosestMemory& around() noexcept { return around_; }
 
  private:
   void go_on_to(const PlacedSurface& surface, int t) noexcept;
   bool look_up(const Vec3& p_W, Vec3& foot_W) noexcept;
 
   FacetAtHand own_, beside_;
+  ClosestMemory around_;
   bool goes_on_ = false;  ///< beside_ goes on from own_: across an edge, or in one plane
 };
 

@@ -1,5 +1,7 @@
 #include "contact/packet_filter.hpp"
 
+#include <cmath>
+
 // Vectors of eight floats wider than the plain instruction set has are split by the compiler; they never
 // cross a call that is not inlined, so how they would be passed does not matter.
 #pragma GCC diagnostic ignored "-Wpsabi"
@@ -75,20 +77,39 @@ FINGERPAD_INLINED unsigned filter(const TrianglePacket& p, const float* r, float
   return to_mask(squared <= limit2);
 }
 
-FINGERPAD_INLINED std::uint64_t filter_boxes(const PacketBoxes* boxes, int groups, const float* point,
-                                             float radius2) noexcept {
+FINGERPAD_INLINED void take_roots(Floats& v) noexcept {
+#if defined(__SSE__)
+  using Four [[gnu::vector_size(16)]] = float;
+  Four* half = reinterpret_cast<Four*>(&v);
+  half[0] = __builtin_ia32_sqrtps(half[0]);
+  half[1] = __builtin_ia32_sqrtps(half[1]);
+#else
+  for (int i = 0; i < packet_width; ++i) v[i] = std::sqrt(v[i]);
+#endif
+}
+
+/// See disc_margin for the error of each step.
+FINGERPAD_INLINED std::uint64_t filter_discs(const PacketDiscs* discs, int groups, const float* point,
+                                             float limit, float lost2) noexcept {
   const Floats zero = {};
   std::uint64_t near = 0;
   for (int group = 0; group < groups; ++group) {
-    Floats squared = zero, centre, half;
+    Floats height = zero, away2 = zero, a, b;
     for (int i = 0; i < 3; ++i) {
-      load(centre, boxes[group].centre[i]), load(half, boxes[group].half[i]);
-      const Floats from_centre = point[i] - centre;
-      Floats beyond = (from_centre < zero ? -from_centre : from_centre) - half;
-      beyond = beyond > zero ? beyond : zero;
-      squared += beyond * beyond;
+      load(a, discs[group].centre[i]), load(b, discs[group].across[i]);
+      const Floats off = point[i] - a;
+      height += off * b;
+      away2 += off * off;
     }
-    near |= std::uint64_t{to_mask(squared <= radius2)} << (packet_width * group);
+    load(a, discs[group].radius), load(b, discs[group].thick);
+    Floats along = away2 - height * height - lost2;
+    along = along > zero ? along : zero;
+    take_roots(along);
+    Floats above = (height < zero ? -height : height) - b, beside = along - a;
+    above = above > zero ? above : zero;
+    beside = beside > zero ? beside : zero;
+    const Bits within = above * above + beside * beside <= limit * limit;
+    near |= std::uint64_t{to_mask(within)} << (packet_width * group);
   }
   return near;
 }
@@ -97,8 +118,9 @@ unsigned plain(const TrianglePacket& p, const float* r, float limit2, RoughDista
   return filter(p, r, limit2, rough);
 }
 
-std::uint64_t plain_boxes(const PacketBoxes* boxes, int groups, const float* point, float radius2) noexcept {
-  return filter_boxes(boxes, groups, point, radius2);
+std::uint64_t plain_discs(const PacketDiscs* discs, int groups, const float* point, float limit,
+                          float lost2) noexcept {
+  return filter_discs(discs, groups, point, limit, lost2);
 }
 
 #if defined(__x86_64__)
@@ -107,9 +129,9 @@ std::uint64_t plain_boxes(const PacketBoxes* boxes, int groups, const float* poi
   return filter(p, r, limit2, rough);
 }
 
-[[gnu::target("avx2")]] std::uint64_t boxes_with_avx2(const PacketBoxes* boxes, int groups,
-                                                      const float* point, float radius2) noexcept {
-  return filter_boxes(boxes, groups, point, radius2);
+[[gnu::target("avx2")]] std::uint64_t discs_with_avx2(const PacketDiscs* discs, int groups,
+                                                      const float* point, float limit, float lost2) noexcept {
+  return filter_discs(discs, groups, point, limit, lost2);
 }
 #endif
 
@@ -119,15 +141,15 @@ PacketFilter plain_packet_filter() noexcept {
   return plain;
 }
 
-BoxFilter plain_box_filter() noexcept {
-  return plain_boxes;
+DiscFilter plain_disc_filter() noexcept {
+  return plain_discs;
 }
 
-BoxFilter fastest_box_filter() noexcept {
+DiscFilter fastest_disc_filter() noexcept {
 #if defined(__x86_64__)
-  if (__builtin_cpu_supports("avx2")) return boxes_with_avx2;
+  if (__builtin_cpu_supports("avx2")) return discs_with_avx2;
 #endif
-  return plain_boxes;
+  return plain_discs;
 }
 
 PacketFilter fastest_packet_filter() noexcept {

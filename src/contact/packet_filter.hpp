@@ -42,22 +42,41 @@ inline constexpr float rough_margin = 32 * 0x1p-24f;
 using PacketFilter = unsigned (*)(const TrianglePacket& packet, const float* r, float limit2,
                                   RoughDistances& rough) noexcept;
 
-/// Boxes side by side, scaled and already padded (packet_scene.hpp) against what rounding does.
-struct alignas(32) PacketBoxes {
-  std::array<TrianglePacket::Lanes, 3> centre, half;
+/// Flat discs around packets, side by side: what a packet holds is no farther than `radius` from its centre,
+/// and no farther than `thick` from the plane through it that `across` is normal to. Lengths scaled; centres
+/// relative to a place near them.
+struct alignas(32) PacketDiscs {
+  std::array<TrianglePacket::Lanes, 3> centre, across;
+  TrianglePacket::Lanes radius, thick;
 };
 
-/// Which boxes of up to eight groups come within the root of `radius2` of a point: a byte of bits a group,
-/// the first lowest. In float, like Embree's own test.
-using BoxFilter = std::uint64_t (*)(const PacketBoxes* boxes, int groups, const float* point,
-                                    float radius2) noexcept;
+/// The discs' margin, a multiple of u = 2^-24, as rough_margin is the triangles'.
+///
+/// Claim: let d be the distance of q from anything in a disc, and S no smaller than what |point|, |centre|
+/// and the radius add up to. Then the disc passes wherever d <= limit - disc_margin * S and lost2 >=
+/// disc_margin * S^2.
+///
+/// Proof. 1. point and centre are rounded to float, and so is their difference s: off by 2 u S at most.
+/// 2. `across` is what the thickness was measured along, exactly, but of length 1 +- 4 u: so is h, the height
+///    over the plane, a sum of three products, off by 2 u S + 4 u S and the rounding of that length by 4 u S.
+///    The gap across the disc, |h| - thick, is off by 11 u S.
+/// 3. |s|^2 - h^2, the square of the way along the plane, is off by 8 u S^2 and 20 u S^2: with `lost2` taken
+///    off, it is too small. So is its root but for u S, and the gap along the plane, root - radius, by 2 u S.
+/// 4. Both gaps together are too large by 13 u S at most; the squares and the root of the last comparison
+///    cost 4 u S more.
+inline constexpr float disc_margin = 32 * 0x1p-24f;
+
+/// Which discs of up to eight groups may hold something within `limit` of a point: a byte of bits a group,
+/// the first lowest. See disc_margin.
+using DiscFilter = std::uint64_t (*)(const PacketDiscs* discs, int groups, const float* point, float limit,
+                                     float lost2) noexcept;
 
 /// The fastest filter that this machine can run.
 PacketFilter fastest_packet_filter() noexcept;
-BoxFilter fastest_box_filter() noexcept;
+DiscFilter fastest_disc_filter() noexcept;
 
 /// The filter that every machine can run.
 PacketFilter plain_packet_filter() noexcept;
-BoxFilter plain_box_filter() noexcept;
+DiscFilter plain_disc_filter() noexcept;
 
 }  // namespace fingerpad

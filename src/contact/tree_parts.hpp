@@ -21,7 +21,7 @@ struct TriangleTree::Impl {
   std::uint64_t number = new_tree_number();
   PackedPart packed;
   PacketFilter filter;
-  BoxFilter box_filter = fastest_box_filter();
+  DiscFilter disc_filter = fastest_disc_filter();
   PacketScene scene;
   WindingNumber winding;
   std::once_flag curved_once;
@@ -36,9 +36,19 @@ struct TriangleTree::Impl {
   bool out_of_reach(double farthest_m, double reach_m) const noexcept {
     return !(farthest_m - packed.extent_m <= reach_m + 1e-14 * (farthest_m + packed.extent_m));
   }
+  /// Whether packets are looked for: near enough for float boxes, and perhaps within reach.
+  bool is_searched(const Vec3& q, double reach_m) const noexcept {
+    const double farthest = q.cwiseAbs().maxCoeff();
+    return !packed.packets.empty() && q.allFinite() && farthest <= tree_range * packed.extent_m &&
+           !out_of_reach(farthest, reach_m);
+  }
   /// Looks for a triangle nearer than what the search has, `within_m` away.
   void search_tree(ClosestSearch& search, double within_m) const noexcept;
-  void remember_packets(const ClosestSearch& search, double step_m, ClosestMemory& memory) const noexcept;
+  /// Looks for it among the packets that a memory lists, and lists them anew where that pays; false where
+  /// that does not answer.
+  /// @param seed  tried where the memory's own is not within reach; -1 if there is none
+  bool search_list(ClosestSearch& search, ClosestMemory& memory, int seed) const noexcept;
+  void list_packets(const ClosestSearch& search, double step_m, ClosestMemory& memory) const noexcept;
   ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
   void far_each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
                        void* context) const noexcept;

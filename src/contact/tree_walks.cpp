@@ -200,13 +200,21 @@ std::optional<bool> TriangleTree::encloses(const Vec3& q, WindingWalk& walk, Loo
   return impl_->winding.encloses(packed, q, walk, looks);
 }
 
-ClosestTriangle TriangleTree::closest(const Vec3& q, BriefSearch& search, double reach_m) const noexcept {
-  ClosestWalk walk{search.triangle, 0};
-  Looks looks(search.most_looks);
+ClosestTriangle TriangleTree::closest(const Vec3& q, BriefSearch& brief, double reach_m) const noexcept {
+  ClosestMemory* const memory = brief.memory;
+  if (memory != nullptr && impl_->is_searched(q, reach_m)) {
+    ClosestSearch search(impl_->packed, impl_->filter, q, reach_m);
+    const bool listed = impl_->search_list(search, *memory, brief.triangle);
+    if (search.won_in != nullptr) brief.triangle = memory->triangle_ = search.winner.triangle;
+    if (listed) return search.answer();
+  }
+  ClosestWalk walk{brief.triangle, 0};
+  Looks looks(brief.most_looks);
   const auto found = closest(q, reach_m, walk, looks);
   const ClosestTriangle nearest =
       found ? *found : ClosestTriangle{walk.triangle, closest_on_triangle(part(), walk.triangle, q)};
-  search.triangle = nearest.triangle;
+  brief.triangle = nearest.triangle;
+  if (memory != nullptr) memory->triangle_ = nearest.triangle;
   return nearest.at.distance2_m2 <= reach_m * reach_m ? nearest : ClosestTriangle{};
 }
 

@@ -75,7 +75,10 @@ void set_thickness(TrianglePacket& packet, const Part& part, double scale) noexc
       if ((packet.used >> lane & 1) != 0) visit(packet.exact[lane]);
     }
   };
-  each([&sum](const TrianglePacket::Exact& exact) { sum += exact.normal; });
+  // A frame's normal points to either side.
+  each([&sum](const TrianglePacket::Exact& exact) {
+    sum += sum.dot(exact.normal) < 0 ? Vec3(-exact.normal) : exact.normal;
+  });
   const double length = sum.norm();
   const Vec3 unit = length > 1e-3 ? Vec3(sum / length) : Vec3::UnitZ();
   for (int i = 0; i < 3; ++i) packet.across[i] = static_cast<float>(unit[i]);

@@ -60,6 +60,19 @@ struct alignas(64) TrianglePacket {
     return static_cast<double>(radius) *
            (std::abs(along) * per_length2 * thickness * (1.0 / 65535) + std::sqrt(sine2));
   }
+
+  /// How far its triangles are from a point at least, scaled: by the flat disc around them, as `radius` and
+  /// `thickness` tell it.
+  double least_distance(const Vec3& at) const noexcept {
+    // `across` may be longer than 1 by a float's rounding: that must not make the gap larger.
+    constexpr double shorter = 1 - 1e-6;
+    const Vec3 normal(across[0], across[1], across[2]), off = at - origin;
+    const double height = std::abs(normal.dot(off)), size = static_cast<double>(radius);
+    const double along2 = off.squaredNorm() - height * height / normal.squaredNorm();
+    const double above = std::max(0.0, (height - size * thickness * (1.0 / 65535)) * shorter);
+    const double beside = std::max(0.0, std::sqrt(std::max(0.0, along2)) - size);
+    return std::sqrt(above * above + beside * beside);
+  }
 };
 
 /// A lane whose rough frame means nothing has its origin so far off that no distance comes near.

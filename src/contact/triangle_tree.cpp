@@ -15,7 +15,7 @@ namespace {
 float visit_closest(void* any_search, unsigned index, float radius) noexcept {
   ClosestSearch& search = *static_cast<ClosestSearch*>(any_search);
   const TrianglePacket& packet = search.packed->packets[index];
-  if (&packet == search.looked_at || !search.look_at(packet)) return radius;
+  if (&packet == search.looked_at || search.passes_over(packet) || !search.look_at(packet)) return radius;
   return search.radius(std::sqrt(search.winner.at.distance2_m2));
 }
 

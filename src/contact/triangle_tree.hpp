@@ -38,6 +38,7 @@ struct ClosestWalk {
 struct BriefSearch {
   long most_looks;
   int triangle = -1;
+  ClosestMemory* memory = nullptr;  ///< of the path, if one is kept: asked first, as it costs few looks
 };
 
 /// A sum over a part's triangles for its winding number that may be broken off.

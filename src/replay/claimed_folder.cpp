@@ -30,7 +30,7 @@ bool has_ended(const BatchOptions& options, const Ranks& ranks) {
 
 /// The root comes first, so that it tells what is refused; if it does not come, another does its work. Where
 /// the tables say that the ranks have ended without this one, it waits a moment only, for a root that its
-/// launcher has called again.
+/// launcher has called again. One that is asked to stop waits no longer: it leaves all for --resume.
 void wait_for_root(const BatchOptions& options, const Ranks& ranks) {
   using std::chrono::steady_clock;
   constexpr std::chrono::milliseconds between_looks{20};
@@ -39,6 +39,7 @@ void wait_for_root(const BatchOptions& options, const Ranks& ranks) {
       has_ended(options, ranks) ? std::min(options.patience, moment) : options.patience;
   for (const auto end = steady_clock::now() + patience; steady_clock::now() < end;) {
     if (RunLock::is_registered(options.out_dir, ranks.run) || launcher_is_gone(ranks)) return;
+    if (options.should_stop && options.should_stop()) return;
     std::this_thread::sleep_for(between_looks);
   }
 }

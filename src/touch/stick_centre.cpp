@@ -28,7 +28,7 @@ void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, con
     Vec3 foot;
     if (facets.find_foot(surface, contact_triangle, target, foot)) return put(foot);
   }
-  BriefSearch search{most_looks, contact_triangle};
+  BriefSearch search{most_looks, contact_triangle, &facets.around()};
   const WorldPoint near =
       nearest_point(surface, target, is_on_facets ? Normals::facet : normals, search, std::sqrt(distance2));
   if (near.found) put(near.point_W);

@@ -182,6 +182,25 @@ TEST(Ranks, ThatComeLateDoNotWaitForARootThatHasLeft) {
   EXPECT_THAT(run.out, HasSubstr("in o\nended 0\n")) << run.err;
 }
 
+/// Its patience is a day, too.
+TEST(Ranks, ThatWaitForTheRootStopWhereTheyAreAskedTo) {
+  const fs::path folder = folder_with_batch();
+  std::string waiting = as_rank(1);
+  waiting.replace(waiting.find("--wait-for-ranks 0\n"), 19, "--wait-for-ranks 86400 &\n");
+  // SIGTERM is the 15th: caught once the 4 of the fourth digit stands in the mask.
+  const ShellResult run = test::shell(
+      waiting +
+          "rank=$!\nuntil grep -q '^SigCgt:.*[4-7c-f]...$' /proc/$rank/status; do sleep .02; done\n"
+          "kill -TERM $rank\ntimeout 60 tail --pid=$rank -f /dev/null || kill -9 $rank\n"
+          "wait $rank\necho ended $?\n",
+      folder);
+  EXPECT_THAT(run.out, HasSubstr("ended 4\n")) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("--resume"));
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet --resume", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);
+  EXPECT_EQ(all_bytes(folder / "o"), all_bytes(folder / "one"));
+}
+
 /// As where one script that is started with ranks calls it twice.
 TEST(Ranks, WhoseRootIsCalledAgainByOneLauncherDoItAgain) {
   const fs::path folder = folder_with_batch();

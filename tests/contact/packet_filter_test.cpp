@@ -121,31 +121,102 @@ TEST(PacketFilter, ComparesWithItsLimit) {
   }
 }
 
-TEST(BoxFilter, NamesTheBoxesWithinTheRadius) {
+/// A strip of thin triangles, bent or flat, that share edges and vertices.
+Part strip(int count, double width, double bend) {
+  Points vertices(3, count + 2);
+  IndexTriples triangles(3, count);
+  for (int i = 0; i < count + 2; ++i) {
+    const double x = 2.0 * i / (count + 1) - 1;
+    vertices.col(i) << x, (i % 2 == 0 ? -1 : 1) * width, bend * x * x;
+  }
+  for (int t = 0; t < count; ++t) triangles.col(t) << t, t + 1 + t % 2, t + 2 - t % 2;
+  return test::bare_part(vertices, triangles);
+}
+
+/// A disc as the filter takes it, but that its centre is not rounded.
+struct Disc {
+  Vec3 centre;
+  Eigen::Vector3f across;
+  float radius, thick;
+
+  double distance(const Vec3& q) const {
+    const Vec3 normal = across.cast<double>();
+    const double height = normal.dot(q - centre) / normal.norm();
+    const double beside = (q - centre - height * normal.normalized()).norm() - static_cast<double>(radius);
+    const double above = std::abs(height) - static_cast<double>(thick) / normal.norm();
+    return Vec3(std::max(0.0, above), std::max(0.0, beside), 0).norm();
+  }
+};
+
+TEST(DiscFilter, NamesTheDiscsWithinALimit) {
   RandomStream random(3);
+  long within = 0, beyond = 0;
   for (int i = 0; i < test::samples(5000); ++i) {
-    std::array<PacketBoxes, 8> boxes;
-    Vec3 centre[64], half[64];
+    const double size = std::pow(10.0, -4 * random.uniform());
+    std::array<PacketDiscs, 8> discs;
+    std::array<Disc, 64> disc;
+    double spread = 0;
     for (std::size_t k = 0; k < 64; ++k) {
-      centre[k] = random_point(random, 1), half[k] = 0.1 * random_point(random, 1).cwiseAbs();
+      disc[k] = {random_point(random, size), random_point(random, 1).normalized().cast<float>(),
+                 static_cast<float>(size * random.uniform()),
+                 static_cast<float>(size * std::pow(10.0, -5 * random.uniform()))};
       for (int axis = 0; axis < 3; ++axis) {
-        boxes[k / 8].centre[axis][k % 8] = static_cast<float>(centre[k][axis]);
-        boxes[k / 8].half[axis][k % 8] = static_cast<float>(half[k][axis]);
+        discs[k / 8].centre[axis][k % 8] = static_cast<float>(disc[k].centre[axis]);
+        discs[k / 8].across[axis][k % 8] = disc[k].across[axis];
+      }
+      discs[k / 8].radius[k % 8] = disc[k].radius;
+      discs[k / 8].thick[k % 8] = disc[k].thick;
+      spread = std::max(spread, disc[k].centre.cwiseAbs().sum() + static_cast<double>(disc[k].radius));
+    }
+    const Vec3 q = random_point(random, 1.5 * size);
+    const float point[3] = {static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z())};
+    const int groups = 1 + i % 8;
+    const auto all = static_cast<float>(spread + q.cwiseAbs().sum());
+    // The limit is one disc's own distance.
+    const double reach = disc[static_cast<std::size_t>(i % 64)].distance(q);
+    const float limit = static_cast<float>(reach) + disc_margin * all, lost2 = disc_margin * all * all;
+    const std::uint64_t named = fastest_disc_filter()(discs.data(), groups, point, limit, lost2);
+    ASSERT_EQ(named, plain_disc_filter()(discs.data(), groups, point, limit, lost2));
+    for (std::size_t k = 0; k < 64; ++k) {
+      const bool asked = static_cast<int>(k) < 8 * groups, is_named = (named >> k & 1) != 0;
+      if (asked && disc[k].distance(q) <= reach) {
+        ASSERT_TRUE(is_named) << "disc " << k;
+        ++within;
+      }
+      // The square of the way along the plane is off by lost2: its root by some 2e-3 at most.
+      if (!asked || disc[k].distance(q) > reach + 3e-3 * static_cast<double>(all)) {
+        ASSERT_FALSE(is_named) << "disc " << k;
+        ++beyond;
       }
     }
-    const Vec3 q = random_point(random, 1.2);
-    const float point[3] = {static_cast<float>(q.x()), static_cast<float>(q.y()), static_cast<float>(q.z())};
-    const auto radius = static_cast<float>(random.uniform());
-    const int groups = 1 + i % 8;
-    const std::uint64_t near = fastest_box_filter()(boxes.data(), groups, point, radius * radius);
-    ASSERT_EQ(near, plain_box_filter()(boxes.data(), groups, point, radius * radius));
-    for (int k = 0; k < 64; ++k) {
-      const double distance = ((q - centre[k]).cwiseAbs() - half[k]).cwiseMax(0).norm();
-      if (std::abs(distance - static_cast<double>(radius)) < 1e-6) continue;  // a float cannot tell
-      const bool within = k < 8 * groups && distance < static_cast<double>(radius);
-      ASSERT_EQ(near >> k & 1, within ? 1u : 0u) << "box " << k << " of " << groups << " groups";
-    }
   }
+  EXPECT_GT(within, test::samples(5000));
+  EXPECT_GT(beyond, test::samples(5000));
+}
+
+/// Points of a packet's triangles, and how far they are from where least_distance is asked.
+TEST(TrianglePacket, IsNoNearerThanItsDisc) {
+  RandomStream random(4);
+  double closest = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < test::samples(5000); ++i) {
+    const Part part = i % 2 == 0 ? eight_triangles(random) : strip(8, 0.01, 0.1 * random.uniform());
+    constexpr double scale = 0.5;
+    const std::int32_t all[] = {0, 1, 2, 3, 4, 5, 6, 7};
+    const TrianglePacket packet = make_packet(part, all, scale);
+    const Vec3 q =
+        packet.origin + random_point(random, packet.radius * std::pow(10.0, 2 - 4 * random.uniform()));
+    double truth_m = std::numeric_limits<double>::infinity();
+    for (int t = 0; t < packet_width; ++t) {
+      double here_m = 0;
+      const auto corner = [&](int k) { return Vec3(part.vertices.col(part.triangles(k, t))); };
+      test::brute_closest_on(corner(0), corner(1), corner(2), q / scale, &here_m);
+      truth_m = std::min(truth_m, here_m);
+    }
+    // A few roundings of the lengths in it.
+    ASSERT_LE(packet.least_distance(q), truth_m * scale + 1e-14);
+    closest = std::min(closest, truth_m * scale - packet.least_distance(q));
+  }
+  EXPECT_LT(closest, 1e-6);  // the bound is met
 }
 
 TEST(PackedPart, HoldsEachTriangleOnceInFullPackets) {
@@ -194,18 +265,6 @@ TEST(TriangleTree, TakesNoMoreThan160BytesATriangle) {
   RecordProperty("bytes_a_triangle", std::to_string(bytes));
   EXPECT_GT(bytes, 128);  // the packets alone: Embree's share must be in it
   EXPECT_LE(bytes, 160);
-}
-
-/// A strip of thin triangles, bent or flat, that share edges and vertices.
-Part strip(int count, double width, double bend) {
-  Points vertices(3, count + 2);
-  IndexTriples triangles(3, count);
-  for (int i = 0; i < count + 2; ++i) {
-    const double x = 2.0 * i / (count + 1) - 1;
-    vertices.col(i) << x, (i % 2 == 0 ? -1 : 1) * width, bend * x * x;
-  }
-  for (int t = 0; t < count; ++t) triangles.col(t) << t, t + 1 + t % 2, t + 2 - t % 2;
-  return test::bare_part(vertices, triangles);
 }
 
 TEST(TriangleTree, IsExactOnAMillionAdversaries) {

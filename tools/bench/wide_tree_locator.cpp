@@ -31,6 +31,11 @@ struct Box {
   }
 };
 
+/// Boxes side by side, scaled and padded.
+struct alignas(32) PacketBoxes {
+  std::array<TrianglePacket::Lanes, 3> centre, half;
+};
+
 struct alignas(32) Node {
   PacketBoxes boxes;
   std::array<std::int32_t, 8> child;  ///< a node; below zero: -1 - packet
