@@ -87,6 +87,26 @@ TEST(ClosestMemory, ChangesNoBitWithinAReach) {
   }
 }
 
+TEST(ClosestMemory, OfABriefSearchLeadsNoFartherOffThanNone) {
+  // Asked now and then, from a triangle beside the point: what the memory holds is older and farther off, and
+  // a search that may look at little is broken off at what it has found.
+  const auto part = test::torus(150, 90);
+  const TriangleTree tree(part);
+  for (const long most_looks : {5L, 200L}) {
+    Wander wander(*part, 11);
+    ClosestMemory memory;
+    int beside = 0;
+    for (int i = 0; i < samples(20000); ++i) {
+      const Vec3 q = wander.next();
+      if (i % 40 == 20) beside = tree.closest(q, -1, unbounded).triangle;
+      if (i % 40 != 23) continue;
+      BriefSearch with{most_looks, beside, &memory}, without{most_looks, beside};
+      const double distance2_m2 = tree.closest(q, with, unbounded).at.distance2_m2;
+      ASSERT_LE(distance2_m2, tree.closest(q, without, unbounded).at.distance2_m2) << "query " << i;
+    }
+  }
+}
+
 TEST(ClosestMemory, ReachesThatChangeFromQueryToQueryAreKept) {
   const auto part = test::torus(100, 60);
   const TriangleTree tree(part);
