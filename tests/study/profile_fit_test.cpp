@@ -148,7 +148,8 @@ TEST(ProfileFit, FindsTheKnownPadThroughBadSensors) {
 
 TEST(ProfileFit, IntervalsHoldTheKnownPad) {
   const char* asked = std::getenv("FINGERPAD_FIT_SEEDS");
-  const int seeds = asked != nullptr ? std::atoi(asked) : std::max(1, test::samples(3));
+  const int seeds = asked != nullptr ? std::atoi(asked) : test::samples(3);
+  if (seeds == 0) GTEST_SKIP() << "under a sanitizer: the fit of the test above is of the same way";
   test::KnownFinger finger;
   finger.rises_with_less_load = true;
   finger.scatter = 0.03;
