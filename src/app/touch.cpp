@@ -105,7 +105,7 @@ void tell_signal(const TouchOptions& options) {
 void tell_timing(const ServoTiming& timing, double rate_hz) {
   print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks, rate_hz,
             timing.late_ticks, 1e3 * timing.worst_late_s);
-  print_out("half of the ticks took up to {:.2g} us, 99.9 % up to {:.2g} us, the longest {:.2g} us\n",
+  print_out("half of the ticks took up to {:.1f} us, 99.9 % up to {:.0f} us, the longest {:.0f} us\n",
             1e6 * timing.tick_s(0.5), 1e6 * timing.tick_s(0.999), 1e6 * timing.worst_tick_s);
 }
 

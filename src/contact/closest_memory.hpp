@@ -9,9 +9,10 @@
 namespace fingerpad {
 
 /// What a caller keeps from one query for the closest triangle to the next, along a path: the last answer,
-/// and now and then the packets around it, so that while the path stays near no tree is searched. It costs
-/// speed only and never changes an answer, whatever it holds: also that of another tree, or of a path that
-/// jumps. Three kilobytes; for one thread at a time.
+/// and now and then the packets around it, so that while the path stays near no tree is searched. It changes
+/// what a query costs and never its answer, whatever it holds: also that of another tree, or of a path that
+/// jumps. (But that of a BriefSearch which is broken off, and is nearer then.) Two and a half kilobytes; for
+/// one thread at a time.
 ///
 /// The packets listed are all that come within a ball. A query is answered by them as long as its own ball,
 /// which reaches from q as far as the closest triangle, lies in that one. So the listed ball does not stand

@@ -6,7 +6,8 @@
 namespace fingerpad {
 
 /// Finds tick after tick what foot_on_facet finds, near a contact that moves on from facet to facet: the
-/// contact's own facet and the one beside it where a foot lay last are at hand. Speed alone.
+/// contact's own facet and the one beside it where a foot lay last are at hand: for speed alone. Beside them
+/// is kept what searches around go by, whose answer it may make better where they are bounded (BriefSearch).
 class FacetsAtHand {
  public:
   /// The foot of p_W on the contact's facet, or on one that goes on from it.

@@ -24,8 +24,9 @@ struct NearTriangle {
 /// crowded view asks little else.
 struct alignas(32) GapBound {
   Vec3 towards = Vec3::Zero();
-  double level_m = -std::numeric_limits<double>::infinity();  ///< the gap that the tangent leaves at the
-                                                              ///< part's centre; of one not seen, no bound
+  double level_m =
+      -std::numeric_limits<double>::infinity();  ///< the gap that the tangent leaves at the
+                                                 ///< part's centre; of one that nothing is known of, no bound
 
   GapBound() = default;
   /// @param approach  of the place that it was looked at from

@@ -55,8 +55,9 @@ class ProxyWorld {
   Vec3 in_part(int surface, const Vec3& place_O) const noexcept;
   Vec3 from_part(int surface, const Vec3& q_P) const noexcept;
   /// How a place stands before a part's triangle; in the frame of the part's arrays. A proxy that lies on an
-  /// edge asks this several times a tick, each time of the same place: what was told last is kept.
-  /// @returns good until the fourth other question
+  /// edge asks this several times a tick, each time of the same place: what was told last is kept. For one
+  /// thread at a time.
+  /// @returns good until the next question
   const TriangleApproach& approach(int surface, int triangle, const Vec3& place_O) const noexcept;
 
   /// The half space that a plane leaves free, seen from a place.

@@ -38,7 +38,8 @@ struct ClosestWalk {
 struct BriefSearch {
   long most_looks;
   int triangle = -1;
-  ClosestMemory* memory = nullptr;  ///< of the path, if one is kept: asked first, as it costs few looks
+  ClosestMemory* memory = nullptr;  ///< of the path, if one is kept: asked first, as it costs few looks.
+                                    ///< Where the rest is broken off, what it holds makes the answer no worse
 };
 
 /// A sum over a part's triangles for its winding number that may be broken off.

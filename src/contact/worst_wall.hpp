@@ -86,7 +86,11 @@ struct WorstWall {
   bool is_cleared_by_facet(const ProxyWorld& world, const PartWay& way,
                            const TriangleCorners& corners) const noexcept {
     const double tolerance_m = world.tolerance_m();
-    const FacetSide facet = facet_side(corners, way.from_P, way.to_P, world.clearance_m(), tolerance_m);
+    return is_cleared_by(facet_side(corners, way.from_P, way.to_P, world.clearance_m(), tolerance_m),
+                         tolerance_m);
+  }
+  /// @param facet  how the way stands before the triangle's plane
+  bool is_cleared_by(const FacetSide& facet, double tolerance_m) const noexcept {
     return facet.side != 0 && (facet.slack_m >= -tolerance_m || facet.slack_m > slack_m);
   }
 

@@ -100,9 +100,9 @@ class RankWork {
         }
         const bool impatient = steady_clock::now() > end || stops();
         if (missing > 0 && impatient && options_.on_unfinished)
-          options_.on_unfinished(
-              fmt::format("{}: {} of {} ranks never came; do all machines see this folder?", options_.out_dir,
-                          missing, ranks_.count));
+          options_.on_unfinished(fmt::format("{}: {} of {} ranks {}", options_.out_dir, missing, ranks_.count,
+                                             stops() ? "had not come yet when it was told to stop"
+                                                     : "never came; do all machines see this folder?"));
         if (missing == 0 || impatient) return true;
       }
       std::this_thread::sleep_for(between_looks);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 #include <vector>
 
+#include "study/press_corner.hpp"
 #include "study/sample_noise.hpp"
 
 namespace fingerpad {
@@ -92,28 +94,34 @@ std::vector<LevelRun> level_runs(const RecordedTrial& trial, const PressLevels& 
 }
 
 /// Whether the finger leaves the run's level as one that comes down on the plate or is lifted from it does:
-/// in a corner. One whose load only swings goes through its least along a parabola, on which it takes almost
-/// two runs' length to come 20 deviations of the noise above it, and twice as many where the trial begins or
-/// ends there.
+/// in a corner. It must come 20 deviations of the noise above it about as fast as the run is long (twice,
+/// where the trial begins or ends with the run), without a sample missing.
 bool is_left_in_a_corner(const RecordedTrial& trial, const PressLevels& levels, const LevelRun& run,
                          double noise_n) {
   constexpr double surely_above = 20, most_length = 0.8;
+  const Eigen::Index window = window_of(trial);
   const double above_n = run.normal_n + surely_above * noise_n;
-  const bool is_half = run.from < window_of(trial) || trial.samples() - run.to < window_of(trial);
+  const bool is_half = run.from < window || trial.samples() - run.to < window;
   const auto most =
       static_cast<Eigen::Index>((is_half ? 2 : 1) * most_length * static_cast<double>(run.to - run.from));
+  Eigen::Index first = run.from, last = run.to - 1;
   bool is_left = false;
   for (const Eigen::Index way : {Eigen::Index{-1}, Eigen::Index{1}}) {
     const Eigen::Index edge = way < 0 ? run.from - 1 : run.to;
     for (Eigen::Index i = edge; i >= 0 && i < trial.samples(); i += way) {
       const auto k = static_cast<std::size_t>(i);
       if (std::abs(i - edge) > most || trial.origin[k] == SampleOrigin::missing) return false;
+      (way < 0 ? first : last) = i;
       if (levels.normal_n[k] < above_n) continue;
       is_left = true;
       break;
     }
   }
-  return is_left;
+  const auto count = static_cast<std::size_t>(last - first + 1);
+  return is_left &&
+         leaves_in_corners(std::span(levels.normal_n).subspan(static_cast<std::size_t>(first), count),
+                           static_cast<std::size_t>(run.from - first),
+                           static_cast<std::size_t>(run.to - first), static_cast<std::size_t>(window / 2));
 }
 
 /// The samples of short moments without contact beside slow ramps: those of runs that are left in a corner,

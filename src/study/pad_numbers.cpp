@@ -152,7 +152,7 @@ void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::ve
   }
   rise /= stops;
   const double drop = mu_static.value - mu_dynamic.value;
-  if (!(rise > most_rise * drop)) return;
+  if (!(drop > 0) || !(rise > most_rise * drop)) return;  // subjects that differ may have no drop
   v_min.refusal = fmt::format(
       "friction is up by {:.0f} % of what a rupture drops just before slip is seen to end (at {:.3g} m/s): "
       "stick "

@@ -62,7 +62,9 @@ PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<i
     is_settled = is_settled && found[0] > 0;
   }
   if (subjects.empty()) {
-    fit.refusal = "the finger does not move along the plate's normal: no depth is measured";
+    fit.refusal =
+        "no press is found in which the finger moves along the plate's normal: no depth is measured, or the "
+        "times have another unit";
     return fit;
   }
   if (!(load2 > least_spread * least_spread * groups)) {

@@ -14,8 +14,7 @@ constexpr std::size_t fewest = 5;  // samples of a line
 /// Whether the teeth of a finger that moves on so have enough samples, wherever between two of them each
 /// gives way: did the tooth's own number decide, those that give way late would be kept.
 /// @param tooth_m  the spring's way from where it is entered to where it gives way; a bent spring's is soft
-/// in
-///                 its beginning, so that its stiffness at the end would make it too short
+///                 in its beginning, so that its stiffness at the end would make it too short
 /// @param step_m   the finger's from sample to sample
 bool has_long_teeth(double tooth_m, double step_m) {
   return tooth_m >= static_cast<double>(fewest) * step_m;

@@ -171,6 +171,7 @@ void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
                      const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence) {
   const std::vector<SpringGroups> all = spring_groups(trial, segments, ratio, about);
   std::vector<PhaseStretch> stretches;
+  stretches.reserve(all.size());
   for (const SpringGroups& groups : all) stretches.push_back(groups.stretch);
   const SpringNoise noise = noise_in_stick(trial, stretches, ratio);
   for (const SpringGroups& groups : all) add_groups(groups.terms, noise, about.bend, groups.size, evidence);

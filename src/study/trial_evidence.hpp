@@ -56,7 +56,8 @@ struct TrialEvidence {
   long slip_samples = 0;
   double stop_speed_m_per_s = 0;    ///< sum over ends of slip of the speed at which q begins to rise
   double stop_slowing_m_per_s = 0;  ///< sum of how much the finger slows there from sample to sample
-  double stop_rise = 0;  ///< sum of what friction is above the trial's in slip in the 30 ms before them
+  double stop_rise = 0;  ///< sum of what friction is above the trial's in slip just before them (30 ms; no
+                         ///< less than 15 samples)
   long stops = 0;
   std::vector<double> power;  ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;

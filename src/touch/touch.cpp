@@ -55,6 +55,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
 void Touch::reset() noexcept {
   velocity_.reset();
   method_->reset();
+  facets_ = {};
   unplaced_ = false;
   has_last_ = false;
   release();

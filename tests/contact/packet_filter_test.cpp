@@ -194,10 +194,9 @@ TEST(DiscFilter, NamesTheDiscsWithinALimit) {
   EXPECT_GT(beyond, test::samples(5000));
 }
 
-/// Points of a packet's triangles, and how far they are from where least_distance is asked.
 TEST(TrianglePacket, IsNoNearerThanItsDisc) {
   RandomStream random(4);
-  double closest = std::numeric_limits<double>::infinity();
+  int nearly_met = 0;
   for (int i = 0; i < test::samples(5000); ++i) {
     const Part part = i % 2 == 0 ? eight_triangles(random) : strip(8, 0.01, 0.1 * random.uniform());
     constexpr double scale = 0.5;
@@ -214,9 +213,9 @@ TEST(TrianglePacket, IsNoNearerThanItsDisc) {
     }
     // A few roundings of the lengths in it.
     ASSERT_LE(packet.least_distance(q), truth_m * scale + 1e-14);
-    closest = std::min(closest, truth_m * scale - packet.least_distance(q));
+    nearly_met += packet.least_distance(q) > 0.9 * truth_m * scale ? 1 : 0;
   }
-  EXPECT_LT(closest, 1e-6);  // the bound is met
+  EXPECT_GT(nearly_met, test::samples(1500));
 }
 
 TEST(PackedPart, HoldsEachTriangleOnceInFullPackets) {

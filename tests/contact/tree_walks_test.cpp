@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "base/random_stream.hpp"
+#include "contact/closest_memory.hpp"
 #include "contact/triangle_tree.hpp"
 #include "support/shapes.hpp"
 
@@ -108,6 +109,27 @@ TEST(TreeWalks, TellTheSameInsideInPiecesAsAtOnce) {
     }
   }
   EXPECT_GT(inside, 30);
+}
+
+TEST(TreeWalks, ABriefSearchWithAMemoryOfItsPathAnswersAsWithout) {
+  const TriangleTree tree(std::make_shared<const Part>(make_part(test::sphere_soup(0.7, 4), 0.5)));
+  for (const double reach_m : {0.02, unbounded}) {
+    ClosestMemory memory;
+    int listed = 0, found = 0;
+    for (int k = 0; k < 2000; ++k) {
+      const double angle = 1e-3 * k, height_m = 0.7 + 0.03 * std::sin(20 * angle);
+      const Vec3 q(height_m * std::cos(angle), height_m * std::sin(angle), 0.1);
+      BriefSearch brief{1000000, -1, &memory};
+      const ClosestTriangle answer = tree.closest(q, brief, reach_m);
+      const ClosestTriangle plain = tree.closest(q, -1, reach_m);
+      ASSERT_EQ(answer.triangle, plain.triangle) << k;
+      ASSERT_EQ(answer.at.distance2_m2, plain.at.distance2_m2) << k;
+      listed += memory.packet_count() > 0 ? 1 : 0;
+      found += answer.triangle >= 0 ? 1 : 0;
+    }
+    EXPECT_GT(listed, 500);
+    EXPECT_GT(found, 300);
+  }
 }
 
 TEST(TreeWalks, ABriefSearchAnswersWithTheClosestOfWhatItLookedAt) {

@@ -78,20 +78,28 @@ TEST(Cleaning, AFingerThatOnlyPressesLessIsNoTare) {
   }
 }
 
-/// The bottom of such a swing is as still as its noise, and low.
-TEST(Cleaning, NeitherIsOneWhoseLoadSwingsSlowly) {
+/// The bottom of such a swing is as still as its noise, and low; of a quick and deep one it is short.
+TEST(Cleaning, NeitherIsOneWhoseLoadSwings) {
+  struct Swing {
+    double middle_n, share, hz;
+  };
   RandomStream random(3);
-  for (const double noise_n : {0.004, 0.01, 0.02}) {
-    RecordedTrial trial = test::known_measurement(rubs, {}, {}, 1).trials[0];
-    for (Eigen::Index i = 0; i < trial.samples(); ++i) {
-      const double t_s = static_cast<double>(i) / trial.rate_hz;
-      const double load_n = 0.8 + 0.2 * std::sin(2 * std::numbers::pi * 0.4 * t_s);
-      const Vec3 noise(random.normal(), random.normal(), random.normal());
-      trial.force_W.col(i) = load_n * (trial.normal_W - 0.35 * Vec3::UnitX()) + noise_n * noise;
+  for (const Swing& swing : {Swing{0.8, 0.25, 0.4}, Swing{1, 0.8, 0.5}, Swing{1.5, 0.8, 0.5},
+                             Swing{2, 0.8, 0.5}, Swing{3, 0.8, 0.5}, Swing{2, 0.8, 1}}) {
+    for (const double noise_n : {0.004, 0.005, 0.01, 0.02}) {
+      for (int begin = 0; begin < 12; ++begin) {
+        RecordedTrial trial = test::known_measurement(rubs, {}, {}, 1).trials[0];
+        for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+          const double turns = begin / 12.0 + swing.hz * static_cast<double>(i) / trial.rate_hz;
+          const double load_n = swing.middle_n * (1 + swing.share * std::sin(2 * std::numbers::pi * turns));
+          const Vec3 noise(random.normal(), random.normal(), random.normal());
+          trial.force_W.col(i) = load_n * (trial.normal_W - 0.35 * Vec3::UnitX()) + noise_n * noise;
+        }
+        TrialCleaning cleaning;
+        take_tare(trial, cleaning);
+        EXPECT_EQ(cleaning.free_samples, 0) << swing.middle_n << " " << noise_n << " " << begin;
+      }
     }
-    TrialCleaning cleaning;
-    take_tare(trial, cleaning);
-    EXPECT_EQ(cleaning.free_samples, 0) << noise_n;
   }
 }
 
