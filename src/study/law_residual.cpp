@@ -11,10 +11,10 @@
 namespace fingerpad {
 namespace {
 
-constexpr double group_s = 4e-3, near_s = 0.05;
+constexpr double near_s = 0.05;
 
 std::size_t group_size(double rate_hz) {
-  return static_cast<std::size_t>(std::max(1L, std::lround(group_s * rate_hz)));
+  return static_cast<std::size_t>(std::max(1L, std::lround(spring_group_s * rate_hz)));
 }
 
 /// Means of groups of samples of a stretch.
@@ -130,7 +130,7 @@ void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& se
 
 void ResidualSums::add_slip(const StickSegments& segments, const std::vector<Vec2>& ratio, double rate_hz) {
   const std::size_t size = group_size(rate_hz),
-                    near = static_cast<std::size_t>(std::lround(near_s / group_s));
+                    near = static_cast<std::size_t>(std::lround(near_s / spring_group_s));
   std::vector<std::vector<double>> slips;
   double mean = 0, squares = 0, count = 0;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double rupture_deviations = 4.5;  // of a step's noise, that a drop is beyond
 
-double middle_of(const std::vector<double>& drops) {
-  return drops.empty() ? 0 : quantile(drops, 0.5);
-}
-
 /// How much the length of the ratio's mean falls between the `count` samples before sample i and those from
 /// it on; nothing where they are not all of one run.
 std::optional<double> drop_at(const MeasuredTrial& trial, std::size_t i, std::size_t count) {
@@ -47,9 +43,9 @@ bool ruptures_at(std::size_t i, const MeasuredTrial& trial, int half_window, dou
     drops.push_back(*other);
   }
   // The means of a finger that moves on differ by much, and by as much throughout: that is no size of steps.
-  const double usual = middle_of(drops);
+  const double usual = median_of(drops);
   for (double& other : drops) other = std::abs(count > 1 ? other - usual : other);
-  return *drop - usual > least + shares * middle_of(drops);
+  return *drop - usual > least + shares * median_of(drops);
 }
 
 /// Ratio of the noise of q to friction above which a step of single samples may hide a rupture.

@@ -35,4 +35,8 @@ double noise_of_bends(std::span<const double> bends) {
   return count > 0 ? std::sqrt(squares / count / 6) : 0;
 }
 
+double median_of(std::span<const double> samples) {
+  return samples.empty() ? 0 : quantile(samples, 0.5);
+}
+
 }  // namespace fingerpad

@@ -16,4 +16,7 @@ double noise_of_bends(std::span<const double> bends);
 /// @pre samples are not empty; 0 <= share <= 1
 double quantile(std::span<const double> samples, double share);
 
+/// The one in the middle; 0 of none.
+double median_of(std::span<const double> samples);
+
 }  // namespace fingerpad

@@ -148,8 +148,7 @@ Eigen::Matrix2d spring_slopes(const SpringBend& bend, const Vec2& own_and_other)
 
 std::vector<SpringGroups> spring_groups(const MeasuredTrial& trial, const StickSegments& segments,
                                         const std::vector<Vec2>& ratio, const EvidencePoint& about) {
-  constexpr double group_s = 4e-3;
-  const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(group_s * trial.rate_hz)));
+  const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(spring_group_s * trial.rate_hz)));
   const MotionDirection direction(trial, segments.half_window);
   std::vector<SpringGroups> found;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {

@@ -10,10 +10,12 @@ namespace fingerpad {
 /// One group's means of what SpringTerm lists, along one axis.
 using SpringTerms = Eigen::Matrix<double, 6, 1>;
 
+constexpr double spring_group_s = 4e-3;
+
 /// A stretch of stick as means over groups of samples.
 struct SpringGroups {
   PhaseStretch stretch;
-  std::size_t size = 1;                           ///< samples of a group, 4 ms
+  std::size_t size = 1;                           ///< samples of a group, spring_group_s or less
   std::vector<std::array<SpringTerms, 2>> terms;  ///< lateral, longitudinal
   bool is_short = false;                          ///< the stretch gave smaller groups than that
 };

@@ -9,10 +9,6 @@
 namespace fingerpad {
 namespace {
 
-double median_of(const std::vector<double>& values) {
-  return values.empty() ? 0 : quantile(values, 0.5);
-}
-
 /// Of a component of noise that is alike on both.
 double noise_of_both(const std::vector<Vec2>& samples) {
   double variance = 0;

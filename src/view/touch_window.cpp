@@ -17,7 +17,7 @@ namespace {
 
 constexpr double chart_s = 4;  // what the strip charts hold
 constexpr const char* material_panel = "material";
-constexpr const char* stopped_words = "STOPPED: no force on the device; g gives it back";
+constexpr const char* stopped_words = "STOPPED: no force until g, and the device, release it";
 constexpr const char* invitation = "hold the left button, or space, to press";
 
 class TouchWindow {

@@ -41,7 +41,7 @@ std::vector<bool> stops_heard(bool has_motors, bool pointer_leads, std::set<std:
 }
 
 TEST(StopKey, AlwaysStopsAndAnotherKeyGivesTheForceBackWhateverLeadsTheFinger) {
-  const std::set<std::string> in_red = {"", "STOPPED: no force on the device; g gives it back"};
+  const std::set<std::string> in_red = {"", "STOPPED: no force until g, and the device, release it"};
   for (const bool pointer_leads : {true, false}) {
     std::set<std::string> alarms;
     EXPECT_EQ(stops_heard(true, pointer_leads, alarms), (std::vector<bool>{true, true, false, true}));
