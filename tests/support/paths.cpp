@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <system_error>
 
 #include "support/effort.hpp"
 
@@ -46,11 +47,32 @@ std::vector<fs::path> real_parts() {
   return parts;
 }
 
+namespace {
+
+/// This process's own folder for what its tests write. Goes with the process, unless one of them failed: then it is there
+/// to be looked at.
+struct Scratch {
+  pid_t owner = getpid();
+  fs::path folder = fs::temp_directory_path() / ("fingerpad-test-" + std::to_string(owner));
+
+  Scratch() = default;
+  Scratch(const Scratch&) = delete;
+  Scratch& operator=(const Scratch&) = delete;
+  ~Scratch() {
+    if (getpid() != owner || testing::UnitTest::GetInstance()->Failed()) return;
+    std::error_code ignored;
+    fs::remove_all(folder, ignored);
+  }
+};
+
+}  // namespace
+
 fs::path scratch_dir() {
+  static const Scratch scratch;
   const auto* info = testing::UnitTest::GetInstance()->current_test_info();
   std::string name = std::string(info->test_suite_name()) + "." + info->name();
   std::replace(name.begin(), name.end(), '/', '_');
-  const fs::path folder = fs::temp_directory_path() / ("fingerpad-test-" + std::to_string(getpid())) / name;
+  const fs::path folder = scratch.folder / name;
   fs::remove_all(folder);
   fs::create_directories(folder);
   return folder;
