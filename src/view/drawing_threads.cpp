@@ -1,5 +1,6 @@
 #include "view/drawing_threads.hpp"
 
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -18,6 +19,18 @@ std::set<int> threads_now() {
   return threads;
 }
 
+/// The cores that the calling thread may use but the last, which is where --realtime keeps the servo; all
+/// where there is but one.
+cpu_set_t cores_to_draw_on() {
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  if (sched_getaffinity(0, sizeof(cores), &cores) != 0 || CPU_COUNT(&cores) < 2) return cores;
+  int last = CPU_SETSIZE - 1;
+  while (!CPU_ISSET(last, &cores)) --last;
+  CPU_CLR(last, &cores);
+  return cores;
+}
+
 }  // namespace
 
 DrawingThreads::DrawingThreads() : others_(threads_now()) {
@@ -26,11 +39,13 @@ DrawingThreads::DrawingThreads() : others_(threads_now()) {
 
 void DrawingThreads::stand_back() const {
   constexpr int how_far = 10;
+  const cpu_set_t cores = cores_to_draw_on();
   for (const int thread : threads_now()) {
     const auto id = static_cast<id_t>(thread);
+    if (others_.contains(thread)) continue;
     // Who stands farther back already is not to come forward.
-    if (!others_.contains(thread) && getpriority(PRIO_PROCESS, id) < how_far)
-      setpriority(PRIO_PROCESS, id, how_far);
+    if (getpriority(PRIO_PROCESS, id) < how_far) setpriority(PRIO_PROCESS, id, how_far);
+    if (CPU_COUNT(&cores) > 0) sched_setaffinity(thread, sizeof(cores), &cores);
   }
 }
 

@@ -10,8 +10,9 @@ class DrawingThreads {
  public:
   /// All threads that come from now on are taken for such, and the calling one.
   DrawingThreads();
-  /// They leave others the first turn, for ever, and so does what they begin (see KeptThread). A system that
-  /// does not let them loses nothing else.
+  /// They leave others the first turn, and a core where there is more than one, for ever, and so does what
+  /// they begin (see KeptThread): a turn that is over only at the system's next clock tick is a millisecond
+  /// that a servo waits. A system that does not let them loses nothing else.
   void stand_back() const;
 
  private:

@@ -3,6 +3,7 @@
 #include "view/pointer_touch.hpp"
 
 #include <gtest/gtest.h>
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -106,13 +107,27 @@ TEST(PointerTouch, OfAFingerThatADeviceLeadsIsTheViews) {
   EXPECT_TRUE(over.key("x", 4)) << "it is stopped all the same";
 }
 
+/// How the calling thread stands with the system.
+struct Standing {
+  int nice = -1;
+  cpu_set_t cores{};
+
+  static Standing now() {
+    Standing standing;
+    standing.nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+    CPU_ZERO(&standing.cores);
+    sched_getaffinity(0, sizeof(standing.cores), &standing.cores);
+    return standing;
+  }
+};
+
 /// A window that is held up in a frame until what a person does meanwhile was heard of.
 struct HeldUpWindow {
   std::mutex mutex;
   std::condition_variable changed;
   bool pressing = false, stopped = false;
   std::vector<double> pressed_at_s;
-  int heard_by_nice = -1, drawn_by_nice = -1;  ///< how far the threads stand back
+  Standing heard_by, drawn_by;
 
   template <typename Is>
   bool wait(const Is& is) {
@@ -137,7 +152,7 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
   input.set_target = [&](const FingerSample& target) {
     const std::lock_guard lock(held.mutex);
     held.pressing = target.push_W_n != Vec3::Zero();
-    held.heard_by_nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+    held.heard_by = Standing::now();
     if (held.pressing) held.pressed_at_s.push_back(target.t_s);
     held.changed.notify_all();
   };
@@ -152,7 +167,7 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
   int heard = 0;
   options.on_frame = [&](const WindowReport& report) {
     if (report.frames < 2 || heard > 0) return;
-    held.drawn_by_nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+    held.drawn_by = Standing::now();
     const std::string hand = "export DISPLAY=" + screen->display() + "; xdotool ";
     // From the upper left corner, as X counts; the near side of the ring.
     test::shell(hand + "mousemove 185 310 mousedown 1 mousemove 187 310", ".");
@@ -163,10 +178,15 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
     heard += held.wait([&] { return !held.pressing; }) ? 1 : 0;
     test::shell(hand + "key q", ".");
   };
-  const int usual_nice = getpriority(PRIO_PROCESS, static_cast<id_t>(gettid()));
+  const Standing usual = Standing::now();
   run_touch_window(input, options);
-  EXPECT_EQ(held.heard_by_nice, usual_nice) << "who hears of a press does not stand back";
-  EXPECT_GE(held.drawn_by_nice, 10) << "who draws does";
+  EXPECT_EQ(held.heard_by.nice, usual.nice) << "who hears of a press does not stand back";
+  EXPECT_TRUE(CPU_EQUAL(&held.heard_by.cores, &usual.cores));
+  EXPECT_GE(held.drawn_by.nice, 10) << "who draws does";
+  cpu_set_t left;
+  CPU_XOR(&left, &usual.cores, &held.drawn_by.cores);
+  EXPECT_EQ(CPU_COUNT(&left), CPU_COUNT(&usual.cores) > 1 ? 1 : 0)
+      << "and leaves a core, where there are more";
   EXPECT_EQ(heard, 3) << "pressed, stopped and let go, all within one frame";
 }
 

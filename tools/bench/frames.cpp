@@ -16,12 +16,14 @@
 #include <exception>
 #include <filesystem>
 #include <string>
+#include <thread>
 #include <vector>
 
 #include "base/unit.hpp"
 #include "part/part.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/world.hpp"
+#include "view/drawing_threads.hpp"
 #include "view/screen.hpp"
 #include "view/stage_vtk.hpp"
 #include "view/touch_chart.hpp"
@@ -154,8 +156,10 @@ class Window {
 void measure(const ViewInput& input, const std::vector<TickRecord>& rows, bool live, bool keep,
              const Settings& settings) {
   const auto start = Clock::now();
+  const DrawingThreads drawing;
   Window window(input, rows, live, settings, keep);
   window.frame(0);
+  if (live) drawing.stand_back();  // as a touch's do, for ever: hence a thread of its own
   const double first_s = since(start);
   const Pace still = pace(settings.seconds, [&](double t_s) { window.frame(t_s); });
   const Pace turning = pace(settings.seconds, [&](double t_s) {
@@ -177,7 +181,8 @@ void measure_mesh(const std::string& path, const Settings& settings) {
   for (const bool live : {true, false}) {
     input.rows = live ? std::vector<TickRecord>{} : rows;
     for (const bool keep : {false, true}) {
-      if ((keep && live) || !settings.live_alone) measure(input, rows, live, keep, settings);
+      if ((keep && live) || !settings.live_alone)
+        std::thread([&] { measure(input, rows, live, keep, settings); }).join();
     }
   }
 }
