@@ -49,8 +49,8 @@ std::vector<fs::path> real_parts() {
 
 namespace {
 
-/// This process's own folder for what its tests write. Goes with the process, unless one of them failed: then it is there
-/// to be looked at.
+/// This process's own folder for what its tests write. Goes with the process, unless one of them failed: then
+/// it is there to be looked at.
 struct Scratch {
   pid_t owner = getpid();
   fs::path folder = fs::temp_directory_path() / ("fingerpad-test-" + std::to_string(owner));

@@ -25,8 +25,8 @@ std::vector<std::filesystem::path> real_files(const std::string& folder,
 /// there.
 std::vector<std::filesystem::path> real_parts();
 
-/// A fresh folder of its own for the running test, emptied at the start of the test. It is gone when the process ends,
-/// unless a test failed.
+/// A fresh folder of its own for the running test, emptied at the start of the test. It is gone when the
+/// process ends, unless a test failed.
 std::filesystem::path scratch_dir();
 
 }  // namespace fingerpad::test
