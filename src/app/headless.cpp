@@ -29,6 +29,30 @@ void wait_without_window(std::optional<double> seconds, const StopSignals& signa
   }
 }
 
+/// Tells of a device's trouble in a line, and when it is over, once either has lasted: a device that is late
+/// now and then would fill the terminal otherwise.
+class TroubleLog {
+ public:
+  explicit TroubleLog(const std::string& name) : name_(name) {}
+
+  void look(std::string now) {
+    constexpr auto lasts = std::chrono::milliseconds(300);
+    const auto time = std::chrono::steady_clock::now();
+    if (now != seen_) {
+      seen_ = std::move(now);
+      since_ = time;
+    }
+    if (seen_ == told_ || time - since_ < lasts) return;
+    told_ = seen_;
+    print_err("fingerpad: {}: {}\n", name_, told_.empty() ? "goes on" : told_);
+  }
+
+ private:
+  const std::string& name_;
+  std::string seen_, told_;
+  std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
 }  // namespace
 
 void run_headless(std::optional<double> seconds, const std::string& name, LiveDevice& device,
@@ -44,12 +68,9 @@ void run_headless(std::optional<double> seconds, const std::string& name, LiveDe
       print_err("fingerpad: {}: {}\n", name, key == "x" ? "STOPPED, g gives the force back" : "goes on");
     });
   }
-  std::string trouble;
+  TroubleLog trouble(name);
   wait_without_window(seconds, signals, [&] {
-    if (std::string now = device.trouble(); now != trouble) {
-      print_err("fingerpad: {}: {}\n", name, now.empty() ? "goes on" : now);
-      trouble = std::move(now);
-    }
+    trouble.look(device.trouble());
     return quit || device.has_ended();
   });
 }

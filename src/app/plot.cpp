@@ -1,6 +1,7 @@
 #include "view/plot.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
@@ -57,7 +58,11 @@ void plot_runs(const PlotOptions& options, std::vector<ComparedRun> runs) {
     for (const std::string& words : comparison.notes) print_out("{}\n", words);
     for (const std::string& words : residual_words(comparison)) print_out("{}\n", words);
   }
-  tell_written(options.quiet, options.out, fmt::format("{} overlaid", comparison.runs.size()));
+  const std::string what =
+      comparison.runs.size() > 1
+          ? fmt::format("{} overlaid", comparison.runs.size())
+          : fmt::format("{} of {} ticks", fmt::join(comparison.columns, ", "), comparison.runs[0].x.size());
+  tell_written(options.quiet, options.out, what);
 }
 
 /// Several, or measurements.

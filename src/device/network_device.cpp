@@ -76,7 +76,11 @@ void NetworkDevice::receive() noexcept {
     const std::int64_t now = now_ns();
     const std::span<const unsigned char> bytes(buffer, static_cast<std::size_t>(count));
     const PacketSender before = gate_.sender();
-    if (!gate_.pass(bytes, sender, now, packet)) continue;
+    if (!gate_.pass(bytes, sender, now, packet)) {
+      dropped_.store(true, std::memory_order_relaxed);
+      continue;
+    }
+    heard_ns_.store(now, std::memory_order_relaxed);
     // What is still owed to a sender who has gone silent is not told to another.
     if (!(sender == before)) answered_ = gate_.counts().accepted - 1;
     // At once: a reading may be replaced by the next before the servo sees it.
@@ -98,6 +102,17 @@ void NetworkDevice::answer() noexcept {
 PacketGate::Counts NetworkDevice::counts() noexcept {
   counted_.take(counts_);
   return counts_;
+}
+
+std::string NetworkDevice::trouble() const {
+  const std::int64_t heard_ns = heard_ns_.load(std::memory_order_relaxed);
+  if (heard_ns >= 0) {
+    if (1e-9 * static_cast<double>(now_ns() - heard_ns) < watchdog_s()) return {};
+    return fmt::format("no packet on {} (UDP) for {:.3g} ms: finger lifted", name(), 1e3 * watchdog_s());
+  }
+  if (dropped_.load(std::memory_order_relaxed))
+    return fmt::format("no device yet: what comes to {} (UDP) is not in the protocol", name());
+  return fmt::format("no device yet: nothing heard on {} (UDP)", name());
 }
 
 std::string NetworkDevice::opening_words() const {

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <atomic>
+
 #include "device/remote_device.hpp"
 #include "device/udp_socket.hpp"
 
@@ -14,6 +16,8 @@ class NetworkDevice final : public RemoteDevice {
   NetworkDevice(const DeviceSetup& setup, DeviceClock clock = steady_clock_ns);
   ~NetworkDevice() override { stop(); }
 
+  /// That nobody is heard: not yet, or for as long as lifts the finger.
+  std::string trouble() const override;
   std::string opening_words() const override;
   std::string closing_words() override;
 
@@ -31,8 +35,10 @@ class NetworkDevice final : public RemoteDevice {
   PacketGate gate_;             // device's thread, as all below
   std::uint64_t answered_ = 0;  ///< accepted packets that were answered
   std::uint32_t answer_sequence_ = 0;
-  Latest<PacketGate::Counts> counted_;  // to whoever asks
-  PacketGate::Counts counts_;           // the asker's
+  std::atomic<std::int64_t> heard_ns_{-1};  ///< when the last packet was accepted; -1: none was yet
+  std::atomic<bool> dropped_{false};        ///< packets have come that were not
+  Latest<PacketGate::Counts> counted_;      // to whoever asks
+  PacketGate::Counts counts_;               // the asker's
 };
 
 /// Where a packet says that its device is.

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <system_error>
 
 #include "base/csv_columns.hpp"
@@ -19,6 +21,9 @@
 
 namespace fingerpad {
 namespace {
+
+/// The column that tells of a thinned trace by how much; the same in each row.
+constexpr std::string_view every_name = "every";
 
 /// Whether a header is one that a writer of some columns writes.
 bool is_partial(const std::vector<std::string_view>& names) {
@@ -108,18 +113,41 @@ TickRecord read_row(const TextLines& lines, const std::vector<std::string_view>&
   return record;
 }
 
+/// What a row says in the column `every`.
+/// @param before  what the rows before it say; 0: it is the first
+std::uint64_t read_every(const TextLines& lines, std::string_view cell, std::uint64_t before) {
+  std::uint64_t every = 0;
+  const char* const end = cell.data() + cell.size();
+  const auto [rest, fault] = std::from_chars(cell.data(), end, every);
+  if (fault != std::errc{} || rest != end || every == 0) {
+    throw refused(lines.place(), fmt::format("'{}' in column '{}' is no whole number from 1",
+                                             printable(cell, 40), every_name));
+  }
+  if (before != 0 && every != before) {
+    throw refused(lines.place(),
+                  fmt::format("column '{}' says {}, and {} in the row before", every_name, every, before));
+  }
+  return every;
+}
+
 }  // namespace
 
-std::string csv_header(std::span<const TraceColumn> columns) {
+std::uint64_t told_every(const TraceInfo& info) noexcept {
+  return info.columns.empty() ? info.every : 1;
+}
+
+std::string csv_header(std::span<const TraceColumn> columns, std::uint64_t every) {
   std::string header;
   for (const TraceColumn& column : columns) {
     if (!header.empty()) header += ',';
     header += column.name;
   }
+  if (every != 1) header += fmt::format(",{}", every_name);
   return header + '\n';
 }
 
-void append_csv_row(std::string& out, std::span<const TraceColumn> columns, const TickRecord& record) {
+void append_csv_row(std::string& out, std::span<const TraceColumn> columns, const TickRecord& record,
+                    std::uint64_t every) {
   for (const TraceColumn& column : columns) {
     if (column.kind == ColumnKind::phase) {
       out += phase_name(static_cast<Phase>(static_cast<unsigned char>(column.get(record))));
@@ -128,7 +156,10 @@ void append_csv_row(std::string& out, std::span<const TraceColumn> columns, cons
     }
     out += ',';
   }
-  out.back() = '\n';
+  if (every != 1)
+    fmt::format_to(std::back_inserter(out), "{}\n", every);
+  else
+    out.back() = '\n';
 }
 
 bool is_csv_trace(const std::string& path) {
@@ -153,6 +184,7 @@ Trace read_csv_trace(const std::string& path) {
   Trace trace;
   const auto places = find_columns(lines.place(), line, trace);
   const std::size_t cell_count = csv_cells(line, ',').size();
+  const auto every_place = csv_column(line, every_name, lines.place());
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k] != cell_count) tell_of(trace_columns()[k], trace.info);
   }
@@ -169,6 +201,8 @@ Trace read_csv_trace(const std::string& path) {
     }
     split_csv(line, ',', cells);
     trace.rows.push_back(read_row(lines, cells, places, cell_count));
+    if (every_place)
+      trace.info.every = read_every(lines, cells[*every_place], trace.rows.size() > 1 ? trace.info.every : 0);
   }
   return trace;
 }

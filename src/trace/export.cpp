@@ -90,9 +90,10 @@ void add_vectors(VtpArrays& arrays, const Trace& trace, std::string_view name, V
 void export_csv(const Trace& trace, const std::string& path) {
   OutputFile file(path);
   const auto columns = csv_columns(trace.info);
-  std::string text = csv_header(columns);
+  const std::uint64_t every = told_every(trace.info);
+  std::string text = csv_header(columns, every);
   for (const TickRecord& row : trace.rows) {
-    append_csv_row(text, columns, row);
+    append_csv_row(text, columns, row, every);
     if (text.size() < std::size_t{1} << 20) continue;
     file.write(text);
     text.clear();

@@ -15,8 +15,11 @@ namespace {
 class CsvTraceWriter final : public TraceWriter {
  public:
   CsvTraceWriter(const std::string& path, const TraceInfo& info)
-      : columns_(csv_columns(info)), file_(path, OutputFile::Unfinished::kept), change_file_(path) {
-    text_ = csv_header(columns_);
+      : columns_(csv_columns(info)),
+        every_(told_every(info)),
+        file_(path, OutputFile::Unfinished::kept),
+        change_file_(path) {
+    text_ = csv_header(columns_, every_);
     write_text();
     change_file_.add(info.changes);
     file_.flush();  // from here on it can be read, whatever becomes of the program
@@ -24,7 +27,7 @@ class CsvTraceWriter final : public TraceWriter {
 
   void append(std::span<const TickRecord> rows) override {
     for (const TickRecord& row : rows) {
-      append_csv_row(text_, columns_, row);
+      append_csv_row(text_, columns_, row, every_);
       if (text_.size() > std::size_t{1} << 20) write_text();
     }
   }
@@ -53,6 +56,7 @@ class CsvTraceWriter final : public TraceWriter {
   }
 
   std::vector<TraceColumn> columns_;
+  std::uint64_t every_;
   OutputFile file_;
   ChangeFile change_file_;
   std::string text_;

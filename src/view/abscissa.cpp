@@ -50,6 +50,12 @@ std::string_view abscissa_label(Over over) noexcept {
   return "time [s]";
 }
 
+std::string_view shortened_words(Over over) noexcept {
+  return over == Over::travel
+             ? "travel: summed from each tick that is here to the next; with those between it is longer"
+             : "turn: summed from each tick that is here to the next; with those between it is larger";
+}
+
 void refuse_standstill(const std::vector<double>& x, Over over, const std::string& where) {
   if (over == Over::time) return;
   if (!x.empty() && x.back() - x.front() > least_span(abscissa_label(over))) return;

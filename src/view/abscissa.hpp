@@ -23,6 +23,10 @@ std::vector<double> abscissa(std::span<const TickRecord> rows, Over over);
 /// "travel along the surface [mm]".
 std::string_view abscissa_label(Over over) noexcept;
 
+/// What travel or turn of a run that lacks ticks is not.
+/// @pre over is not time
+std::string_view shortened_words(Over over) noexcept;
+
 /// Throws Error (refused, at `where`) where a run does not go on over travel or turn, but for rounding
 /// (least_span).
 void refuse_standstill(const std::vector<double>& x, Over over, const std::string& where);

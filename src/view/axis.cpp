@@ -54,14 +54,22 @@ void mark_multiples(Axis& axis, double step) {
   }
 }
 
-/// The ends of a finer ladder: a single number tells no scale.
+/// The ends of a finer ladder: a single number tells no scale. Where zero is between them it takes the place
+/// of the one that is nearer to it: what a sign means is read off it.
 void mark_twice(Axis& axis, double step) {
   while (axis.marks.size() < 2) {
     step = round_down_125(step / 1.9);
     mark_multiples(axis, step);
   }
-  axis.marks = {axis.marks.front(), axis.marks.back()};
-  axis.labels = {axis.labels.front(), axis.labels.back()};
+  std::size_t first = 0, last = axis.marks.size() - 1;
+  const auto zero = std::find(axis.labels.begin(), axis.labels.end(), "0");
+  const bool is_between = axis.marks[first] < 0 && axis.marks[last] > 0;
+  if (is_between && zero != axis.labels.end()) {
+    const auto place = static_cast<std::size_t>(zero - axis.labels.begin());
+    (-axis.marks[first] > axis.marks[last] ? last : first) = place;
+  }
+  axis.marks = {axis.marks[first], axis.marks[last]};
+  axis.labels = {axis.labels[first], axis.labels[last]};
 }
 
 }  // namespace

@@ -28,20 +28,41 @@ Ball framed(const ViewExtent& extent) {
   return {parts.centre_W + std::min(1.0, 1.4 * share) * (path.centre_W - parts.centre_W), radius_m};
 }
 
-/// Half the height that a camera must see to hold all parts, and no more.
-double fitting_scale(const Mat3& axes, const ViewInput& input, const Vec3& focus_W, double width_to_height) {
-  double scale_m = 0;
+constexpr double sight_margin = 1.08;  // of what is to be in sight
+
+/// The corners of all parts' boxes.
+std::vector<Vec3> corners_of_parts(const ViewInput& input) {
+  std::vector<Vec3> corners;
+  if (!input.world) return corners;
   for (const Surface& surface : input.world->surfaces) {
     if (!surface.part) continue;
     for (int corner = 0; corner < 8; ++corner) {
       const Vec3 sign(corner & 1 ? 1 : -1, corner & 2 ? 1 : -1, corner & 4 ? 1 : -1);
       const Vec3 p_P = surface.part->centre_P + sign.cwiseProduct(surface.part->half_extent);
-      const Vec3 seen = axes * (surface.p_WP + surface.R_WP * p_P - focus_W);
-      scale_m = std::max({scale_m, std::abs(seen.y()), std::abs(seen.x()) / width_to_height});
+      corners.push_back(surface.p_WP + surface.R_WP * p_P);
     }
   }
-  return 1.08 * scale_m;
+  return corners;
 }
+
+/// Half the height that a camera must see to hold all parts, and no more.
+double fitting_scale(const Mat3& axes, const ViewInput& input, const Vec3& focus_W, double width_to_height) {
+  double scale_m = 0;
+  for (const Vec3& corner_W : corners_of_parts(input)) {
+    const Vec3 seen = axes * (corner_W - focus_W);
+    scale_m = std::max({scale_m, std::abs(seen.y()), std::abs(seen.x()) / width_to_height});
+  }
+  return sight_margin * scale_m;
+}
+
+/// What is seen about a focus [m].
+struct SeenBox {
+  Vec2 low = Vec2::Constant(HUGE_VAL), high = Vec2::Constant(-HUGE_VAL);
+  void take(const Vec3& seen, double about) {
+    low = low.cwiseMin(seen.head<2>() - Vec2::Constant(about));
+    high = high.cwiseMax(seen.head<2>() + Vec2::Constant(about));
+  }
+};
 
 /// From what is looked at to the eye: from the contact's outside, somewhat from the side and from above.
 Vec3 towards_eye(const Vec3& facing) {
@@ -93,6 +114,39 @@ void set_look(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& e
     if (parts_m > 0) scale_m = std::min(scale_m, parts_m);
   }
   camera->SetParallelScale(1e3 * scale_m / look.zoom);
+  renderer->ResetCameraClippingRange();
+}
+
+void take_in_finger(vtkRenderer* renderer, const ViewInput& input, const ViewExtent& extent,
+                    const DrawSpace& space, const FingerInSight& finger, double width_to_height,
+                    double height_px) {
+  constexpr double far_off = 30;  // radii of the whole: a part would be a dot
+  const Ball all = extent.everything();
+  if (!((finger.tip_W - all.centre_W).norm() < far_off * all.radius_m)) return;
+  vtkCamera* const camera = renderer->GetActiveCamera();
+  const Mat3 axes = axes_on_screen(renderer);
+  SeenBox parts;
+  for (const Vec3& corner_W : corners_of_parts(input)) parts.take(axes * (corner_W - all.centre_W), 0);
+  if (!extent.parts) parts.take(Vec3::Zero(), all.radius_m);
+  const Vec3 tip = axes * (finger.tip_W - all.centre_W), back = axes * finger.back_W;
+  double scale_m = 1e-3 * camera->GetParallelScale();
+  SeenBox whole;
+  // The nearer the view, the shorter is what is as long as the view makes it.
+  constexpr int rounds = 8;
+  for (int round = 0; round < rounds; ++round) {
+    whole = parts;
+    whole.take(tip, finger.radius_m);
+    const double length_m = std::max(finger.length_m, finger.length_px * 2 * scale_m / height_px);
+    whole.take(tip + length_m * back, finger.radius_m);
+    const Vec2 half = (whole.high - whole.low) / 2;
+    scale_m = sight_margin * std::max(half.y(), half.x() / width_to_height);
+  }
+  const Vec2 middle = (whole.low + whole.high) / 2;
+  const Vec3 aside = 1e3 * (axes.row(0) * middle.x() + axes.row(1) * middle.y()).transpose();
+  const Vec3 focus = space.to_draw(all.centre_W) + aside, eye = Vec3(camera->GetPosition()) + aside;
+  camera->SetFocalPoint(focus.data());
+  camera->SetPosition(eye.data());
+  camera->SetParallelScale(1e3 * scale_m);
   renderer->ResetCameraClippingRange();
 }
 

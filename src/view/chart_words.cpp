@@ -56,7 +56,8 @@ std::string fitted_name(const std::string& name, double size, double room) {
   return "";
 }
 
-/// Entries side by side from the left, shortened where they do not fit; those that still do not are left out.
+/// Entries side by side from the left. Where they do not fit, marks (Dash::none) stand behind lines and
+/// levels, and what does not fit is shortened, or left out.
 void add_stacked_legend(Drawing& drawing, const ChartPanel& panel, const ChartLayout::Panel& placed,
                         double em) {
   const double size = 0.92 * em, key = 1.6 * em;
@@ -70,8 +71,19 @@ void add_stacked_legend(Drawing& drawing, const ChartPanel& panel, const ChartLa
     drawing.text({x + key + 0.3 * em, placed.title_y}, name, {.size = size, .upright = Upright::middle});
     x += width + 0.9 * em;
   };
-  for (const ChartCurve& curve : panel.curves) entry(curve.name, curve.style);
+  double whole = 0;
+  const auto measure = [&](const auto& one) { whole += key + 1.2 * em + text_width(one.name, size); };
+  std::for_each(panel.curves.begin(), panel.curves.end(), measure);
+  std::for_each(panel.levels.begin(), panel.levels.end(), measure);
+  const bool fits = whole - 0.9 * em <= placed.frame.width + em;
+  const auto is_late = [fits](const ChartCurve& curve) { return !fits && curve.style.dash == Dash::none; };
+  for (const ChartCurve& curve : panel.curves) {
+    if (!is_late(curve)) entry(curve.name, curve.style);
+  }
   for (const ChartLevel& level : panel.levels) entry(level.name, level);
+  for (const ChartCurve& curve : panel.curves) {
+    if (is_late(curve)) entry(curve.name, curve.style);
+  }
 }
 
 void add_band_words(Drawing& drawing, const ChartBand& band, const ChartLayout& layout) {

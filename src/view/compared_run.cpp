@@ -13,6 +13,7 @@
 #include "trace/trace.hpp"
 #include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
+#include "view/left_out_ticks.hpp"
 #include "view/run_title.hpp"
 #include "view/touch_series.hpp"
 
@@ -96,12 +97,14 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
                      const std::vector<double>& fewer_t_s) {
   Trace trace = read_trace(path, TraceContents::some_rows);
   if (over != Over::time) refuse_missing_columns(trace, path);
+  const bool lacks_ticks = ticks_a_row(trace) > 1;
   std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
   const std::string title = scene_title(trace.info, path);
   const std::string scene = trace.info.scene_name.empty() ? title : trace.info.scene_name;
   ComparedRun run{"", scene, title, path, trace.info.scene_text, true, abscissa(trace.rows, over), {}};
   refuse_standstill(run.x, over, path);
   run.t_s = abscissa(trace.rows, Over::time);
+  run.lacks_ticks = lacks_ticks;
   for (const TraceColumn& column : trace_columns(trace.info)) {
     if (!is_comparable(column)) continue;
     ComparedColumn values{std::string(column.name), std::string(column.unit), {}};

@@ -28,6 +28,7 @@ struct ComparedRun {
   std::vector<ComparedColumn> columns;
   std::vector<double> t_s = {};  ///< of a trace: when each tick was
   bool x_by_fewer = false;       ///< its way is told as a trace of fewer ticks tells it
+  bool lacks_ticks = false;      ///< of its ticks some were left out, as far as its trace tells
 };
 
 /// Reads a trace, or a table with a column t_s and others named as a trace's (fx_n, fn_n, x_m). Over

@@ -167,9 +167,12 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
     comparison.notes.push_back(
         "friction: along the sliding direction, negative where it holds the finger back");
   const auto is_by_fewer = [](const ComparedRun& run) { return run.x_by_fewer; };
+  const auto lacks_ticks = [](const ComparedRun& run) { return run.lacks_ticks; };
   if (std::any_of(runs.begin(), runs.end(), is_by_fewer))
     comparison.notes.push_back(
         "way: from each tick to the next of the run that has fewest; what lies between is longer");
+  else if (over != Over::time && std::any_of(runs.begin(), runs.end(), lacks_ticks))
+    comparison.notes.emplace_back(shortened_words(over));
   std::vector<CommonTicks> ticks;
   for (std::size_t i = 1; i < runs.size(); ++i) {
     ticks.push_back(common_ticks(runs[0], runs[i], over));

@@ -54,6 +54,7 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
   const Shown shown = shown_in(std::find_if(of_first.begin(), of_first.end(), of_name)->unit);
   ChartPanel values = panel_of(fmt::format("{} [{}]", words_for_column(name), shown.unit),
                                fmt::format("{} [{}]", name, shown.unit), over);
+  values.y_from_zero = name == "friction";  // its sign says which way it acts
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const ComparedRun& run = comparison.runs[i];
     const auto column = std::find_if(run.columns.begin(), run.columns.end(), of_name);

@@ -37,12 +37,13 @@ void add_finger(ContactGlyphs& glyphs, const ContactMoment& moment, const DrawSp
   const double radius_mm = moment.finger_radius_m * 1e3;
   if (radius_mm > 0) {
     // The bar's near end is within the ball, which is drawn over it.
-    glyphs.clear.bar(tip, tip + back * std::max(4 * radius_mm, 3 * size_mm), radius_mm, 0.85 * radius_mm,
-                     colours::skin.with_opacity(0.45));
+    glyphs.clear.bar(tip, tip + back * std::max(ball_finger_radii * radius_mm, ball_finger_sizes * size_mm),
+                     radius_mm, 0.85 * radius_mm, colours::skin.with_opacity(0.45));
     glyphs.clear.ball(tip, radius_mm, colours::skin.with_opacity(0.55));
     return;
   }
-  glyphs.clear.bar(tip, tip + back * 7 * size_mm, 0, 0.85 * size_mm, colours::skin.with_opacity(0.8));
+  glyphs.clear.bar(tip, tip + back * point_finger_sizes * size_mm, 0, 0.85 * size_mm,
+                   colours::skin.with_opacity(0.8));
   glyphs.solid.ball(tip, 0.16 * size_mm, ink.line);
 }
 

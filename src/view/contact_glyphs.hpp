@@ -39,6 +39,9 @@ struct ContactGlyphs {
   GlyphMesh solid, clear;
 };
 
+/// How long the finger is drawn from its tip on: a point so many sizes, a ball so many, and of its own radii.
+inline constexpr double point_finger_sizes = 7, ball_finger_sizes = 3, ball_finger_radii = 4;
+
 /// How long the frame's axes are drawn: n beyond the others [GlyphChoice::size_mm].
 constexpr double frame_axis_sizes(int axis) {
   return axis == 2 ? 3.0 : 2.2;

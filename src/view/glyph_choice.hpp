@@ -6,6 +6,9 @@
 
 namespace fingerpad {
 
+/// GlyphChoice::size_mm on the screen [em].
+inline constexpr double glyph_size_em = 1.15;
+
 /// What a view draws of a moment, and how large: marks that read well at its size, and arrows of which the
 /// longest takes a third of it.
 /// @param px_per_mm      of the scene

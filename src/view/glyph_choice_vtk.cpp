@@ -18,7 +18,7 @@ GlyphInk glyph_ink(const ViewState& state) {
 GlyphChoice glyph_choice(const ViewState& state, const Layout& layout, double px_per_mm,
                          double arrow_force_n) {
   GlyphChoice choice;
-  choice.size_mm = 1.15 * layout.em / px_per_mm;
+  choice.size_mm = glyph_size_em * layout.em / px_per_mm;
   const double longest_mm = 0.3 * std::min(layout.scene.width, layout.scene.height) / px_per_mm;
   choice.mm_per_n = round_down_125(longest_mm / arrow_force_n);
   choice.finger = state.finger;

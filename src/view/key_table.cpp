@@ -81,7 +81,7 @@ const std::vector<KeyRow>& rows() {
        {{"f", A::finger}, {"a", A::forces}, {"n", A::frame}}},
       {"i", "show the close-up", windows::moving, {{"i", A::close_up}}},
       {"e, o", "show edges, readings", windows::all, {{"e", A::creases}, {"o", A::readings}}},
-      {"h", "this page", windows::all, {{"h", A::help}}},
+      {"h, F1", "this page", windows::all, {{"h", A::help}, {"F1", A::help}}},
       {"q, Escape", "close", windows::all, {{"q", A::close}, {"Escape", A::leave}}},
   };
   return table;

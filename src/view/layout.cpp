@@ -21,8 +21,6 @@ Layout layout_for(int width, int height, bool charts, bool timeline) {
   layout.charts = {layout.scene.right(), bar, column, layout.scene.height};
   const double side = 0.34 * std::min(layout.scene.width, layout.scene.height);
   layout.inset = {layout.scene.right() - side - 0.7 * em, layout.scene.top() - side - 0.7 * em, side, side};
-  layout.other_inset = layout.inset;
-  layout.other_inset.bottom = layout.scene.bottom + axes_foot_em * em;
   return layout;
 }
 

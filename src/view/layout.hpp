@@ -8,9 +8,9 @@ namespace fingerpad {
 struct Layout {
   double em = 12;  ///< size of texts [px]
   Box window, title, scene;
-  Box charts;              ///< empty without rows
-  Box timeline;            ///< empty without rows
-  Box inset, other_inset;  ///< within scene: where the close-up mostly stands, and where it makes way
+  Box charts;    ///< empty without rows
+  Box timeline;  ///< empty without rows
+  Box inset;     ///< within scene: where the close-up mostly stands
 };
 
 /// A window that is told to be smaller than this stays as it is, where a window manager listens.

@@ -44,7 +44,8 @@ std::string next_name(const Table& table, const std::string& now, int steps, Nam
 
 }  // namespace
 
-MaterialPanel::MaterialPanel(TouchSwap& swap, const World& world) : swap_(swap), world_(world) {}
+MaterialPanel::MaterialPanel(TouchSwap& swap, const World& world, bool has_motors)
+    : swap_(swap), world_(world), has_motors_(has_motors) {}
 
 bool MaterialPanel::is_plane_world() const {
   return std::all_of(world_.surfaces.begin(), world_.surfaces.end(),
@@ -89,6 +90,7 @@ SidePanel MaterialPanel::panel() const {
 
 /// Whether a device in a hand would shake against the surface at the tick's rate (SCIENCE 4); empty: not.
 std::string MaterialPanel::unstable_words(const Scene& scene) const {
+  if (!has_motors_) return {};
   const SurfaceProperties& surface = surface_properties(scene, surface_);
   const HandSettings hand = scene.hand.value_or(HandSettings{});
   const double most = stable_stiffness({.mass_kg = hand.mass_kg,

@@ -17,7 +17,8 @@ class MaterialPanel {
   enum Row : int { part, mu_static, mu_dynamic, stiffness, damping, law, normals, method, row_count };
 
   /// @param swap, world  of the touch; outlive this
-  MaterialPanel(TouchSwap& swap, const World& world);
+  /// @param has_motors   a device in a hand is sent the forces: where it would shake is told
+  MaterialPanel(TouchSwap& swap, const World& world, bool has_motors);
 
   SidePanel panel() const;
   void select(int row) { selected_ = row; }
@@ -33,6 +34,7 @@ class MaterialPanel {
 
   TouchSwap& swap_;
   const World& world_;
+  bool has_motors_;
   int surface_ = 0, selected_ = mu_static;
 };
 

@@ -30,7 +30,7 @@ class OverlayPainter {
 
   void paint() {
     paint_title();
-    paint_words();
+    if (!state_.help) paint_words();
     if (layout_.timeline.height > 0) paint_timeline();
     if (!facts_.alarm.empty()) paint_alarm();
     if (state_.help) paint_help();
@@ -136,9 +136,40 @@ class OverlayPainter {
     drawing_.text({slider.right() + 1.2 * em_, y}, time, {.size = em_, .upright = Upright::middle});
   }
 
+  /// Where the help page may be: not over what has gone wrong.
+  Box help_room() const {
+    Box room = layout_.window;
+    if (!facts_.alarm.empty()) room.height = alarm_line(facts_, layout_).bottom;
+    return room;
+  }
+
+  /// The page's head, in which is told what has just been done: the page lies where that is told else.
+  void paint_help_head(const Box& page) {
+    const double height = 2.4 * em_, line = 1.1 * em_, middle = page.top() - height / 2;
+    if (facts_.message.empty()) {
+      drawing_.text({page.centre().x(), middle}, "keys and mouse",
+                    {.size = 1.2 * em_, .across = Across::centre, .upright = Upright::middle, .bold = true});
+      return;
+    }
+    drawing_.box({page.left, page.top() - height, page.width, height}, colours::ink);
+    std::vector<std::string> lines = wrapped(facts_.message, em_, page.width - em_, true);
+    for (; lines.size() > 2; lines.pop_back()) lines[1] += "...";
+    double y = middle + line * (static_cast<double>(lines.size()) - 1) / 2;
+    for (const std::string& words : lines) {
+      drawing_.text({page.centre().x(), y}, fitted(words, em_, true, page.width - em_),
+                    {.size = em_,
+                     .colour = colours::white,
+                     .across = Across::centre,
+                     .upright = Upright::middle,
+                     .bold = true});
+      y -= line;
+    }
+  }
+
   void paint_help() {
     constexpr double column_em = 34, line_em = 1.6, least_line_em = 1.1;
-    const double head = 3.4 * em_, room = layout_.window.height - head - em_;
+    const Box around = help_room();
+    const double head = 3.4 * em_, room = around.height - head - em_;
     const auto rows = static_cast<double>(facts_.help.size());
     double line = line_em * em_, columns = std::ceil(rows / std::max(1.0, std::floor(room / line)));
     // Rather close to each other than cut: two columns may be too narrow for what they say.
@@ -148,13 +179,12 @@ class OverlayPainter {
       columns = 1;
     }
     const double per_column = std::ceil(rows / columns), height = line * per_column + head;
-    const Vec2 middle = layout_.window.centre();
+    const Vec2 middle = around.centre();
     const double width = std::min(column_em * em_ * columns, layout_.window.width - em_);
     const Box box{middle.x() - width / 2, middle.y() - height / 2, width, height};
     drawing_.box(box, Colour{255, 255, 255, 0.96});
     drawing_.frame(box, {colours::ink, 0.12 * em_});
-    drawing_.text({middle.x(), box.top() - 1.4 * em_}, "keys and mouse",
-                  {.size = 1.2 * em_, .across = Across::centre, .upright = Upright::middle, .bold = true});
+    paint_help_head(box);
     const double column_width = (width - em_) / columns;
     for (std::size_t i = 0; i < facts_.help.size(); ++i) {
       const std::string& entry = facts_.help[i];

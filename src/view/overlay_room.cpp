@@ -29,4 +29,10 @@ void find_room(OverlayPlaces& places, OverlayFacts& facts, const ViewState& stat
   facts.legend = boxes[2];
 }
 
+void tell_lost_finger(OverlayFacts& facts, const Layout& layout) {
+  if (!facts.finger_px || !facts.invitation.empty()) return;
+  if (!layout.scene.holds(facts.finger_px->x(), facts.finger_px->y()))
+    facts.invitation = "the finger is out of sight: 0 shows all";
+}
+
 }  // namespace fingerpad

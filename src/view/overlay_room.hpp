@@ -21,4 +21,7 @@ struct InSight {
 void find_room(OverlayPlaces& places, OverlayFacts& facts, const ViewState& state, const Layout& layout,
                const InSight& in_sight, bool wants_inset);
 
+/// Says how to find a finger that is beside the scene shown, where nothing else is said in that place.
+void tell_lost_finger(OverlayFacts& facts, const Layout& layout);
+
 }  // namespace fingerpad

@@ -22,16 +22,23 @@ bool ends_with(const std::string& path, std::string_view ending) {
   return tail == ending;
 }
 
-std::string subtitle_of(const ViewInput& input, const Vec3& direction_W) {
+/// What was left out; empty where every tick is there.
+std::string thinned_words(const ViewInput& input) {
+  if (input.every <= 1) return {};
+  if (!input.every_is_told) return "ticks were left out (the last row comes sooner than the others)";
+  return fmt::format("{}1 {}in {} is here", input.scene ? "of which " : "", input.scene ? "" : "tick ",
+                     input.every);
+}
+
+/// @param tail  behind what was left out: what is not there therefore
+std::string subtitle_of(const ViewInput& input, const Vec3& direction_W, const char* tail) {
   std::string words;
   if (input.scene) {
     words = fmt::format("{}, {} ticks a second", input.scene->friction.law,
                         static_cast<long>(std::lround(input.scene->motion.rate_hz)));
-    if (input.every > 1)
-      words += fmt::format(", of which 1 in {} is here: no rings where slip ended", input.every);
-  } else if (input.every > 1) {  // as far as the rows themselves tell
-    words = "ticks were left out (the last row comes sooner than the others): no rings where slip ended";
   }
+  if (const std::string thinned = thinned_words(input); !thinned.empty())
+    words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thinned, tail);
   const double largest = direction_W.cwiseAbs().maxCoeff();
   if (largest < 0.99996192) {
     words += fmt::format("{}s along ({:.2f}, {:.2f}, {:.2f})", words.empty() ? "" : "; ", direction_W.x(),
@@ -62,12 +69,30 @@ double draw_title(Drawing& page, const std::string& title, const std::vector<std
   return top;
 }
 
+/// What the spectrum of some of the ticks is not.
+std::string folding_words(const Chart& spectrum) {
+  return fmt::format("ticks were left out: what is faster than {:.0f} Hz appears as something slower",
+                     spectrum.panels[0].curves[0].x.back());
+}
+
+/// What a history of some of the ticks cannot tell.
+std::vector<std::string> history_subtitles(const ViewInput& input, const Vec3& direction_W, Over over,
+                                           const Chart& spectrum) {
+  std::vector<std::string> subtitles = {subtitle_of(input, direction_W, ": no rings where slip ended")};
+  if (input.every <= 1) return subtitles;
+  if (over != Over::time) subtitles.emplace_back(shortened_words(over));
+  if (!spectrum.panels.empty() && !spectrum.panels[0].curves.empty())
+    subtitles.push_back("spectrum: " + folding_words(spectrum));
+  return subtitles;
+}
+
 Drawing history_drawing(const ViewInput& input, Over over, int width, int height) {
   Drawing page;
   const double em = width / 62.0, margin = 0.8 * em;
   const Vec3 direction_W = main_direction(input.rows);
-  const double top = draw_title(page, input.title, {subtitle_of(input, direction_W)}, width, height, em);
   const Chart spectrum = spectrum_chart(touch_series(input.rows, direction_W));
+  const double top =
+      draw_title(page, input.title, history_subtitles(input, direction_W, over, spectrum), width, height, em);
   Chart touch = touch_chart(input.rows, direction_W, touch_levels(input));
   if (over != Over::time) put_over(touch, abscissa(input.rows, over), abscissa_label(over));
   const double spectrum_height = spectrum.panels.empty() ? 0 : 0.2 * height + 0.8 * em;
@@ -94,12 +119,6 @@ double peak_hz(const ChartCurve& curve) {
   return curve.x[best];
 }
 
-/// What the spectrum of some of the ticks is not.
-std::string folding_words(const ChartCurve& spectrum) {
-  return fmt::format("ticks were left out: what is faster than {:.0f} Hz appears as something slower",
-                     spectrum.x.back());
-}
-
 Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   Drawing page;
   const double em = width / 62.0, margin = 0.8 * em;
@@ -109,10 +128,10 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   if (spectrum.panels[0].curves.empty())
     throw refused(input.title, "has forces that do not change: no spectrum");
   const ChartCurve& first = spectrum.panels[0].curves[0];
-  std::vector<std::string> subtitles = {subtitle_of(input, direction_W)};
+  std::vector<std::string> subtitles = {subtitle_of(input, direction_W, "")};
   // Where ticks were left out a peak may be that of something faster.
   if (input.every > 1)
-    subtitles.push_back(folding_words(first));
+    subtitles.push_back(folding_words(spectrum));
   else
     subtitles[0] +=
         fmt::format("{}{} peaks at {:.0f} Hz", subtitles[0].empty() ? "" : "; ", first.name, peak_hz(first));

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 
-#include "view/camera_vtk.hpp"
 #include "view/overlay_hud.hpp"
 
 namespace fingerpad {
@@ -27,29 +26,34 @@ void SceneView::lay_out(const Layout& layout) {
 
 /// Brings what is looked at to the size of the scene.
 void SceneView::fit() {
-  if (look_)
+  if (look_) {
     set_look(renderer_, input_, extent_, space_, *look_, width_to_height());
-  else
+    if (finger_)
+      take_in_finger(renderer_, input_, extent_, space_, *finger_, width_to_height(), layout_.scene.height);
+  } else {
     set_scene_camera(renderer_, input_, looked_at_ ? &*looked_at_ : nullptr, extent_, space_,
                      width_to_height());
+  }
   fitted_ = view_of(camera());
 }
 
 void SceneView::reset(const std::optional<LookFrom>& look, const TickRecord* shown) {
   look_ = look;
+  finger_.reset();
   looked_at_.reset();
   if (shown != nullptr) looked_at_ = *shown;
   fit();
 }
 
-void SceneView::look(const LookFrom& from) {
+void SceneView::look(const LookFrom& from, const std::optional<FingerInSight>& finger) {
   look_ = from;
+  finger_ = finger;
   fit();
 }
 
-void SceneView::look_at_all() {
+void SceneView::look_at_all(const std::optional<FingerInSight>& finger) {
   const Mat3 axes = axes_on_screen(renderer_);
-  look({axes.row(2), axes.row(1)});
+  look({axes.row(2), axes.row(1)}, finger);
 }
 
 void SceneView::zoom(double factor) {

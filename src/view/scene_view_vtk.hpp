@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "view/camera_look.hpp"
+#include "view/camera_vtk.hpp"
 #include "view/draw_space.hpp"
 #include "view/layout.hpp"
 #include "view/pointed_scene.hpp"
@@ -26,9 +27,9 @@ class SceneView {
   void lay_out(const Layout& layout);
   /// The view at first: from there, or the usual one (set_scene_camera) of the moment shown.
   void reset(const std::optional<LookFrom>& look, const TickRecord* shown);
-  /// All in sight from a direction.
-  void look(const LookFrom& from);
-  void look_at_all();  ///< from where it is looked now
+  /// All in sight from a direction, the finger too where there is one.
+  void look(const LookFrom& from, const std::optional<FingerInSight>& finger);
+  void look_at_all(const std::optional<FingerInSight>& finger);  ///< from where it is looked now
   /// Nearer (> 1) or farther.
   void zoom(double factor);
   /// From now on what is looked at stands beside the readings, where the window has room for both.
@@ -55,6 +56,7 @@ class SceneView {
   Layout layout_;
   bool clear_of_readings_ = false;
   std::optional<LookFrom> look_;         ///< that the camera was set to last; none: the usual view
+  std::optional<FingerInSight> finger_;  ///< that was in sight then
   std::optional<TickRecord> looked_at_;  ///< the moment for which the usual view was chosen, if for one
   std::vector<double> fitted_;           ///< view_of the camera then
 };

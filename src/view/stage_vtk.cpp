@@ -130,6 +130,15 @@ void Stage::show(const std::optional<TickRecord>& row, double speed_m_per_s) {
   speed_m_per_s_ = speed_m_per_s;
 }
 
+/// The finger of a live touch, which may be anywhere.
+std::optional<FingerInSight> Stage::finger_in_sight() const {
+  if (!moment_ || !input_.rows.empty() || !state_.finger) return std::nullopt;
+  const double radius_m = moment_->finger_radius_m,
+               sizes = radius_m > 0 ? ball_finger_sizes : point_finger_sizes;
+  return FingerInSight{moment_->row.p_WQ, -moment_->finger_direction_W, radius_m,
+                       radius_m > 0 ? ball_finger_radii * radius_m : 0, sizes * glyph_size_em * layout_.em};
+}
+
 /// Half of what the close-up would show [mm]; none where it is not asked for, or would show no more than the
 /// scene does.
 std::optional<double> Stage::close_up_half_height_mm() const {
@@ -149,6 +158,8 @@ void Stage::place_overlay(OverlayFacts& facts, const GlyphInk& ink) {
   const InSight in_sight =
       moment_ ? moment_in_sight(*moment_, space_, on_screen, arrows_mm_per_n) : InSight{};
   find_room(places_, facts, state_, layout_, in_sight, half_mm.has_value());
+  const bool is_live = input_.rows.empty();
+  if (is_live && state_.finger) tell_lost_finger(facts, layout_);
   if (!half_mm || facts.inset.width == 0) {
     close_up_->hide();
     return;

@@ -63,8 +63,6 @@ class Stage {
   bool shows_coarse() const { return pace_->shows_coarse(); }
   /// False: every frame draws everything anew. True (the default) draws anew what is stale (KeptRenderer).
   void set_keeping(bool keeping) { keeping_ = keeping; }
-  /// For what has changed by other means than actors and show_chart: the charts' colours.
-  void redraw_charts() { column_.redraw(); }
   /// How often what is still was drawn rather than put back, and the charts.
   long still_drawn() const { return scene_->drawn(); }
   long charts_drawn() const { return column_.drawn(); }
@@ -74,8 +72,9 @@ class Stage {
   void reset_camera();
   /// From now on what is looked at stands beside the readings, where the window has room for both.
   void keep_clear_of_readings();
-  void look(const LookFrom& from) { view_.look(from); }
-  void look_at_all() { view_.look_at_all(); }
+  /// All in sight from a direction, or from where it is looked now: in a live touch the finger too.
+  void look(const LookFrom& from) { view_.look(from, finger_in_sight()); }
+  void look_at_all() { view_.look_at_all(finger_in_sight()); }
   void zoom(double factor) { view_.zoom(factor); }
 
   /// The moment shown; `speed_m_per_s` may be nan. Without a row only the surfaces are shown.
@@ -115,6 +114,7 @@ class Stage {
   void paint_grounds();
   void place(vtkRenderer* renderer, const Box& box);
   void draw();
+  std::optional<FingerInSight> finger_in_sight() const;
   std::optional<double> close_up_half_height_mm() const;
   void place_overlay(OverlayFacts& facts, const GlyphInk& ink);
   OverlayFacts overlay_facts() const;

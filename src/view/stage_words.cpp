@@ -10,7 +10,7 @@ namespace {
 /// Why charts of a thinned trace have no rings; empty where every tick is there.
 std::string left_out_words(const ViewInput& input) {
   if (input.every <= 1) return {};
-  const std::string how = input.scene ? fmt::format("1 tick in {}", input.every) : "ticks left out";
+  const std::string how = input.every_is_told ? fmt::format("1 tick in {}", input.every) : "ticks left out";
   return how + ": no rings where slip ended";
 }
 

@@ -1,5 +1,7 @@
 #include "view/touch_chart.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -49,22 +51,36 @@ ChartBand phase_band(const TouchSeries& series) {
   return band;
 }
 
-/// Values where slip has just given way to stick. None where they would crowd.
-std::vector<double> where_slip_ends(const std::vector<double>& values, const std::vector<bool>& slip_ends) {
-  constexpr int most = 60;
-  std::vector<double> out(values.size(), TickRecord::nan);
-  for (std::size_t i = 0; i < values.size(); ++i) {
-    if (slip_ends[i]) out[i] = values[i];
-  }
-  if (std::count(slip_ends.begin(), slip_ends.end(), true) > most) out.clear();
-  return out;
+/// More rings than this would crowd.
+constexpr int most_slip_ends = 60;
+
+CurveStyle ring_style() {
+  return {palette::vermillion, Dash::none, Marker::ring, 1.2};
 }
 
+bool are_too_many(const std::vector<bool>& slip_ends) {
+  return std::count(slip_ends.begin(), slip_ends.end(), true) > most_slip_ends;
+}
+
+/// Rings on the panel's first curve where slip has just given way to stick. None where they would crowd.
 void add_slip_ends(ChartPanel& panel, const TouchSeries& series) {
-  std::vector<double> ends = where_slip_ends(panel.curves.front().y, series.slip_ends);
-  const bool any = std::any_of(ends.begin(), ends.end(), [](double y) { return std::isfinite(y); });
-  const CurveStyle rings{palette::vermillion, Dash::none, Marker::ring, 1.2};
-  if (any) panel.curves.push_back({"end of slip", rings, series.t_s, std::move(ends)});
+  if (are_too_many(series.slip_ends)) return;
+  const std::vector<double>& values = panel.curves.front().y;
+  std::vector<double> ends(values.size(), TickRecord::nan);
+  bool any = false;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (!series.slip_ends[i]) continue;
+    ends[i] = values[i];
+    any |= std::isfinite(values[i]);
+  }
+  if (any) panel.curves.push_back({"end of slip", ring_style(), series.t_s, std::move(ends)});
+}
+
+/// In a panel's legend, where no panel has rings since they would crowd.
+void tell_slip_ends(ChartPanel& panel, const TouchSeries& series) {
+  if (!are_too_many(series.slip_ends)) return;
+  panel.curves.push_back({fmt::format("ends of slip: over {}, not marked", most_slip_ends), ring_style(),
+                          series.t_s, std::vector<double>(series.t_s.size(), TickRecord::nan)});
 }
 
 ChartPanel panel_over_time(std::string y_label, std::string short_y_label, std::vector<ChartCurve> curves,
@@ -89,6 +105,7 @@ ChartPanel speed_panel(const TouchSeries& series, const TouchLevels& levels) {
   }
   speed.least_y_span = least_speed_mm_per_s;
   add_slip_ends(speed, series);
+  tell_slip_ends(speed, series);
   return speed;
 }
 

@@ -33,7 +33,10 @@ class TouchWindow {
         changed_(input.view),
         levels_(touch_levels(changed_)),
         loop_(stage_, options, handlers()) {
-    if (input.swap != nullptr) material_.emplace(*input.swap, *input.view.world);
+    if (input.swap != nullptr) {
+      const bool has_motors = input.set_stop != nullptr;
+      material_.emplace(*input.swap, *input.view.world, has_motors);
+    }
     stage_.words().help = help_lines(touch_window_kind(input_));
     invite();
     stage_.keep_clear_of_readings();

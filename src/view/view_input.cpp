@@ -30,6 +30,7 @@ ViewInput view_of_trace(Trace trace, const std::string& path) {
   ViewInput input;
   input.title = run_title(trace.info, path);
   input.every = ticks_a_row(trace);
+  input.every_is_told = input.every == trace.info.every;
   input.world = std::move(trace.world);
   input.rows = std::move(trace.rows);
   if (input.world) input.world = with_trees(*input.world);

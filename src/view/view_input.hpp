@@ -30,6 +30,7 @@ struct ViewInput {
   std::vector<SceneChange> changes = {};  ///< made while it was touched
   std::string recording = {};  ///< the trace that is shown, or recorded meanwhile; screenshots go beside it
   std::uint64_t every = 1;     ///< rows are every so manieth tick, and the last
+  bool every_is_told = true;   ///< by the trace; false: `every` is what the rows' times let one guess
 };
 
 /// What is touched and how, for a title: mesh, law, coefficients, method; "" where nothing is known of it.

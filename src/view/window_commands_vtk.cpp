@@ -68,9 +68,10 @@ void WindowCommands::leave() {
 void WindowCommands::mark() {
   const auto [x, y] = window_.mouse_px();
   const auto [near, far] = stage_.line_of_sight(x, y);
+  const bool had_any = !marks_.places_W().empty();
   const bool marked = marks_.mark(stage_.world().first_hit(near, far));
   // Of a mark that is there what was told before is no longer true.
-  window_.tell(marked ? "" : "no part under the mouse: marks are gone");
+  window_.tell(marked ? "" : had_any ? "no part under the mouse: marks are gone" : "no part under the mouse");
   stage_.show_marks(marks_);
 }
 

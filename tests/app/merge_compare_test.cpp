@@ -27,6 +27,18 @@ fs::path folder_with_set(const std::string& mu = "0.2") {
   return folder;
 }
 
+/// Runs it; `out` may have options behind it.
+void replay_into(const fs::path& folder, const std::string& out) {
+  EXPECT_EQ(test::fingerpad("replay s.toml --quiet --out " + out, folder).exit_code, 0) << out;
+}
+
+/// Gives the scene other words in the place of these.
+void change_scene(const fs::path& folder, const std::string& words, const std::string& others) {
+  std::string text = bytes_of(folder / "s.toml");
+  text.replace(text.find(words), words.size(), others);
+  std::ofstream(folder / "s.toml") << text;
+}
+
 TEST(Merge, OfShardsIsByteForByteASingleRun) {
   const fs::path folder = folder_with_set();
   std::ofstream(folder / "plain.toml") << "[[part]]\nmesh = \"none.stl\"\n[motion]\nfile = \"none.csv\"\n";
@@ -64,7 +76,7 @@ TEST(Merge, OfWhatIsNoWholeBatchIsRefused) {
   EXPECT_THAT(told("o13 o12"), HasSubstr("merge one batch at a time"));
   fs::create_directory(folder / "empty");
   EXPECT_THAT(told("empty"), HasSubstr("empty: holds no shard of a batch"));
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out o13 --shard 3/3", folder).exit_code, 0);
+  replay_into(folder, "o13 --shard 3/3");
   fs::remove(folder / "o23" / "s-0002.h5");
   EXPECT_THAT(told("o13 o23"), HasSubstr("s-0002.h5: is gone, but its shard's summary has it as done"));
   const std::string summary = bytes_of(folder / "o13" / "summary-1of3.csv");
@@ -78,16 +90,14 @@ TEST(Merge, OfWhatIsNoWholeBatchIsRefused) {
 
 TEST(Compare, TellsWhatChangedByJobAndColumn) {
   const fs::path folder = folder_with_set();
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b --format h5 --jobs 1", folder).exit_code, 0);
+  replay_into(folder, "a");
+  replay_into(folder, "b --format h5 --jobs 1");
   const auto alike = test::fingerpad("compare a b", folder);
   EXPECT_EQ(alike.exit_code, 0) << alike.out;
   EXPECT_EQ(alike.out, "0 of 5 traces changed from a to b\n");
 
-  std::string text = bytes_of(folder / "s.toml");
-  text.replace(text.find("mu_dynamic = 0.2"), 16, "mu_dynamic = 0.1");
-  std::ofstream(folder / "s.toml") << text;
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out c", folder).exit_code, 0);
+  change_scene(folder, "mu_dynamic = 0.2", "mu_dynamic = 0.1");
+  replay_into(folder, "c");
   fs::remove(folder / "c" / "s-0005.h5");
   const auto changed = test::fingerpad("compare a c", folder);
   EXPECT_EQ(changed.exit_code, 4);
@@ -104,9 +114,8 @@ TEST(Compare, TellsWhatChangedByJobAndColumn) {
 
 TEST(Compare, SetsRowsAgainstEachOtherByTheirTime) {
   const fs::path folder = folder_with_set();
-  const std::string replay = "replay s.toml --quiet --format csv --out ";
-  ASSERT_EQ(test::fingerpad(replay + "whole", folder).exit_code, 0);
-  ASSERT_EQ(test::fingerpad(replay + "thin --every 10", folder).exit_code, 0);
+  replay_into(folder, "whole --format csv");
+  replay_into(folder, "thin --every 10 --format csv");
   const auto found = test::fingerpad("compare whole thin", folder);
   EXPECT_EQ(found.exit_code, 4);
   EXPECT_THAT(found.out,
@@ -123,9 +132,8 @@ TEST(Compare, SetsRowsOfAClockThatCountsFrom1970ByTheirTimeToo) {
   rub.close();
   std::ofstream(folder / "s.toml") << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n"
                                       "[motion]\nfile = \"rub.csv\"\nrate_hz = 1000\n";
-  const std::string replay = "replay s.toml --quiet --out ";
-  ASSERT_EQ(test::fingerpad(replay + "whole", folder).exit_code, 0);
-  ASSERT_EQ(test::fingerpad(replay + "thin --every 10", folder).exit_code, 0);
+  replay_into(folder, "whole");
+  replay_into(folder, "thin --every 10");
   const auto found = test::fingerpad("compare whole thin", folder);
   EXPECT_THAT(found.out, Not(HasSubstr("differs")));
   EXPECT_THAT(found.out, HasSubstr("101 ticks, then 11; 11 times are in both"));
@@ -133,20 +141,18 @@ TEST(Compare, SetsRowsOfAClockThatCountsFrom1970ByTheirTimeToo) {
 
 TEST(Compare, SaysWhereAJobIsAnotherInTheSecondFolder) {
   const fs::path folder = folder_with_set();
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);
-  std::string text = bytes_of(folder / "s.toml");
-  text.replace(text.find("seed = {"), std::string::npos,
-               "friction.law = [\"none\", \"none\", \"none\", \"none\", \"none\"]\n");
-  std::ofstream(folder / "s.toml") << text;
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b", folder).exit_code, 0);
+  replay_into(folder, "a");
+  change_scene(folder, "seed = { from = 1, to = 5, steps = 5 }",
+               "friction.law = [\"none\", \"none\", \"none\", \"none\", \"none\"]");
+  replay_into(folder, "b");
   EXPECT_THAT(test::fingerpad("compare a b", folder).out,
               HasSubstr("s-0001.h5 (seed 1; now law none): ffx_n"));
 }
 
 TEST(Compare, CountsJobsOfOneFolderAlone) {
   const fs::path folder = folder_with_set();
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b --shard 1/5", folder).exit_code, 0);
+  replay_into(folder, "a");
+  replay_into(folder, "b --shard 1/5");
   const auto few = test::fingerpad("compare a b --out alone.csv", folder);
   EXPECT_EQ(few.exit_code, 4);
   EXPECT_THAT(
@@ -169,7 +175,7 @@ TEST(Compare, TellsAFailedJobOnce) {
                                      << "\n";
   };
   with_laws("[\"dahl\", \"coulomb\"]");
-  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out a", folder).exit_code, 0);
+  replay_into(folder, "a");
   with_laws("[\"dahl\", \"column\"]");
   ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b", folder).exit_code, 4);
   const auto found = test::fingerpad("compare a b", folder);
@@ -189,9 +195,8 @@ void write_other_columns(const fs::path& from, const fs::path& to, const std::st
 
 TEST(Compare, GoesByTheSummariesWhereOneFolderHasNoTraces) {
   const fs::path folder = folder_with_set();
-  const std::string replay = "replay s.toml --quiet --out ";
-  ASSERT_EQ(test::fingerpad(replay + "a", folder).exit_code, 0);
-  ASSERT_EQ(test::fingerpad(replay + "b --format none", folder).exit_code, 0);
+  replay_into(folder, "a");
+  replay_into(folder, "b --format none");
   const auto alike = test::fingerpad("compare a b", folder);
   EXPECT_EQ(alike.exit_code, 0);
   EXPECT_EQ(alike.out,
@@ -201,8 +206,7 @@ TEST(Compare, GoesByTheSummariesWhereOneFolderHasNoTraces) {
 
 TEST(Compare, TellsAColumnThatOneSideLacksAsAbsent) {
   const fs::path folder = folder_with_set();
-  const std::string replay = "replay s.toml --quiet --out ";
-  ASSERT_EQ(test::fingerpad(replay + "a --format none", folder).exit_code, 0);
+  replay_into(folder, "a --format none");
   fs::create_directory(folder / "b");
   // Without residual_bias_n and residual_lag_s, as an older program's.
   write_other_columns(folder / "a/summary.csv", folder / "b/summary.csv",
@@ -214,7 +218,7 @@ TEST(Compare, TellsAColumnThatOneSideLacksAsAbsent) {
             "summary.csv: residual_lag_s is in the second summary alone, and not compared\n"
             "0 of 5 jobs changed from b to a\n");
 
-  ASSERT_EQ(test::fingerpad(replay + "c --format csv --shard 1/5", folder).exit_code, 0);
+  replay_into(folder, "c --format csv --shard 1/5");
   fs::create_directory(folder / "d");
   write_other_columns(folder / "c/s-0001.csv", folder / "d/s-0001.csv",
                       "{ print $0, NR == 1 ? \"walls\" : 1 }");
@@ -227,9 +231,8 @@ TEST(Compare, TellsAColumnThatOneSideLacksAsAbsent) {
 
 TEST(Compare, TellsTheWorstJobsAndListsAllInATable) {
   const fs::path folder = folder_with_set();
-  const std::string replay = "replay s.toml --quiet --format none --out ";
-  ASSERT_EQ(test::fingerpad(replay + "a", folder).exit_code, 0);
-  ASSERT_EQ(test::fingerpad(replay + "b", folder).exit_code, 0);
+  replay_into(folder, "a --format none");
+  replay_into(folder, "b --format none");
   std::string summary = bytes_of(folder / "b" / "summary.csv");
   for (const char* row : {"s,2,2,ok,101,", "s,3,3,ok,101,", "s,5,5,ok,101,"}) {
     ASSERT_NE(summary.find(row), std::string::npos) << summary;
@@ -262,9 +265,8 @@ TEST(Compare, TellsTheWorstJobsAndListsAllInATable) {
 
 TEST(Compare, WithoutTracesGoesByTheFiguresOfTheSummaries) {
   const fs::path folder = folder_with_set();
-  const std::string replay = "replay s.toml --quiet --format none --out ";
-  ASSERT_EQ(test::fingerpad(replay + "a", folder).exit_code, 0);
-  ASSERT_EQ(test::fingerpad(replay + "b", folder).exit_code, 0);
+  replay_into(folder, "a --format none");
+  replay_into(folder, "b --format none");
   EXPECT_EQ(test::fingerpad("compare a b", folder).out, "0 of 5 jobs changed from a to b\n");
   std::string summary = bytes_of(folder / "b" / "summary.csv");
   summary.replace(summary.find(",ok,"), 4, ",lost,");
@@ -275,10 +277,8 @@ TEST(Compare, WithoutTracesGoesByTheFiguresOfTheSummaries) {
   EXPECT_EQ(changed.out,
             "s job 1 (seed 1): was 'ok', is 'lost'\n"
             "s job 5 (seed 5): is in the first summary alone\n2 of 5 jobs changed from a to b\n");
-  std::string text = bytes_of(folder / "s.toml");
-  text.replace(text.find("mu_dynamic = 0.2"), 16, "mu_dynamic = 0.1");
-  std::ofstream(folder / "s.toml") << text;
-  ASSERT_EQ(test::fingerpad(replay + "c", folder).exit_code, 0);
+  change_scene(folder, "mu_dynamic = 0.2", "mu_dynamic = 0.1");
+  replay_into(folder, "c --format none");
   const auto figures = test::fingerpad("compare a c", folder);
   EXPECT_EQ(figures.exit_code, 4);
   EXPECT_THAT(figures.out, HasSubstr("s job 2 (seed 2): mean_slip_mu was 0.2, is 0.1\n"));

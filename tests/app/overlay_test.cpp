@@ -51,6 +51,25 @@ TEST(Overlay, LaysMeasuredForcesOverATrace) {
   EXPECT_EQ(test::fingerpad("plot measured.csv --out q.svg", folder).exit_code, 0) << "a table alone";
 }
 
+TEST(Overlay, OfColumnsOfOneTraceSaysWhichThereAre) {
+  const fs::path folder = folder_with_set();
+  const auto result = test::fingerpad("plot o/t-0001.h5 --columns fn_n,mu --out p.svg", folder);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_EQ(result.out, "wrote p.svg (fn_n, mu of 501 ticks)\n");
+  const auto two = test::fingerpad("plot o/t-0001.h5 o/t-0002.h5 --columns fn_n --out p.svg", folder);
+  EXPECT_THAT(two.out, HasSubstr("wrote p.svg (2 overlaid)\n"));
+}
+
+TEST(Overlay, OfThinnedColumnsOverTheTurnSaysThatItIsLarger) {
+  const fs::path folder = folder_with_set();
+  ASSERT_EQ(test::fingerpad("replay t.toml --out thin --every 10 --quiet --format csv", folder).exit_code, 0);
+  const auto words = [&](const std::string& trace) {
+    return test::fingerpad("plot " + trace + " --over angle --columns fn_n --out p.svg", folder).out;
+  };
+  EXPECT_THAT(words("thin/t-0001.csv"), HasSubstr("turn: summed from each tick that is here to the next"));
+  EXPECT_THAT(words("o/t-0001.h5"), Not(HasSubstr("summed")));
+}
+
 TEST(Overlay, OverTravelAndTurnNamesItsAxis) {
   const fs::path folder = folder_with_set();
   EXPECT_EQ(test::fingerpad("plot o/t-0001.h5 o/t-0002.h5 --over s --out p.svg", folder).exit_code, 0);

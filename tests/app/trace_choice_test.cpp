@@ -109,6 +109,32 @@ TEST(EveryNthTick, IsWrittenWithTheLast) {
   }
 }
 
+TEST(EveryNthTick, IsToldByACsvTraceItself) {
+  const fs::path folder = folder_with_scene();
+  ASSERT_EQ(replay(folder, "--out o --every 10 --format csv").exit_code, 0);
+  const std::string csv = (folder / "o" / "s.csv").string(), text = bytes_of(csv);
+  EXPECT_THAT(text.substr(0, text.find('\n')), testing::EndsWith(",part,triangle,every"));
+  const Trace thin = read_trace(csv);
+  ASSERT_EQ(thin.rows.size(), 11u) << "the last of 101 ticks is a tenth one, so that no time tells";
+  EXPECT_EQ(thin.info.every, 10u);
+  ASSERT_EQ(replay(folder, "--out h --every 10").exit_code, 0);
+  ASSERT_EQ(test::fingerpad("export h/s.h5 --out e.csv --quiet", folder).exit_code, 0);
+  EXPECT_EQ(bytes_of(folder / "e.csv"), text);
+  ASSERT_EQ(replay(folder, "--out whole --format csv").exit_code, 0);
+  EXPECT_THAT(bytes_of(folder / "whole" / "s.csv"), Not(HasSubstr("every")));
+
+  const auto refusal_of = [&](std::size_t at, const std::string& cell) {
+    std::string spoilt = text;
+    spoilt.replace(at - 2, 2, cell);
+    std::ofstream(folder / "spoilt.csv") << spoilt;
+    return test::fingerpad("export spoilt.csv --out x.csv", folder).err;
+  };
+  EXPECT_THAT(refusal_of(text.size() - 1, "11"),
+              HasSubstr("spoilt.csv:12: column 'every' says 11, and 10 in the row before"));
+  EXPECT_THAT(refusal_of(text.size() - 1, "0"), HasSubstr("'0' in column 'every' is no whole number from 1"));
+  EXPECT_THAT(refusal_of(text.size() - 1, "1.5"), HasSubstr("'1.5' in column 'every'"));
+}
+
 TEST(ChosenTraces, AreKeptByResumeWhereTheChoiceIsTheSame) {
   const fs::path folder = folder_with_scene();
   for (const std::string format : {"h5", "csv"}) {

@@ -113,6 +113,26 @@ TEST(NetworkDevice, AnswersEachAcceptedPacketOnceAfterTheNextTick) {
   EXPECT_EQ(rig.device->closing_words(), "3 packets accepted, 1 dropped: 1 old or repeated");
 }
 
+TEST(NetworkDevice, SaysThatNobodyIsHeardAndWhereItListens) {
+  Rig rig;
+  Peer peer(*rig.device);
+  const std::string at = rig.device->name() + " (UDP)";
+  EXPECT_EQ(rig.device->trouble(), "no device yet: nothing heard on " + at);
+  peer.say(0, {0, 0, 0.01});
+  rig.tick_after(1);
+  EXPECT_EQ(rig.device->trouble(), "no device yet: what comes to " + at + " is not in the protocol");
+  peer.say(1, {0, 0, 0.01});
+  rig.tick_after(2);
+  EXPECT_EQ(rig.device->trouble(), "");
+  test_clock_ns += 18'000'000;  // a millisecond more has passed at the tick
+  EXPECT_EQ(rig.device->trouble(), "");
+  test_clock_ns += 1'000'000;
+  EXPECT_EQ(rig.device->trouble(), "no packet on " + at + " for 20 ms: finger lifted");
+  peer.say(2, {0, 0, 0.01});
+  rig.tick_after(3);
+  EXPECT_EQ(rig.device->trouble(), "");
+}
+
 TEST(NetworkDevice, TellsThatTheWatchdogHasTrippedAndStopsByTheBit) {
   Rig rig;
   Peer peer(*rig.device);

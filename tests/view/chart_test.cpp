@@ -1,5 +1,6 @@
 #include "view/chart.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -58,6 +59,19 @@ TEST(Axis, NeverHoldsMoreMarksThanFit) {
   }
 }
 
+TEST(Axis, HasAMarkAtZeroWhereThatIsWithinHoweverFewMarksFit) {
+  // Friction of a rub to one side and back, in a low panel.
+  EXPECT_EQ(linear_axis(-0.47, 0.23, 1).labels, (std::vector<std::string>{"-0.4", "0"}));
+  EXPECT_EQ(linear_axis(-0.23, 0.47, 1).labels, (std::vector<std::string>{"0", "0.4"}));
+  for (double low = -0.95; low < -0.02; low += 0.031) {
+    for (const int most : {1, 2, 5}) {
+      const Axis axis = linear_axis(low, low + 1, most);
+      EXPECT_THAT(axis.labels, testing::Contains("0")) << low << ", at most " << most;
+      EXPECT_GE(axis.marks.size(), 2u) << low;
+    }
+  }
+}
+
 TEST(Axis, OfOneValueHasAWidth) {
   const Axis axis = linear_axis(2, 2, 4);
   EXPECT_LT(axis.min, 2);
@@ -69,6 +83,28 @@ TEST(Axis, DecadesCoverTheValues) {
   EXPECT_DOUBLE_EQ(axis.min, 1e-7);
   EXPECT_DOUBLE_EQ(axis.max, 1);
   EXPECT_LE(axis.marks.size(), 5u);
+}
+
+TEST(Chart, LeavesMarksOutOfALegendThatIsTooNarrowBeforeLevels) {
+  const auto legend_in = [](double width) {
+    ChartPanel panel = panel_of({"mu", blue_line(), {0, 1}, {0, 1}});
+    panel.curves.push_back({"end of slip", {palette::vermillion, Dash::none, Marker::ring, 1}, {0}, {0}});
+    panel.levels = {{"mu_s", 0.3}, {"mu_d", 0.2}};
+    Drawing drawing;
+    draw_chart(drawing, stacked({panel}), {0, 0, width, 200}, 10);
+    std::vector<std::string> names;
+    for (const auto& mark : drawing.marks()) {
+      const auto* const text = std::get_if<Drawing::Text>(&mark);
+      if (text != nullptr && (text->words.starts_with("mu") || text->words.starts_with("end")))
+        names.push_back(text->words);
+    }
+    return names;
+  };
+  using Names = std::vector<std::string>;
+  EXPECT_EQ(legend_in(400), (Names{"mu", "end of slip", "mu_s", "mu_d"}));
+  const Names narrow = legend_in(190);
+  ASSERT_GE(narrow.size(), 3u);
+  EXPECT_EQ(Names(narrow.begin(), narrow.begin() + 3), (Names{"mu", "mu_s", "mu_d"}));
 }
 
 TEST(Chart, KeepsPeaksOfCurvesWithManyPoints) {

@@ -92,6 +92,15 @@ TEST(Comparison, TellsWhatCannotBeCompared) {
               HasSubstr("a.h5: has no column 'tea'; it has fn_n"));
 }
 
+TEST(Comparison, DrawsFrictionFromZero) {
+  ComparedRun run = line_run("a.h5", 0, 1, 0.1, 5);
+  run.columns.push_back({"friction", "N", std::vector<double>(run.x.size(), -0.5)});
+  const Chart chart = comparison_chart(compare_runs({run}, {"fn_n", "friction"}, Over::time), Over::time);
+  ASSERT_EQ(chart.panels.size(), 2u);
+  EXPECT_FALSE(chart.panels[0].y_from_zero);
+  EXPECT_TRUE(chart.panels[1].y_from_zero) << "its sign says which way it acts";
+}
+
 // Friction along the sliding direction goes by the way from one row to the next, which is another where rows
 // are left out.
 TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {

@@ -26,7 +26,7 @@ std::string value_of(const MaterialPanel& material, int row) {
 TEST(MaterialPanel, StepsValuesWithinWhatASceneCanHave) {
   const ViewInput view = test::torus_rub(0.0);
   TouchSwap swap(view.world, torus_scene());
-  MaterialPanel material(swap, *view.world);
+  MaterialPanel material(swap, *view.world, true);
   EXPECT_EQ(value_of(material, Row::mu_static), "0.3");
   EXPECT_EQ(material.step(Row::mu_static, 1), "mu static: 0.35");
   material.step(Row::mu_static, -100);
@@ -54,7 +54,7 @@ TEST(MaterialPanel, SaysWhereAMotorWouldShake) {
   scene.motion.rate_hz = 1000;
   scene.parts[0].surface.stiffness_n_per_m = 900;
   TouchSwap swap(view.world, scene);
-  MaterialPanel material(swap, *view.world);
+  MaterialPanel material(swap, *view.world, true);
   EXPECT_EQ(material.panel().rows.size(), static_cast<std::size_t>(MaterialPanel::row_count) + 2);
   // b = 0.5 N s/m at 1 kHz holds some 1000 N/m (SCIENCE 4).
   EXPECT_NE(material.step(Row::stiffness, 1).find("; motors shake over 1000 N/m"), std::string::npos)
@@ -63,11 +63,22 @@ TEST(MaterialPanel, SaysWhereAMotorWouldShake) {
   EXPECT_EQ(material.step(Row::damping, 4), "damping: 2 N s/m") << "which the wall's own damping prevents";
 }
 
+TEST(MaterialPanel, SaysNothingOfMotorsWhereThereAreNone) {
+  const ViewInput view = test::torus_rub(0.0);
+  Scene scene = torus_scene();
+  scene.motion.rate_hz = 1000;
+  scene.parts[0].surface.stiffness_n_per_m = 5000;
+  TouchSwap swap(view.world, scene);
+  MaterialPanel by_mouse(swap, *view.world, false);
+  EXPECT_EQ(by_mouse.panel().rows.size(), static_cast<std::size_t>(MaterialPanel::row_count) + 2);
+  EXPECT_EQ(by_mouse.step(Row::stiffness, 1), "stiffness: 6250 N/m");
+}
+
 TEST(MaterialPanel, LeavesARecordingsOwnChangesAlone) {
   const ViewInput view = test::torus_rub(0.0);
   TouchSwap swap(view.world, torus_scene());
   swap.schedule({{1, "part.0.mu_static", "0.5"}});
-  MaterialPanel material(swap, *view.world);
+  MaterialPanel material(swap, *view.world, true);
   EXPECT_NE(material.step(Row::mu_static, 1).find("recording"), std::string::npos);
   EXPECT_EQ(swap.scene().parts[0].surface.mu_static, 0.5);
 }
@@ -127,7 +138,7 @@ TEST(MaterialPanel, IsOpenedByAKeyAndChangedByTheMouseAndTheKeys) {
   const Layout layout = layout_for(900, 600, true, false);
   StillTouch touch;
   SidePanels same;
-  same.show(MaterialPanel(touch.swap, *touch.view.world).panel());
+  same.show(MaterialPanel(touch.swap, *touch.view.world, false).panel());
   const Box box = same.boxes(layout).front();
   const int more_x = static_cast<int>(box.right() - 1.2 * layout.em);
   const int row_y = static_cast<int>(box.top() - layout.em * (2.1 + 1.75 * 1.5));  // mu static

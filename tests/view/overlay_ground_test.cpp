@@ -4,6 +4,7 @@
 #include <variant>
 
 #include "view/overlay.hpp"
+#include "view/overlay_room.hpp"
 #include "view/overlay_words.hpp"
 #include "view/rub.hpp"
 #include "view/stage_words.hpp"
@@ -83,6 +84,23 @@ TEST(Words, AreWholeAndLieOverNoListInTheSmallestWindow) {
     EXPECT_THAT(told, testing::AllOf(testing::HasSubstr(facts.invitation), testing::HasSubstr(message)))
         << width;
   }
+}
+
+TEST(Words, SayHowToFindAFingerThatIsOutOfSight) {
+  const Layout layout = layout_for(1280, 800, true, false);
+  OverlayFacts facts;
+  const auto told = [&](const std::optional<Vec2>& finger_px, const std::string& invitation) {
+    facts.finger_px = finger_px;
+    facts.invitation = invitation;
+    tell_lost_finger(facts, layout);
+    return facts.invitation;
+  };
+  const std::string words = "the finger is out of sight: 0 shows all";
+  EXPECT_EQ(told(std::nullopt, ""), "") << "nothing moves";
+  EXPECT_EQ(told(layout.scene.centre(), ""), "");
+  EXPECT_EQ(told(Vec2(-3, 400), ""), words);
+  EXPECT_EQ(told(layout.charts.centre(), ""), words) << "behind the charts";
+  EXPECT_EQ(told(Vec2(-3, 400), "hold the left button"), "hold the left button") << "which brings it there";
 }
 
 TEST(Subtitle, OfAThinnedTraceSaysWhyThereAreNoRings) {

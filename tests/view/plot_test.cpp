@@ -16,6 +16,7 @@
 namespace fingerpad::test {
 namespace {
 
+using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 using ::testing::StartsWith;
@@ -54,6 +55,41 @@ TEST(Plot, OfAThinnedTraceSaysSo) {
   EXPECT_FALSE(subtitle_is_there("peaks at", PlotSubject::spectrum));
   input.every = 1;
   EXPECT_TRUE(subtitle_is_there("peaks at", PlotSubject::spectrum));
+}
+
+TEST(Plot, OfAThinnedTraceSaysWhatItsSpectrumIsNot) {
+  const auto path = scratch_dir() / "thin.svg";
+  ViewInput input = torus_rub();
+  const std::string folded = "ticks were left out: what is faster than 500 Hz appears as something slower";
+  const auto page = [&](PlotSubject subject) {
+    write_plot(input, path.string(), 800, subject, Over::time);
+    return text_of(path);
+  };
+  EXPECT_THAT(page(PlotSubject::history), Not(HasSubstr("slower")));
+  input.every = 10;
+  EXPECT_THAT(page(PlotSubject::history),
+              AllOf(HasSubstr(">spectrum: " + folded + "<"), HasSubstr("no rings where slip ended")));
+  EXPECT_THAT(page(PlotSubject::spectrum), AllOf(HasSubstr(">" + folded + "<"), Not(HasSubstr("rings"))));
+  input.scene.reset();
+  EXPECT_THAT(page(PlotSubject::history), HasSubstr(">1 tick in 10 is here: no rings where slip ended"));
+}
+
+TEST(Plot, OfAThinnedTraceOverItsWaySaysThatTheWayIsLonger) {
+  const auto path = scratch_dir() / "thin.svg";
+  ViewInput input = torus_rub();
+  const auto page = [&](Over over) {
+    write_plot(input, path.string(), 800, PlotSubject::history, over);
+    return text_of(path);
+  };
+  for (const Over over : {Over::travel, Over::turn}) EXPECT_THAT(page(over), Not(HasSubstr("summed")));
+  input.every = 10;
+  EXPECT_THAT(page(Over::time), Not(HasSubstr("summed")));
+  EXPECT_THAT(
+      page(Over::travel),
+      HasSubstr(">travel: summed from each tick that is here to the next; with those between it is longer<"));
+  EXPECT_THAT(
+      page(Over::turn),
+      HasSubstr(">turn: summed from each tick that is here to the next; with those between it is larger<"));
 }
 
 TEST(Plot, OfAThinnedTraceInCsvSaysSoAsFarAsItsRowsTell) {

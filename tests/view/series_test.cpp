@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 #include <utility>
 
@@ -120,6 +122,33 @@ TEST(TouchChart, OfAThinnedTraceMarksNoEndOfSlip) {
   EXPECT_EQ(rings(), 0);
   input.every = 1;
   EXPECT_EQ(rings(), 2) << "of speed and mu, where each row is a tick";
+}
+
+TEST(TouchChart, SaysWhereThereAreTooManyEndsOfSlipToMark) {
+  std::vector<TickRecord> rows(200);
+  const auto curves_of = [&](std::size_t ends) {
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      rows[i].t_s = 1e-3 * static_cast<double>(i);
+      rows[i].phase = i % 2 == 1 && i < 2 * ends ? Phase::stick : Phase::slip;
+      rows[i].walls = 1;
+      rows[i].p_WQ.x() = 1e-4 * static_cast<double>(i);
+      rows[i].normal_W = Vec3::UnitZ();
+      rows[i].mu = 0.2;
+    }
+    std::map<std::string, long> marked;
+    for (const ChartPanel& panel : live_chart(rows, {}).panels) {
+      for (const ChartCurve& curve : panel.curves) {
+        if (curve.style.marker != Marker::ring) continue;
+        marked[curve.name] +=
+            std::count_if(curve.y.begin(), curve.y.end(), [](double y) { return std::isfinite(y); });
+      }
+    }
+    return marked;
+  };
+  using Marked = std::map<std::string, long>;
+  EXPECT_EQ(curves_of(0), Marked{});
+  EXPECT_EQ(curves_of(60), (Marked{{"end of slip", 2 * 60}})) << "in the panels of speed and mu";
+  EXPECT_EQ(curves_of(61), (Marked{{"ends of slip: over 60, not marked", 0}}));
 }
 
 /// The panel of the coefficient of friction, by what it draws of a level: values at the rows; empty: a level.

@@ -112,6 +112,50 @@ TEST(Stage, FitsAViewThatNobodyHasChangedToANewSize) {
   EXPECT_EQ(stage.scene()->GetActiveCamera()->GetParallelScale(), scale) << "as it was asked for";
 }
 
+/// Where a place stands in a scene, from 0 at its left foot to 1.
+Vec2 share_in_scene(const Stage& stage, const Vec3& p_W) {
+  const SightLines lines = stage.pointed().lines;
+  const Vec3 from_corner_mm = stage.space().to_draw(p_W) - lines.near_mm;
+  const Vec2 px(from_corner_mm.dot(lines.right_mm) / lines.right_mm.squaredNorm(),
+                from_corner_mm.dot(lines.up_mm) / lines.up_mm.squaredNorm());
+  const Box& scene = stage.layout().scene;
+  return {(px.x() - scene.left) / scene.width, (px.y() - scene.bottom) / scene.height};
+}
+
+TEST(Stage, PresetsOfALiveTouchHoldTheWholeFingerWhereverItHovers) {
+  const VirtualScreen screen;
+  for (const double radius_m : {0.0, 0.007}) {
+    ViewInput input = torus_rub(0);
+    input.rows.clear();
+    input.scene->finger.radius_m = radius_m;
+    Stage stage(input, 1280, 800, true, false);
+    stage.keep_clear_of_readings();
+    TickRecord row;
+    for (const Vec3& direction : {Vec3(0.35, -0.6, 0.72), Vec3(0, 0, 1), Vec3(1, 0, 0.2)}) {
+      row.p_WQ = 0.085 * direction.normalized();
+      stage.show(row, 0);
+      for (const char* look : {"front", "back", "left", "right", "top", "bottom", "isometric"}) {
+        stage.look(*named_look(look));
+        for (const auto& [width, height] : {std::pair(1280, 800), std::pair(640, 480)}) {
+          stage.resize(width, height);
+          const double drawn_m = 1e-3 * 0.9 * 8 * stage.layout().em * stage.pointed().lines.up_mm.norm();
+          const Vec3 back = -input.scene->finger.direction * (radius_m > 0 ? 4 * radius_m : drawn_m);
+          for (const Vec3& place : {row.p_WQ, Vec3(row.p_WQ + back)}) {
+            const Vec2 at = share_in_scene(stage, place);
+            EXPECT_TRUE(at.minCoeff() > 0 && at.maxCoeff() < 1) << look << " at " << at.transpose();
+          }
+        }
+        for (const Vec3& side : {Vec3(0.07, 0, 0), Vec3(0, 0.07, 0), Vec3(0, 0, 0.02)}) {
+          for (const double sign : {-1, 1}) {
+            const Vec2 at = share_in_scene(stage, sign * side);
+            EXPECT_TRUE(at.minCoeff() > 0 && at.maxCoeff() < 1) << look << ": the torus too";
+          }
+        }
+      }
+    }
+  }
+}
+
 TEST(Readings, OfASmallSceneAreBriefAndNeedNoLegend) {
   OverlayFacts facts;
   facts.row.emplace();

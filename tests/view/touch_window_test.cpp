@@ -100,6 +100,20 @@ TEST(TouchWindow, FeelsThePointerThatItOpensUnder) {
   EXPECT_NE(target_after({}), pointed);
 }
 
+TEST(TouchWindow, SaysThatMarksAreGoneWhereThereWereAny) {
+  const auto message_after = [](int first_x, int first_y) {
+    LiveTouch touch;
+    touch.play({{0.1, Kind::move, "", first_x, first_y},
+                {0.2, Kind::key, "k"},
+                {0.3, Kind::move, "", 5, 30},
+                {0.4, Kind::key, "k"}},
+               0.6);
+    return touch.reports.empty() ? "" : touch.reports.back().message;
+  };
+  EXPECT_EQ(message_after(ring_x, ring_y), "no part under the mouse: marks are gone");
+  EXPECT_EQ(message_after(5, 30), "no part under the mouse");
+}
+
 TEST(TouchWindow, WheelAndKeysChangeTheForceAndSpaceHolds) {
   LiveTouch touch;
   touch.play({{0.1, Kind::move, "", ring_x, ring_y},

@@ -51,6 +51,14 @@ TEST(KeyTable, OfAWindowThatADeviceLeadsLeavesTheMouseToTheView) {
   EXPECT_THAT(lines, testing::Each(testing::Not(testing::HasSubstr("move the mouse"))));
 }
 
+std::vector<Drawing::Text> texts_of(const Drawing& drawing) {
+  std::vector<Drawing::Text> texts;
+  for (const Drawing::Mark& mark : drawing.marks()) {
+    if (const auto* const text = std::get_if<Drawing::Text>(&mark)) texts.push_back(*text);
+  }
+  return texts;
+}
+
 TEST(HelpPage, IsReadWholeInTheSmallestWindowOfATouch) {
   ViewState state;
   state.help = true;
@@ -58,16 +66,35 @@ TEST(HelpPage, IsReadWholeInTheSmallestWindowOfATouch) {
   facts.help = help_lines(by_mouse | windows::motors);
   for (const auto& [width, height] : {std::pair(1280, 800), std::pair(520, 340)}) {
     const Layout layout = layout_for(width, height, true, false);
-    int lines = 0;
-    const Drawing page = overlay_drawing(facts, state, layout);
-    for (const Drawing::Mark& mark : page.marks()) {
-      const auto* const text = std::get_if<Drawing::Text>(&mark);
-      if (text == nullptr) continue;
-      ++lines;
-      EXPECT_THAT(text->words, testing::Not(testing::EndsWith("..."))) << width;
-      EXPECT_TRUE(layout.window.holds(text->at.x(), text->at.y())) << text->words;
+    const std::vector<Drawing::Text> texts = texts_of(overlay_drawing(facts, state, layout));
+    for (const Drawing::Text& text : texts) {
+      EXPECT_THAT(text.words, testing::Not(testing::EndsWith("..."))) << width;
+      EXPECT_TRUE(layout.window.holds(text.at.x(), text.at.y())) << text.words;
     }
-    EXPECT_GT(lines, 2 * static_cast<int>(facts.help.size()));
+    EXPECT_GT(texts.size(), 2 * facts.help.size());
+  }
+}
+
+TEST(HelpPage, TellsAMessageWholeBelowAnAlarm) {
+  ViewState state;
+  state.help = true;
+  OverlayFacts facts;
+  facts.help = help_lines(by_mouse | windows::motors);
+  facts.invitation = "hold the left button, or space, to press";
+  facts.message = "stiffness: 1250 N/m; motors shake over 990 N/m at 1000 Hz, and more than one line holds";
+  facts.alarm = "STOPPED";
+  for (const auto& [width, height] : {std::pair(1280, 800), std::pair(640, 480), std::pair(400, 300)}) {
+    const Layout layout = layout_for(width, height, true, false);
+    std::string told;
+    for (const Drawing::Text& text : texts_of(overlay_drawing(facts, state, layout))) {
+      EXPECT_NE(text.words, facts.invitation) << "which the page would lie over";
+      if (text.words == facts.alarm) continue;
+      const bool is_key = text.words.size() < 3;
+      if (is_key || facts.message.find(text.words) == std::string::npos) continue;
+      told += (told.empty() ? "" : " ") + text.words;
+      EXPECT_LT(text.at.y() + 0.5 * layout.em, alarm_line(facts, layout).bottom) << width;
+    }
+    EXPECT_EQ(told, facts.message) << width;
   }
 }
 
