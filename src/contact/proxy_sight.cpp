@@ -91,8 +91,8 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
   const double reach_m = std::min(reach_m_, reach_of(way.way_P.norm()));
   return each_within_reach(
       surface, way.from_P, reach_m, round.next, &asked, [&](const TriangleCorners& corners, int triangle) {
-        if (before.hide(corners)) return;
         looks_.spend(LookCosts::fetched_cleared);
+        if (before.hide(corners)) return;
         if (!looks_.is_unlimited() && round.worst.is_cleared_by_facet(world_, way, corners)) return;
         looks_.spend(LookCosts::told);
         const TriangleApproach a = approach_triangle(corners, way.from_P);
