@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "base/csv_header.hpp"
-#include "base/csv_split.hpp"
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
 
