@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string_view>
 
 #include "base/number_text.hpp"
@@ -98,6 +99,14 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
           "{} is {:.3g} mm, further than the skin of a finger gives way: is the positions' unit right?",
           pad_number_keys[k], 1e3 * fit.values[k].value));
   }
+  constexpr double untold_s = 0.5e-3;
+  if (std::abs(fit.delay_left_s) > untold_s)
+    notes.push_back(
+        fmt::format("delay: the springs tell another {:.2g} ms beside what was taken out, which bent springs "
+                    "(or a loop) hide "
+                    "from the cross-correlation; axes and stiffnesses allow for it, and --delay with the sum "
+                    "takes it out",
+                    1e3 * fit.delay_left_s));
   constexpr double narrowest_m = 0.1e-3;
   const PadValue &lateral = value_of(fit, PadNumber::lateral_axis),
                  &longitudinal = value_of(fit, PadNumber::longitudinal_axis);
@@ -110,6 +119,11 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
   const LawResidual& residual = fit.residual;
   if (residual.samples == 0) return notes;
   if (!residual.misfit.empty()) {
+    if (!fit.knows_delay)
+      notes.push_back(
+          "delay: it was told by the springs of the pad's law, which does not fit: it may be 10 ms off, and "
+          "the "
+          "normal law with it; give it (--delay SECONDS) where it is known");
     notes.push_back("the pad's law does not fit: " + residual.misfit);
   } else {
     notes.push_back(

@@ -137,11 +137,11 @@ TEST(UnitRow, SaysTheUnitOfAGroupOrWhatToDo) {
   EXPECT_EQ(why(Quantity::length, {1}, true, 1e-3), "taken");
   const UnitRow mixed{{"mm", "m"}, "t.csv:2"};
   EXPECT_THAT(test::why_not([&] {
-                unit_of_group(mixed, {"x", "y"}, {Quantity::length, {0, 1}});
+                unit_of_group(mixed, {"x", "y"}, {Quantity::length, {0, 1}, false, 1, ""});
               }),
               HasSubstr("which all have one unit"));
   EXPECT_THAT(test::why_not([&] {
-                unit_of_group(mixed, {"x_m", "y_m"}, {Quantity::length, {0}});
+                unit_of_group(mixed, {"x_m", "y_m"}, {Quantity::length, {0}, false, 1, ""});
               }),
               HasSubstr("whose name says another unit"));
 }
