@@ -149,7 +149,7 @@ void each_file(const RecordedMeasurement& recorded, const Use& use) {
 
 /// "2.1", or "1.9 to 2.1" where they differ.
 std::string range_text(double least, double most) {
-  const std::string low = fmt::format("{:.3g}", least), high = fmt::format("{:.3g}", most);
+  const std::string low = fmt::format("{:.4g}", least), high = fmt::format("{:.4g}", most);
   return low == high ? low : fmt::format("{} to {}", low, high);
 }
 

@@ -205,7 +205,9 @@ TEST(FieldFormat, WhatALayoutLeavesOpenIsAskedFor) {
                       HasSubstr("time,Fx,Fy,Fz,Tx,Ty,Tz")));
     std::vector<std::pair<std::string_view, std::string>> columns = finger_columns;
     columns.emplace_back("z", "pos y");
-    EXPECT_THAT(refusal_of(path, named(name, columns)), HasSubstr("the unit of its positions"));
+    RecordingFormat no_unit = named(name, columns);
+    no_unit.positions_path = (path.parent_path() / "positions.csv").string();
+    EXPECT_THAT(refusal_of(path, no_unit), HasSubstr("the unit of its positions"));
   }
   RecordingFormat no_force = sens3(path);
   for (const char* key : {"fx", "fy", "fz"}) no_force.headers[recording_column_place(key)].clear();
