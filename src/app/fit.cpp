@@ -63,6 +63,9 @@ int fit(const FitOptions& options) {
   RecordedMeasurement recorded = read_measurements(options.measurements, format, options.reading.reader);
   for (const std::string& note : recorded.notes) print_err("fingerpad: {}\n", note);
   for (const std::string& warning : recorded.warnings) print_err("fingerpad: warning: {}\n", warning);
+  if (const std::string words = measurement_words(recorded); !words.empty() && !options.quiet)
+    print_err("fingerpad: {}\n", words);
+  for (const std::string& doubt : doubts_of(recorded, format)) print_err("fingerpad: warning: {}\n", doubt);
   const CleaningSettings cleaning = cleaning_settings(options.cleaning);
   refuse_doubtful(recorded, format, cleaning.delay_s.value_or(0));
   const Measurement measurement = clean(std::move(recorded), cleaning);
@@ -95,6 +98,8 @@ int fit(const FitOptions& options) {
     print_err("fingerpad: warning: the pad's law does not fit: {}\n", found.residual.misfit);
   tell_written(options.quiet, options.out,
                fmt::format("{} trials of {} subjects", found.trials, found.subjects));
+  if (const std::string missing = missing_axes_words(found); !missing.empty())
+    print_err("fingerpad: warning: {}\n", missing);
   if (report_folder) tell_report(options, measurement, found, settings, source);
   return 0;
 }

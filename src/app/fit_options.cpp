@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/output_name.hpp"
 #include "base/error.hpp"
@@ -17,28 +18,25 @@
 namespace fingerpad {
 namespace {
 
-struct NamedFactor {
+struct NamedMark {
   std::string_view name;
-  double factor;
+  char mark;
 };
-constexpr NamedFactor force_units[] = {
-    {"N", 1}, {"mN", 1e-3}, {"kN", 1e3}, {"gf", 9.80665e-3}, {"kgf", 9.80665}};
-constexpr NamedFactor torque_units[] = {{"N.m", 1}, {"N.mm", 1e-3}};
-constexpr NamedFactor separators[] = {
+constexpr NamedMark separators[] = {
     {"comma", ','}, {"semicolon", ';'}, {"tab", '\t'}, {"bar", '|'}, {"blank", ' '}};
 
-template <std::size_t count>
-std::vector<std::string> names_of(const NamedFactor (&table)[count]) {
+template <typename Table>
+std::vector<std::string> names_of(const Table& table) {
   std::vector<std::string> names;
-  for (const NamedFactor& row : table) names.emplace_back(row.name);
+  names.reserve(std::size(table));
+  for (const auto& row : table) names.emplace_back(row.name);
   return names;
 }
 
 /// @pre the command line has checked that it is there
-template <std::size_t count>
-double factor_of(const NamedFactor (&table)[count], const std::string& name) {
-  const auto is_it = [&](const NamedFactor& row) { return row.name == name; };
-  return std::find_if(std::begin(table), std::end(table), is_it)->factor;
+char mark_of(const std::string& name) {
+  const auto is_it = [&](const NamedMark& row) { return row.name == name; };
+  return std::find_if(std::begin(separators), std::end(separators), is_it)->mark;
 }
 
 Error fit_usage(const std::string& option, const std::string& what) {
@@ -87,6 +85,8 @@ std::optional<SixAxisSensor> sensor_of(const ReadingOptions& options) {
 /// Torque tells the contact point of a six-axis sensor, and nothing else.
 void refuse_unread_torque(const ReadingOptions& options) {
   if (!options.sensor_at.empty() || !options.sensor_turned.empty()) return;
+  const FieldFormat* layout = find_field_format(options.reader);
+  if (layout != nullptr && layout->takes_torque && !options.plate_height_m) return;
   const char* unread = !options.torque_unit.empty() ? "--torque-unit"
                        : options.plate_height_m     ? "--plate-height"
                                                     : nullptr;
@@ -95,14 +95,11 @@ void refuse_unread_torque(const ReadingOptions& options) {
 }
 
 void add_units(CLI::App& command, ReadingOptions& options) {
-  std::vector<std::string> times;
-  times.reserve(std::size(time_units));
-  for (const TimeUnit& unit : time_units) times.emplace_back(unit.name);
   command.add_option("--unit", options.unit, "Of positions")
       ->check(CLI::IsMember(length_unit_names()))
       ->default_str("m, or the layout's own");
   command.add_option("--time-unit", options.time_unit, "Of times")
-      ->check(CLI::IsMember(times))
+      ->check(CLI::IsMember(names_of(time_units)))
       ->default_str("s, or the layout's own");
   command.add_option("--force-unit", options.force_unit, "Of forces")
       ->check(CLI::IsMember(names_of(force_units)))
@@ -130,7 +127,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       .add_option(
           "--columns", options.columns,
           "Columns that are called otherwise, KEY=NAME,...: t x y z, fx fy fz (force), nx ny nz (plate's "
-          "normal), dx dy dz (finger), m1x.. m2z (markers), tx ty tz (torque), subject, trial")
+          "normal), dx dy dz (finger), m1x.. m2z (markers), tx ty tz (torque), subject, trial, speed")
       ->delimiter(',');
   add_units(command, options);
   command.add_option("--force-on", options.force_on, "What the recorded forces act on")
@@ -196,21 +193,20 @@ MeasurementFormat measurement_format(const ReadingOptions& options) {
   take_columns(options.columns, format);
   format.says_unit = !options.unit.empty();
   format.says_time_unit = !options.time_unit.empty();
-  if (format.says_unit) format.metres_per_unit = *metres_per_unit(options.unit);
-  for (const TimeUnit& unit : time_units)
-    if (unit.name == options.time_unit) format.seconds_per_unit = unit.seconds;
+  if (format.says_unit) format.metres_per_unit = *si_per_unit(Quantity::length, options.unit);
+  if (format.says_time_unit) format.seconds_per_unit = *si_per_unit(Quantity::time, options.time_unit);
   if (!options.positions.empty() && !asks_for_key(options.reader, "positions"))
     throw fit_usage("--positions",
                     fmt::format("is read with a --reader that has positions in a file of their own{}",
                                 options.reader.empty() ? "" : ", which '" + options.reader + "' has not"));
   format.positions_path = options.positions;
   format.says_force_unit = !options.force_unit.empty();
-  if (format.says_force_unit) format.newtons_per_unit = factor_of(force_units, options.force_unit);
+  if (format.says_force_unit) format.newtons_per_unit = *si_per_unit(Quantity::force, options.force_unit);
   refuse_unread_torque(options);
-  if (!options.torque_unit.empty())
-    format.newton_metres_per_unit = factor_of(torque_units, options.torque_unit);
-  if (!options.separator.empty())
-    format.dialect.separator = static_cast<char>(factor_of(separators, options.separator));
+  format.says_torque_unit = !options.torque_unit.empty();
+  if (format.says_torque_unit)
+    format.newton_metres_per_unit = *si_per_unit(Quantity::torque, options.torque_unit);
+  if (!options.separator.empty()) format.dialect.separator = mark_of(options.separator);
   format.dialect.decimal = options.decimal.front();
   format.force_on_plate = options.force_on == "plate";
   if (!options.markers.empty()) format.markers = TwoMarkers{options.markers[0], options.markers[1]};

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 
-#include "base/csv_split.hpp"
 #include "base/number_text.hpp"
 
 namespace fingerpad {

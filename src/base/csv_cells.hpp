@@ -24,6 +24,8 @@ std::string_view trimmed(std::string_view text) noexcept;
 /// The cells of a line without the blanks and the quotes around them; a separator between quotes is part of
 /// its cell.
 std::vector<std::string_view> csv_cells(std::string_view line, char separator);
+/// The same, into room that the caller keeps from line to line: tables have millions.
+void split_csv(std::string_view line, char separator, std::vector<std::string_view>& cells);
 
 /// The number that a cell spells in full; nothing if anything else stands in it. Digits are not grouped.
 std::optional<double> csv_number(std::string_view cell, char decimal) noexcept;

@@ -11,7 +11,7 @@
 namespace fingerpad {
 
 std::optional<std::size_t> csv_column(std::string_view header, std::string_view name,
-                                      const std::string& place, char separator) {
+                                      const std::string& place, char separator, std::string_view mend) {
   std::optional<std::size_t> found;
   const auto cells = csv_cells(header, separator);
   for (std::size_t i = 0; i < cells.size(); ++i) {
@@ -26,12 +26,8 @@ std::optional<std::size_t> csv_column(std::string_view header, std::string_view 
   for (const char mark : {',', ';', '\t', '|'}) {
     const auto others = csv_cells(header, mark);
     if (mark == separator || std::find(others.begin(), others.end(), name) == others.end()) continue;
-    if (separator != ',')
-      throw refused(place, fmt::format("its cells are parted by {}, not by {}", separator_words(mark),
-                                       separator_words(separator)));
-    throw refused(place, fmt::format("its cells are parted by {}, but those of CSV by ',': save it with "
-                                     "commas, and numbers with decimal points",
-                                     separator_words(mark)));
+    throw refused(place, fmt::format("its cells are parted by {}, not by {}: {}", separator_words(mark),
+                                     separator_words(separator), mend));
   }
   return std::nullopt;
 }
@@ -41,6 +37,7 @@ CsvColumns read_csv_columns(const std::string& path, const CsvRequest& request) 
   CsvColumns table;
   table.present = reader.present();
   table.separator = reader.separator();
+  table.units = reader.units();
   table.columns.resize(table.present.size());
   while (reader.next()) {
     for (std::size_t k = 0; k < table.columns.size(); ++k)
@@ -52,7 +49,7 @@ CsvColumns read_csv_columns(const std::string& path, const CsvRequest& request) 
 
 CsvColumns read_csv_columns(const std::string& path, const std::vector<std::string_view>& required,
                             const std::vector<std::string_view>& optional, TableSource source) {
-  return read_csv_columns(path, {required, optional, {}, source, {}, false});
+  return read_csv_columns(path, {required, optional, {}, source});
 }
 
 }  // namespace fingerpad

@@ -9,19 +9,34 @@
 
 namespace fingerpad {
 
+/// What a line below a table's header says its columns are measured in, as in "s,mm,mm,mm,N,N,N".
+struct UnitRow {
+  std::vector<std::string> words;  ///< per asked-for name, without brackets; empty: no such line
+  std::string place;               ///< "table.csv:2"
+};
+
 /// Columns of numbers picked from a CSV file by name.
 struct CsvColumns {
   std::vector<bool> present;                 ///< per asked-for name
   std::vector<std::vector<double>> columns;  ///< per asked-for name, a number per row; empty where absent
   std::vector<long> lines;                   ///< per row: its line in the file, from 1
+  UnitRow units;                             ///< below the header, where the request takes one
   char separator = ',';                      ///< that the file has
 };
+
+/// What is said of another mark than a comma where only commas are read.
+inline constexpr std::string_view commas_mend = "save it with commas, and numbers with decimal points";
+/// And where people may say which mark a table has.
+inline constexpr std::string_view separator_mend =
+    "leave the separator out, and it is found, or say the one that it has";
 
 /// Where a column stands in a CSV header, from 0; nothing where it is not there. Blanks and quotes around
 /// names do not count. Throws Error (refused, at `place`) for a column that is there twice, and for a header
 /// whose cells are parted by another mark than `separator`.
+/// @param mend  what to do about another mark, for people
 std::optional<std::size_t> csv_column(std::string_view header, std::string_view name,
-                                      const std::string& place, char separator = ',');
+                                      const std::string& place, char separator = ',',
+                                      std::string_view mend = commas_mend);
 
 /// Where a table may come from: a stream is read once and cannot be looked at again.
 enum class TableSource { file, file_or_stream };
@@ -32,8 +47,10 @@ struct CsvRequest {
   std::vector<std::string_view> optional = {};  ///< names that may be there
   CsvDialect dialect = {};
   TableSource source = TableSource::file;
-  std::string mend = {};    ///< what to do where a column is missing, for people; may be empty
-  bool takes_gaps = false;  ///< a cell that is empty or nan is not a number, instead of refused
+  std::string mend = {};     ///< what to do where a column is missing, for people; may be empty
+  bool takes_gaps = false;   ///< a cell that is empty or nan is not a number, instead of refused
+  bool takes_units = false;  ///< a line of units below the header is read, instead of refused
+  std::string_view mark_mend = commas_mend;  ///< see csv_column
 };
 
 /// Reads named columns of a CSV file whose first line is a header; other columns, blank lines and lines that

@@ -7,7 +7,6 @@
 #include <limits>
 
 #include "base/csv_header.hpp"
-#include "base/csv_split.hpp"
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
 
@@ -32,23 +31,43 @@ void refuse_extra_cells(const Row& row, std::size_t header_cells) {
   }
 }
 
-/// A row of words below the header says in what its columns are measured.
-void refuse_units(const Row& row, const std::vector<Wanted>& wanted, char decimal) {
-  const bool are_words = std::all_of(wanted.begin(), wanted.end(), [&](const Wanted& column) {
-    return column.cell < row.cells.size() && !row.cells[column.cell].empty() &&
-           !csv_number(row.cells[column.cell], '.') && !csv_number(row.cells[column.cell], decimal) &&
-           row.cells[column.cell].find_first_of("0123456789") == std::string_view::npos;
-  });
-  if (!are_words || wanted.size() < 2) return;
-  throw refused(row.lines.place(),
-                fmt::format("is a second line of words ('{}' in column '{}'), and a row of units "
-                            "is not read: put # before it, and say the units in the scene",
-                            printable(row.cells[wanted.front().cell], 40), wanted.front().name));
-}
-
 /// A cell in which nothing was recorded.
 bool is_gap(std::string_view cell) {
   return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN" || cell == "NA";
+}
+
+/// A row of words below the header says in what its columns are measured. Columns without a unit have a dash,
+/// a one or nothing there.
+bool is_row_of_units(const std::vector<std::string_view>& cells, const std::vector<Wanted>& wanted,
+                     char decimal) {
+  std::size_t words = 0, blanks = 0;
+  for (const Wanted& column : wanted) {
+    if (column.cell >= cells.size()) return false;
+    const std::string_view cell = cells[column.cell];
+    const bool is_unitless = cell.empty() || cell == "-" || cell == "1";
+    if (!is_unitless && (is_gap(cell) || csv_number(cell, '.') || csv_number(cell, decimal) ||
+                         cell.find_first_of("0123456789") != std::string_view::npos))
+      return false;
+    (is_unitless ? blanks : words) += 1;
+  }
+  return words >= 2 && words + blanks == wanted.size();
+}
+
+/// "mm" of "[mm]", "(mm)" and "in mm".
+std::string bare_unit(std::string_view word) {
+  if (word.size() > 2 &&
+      ((word.front() == '[' && word.back() == ']') || (word.front() == '(' && word.back() == ')')))
+    word = word.substr(1, word.size() - 2);
+  if (word.starts_with("in ")) word.remove_prefix(3);
+  return std::string(trimmed(word));
+}
+
+void refuse_units(const Row& row, const std::vector<Wanted>& wanted) {
+  throw refused(row.lines.place(),
+                fmt::format("is a second line of words ('{}' in column '{}'), and a row of units "
+                            "is not read here: put # before it, and see that the columns are in the units "
+                            "that are asked for",
+                            printable(row.cells[wanted.front().cell], 40), wanted.front().name));
 }
 
 double number_in(const Row& row, const Wanted& column, char decimal, bool takes_gaps) {
@@ -92,18 +111,39 @@ CsvRowReader::CsvRowReader(const std::string& path, const CsvRequest& request)
   std::vector<std::string_view> names = request.required;
   names.insert(names.end(), request.optional.begin(), request.optional.end());
   for (std::size_t k = 0; k < names.size(); ++k) {
-    const auto cell = csv_column(header.line, names[k], header.place, header.separator);
+    const auto cell = csv_column(header.line, names[k], header.place, header.separator, request.mark_mend);
     present_.push_back(cell.has_value());
     if (!cell && k < request.required.size()) throw missing_column(header, names[k], request);
     if (cell) wanted_.push_back({std::string(names[k]), *cell, k});
   }
   numbers_.resize(names.size());
+  if (request.takes_units) take_units();
+}
+
+/// The next line that counts.
+bool CsvRowReader::next_line(std::string_view& line) {
+  while (lines_.next(line))
+    if (!is_passed_over(line)) return true;
+  return false;
+}
+
+void CsvRowReader::take_units() {
+  std::string_view line;
+  if (!first_row_.empty() || !next_line(line)) return;  // what was read before is a row of numbers
+  split_csv(line, separator_, cells_);
+  if (!is_row_of_units(cells_, wanted_, decimal_)) {
+    first_row_ = line;
+    return;
+  }
+  units_.words.resize(numbers_.size());
+  for (const Wanted& column : wanted_) units_.words[column.index] = bare_unit(cells_[column.cell]);
+  units_.place = lines_.place();
 }
 
 void CsvRowReader::take(std::string_view line) {
   split_csv(line, separator_, cells_);
   const Row row{lines_, cells_};
-  if (rows_ == 0) refuse_units(row, wanted_, decimal_);
+  if (rows_ == 0 && is_row_of_units(cells_, wanted_, decimal_)) refuse_units(row, wanted_);
   refuse_extra_cells(row, header_cells_);
   for (const Wanted& column : wanted_) numbers_[column.index] = number_in(row, column, decimal_, takes_gaps_);
   ++rows_;
@@ -116,14 +156,12 @@ bool CsvRowReader::next() {
     first_row_.clear();
     return true;
   }
-  for (std::string_view line; lines_.next(line);) {
-    if (is_passed_over(line)) continue;
-    if (rows_ == most_rows)
-      throw refused(lines_.place(), fmt::format("more than {} rows are not read", most_rows));
-    take(line);
-    return true;
-  }
-  return false;
+  std::string_view line;
+  if (!next_line(line)) return false;
+  if (rows_ == most_rows)
+    throw refused(lines_.place(), fmt::format("more than {} rows are not read", most_rows));
+  take(line);
+  return true;
 }
 
 }  // namespace fingerpad

@@ -29,15 +29,19 @@ class CsvRowReader {
   long line() const noexcept { return lines_.number(); }                         ///< of this row, from 1
   std::string place() const { return lines_.place(); }                           ///< "table.csv:12"
   char separator() const noexcept { return separator_; }
+  const UnitRow& units() const noexcept { return units_; }
 
  private:
+  bool next_line(std::string_view& line);
   void take(std::string_view line);
+  void take_units();
 
   TextLines lines_;
   char decimal_;
   bool takes_gaps_;
   char separator_ = ',';
-  std::string first_row_;
+  std::string first_row_;  // that was read to look at it
+  UnitRow units_;
   std::size_t header_cells_ = 0, rows_ = 0;
   std::vector<Wanted> wanted_;
   std::vector<bool> present_;

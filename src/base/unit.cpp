@@ -1,6 +1,65 @@
 #include "base/unit.hpp"
 
 namespace fingerpad {
+namespace {
+
+/// What a unit is called, and the part of it that is its quantity's own.
+struct NamedUnit {
+  std::string_view name;
+  double factor;
+};
+
+std::vector<NamedUnit> units_of(Quantity quantity) {
+  std::vector<NamedUnit> units;
+  switch (quantity) {
+    case Quantity::time:
+      for (const TimeUnit& unit : time_units) units.push_back({unit.name, unit.seconds});
+      break;
+    case Quantity::length:
+      for (const LengthUnit& unit : length_units) units.push_back({unit.name, unit.metres});
+      break;
+    case Quantity::force:
+      for (const ForceUnit& unit : force_units) units.push_back({unit.name, unit.newtons});
+      break;
+    case Quantity::torque:
+      for (const TorqueUnit& unit : torque_units) units.push_back({unit.name, unit.newton_metres});
+      break;
+  }
+  return units;
+}
+
+/// How people write some of them too.
+struct Spelling {
+  std::string_view written, name;
+};
+constexpr Spelling spellings[] = {{"sec", "s"},      {"seconds", "s"},  {"msec", "ms"},       {"usec", "us"},
+                                  {"\u00b5s", "us"}, {"\u03bcs", "us"}, {"inch", "in"},       {"Nm", "N.m"},
+                                  {"N m", "N.m"},    {"N*m", "N.m"},    {"N\u00b7m", "N.m"},  {"Nmm", "N.mm"},
+                                  {"N mm", "N.mm"},  {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
+
+}  // namespace
+
+std::string_view quantity_words(Quantity quantity) noexcept {
+  constexpr std::string_view words[] = {"time", "length", "force", "torque"};
+  return words[static_cast<std::size_t>(quantity)];
+}
+
+std::optional<double> si_per_unit(Quantity quantity, std::string_view word) {
+  for (const Spelling& spelling : spellings)
+    if (spelling.written == word) word = spelling.name;
+  for (const NamedUnit& unit : units_of(quantity))
+    if (unit.name == word) return unit.factor;
+  return std::nullopt;
+}
+
+std::string unit_list(Quantity quantity) {
+  std::string list;
+  for (const NamedUnit& unit : units_of(quantity)) {
+    if (!list.empty()) list += ", ";
+    list += unit.name;
+  }
+  return list;
+}
 
 std::vector<std::string> length_unit_names() {
   std::vector<std::string> names;

@@ -23,6 +23,30 @@ struct TimeUnit {
 };
 inline constexpr std::array<TimeUnit, 3> time_units{{{"s", 1}, {"ms", 1e-3}, {"us", 1e-6}}};
 
+/// What one unit of a measured force may be.
+struct ForceUnit {
+  std::string_view name;
+  double newtons;
+};
+inline constexpr std::array<ForceUnit, 5> force_units{
+    {{"N", 1}, {"mN", 1e-3}, {"kN", 1e3}, {"gf", 9.80665e-3}, {"kgf", 9.80665}}};
+
+/// What one unit of a measured torque may be.
+struct TorqueUnit {
+  std::string_view name;
+  double newton_metres;
+};
+inline constexpr std::array<TorqueUnit, 2> torque_units{{{"N.m", 1}, {"N.mm", 1e-3}}};
+
+/// What a column of a measurement may hold.
+enum class Quantity { time, length, force, torque };
+std::string_view quantity_words(Quantity quantity) noexcept;
+/// How much of s, m, N or N m a unit is that a table names, as those above or as people write them ("sec",
+/// "N mm"); nothing for any other word.
+std::optional<double> si_per_unit(Quantity quantity, std::string_view word);
+/// "s, ms, us".
+std::string unit_list(Quantity quantity);
+
 /// The names of length_units, in that order.
 std::vector<std::string> length_unit_names();
 

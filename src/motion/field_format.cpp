@@ -70,9 +70,15 @@ const FieldFormat* find_field_format(std::string_view name) noexcept {
 
 FieldRecording read_field_recording(const std::string& path, const RecordingFormat& format) {
   refuse_unasked_keys(path, format);
-  if (const FieldFormat* row = find_field_format(format.name)) return row->read(path, format);
+  if (const FieldFormat* row = find_field_format(format.name)) {
+    FieldRecording recording = row->read(path, format);
+    recording.read_as = format;
+    recording.read_as.dialect.separator = ',';
+    return recording;
+  }
   FieldRecording recording;
-  recording.motion = read_motion_csv(path, format, recording.separator);
+  recording.read_as = format;
+  recording.motion = read_motion_csv(path, recording.read_as);
   return recording;
 }
 

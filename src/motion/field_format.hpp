@@ -13,8 +13,10 @@ namespace fingerpad {
 /// A recording as a laboratory or a database saved it, in the program's units and on one clock.
 struct FieldRecording {
   Motion motion;
-  std::vector<std::string> notes;  ///< how it was read, a line each, for people
-  char separator = ',';            ///< of a table that a scene's own words read
+  std::vector<std::string> notes;     ///< how it was read, a line each, for people
+  std::vector<std::string> warnings;  ///< what in it is not as it should be
+  RecordingFormat read_as;  ///< with what a table of the program's own kind says itself: separator, units
+  Points torque_W_n_m;      ///< 3 x n, on the finger, about the sensor's origin, or 3 x 0 [N m]
 };
 
 /// A published layout of recordings: one row of a table, one file.
@@ -33,6 +35,7 @@ struct FieldFormat {
   std::span<const std::string_view> keys;
   /// Forces and positions are in the same axes: then a fit may take both.
   bool has_one_frame = true;
+  bool takes_torque = false;  ///< and speed: RecordingFormat::torque_headers, speed_header
 };
 
 /// All named formats, in the order of the documentation.

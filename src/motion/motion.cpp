@@ -2,11 +2,14 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <initializer_list>
 #include <optional>
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
+#include "base/unit_row.hpp"
 #include "motion/farthest.hpp"
 #include "motion/pressed_force.hpp"
 
@@ -84,12 +87,37 @@ void keep_one_trial(const RecordingFormat& format, Recording& recording) {
                                             format.trial ? fmt::format(" trial {}", *format.trial) : ""));
 }
 
-Recording read_table(const std::string& path, const RecordingFormat& format, char& separator) {
+/// Takes the units that a line below the header names.
+/// @param asked  the columns of the request, in its order
+void take_units(const CsvRequest& request, const UnitRow& row, const std::vector<std::size_t>& asked,
+                RecordingFormat& format) {
+  if (row.words.empty()) return;
+  std::vector<std::string_view> names = request.required;
+  names.insert(names.end(), request.optional.begin(), request.optional.end());
+  const auto unit = [&](Quantity quantity, std::initializer_list<std::size_t> columns, bool is_said,
+                        double si_per_unit, const char* option) {
+    UnitGroup group{quantity, {}, is_said, si_per_unit, option};
+    for (std::size_t k = 0; k < asked.size(); ++k)
+      if (std::find(columns.begin(), columns.end(), asked[k]) != columns.end()) group.columns.push_back(k);
+    return unit_of_group(row, names, group);
+  };
+  format.seconds_per_unit =
+      unit(Quantity::time, {0}, format.says_time_unit, format.seconds_per_unit, "time_unit in [motion]");
+  format.metres_per_unit = unit(Quantity::length, {place_of_x, place_of_x + 1, place_of_x + 2},
+                                format.says_unit, format.metres_per_unit, "unit in [motion]");
+  format.newtons_per_unit =
+      unit(Quantity::force, {place_of_fx, place_of_fx + 1, place_of_fx + 2, place_of_fn}, false,
+           format.newtons_per_unit, "");
+}
+
+Recording read_table(const std::string& path, RecordingFormat& format) {
   CsvRequest request{{},
                      {},
                      format.dialect,
                      TableSource::file,
                      "say which of them stands for what, as in [motion] columns = { t = \"time\" }"};
+  request.takes_units = true;
+  request.mark_mend = separator_mend;
   std::vector<std::size_t> required, optional;
   for (std::size_t k = 0; k < recording_columns.size(); ++k) {
     if (is_required(format, k)) {
@@ -101,10 +129,11 @@ Recording read_table(const std::string& path, const RecordingFormat& format, cha
     }
   }
   CsvColumns table = read_csv_columns(path, request);
-  separator = table.separator;
+  format.dialect.separator = table.separator;
+  required.insert(required.end(), optional.begin(), optional.end());
+  take_units(request, table.units, required, format);
   Recording recording{path, std::vector<std::vector<double>>(recording_columns.size()), table.lines};
   if (table.lines.empty()) throw refused(path, "has a header but no rows");
-  required.insert(required.end(), optional.begin(), optional.end());
   for (std::size_t i = 0; i < required.size(); ++i)
     recording.columns[required[i]] = std::move(table.columns[i]);
   keep_one_trial(format, recording);
@@ -164,6 +193,7 @@ void read_attitudes(const Recording& recording, Motion& motion) {
 
 void read_normal_forces(const Recording& recording, const RecordingFormat& format, Motion& motion) {
   motion.normal_force_n = recording.columns[place_of_fn];
+  for (double& force_n : motion.normal_force_n) force_n *= format.newtons_per_unit;
   if (format.forces_on_surface) turn_to_finger(motion.normal_force_n);
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
     const std::string fault = force_fault(motion.normal_force_n[i]);
@@ -177,7 +207,8 @@ void read_forces(const Recording& recording, const RecordingFormat& format, Moti
   if (columns != 3)
     throw refused(recording.path + ":1",
                   "a measured force needs all of fx, fy and fz among the columns named");
-  motion.force_W_n = (format.forces_on_surface ? -1 : 1) * recording.points(place_of_fx);
+  motion.force_W_n =
+      (format.forces_on_surface ? -1 : 1) * format.newtons_per_unit * recording.points(place_of_fx);
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
     const std::string fault =
         force_fault(motion.force_W_n.col(static_cast<Eigen::Index>(i)).cwiseAbs().maxCoeff());
@@ -215,9 +246,9 @@ void refuse_side_of_no_force(const std::string& path, const RecordingFormat& for
       "fz, or fn, in columns, or leave force_on out");
 }
 
-Motion read_motion_csv(const std::string& path, const RecordingFormat& format, char& separator) {
+Motion read_motion_csv(const std::string& path, RecordingFormat& format) {
   refuse_side_of_no_force(path, format);
-  const Recording recording = read_table(path, format, separator);
+  const Recording recording = read_table(path, format);
   Motion motion;
   motion.t_s = recording.columns[0];
   for (double& t_s : motion.t_s) t_s *= format.seconds_per_unit;
@@ -232,8 +263,8 @@ Motion read_motion_csv(const std::string& path, const RecordingFormat& format, c
 }
 
 Motion read_motion_csv(const std::string& path) {
-  char separator = found_separator;
-  return read_motion_csv(path, {}, separator);
+  RecordingFormat format;
+  return read_motion_csv(path, format);
 }
 
 }  // namespace fingerpad

@@ -35,8 +35,9 @@ void refuse_side_of_no_force(const std::string& path, const RecordingFormat& for
 /// a motion too. What `format` names must be there; a measured force is read where it names all of fx, fy,
 /// fz. Throws Error (refused, `file:line`) on a missing column, a word that is no number, numbers that are
 /// not finite or beyond sample_fault's bounds, times that do not increase, or no rows.
-/// @param separator  given that of the file
-Motion read_motion_csv(const std::string& path, const RecordingFormat& format, char& separator);
+/// A line of units below the header is read too ("s,mm,mm,mm"), and refused where it contradicts `format`.
+/// @param format  given the separator and the units that the file has
+Motion read_motion_csv(const std::string& path, RecordingFormat& format);
 /// As above, of a table in the program's own form.
 Motion read_motion_csv(const std::string& path);
 

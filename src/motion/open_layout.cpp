@@ -10,15 +10,27 @@
 #include "base/csv_header.hpp"
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
+#include "base/unit_row.hpp"
 #include "motion/joined_clocks.hpp"
 #include "motion/motion.hpp"
 #include "motion/pressed_force.hpp"
+#include "motion/told_speed.hpp"
 
 namespace fingerpad {
 namespace {
 
+/// What the user calls a column; empty where it was not named.
 std::string_view named(const RecordingFormat& format, std::string_view key) {
+  if (key == "speed") return format.speed_header;
+  if (key.front() == 't' && key.size() == 2)
+    return format.torque_headers[static_cast<std::size_t>(key[1] - 'x')];
   return format.headers[recording_column_place(key)];
+}
+
+Quantity quantity_of(std::string_view key) {
+  if (key == "t") return Quantity::time;
+  if (key.front() == 'f') return Quantity::force;
+  return key.front() == 't' ? Quantity::torque : Quantity::length;
 }
 
 /// The names of a table's columns, as its first line that counts has them.
@@ -62,29 +74,72 @@ void refuse_other_columns(const std::string& path, const RecordingFormat& format
   }
 }
 
-double ask_for_metres(const std::string& path, const RecordingFormat& format, const OpenLayout& layout) {
-  if (format.says_unit) return format.metres_per_unit;
-  if (layout.metres_per_unit > 0) return layout.metres_per_unit;
-  throw refused(path, fmt::format("the published description of {} does not say the unit of its positions: "
-                                  "say unit = \"mm\" (or m, cm, in) in [motion], or --unit",
-                                  layout.format));
+/// What a unit of each quantity is in SI; 0: neither published nor said. A speed is in the unit of positions,
+/// a second.
+struct OpenUnits {
+  std::array<double, 4> si{1, 0, 1, 0};  ///< by Quantity
+  double& of(Quantity quantity) { return si[static_cast<std::size_t>(quantity)]; }
+};
+
+OpenUnits known_units(const RecordingFormat& format, const OpenLayout& layout) {
+  OpenUnits units;
+  if (format.says_time_unit) units.of(Quantity::time) = format.seconds_per_unit;
+  units.of(Quantity::length) = format.says_unit ? format.metres_per_unit : layout.metres_per_unit;
+  units.of(Quantity::torque) =
+      format.says_torque_unit ? format.newton_metres_per_unit : layout.newton_metres_per_unit;
+  return units;
 }
 
-/// Columns of one table, with a time in seconds.
+/// The units that stand in a line below the header, or are known else. Throws Error (refused) with the
+/// question where neither is.
+OpenUnits table_units(const std::string& path, const RecordingFormat& format, const OpenLayout& layout,
+                      const std::vector<std::string_view>& keys, const CsvRequest& request,
+                      const UnitRow& row) {
+  constexpr std::string_view options[] = {"time_unit (--time-unit)", "unit (--unit)", "", "--torque-unit"};
+  constexpr std::string_view open[] = {
+      "", "the unit of its positions: say unit = \"mm\" (or m, cm, in) in [motion], or --unit", "",
+      "the unit of its torques: say --torque-unit"};
+  const bool is_said[] = {format.says_time_unit, format.says_unit, false, format.says_torque_unit};
+  OpenUnits units = known_units(format, layout);
+  for (const Quantity quantity : {Quantity::time, Quantity::length, Quantity::force, Quantity::torque}) {
+    const auto q = static_cast<std::size_t>(quantity);
+    UnitGroup group{quantity, {}, is_said[q], units.of(quantity), std::string(options[q])};
+    bool is_read = false;
+    for (std::size_t k = 0; k < keys.size(); ++k) {
+      if (quantity_of(keys[k]) != quantity) continue;
+      is_read = true;
+      if (keys[k] != "speed") group.columns.push_back(k);
+    }
+    units.of(quantity) = unit_of_group(row, request.required, group);
+    if (is_read && !(units.of(quantity) > 0))
+      throw refused(path,
+                    fmt::format("the published description of {} does not say {}", layout.format, open[q]));
+  }
+  return units;
+}
+
+/// Columns of one table, in SI.
 ClockedValues clocked_columns(const std::string& path, const RecordingFormat& format,
-                              const std::vector<std::string_view>& keys, std::string what) {
+                              const OpenLayout& layout, const std::vector<std::string_view>& wanted,
+                              std::string what) {
+  std::vector<std::string_view> keys{"t"};
+  keys.insert(keys.end(), wanted.begin(), wanted.end());
   CsvRequest request;
   request.dialect = format.dialect;
-  request.required.push_back(named(format, "t"));
+  request.takes_units = true;
+  request.mark_mend = separator_mend;
   for (const std::string_view key : keys) request.required.push_back(named(format, key));
   const CsvColumns table = read_csv_columns(path, request);
   if (table.lines.empty()) throw refused(path, "has a header but no rows");
+  OpenUnits units = table_units(path, format, layout, keys, request, table.units);
   ClockedValues read{std::move(what), table.columns.front(), {}};
-  for (double& t_s : read.t_s) t_s *= format.says_time_unit ? format.seconds_per_unit : 1;
-  read.values.resize(static_cast<Eigen::Index>(keys.size()), static_cast<Eigen::Index>(read.t_s.size()));
-  for (std::size_t k = 0; k < keys.size(); ++k) {
-    read.values.row(static_cast<Eigen::Index>(k)) = Eigen::Map<const Eigen::RowVectorXd>(
-        table.columns[k + 1].data(), static_cast<Eigen::Index>(read.t_s.size()));
+  for (double& t_s : read.t_s) t_s *= units.of(Quantity::time);
+  read.values.resize(static_cast<Eigen::Index>(wanted.size()), static_cast<Eigen::Index>(read.t_s.size()));
+  for (std::size_t k = 0; k < wanted.size(); ++k) {
+    read.values.row(static_cast<Eigen::Index>(k)) =
+        units.of(quantity_of(wanted[k])) *
+        Eigen::Map<const Eigen::RowVectorXd>(table.columns[k + 1].data(),
+                                             static_cast<Eigen::Index>(read.t_s.size()));
   }
   return read;
 }
@@ -98,11 +153,47 @@ std::vector<std::string_view> named_keys(const RecordingFormat& format,
   return found;
 }
 
-void take_positions(const std::vector<std::string_view>& keys, const Eigen::MatrixXd& values, double metres,
-                    Motion& motion) {
+/// Positions, and how fast the recording says that they go.
+void take_positions(const std::vector<std::string_view>& keys, const Eigen::MatrixXd& values,
+                    FieldRecording& recording) {
+  Motion& motion = recording.motion;
   motion.p_WQ = Points::Zero(3, values.cols());
   for (std::size_t k = 0; k < keys.size(); ++k)
-    motion.p_WQ.row(keys[k].front() - 'x') = metres * values.row(static_cast<Eigen::Index>(k));
+    if (keys[k] != "speed") motion.p_WQ.row(keys[k].front() - 'x') = values.row(static_cast<Eigen::Index>(k));
+  if (keys.empty() || keys.back() != "speed") return;
+  constexpr double most_off = 1.25;
+  const Eigen::VectorXd speed = values.bottomRows(1).transpose();
+  const double ratio =
+      speed_over_positions(motion.t_s, motion.p_WQ, {speed.data(), static_cast<std::size_t>(speed.size())});
+  std::string words = fmt::format("its speeds are {:.3g} times what its positions give", ratio);
+  if (!std::isfinite(ratio)) words = "its speeds could not be held against its positions, which hardly move";
+  if (ratio > most_off || ratio < 1 / most_off) {
+    recording.warnings.push_back(words +
+                                 ": the unit of one of them, or of time, is not what it is taken for");
+  } else {
+    recording.notes.push_back(words);
+  }
+}
+
+/// Torques on the finger, about the sensor's origin.
+void take_torques(const std::string& path, const RecordingFormat& format,
+                  const std::vector<std::string_view>& keys, const Eigen::MatrixXd& values,
+                  FieldRecording& recording) {
+  int components = 0;
+  Points torque_n_m(3, values.cols());
+  for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (quantity_of(keys[k]) != Quantity::torque) continue;
+    torque_n_m.row(keys[k].back() - 'x') =
+        (format.forces_on_surface ? -1 : 1) * values.row(static_cast<Eigen::Index>(k));
+    ++components;
+  }
+  if (components == 0) return;
+  if (components != 3)
+    throw refused(path, "a torque needs all of tx, ty and tz; name them in columns, or none of them");
+  recording.torque_W_n_m = std::move(torque_n_m);
+  recording.notes.push_back(fmt::format(
+      "torques up to {:.3g} N mm; they tell the contact point where --sensor-at says how the sensor stands",
+      1e3 * recording.torque_W_n_m.colwise().norm().maxCoeff()));
 }
 
 void take_forces(const std::string& path, const RecordingFormat& format,
@@ -111,6 +202,7 @@ void take_forces(const std::string& path, const RecordingFormat& format,
   const double sign = format.forces_on_surface ? -1 : 1;
   std::size_t components = 0;
   for (std::size_t k = 0; k < keys.size(); ++k) {
+    if (quantity_of(keys[k]) != Quantity::force) continue;
     const auto row = values.row(static_cast<Eigen::Index>(k));
     if (keys[k] == "fn") {
       motion.normal_force_n.assign(row.begin(), row.end());
@@ -136,6 +228,11 @@ void take_forces(const std::string& path, const RecordingFormat& format,
   }
 }
 
+/// Along the axis that they reach farthest along.
+double reach_m(const Motion& motion) {
+  return (motion.p_WQ.rowwise().maxCoeff() - motion.p_WQ.rowwise().minCoeff()).maxCoeff();
+}
+
 void refuse_odd_samples(const std::string& path, const Motion& motion) {
   for (std::size_t i = 0; i < motion.t_s.size(); ++i) {
     const auto column = static_cast<Eigen::Index>(i);
@@ -159,36 +256,39 @@ FieldRecording read_open_layout(const std::string& path, const RecordingFormat& 
                                 const OpenLayout& layout) {
   ask_for_columns(path, format, layout);
   refuse_other_columns(path, format, layout);
-  const double metres = ask_for_metres(path, format, layout);
-  const auto places = named_keys(format, {"x", "y", "z"}),
-             forces = named_keys(format, {"fx", "fy", "fz", "fn"});
+  const auto places = named_keys(format, {"x", "y", "z", "speed"}),
+             forces = named_keys(format, {"fx", "fy", "fz", "fn", "tx", "ty", "tz"});
   FieldRecording recording;
   Motion& motion = recording.motion;
+  const auto take = [&](const Eigen::MatrixXd& position, const Eigen::MatrixXd& force) {
+    take_positions(places, position, recording);
+    take_forces(path, format, forces, force, motion);
+    take_torques(path, format, forces, force, recording);
+  };
   if (format.positions_path.empty()) {
     std::vector<std::string_view> keys = places;
     keys.insert(keys.end(), forces.begin(), forces.end());
-    const ClockedValues all = clocked_columns(path, format, keys, "samples");
+    const ClockedValues all = clocked_columns(path, format, layout, keys, "samples");
     motion.t_s = all.t_s;
-    take_positions(places, all.values.topRows(static_cast<Eigen::Index>(places.size())), metres, motion);
-    take_forces(path, format, forces, all.values.bottomRows(static_cast<Eigen::Index>(forces.size())),
-                motion);
+    take(all.values.topRows(static_cast<Eigen::Index>(places.size())),
+         all.values.bottomRows(static_cast<Eigen::Index>(forces.size())));
   } else {
-    if (forces.empty())
+    if (std::none_of(forces.begin(), forces.end(),
+                     [](std::string_view key) { return quantity_of(key) == Quantity::force; }))
       throw refused(path,
                     "positions stand in a file of their own, and of this one no force is named in "
                     "columns: name fx, fy and fz, or fn");
     const JoinedClocks joined =
-        join_clocks(clocked_columns(format.positions_path, format, places, "positions"),
-                    clocked_columns(path, format, forces, "forces"), path);
+        join_clocks(clocked_columns(format.positions_path, format, layout, places, "positions"),
+                    clocked_columns(path, format, layout, forces, "forces"), path);
     motion.t_s = joined.t_s;
-    take_positions(places, joined.first, metres, motion);
-    take_forces(path, format, forces, joined.second, motion);
+    take(joined.first, joined.second);
     recording.notes.push_back(joined.note);
   }
   refuse_odd_samples(path, motion);
   recording.notes.push_back(
-      fmt::format("read as {}: positions of {} m a unit{}{}", layout.format, metres,
-                  places.size() == 2 ? ", in the plane z = 0" : "",
+      fmt::format("read as {}: positions over {:.4g} mm{}{}", layout.format, 1e3 * reach_m(motion),
+                  named(format, "z").empty() ? ", in the plane z = 0" : "",
                   format.forces_on_surface ? "; forces turned to those on the finger" : ""));
   return recording;
 }

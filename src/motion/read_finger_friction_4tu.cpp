@@ -27,7 +27,9 @@ FieldFormat finger_friction_4tu_format() noexcept {
           true,
           open_layout_files,
           read_finger_friction,
-          open_layout_keys};
+          open_layout_keys,
+          true,
+          true};
 }
 
 }  // namespace fingerpad

@@ -6,7 +6,8 @@
 //
 // Not verified, since neither the standard's annex nor a file was at hand: the names and the order of
 // columns, units, rate, and whether the force is that on the hand. So columns and unit are asked for, and the
-// sense is checked by the sign of the normal force. Velocities are passed over: the positions give them.
+// sense is checked by the sign of the normal force. Velocities are not read: the positions give them, and a
+// speed that is named is held against these.
 
 namespace fingerpad {
 namespace {
@@ -24,7 +25,9 @@ FieldFormat kinaesthetic_format() noexcept {
           false,
           open_layout_files,
           read_kinaesthetic,
-          open_layout_keys};
+          open_layout_keys,
+          true,
+          true};
 }
 
 }  // namespace fingerpad

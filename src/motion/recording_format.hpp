@@ -37,6 +37,7 @@ struct RecordingFormat {
                                                                    ///< empty: as recording_columns says
   double metres_per_unit = 1;                                      ///< of positions
   double seconds_per_unit = 1;                                     ///< of times
+  double newtons_per_unit = 1;                                     ///< of forces
   CsvDialect dialect = {found_separator, '.'};
   bool reads_normal_force = false;  ///< the column fn must be there; else it is passed over, if not named
 
@@ -45,6 +46,13 @@ struct RecordingFormat {
   bool says_unit = false, says_time_unit = false;  ///< else a named format's own units hold
   std::optional<int> subject, trial;               ///< the rows of these alone, by the columns of their names
   bool forces_on_surface = false;  ///< fx,fy,fz are the load on the surface, not on the finger
+
+  /// Of a layout that has them, as the file calls them; empty: not asked for. A motion has no use of them, a
+  /// measurement has.
+  std::array<std::string, 3> torque_headers;
+  std::string speed_header;
+  double newton_metres_per_unit = 1;  ///< of torques
+  bool says_torque_unit = false;      ///< else a named format's own holds
 };
 
 }  // namespace fingerpad

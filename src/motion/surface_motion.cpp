@@ -11,11 +11,11 @@
 #include <string_view>
 
 #include "base/error.hpp"
-#include "base/random_stream.hpp"
 #include "motion/finger_path.hpp"
 #include "motion/proxy_trial.hpp"
 #include "motion/sharp_edge.hpp"
 #include "motion/surface_walk.hpp"
+#include "part/random_places.hpp"
 
 namespace fingerpad {
 namespace {
@@ -67,34 +67,6 @@ class Turning {
  private:
   const SurfaceMotion& rub_;
   double growth_m_, angle_ = 0;
-};
-
-/// Random points of a part, each place as likely as its area.
-class RandomPlaces {
- public:
-  explicit RandomPlaces(const Part& part) : part_(part) {
-    areas_.reserve(static_cast<std::size_t>(part.triangle_count()));
-    double sum = 0;
-    for (int t = 0; t < part.triangle_count(); ++t) {
-      const Vec3 a = corner(t, 0);
-      areas_.push_back(sum += (corner(t, 1) - a).cross(corner(t, 2) - a).norm());
-    }
-  }
-  int triangle(RandomStream& random) const {
-    const auto at = std::upper_bound(areas_.begin(), areas_.end(), random.uniform() * areas_.back());
-    return static_cast<int>(std::min(at - areas_.begin(), std::ssize(areas_) - 1));
-  }
-  Vec3 point_P(int t, RandomStream& random) const {
-    double u = random.uniform(), v = random.uniform();
-    if (u + v > 1) u = 1 - u, v = 1 - v;
-    const Vec3 a = corner(t, 0);
-    return part_.centre_P + a + u * (corner(t, 1) - a) + v * (corner(t, 2) - a);
-  }
-
- private:
-  Vec3 corner(int t, int k) const { return part_.vertices.col(part_.triangles(k, t)); }
-  const Part& part_;
-  std::vector<double> areas_;  // doubled, and summed
 };
 
 /// Whether the finger can come in from there. What lies around a point is known of a closed part alone: in a
@@ -221,7 +193,7 @@ LaidMotion lay_on_surface(const TriangleTree& tree, const SurfaceMotion& rub, do
   bool is_too_deep = false;
   for (int tried = 1; tried <= most_tries; ++tried) {
     const int t = places.triangle(random);
-    const Vec3 place_P = places.point_P(t, random);
+    const Vec3 place_P = places.point(t, tree.part().centre_P, random);
     const double heading_rad = 2 * pi * random.uniform();
     SurfaceWalk walk(tree, radius_m - depth_m, tolerance_of_size * rub.size_m);
     SurfaceWalker walker;

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "study/fit_figures.hpp"
+#include "study/profile_text.hpp"
 
 namespace fingerpad {
 namespace {
@@ -124,6 +125,8 @@ std::string fit_page(const FitReport& report, const Measurement& measurement, co
   if (!fit.residual.misfit.empty())
     page += fmt::format("<p><strong>The finger-pad law does not fit: {}</strong></p>\n",
                         html(fit.residual.misfit));
+  if (const std::string missing = missing_axes_words(fit); !missing.empty())
+    page += fmt::format("<p><strong>{}</strong></p>\n", html(missing));
   page += numbers_html(fit);
   page += checked_html(report.checked);
   page += html_list("From raw to clean", measurement.steps);

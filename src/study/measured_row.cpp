@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "study/six_axis_sensor.hpp"
 
 namespace fingerpad {
 namespace {
@@ -22,7 +23,8 @@ static_assert(reads_as(MeasuredColumn::x, "x") && reads_as(MeasuredColumn::fx, "
               reads_as(MeasuredColumn::nx, "nx") && reads_as(MeasuredColumn::dx, "dx") &&
               reads_as(MeasuredColumn::marker_1, "m1x") && reads_as(MeasuredColumn::marker_2, "m2x") &&
               reads_as(MeasuredColumn::torque, "tx") && reads_as(MeasuredColumn::subject, "subject") &&
-              reads_as(MeasuredColumn::trial, "trial") && reads_as(MeasuredColumn::fn, "fn"));
+              reads_as(MeasuredColumn::trial, "trial") && reads_as(MeasuredColumn::fn, "fn") &&
+              reads_as(MeasuredColumn::speed, "speed"));
 // What a recorded motion has too is called alike.
 static_assert(measurement_columns[0].header == recording_columns[0].header &&
               measurement_columns[1].header == recording_columns[1].header &&
@@ -47,6 +49,10 @@ bool is_required(const MeasurementFormat& format, std::size_t column) {
 
 RowReader::RowReader(const std::string& path, const MeasurementFormat& format, std::vector<bool> present)
     : format_(format), present_(std::move(present)) {
+  if (!format.headers[place_of(MeasuredColumn::speed)].empty())
+    throw refused(path,
+                  "the column speed of --columns is read with --reader sens3 and its like alone: leave it "
+                  "out; the positions give it");
   for (const MeasuredColumn first : {MeasuredColumn::nx, MeasuredColumn::dx, MeasuredColumn::torque}) {
     const auto begin = present_.begin() + static_cast<std::ptrdiff_t>(place_of(first));
     const auto there = std::count(begin, begin + 3, true);
@@ -106,25 +112,6 @@ void RowReader::take_markers(std::span<const double> numbers, RecordedRow& row) 
   row.position_W = distal + format_.markers->tip_beyond_m * along + format_.markers->tip_below_m * below;
 }
 
-/// Force and torque turned into W; where there is torque, the contact is where the line of the force meets
-/// the plate: of all points r on it the moment is tau = r x f + m n, with m the free moment about the normal.
-void RowReader::take_sensor(std::span<const double> numbers, RecordedRow& row) const {
-  const SixAxisSensor& sensor = *format_.sensor;
-  const Vec3 force_W = sensor.rotation_WS * row.force_W;
-  row.force_W = force_W;
-  if (!has(MeasuredColumn::torque) || format_.markers) return;
-  const double sign = format_.force_on_plate ? -1 : 1;
-  const Vec3 torque_W =
-      sensor.rotation_WS * (sign * format_.newton_metres_per_unit * vector(numbers, MeasuredColumn::torque));
-  const Vec3& n = row.normal_W;
-  const double height_m = sensor.plate_height_m - n.dot(sensor.origin_W), normal_n = n.dot(force_W);
-  // n x (r x f) = r (n.f) - f (n.r), so that r = (n x tau + h f)/(n.f) with h = n.r: McCarthy 1990's centre
-  // of pressure. Its height along the normal is not told by the force.
-  const Vec3 contact = (n.cross(torque_W) + height_m * force_W) / normal_n;
-  if (std::abs(normal_n) > 0.05 && contact.allFinite())
-    row.position_W = sensor.origin_W + contact + n * n.dot(row.position_W - sensor.origin_W - contact);
-}
-
 RecordedRow RowReader::row(std::span<const double> numbers, const RowPlace& place) const {
   RecordedRow row;
   row.t_s = time_s(numbers);
@@ -134,7 +121,10 @@ RecordedRow RowReader::row(std::span<const double> numbers, const RowPlace& plac
   if (has(MeasuredColumn::nx)) row.normal_W = unit(numbers, MeasuredColumn::nx, "normal", place);
   if (has(MeasuredColumn::dx)) row.direction_W = unit(numbers, MeasuredColumn::dx, "finger direction", place);
   if (format_.markers) take_markers(numbers, row);
-  if (format_.sensor) take_sensor(numbers, row);
+  if (!format_.sensor) return row;
+  const double torque_n_m = (format_.force_on_plate ? -1 : 1) * format_.newton_metres_per_unit;
+  const Vec3 torque_S = torque_n_m * vector(numbers, MeasuredColumn::torque);
+  take_wrench(*format_.sensor, has(MeasuredColumn::torque) && !format_.markers ? &torque_S : nullptr, row);
   return row;
 }
 

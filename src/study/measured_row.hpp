@@ -22,7 +22,8 @@ enum class MeasuredColumn : std::size_t {
   torque = 19,
   subject = 22,
   trial = 23,
-  fn = 24
+  fn = 24,
+  speed = 25
 };
 
 /// Where a row stands, for messages.
@@ -62,7 +63,6 @@ class RowReader {
   Vec3 unit(std::span<const double> numbers, MeasuredColumn first, const char* what,
             const RowPlace& place) const;
   void take_markers(std::span<const double> numbers, RecordedRow& row) const;
-  void take_sensor(std::span<const double> numbers, RecordedRow& row) const;
 
   const MeasurementFormat& format_;
   std::vector<bool> present_;

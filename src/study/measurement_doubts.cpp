@@ -6,7 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <set>
 #include <span>
+#include <string_view>
 #include <vector>
 
 #include "base/error.hpp"
@@ -39,32 +41,116 @@ double usual(FileTrials trials, const std::function<double(const RecordedTrial&)
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
-void ask_for_units(FileTrials trials, const MeasurementFormat& format) {
-  constexpr double hardest_n = 40, lightest_n = 0.01, farthest_way_m = 1, slowest_hz = 20, fastest_hz = 200e3;
-  const std::string& file = trials.front().file;
+/// Faster than all but a twentieth of a trial's ways over 12 ms.
+double fastest_m_per_s(const RecordedTrial& trial) {
+  constexpr double window_s = 12e-3, most_share = 0.95;
+  const auto step = static_cast<Eigen::Index>(std::max(1L, std::lround(window_s * trial.rate_hz)));
+  std::vector<double> speeds;
+  for (Eigen::Index i = 0; i + step < trial.samples(); i += step)
+    speeds.push_back((trial.position_W.col(i + step) - trial.position_W.col(i)).norm() * trial.rate_hz /
+                     static_cast<double>(step));
+  if (speeds.empty()) return 0;
+  std::sort(speeds.begin(), speeds.end());
+  return speeds[static_cast<std::size_t>(most_share * static_cast<double>(speeds.size() - 1))];
+}
+
+double greatest_force_n(const RecordedTrial& trial) {
+  return trial.force_W.colwise().norm().maxCoeff();
+}
+
+/// What is not a finger's of a file's trials.
+struct UnitDoubt {
+  bool is_refused = false;  ///< and its unit was not said
+  std::string words;
+};
+
+constexpr std::string_view units_checked =
+    "are the units right (the options that say them, and the table's)?";
+
+void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+  constexpr double slowest_hz = 20, fastest_hz = 100e3, refused_hz = 200e3;
   const double rate_hz = usual(trials, [](const RecordedTrial& trial) { return trial.rate_hz; });
-  if (!format.says_time_unit && (rate_hz < slowest_hz || rate_hz > fastest_hz))
-    throw refused(
-        file, fmt::format("taken as seconds, its times give {:.3g} samples a second: say --time-unit ms (or "
-                          "us), or --time-unit s if they are seconds",
-                          rate_hz));
-  const double way_m = usual(trials, extent_m);
-  if (!format.says_unit && way_m > farthest_way_m)
-    throw refused(
-        file, fmt::format("taken as metres, its positions reach over {:.3g} m: say --unit mm (or cm, in), "
-                          "or --unit m if they are metres",
-                          way_m));
-  const double press_n = std::abs(usual(trials, pressing_n));
-  if (!format.says_force_unit && press_n > hardest_n)
-    throw refused(
-        file, fmt::format("taken as newtons, its normal force is {:.3g} N, harder than a finger rubs: say "
-                          "--force-unit mN (or gf), or --force-unit N if they are newtons",
-                          press_n));
-  if (!format.says_force_unit && press_n > 0 && press_n < lightest_n)
-    throw refused(
-        file, fmt::format("taken as newtons, its normal force is {:.3g} N, lighter than a finger rubs: say "
-                          "--force-unit kN, or --force-unit N if they are newtons",
-                          press_n));
+  if (rate_hz >= slowest_hz && rate_hz <= fastest_hz) return;
+  if (!format.says_time_unit && !(rate_hz >= slowest_hz && rate_hz <= refused_hz)) {
+    doubts.push_back(
+        {true, fmt::format("taken as seconds, its times give {:.3g} samples a second: say --time-unit ms (or "
+                           "us), or --time-unit s if they are seconds",
+                           rate_hz)});
+    return;
+  }
+  doubts.push_back({false, fmt::format("its times give {:.3g} samples a second, at which no finger is "
+                                       "measured: {}",
+                                       rate_hz, units_checked)});
+}
+
+void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+  constexpr double nearest_m = 0.5e-3, farthest_m = 0.5, refused_m = 1, fastest = 1.5;
+  const double way_m = usual(trials, extent_m), speed = usual(trials, fastest_m_per_s);
+  if (!format.says_unit && way_m > refused_m) {
+    doubts.push_back(
+        {true, fmt::format("taken as metres, its positions reach over {:.3g} m: say --unit mm (or cm, in), "
+                           "or --unit m if they are metres",
+                           way_m)});
+    return;
+  }
+  if (way_m < nearest_m || way_m > farthest_m)
+    doubts.push_back(
+        {false, fmt::format("its positions reach over {:.3g} mm, {} than a finger rubs: {}", 1e3 * way_m,
+                            way_m < nearest_m ? "less" : "farther", units_checked)});
+  if (speed > fastest)
+    doubts.push_back({false, fmt::format("its positions go at {:.3g} m/s, faster than a finger rubs: {}",
+                                         speed, units_checked)});
+}
+
+void doubt_forces(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+  constexpr double hardest_n = 40, lightest_n = 0.01, greatest_n = 100;
+  const double press_n = std::abs(usual(trials, pressing_n)), most_n = usual(trials, greatest_force_n);
+  if (!format.says_force_unit && press_n > hardest_n) {
+    doubts.push_back(
+        {true, fmt::format("taken as newtons, its normal force is {:.3g} N, harder than a finger rubs: say "
+                           "--force-unit mN (or gf), or --force-unit N if they are newtons",
+                           press_n)});
+  } else if (!format.says_force_unit && press_n > 0 && press_n < lightest_n) {
+    doubts.push_back(
+        {true, fmt::format("taken as newtons, its normal force is {:.3g} N, lighter than a finger rubs: say "
+                           "--force-unit kN, or --force-unit N if they are newtons",
+                           press_n)});
+  } else if (press_n > hardest_n || (press_n > 0 && press_n < lightest_n)) {
+    doubts.push_back({false, fmt::format("its normal force is {:.3g} N, {} than a finger rubs: {}", press_n,
+                                         press_n > hardest_n ? "harder" : "lighter", units_checked)});
+  } else if (most_n > greatest_n) {
+    doubts.push_back(
+        {false, fmt::format("its forces reach {:.3g} N, more than a finger's: {}", most_n, units_checked)});
+  }
+}
+
+std::vector<UnitDoubt> unit_doubts(FileTrials trials, const MeasurementFormat& format) {
+  std::vector<UnitDoubt> doubts;
+  doubt_times(trials, format, doubts);
+  doubt_positions(trials, format, doubts);
+  doubt_forces(trials, format, doubts);
+  return doubts;
+}
+
+void ask_for_units(FileTrials trials, const MeasurementFormat& format) {
+  for (const UnitDoubt& doubt : unit_doubts(trials, format))
+    if (doubt.is_refused) throw refused(trials.front().file, doubt.words);
+}
+
+/// Calls `use` with the trials of each file.
+template <typename Use>
+void each_file(const RecordedMeasurement& recorded, const Use& use) {
+  const std::vector<RecordedTrial>& trials = recorded.trials;
+  for (std::size_t from = 0, to = 0; from < trials.size(); from = to) {
+    while (to < trials.size() && trials[to].file == trials[from].file) ++to;
+    use(FileTrials(trials.data() + from, to - from));
+  }
+}
+
+/// "2.1", or "1.9 to 2.1" where they differ.
+std::string range_text(double least, double most) {
+  const std::string low = fmt::format("{:.4g}", least), high = fmt::format("{:.4g}", most);
+  return low == high ? low : fmt::format("{} to {}", low, high);
 }
 
 /// A trial's positions and forces of the same moments, where force lags position by a delay.
@@ -129,13 +215,46 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double de
 }  // namespace
 
 void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementFormat& format, double delay_s) {
-  const std::vector<RecordedTrial>& trials = recorded.trials;
-  for (std::size_t from = 0, to = 0; from < trials.size(); from = to) {
-    while (to < trials.size() && trials[to].file == trials[from].file) ++to;
-    const FileTrials own(trials.data() + from, to - from);
+  each_file(recorded, [&](FileTrials own) {
     ask_for_units(own, format);
     ask_for_signs(own, format, delay_s);
+  });
+}
+
+std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
+  std::vector<std::string> told;
+  each_file(recorded, [&](FileTrials own) {
+    for (const UnitDoubt& doubt : unit_doubts(own, format))
+      if (!doubt.is_refused) told.push_back(fmt::format("{}: {}", own.front().file, doubt.words));
+  });
+  return told;
+}
+
+std::string measurement_words(const RecordedMeasurement& recorded) {
+  if (recorded.trials.empty()) return {};
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double shortest_s = none, longest_s = 0, slowest_hz = none, fastest_hz = 0, speed = 0, force_n = 0;
+  Vec3 reach_m = Vec3::Zero();
+  std::set<int> subjects;
+  for (const RecordedTrial& trial : recorded.trials) {
+    subjects.insert(trial.subject);
+    const double span_s = static_cast<double>(trial.samples()) / trial.rate_hz;
+    shortest_s = std::min(shortest_s, span_s);
+    longest_s = std::max(longest_s, span_s);
+    slowest_hz = std::min(slowest_hz, trial.rate_hz);
+    fastest_hz = std::max(fastest_hz, trial.rate_hz);
+    speed = std::max(speed, fastest_m_per_s(trial));
+    force_n = std::max(force_n, greatest_force_n(trial));
+    reach_m =
+        reach_m.cwiseMax(Vec3(trial.position_W.rowwise().maxCoeff() - trial.position_W.rowwise().minCoeff()));
   }
+  const std::size_t trials = recorded.trials.size();
+  return fmt::format(
+      "understood as {} trial{} of {} subject{}, {} s each at {} samples a second; positions reach over "
+      "{:.3g} x {:.3g} x {:.3g} mm, at up to {:.3g} m/s; forces up to {:.3g} N",
+      trials, trials == 1 ? "" : "s", subjects.size(), subjects.size() == 1 ? "" : "s",
+      range_text(shortest_s, longest_s), range_text(slowest_hz, fastest_hz), 1e3 * reach_m.x(),
+      1e3 * reach_m.y(), 1e3 * reach_m.z(), speed, force_n);
 }
 
 }  // namespace fingerpad

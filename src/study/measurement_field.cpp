@@ -5,6 +5,8 @@
 #include <algorithm>
 
 #include "base/error.hpp"
+#include "study/measured_row.hpp"
+#include "study/six_axis_sensor.hpp"
 #include "study/trial_rows.hpp"
 
 namespace fingerpad {
@@ -25,6 +27,11 @@ RecordingFormat recording_format(const FieldFormat& layout, const MeasurementFor
   said.says_unit = format.says_unit;
   said.says_time_unit = format.says_time_unit;
   said.forces_on_surface = format.force_on_plate;
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    said.torque_headers[axis] = format.headers[static_cast<std::size_t>(MeasuredColumn::torque) + axis];
+  said.speed_header = format.headers[static_cast<std::size_t>(MeasuredColumn::speed)];
+  said.newton_metres_per_unit = format.newton_metres_per_unit;
+  said.says_torque_unit = format.says_torque_unit;
   return said;
 }
 
@@ -33,7 +40,13 @@ void refuse_unread(const FieldFormat& layout, const std::string& path, const Mea
   const auto refuse = [&](std::string_view option) {
     return refused(path, fmt::format("{} is not read with --reader {}: leave it out", option, layout.name));
   };
+  const auto is_wrench = [&](std::size_t m) {
+    const auto first = static_cast<std::size_t>(MeasuredColumn::torque);
+    return layout.takes_torque &&
+           ((m >= first && m < first + 3) || m == static_cast<std::size_t>(MeasuredColumn::speed));
+  };
   for (std::size_t m = 0; m < measurement_columns.size(); ++m) {
+    if (is_wrench(m)) continue;
     const auto is_it = [&](const RecordingColumn& column) {
       return column.key == measurement_columns[m].key;
     };
@@ -41,7 +54,12 @@ void refuse_unread(const FieldFormat& layout, const std::string& path, const Mea
       throw refuse(fmt::format("the column {} of --columns", measurement_columns[m].key));
   }
   if (format.markers) throw refuse("--markers");
-  if (format.sensor) throw refuse("--sensor-at (or --sensor-turned)");
+  const bool has_torque = !format.headers[static_cast<std::size_t>(MeasuredColumn::torque)].empty();
+  if (format.sensor && !layout.takes_torque) throw refuse("--sensor-at (or --sensor-turned)");
+  if (format.sensor && !has_torque)
+    throw refused(path,
+                  "--sensor-at says how a six-axis sensor stands, and no torque is named: name tx, ty and tz "
+                  "in --columns, or leave it out");
 }
 
 }  // namespace
@@ -53,6 +71,8 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
   refuse_unasked_keys(path, said);
   const FieldRecording recording = layout.read(path, said);
   for (const std::string& note : recording.notes) into.notes.push_back(fmt::format("{}: {}", path, note));
+  for (const std::string& warning : recording.warnings)
+    into.warnings.push_back(fmt::format("{}: {}", path, warning));
   const Motion& motion = recording.motion;
   if (motion.force_W_n.cols() == 0) {
     into.without_force.push_back(fmt::format(
@@ -79,6 +99,10 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
     row.t_s = motion.t_s[static_cast<std::size_t>(i)];
     row.position_W = motion.p_WQ.col(i);
     row.force_W = format.newtons_per_unit * motion.force_W_n.col(i);
+    if (format.sensor) {
+      const Vec3 torque_S_n_m = recording.torque_W_n_m.col(i);
+      take_wrench(*format.sensor, &torque_S_n_m, row);
+    }
     trial.add(row);
   }
   trial.finish(into);

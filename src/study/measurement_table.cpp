@@ -4,6 +4,7 @@
 
 #include "base/csv_row_reader.hpp"
 #include "base/error.hpp"
+#include "base/unit_row.hpp"
 #include "study/measured_row.hpp"
 
 namespace fingerpad {
@@ -21,13 +22,51 @@ std::vector<std::size_t> asked_columns(const MeasurementFormat& format, CsvReque
   return required;
 }
 
+/// The format with the units that a line below the header names.
+/// @param asked  as asked_columns
+MeasurementFormat with_units(MeasurementFormat format, const CsvRequest& request, const UnitRow& row,
+                             const std::vector<std::size_t>& asked) {
+  std::vector<std::string_view> names = request.required;
+  names.insert(names.end(), request.optional.begin(), request.optional.end());
+  const auto unit = [&](Quantity quantity, std::initializer_list<std::pair<MeasuredColumn, std::size_t>> runs,
+                        bool is_said, double si_per_unit, const char* option) {
+    UnitGroup group{quantity, {}, is_said, si_per_unit, option};
+    for (std::size_t k = 0; k < asked.size(); ++k) {
+      for (const auto& [first, count] : runs) {
+        const auto place = static_cast<std::size_t>(first);
+        if (asked[k] >= place && asked[k] < place + count) group.columns.push_back(k);
+      }
+    }
+    return unit_of_group(row, names, group);
+  };
+  using enum MeasuredColumn;
+  format.seconds_per_unit =
+      unit(Quantity::time, {{time, 1}}, format.says_time_unit, format.seconds_per_unit, "--time-unit");
+  format.metres_per_unit = unit(Quantity::length, {{x, 3}, {marker_1, 3}, {marker_2, 3}}, format.says_unit,
+                                format.metres_per_unit, "--unit");
+  format.newtons_per_unit = unit(Quantity::force, {{fx, 3}, {fn, 1}}, format.says_force_unit,
+                                 format.newtons_per_unit, "--force-unit");
+  format.newton_metres_per_unit = unit(Quantity::torque, {{torque, 3}}, format.says_torque_unit,
+                                       format.newton_metres_per_unit, "--torque-unit");
+  format.says_unit = format.says_time_unit = format.says_force_unit = format.says_torque_unit = true;
+  return format;
+}
+
+std::string units_note(const std::string& path, const MeasurementFormat& format) {
+  return fmt::format(
+      "{}: units as the line below its header has them: a time is {:.6g} s, a position "
+      "{:.6g} m, a force {:.6g} N each",
+      path, format.seconds_per_unit, format.metres_per_unit, format.newtons_per_unit);
+}
+
 }  // namespace
 
 void read_measured_table(const std::string& path, const MeasurementFormat& format,
                          RecordedMeasurement& into) {
   CsvRequest request;
   request.dialect = format.dialect;
-  request.takes_gaps = true;
+  request.takes_gaps = request.takes_units = true;
+  request.mark_mend = separator_mend;
   request.mend =
       "a measurement has t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n; where yours is called otherwise, say "
       "--columns t=NAME,x=NAME";
@@ -35,7 +74,10 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   CsvRowReader table(path, request);
   std::vector<bool> present(measurement_columns.size());
   for (std::size_t k = 0; k < asked.size(); ++k) present[asked[k]] = table.present()[k];
-  const RowReader rows(path, format, present);
+  const bool has_units = !table.units().words.empty();
+  const MeasurementFormat read_as = has_units ? with_units(format, request, table.units(), asked) : format;
+  if (has_units) into.notes.push_back(units_note(path, read_as));
+  const RowReader rows(path, read_as, present);
   if (const std::string missing = rows.missing_force(); !missing.empty()) {
     into.without_force.push_back(fmt::format("{}: {}", path, missing));
     return;

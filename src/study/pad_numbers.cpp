@@ -130,7 +130,7 @@ bool has_short_teeth(const std::vector<TrialEvidence>& trials) {
 
 /// Refuses a v_min that stick which passes for slip has made too low.
 void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
-                         PadValues& found) {
+                         const std::optional<SpeedStep>& slow_slip, PadValues& found) {
   constexpr double most_rise = 0.25;  // of what a rupture drops; of hidden teeth it is half of that
   const PadValue &mu_static = value_of(found, PadNumber::mu_static),
                  &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
@@ -142,6 +142,16 @@ void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::ve
         "slip "
         "before: sample faster",
         v_min.value);
+    return;
+  }
+  constexpr double faster = 1.03;
+  if (slow_slip && slow_slip->speed_m_per_s > faster * v_min.value) {
+    v_min.refusal = fmt::format(
+        "slip is seen to end at {:.3g} m/s, but its friction is up by {:.3g} already below {:.3g} m/s: stick "
+        "that gives way again within a few samples hides there (then sample faster), or friction rises as "
+        "the "
+        "finger slows",
+        v_min.value, slow_slip->rise, slow_slip->speed_m_per_s);
     return;
   }
   if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty()) return;
@@ -191,6 +201,15 @@ void refuse_no_numbers(PadValues& found) {
   }
 }
 
+/// Whether slow slip's friction is so much higher that stick may hide in it, of a law like the pad's.
+bool is_hidden_stick(const PadValues& found, const SpeedStep& slow) {
+  constexpr double least_of_drop = 0.25, least_of_friction = 0.04;
+  const PadValue &mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)],
+                 &mu_dynamic = found[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+  if (!mu_dynamic.refusal.empty() || !(slow.rise > least_of_friction * mu_dynamic.value)) return false;
+  return !mu_static.refusal.empty() || slow.rise > least_of_drop * (mu_static.value - mu_dynamic.value);
+}
+
 /// The spring that was found, for the next pass. The law's shares begin at 0.
 void take_bends(const PadValues& found, EvidencePoint& next) {
   constexpr double most_bent = 0.9;
@@ -217,7 +236,7 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
       load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
   at(PadNumber::v_min) = subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s,
                                        &TrialEvidence::stops, 10, "no slip that ends in stick was found");
-  refuse_hidden_stick(trials, times, found);
+  refuse_hidden_stick(trials, times, point.slow_slip, found);
   for (int axis = 0; axis < 2; ++axis)
     add_axis(fit_spring(trials, times, axis), point.evidence.bend[static_cast<std::size_t>(axis)],
              axis_numbers[axis], found);
@@ -252,6 +271,10 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   take_bends(found, next.evidence);
   const PadValue& v_min = found[static_cast<std::size_t>(PadNumber::v_min)];
   next.evidence.v_min_m_per_s = v_min.refusal.empty() ? v_min.value : 0;
+  next.slow_slip = speed_step(trials);
+  if (next.slow_slip && !is_hidden_stick(found, *next.slow_slip)) next.slow_slip.reset();
+  if (next.slow_slip)
+    next.evidence.v_min_m_per_s = std::max(next.evidence.v_min_m_per_s, next.slow_slip->speed_m_per_s);
   return next;
 }
 

@@ -69,6 +69,7 @@ struct FitPoint {
   EvidencePoint evidence;
   std::optional<VibrationPeak> vibration;  ///< where a draw's own peak is looked for
   double trial_scatter = 0;                ///< of the trials' friction; see load_exponent
+  std::optional<SpeedStep> slow_slip;      ///< where slip's friction rises as it slows
 };
 
 /// The numbers of the trials' evidence, each counted `times` (a bootstrap's draw; once each for the

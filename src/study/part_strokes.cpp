@@ -4,9 +4,9 @@
 #include <numbers>
 #include <numeric>
 
-#include "base/random_stream.hpp"
 #include "contact/surface_places.hpp"
 #include "contact/triangle_tree.hpp"
+#include "part/random_places.hpp"
 #include "study/judged_cases.hpp"
 
 namespace fingerpad {
@@ -21,48 +21,18 @@ struct Landing {
   Vec3 at_P, normal_P;
 };
 
-/// Facets by their area.
-class FacetLottery {
- public:
-  explicit FacetLottery(const Part& part) : part_(part) {
-    double sum = 0;
-    for (int t = 0; t < part.triangle_count(); ++t) sums_.push_back(sum += area_m2(t));
-  }
-  /// A place, relative to the part's centre, in a region or (-1) anywhere.
-  Landing draw(RandomStream& random, int region) const {
-    Landing landing = draw(random);
-    for (int tries = 0; region >= 0 && tries < most_draws && region_of(part_, landing.at_P) != region;
-         ++tries)
-      landing = draw(random);
-    return landing;
-  }
-
- private:
-  /// More than a region's share of the part needs, which is at least a two-thousandth.
-  static constexpr int most_draws = 20000;
-
-  Landing draw(RandomStream& random) const {
-    const double wanted = random.uniform() * sums_.back();
-    const auto found = std::upper_bound(sums_.begin(), sums_.end() - 1, wanted);
-    const int t = static_cast<int>(found - sums_.begin());
-    double u = random.uniform(), v = random.uniform();
-    if (u + v > 1) {
-      u = 1 - u;
-      v = 1 - v;
-    }
-    const Vec3 a = corner(t, 0);
-    return {a + u * (corner(t, 1) - a) + v * (corner(t, 2) - a), part_.facet_normals.col(t)};
-  }
-
-  Vec3 corner(int t, int k) const { return part_.vertices.col(part_.triangles(k, t)); }
-  double area_m2(int t) const {
-    const Vec3 a = corner(t, 0);
-    return (corner(t, 1) - a).cross(corner(t, 2) - a).norm() / 2;
-  }
-
-  const Part& part_;
-  std::vector<double> sums_;
-};
+/// A place, relative to the part's centre, in a region or (-1) anywhere.
+Landing drawn_landing(const Part& part, const RandomPlaces& places, RandomStream& random, int region) {
+  constexpr int most_draws = 20000;  // more than a region's share needs, which is at least a two-thousandth
+  const auto draw = [&] {
+    const int t = places.triangle(random);
+    return Landing{places.point(t, Vec3::Zero(), random), part.facet_normals.col(t)};
+  };
+  Landing landing = draw();
+  for (int tries = 0; region >= 0 && tries < most_draws && region_of(part, landing.at_P) != region; ++tries)
+    landing = draw();
+  return landing;
+}
 
 /// Whether a finger can come down there: it fits at its start, and nothing is in its centre's way.
 bool is_free(const TriangleTree& tree, const Landing& landing, double height_m, double radius_m) {
@@ -85,11 +55,11 @@ std::vector<FingerPath> strokes_over(const Surface& surface, const Scene& scene,
   const Part& part = *surface.part;
   const double rate_hz = scene.motion.rate_hz, radius_m = scene.finger.radius_m;
   const double greatest_m = scene.contact.greatest_force_n / surface.properties.stiffness_n_per_m;
-  const FacetLottery lottery(part);
+  const RandomPlaces lottery(part);
   RandomStream random(plan.seed);
   std::vector<FingerPath> strokes;
   for (int tries = 0; tries < 20 * plan.count && static_cast<int>(strokes.size()) < plan.count; ++tries) {
-    const Landing landing = lottery.draw(random, plan.region);
+    const Landing landing = drawn_landing(part, lottery, random, plan.region);
     const Vec3 n = surface.R_WP * landing.normal_P;
     const bool is_light = strokes.size() % 2 == 0;
     const double depth_m = is_light ? greatest_m / 10 : greatest_m * std::pow(10.0, -random.uniform());

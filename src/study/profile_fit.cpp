@@ -15,11 +15,40 @@ namespace {
 
 constexpr int bootstrap_draws = 400;
 
+/// How many samples a tooth of stick and slip takes at v_min, from mu_dynamic to mu_static along the spring;
+/// nothing where that is not known.
+std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& about) {
+  const auto value = [&](PadNumber number) -> const PadValue& {
+    return fit.values[static_cast<std::size_t>(number)];
+  };
+  const PadValue &mu_static = value(PadNumber::mu_static), &mu_dynamic = value(PadNumber::mu_dynamic),
+                 &v_min = value(PadNumber::v_min);
+  if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty() || !v_min.refusal.empty())
+    return std::nullopt;
+  double rate_hz = 0, way_m = 0, axes = 0;
+  for (const TrialEvidence& trial : fit.evidence) rate_hz = std::max(rate_hz, trial.rate_hz);
+  for (const auto& [number, axis] :
+       {std::pair(PadNumber::lateral_axis, 0), std::pair(PadNumber::longitudinal_axis, 1)}) {
+    if (!value(number).refusal.empty()) continue;
+    const SpringBend& bend = about.bend[static_cast<std::size_t>(axis)];
+    const auto way = [&](double ratio) { return bend.at(ratio)[0] * ratio; };
+    way_m += value(number).value * (1 - way(mu_dynamic.value) / way(mu_static.value));
+    ++axes;
+  }
+  if (axes == 0) return std::nullopt;
+  return way_m / axes / v_min.value * rate_hz;
+}
+
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
 /// lie a twentieth of a sample later than in its middle; ends of slip that pass for stick bend a spring by a
-/// thousandth and lengthen it by half of that.
-std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit, const FitPoint& point) {
-  constexpr double unsure = 0.1, later = 0.05, earlier = 0.5, beside = 0.025;
+/// thousandth and lengthen it by half of that; slow slip that is left in mu_dynamic is half a thousandth of
+/// it, and twice as much where stick hides in it.
+std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit, const FitPoint& point,
+                                                             bool has_slow_slip) {
+  constexpr double unsure = 0.1, later = 0.05, beside = 0.025, long_tooth = 6;
+  // The end of slip may be seen a tooth late where teeth have few samples.
+  const double earlier =
+      0.5 + std::max(0.0, long_tooth - tooth_samples(fit, point.evidence).value_or(long_tooth));
   std::vector<TrialEvidence> noisier = fit.evidence;
   for (TrialEvidence& trial : noisier) {
     for (std::size_t axis = 0; axis < 2; ++axis) trial.spring[axis] -= unsure * trial.spring_noise[axis];
@@ -50,6 +79,9 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
     const auto k = static_cast<std::size_t>(length);
     moved[k] += stretches * std::abs(fit.values[k].value);
   }
+  constexpr double slow_share = 5e-4;  // of slip's friction: what slow slip is left in it
+  const auto dynamic = static_cast<std::size_t>(PadNumber::mu_dynamic);
+  moved[dynamic] += (has_slow_slip ? 2 : 1) * slow_share * std::abs(fit.values[dynamic].value);
   if (point.vibration) {
     const double step_hz =
         point.vibration->rate_hz / static_cast<double>(vibration_window(point.vibration->rate_hz));
@@ -59,8 +91,10 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
   return moved;
 }
 
-void add_intervals(const std::vector<int>& subject_of, const FitSettings& settings, const FitPoint& point,
+void add_intervals(const std::vector<int>& subject_of, const FitSettings& settings, FitPoint point,
                    ProfileFit& fit) {
+  const bool has_slow_slip = point.slow_slip.has_value();
+  point.slow_slip.reset();  // whether it is told is settled for all draws
   std::array<DrawSpread, pad_number_keys.size()> spreads;
   RandomStream random(settings.seed);
   for (int draw = 0; draw < bootstrap_draws; ++draw) {
@@ -76,7 +110,7 @@ void add_intervals(const std::vector<int>& subject_of, const FitSettings& settin
       if (values[k].refusal.empty()) without[k].add(one, values[k].value);
   });
   const auto subjects = static_cast<double>(fit.subjects);
-  const auto unsure = moved_by_sampling(fit, point);
+  const auto unsure = moved_by_sampling(fit, point, has_slow_slip);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     constexpr double most_missing = 0.05;
     if (!fit.values[k].refusal.empty() || spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
@@ -148,8 +182,14 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.mu_load_n = point.evidence.load.load_n;
   fit.outliers = outlier_trials(measurement, fit.evidence);
   const std::vector<int> once(fit.evidence.size(), 1);
-  ResidualSums residual(
-      {point.evidence, {fit_spring(fit.evidence, once, 0).shape, fit_spring(fit.evidence, once, 1).shape}});
+  const SpringFit lateral = fit_spring(fit.evidence, once, 0),
+                  longitudinal = fit_spring(fit.evidence, once, 1);
+  fit.knows_delay = measurement.knows_delay;
+  if (!fit.knows_delay && lateral.samples + longitudinal.samples > 0)
+    fit.delay_left_s = (static_cast<double>(lateral.samples) * lateral.shape.delay_s +
+                        static_cast<double>(longitudinal.samples) * longitudinal.shape.delay_s) /
+                       static_cast<double>(lateral.samples + longitudinal.samples);
+  ResidualSums residual({point.evidence, {lateral.shape, longitudinal.shape}});
   for (std::size_t i = 0; i < segments.size(); ++i)
     residual.add(measurement.trials[i], segments[i], fit.evidence[i]);
   fit.residual = residual.verdict();

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
+#include <string_view>
+
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "scene/toml_tree.hpp"
@@ -27,7 +31,59 @@ std::string numbers_text(const ProfileFit& fit) {
   return text;
 }
 
+const PadValue& value_of(const ProfileFit& fit, PadNumber number) {
+  return fit.values[static_cast<std::size_t>(number)];
+}
+
+/// What is to be measured so that the axis is told.
+std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
+  const bool has_direction = std::any_of(fit.evidence.begin(), fit.evidence.end(),
+                                         [](const TrialEvidence& trial) { return trial.has_direction; });
+  if (!has_direction) return "give the finger's direction in the columns dx, dy, dz";
+  // The slope is refused with these words of its own where the axis was pushed, but at one angle.
+  const PadNumber slope =
+      axis == PadNumber::lateral_axis ? PadNumber::lateral_slope : PadNumber::longitudinal_slope;
+  if (value_of(fit, slope).samples > 0)
+    return "add a trial with the finger at about 45 degrees to the plate, or at two angles";
+  return axis == PadNumber::lateral_axis ? "add a trial that rubs across the finger"
+                                         : "add a trial that rubs along the finger";
+}
+
+struct UsedElsewhere {
+  PadNumber number;
+  std::string_view where;
+};
+/// Numbers that a scene takes without a profile.
+constexpr UsedElsewhere used_elsewhere[] = {
+    {PadNumber::mu_static, "mu_static of a part or plane"},
+    {PadNumber::mu_dynamic, "mu_dynamic of a part or plane"},
+    {PadNumber::stick_stiffness, "stick_stiffness_per_m of [friction]"},
+    {PadNumber::v_min, "v_min_m_per_s of [friction]"},
+    {PadNumber::vibration, "vibration.frequency_hz of [friction]"},
+};
+
 }  // namespace
+
+std::string missing_axes_words(const ProfileFit& fit) {
+  std::string missing, mend;
+  for (const PadNumber axis : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
+    const PadValue& value = value_of(fit, axis);
+    if (value.refusal.empty()) continue;
+    missing += fmt::format("{}{} ({})", missing.empty() ? "" : " and ",
+                           pad_number_keys[static_cast<std::size_t>(axis)], value.refusal);
+    const std::string step = axis_mend(fit, axis);
+    if (mend.find(step) == std::string::npos) mend += (mend.empty() ? "" : ", and ") + step;
+  }
+  if (missing.empty()) return {};
+  std::string usable;
+  for (const UsedElsewhere& use : used_elsewhere) {
+    const PadValue& value = value_of(fit, use.number);
+    if (value.refusal.empty())
+      usable += fmt::format("{}{:.4g} as {}", usable.empty() ? "" : ", ", value.value, use.where);
+  }
+  return fmt::format("no scene takes this profile: it lacks {}. To have it, {}.{}", missing, mend,
+                     usable.empty() ? "" : fmt::format(" What a scene can use of it: {}", usable));
+}
 
 std::vector<std::string> fit_notes(const ProfileFit& fit) {
   std::vector<std::string> notes = fit.steps;
@@ -43,9 +99,31 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
           "{} is {:.3g} mm, further than the skin of a finger gives way: is the positions' unit right?",
           pad_number_keys[k], 1e3 * fit.values[k].value));
   }
+  constexpr double untold_s = 0.5e-3;
+  if (std::abs(fit.delay_left_s) > untold_s)
+    notes.push_back(
+        fmt::format("delay: the springs tell another {:.2g} ms beside what was taken out, which bent springs "
+                    "(or a loop) hide "
+                    "from the cross-correlation; axes and stiffnesses allow for it, and --delay with the sum "
+                    "takes it out",
+                    1e3 * fit.delay_left_s));
+  constexpr double narrowest_m = 0.1e-3;
+  const PadValue &lateral = value_of(fit, PadNumber::lateral_axis),
+                 &longitudinal = value_of(fit, PadNumber::longitudinal_axis);
+  if (lateral.refusal.empty() && longitudinal.refusal.empty() &&
+      std::max(lateral.value, longitudinal.value) < narrowest_m)
+    notes.push_back(
+        fmt::format("the axes are {:.3g} and {:.3g} mm, stiffer than the skin of a finger: is the "
+                    "positions' unit right?",
+                    1e3 * lateral.value, 1e3 * longitudinal.value));
   const LawResidual& residual = fit.residual;
   if (residual.samples == 0) return notes;
   if (!residual.misfit.empty()) {
+    if (!fit.knows_delay)
+      notes.push_back(
+          "delay: it was told by the springs of the pad's law, which does not fit: it may be 10 ms off, and "
+          "the "
+          "normal law with it; give it (--delay SECONDS) where it is known");
     notes.push_back("the pad's law does not fit: " + residual.misfit);
   } else {
     notes.push_back(
@@ -70,6 +148,8 @@ std::string profile_text(const ProfileFit& fit, const std::string& source) {
       intervals += fmt::format("{} = [{}, {}]\n", key, decimal_text(both->first), decimal_text(both->second));
   }
   for (const std::string& note : fit_notes(fit)) notes += fmt::format("# {}\n", printable(note, 1000));
+  if (const std::string missing = missing_axes_words(fit); !missing.empty())
+    notes += fmt::format("# {}\n", printable(missing, 1000));
   return fmt::format(
       "{}{}source = {}\n\n[interval]  # 95 %, over the trials of these subjects\n{}"
       "\n[samples]  # of stick, slip or contact; of mu_static ruptures, of v_min ends of slip, of vibrations "

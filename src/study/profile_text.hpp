@@ -15,4 +15,8 @@ std::string profile_text(const ProfileFit& fit, const std::string& source);
 /// law fits.
 std::vector<std::string> fit_notes(const ProfileFit& fit);
 
+/// Why no scene takes the profile, what to measure so that one does, and what of it can be used as it is;
+/// empty where it has both axes.
+std::string missing_axes_words(const ProfileFit& fit);
+
 }  // namespace fingerpad

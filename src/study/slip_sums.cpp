@@ -64,7 +64,12 @@ void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, co
   const double sway = velocity_variance(trial, segments);
   std::vector<double> along;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {
-    const PhaseStretch s = fast_part(inner_stretch(whole, segments), segments, about.v_min_m_per_s);
+    const PhaseStretch inner = inner_stretch(whole, segments);
+    for (std::size_t i = inner.from; inner.to - inner.from >= shortest && i < inner.to; ++i) {
+      const Vec2& v = segments.velocity_m_per_s[i];
+      evidence.slip_by_speed.add(v.norm(), -ratio[i].dot(v.normalized()));
+    }
+    const PhaseStretch s = fast_part(inner, segments, about.v_min_m_per_s);
     if (s.to - s.from < shortest) continue;
     along.clear();
     for (std::size_t i = s.from; i < s.to; ++i) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <vector>
 
+#include "study/speed_step.hpp"
 #include "study/stick_segments.hpp"
 
 namespace fingerpad {
@@ -54,6 +55,7 @@ struct TrialEvidence {
   double slip_load = 0, slip_load_2 = 0, slip_load_ratio = 0;  ///< sums of L, L^2 and L r, L = ln(n/load_n)
   double slip_log_load = 0;                                    ///< sum of ln(n/1 N)
   long slip_samples = 0;
+  SlipBySpeed slip_by_speed;        ///< with its slow ends
   double stop_speed_m_per_s = 0;    ///< sum over ends of slip of the speed at which q begins to rise
   double stop_slowing_m_per_s = 0;  ///< sum of how much the finger slows there from sample to sample
   double stop_rise = 0;  ///< sum of what friction is above the trial's in slip just before them (30 ms; no

@@ -11,7 +11,6 @@
 #include <system_error>
 
 #include "base/csv_columns.hpp"
-#include "base/csv_split.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"

@@ -70,7 +70,7 @@ Motion motion_of_trace(const std::string& path, bool reads_normal_force, std::ve
 
 /// "t = 'time', x = 'X'; cells parted by ';', decimal ','; positions in mm, times in ms"; empty for the
 /// program's own form.
-std::string reading_text(const RecordingFormat& format, char separator) {
+std::string reading_text(const RecordingFormat& format) {
   std::vector<std::string> said;
   std::string columns;
   for (std::size_t k = 0; k < recording_columns.size(); ++k) {
@@ -79,7 +79,8 @@ std::string reading_text(const RecordingFormat& format, char separator) {
                            printable(format.headers[k], 60));
   }
   if (!columns.empty()) said.push_back(columns);
-  if (separator != ',') said.push_back(fmt::format("cells parted by {}", separator_words(separator)));
+  if (format.dialect.separator != ',')
+    said.push_back(fmt::format("cells parted by {}", separator_words(format.dialect.separator)));
   if (format.dialect.decimal != '.') said.push_back(fmt::format("decimal mark '{}'", format.dialect.decimal));
   for (const LengthUnit& unit : length_units) {
     if (unit.metres == format.metres_per_unit && unit.metres != 1)
@@ -88,6 +89,10 @@ std::string reading_text(const RecordingFormat& format, char separator) {
   for (const TimeUnit& unit : time_units) {
     if (unit.seconds == format.seconds_per_unit && unit.seconds != 1)
       said.push_back(fmt::format("times in {}", unit.name));
+  }
+  for (const ForceUnit& unit : force_units) {
+    if (unit.newtons == format.newtons_per_unit && unit.newtons != 1)
+      said.push_back(fmt::format("forces in {}", unit.name));
   }
   return fmt::format("{}", fmt::join(said, "; "));
 }
@@ -128,9 +133,10 @@ void read_file(Reading& reading) {
   if (!reads_force) reading.motion.normal_force_n.clear();
   if (reads_force && reading.motion.normal_force_n.empty())
     throw refused(settings.file_path, "holds no normal force, which normal_force = \"measured\" asks for");
-  const std::string how = reading_text(settings.format, recording.separator);
+  const std::string how = reading_text(recording.read_as);
   if (!how.empty()) reading.note(how);
   for (const std::string& note : recording.notes) reading.note(note);
+  for (const std::string& warning : recording.warnings) reading.warn(warning);
 }
 
 /// A rate that no ticks and no resampling go at.

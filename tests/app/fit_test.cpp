@@ -95,6 +95,45 @@ TEST_F(Fit, AsksWhereATableIsDoubtful) {
   EXPECT_THAT(unread.err, HasSubstr("--torque-unit: is read with --sensor-at"));
 }
 
+TEST_F(Fit, SaysWhatItUnderstoodAndWarnsOfAUnitThatIsNoFingers) {
+  const auto told = fit(shipped.string() + " --out a.toml");
+  EXPECT_THAT(told.err,
+              HasSubstr("understood as 6 trials of 2 subjects, 2.1 s each at 1000 samples a second"));
+  EXPECT_THAT(told.err, HasSubstr("m/s; forces up to"));
+  EXPECT_THAT(told.err, testing::Not(HasSubstr("warning")));
+  EXPECT_EQ(fit(shipped.string() + " --quiet --out a.toml").err, "");
+  std::ofstream(folder / "mm.awk")
+      << "BEGIN { FS = OFS = \",\" } /^[0-9]/ { for (k = 2; k < 5; ++k) $k *= 1000 } { print }\n";
+  ASSERT_EQ(test::shell("awk -f mm.awk " + shipped.string() + " > mm.csv", folder).exit_code, 0);
+  const auto centimetres = fit("mm.csv --unit cm --out a.toml");
+  EXPECT_EQ(centimetres.exit_code, 0);
+  EXPECT_THAT(centimetres.err, HasSubstr("warning: mm.csv: its positions reach over 5"));
+  const auto microseconds = fit(shipped.string() + " --time-unit ms --out a.toml");
+  EXPECT_THAT(microseconds.err, HasSubstr("1e+06 samples a second, at which no finger is measured"));
+}
+
+TEST_F(Fit, OneTrialEndsWithWhatItLacksForAScene) {
+  std::ofstream(folder / "one.awk") << "BEGIN { FS = \",\" } /^t_s/ || $12 == 1 { print }\n";
+  ASSERT_EQ(test::shell("awk -f one.awk " + shipped.string() +
+                            " > one.csv && cut -d, -f1-7 one.csv > "
+                            "plain.csv",
+                        folder)
+                .exit_code,
+            0);
+  const auto steep = fit("one.csv --out one.toml --report report");
+  EXPECT_EQ(steep.exit_code, 0);
+  EXPECT_THAT(steep.err,
+              HasSubstr("warning: no scene takes this profile: it lacks lateral_axis_m (one finger "
+                        "angle only"));
+  EXPECT_THAT(steep.err, HasSubstr("add a trial with the finger at about 45 degrees"));
+  EXPECT_THAT(steep.err, HasSubstr("0.302 as mu_static of a part or plane"));
+  EXPECT_THAT(test::bytes_of(folder / "one.toml"), HasSubstr("# no scene takes this profile"));
+  EXPECT_THAT(test::bytes_of(folder / "report/report.html"), HasSubstr("no scene takes this profile"));
+  EXPECT_THAT(fit("plain.csv --quiet --out plain.toml").err,
+              HasSubstr("give the finger's direction in the columns dx, dy, dz"));
+  EXPECT_THAT(fit(shipped.string() + " --out whole.toml").err, testing::Not(HasSubstr("no scene takes")));
+}
+
 TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   std::ofstream(folder / "normal_only.csv")
       << "t_s,x_m,y_m,z_m,fz_n\n0,0,0,0,1\n0.001,0,0,0,1\n0.002,0,0,0,1\n";

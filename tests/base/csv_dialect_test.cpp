@@ -5,6 +5,7 @@
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
+#include "base/unit_row.hpp"
 #include "support/paths.hpp"
 #include "support/refusal.hpp"
 
@@ -90,6 +91,59 @@ TEST(CsvDialect, ARowOfUnitsIsRefusedWithItsLine) {
               AllOf(HasSubstr("t.csv:2: is a second line of words ('[s]' in column 't')"),
                     HasSubstr("put # before it")));
   EXPECT_THAT(refusal("t;x\n1;2\ns;mm\n"), HasSubstr("t.csv:3: 's' in column 't' is no number"));
+}
+
+CsvColumns with_units(const std::string& text) {
+  const auto path = test::scratch_dir() / "t.csv";
+  std::ofstream(path, std::ios::binary) << text;
+  CsvRequest request{{"t", "x"}, {"f"}};
+  request.takes_gaps = request.takes_units = true;
+  return read_csv_columns(path.string(), request);
+}
+
+TEST(CsvDialect, ARowOfUnitsIsReadWhereItIsAskedFor) {
+  const CsvColumns table = with_units("f,t,x\n# by hand\n-,[s],(mm)\n1,2,3\n4,5,6\n");
+  EXPECT_THAT(table.units.words, ElementsAre("s", "mm", "-"));
+  EXPECT_THAT(table.units.place, HasSubstr("t.csv:3"));
+  EXPECT_THAT(table.columns[1], ElementsAre(3, 6));
+  EXPECT_THAT(table.lines, ElementsAre(4, 5));
+  for (const char* text : {"f,t,x\n1,2,3\n4,5,6\n", "f,t,x\nNA,NA,NA\n4,5,6\n", "f,t,x\n,,\n4,5,6\n"}) {
+    const CsvColumns plain = with_units(text);
+    EXPECT_THAT(plain.units.words, testing::IsEmpty()) << text;
+    EXPECT_EQ(plain.columns[1].size(), 2U) << text;
+  }
+}
+
+TEST(UnitRow, SaysTheUnitOfAGroupOrWhatToDo) {
+  const UnitRow row{{"ms", "mm", "mm", "furlong", "-", "N mm", "\u00b5s"}, "t.csv:2"};
+  const std::vector<std::string_view> names{"t", "x", "y", "z", "k", "tx", "x_m"};
+  const auto unit = [&](Quantity quantity, std::vector<std::size_t> columns, bool is_said = false,
+                        double said = 1) {
+    return unit_of_group(row, names, {quantity, std::move(columns), is_said, said, "--unit"});
+  };
+  EXPECT_EQ(unit(Quantity::time, {0}), 1e-3);
+  EXPECT_EQ(unit(Quantity::time, {6}), 1e-6);
+  EXPECT_EQ(unit(Quantity::length, {1, 2, 4}), 1e-3);
+  EXPECT_EQ(unit(Quantity::torque, {5}), 1e-3);
+  EXPECT_EQ(unit(Quantity::force, {4}), 1);  // says nothing
+  const auto why = [&](Quantity quantity, std::vector<std::size_t> columns, bool is_said = false,
+                       double said = 1) {
+    return test::why_not([&] { unit(quantity, std::move(columns), is_said, said); });
+  };
+  EXPECT_THAT(why(Quantity::length, {3}),
+              AllOf(HasSubstr("t.csv:2"), HasSubstr("'furlong' below 'z'"), HasSubstr("m, mm, cm, in"),
+                    HasSubstr("put # before the line, and say --unit")));
+  EXPECT_THAT(why(Quantity::length, {1}, true, 1e-2), HasSubstr("--unit says another unit"));
+  EXPECT_EQ(why(Quantity::length, {1}, true, 1e-3), "taken");
+  const UnitRow mixed{{"mm", "m"}, "t.csv:2"};
+  EXPECT_THAT(test::why_not([&] {
+                unit_of_group(mixed, {"x", "y"}, {Quantity::length, {0, 1}, false, 1, ""});
+              }),
+              HasSubstr("which all have one unit"));
+  EXPECT_THAT(test::why_not([&] {
+                unit_of_group(mixed, {"x_m", "y_m"}, {Quantity::length, {0}, false, 1, ""});
+              }),
+              HasSubstr("whose name says another unit"));
 }
 
 TEST(CsvDialect, AnotherSeparatorThanTheNamedOneIsToldSo) {

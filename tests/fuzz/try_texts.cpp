@@ -79,10 +79,9 @@ void refine(const Motion& motion) {
 
 void fuzz_motion(std::string_view bytes) {
   const InputFile file(bytes, ".csv");
-  for (const RecordingFormat& format : {RecordingFormat(), laboratory_format()}) {
+  for (RecordingFormat format : {RecordingFormat(), laboratory_format()}) {
     try {
-      char separator = found_separator;
-      const Motion motion = read_motion_csv(file.path(), format, separator);
+      const Motion motion = read_motion_csv(file.path(), format);
       check_motion(motion);
       refine(motion);
     } catch (const Error&) {

@@ -155,6 +155,48 @@ TEST(FieldFormat, Sens3JoinsForcesAndPositionsOnceItsColumnsAreSaid) {
   EXPECT_EQ(motion.normal_force_n.front(), 0.8);
 }
 
+TEST(FieldFormat, Sens3TorquesAndSpeedsAreReadWhereTheyAreNamed) {
+  const fs::path path = finger_files(1);
+  RecordingFormat format = sens3(path);
+  format.torque_headers = {"Tx", "Ty", "Tz"};
+  format.speed_header = "speed";
+  const FieldRecording read = recording(path, format);
+  ASSERT_EQ(read.torque_W_n_m.cols(), read.motion.p_WQ.cols());
+  EXPECT_LT((read.torque_W_n_m.col(5) - Vec3(0.5e-3, 2e-3, 0)).norm(), 1e-15);
+  EXPECT_THAT(read.notes, Contains(HasSubstr("torques up to 2.06 N mm")));
+  EXPECT_THAT(read.notes, Contains(HasSubstr("its speeds are 1 times")));
+  EXPECT_THAT(read.warnings, IsEmpty());
+  format.says_torque_unit = true;
+  format.newton_metres_per_unit = 1;
+  format.forces_on_surface = true;
+  write(path, "time,Fx,Fy,Fz,Tx,Ty,Tz\n0,0,0,-1,1,2,3\n0.01,0,0,-1,1,2,3\n0.02,0,0,-1,1,2,3\n");
+  EXPECT_EQ(recording(path, format).torque_W_n_m.col(0), Vec3(-1, -2, -3));
+  // Speeds ten times what the positions give: a unit is wrong.
+  std::string positions = "time,pos x,pos y,speed\n";
+  for (int i = 0; i < 30; ++i) positions += fmt::format("{:.6f},{:.4f},7.5,500\n", i / 60.0, 50 * i / 60.0);
+  const fs::path other = finger_files(1);
+  write(other.parent_path() / "positions.csv", positions);
+  format = sens3(other);
+  format.speed_header = "speed";
+  EXPECT_THAT(recording(other, format).warnings, Contains(HasSubstr("its speeds are 10 times")));
+  RecordingFormat open = named("4tu-finger-friction", finger_columns);
+  open.torque_headers = {"Tx", "Ty", "Tz"};
+  open.positions_path = format.positions_path;
+  open.says_unit = true;
+  EXPECT_THAT(refusal_of(other, open), HasSubstr("does not say the unit of its torques: say --torque-unit"));
+}
+
+TEST(FieldFormat, ARowOfUnitsAnswersWhatALayoutLeavesOpen) {
+  const fs::path path = test::scratch_dir() / "P02.csv";
+  write(path, "ms,Fx,Fn,px,py\nms,N,mN,mm,mm\n0,1,400,0,1\n2,2,500,0.1,1\n");
+  const Motion motion =
+      recording(path, named("4tu-finger-friction", {{"t", "ms"}, {"x", "px"}, {"y", "py"}, {"fn", "Fn"}}))
+          .motion;
+  EXPECT_THAT(motion.t_s, ElementsAre(0, 0.002));
+  EXPECT_THAT(motion.normal_force_n, ElementsAre(0.4, 0.5));
+  EXPECT_NEAR(motion.p_WQ(0, 1), 1e-4, 1e-18);
+}
+
 TEST(FieldFormat, WhatALayoutLeavesOpenIsAskedFor) {
   const fs::path path = finger_files(1);
   for (const char* name : {"sens3", "4tu-finger-friction", "ieee-1918-kinaesthetic"}) {
@@ -163,7 +205,9 @@ TEST(FieldFormat, WhatALayoutLeavesOpenIsAskedFor) {
                       HasSubstr("time,Fx,Fy,Fz,Tx,Ty,Tz")));
     std::vector<std::pair<std::string_view, std::string>> columns = finger_columns;
     columns.emplace_back("z", "pos y");
-    EXPECT_THAT(refusal_of(path, named(name, columns)), HasSubstr("the unit of its positions"));
+    RecordingFormat no_unit = named(name, columns);
+    no_unit.positions_path = (path.parent_path() / "positions.csv").string();
+    EXPECT_THAT(refusal_of(path, no_unit), HasSubstr("the unit of its positions"));
   }
   RecordingFormat no_force = sens3(path);
   for (const char* key : {"fx", "fy", "fz"}) no_force.headers[recording_column_place(key)].clear();

@@ -14,11 +14,10 @@ using testing::AllOf;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
-Motion read(const std::string& text, const RecordingFormat& format) {
+Motion read(const std::string& text, RecordingFormat format) {
   const auto path = test::scratch_dir() / "m.csv";
   std::ofstream(path, std::ios::binary) << text;
-  char separator = found_separator;
-  return read_motion_csv(path.string(), format, separator);
+  return read_motion_csv(path.string(), format);
 }
 
 RecordingFormat laboratory() {
@@ -30,6 +29,21 @@ RecordingFormat laboratory() {
   format.dialect.decimal = ',';
   format.reads_normal_force = true;
   return format;
+}
+
+TEST(RecordingFormat, ReadsARowOfUnitsOrSaysWhatToDo) {
+  RecordingFormat format;
+  format.headers = {"t", "X", "Y", "Z"};
+  format.headers.back() = "F";
+  format.reads_normal_force = true;
+  const Motion motion = read("t,X,Y,Z,F\nms,mm,mm,mm,mN\n0,1,2,3,100\n2,1,2,3,200\n", format);
+  EXPECT_THAT(motion.t_s, ElementsAre(0, 0.002));
+  EXPECT_LT((motion.p_WQ.col(0) - Vec3(1e-3, 2e-3, 3e-3)).norm(), 1e-18);
+  EXPECT_THAT(motion.normal_force_n, ElementsAre(testing::DoubleEq(0.1), testing::DoubleEq(0.2)));
+  format.says_unit = true;
+  format.metres_per_unit = 1e-2;
+  EXPECT_THAT(test::why_not([&] { read("t,X,Y,Z,F\nms,mm,mm,mm,mN\n0,1,2,3,1\n", format); }),
+              HasSubstr("unit in [motion] says another unit"));
 }
 
 TEST(RecordingFormat, ReadsALaboratorysTableAsItIs) {

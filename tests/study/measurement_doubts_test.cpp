@@ -52,6 +52,46 @@ TEST(MeasurementDoubts, WhatIsSaidIsBelieved) {
             "taken");
 }
 
+/// What is warned of a measurement whose trials were changed so.
+template <typename Change>
+std::vector<std::string> warned(const Change& change, bool is_said) {
+  RecordedMeasurement recorded = test::known_measurement(rubs, {}, test::bad_sensors(), 1);
+  for (RecordedTrial& trial : recorded.trials) change(trial);
+  MeasurementFormat format;
+  format.says_unit = format.says_time_unit = format.says_force_unit = is_said;
+  return doubts_of(recorded, format);
+}
+
+TEST(MeasurementDoubts, ASaidUnitThatIsHardlyAFingersIsToldAsAWarning) {
+  using testing::ElementsAre;
+  EXPECT_THAT(warned([](RecordedTrial&) {}, true), testing::IsEmpty());
+  const auto centimetres = [](RecordedTrial& trial) { trial.position_W *= 10; };
+  EXPECT_THAT(warned(centimetres, true), ElementsAre(HasSubstr("positions reach over 684 mm, farther"),
+                                                     HasSubstr("m/s, faster than a finger rubs")));
+  const auto tiny = [](RecordedTrial& trial) { trial.position_W *= 5e-3; };
+  EXPECT_THAT(warned(tiny, true), ElementsAre(HasSubstr("mm, less than a finger rubs")));
+  const auto quick = [](RecordedTrial& trial) { trial.rate_hz *= 1e3; };
+  EXPECT_THAT(warned(quick, true), ElementsAre(HasSubstr("1e+06 samples a second")));
+  const auto slow = [](RecordedTrial& trial) { trial.rate_hz *= 1e-2; };
+  EXPECT_THAT(warned(slow, true), ElementsAre(HasSubstr("10 samples a second")));
+  const auto hard = [](RecordedTrial& trial) { trial.force_W *= 102; };
+  EXPECT_THAT(warned(hard, true), ElementsAre(HasSubstr("harder than a finger rubs")));
+  const auto spike = [](RecordedTrial& trial) { trial.force_W(2, 1000) = 120; };
+  EXPECT_THAT(warned(spike, true), ElementsAre(HasSubstr("forces reach 120 N")));
+  // What is refused is not warned of too.
+  EXPECT_THAT(warned(hard, false), testing::IsEmpty());
+  EXPECT_THAT(warned(centimetres, false), testing::SizeIs(2));
+}
+
+TEST(MeasurementDoubts, WhatWasUnderstoodIsSaidInALine) {
+  const RecordedMeasurement recorded = test::known_measurement(rubs, {}, {}, 1);
+  EXPECT_THAT(
+      measurement_words(recorded),
+      AllOf(HasSubstr("understood as 2 trials of 1 subject, 1.5 s each at 1000 samples a second"),
+            HasSubstr("positions reach over 8"), HasSubstr("at up to 0.17"), HasSubstr("forces up to 1.")));
+  EXPECT_EQ(measurement_words({}), "");
+}
+
 TEST(MeasurementDoubts, AForceOnThePlateIsToldByItsPress) {
   const auto turned = [](RecordedTrial& trial) { trial.force_W *= -1; };
   EXPECT_THAT(asked(turned), AllOf(HasSubstr("along the plate's normal"), HasSubstr("--force-on plate")));

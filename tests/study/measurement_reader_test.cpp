@@ -1,5 +1,6 @@
 #include "study/measurement_reader.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -159,6 +160,95 @@ TEST_F(Reading, ASixAxisSensorGivesTheForceAndTheContactPoint) {
   const RecordedTrial trial = read_measurements({path}, format).trials.at(0);
   EXPECT_LT((trial.force_W.col(3) - force).norm(), 1e-5);
   EXPECT_LT((trial.position_W.col(3) - Vec3(0.03, 0.04, 0.006)).norm(), 2e-6);
+}
+
+TEST_F(Reading, ARowOfUnitsIsReadWhereItIsClear) {
+  const auto rows = [](const std::string& units) {
+    return table("t,x_m,y_m,z_m,A,B,C,nx,ny,nz,trial\n" + units,
+                 [](int i) { return std::to_string(i) + ",1,2,3,100,200,1000,0,0,1,4"; });
+  };
+  MeasurementFormat format;
+  format.headers[0] = "t";
+  format.headers[4] = "A";
+  format.headers[5] = "B";
+  format.headers[6] = "C";
+  const auto read = read_measurements({written("units.csv", rows("ms,m,m,m,mN,mN,mN,-,-,-,"))}, format);
+  ASSERT_EQ(read.trials.size(), 1U);
+  EXPECT_EQ(read.trials[0].rate_hz, 1000);
+  EXPECT_NEAR(read.trials[0].force_W(2, 3), 1, 1e-12);
+  EXPECT_NEAR(read.trials[0].position_W(1, 3), 2, 1e-12);
+  EXPECT_THAT(read.notes, testing::Contains(HasSubstr("units as the line below its header has them")));
+  const auto why = [&](const std::string& units) {
+    return test::why_not([&] { read_measurements({written("units.csv", rows(units))}, format); });
+  };
+  EXPECT_THAT(why("ms,mm,mm,mm,mN,mN,mN,-,-,-,"),
+              HasSubstr("'mm' below 'x_m', whose name says another unit"));
+  EXPECT_THAT(why("ms,m,m,m,V,V,V,-,-,-,"),
+              HasSubstr("no unit of force that is known (N, mN, kN, gf, kgf): put # before the line, and say "
+                        "--force-unit"));
+}
+
+TEST_F(Reading, ANamedSeparatorThatTheTableHasNotIsToldWithAWayOut) {
+  MeasurementFormat format;
+  format.dialect.separator = ',';
+  const std::string path = written("semicolons.csv", "t_s;x_m;y_m;z_m;fx_n;fy_n;fz_n\n0;0;0;0;0;0;1\n");
+  const std::string why = test::why_not([&] { read_measurements({path}, format); });
+  EXPECT_THAT(why, HasSubstr("its cells are parted by ';', not by ','"));
+  EXPECT_THAT(why, HasSubstr("leave the separator out, and it is found"));
+}
+
+/// Forces and torques in N and N mm at 1 kHz, of a sensor 20 mm below the plate; positions in mm at 100 Hz.
+TEST_F(Reading, Sens3TorquesTellTheContactPointWhereTheSensorsPlaceIsSaid) {
+  const Vec3 force(0.3, -0.2, 2), at(0.03, 0.04, 0), origin(0.01, 0, -0.02);
+  const Vec3 torque = 1e3 * (at - origin).cross(force);
+  std::string forces = "time,Fx,Fy,Fz,Tx,Ty,Tz\n", positions = "time,px,py,v\n";
+  for (int i = 0; i < 400; ++i)
+    forces += fmt::format("{},{},{},{},{},{},{}\n", i * 1e-3, force.x(), force.y(), force.z(), torque.x(),
+                          torque.y(), torque.z());
+  for (int i = 0; i <= 40; ++i) positions += fmt::format("{},{},5,100\n", i * 1e-2, i);
+  MeasurementFormat format;
+  for (const auto& [key, name] : std::vector<std::pair<std::string_view, const char*>>{{"t", "time"},
+                                                                                       {"x", "px"},
+                                                                                       {"y", "py"},
+                                                                                       {"fx", "Fx"},
+                                                                                       {"fy", "Fy"},
+                                                                                       {"fz", "Fz"},
+                                                                                       {"tx", "Tx"},
+                                                                                       {"ty", "Ty"},
+                                                                                       {"tz", "Tz"},
+                                                                                       {"speed", "v"}}) {
+    for (std::size_t k = 0; k < measurement_columns.size(); ++k)
+      if (measurement_columns[k].key == key) format.headers[k] = name;
+  }
+  format.positions_path = written("positions.csv", positions);
+  format.says_unit = true;
+  format.metres_per_unit = 1e-3;
+  const std::string path = written("forces.csv", forces);
+  const RecordedMeasurement tracked = read_measurements({path}, format, "sens3");
+  EXPECT_NEAR(tracked.trials.at(0).position_W(0, 100), 0.01, 1e-9);
+  EXPECT_THAT(tracked.notes, testing::Contains(HasSubstr("torques up to ")));
+  EXPECT_THAT(tracked.notes, testing::Contains(HasSubstr("its speeds are 1 times what its positions give")));
+  EXPECT_THAT(tracked.warnings, testing::IsEmpty());
+  format.sensor = SixAxisSensor{Mat3::Identity(), origin, 0};
+  const RecordedMeasurement told = read_measurements({path}, format, "sens3");
+  EXPECT_LT((told.trials.at(0).position_W.col(100) - at).norm(), 1e-6);
+  format.sensor.reset();
+  for (std::size_t k = 0; k < measurement_columns.size(); ++k)
+    if (measurement_columns[k].key == "tz") format.headers[k].clear();
+  EXPECT_THAT(test::why_not([&] { read_measurements({path}, format, "sens3"); }),
+              HasSubstr("a torque needs all of tx, ty and tz"));
+}
+
+TEST_F(Reading, ATorqueOrSpeedIsNotPassedOverInSilenceWhereItIsNotRead) {
+  MeasurementFormat speed, sensor;
+  speed.headers[static_cast<std::size_t>(measurement_columns.size() - 1)] = "v";
+  EXPECT_THAT(test::why_not(
+                  [&] { read_measurements({written("own.csv", "t_s,x_m,y_m,z_m,v\n0,0,0,0,0\n")}, speed); }),
+              HasSubstr("speed of --columns is read with --reader sens3"));
+  const std::string path = written("s.csv", "time,px,py,Fx,Fy,Fz\n0,0,0,0,0,1\n");
+  sensor.sensor = SixAxisSensor{};
+  EXPECT_THAT(test::why_not([&] { read_measurements({path}, sensor, "sens3"); }),
+              HasSubstr("no torque is named"));
 }
 
 TEST(TrialRows, NamesThePiecesOfALongTrialApart) {

@@ -225,7 +225,53 @@ TEST(ProfileFit, StickThatHidesInSlipGivesNoVMin) {
   sensors.force_noise_n = 0.003;
   const ProfileFit fit = fitted(trials, 1, slippery, sensors);
   EXPECT_EQ(why(fit, PadNumber::mu_static), "");
-  EXPECT_THAT(why(fit, PadNumber::v_min), HasSubstr("just before slip is seen to end"));
+  EXPECT_THAT(why(fit, PadNumber::v_min), HasSubstr("its friction is up by 0.0145 already below 0.1 m/s"));
+}
+
+TEST(ProfileFit, FrictionBySpeedTellsStickThatHidesInSlip) {
+  // Teeth of two samples: what is seen of slip's end is at 0.03 to 0.09 m/s for 0.1.
+  test::KnownFinger slippery;
+  slippery.pad = assumed_profile(0.15, 150);
+  slippery.mu_dynamic = 0.12;
+  std::vector<test::KnownTrial> trials;
+  for (int subject = 1; subject <= 3; ++subject) {
+    for (const double bearing : {0.0, 90.0, 45.0}) {
+      for (const double frequency_hz : {0.4, 0.6})
+        trials.push_back({subject, 45, bearing, 0.06, frequency_hz, 5, 2});
+    }
+  }
+  test::KnownSensors sensors;
+  sensors.force_noise_n = 0.003;
+  const ProfileFit fit = fitted(trials, 4000, slippery, sensors);
+  EXPECT_THAT(why(fit, PadNumber::v_min), HasSubstr("stick that gives way again within a few samples"));
+  EXPECT_NEAR(of(fit, PadNumber::mu_dynamic).value, 0.12, 0.0004);  // its slip below v_min has up to 0.135
+}
+
+TEST(ProfileFit, ShortTeethWidenTheIntervalOfVMin) {
+  test::KnownFinger bent;
+  bent.cubic_share = 0.6;  // teeth of three samples, half of a straight spring's
+  for (const std::uint64_t seed : {1U, 2U}) {
+    const ProfileFit fit = fitted(test::known_trials(), seed, bent, test::bad_sensors());
+    const auto& interval = fit.interval[static_cast<std::size_t>(PadNumber::v_min)];
+    ASSERT_TRUE(interval);
+    EXPECT_LE(interval->first, 0.1);
+    EXPECT_GE(interval->second, 0.1);
+    EXPECT_LT(interval->second - interval->first, 0.015);
+  }
+}
+
+TEST(ProfileFit, TheDelayThatBentSpringsHideIsToldInWords) {
+  test::KnownFinger bent;
+  bent.cubic_share = 0.5;
+  const Measurement measurement =
+      clean(test::known_measurement(test::known_trials(), bent, test::bad_sensors(), 4000), {});
+  const ProfileFit fit = fit_profile(measurement, {});
+  const double taken_s = measurement.delays.front().estimate.delay_s;
+  EXPECT_LT(taken_s, 6e-3);                                 // of 7.3 ms
+  EXPECT_NEAR(taken_s + fit.delay_left_s, 7.3e-3, 0.5e-3);  // 6.95 measured
+  EXPECT_THAT(fit_notes(fit), testing::Contains(HasSubstr("delay: the springs tell another 1.")));
+  const ProfileFit straight = fitted({{1, 45, 0}, {1, 45, 90}, {2, 45, 0}, {2, 45, 90}}, 1);
+  EXPECT_THAT(fit_notes(straight), testing::Not(testing::Contains(HasSubstr("the springs tell another"))));
 }
 
 TEST(ProfileFit, TellsASpringsLoop) {
@@ -258,6 +304,8 @@ TEST(ProfileFit, AnotherLawIsToldByItsResiduals) {
   EXPECT_THAT(fit.residual.misfit, HasSubstr("stick gives way without a drop of the force"));
   EXPECT_GT(fit.residual.share, 1.5 * fit.residual.expected);
   EXPECT_THAT(fit_notes(fit).back(), HasSubstr("the pad's law does not fit"));
+  EXPECT_THAT(fit_notes(fit),
+              testing::Contains(HasSubstr("delay: it was told by the springs of the pad's law")));
 }
 
 TEST(ProfileFit, AxesThatNoFingerHasAreAskedAbout) {
@@ -367,8 +415,8 @@ TEST(ProfileFit, SlipThatDoesNotVibrateHasNoVibration) {
     return why(fitted({{1, 45, 45, 0.06, 0.3, duration_s}}, seed, finger), PadNumber::vibration);
   };
   for (const std::uint64_t seed : {1, 2, 3}) EXPECT_THAT(refusal(2, seed), HasSubstr("stands out")) << seed;
-  finger.law = "stick-slip";
-  EXPECT_THAT(refusal(1, 2), HasSubstr("stands out"));
+  finger.law = "stick-slip";  // what slips below v_min is stick that hides, and little is above
+  EXPECT_THAT(refusal(1, 2), HasSubstr("no slip lasts for a window of its spectrum"));
 }
 
 TEST(ProfileFit, NormalForceAloneIsRefusedByTheMissingColumn) {
