@@ -61,7 +61,7 @@ void plot_runs(const PlotOptions& options, std::vector<ComparedRun> runs) {
   const std::string what =
       comparison.runs.size() > 1
           ? fmt::format("{} overlaid", comparison.runs.size())
-          : fmt::format("{} of {} ticks", fmt::join(comparison.columns, ", "), comparison.runs[0].x.size());
+          : fmt::format("{} of {} rows", fmt::join(comparison.columns, ", "), comparison.runs[0].x.size());
   tell_written(options.quiet, options.out, what);
 }
 

@@ -111,7 +111,7 @@ std::string NetworkDevice::trouble() const {
     return fmt::format("no packet on {} (UDP) for {:.3g} ms: finger lifted", name(), 1e3 * watchdog_s());
   }
   if (dropped_.load(std::memory_order_relaxed))
-    return fmt::format("no device yet: what comes to {} (UDP) is not in the protocol", name());
+    return fmt::format("no device yet: what came to {} (UDP) was not in the protocol", name());
   return fmt::format("no device yet: nothing heard on {} (UDP)", name());
 }
 

@@ -19,9 +19,8 @@ std::set<int> threads_now() {
   return threads;
 }
 
-/// The cores that the calling thread may use but the last, which is where --realtime keeps the servo; all
-/// where there is but one.
-cpu_set_t cores_to_draw_on() {
+/// The cores that the calling thread may use but the last; all where there is but one.
+cpu_set_t all_cores_but_the_last() {
   cpu_set_t cores;
   CPU_ZERO(&cores);
   if (sched_getaffinity(0, sizeof(cores), &cores) != 0 || CPU_COUNT(&cores) < 2) return cores;
@@ -39,7 +38,8 @@ DrawingThreads::DrawingThreads() : others_(threads_now()) {
 
 void DrawingThreads::stand_back() const {
   constexpr int how_far = 10;
-  const cpu_set_t cores = cores_to_draw_on();
+  // A thread that draws a second window has left its core already.
+  static const cpu_set_t cores = all_cores_but_the_last();
   for (const int thread : threads_now()) {
     const auto id = static_cast<id_t>(thread);
     if (others_.contains(thread)) continue;

@@ -55,7 +55,7 @@ TEST(Overlay, OfColumnsOfOneTraceSaysWhichThereAre) {
   const fs::path folder = folder_with_set();
   const auto result = test::fingerpad("plot o/t-0001.h5 --columns fn_n,mu --out p.svg", folder);
   ASSERT_EQ(result.exit_code, 0) << result.err;
-  EXPECT_EQ(result.out, "wrote p.svg (fn_n, mu of 501 ticks)\n");
+  EXPECT_EQ(result.out, "wrote p.svg (fn_n, mu of 501 rows)\n");
   const auto two = test::fingerpad("plot o/t-0001.h5 o/t-0002.h5 --columns fn_n --out p.svg", folder);
   EXPECT_THAT(two.out, HasSubstr("wrote p.svg (2 overlaid)\n"));
 }

@@ -120,7 +120,7 @@ TEST(NetworkDevice, SaysThatNobodyIsHeardAndWhereItListens) {
   EXPECT_EQ(rig.device->trouble(), "no device yet: nothing heard on " + at);
   peer.say(0, {0, 0, 0.01});
   rig.tick_after(1);
-  EXPECT_EQ(rig.device->trouble(), "no device yet: what comes to " + at + " is not in the protocol");
+  EXPECT_EQ(rig.device->trouble(), "no device yet: what came to " + at + " was not in the protocol");
   peer.say(1, {0, 0, 0.01});
   rig.tick_after(2);
   EXPECT_EQ(rig.device->trouble(), "");
