@@ -12,11 +12,11 @@ namespace {
 /// A list is made for so many steps of the path, and not where it would serve fewer than `least_steps`.
 constexpr double steps_ahead = 24, least_steps = 6;
 /// In radii of the packet that holds the closest triangle: how long a way a list serves at least and at most.
-constexpr double least_way = 1, longest_way = 1.6;
+constexpr double least_way = 1, longest_way = 2.5;
 /// Where nothing is within reach, it serves more steps, as nothing need be looked at.
 constexpr double free_steps_ahead = 200;
-/// The list is made about a place ahead by so much of the way that it is to serve: the path goes on as it
-/// came.
+/// One that stands off the surface stands ahead too, by so much of its way, as the path goes on as it came;
+/// by less where it was given less lift.
 constexpr double ahead_share = 0.5;
 /// A lift for which there is no room is halved, down to none, and grows again slowly.
 constexpr double least_lift = 0.5, lift_growth = 1.1;
@@ -107,22 +107,25 @@ void TriangleTree::Impl::list_packets(const ClosestSearch& search, const Vec3& s
   const double step_m = step.norm();
   const double near_m = std::sqrt(search.winner.at.distance2_m2);  // the reach where there is none
   Vec3 about = search.q;
-  double lift_m = 0, way_m = std::max(free_steps_ahead * step_m, near_m / 8), ahead_m = way_m;
+  double lift_m = 0, way_m = std::max(free_steps_ahead * step_m, near_m / 8), ahead_m = way_m,
+         served_m = way_m;
   if (search.won_in != nullptr) {
     const double radius_m = static_cast<double>(search.won_in->radius) / packed.scale;
     way_m = std::clamp(steps_ahead * step_m, least_way * radius_m, longest_way * radius_m);
-    ahead_m = way_m;
+    ahead_m = served_m = way_m;
     if (near_m > way_m / 2 && memory.lift_ > least_lift) {
+      const double ahead = ahead_share * memory.lift_ / ClosestMemory::greatest_lift;
+      way_m = std::min(way_m, longest_way * radius_m / (1 + ahead));
+      served_m = (1 + ahead) * way_m;
       lift_m = memory.lift_ * way_m;
       about += lift_m / near_m * (search.q - search.winner.at.point);
       // Straight on, and along a surface that is as curved as the ball.
       ahead_m = way_m * way_m * (0.5 / lift_m + 0.5 / (lift_m + near_m)) * 1.1;
+      about += forward(search, step, near_m) * (ahead * way_m);
     }
-    about += forward(search, step, near_m) * (ahead_share * way_m);
   }
   const double within = (lift_m + near_m + ahead_m) * packed.scale;
-  if (!((1 + ahead_share) * way_m >= least_steps * step_m) || !(within < static_cast<double>(far_off)))
-    return;
+  if (!(served_m >= least_steps * step_m) || !(within < static_cast<double>(far_off))) return;
 
   PacketGathering gathering(memory, search.scaled, about * packed.scale, within);
   // It must hold the ball of this query, and those of some of the next.

@@ -96,7 +96,7 @@ class WindingNumber {
 class WindingNumber::NearPackets {
  public:
   /// @param at, radius  scaled
-  /// @pre they are within a float's range, and outlives this
+  /// @pre both within a float's range; `clusters` outlives this
   NearPackets(const WindingNumber& clusters, const Vec3& at, double radius) noexcept
       : clusters_(&clusters), around_(at, radius), level_(clusters.top()) {
     look_into(0);

@@ -113,34 +113,36 @@ TEST(ClosestMemory, OfAnotherPathBesideAnswersABriefSearch) {
   Wander wander(*part, 12);
   RandomStream random(13);
   ClosestMemory finger, own;
-  int answered = 0, unanswered = 0;
+  int answered = 0, answered_alone = 0;
   for (int i = 0; i < samples(30000); ++i) {
     const Vec3 q = wander.next();
     const ClosestTriangle foot = tree.closest(q, finger, unbounded);
     if (foot.triangle < 0 || i % 5 != 0) continue;
     const Vec3 beside = foot.at.point + test::random_point(random, 0.01);
-    own.forget();
     own = ClosestMemory();
+    ClosestMemory fresh;
     // It may look at nothing: what is right was found among the finger's packets.
-    BriefSearch search{0, foot.triangle, &own, &finger}, alone{0, foot.triangle};
+    BriefSearch search{0, foot.triangle, &own, &finger}, alone{0, foot.triangle, &fresh};
     const ClosestTriangle truth = tree.closest(beside, -1, unbounded);
     const ClosestTriangle found = tree.closest(beside, search, unbounded);
-    ASSERT_LE(found.at.distance2_m2, tree.closest(beside, alone, unbounded).at.distance2_m2);
+    const ClosestTriangle without = tree.closest(beside, alone, unbounded);
+    ASSERT_LE(found.at.distance2_m2, without.at.distance2_m2);
     const bool is_right = found.triangle == truth.triangle;
     if (is_right) expect_same_bits(found, truth);
     answered += is_right ? 1 : 0;
-    unanswered += tree.closest(beside, alone, unbounded).triangle == truth.triangle ? 0 : 1;
+    answered_alone += without.triangle == truth.triangle ? 1 : 0;
   }
-  EXPECT_GT(answered, samples(2000));
-  EXPECT_GT(unanswered, samples(1000)) << "the finger's triangle is not the answer by itself";
+  EXPECT_GT(answered, answered_alone + samples(500)) << "of " << samples(6000);
   // Whatever it holds: also that of another tree.
   const TriangleTree other(test::torus(24, 12));
   Wander again(*part, 14);
   for (int i = 0; i < samples(5000); ++i) {
     const Vec3 q = again.next();
     tree.closest(q, finger, unbounded);
-    BriefSearch search{1000000, -1, &own, &finger};
-    expect_same_bits(other.closest(q, search, unbounded), other.closest(q, -1, unbounded));
+    own = ClosestMemory();
+    const ClosestTriangle truth = other.closest(q, -1, unbounded);
+    BriefSearch search{1000000, i % 2 == 0 ? truth.triangle : 0, &own, &finger};
+    expect_same_bits(other.closest(q, search, unbounded), truth);
     if (HasFatalFailure()) FAIL() << "query " << i;
   }
 }
