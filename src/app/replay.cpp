@@ -122,6 +122,7 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   if (!options.quiet) tell_choices(jobs);
   tell_doubts(jobs);
   tell_warnings_of_jobs(jobs);
+  tell_made_again(jobs, batch);
   const int lost_code = tell_lost(end.lost);
   if (!options.quiet) tell_end(jobs, !end.lost.empty(), batch);
   const auto is_left = [](const BatchJob& job) { return job.not_begun; };

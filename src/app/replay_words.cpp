@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "app/standard_streams.hpp"
+#include "base/build_identity.hpp"
 #include "replay/batch_files.hpp"
 
 namespace fingerpad {
@@ -112,6 +113,21 @@ void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
       if (told.insert(line).second) print_err("fingerpad: warning: {}\n", line);
     }
   }
+}
+
+void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
+  std::map<std::string_view, std::size_t> of_build;
+  for (const BatchJob& job : jobs) {
+    if (!job.other_build.empty()) ++of_build[job.other_build];
+  }
+  for (const auto& [build, count] : of_build)
+    print_err(
+        "fingerpad: warning: {} of {} {} in {} made again: {} of another build of the program ({}; this one "
+        "is "
+        "{}), and results of two builds are not mixed\n",
+        count, jobs.size(), jobs.size() == 1 ? "job" : "jobs",
+        fmt::format("{} {}", batch.out_dir, count == 1 ? "was" : "were"), count == 1 ? "it was" : "they were",
+        build, short_build_identity());
 }
 
 int tell_lost(const std::vector<Error>& lost) {

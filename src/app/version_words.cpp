@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 
 #include "app/commands.hpp"
+#include "base/build_identity.hpp"
 #include "contact/packet_scene.hpp"
 #include "part/openmesh_reader.hpp"
 #include "replay/ranks.hpp"
@@ -24,6 +25,7 @@ void add_library(std::string& words, const char* name, const std::string& versio
 
 std::string version_words() {
   std::string words = fmt::format("fingerpad {}", program_version);
+  add_library(words, "build", short_build_identity());
 #ifdef FINGERPAD_VIEW
   add_library(words, "VTK", vtk_version());
 #endif

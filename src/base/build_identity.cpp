@@ -61,4 +61,9 @@ std::string build_identity() {
   return id;
 }
 
+std::string short_build_identity() {
+  constexpr std::size_t digits = 12;
+  return build_identity().substr(0, digits);
+}
+
 }  // namespace fingerpad

@@ -10,4 +10,7 @@ namespace fingerpad {
 /// (-Wl,--build-id=none).
 std::string build_identity();
 
+/// Its first twelve digits, for people.
+std::string short_build_identity();
+
 }  // namespace fingerpad

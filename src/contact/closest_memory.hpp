@@ -17,7 +17,8 @@ namespace fingerpad {
 /// The packets listed are all that come within a ball. A query is answered by them as long as its own ball,
 /// which reaches from q as far as the closest triangle, lies in that one. So the listed ball does not stand
 /// about q, but farther off the surface where there is room (`lift`): it is flatter there, has fewer packets
-/// in it, and holds the balls of a longer way along the surface.
+/// in it, and holds the balls of a longer way along the surface. And it stands ahead, as the path goes on as
+/// it came.
 class ClosestMemory {
  public:
   /// Forgets everything.

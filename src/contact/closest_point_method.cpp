@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <type_traits>
 
 #include "contact/closest_memory.hpp"
 #include "contact/closest_point_rule.hpp"
@@ -35,6 +36,11 @@ class ClosestPoint final : public ContactMethod {
       contact_.normal_W = at.normal_W;
     }
     return contact_;
+  }
+
+  const ClosestMemory* memory_of(int surface) const noexcept override {
+    if constexpr (std::is_same_v<Hint, ClosestMemory>) return &hints_[static_cast<std::size_t>(surface)];
+    return nullptr;
   }
 
   void reset() noexcept override { std::fill(hints_.begin(), hints_.end(), first_); }

@@ -6,6 +6,8 @@
 
 namespace fingerpad {
 
+class ClosestMemory;
+
 /// A surface that holds the finger.
 struct ContactHold {
   int surface = -1;               ///< index into the surfaces that the method was made for
@@ -36,6 +38,8 @@ class ContactMethod {
   /// @param dt_s  since the last call [s], > 0
   /// @returns     good until the next call. Finite. noexcept, allocates nothing.
   virtual const Contact& touch(const Vec3& p_WQ, double dt_s) noexcept = 0;
+  /// What it keeps of a surface from query to query, for other searches near the finger; null if nothing.
+  virtual const ClosestMemory* memory_of(int /*surface*/) const noexcept { return nullptr; }
   /// Forgets the past, as before the first tick.
   virtual void reset() noexcept = 0;
 };

@@ -14,6 +14,7 @@ struct PackedPart {
   double extent_m = 0;  ///< longest half side of the part's box
   double scale = 1;     ///< scaled length of one metre: a power of two that brings the box into [-1, 1]
   std::vector<TrianglePacket> packets;
+  std::vector<PacketDisc> discs;       ///< one a packet
   std::vector<std::uint32_t> slot_of;  ///< of each triangle: packet_width times its packet, plus its lane
 
   std::size_t packet_of(int triangle) const noexcept {

@@ -46,9 +46,12 @@ struct TriangleTree::Impl {
   void search_tree(ClosestSearch& search, double within_m) const noexcept;
   /// Looks for it among the packets that a memory lists, and lists them anew where that pays; false where
   /// that does not answer.
-  /// @param seed  tried where the memory's own is not within reach; -1 if there is none
-  bool search_list(ClosestSearch& search, ClosestMemory& memory, int seed) const noexcept;
-  void list_packets(const ClosestSearch& search, double step_m, ClosestMemory& memory) const noexcept;
+  /// @param seed    tried where the memory's own is not within reach; -1 if there is none
+  /// @param beside  another memory, asked before packets are listed anew; null if there is none
+  bool search_list(ClosestSearch& search, ClosestMemory& memory, int seed,
+                   const ClosestMemory* beside) const noexcept;
+  void look_through(ClosestSearch& search, const ClosestMemory& memory) const noexcept;
+  void list_packets(const ClosestSearch& search, const Vec3& step, ClosestMemory& memory) const noexcept;
   ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
   void far_each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
                        void* context) const noexcept;

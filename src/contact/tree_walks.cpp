@@ -204,7 +204,7 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, BriefSearch& brief, double 
   ClosestMemory* const memory = brief.memory;
   if (memory != nullptr && impl_->is_searched(q, reach_m)) {
     ClosestSearch search(impl_->packed, impl_->filter, q, reach_m);
-    const bool listed = impl_->search_list(search, *memory, brief.triangle);
+    const bool listed = impl_->search_list(search, *memory, brief.triangle, brief.beside);
     // The walk is to begin no farther off than without a memory: it may be broken off.
     if (!listed && brief.triangle >= 0) search.look_at_seed(brief.triangle);
     if (search.won_in != nullptr) brief.triangle = memory->triangle_ = search.winner.triangle;

@@ -94,6 +94,42 @@ void set_thickness(TrianglePacket& packet, const Part& part, double scale) noexc
 
 }  // namespace
 
+PacketDisc disc_around(const Part& part, const TrianglePacket& packet, double scale) noexcept {
+  PacketDisc disc{};
+  const Vec3 across(packet.across[0], packet.across[1], packet.across[2]);
+  const auto each_corner = [&](auto visit) {
+    for (std::size_t lane = 0; lane < packet_width; ++lane) {
+      if ((packet.used >> lane & 1) == 0) continue;
+      for (const std::int32_t vertex : packet.exact[lane].vertex)
+        visit(Vec3(part.vertices.col(vertex) * scale));
+    }
+  };
+  double low = std::numeric_limits<double>::infinity(), high = -low;
+  each_corner([&](const Vec3& corner) {
+    const double height = across.dot(corner - packet.origin);
+    low = std::min(low, height);
+    high = std::max(high, height);
+  });
+  const Vec3 middle = packet.origin + (low + high) / 2 * across;
+  double radius2 = 0, thick = 0;
+  each_corner([&](const Vec3& corner) {
+    const Vec3 off = corner - middle;
+    const double height = across.dot(off);
+    thick = std::max(thick, std::abs(height));
+    radius2 = std::max(radius2, off.squaredNorm() - height * height * (1 - 1e-6));
+  });
+  // The centre is rounded by no more. (What it is rounded to is not asked: g++ 12 leaves out the way to float
+  // and back where it takes two coordinates at once.)
+  const double rounding = 0x1p-24 * middle.norm();
+  for (int i = 0; i < 3; ++i) {
+    disc.across[i] = packet.across[i];
+    disc.centre[i] = static_cast<float>(middle[i]);
+  }
+  disc.radius = up((std::sqrt(radius2) + rounding) * (1 + 1e-6));
+  disc.thick = up((thick + rounding) * (1 + 1e-6) + 1e-15);
+  return disc;
+}
+
 TrianglePacket make_packet(const Part& part, std::span<const std::int32_t> triangles, double scale) noexcept {
   TrianglePacket packet{};
   constexpr double infinite = std::numeric_limits<double>::infinity();

@@ -40,6 +40,8 @@ struct BriefSearch {
   int triangle = -1;
   ClosestMemory* memory = nullptr;  ///< of the path, if one is kept: asked first, as it costs few looks.
                                     ///< Where the rest is broken off, what it holds makes the answer no worse
+  const ClosestMemory* beside = nullptr;  ///< of another path that is near: its packets are looked at where
+                                          ///< the memory's own do not answer
 };
 
 /// A sum over a part's triangles for its winding number that may be broken off.

@@ -105,43 +105,45 @@ void WindingNumber::Four::set(std::size_t k, const Eigen::AlignedBox3f& box) noe
   }
 }
 
-/// A ball about a point, as clusters are held against it.
-struct WindingNumber::Around {
+WindingNumber::Around::Around(const Vec3& point, double radius) noexcept : slack(1) {
+  shrink(radius);
+  for (int i = 0; i < 3; ++i) {
+    at[i] = static_cast<float>(point[i]);
+    slack += std::abs(at[i]);
+  }
+  slack *= place_rounding;
+}
+
+void WindingNumber::Around::shrink(double radius) noexcept {
+  const float wider =
+      static_cast<float>(std::min(radius, static_cast<double>(far_off))) * (1 + radius_rounding);
+  radius2 = wider * wider;
+}
+
+unsigned WindingNumber::Around::near(const Four& four) const noexcept {
   using Floats [[gnu::vector_size(16)]] = float;
-  using Bits [[gnu::vector_size(16)]] = int;
-
-  float at[3], radius2, slack;
-
-  Around(const Vec3& point, double radius) noexcept : slack(1) {
-    const float wider =
-        static_cast<float>(std::min(radius, static_cast<double>(far_off))) * (1 + radius_rounding);
-    radius2 = wider * wider;
-    for (int i = 0; i < 3; ++i) {
-      at[i] = static_cast<float>(point[i]);
-      slack += std::abs(at[i]);
-    }
-    slack *= place_rounding;
-  }
-
-  /// Of four clusters those whose boxes come within the ball, a bit each.
-  unsigned near(const Four& four) const noexcept {
-    const auto load = [](const float* lanes) { return *reinterpret_cast<const Floats*>(lanes); };
-    Floats beyond2 = {};
-    for (int i = 0; i < 3; ++i) {
-      const Floats off = load(four.middle[i]) - at[i];
-      const Floats beyond = (off < 0 ? -off : off) - load(four.half[i]) - slack;
-      beyond2 += beyond > 0 ? beyond * beyond : Floats{};
-    }
-    const Bits is_near = beyond2 <= radius2;
+  const auto load = [](const float* lanes) { return *reinterpret_cast<const Floats*>(lanes); };
 #if defined(__SSE__)
-    return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<Floats>(is_near)));
+  const auto greater = [](const Floats& a, const Floats& b) { return __builtin_ia32_maxps(a, b); };
+  const auto to_mask = [](const auto& all_or_nothing) {
+    return static_cast<unsigned>(__builtin_ia32_movmskps(reinterpret_cast<const Floats&>(all_or_nothing)));
+  };
 #else
-    unsigned near = 0;
-    for (int k = 0; k < 4; ++k) near |= static_cast<unsigned>(is_near[k] & 1) << k;
-    return near;
+  const auto greater = [](const Floats& a, const Floats& b) { return a > b ? a : b; };
+  const auto to_mask = [](const auto& all_or_nothing) {
+    unsigned mask = 0;
+    for (int k = 0; k < 4; ++k) mask |= static_cast<unsigned>(all_or_nothing[k] & 1) << k;
+    return mask;
+  };
 #endif
+  Floats beyond2 = {};
+  for (int i = 0; i < 3; ++i) {
+    const Floats off = load(four.middle[i]) - at[i];
+    const Floats beyond = greater(greater(off, -off) - load(four.half[i]) - slack, Floats{});
+    beyond2 += beyond * beyond;
   }
-};
+  return to_mask(beyond2 <= radius2);
+}
 
 void WindingNumber::add_level(const std::vector<Cluster>& clusters) {
   level_start_.push_back(fours_.size());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <bit>
 #include <optional>
 #include <vector>
 
@@ -32,6 +34,9 @@ class WindingNumber {
   /// @param at, radius  scaled
   /// @param tests       grows by the clusters that were looked at
   std::size_t next_near(std::size_t packet, const Vec3& at, double radius, long& tests) const noexcept;
+  /// The same packets one after the other, for a search that is not broken off: no cluster is looked at
+  /// twice.
+  class NearPackets;
   /// A packet that is likely near a point. @pre there is one
   std::size_t some_near(const Vec3& at) const noexcept;
 
@@ -59,7 +64,15 @@ class WindingNumber {
     Four() noexcept;
     void set(std::size_t k, const Eigen::AlignedBox3f& box) noexcept;
   };
-  struct Around;
+  /// A ball about a point, as clusters are held against it.
+  struct Around {
+    float at[3], radius2, slack;
+
+    Around(const Vec3& point, double radius) noexcept;
+    void shrink(double radius) noexcept;
+    /// Of four clusters those whose boxes come within the ball, a bit each.
+    unsigned near(const Four& four) const noexcept;
+  };
 
   const Four& four(std::size_t level, std::size_t index) const noexcept {
     return fours_[level_start_[level] + index / 4];
@@ -78,6 +91,55 @@ class WindingNumber {
   std::vector<Four> fours_;               // level by level, the packets' first
   std::vector<Dipole> dipoles_;           // four of each
   std::vector<std::size_t> level_start_;  // of each level in fours_
+};
+
+class WindingNumber::NearPackets {
+ public:
+  /// @param at, radius  scaled
+  /// @pre both within a float's range; `clusters` outlives this
+  NearPackets(const WindingNumber& clusters, const Vec3& at, double radius) noexcept
+      : clusters_(&clusters), around_(at, radius), level_(clusters.top()) {
+    look_into(0);
+  }
+
+  /// From now on those within a smaller radius alone, but for what has been looked at.
+  void shrink(double radius) noexcept { around_.shrink(radius); }
+
+  /// False when there is no more.
+  bool next(std::size_t& packet) noexcept {
+    for (;;) {
+      while (near_[level_] == 0) {
+        if (level_ == clusters_->top()) return false;
+        ++level_;
+      }
+      const std::size_t index = first_[level_] + static_cast<unsigned>(std::countr_zero(near_[level_]));
+      near_[level_] &= near_[level_] - 1;
+      if (level_ == 0) {
+        packet = index;
+        return true;
+      }
+      --level_;
+      look_into(4 * index);
+    }
+  }
+
+  long tests() const noexcept { return tests_; }  ///< of four clusters
+
+ private:
+  static constexpr std::size_t most_levels = 33;  // four to the 32nd packets
+
+  void look_into(std::size_t first) noexcept {
+    ++tests_;
+    first_[level_] = first;
+    near_[level_] = around_.near(clusters_->four(level_, first));
+  }
+
+  const WindingNumber* clusters_;
+  Around around_;
+  std::size_t level_;
+  long tests_ = 0;
+  std::array<std::size_t, most_levels> first_;  // of the four clusters that are open on each level
+  std::array<unsigned, most_levels> near_;      // those of them that are still to be gone into, a bit each
 };
 
 }  // namespace fingerpad

@@ -38,7 +38,8 @@ struct BatchOptions {
   /// they were done: "OUT: process 12 on HOST (COMMAND) ..."; by the last, of ranks that never came. May be
   /// empty.
   std::function<void(const std::string&)> on_unfinished;
-  /// Told, by the process that comes first, where a summary of other scenes is kept. May be empty.
+  /// Told, by the process that comes first, where a summary of other scenes is kept, and that what another
+  /// build of the program has made is not. May be empty.
   std::function<void(const std::string&)> on_kept;
   /// Told now and then, on a rank, how many jobs the other ranks have ended. May be empty.
   std::function<void(std::size_t)> on_elsewhere;
@@ -60,6 +61,7 @@ struct BatchJob {
   int exit_code = 0;        ///< of this job alone
   bool not_begun = false;   ///< the batch was asked to stop before it; without status
   bool kept = false;        ///< an earlier run's trace was kept (BatchOptions::resume)
+  std::string other_build;  ///< of the program, whose trace was made again (JobResult); empty: none
   std::string left_behind;  ///< of a job that failed: an earlier run's trace that is still in its place
 };
 

@@ -7,9 +7,11 @@
 #include <filesystem>
 #include <thread>
 
+#include "base/build_identity.hpp"
 #include "base/error.hpp"
 #include "base/path_words.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/run_proof.hpp"
 #include "replay/summary.hpp"
 
 namespace fingerpad {
@@ -52,6 +54,23 @@ void make_folder(const std::string& folder) {
                 "cannot be made: " + path_words(folder + "/", failure.value()));
 }
 
+/// Said before hours are spent on it, by the first traces that are there; empty where none is another
+/// build's.
+std::string words_of_other_build(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+  constexpr std::size_t most_looked_at = 1000;  // on a shared disk each takes a moment
+  const std::vector<std::size_t> ours = jobs_of_shard(jobs.size(), options);
+  for (std::size_t k = 0; k < std::min(ours.size(), most_looked_at); ++k) {
+    const std::string path =
+        fmt::format("{}/{}", options.out_dir, trace_name(jobs[ours[k]].job, options.format));
+    if (const auto build = other_build_of(path))
+      return fmt::format(
+          "{}: holds traces of another build of the program ({}; this one is {}), and results of two builds "
+          "are not mixed: they are made again",
+          options.out_dir, *build, short_build_identity());
+  }
+  return "";
+}
+
 }  // namespace
 
 std::string ranks_folder(const BatchOptions& options) {
@@ -81,6 +100,10 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
     }
     const std::string kept = keep_other_summary(jobs, options);
     if (options.on_kept && !kept.empty()) options.on_kept(kept);
+    if (options.on_kept && options.resume) {
+      const std::string words = words_of_other_build(jobs, options);
+      if (!words.empty()) options.on_kept(words);
+    }
     std::error_code ignored;
     std::filesystem::remove_all(ranks_folder(options), ignored);
     when_first();

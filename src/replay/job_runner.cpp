@@ -75,6 +75,8 @@ void JobRunner::run_one(std::size_t index) {
       options_.traces ? (std::filesystem::path(options_.out_dir) / trace_name(job, options_.format)).string()
                       : "";
   const auto before = options_.traces ? state_of(path) : std::nullopt;
+  // It is under way from now on, however long its mesh takes to load.
+  if (options_.on_ticks) options_.on_ticks(batch_job, 0);
   try {
     if (!job.error.empty()) throw Error(ErrorKind::refused, "", job.error);
     JobOutput output{path, options_.format, options_.choice, options_.version, options_.resume, {}};
@@ -83,6 +85,7 @@ void JobRunner::run_one(std::size_t index) {
     refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;
     batch_job.kept = result.kept;
+    batch_job.other_build = result.other_build;
     batch_job.contact_method = result.contact_method;
     batch_job.contact_normals = result.contact_normals;
     batch_job.contact_reasons = result.contact_reasons;

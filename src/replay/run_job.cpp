@@ -162,6 +162,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
       warn_of_run(scene, *world, path, result);
       return result;
     }
+    result.other_build = other_build_of(output.path).value_or("");
   }
 
   const RunEnd end = run(scene, world, path, info, output);

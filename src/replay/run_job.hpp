@@ -32,6 +32,7 @@ struct JobResult {
   std::vector<std::string> motion_notes;  ///< LoadedMotion::notes
   std::vector<std::string> warnings;      ///< of the motion, and of what it touches
   bool kept = false;                      ///< the trace of an earlier run was kept
+  std::string other_build = {};  ///< whose trace was there to resume, and was made again; empty: none
 };
 
 /// Follows a scene's motion through its world, tick by tick, and writes the trace.

@@ -23,7 +23,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::string_view first_line = "fingerpad proof 1";
+constexpr std::string_view first_line = "fingerpad proof 1", build_word = "build ";
 
 std::string proof_path(const std::string& trace_path) {
   const fs::path trace(trace_path);
@@ -99,7 +99,8 @@ void write_proof(const std::string& trace_path, const std::string& digest, const
                  const FileSum& trace) {
   std::error_code ignored;
   if (!fs::is_regular_file(trace_path, ignored)) return;  // of what went into a pipe nothing can be proven
-  std::string text = fmt::format("{}\nrun {}\ntrace {}\n", first_line, digest, sum_text(trace));
+  std::string text = fmt::format("{}\nrun {}\n{}{}\ntrace {}\n", first_line, digest, build_word,
+                                 short_build_identity(), sum_text(trace));
   for (std::size_t i = 0; i < figures.size(); ++i)
     text += fmt::format("{} {}\n", Figures::names()[i], number_text(figures[i]));
   const std::string path = proof_path(trace_path);
@@ -118,6 +119,7 @@ std::optional<std::vector<double>> proven_figures(const std::string& trace_path,
   std::string line;
   if (!std::getline(proof, line) || line != first_line) return std::nullopt;
   if (!std::getline(proof, line) || line != "run " + digest) return std::nullopt;
+  if (!std::getline(proof, line) || !line.starts_with(build_word)) return std::nullopt;
   const auto trace = fingerprint(trace_path);
   if (!trace || !std::getline(proof, line) || line != "trace " + sum_text(*trace)) return std::nullopt;
   std::vector<double> figures;
@@ -135,6 +137,17 @@ bool proves_another_run(const std::string& trace_path, const std::string& digest
   std::string first, run;
   return std::getline(proof, first) && first == first_line && std::getline(proof, run) &&
          run.starts_with("run ") && run != "run " + digest;
+}
+
+std::optional<std::string> other_build_of(const std::string& trace_path) {
+  std::istringstream proof(proof_text(trace_path));
+  std::string line;
+  if (!std::getline(proof, line) || line != first_line) return std::nullopt;
+  if (!std::getline(proof, line) || !std::getline(proof, line)) return std::nullopt;
+  if (!line.starts_with(build_word)) return "an earlier one";
+  const std::string build = line.substr(build_word.size());
+  if (build == short_build_identity()) return std::nullopt;
+  return build;
 }
 
 void remove_unfinished(const std::string& trace_path) {

@@ -32,6 +32,10 @@ std::optional<std::vector<double>> proven_figures(const std::string& trace_path,
 /// Whether the proof beside the trace names a run with another digest.
 bool proves_another_run(const std::string& trace_path, const std::string& digest);
 
+/// Which build (short_build_identity) made the trace that the proof beside it is of; nothing where that is
+/// this one, or no proof is there. "an earlier one" where the proof names none.
+std::optional<std::string> other_build_of(const std::string& trace_path);
+
 /// Removes what a killed run may have left beside a trace that is kept: files that were under way.
 void remove_unfinished(const std::string& trace_path);
 

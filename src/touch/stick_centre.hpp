@@ -18,12 +18,13 @@ class StickCentre {
   /// @param contact_triangle  index into Part::triangles of where S lies: the search starts there; -1:
   /// unknown
   /// @param facets    where they are kept from stick to stick: those near S
+  /// @param memory    what the contact's own search keeps (ContactMethod::memory_of); null if nothing
   void place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W, Normals normals,
-             int contact_triangle, FacetsAtHand& facets) noexcept;
+             int contact_triangle, FacetsAtHand& facets, const ClosestMemory* memory) noexcept;
   void place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W, Normals normals,
              int contact_triangle = -1) noexcept {
     FacetsAtHand facets;
-    place(surface, contact_W, stretch_W, normals, contact_triangle, facets);
+    place(surface, contact_W, stretch_W, normals, contact_triangle, facets, nullptr);
   }
   /// A centre that a law drags along in the tangent plane.
   void drag(const Vec3& point_W) noexcept {

@@ -114,7 +114,8 @@ Friction Touch::rub(const Wall& wall, double share_of_push, double inclination_r
   const Vec3 stretch_W = memory.frame_WC.leftCols<2>() * friction.stretch_m;
   // Put on the surface where stick begins; a centre that a law drags along tick by tick needs no search.
   if (before != Phase::stick || friction.ruptures > 0) {
-    memory.centre.place(surface_of(wall), wall.point_W, stretch_W, normals_, wall.triangle, facets_);
+    memory.centre.place(surface_of(wall), wall.point_W, stretch_W, normals_, wall.triangle, facets_,
+                        method_->memory_of(wall.surface));
   } else {
     memory.centre.drag(wall.point_W - stretch_W);
   }

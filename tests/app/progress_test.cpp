@@ -126,5 +126,15 @@ TEST(JobBar, SaysThatItStopsAndWhatItWaitsFor) {
   EXPECT_THAT(seen, HasSubstr("0/1 stopping: 1 under way ends first"));
 }
 
+TEST(JobBar, CountsAJobWhoseMeshIsStillBeingLoadedAsUnderWay) {
+  const fs::path folder = folder_with_meshes();
+  std::ofstream(folder / "ball.toml")
+      << "[[part]]\nmesh = \"ball.ply\"\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0.051]\n"
+         "to_m = [0, 0, 0.0499]\nspeed_m_per_s = 0.1\n";
+  const std::string seen = interrupted_on_a_terminal("0/1 ball.ply: ", "replay ball.toml --out o", folder);
+  EXPECT_THAT(seen, HasSubstr("0/1 stopping: 1 under way ends first"));
+  EXPECT_THAT(seen, Not(HasSubstr("0/1 stopped")));
+}
+
 }  // namespace
 }  // namespace fingerpad::progress_test

@@ -182,7 +182,36 @@ TEST(ResumeWithAProofOfAnotherRun, MakesTheTraceAgain) {
   std::ofstream(proof, std::ios::binary) << other;
   const auto again = replay(folder, "--out out --resume");
   EXPECT_THAT(again.out, Not(HasSubstr("kept")));
+  EXPECT_THAT(again.err, Not(HasSubstr("another build"))) << "the scene may have been another";
   EXPECT_EQ(bytes_of(proof), proven);
+}
+
+/// A set of three jobs, of which two traces are there as another build would have left them.
+TEST(ResumeAfterAnotherBuild, SaysWhichBuildAndHowManyJobsAreMadeAgain) {
+  const fs::path folder = folder_with_scene({});
+  std::ofstream(folder / "s.toml", std::ios::app) << "[[set]]\nseed = [1, 2, 3]\n";
+  replay(folder, "--out out");
+  const std::string summary = bytes_of(folder / "out" / "summary.csv");
+  EXPECT_THAT(replay(folder, "--out out --resume").err, Not(HasSubstr("build")));
+  for (const char* job : {"1", "3"}) {
+    const fs::path proof = folder / "out" / ".fingerpad" / (std::string("s-000") + job + ".h5.proof");
+    std::string text = bytes_of(proof);
+    const std::size_t run = text.find("\nrun ") + 5, build = text.find("\nbuild ") + 7;
+    ASSERT_LT(build, text.size());
+    text.replace(run, 4, "~~~~").replace(build, 12, "0123456789ab");
+    std::ofstream(proof, std::ios::binary) << text;
+  }
+  const auto again = replay(folder, "--out out --resume");
+  EXPECT_THAT(again.out, HasSubstr("3 of 3 jobs done (1 kept from before)"));
+  EXPECT_THAT(again.err,
+              HasSubstr("fingerpad: out: holds traces of another build of the program (0123456789ab; "
+                        "this one is "));
+  EXPECT_THAT(again.err,
+              HasSubstr("fingerpad: warning: 2 of 3 jobs in out were made again: they were of another "
+                        "build of the program (0123456789ab; this one is "));
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
+  EXPECT_THAT(replay(folder, "--out out --resume").err, Not(HasSubstr("build")))
+      << "all are this build's again";
 }
 
 TEST(ResumeWithoutProof, TakesAnHdf5TraceAtItsWordAndMakesACsvAgain) {

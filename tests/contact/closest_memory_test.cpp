@@ -107,6 +107,46 @@ TEST(ClosestMemory, OfABriefSearchLeadsNoFartherOffThanNone) {
   }
 }
 
+TEST(ClosestMemory, OfAnotherPathBesideAnswersABriefSearch) {
+  const auto part = test::torus(150, 90);
+  const TriangleTree tree(part);
+  Wander wander(*part, 12);
+  RandomStream random(13);
+  ClosestMemory finger, own;
+  int answered = 0, answered_alone = 0;
+  for (int i = 0; i < samples(30000); ++i) {
+    const Vec3 q = wander.next();
+    const ClosestTriangle foot = tree.closest(q, finger, unbounded);
+    if (foot.triangle < 0 || i % 5 != 0) continue;
+    const Vec3 beside = foot.at.point + test::random_point(random, 0.01);
+    own = ClosestMemory();
+    ClosestMemory fresh;
+    // It may look at nothing: what is right was found among the finger's packets.
+    BriefSearch search{0, foot.triangle, &own, &finger}, alone{0, foot.triangle, &fresh};
+    const ClosestTriangle truth = tree.closest(beside, -1, unbounded);
+    const ClosestTriangle found = tree.closest(beside, search, unbounded);
+    const ClosestTriangle without = tree.closest(beside, alone, unbounded);
+    ASSERT_LE(found.at.distance2_m2, without.at.distance2_m2);
+    const bool is_right = found.triangle == truth.triangle;
+    if (is_right) expect_same_bits(found, truth);
+    answered += is_right ? 1 : 0;
+    answered_alone += without.triangle == truth.triangle ? 1 : 0;
+  }
+  EXPECT_GT(answered, answered_alone + samples(500)) << "of " << samples(6000);
+  // Whatever it holds: also that of another tree.
+  const TriangleTree other(test::torus(24, 12));
+  Wander again(*part, 14);
+  for (int i = 0; i < samples(5000); ++i) {
+    const Vec3 q = again.next();
+    tree.closest(q, finger, unbounded);
+    own = ClosestMemory();
+    const ClosestTriangle truth = other.closest(q, -1, unbounded);
+    BriefSearch search{1000000, i % 2 == 0 ? truth.triangle : 0, &own, &finger};
+    expect_same_bits(other.closest(q, search, unbounded), truth);
+    if (HasFatalFailure()) FAIL() << "query " << i;
+  }
+}
+
 TEST(ClosestMemory, ReachesThatChangeFromQueryToQueryAreKept) {
   const auto part = test::torus(100, 60);
   const TriangleTree tree(part);

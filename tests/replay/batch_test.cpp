@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <map>
+#include <mutex>
 #include <sstream>
 
 #include "base/error.hpp"
@@ -78,6 +80,22 @@ TEST(Batch, OneBadJobDoesNotStopTheRest) {
   EXPECT_NE(jobs[1].status.find("broken.toml:2"), std::string::npos) << jobs[1].status;
   EXPECT_EQ(jobs[2].status, "ok");
   EXPECT_TRUE(fs::exists(folder / "out" / "good.h5"));
+}
+
+TEST(Batch, AJobIsUnderWayFromItsBeginningOn) {
+  const auto folder = test::scratch_dir();
+  const auto scene = write_scene(folder, "sweep", sweep);
+  const auto bad = write_scene(folder, "bad", std::string("[[part]]\nmesh = \"absent.stl\"\n") + rub);
+  BatchOptions options = options_for(folder / "out", 2);
+  std::mutex mutex;
+  std::map<std::string, double> first_share;  // told of each job
+  options.on_ticks = [&](const BatchJob& job, double share) {
+    const std::lock_guard lock(mutex);
+    first_share.try_emplace(job.job.scene.name + std::to_string(job.job.number), share);
+  };
+  run({bad, scene}, options);
+  EXPECT_EQ(first_share.size(), 10u);
+  for (const auto& [job, share] : first_share) EXPECT_EQ(share, 0) << job;
 }
 
 TEST(Batch, ShardsTogetherMakeTheWhole) {
