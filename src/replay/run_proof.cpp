@@ -143,7 +143,8 @@ std::optional<std::string> other_build_of(const std::string& trace_path) {
   std::istringstream proof(proof_text(trace_path));
   std::string line;
   if (!std::getline(proof, line) || line != first_line) return std::nullopt;
-  if (!std::getline(proof, line) || !std::getline(proof, line)) return std::nullopt;
+  std::string run;
+  if (!std::getline(proof, run) || !std::getline(proof, line)) return std::nullopt;
   if (!line.starts_with(build_word)) return "an earlier one";
   const std::string build = line.substr(build_word.size());
   if (build == short_build_identity()) return std::nullopt;
