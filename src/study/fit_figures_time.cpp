@@ -36,8 +36,8 @@ std::vector<TrialSpan> slip_spans(const FitPictureSource& source) {
   return spans;
 }
 
-/// Where slip gives way to stick.
-std::vector<std::size_t> slip_ends(const StickSegments& segments) {
+/// Where slip gives way to stick, though only for what was noise.
+std::vector<std::size_t> seeming_ends(const StickSegments& segments) {
   std::vector<std::size_t> ends;
   for (std::size_t i = 1; i < segments.phase.size(); ++i) {
     if (segments.phase[i - 1] == PadPhase::slip && segments.phase[i] == PadPhase::stick &&
@@ -47,12 +47,16 @@ std::vector<std::size_t> slip_ends(const StickSegments& segments) {
   return ends;
 }
 
-/// The trial with the most ends of slip, and two seconds of it around them.
+/// The trial with the most ends of slip that count, and two seconds of it around them; where none counts, of
+/// those that seem to be ends.
 std::optional<TrialSpan> phase_change_span(const FitPictureSource& source) {
   TrialSpan span;
   std::size_t most = 0;
+  const bool any_counts = std::any_of(source.fit.evidence.begin(), source.fit.evidence.end(),
+                                      [](const TrialEvidence& trial) { return trial.stops > 0; });
   for (std::size_t k = 0; k < source.stick.segments.size(); ++k) {
-    const auto ends = slip_ends(source.stick.segments[k]);
+    const auto ends =
+        any_counts ? source.fit.evidence[k].stop_samples : seeming_ends(source.stick.segments[k]);
     if (ends.size() <= most) continue;
     most = ends.size();
     constexpr double shown_s = 2;
@@ -103,15 +107,15 @@ std::vector<double> less_moving_mean(const std::vector<double>& values, std::siz
   return left;
 }
 
-void add_marks(const StickSegments& segments, const TrialSpan& span, ChartPanel& panel) {
+void add_marks(const TrialEvidence& evidence, const TrialSpan& span, ChartPanel& panel) {
   const ChartCurve& curve = panel.curves.front();
   ChartCurve rings{"end of slip", {palette::vermillion, Dash::none, Marker::ring, 1.2}, {}, {}};
-  for (const std::size_t end : slip_ends(segments)) {
+  for (const std::size_t end : evidence.stop_samples) {
     if (end < span.from || end >= span.to) continue;
     rings.x.push_back(curve.x[end - span.from]);
     rings.y.push_back(curve.y[end - span.from]);
   }
-  panel.curves.push_back(std::move(rings));
+  if (!rings.x.empty()) panel.curves.push_back(std::move(rings));
 }
 
 /// Where the other phases of a span begin, a mark for each reason.
@@ -216,7 +220,7 @@ Chart phase_change_figure(const FitPictureSource& source) {
   panels.push_back(
       strip("tangential over normal force [1]", "mu [1]", "their ratio", palette::ink, t_s,
             over_span(trial, *span, [&](std::size_t i) { return trial.force_ratio[i].dot(way); })));
-  for (ChartPanel& panel : panels) add_marks(segments, *span, panel);
+  for (ChartPanel& panel : panels) add_marks(source.fit.evidence[span->trial], *span, panel);
   add_reasons(trial, segments, *span, panels.back());
   std::string told = trial.name;  // the legend is full of reasons
   for (const auto& [number, name] :

@@ -135,25 +135,26 @@ void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::ve
   const PadValue &mu_static = value_of(found, PadNumber::mu_static),
                  &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
   PadValue& v_min = value_of(found, PadNumber::v_min);
-  if (!v_min.refusal.empty()) return;
+  const bool is_seen = v_min.refusal.empty();
+  const std::string seen = is_seen ? fmt::format("is seen to end at {:.3g} m/s", v_min.value)
+                                   : std::string("is not plainly seen to end in stick");
   if (mu_static.samples == 0 && has_short_teeth(trials)) {
     v_min.refusal = fmt::format(
-        "where slip ends (seen at {:.3g} m/s) stick gives way again within a few samples, and passes for "
-        "slip "
-        "before: sample faster",
-        v_min.value);
+        "slip {}, where stick gives way again within a few samples, and passes for slip before: sample "
+        "faster",
+        seen);
     return;
   }
   constexpr double faster = 1.03;
-  if (slow_slip && slow_slip->speed_m_per_s > faster * v_min.value) {
+  if (slow_slip && (!is_seen || slow_slip->speed_m_per_s > faster * v_min.value)) {
     v_min.refusal = fmt::format(
-        "slip is seen to end at {:.3g} m/s, but its friction is up by {:.3g} already below {:.3g} m/s: stick "
-        "that gives way again within a few samples hides there (then sample faster), or friction rises as "
-        "the "
-        "finger slows",
-        v_min.value, slow_slip->rise, slow_slip->speed_m_per_s);
+        "slip {}, but its friction is up by {:.3g} already below {:.3g} m/s: stick that gives way again "
+        "within a few "
+        "samples hides there (then sample faster), or friction rises as the finger slows",
+        seen, slow_slip->rise, slow_slip->speed_m_per_s);
     return;
   }
+  if (!is_seen) return;
   if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty()) return;
   double rise = 0, stops = 0;
   for (std::size_t i = 0; i < trials.size(); ++i) {

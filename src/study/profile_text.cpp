@@ -100,12 +100,11 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
           pad_number_keys[k], 1e3 * fit.values[k].value));
   }
   constexpr double untold_s = 0.5e-3;
-  if (std::abs(fit.delay_left_s) > untold_s)
+  if (std::abs(fit.delay_left_s) > untold_s && fit.residual.misfit.empty())
     notes.push_back(
         fmt::format("delay: the springs tell another {:.2g} ms beside what was taken out, which bent springs "
                     "(or a loop) hide "
-                    "from the cross-correlation; axes and stiffnesses allow for it, and --delay with the sum "
-                    "takes it out",
+                    "from the cross-correlation: it may be off by as much; axes and stiffnesses allow for it",
                     1e3 * fit.delay_left_s));
   constexpr double narrowest_m = 0.1e-3;
   const PadValue &lateral = value_of(fit, PadNumber::lateral_axis),

@@ -14,7 +14,7 @@ namespace {
 struct SlipStop {
   std::size_t first = 0;  ///< sample of the first
   std::vector<double> way_m, ratio;
-  double slip_ratio = 0;  ///< mean before it
+  double slip_ratio = 0, slip_scatter = 0;  ///< mean before it, and the standard deviation
 };
 
 SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
@@ -25,6 +25,9 @@ SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, c
                     first = last > slip.from + 20 * half ? last - 20 * half : slip.from;
   for (std::size_t i = first; i < last; ++i)
     stop.slip_ratio -= ratio[i].dot(forward) / static_cast<double>(last - first);
+  double square = 0;
+  for (std::size_t i = first; i < last; ++i) square += std::pow(ratio[i].dot(forward) + stop.slip_ratio, 2);
+  stop.slip_scatter = std::sqrt(square / static_cast<double>(last - first));
   stop.first = last;
   for (std::size_t i = last; i < trial.position_m.size() && i < slip.to + 6 * half; ++i) {
     if (i > slip.from && segments.begins_run[i]) break;
@@ -55,7 +58,10 @@ std::optional<double> end_of_slip_m(const SlipStop& stop, const Spring& spring_m
   constexpr std::size_t fewest = 3;
   if (stop.ratio.size() < fewest) return std::nullopt;
   const double rise = *std::max_element(stop.ratio.begin(), stop.ratio.end()) - stop.slip_ratio;
-  if (!(rise > 5 * noise) || !(rise > 0.15 * stop.slip_ratio)) return std::nullopt;
+  // A pad that vibrates in slip rises, too, and the highest of many samples is some two to three deviations
+  // up.
+  if (!(rise > 5 * noise) || !(rise > 4 * stop.slip_scatter) || !(rise > 0.15 * stop.slip_ratio))
+    return std::nullopt;
   double sum = 0, count = 0;
   for (std::size_t i = stop.ratio.size(); i-- > 0;) {
     const double above = stop.ratio[i] - stop.slip_ratio;
@@ -69,7 +75,7 @@ std::optional<double> end_of_slip_m(const SlipStop& stop, const Spring& spring_m
 
 /// How a finger moves at a place of its way.
 struct StopSpeed {
-  double speed_m_per_s, slowing_m_per_s;  ///< slowing: from sample to sample
+  double speed_m_per_s, slowing_m_per_s;  ///< slowing: from sample to sample; < 0 where it speeds up
 };
 
 /// At a place of the way, by a parabola through the positions around it.
@@ -93,7 +99,7 @@ std::optional<StopSpeed> speed_at_m(const MeasuredTrial& trial, const StickSegme
     t -= (way->at(t) - place_m) / slope;
   }
   if (!(std::abs(t) < static_cast<double>(half))) return std::nullopt;
-  return StopSpeed{way->slope_at(t) * trial.rate_hz, std::abs(2 * way->bend_m * trial.rate_hz)};
+  return StopSpeed{way->slope_at(t) * trial.rate_hz, -2 * way->bend_m * trial.rate_hz};
 }
 
 }  // namespace
@@ -114,11 +120,12 @@ void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, co
     if (!end_m) continue;
     const auto speed =
         speed_at_m(trial, segments, forward, std::min(slip.to, trial.position_m.size() - 1), *end_m);
-    if (!speed) continue;
+    if (!speed || !(speed->slowing_m_per_s > 0)) continue;
     evidence.stop_speed_m_per_s += speed->speed_m_per_s;
     evidence.stop_slowing_m_per_s += speed->slowing_m_per_s;
     evidence.stop_rise += rise_before_stop(segments, ratio, slip, forward, evidence);
     ++evidence.stops;
+    evidence.stop_samples.push_back(slip.to);
   }
 }
 

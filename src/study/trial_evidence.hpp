@@ -61,7 +61,8 @@ struct TrialEvidence {
   double stop_rise = 0;  ///< sum of what friction is above the trial's in slip just before them (30 ms; no
                          ///< less than 15 samples)
   long stops = 0;
-  std::vector<double> power;  ///< sum over pieces of slip of Welch's density of r
+  std::vector<std::size_t> stop_samples;  ///< the first of what follows slip, of each
+  std::vector<double> power;              ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
   /// Sums of products, about the trial's means, of -height, n^w and n^w ln n over means of some samples of
   /// contact (n in N).
@@ -89,7 +90,8 @@ struct EvidencePoint {
 /// them. mu_d: mean over slip. Stiffness: regression of x on q in each stretch of stick, without the half
 /// window beside a border that is not a rupture, over means of some samples, and without the sensors' noise.
 /// v_min (paper, fig. 9): where slip ends, q rises from mu_d along the spring, q = mu_d + K (s - s*); s* is
-/// where slip ended and the speed there is v_min. A stop counts where the rise is five times the noise.
+/// where slip ended and the speed there is v_min. A stop counts where the finger slows, and the rise is
+/// five times the noise and four times what friction varies by in the slip before it.
 /// Friction that rises before it says that slip ended sooner: stick that gives way within some samples passes
 /// for slip.
 TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& segments,

@@ -407,6 +407,22 @@ TEST(ProfileFit, SpectraOfOtherLengthsAreNotAdded) {
   EXPECT_THAT(slip_density({one, other}, {1, 1}).refusal, HasSubstr("spectra of 129 and of 65"));
 }
 
+TEST(ProfileFit, SlipThatTremblesDoesNotEndBeforeItDoes) {
+  // Of 70 to 100 % more than a pad's: what rises for some samples, while the finger speeds up or slows, is no
+  // stick.
+  for (const double vibration : {0.08, 0.1}) {
+    test::KnownFinger finger;
+    finger.vibration = vibration;
+    for (const std::uint64_t seed : {1, 2}) {
+      const ProfileFit fit = fit_profile(
+          clean(test::known_measurement(test::known_trials(), finger, test::KnownSensors(), seed), {}), {});
+      const PadValue& v_min = fit.values[static_cast<std::size_t>(PadNumber::v_min)];
+      EXPECT_EQ(v_min.refusal, "");
+      EXPECT_NEAR(v_min.value, 0.1, 0.001) << vibration << " " << seed;
+    }
+  }
+}
+
 TEST(ProfileFit, SlipThatDoesNotVibrateHasNoVibration) {
   test::KnownFinger finger;
   finger.vibration = 0;
