@@ -35,7 +35,8 @@ struct FieldFormat {
   std::span<const std::string_view> keys;
   /// Forces and positions are in the same axes: then a fit may take both.
   bool has_one_frame = true;
-  bool takes_torque = false;  ///< and speed: RecordingFormat::torque_headers, speed_header
+  bool takes_torque = false;      ///< and speed: RecordingFormat::torque_headers, speed_header
+  bool takes_force_unit = false;  ///< RecordingFormat::newtons_per_unit; else forces are read as newtons
 };
 
 /// All named formats, in the order of the documentation.

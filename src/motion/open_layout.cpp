@@ -84,6 +84,7 @@ struct OpenUnits {
 OpenUnits known_units(const RecordingFormat& format, const OpenLayout& layout) {
   OpenUnits units;
   if (format.says_time_unit) units.of(Quantity::time) = format.seconds_per_unit;
+  if (format.says_force_unit) units.of(Quantity::force) = format.newtons_per_unit;
   units.of(Quantity::length) = format.says_unit ? format.metres_per_unit : layout.metres_per_unit;
   units.of(Quantity::torque) =
       format.says_torque_unit ? format.newton_metres_per_unit : layout.newton_metres_per_unit;
@@ -95,11 +96,13 @@ OpenUnits known_units(const RecordingFormat& format, const OpenLayout& layout) {
 OpenUnits table_units(const std::string& path, const RecordingFormat& format, const OpenLayout& layout,
                       const std::vector<std::string_view>& keys, const CsvRequest& request,
                       const UnitRow& row) {
-  constexpr std::string_view options[] = {"time_unit (--time-unit)", "unit (--unit)", "", "--torque-unit"};
+  const std::string_view options[] = {"time_unit (--time-unit)", "unit (--unit)",
+                                      format.takes_force_unit ? "--force-unit" : "", "--torque-unit"};
   constexpr std::string_view open[] = {
       "", "the unit of its positions: say unit = \"mm\" (or m, cm, in) in [motion], or --unit", "",
       "the unit of its torques: say --torque-unit"};
-  const bool is_said[] = {format.says_time_unit, format.says_unit, false, format.says_torque_unit};
+  const bool is_said[] = {format.says_time_unit, format.says_unit, format.says_force_unit,
+                          format.says_torque_unit};
   OpenUnits units = known_units(format, layout);
   for (const Quantity quantity : {Quantity::time, Quantity::length, Quantity::force, Quantity::torque}) {
     const auto q = static_cast<std::size_t>(quantity);
