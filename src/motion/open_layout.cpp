@@ -217,7 +217,7 @@ void take_forces(const std::string& path, const RecordingFormat& format,
   }
   if (components != 0 && components != 3)
     throw refused(path, "a force needs all of fx, fy and fz; name them in columns, or none of them");
-  if (components == 3) {
+  if (components == 3 && !format.is_sensor_turned) {
     const std::vector<double> normal(motion.force_W_n.row(2).begin(), motion.force_W_n.row(2).end());
     const double usual_n = pressed_median_n(normal);
     if (usual_n < 0)

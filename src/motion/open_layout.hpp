@@ -24,7 +24,8 @@ struct OpenLayout {
 /// their own stand in the file `format.positions_path`, with a time column of the same name, and are joined
 /// to the forces (join_clocks). Forces are in newtons; `forces_on_surface` turns them to those on the finger.
 /// Throws Error (refused) with the question for whatever is open, for a column that is named beside those,
-/// and where most of the normal force is below 0: that is the load on the surface.
+/// and where most of the normal force is below 0, unless it is in a sensor's axes: that is the load on the
+/// surface.
 FieldRecording read_open_layout(const std::string& path, const RecordingFormat& format,
                                 const OpenLayout& layout);
 

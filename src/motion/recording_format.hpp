@@ -46,6 +46,7 @@ struct RecordingFormat {
   bool says_unit = false, says_time_unit = false;  ///< else a named format's own units hold
   std::optional<int> subject, trial;               ///< the rows of these alone, by the columns of their names
   bool forces_on_surface = false;  ///< fx,fy,fz are the load on the surface, not on the finger
+  bool is_sensor_turned = false;   ///< fx,fy,fz are in a sensor's axes yet: which is normal is not known
 
   /// Of a layout that has them, as the file calls them; empty: not asked for. A motion has no use of them, a
   /// measurement has.

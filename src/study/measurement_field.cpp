@@ -30,6 +30,7 @@ RecordingFormat recording_format(const FieldFormat& layout, const MeasurementFor
   said.takes_force_unit = true;
   said.says_force_unit = format.says_force_unit;
   said.forces_on_surface = format.force_on_plate;
+  said.is_sensor_turned = format.sensor.has_value();
   for (std::size_t axis = 0; axis < 3; ++axis)
     said.torque_headers[axis] = format.headers[static_cast<std::size_t>(MeasuredColumn::torque) + axis];
   said.speed_header = format.headers[static_cast<std::size_t>(MeasuredColumn::speed)];

@@ -67,5 +67,23 @@ TEST_F(MeasurementField, AForceUnitIsTakenOnceWhetherTheRowSaysItOrAnOption) {
   EXPECT_THAT(why(rows(head + "s,mm,mm,mm,V,V,V", force), named(plain_keys)), HasSubstr("say --force-unit"));
 }
 
+/// A sensor that hangs over head has its z downwards: only in the plate's axes does the plate push the finger
+/// away.
+TEST_F(MeasurementField, TheSignOfForcesIsJudgedOnceTheSensorIsTurned) {
+  std::vector<std::string_view> keys = plain_keys;
+  keys.insert(keys.end(), {"tx", "ty", "tz"});
+  MeasurementFormat format = named(keys);
+  format.says_unit = true;
+  format.metres_per_unit = 1e-3;
+  const std::string text = rows("t,x,y,z,fx,fy,fz,tx,ty,tz", {-0.5, -0.1, -1}, ",0,0,0");
+  EXPECT_THAT(why(text, format), HasSubstr("--force-on plate"));
+  format.sensor = SixAxisSensor{Eigen::AngleAxisd(M_PI, Vec3::UnitX()).toRotationMatrix(), Vec3::Zero(), 0};
+  const RecordedMeasurement turned = read(text, format);
+  EXPECT_LT((turned.trials.at(0).force_W.col(3) - Vec3(-0.5, 0.1, 1)).norm(), 1e-12);
+  format.sensor->rotation_WS = Mat3::Identity();
+  EXPECT_THAT(test::why_not([&] { refuse_doubtful(read(text, format), format, 0); }),
+              HasSubstr("how the sensor stands (--sensor-turned)"));
+}
+
 }  // namespace
 }  // namespace fingerpad::measurement_field_test
