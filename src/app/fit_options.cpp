@@ -106,7 +106,7 @@ void add_units(CLI::App& command, ReadingOptions& options) {
       ->default_str("N");
   command.add_option("--torque-unit", options.torque_unit, "Of torques")
       ->check(CLI::IsMember(names_of(torque_units)))
-      ->default_str("N.m");
+      ->default_str("N.m, or the layout's own");
   command.add_option("--separator", options.separator, "Between cells; found where it is left out")
       ->check(CLI::IsMember(names_of(separators)));
   command.add_option("--decimal", options.decimal, "Mark of numbers")
@@ -127,7 +127,8 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       .add_option(
           "--columns", options.columns,
           "Columns that are called otherwise, KEY=NAME,...: t x y z, fx fy fz (force), nx ny nz (plate's "
-          "normal), dx dy dz (finger), m1x.. m2z (markers), tx ty tz (torque), subject, trial, speed")
+          "normal), dx dy dz (finger), m1x.. m2z (markers), tx ty tz (torque), subject, trial; speed where a "
+          "--reader takes it")
       ->delimiter(',');
   add_units(command, options);
   command.add_option("--force-on", options.force_on, "What the recorded forces act on")

@@ -77,6 +77,7 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
   for (const std::string& note : recording.notes) into.notes.push_back(fmt::format("{}: {}", path, note));
   for (const std::string& warning : recording.warnings)
     into.warnings.push_back(fmt::format("{}: {}", path, warning));
+  into.told_units[path] = recording.told_units;
   const Motion& motion = recording.motion;
   if (motion.force_W_n.cols() == 0) {
     into.without_force.push_back(fmt::format(

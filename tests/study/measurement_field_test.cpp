@@ -85,5 +85,30 @@ TEST_F(MeasurementField, TheSignOfForcesIsJudgedOnceTheSensorIsTurned) {
               HasSubstr("how the sensor stands (--sensor-turned)"));
 }
 
+/// A metre a row is no finger's way, but its row of units says metres: then no unit is left to be said.
+TEST_F(MeasurementField, WhatARowOfUnitsTellsIsNotAskedForAgain) {
+  const std::string head = "t,x,y,z,fx,fy,fz\n";
+  const MeasurementFormat format = named(plain_keys);
+  const RecordedMeasurement told = read(rows(head + "s,m,m,m,N,N,N", {-0.5, 0, 1}), format);
+  EXPECT_NO_THROW(refuse_doubtful(told, format, 0));
+  EXPECT_THAT(doubts_of(told, format), Contains(HasSubstr("its positions reach over 1.9e+04 mm, farther")));
+  EXPECT_THAT(told.notes, Contains(HasSubstr("s.csv: units as the line below its header has them: a time is "
+                                             "1 s, a position is 1 m, a force is 1 N")));
+  MeasurementFormat in_metres = format;  // of the program's own tables
+  std::ofstream(path) << rows(head + "s,m,m,m,-,-,-", {-50, 0, 100});
+  const RecordedMeasurement own = read_measurements({path}, in_metres);
+  EXPECT_THAT(test::why_not([&] { refuse_doubtful(own, in_metres, 0); }), HasSubstr("say --force-unit mN"));
+}
+
+TEST_F(MeasurementField, ASpeedsOwnUnitIsRead) {
+  std::vector<std::string_view> keys = plain_keys;
+  keys.push_back("speed");
+  std::string text = "t,x,y,z,fx,fy,fz,speed\ns,mm,mm,mm,N,N,N,m s^-1\n";
+  for (int i = 0; i < 400; ++i) text += fmt::format("{},{},0,0,-0.5,0,1,0.1\n", 1e-3 * i, 0.1 * i);
+  const RecordedMeasurement told = read(text, named(keys));
+  EXPECT_THAT(told.warnings, testing::IsEmpty());
+  EXPECT_THAT(told.notes, Contains(HasSubstr("its speeds are 1 times what its positions give")));
+}
+
 }  // namespace
 }  // namespace fingerpad::measurement_field_test
