@@ -84,8 +84,14 @@ std::optional<SixAxisSensor> sensor_of(const ReadingOptions& options) {
 
 /// Torque tells the contact point of a six-axis sensor, and nothing else.
 void refuse_unread_torque(const ReadingOptions& options) {
-  if (!options.sensor_at.empty() || !options.sensor_turned.empty()) return;
   const FieldFormat* layout = find_field_format(options.reader);
+  const bool names_torque =
+      std::any_of(options.columns.begin(), options.columns.end(), [](const std::string& said) {
+        return said.starts_with("tx=") || said.starts_with("ty=") || said.starts_with("tz=");
+      });
+  if (layout != nullptr && layout->takes_torque && !options.torque_unit.empty() && !names_torque)
+    throw fit_usage("--torque-unit", "no torque is named: name tx, ty and tz in --columns, or leave it out");
+  if (!options.sensor_at.empty() || !options.sensor_turned.empty()) return;
   if (layout != nullptr && layout->takes_torque && !options.plate_height_m) return;
   const char* unread = !options.torque_unit.empty() ? "--torque-unit"
                        : options.plate_height_m     ? "--plate-height"
