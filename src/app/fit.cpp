@@ -129,6 +129,8 @@ void add_fit(CLI::App& program, Action& action) {
   command->footer(
       "A flat, rigid plate; forces on the finger. Each number comes with its 95 % interval over the trials; "
       "what the data cannot support is refused by name, under [refused], and the rest given.\n"
+      "A line of units below a table's header (s,mm,mm,mm,N,N,N) is read, and must not contradict an "
+      "option.\n"
       "A scene takes the profile as profile = \"PROFILE.toml\" in [finger].");
   command->callback([options, &action] { action = [options] { return fit(*options); }; });
 }

@@ -84,8 +84,14 @@ std::optional<SixAxisSensor> sensor_of(const ReadingOptions& options) {
 
 /// Torque tells the contact point of a six-axis sensor, and nothing else.
 void refuse_unread_torque(const ReadingOptions& options) {
-  if (!options.sensor_at.empty() || !options.sensor_turned.empty()) return;
   const FieldFormat* layout = find_field_format(options.reader);
+  const bool names_torque =
+      std::any_of(options.columns.begin(), options.columns.end(), [](const std::string& said) {
+        return said.starts_with("tx=") || said.starts_with("ty=") || said.starts_with("tz=");
+      });
+  if (layout != nullptr && layout->takes_torque && !options.torque_unit.empty() && !names_torque)
+    throw fit_usage("--torque-unit", "no torque is named: name tx, ty and tz in --columns, or leave it out");
+  if (!options.sensor_at.empty() || !options.sensor_turned.empty()) return;
   if (layout != nullptr && layout->takes_torque && !options.plate_height_m) return;
   const char* unread = !options.torque_unit.empty() ? "--torque-unit"
                        : options.plate_height_m     ? "--plate-height"
@@ -106,7 +112,7 @@ void add_units(CLI::App& command, ReadingOptions& options) {
       ->default_str("N");
   command.add_option("--torque-unit", options.torque_unit, "Of torques")
       ->check(CLI::IsMember(names_of(torque_units)))
-      ->default_str("N.m");
+      ->default_str("N.m, or the layout's own");
   command.add_option("--separator", options.separator, "Between cells; found where it is left out")
       ->check(CLI::IsMember(names_of(separators)));
   command.add_option("--decimal", options.decimal, "Mark of numbers")
@@ -127,7 +133,8 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       .add_option(
           "--columns", options.columns,
           "Columns that are called otherwise, KEY=NAME,...: t x y z, fx fy fz (force), nx ny nz (plate's "
-          "normal), dx dy dz (finger), m1x.. m2z (markers), tx ty tz (torque), subject, trial, speed")
+          "normal), dx dy dz (finger), m1x.. m2z (markers), tx ty tz (torque), subject, trial; speed where a "
+          "--reader takes it")
       ->delimiter(',');
   add_units(command, options);
   command.add_option("--force-on", options.force_on, "What the recorded forces act on")

@@ -36,21 +36,27 @@ bool is_gap(std::string_view cell) {
   return cell.empty() || cell == "nan" || cell == "NaN" || cell == "NAN" || cell == "NA";
 }
 
-/// A row of words below the header says in what its columns are measured. Columns without a unit have a dash,
-/// a one or nothing there.
+/// A dash, a one or nothing stands below a column without a unit.
+bool is_without_unit(std::string_view cell) {
+  return cell.empty() || cell == "-" || cell == "1";
+}
+
+/// "mm", "[N]", "m s^-1"; no number, and nothing that begins as one.
+bool is_word(std::string_view cell, char decimal) {
+  return !is_gap(cell) && !csv_number(cell, '.') && !csv_number(cell, decimal) &&
+         std::string_view("0123456789+-.,").find(cell.front()) == std::string_view::npos;
+}
+
+/// A row of words below the header says in what its columns are measured. One that is too short counts here.
 bool is_row_of_units(const std::vector<std::string_view>& cells, const std::vector<Wanted>& wanted,
                      char decimal) {
-  std::size_t words = 0, blanks = 0;
+  std::size_t words = 0;
   for (const Wanted& column : wanted) {
-    if (column.cell >= cells.size()) return false;
-    const std::string_view cell = cells[column.cell];
-    const bool is_unitless = cell.empty() || cell == "-" || cell == "1";
-    if (!is_unitless && (is_gap(cell) || csv_number(cell, '.') || csv_number(cell, decimal) ||
-                         cell.find_first_of("0123456789") != std::string_view::npos))
-      return false;
-    (is_unitless ? blanks : words) += 1;
+    if (column.cell >= cells.size() || is_without_unit(cells[column.cell])) continue;
+    if (!is_word(cells[column.cell], decimal)) return false;
+    ++words;
   }
-  return words >= 2 && words + blanks == wanted.size();
+  return words >= 2;
 }
 
 /// "mm" of "[mm]", "(mm)" and "in mm".
@@ -60,6 +66,18 @@ std::string bare_unit(std::string_view word) {
     word = word.substr(1, word.size() - 2);
   if (word.starts_with("in ")) word.remove_prefix(3);
   return std::string(trimmed(word));
+}
+
+/// Words that stand below other columns than their own say nothing.
+void refuse_uneven_units(const Row& row, const std::vector<Wanted>& wanted, std::size_t header_cells) {
+  bool is_even = true;
+  for (std::size_t i = header_cells; i < row.cells.size(); ++i) is_even = is_even && row.cells[i].empty();
+  for (const Wanted& column : wanted) is_even = is_even && column.cell < row.cells.size();
+  if (is_even) return;
+  throw refused(row.lines.place(),
+                fmt::format("looks like a row of units, with {} cells where the header has {}: give each "
+                            "column its unit, - where it has none, or put # before the line",
+                            row.cells.size(), header_cells));
 }
 
 void refuse_units(const Row& row, const std::vector<Wanted>& wanted) {
@@ -135,6 +153,7 @@ void CsvRowReader::take_units() {
     first_row_ = line;
     return;
   }
+  refuse_uneven_units({lines_, cells_}, wanted_, header_cells_);
   units_.words.resize(numbers_.size());
   for (const Wanted& column : wanted_) units_.words[column.index] = bare_unit(cells_[column.cell]);
   units_.place = lines_.place();
@@ -143,7 +162,8 @@ void CsvRowReader::take_units() {
 void CsvRowReader::take(std::string_view line) {
   split_csv(line, separator_, cells_);
   const Row row{lines_, cells_};
-  if (rows_ == 0 && is_row_of_units(cells_, wanted_, decimal_)) refuse_units(row, wanted_);
+  if (rows_ == 0 && wanted_.front().cell < cells_.size() && is_row_of_units(cells_, wanted_, decimal_))
+    refuse_units(row, wanted_);
   refuse_extra_cells(row, header_cells_);
   for (const Wanted& column : wanted_) numbers_[column.index] = number_in(row, column, decimal_, takes_gaps_);
   ++rows_;

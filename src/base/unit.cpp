@@ -24,6 +24,9 @@ std::vector<NamedUnit> units_of(Quantity quantity) {
     case Quantity::torque:
       for (const TorqueUnit& unit : torque_units) units.push_back({unit.name, unit.newton_metres});
       break;
+    case Quantity::speed:
+      units = {{"m/s", 1}, {"mm/s", 1e-3}, {"cm/s", 1e-2}, {"in/s", 25.4e-3}};
+      break;
   }
   return units;
 }
@@ -37,18 +40,33 @@ constexpr Spelling spellings[] = {{"sec", "s"},      {"seconds", "s"},  {"msec",
                                   {"N m", "N.m"},    {"N*m", "N.m"},    {"N\u00b7m", "N.m"},  {"Nmm", "N.mm"},
                                   {"N mm", "N.mm"},  {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
 
+/// "mm/s" of "mm s^-1", "mm.s-1" and the like; any other word as it is.
+std::string with_stroke(std::string_view word) {
+  for (const std::string_view power : {"^-1", "-1", "\u207b\u00b9"}) {
+    if (!word.ends_with(power)) continue;
+    const std::string_view product = word.substr(0, word.size() - power.size());
+    for (const std::string_view mark : {" ", ".", "*", "\u00b7"}) {
+      const std::size_t at = product.rfind(mark);
+      if (at != std::string_view::npos)
+        return std::string(product.substr(0, at)) + '/' + std::string(product.substr(at + mark.size()));
+    }
+  }
+  return std::string(word);
+}
+
 }  // namespace
 
 std::string_view quantity_words(Quantity quantity) noexcept {
-  constexpr std::string_view words[] = {"time", "length", "force", "torque"};
+  constexpr std::string_view words[] = {"time", "length", "force", "torque", "speed"};
   return words[static_cast<std::size_t>(quantity)];
 }
 
 std::optional<double> si_per_unit(Quantity quantity, std::string_view word) {
   for (const Spelling& spelling : spellings)
     if (spelling.written == word) word = spelling.name;
+  const std::string stroke = quantity == Quantity::speed ? with_stroke(word) : std::string(word);
   for (const NamedUnit& unit : units_of(quantity))
-    if (unit.name == word) return unit.factor;
+    if (unit.name == stroke) return unit.factor;
   return std::nullopt;
 }
 

@@ -39,10 +39,11 @@ struct TorqueUnit {
 inline constexpr std::array<TorqueUnit, 2> torque_units{{{"N.m", 1}, {"N.mm", 1e-3}}};
 
 /// What a column of a measurement may hold.
-enum class Quantity { time, length, force, torque };
+enum class Quantity { time, length, force, torque, speed };
+inline constexpr std::size_t quantities = 5;
 std::string_view quantity_words(Quantity quantity) noexcept;
-/// How much of s, m, N or N m a unit is that a table names, as those above or as people write them ("sec",
-/// "N mm"); nothing for any other word.
+/// How much of s, m, N, N m or m/s a unit is that a table names, as those above or as people write them
+/// ("sec", "N mm"; of a speed a length in a time, "mm/s", "m s^-1"); nothing for any other word.
 std::optional<double> si_per_unit(Quantity quantity, std::string_view word);
 /// "s, ms, us".
 std::string unit_list(Quantity quantity);

@@ -10,10 +10,19 @@
 namespace fingerpad {
 namespace {
 
-/// The unit that a name of the program's own tables ends in, as x_m and tx_n_m.
+/// The unit that a column's name ends in, as x_m and tx_n_m of the program's own tables, x_mm and f_mN of
+/// others.
 std::optional<double> unit_in_name(Quantity quantity, std::string_view name) {
-  constexpr std::string_view endings[] = {"_s", "_m", "_n", "_n_m"};
-  return name.ends_with(endings[static_cast<std::size_t>(quantity)]) ? std::optional(1.0) : std::nullopt;
+  constexpr std::string_view own[quantities] = {"_s", "_m", "_n", "_n_m", "_m_per_s"};
+  if (name.ends_with(own[static_cast<std::size_t>(quantity)])) return 1;
+  const std::size_t bar = name.rfind('_');
+  return bar == std::string_view::npos ? std::nullopt : si_per_unit(quantity, name.substr(bar + 1));
+}
+
+std::string_view si_words(Quantity quantity) {
+  constexpr std::string_view words[quantities] = {"seconds", "metres", "newtons", "newton metres",
+                                                  "metres a second"};
+  return words[static_cast<std::size_t>(quantity)];
 }
 
 bool is_unitless(std::string_view word) {
@@ -22,10 +31,15 @@ bool is_unitless(std::string_view word) {
 
 }  // namespace
 
-double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& names, const UnitGroup& group) {
-  double found = group.si_per_unit;
+std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,
+                                const UnitGroup& group) {
+  std::optional<double> found;
   std::string first;
-  const std::string say = group.option.empty() ? "" : fmt::format(", and say {}", group.option);
+  // Where people cannot say a unit, numbers must be in SI.
+  const std::string si = fmt::format("turn the column into {}", si_words(group.quantity));
+  const std::string mend = group.option.empty()
+                               ? si + " and put # before the line"
+                               : fmt::format("put # before the line, and say {}", group.option);
   const auto fault = [&](std::size_t column, const std::string& what) {
     return refused(row.place, fmt::format("has '{}' below '{}', {}", printable(row.words[column], 40),
                                           printable(names[column], 60), what));
@@ -35,23 +49,38 @@ double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& na
     const std::string& word = row.words[column];
     const auto unit = si_per_unit(group.quantity, word);
     if (!unit)
-      throw fault(column, fmt::format("which is no unit of {} that is known ({}): put # before the line{}",
-                                      quantity_words(group.quantity), unit_list(group.quantity), say));
+      throw fault(column, fmt::format("which is no unit of {} that is known ({}): {}",
+                                      quantity_words(group.quantity), unit_list(group.quantity), mend));
     if (group.is_said && *unit != group.si_per_unit)
       throw fault(column,
                   fmt::format("and {} says another unit: leave that out, or put # before the line if it "
                               "is wrong",
                               group.option));
     if (!group.is_said && unit_in_name(group.quantity, names[column]).value_or(*unit) != *unit)
-      throw fault(column, fmt::format("whose name says another unit: put # before the line{}", say));
-    if (!first.empty() && *unit != found)
+      throw fault(column, fmt::format("whose name says another unit: {}", mend));
+    if (found && *unit != *found)
       throw fault(column, fmt::format("and '{}' below another column of that kind, which all have one unit "
-                                      "here: turn them into one, and put # before the line{}",
-                                      first, say));
+                                      "here: turn them into one, and {}",
+                                      first, group.option.empty() ? "let the line say it" : mend));
     found = *unit;
     first = word;
   }
   return found;
+}
+
+double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& names, const UnitGroup& group) {
+  return told_unit(row, names, group).value_or(group.si_per_unit);
+}
+
+std::string told_units_words(const ToldUnits& told) {
+  constexpr std::string_view things[quantities] = {"time", "position", "force", "torque", "speed"};
+  constexpr std::string_view symbols[quantities] = {"s", "m", "N", "N m", "m/s"};
+  std::string words;
+  for (std::size_t q = 0; q < quantities; ++q) {
+    if (told[q])
+      words += fmt::format("{}a {} is {:.6g} {}", words.empty() ? "" : ", ", things[q], *told[q], symbols[q]);
+  }
+  return words.empty() ? words : "units as the line below its header has them: " + words;
 }
 
 }  // namespace fingerpad

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,11 +20,21 @@ struct UnitGroup {
   std::string option;  ///< how that is said, for people: "--unit"; empty: it cannot be said
 };
 
-/// The unit of a group by the row of units; that of the group where the row has none for it.
+/// What a row of units tells, in SI, by Quantity; nothing where it has no word for it.
+using ToldUnits = std::array<std::optional<double>, quantities>;
+
+/// The unit of a group by the row of units; nothing where the row has none for it.
 /// Throws Error (refused, at the row) for a word that is no unit of that kind, for units that differ within
 /// the group or from what was said, and for one that contradicts the column's own name (x_m below which mm
 /// stands).
 /// @param names  of the columns, as UnitRow::words has them
+std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,
+                                const UnitGroup& group);
+/// That of the group where the row has none for it.
 double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& names, const UnitGroup& group);
+
+/// "units as the line below its header has them: a time is 0.001 s, a force 9.80665 N", for people; empty
+/// where the row tells none.
+std::string told_units_words(const ToldUnits& told);
 
 }  // namespace fingerpad

@@ -5,6 +5,7 @@
 #include <string_view>
 #include <vector>
 
+#include "base/unit_row.hpp"
 #include "motion/motion.hpp"
 #include "motion/recording_format.hpp"
 
@@ -16,6 +17,7 @@ struct FieldRecording {
   std::vector<std::string> notes;     ///< how it was read, a line each, for people
   std::vector<std::string> warnings;  ///< what in it is not as it should be
   RecordingFormat read_as;  ///< with what a table of the program's own kind says itself: separator, units
+  ToldUnits told_units;     ///< by lines below its tables' headers
   Points torque_W_n_m;      ///< 3 x n, on the finger, about the sensor's origin, or 3 x 0 [N m]
 };
 
@@ -35,7 +37,8 @@ struct FieldFormat {
   std::span<const std::string_view> keys;
   /// Forces and positions are in the same axes: then a fit may take both.
   bool has_one_frame = true;
-  bool takes_torque = false;  ///< and speed: RecordingFormat::torque_headers, speed_header
+  bool takes_torque = false;      ///< and speed: RecordingFormat::torque_headers, speed_header
+  bool takes_force_unit = false;  ///< RecordingFormat::newtons_per_unit; else forces are read as newtons
 };
 
 /// All named formats, in the order of the documentation.

@@ -28,6 +28,7 @@ std::string_view named(const RecordingFormat& format, std::string_view key) {
 }
 
 Quantity quantity_of(std::string_view key) {
+  if (key == "speed") return Quantity::speed;
   if (key == "t") return Quantity::time;
   if (key.front() == 'f') return Quantity::force;
   return key.front() == 't' ? Quantity::torque : Quantity::length;
@@ -74,16 +75,17 @@ void refuse_other_columns(const std::string& path, const RecordingFormat& format
   }
 }
 
-/// What a unit of each quantity is in SI; 0: neither published nor said. A speed is in the unit of positions,
-/// a second.
+/// What a unit of each quantity is in SI; 0: neither published nor said.
 struct OpenUnits {
-  std::array<double, 4> si{1, 0, 1, 0};  ///< by Quantity
+  std::array<double, quantities> si{1, 0, 1, 0, 0};  ///< by Quantity
+  ToldUnits told;                                    ///< by the table itself
   double& of(Quantity quantity) { return si[static_cast<std::size_t>(quantity)]; }
 };
 
 OpenUnits known_units(const RecordingFormat& format, const OpenLayout& layout) {
   OpenUnits units;
   if (format.says_time_unit) units.of(Quantity::time) = format.seconds_per_unit;
+  if (format.says_force_unit) units.of(Quantity::force) = format.newtons_per_unit;
   units.of(Quantity::length) = format.says_unit ? format.metres_per_unit : layout.metres_per_unit;
   units.of(Quantity::torque) =
       format.says_torque_unit ? format.newton_metres_per_unit : layout.newton_metres_per_unit;
@@ -95,33 +97,35 @@ OpenUnits known_units(const RecordingFormat& format, const OpenLayout& layout) {
 OpenUnits table_units(const std::string& path, const RecordingFormat& format, const OpenLayout& layout,
                       const std::vector<std::string_view>& keys, const CsvRequest& request,
                       const UnitRow& row) {
-  constexpr std::string_view options[] = {"time_unit (--time-unit)", "unit (--unit)", "", "--torque-unit"};
+  const std::string_view options[] = {"time_unit (--time-unit)", "unit (--unit)",
+                                      format.takes_force_unit ? "--force-unit" : "", "--torque-unit", ""};
   constexpr std::string_view open[] = {
       "", "the unit of its positions: say unit = \"mm\" (or m, cm, in) in [motion], or --unit", "",
-      "the unit of its torques: say --torque-unit"};
-  const bool is_said[] = {format.says_time_unit, format.says_unit, false, format.says_torque_unit};
+      "the unit of its torques: say --torque-unit", "the unit of its positions: say --unit"};
+  const bool is_said[] = {format.says_time_unit, format.says_unit, format.says_force_unit,
+                          format.says_torque_unit, false};
   OpenUnits units = known_units(format, layout);
-  for (const Quantity quantity : {Quantity::time, Quantity::length, Quantity::force, Quantity::torque}) {
+  for (const Quantity quantity :
+       {Quantity::time, Quantity::length, Quantity::force, Quantity::torque, Quantity::speed}) {
     const auto q = static_cast<std::size_t>(quantity);
+    // A speed is in the unit of positions, a second, unless its own word says another.
+    if (quantity == Quantity::speed) units.of(quantity) = units.of(Quantity::length);
     UnitGroup group{quantity, {}, is_said[q], units.of(quantity), std::string(options[q])};
-    bool is_read = false;
-    for (std::size_t k = 0; k < keys.size(); ++k) {
-      if (quantity_of(keys[k]) != quantity) continue;
-      is_read = true;
-      if (keys[k] != "speed") group.columns.push_back(k);
-    }
-    units.of(quantity) = unit_of_group(row, request.required, group);
-    if (is_read && !(units.of(quantity) > 0))
+    for (std::size_t k = 0; k < keys.size(); ++k)
+      if (quantity_of(keys[k]) == quantity) group.columns.push_back(k);
+    units.told[q] = told_unit(row, request.required, group);
+    units.of(quantity) = units.told[q].value_or(group.si_per_unit);
+    if (!group.columns.empty() && !(units.of(quantity) > 0))
       throw refused(path,
                     fmt::format("the published description of {} does not say {}", layout.format, open[q]));
   }
   return units;
 }
 
-/// Columns of one table, in SI.
+/// Columns of one table, in SI; tells the recording the units that the table says.
 ClockedValues clocked_columns(const std::string& path, const RecordingFormat& format,
                               const OpenLayout& layout, const std::vector<std::string_view>& wanted,
-                              std::string what) {
+                              std::string what, FieldRecording& recording) {
   std::vector<std::string_view> keys{"t"};
   keys.insert(keys.end(), wanted.begin(), wanted.end());
   CsvRequest request;
@@ -132,6 +136,10 @@ ClockedValues clocked_columns(const std::string& path, const RecordingFormat& fo
   const CsvColumns table = read_csv_columns(path, request);
   if (table.lines.empty()) throw refused(path, "has a header but no rows");
   OpenUnits units = table_units(path, format, layout, keys, request, table.units);
+  for (std::size_t q = 0; q < quantities; ++q)
+    if (units.told[q]) recording.told_units[q] = units.told[q];
+  if (const std::string words = told_units_words(units.told); !words.empty())
+    recording.notes.push_back(format.positions_path.empty() ? words : fmt::format("{}: {}", what, words));
   ClockedValues read{std::move(what), table.columns.front(), {}};
   for (double& t_s : read.t_s) t_s *= units.of(Quantity::time);
   read.values.resize(static_cast<Eigen::Index>(wanted.size()), static_cast<Eigen::Index>(read.t_s.size()));
@@ -214,7 +222,7 @@ void take_forces(const std::string& path, const RecordingFormat& format,
   }
   if (components != 0 && components != 3)
     throw refused(path, "a force needs all of fx, fy and fz; name them in columns, or none of them");
-  if (components == 3) {
+  if (components == 3 && !format.is_sensor_turned) {
     const std::vector<double> normal(motion.force_W_n.row(2).begin(), motion.force_W_n.row(2).end());
     const double usual_n = pressed_median_n(normal);
     if (usual_n < 0)
@@ -268,7 +276,7 @@ FieldRecording read_open_layout(const std::string& path, const RecordingFormat& 
   if (format.positions_path.empty()) {
     std::vector<std::string_view> keys = places;
     keys.insert(keys.end(), forces.begin(), forces.end());
-    const ClockedValues all = clocked_columns(path, format, layout, keys, "samples");
+    const ClockedValues all = clocked_columns(path, format, layout, keys, "samples", recording);
     motion.t_s = all.t_s;
     take(all.values.topRows(static_cast<Eigen::Index>(places.size())),
          all.values.bottomRows(static_cast<Eigen::Index>(forces.size())));
@@ -279,8 +287,8 @@ FieldRecording read_open_layout(const std::string& path, const RecordingFormat& 
                     "positions stand in a file of their own, and of this one no force is named in "
                     "columns: name fx, fy and fz, or fn");
     const JoinedClocks joined =
-        join_clocks(clocked_columns(format.positions_path, format, layout, places, "positions"),
-                    clocked_columns(path, format, layout, forces, "forces"), path);
+        join_clocks(clocked_columns(format.positions_path, format, layout, places, "positions", recording),
+                    clocked_columns(path, format, layout, forces, "forces", recording), path);
     motion.t_s = joined.t_s;
     take(joined.first, joined.second);
     recording.notes.push_back(joined.note);

@@ -19,12 +19,13 @@ struct OpenLayout {
 
 /// Reads such a recording by the columns that `format` names: t, x, y (and z), and of the force fx, fy, fz
 /// and fn whatever is named. Torques (tx, ty, tz, beside the forces) are read for a measurement's contact
-/// point; a speed (beside the positions, in their unit a second) is held against the positions, which tells a
-/// wrong unit. A line of units below a table's header answers what is open of them. Positions with a clock of
-/// their own stand in the file `format.positions_path`, with a time column of the same name, and are joined
-/// to the forces (join_clocks). Forces are in newtons; `forces_on_surface` turns them to those on the finger.
-/// Throws Error (refused) with the question for whatever is open, for a column that is named beside those,
-/// and where most of the normal force is below 0: that is the load on the surface.
+/// point; a speed (beside the positions, in their unit a second unless its own is told) is held against the
+/// positions, which tells a wrong unit. A line of units below a table's header answers what is open of them.
+/// Positions with a clock of their own stand in the file `format.positions_path`, with a time column of the
+/// same name, and are joined to the forces (join_clocks). Forces are in newtons; `forces_on_surface` turns
+/// them to those on the finger. Throws Error (refused) with the question for whatever is open, for a column
+/// that is named beside those, and where most of the normal force is below 0, unless it is in a sensor's
+/// axes: that is the load on the surface.
 FieldRecording read_open_layout(const std::string& path, const RecordingFormat& format,
                                 const OpenLayout& layout);
 

@@ -27,6 +27,7 @@ FieldFormat kinaesthetic_format() noexcept {
           read_kinaesthetic,
           open_layout_keys,
           true,
+          true,
           true};
 }
 

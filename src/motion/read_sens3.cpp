@@ -31,6 +31,7 @@ FieldFormat sens3_format() noexcept {
           read_sens3,
           open_layout_keys,
           true,
+          true,
           true};
 }
 

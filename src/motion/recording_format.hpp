@@ -46,6 +46,7 @@ struct RecordingFormat {
   bool says_unit = false, says_time_unit = false;  ///< else a named format's own units hold
   std::optional<int> subject, trial;               ///< the rows of these alone, by the columns of their names
   bool forces_on_surface = false;  ///< fx,fy,fz are the load on the surface, not on the finger
+  bool is_sensor_turned = false;   ///< fx,fy,fz are in a sensor's axes yet: which is normal is not known
 
   /// Of a layout that has them, as the file calls them; empty: not asked for. A motion has no use of them, a
   /// measurement has.
@@ -53,6 +54,8 @@ struct RecordingFormat {
   std::string speed_header;
   double newton_metres_per_unit = 1;  ///< of torques
   bool says_torque_unit = false;      ///< else a named format's own holds
+  bool takes_force_unit = false;      ///< its user can say it (--force-unit), and is told so
+  bool says_force_unit = false;       ///< else newtons, or what the table says
 };
 
 }  // namespace fingerpad

@@ -132,6 +132,20 @@ std::vector<UnitDoubt> unit_doubts(FileTrials trials, const MeasurementFormat& f
   return doubts;
 }
 
+/// With the units said that the file's own table tells.
+MeasurementFormat with_told(const RecordedMeasurement& recorded, const std::string& file,
+                            MeasurementFormat format) {
+  const auto found = recorded.told_units.find(file);
+  if (found == recorded.told_units.end()) return format;
+  const auto tells = [&](Quantity quantity) {
+    return found->second[static_cast<std::size_t>(quantity)].has_value();
+  };
+  format.says_time_unit = format.says_time_unit || tells(Quantity::time);
+  format.says_unit = format.says_unit || tells(Quantity::length);
+  format.says_force_unit = format.says_force_unit || tells(Quantity::force);
+  return format;
+}
+
 void ask_for_units(FileTrials trials, const MeasurementFormat& format) {
   for (const UnitDoubt& doubt : unit_doubts(trials, format))
     if (doubt.is_refused) throw refused(trials.front().file, doubt.words);
@@ -216,7 +230,7 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double de
 
 void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementFormat& format, double delay_s) {
   each_file(recorded, [&](FileTrials own) {
-    ask_for_units(own, format);
+    ask_for_units(own, with_told(recorded, own.front().file, format));
     ask_for_signs(own, format, delay_s);
   });
 }
@@ -224,7 +238,7 @@ void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementForma
 std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
   std::vector<std::string> told;
   each_file(recorded, [&](FileTrials own) {
-    for (const UnitDoubt& doubt : unit_doubts(own, format))
+    for (const UnitDoubt& doubt : unit_doubts(own, with_told(recorded, own.front().file, format)))
       if (!doubt.is_refused) told.push_back(fmt::format("{}: {}", own.front().file, doubt.words));
   });
   return told;

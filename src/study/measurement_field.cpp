@@ -22,11 +22,15 @@ RecordingFormat recording_format(const FieldFormat& layout, const MeasurementFor
   }
   said.metres_per_unit = format.metres_per_unit;
   said.seconds_per_unit = format.seconds_per_unit;
+  said.newtons_per_unit = format.newtons_per_unit;
   said.dialect = format.dialect;
   said.positions_path = format.positions_path;
   said.says_unit = format.says_unit;
   said.says_time_unit = format.says_time_unit;
+  said.takes_force_unit = true;
+  said.says_force_unit = format.says_force_unit;
   said.forces_on_surface = format.force_on_plate;
+  said.is_sensor_turned = format.sensor.has_value();
   for (std::size_t axis = 0; axis < 3; ++axis)
     said.torque_headers[axis] = format.headers[static_cast<std::size_t>(MeasuredColumn::torque) + axis];
   said.speed_header = format.headers[static_cast<std::size_t>(MeasuredColumn::speed)];
@@ -73,6 +77,7 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
   for (const std::string& note : recording.notes) into.notes.push_back(fmt::format("{}: {}", path, note));
   for (const std::string& warning : recording.warnings)
     into.warnings.push_back(fmt::format("{}: {}", path, warning));
+  into.told_units[path] = recording.told_units;
   const Motion& motion = recording.motion;
   if (motion.force_W_n.cols() == 0) {
     into.without_force.push_back(fmt::format(
@@ -93,12 +98,13 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
     into.warnings.push_back(
         fmt::format("{}: was touched with {}: the numbers of the fit are of that, not of a finger pad", path,
                     layout.touched_with));
+  const double newtons_per_unit = layout.takes_force_unit ? 1 : format.newtons_per_unit;
   TrialRows trial(path, 0, static_cast<int>(into.trials.size()) + 1, false);
   for (Eigen::Index i = 0; i < motion.p_WQ.cols(); ++i) {
     RecordedRow row;
     row.t_s = motion.t_s[static_cast<std::size_t>(i)];
     row.position_W = motion.p_WQ.col(i);
-    row.force_W = format.newtons_per_unit * motion.force_W_n.col(i);
+    row.force_W = newtons_per_unit * motion.force_W_n.col(i);
     if (format.sensor) {
       const Vec3 torque_S_n_m = recording.torque_W_n_m.col(i);
       take_wrench(*format.sensor, &torque_S_n_m, row);

@@ -22,14 +22,15 @@ std::vector<std::size_t> asked_columns(const MeasurementFormat& format, CsvReque
   return required;
 }
 
-/// The format with the units that a line below the header names.
+/// Takes the units that a line below the header names, and tells them.
 /// @param asked  as asked_columns
-MeasurementFormat with_units(MeasurementFormat format, const CsvRequest& request, const UnitRow& row,
-                             const std::vector<std::size_t>& asked) {
+ToldUnits take_units(MeasurementFormat& format, const CsvRequest& request, const UnitRow& row,
+                     const std::vector<std::size_t>& asked) {
   std::vector<std::string_view> names = request.required;
   names.insert(names.end(), request.optional.begin(), request.optional.end());
-  const auto unit = [&](Quantity quantity, std::initializer_list<std::pair<MeasuredColumn, std::size_t>> runs,
-                        bool is_said, double si_per_unit, const char* option) {
+  ToldUnits told;
+  const auto take = [&](Quantity quantity, std::initializer_list<std::pair<MeasuredColumn, std::size_t>> runs,
+                        bool is_said, double& si_per_unit, const char* option) {
     UnitGroup group{quantity, {}, is_said, si_per_unit, option};
     for (std::size_t k = 0; k < asked.size(); ++k) {
       for (const auto& [first, count] : runs) {
@@ -37,26 +38,17 @@ MeasurementFormat with_units(MeasurementFormat format, const CsvRequest& request
         if (asked[k] >= place && asked[k] < place + count) group.columns.push_back(k);
       }
     }
-    return unit_of_group(row, names, group);
+    told[static_cast<std::size_t>(quantity)] = told_unit(row, names, group);
+    si_per_unit = told[static_cast<std::size_t>(quantity)].value_or(si_per_unit);
   };
   using enum MeasuredColumn;
-  format.seconds_per_unit =
-      unit(Quantity::time, {{time, 1}}, format.says_time_unit, format.seconds_per_unit, "--time-unit");
-  format.metres_per_unit = unit(Quantity::length, {{x, 3}, {marker_1, 3}, {marker_2, 3}}, format.says_unit,
-                                format.metres_per_unit, "--unit");
-  format.newtons_per_unit = unit(Quantity::force, {{fx, 3}, {fn, 1}}, format.says_force_unit,
-                                 format.newtons_per_unit, "--force-unit");
-  format.newton_metres_per_unit = unit(Quantity::torque, {{torque, 3}}, format.says_torque_unit,
-                                       format.newton_metres_per_unit, "--torque-unit");
-  format.says_unit = format.says_time_unit = format.says_force_unit = format.says_torque_unit = true;
-  return format;
-}
-
-std::string units_note(const std::string& path, const MeasurementFormat& format) {
-  return fmt::format(
-      "{}: units as the line below its header has them: a time is {:.6g} s, a position "
-      "{:.6g} m, a force {:.6g} N each",
-      path, format.seconds_per_unit, format.metres_per_unit, format.newtons_per_unit);
+  take(Quantity::time, {{time, 1}}, format.says_time_unit, format.seconds_per_unit, "--time-unit");
+  take(Quantity::length, {{x, 3}, {marker_1, 3}, {marker_2, 3}}, format.says_unit, format.metres_per_unit,
+       "--unit");
+  take(Quantity::force, {{fx, 3}, {fn, 1}}, format.says_force_unit, format.newtons_per_unit, "--force-unit");
+  take(Quantity::torque, {{torque, 3}}, format.says_torque_unit, format.newton_metres_per_unit,
+       "--torque-unit");
+  return told;
 }
 
 }  // namespace
@@ -74,9 +66,11 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   CsvRowReader table(path, request);
   std::vector<bool> present(measurement_columns.size());
   for (std::size_t k = 0; k < asked.size(); ++k) present[asked[k]] = table.present()[k];
-  const bool has_units = !table.units().words.empty();
-  const MeasurementFormat read_as = has_units ? with_units(format, request, table.units(), asked) : format;
-  if (has_units) into.notes.push_back(units_note(path, read_as));
+  MeasurementFormat read_as = format;
+  const ToldUnits told = take_units(read_as, request, table.units(), asked);
+  into.told_units[path] = told;
+  if (const std::string words = told_units_words(told); !words.empty())
+    into.notes.push_back(fmt::format("{}: {}", path, words));
   const RowReader rows(path, read_as, present);
   if (const std::string missing = rows.missing_force(); !missing.empty()) {
     into.without_force.push_back(fmt::format("{}: {}", path, missing));

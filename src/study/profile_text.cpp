@@ -45,6 +45,11 @@ std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
       axis == PadNumber::lateral_axis ? PadNumber::lateral_slope : PadNumber::longitudinal_slope;
   if (value_of(fit, slope).samples > 0)
     return "add a trial with the finger at about 45 degrees to the plate, or at two angles";
+  // A rub goes some way: where no stick was seen along either axis, another way to rub is no help.
+  if (value_of(fit, PadNumber::lateral_slope).samples == 0 &&
+      value_of(fit, PadNumber::longitudinal_slope).samples == 0)
+    return "let the finger be seen to stick before it slips: press harder, start and reverse slower, and "
+           "measure forces with less noise";
   return axis == PadNumber::lateral_axis ? "add a trial that rubs across the finger"
                                          : "add a trial that rubs along the finger";
 }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <map>
 #include <string>
 #include <vector>
 
 #include "base/types.hpp"
+#include "base/unit_row.hpp"
 
 namespace fingerpad {
 
@@ -40,6 +42,7 @@ struct RecordedMeasurement {
       without_force;                  ///< "FILE: column fx_n missing", of files that hold nothing for a fit
   std::vector<std::string> notes;     ///< how files were read, for people: "FILE: ..."
   std::vector<std::string> warnings;  ///< what in them is not as it should be
+  std::map<std::string, ToldUnits> told_units;  ///< by file, of those whose tables tell them
 };
 
 }  // namespace fingerpad

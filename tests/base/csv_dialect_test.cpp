@@ -114,6 +114,48 @@ TEST(CsvDialect, ARowOfUnitsIsReadWhereItIsAskedFor) {
   }
 }
 
+TEST(CsvDialect, AUnitMayHoldADigitAndARowOfUnitsHasACellAColumn) {
+  EXPECT_THAT(with_units("t,x,f\ns,m s^-1,m.s-1\n1,2,3\n").units.words, ElementsAre("s", "m s^-1", "m.s-1"));
+  EXPECT_THAT(with_units("t,x,f,k\ns,mm,-\n1,2,3,4\n").units.words, ElementsAre("s", "mm", "-"));
+  const auto why = [](const std::string& text) { return test::why_not([&] { with_units(text); }); };
+  EXPECT_THAT(why("t,x,f\ns,mm\n1,2,3\n"),
+              HasSubstr("t.csv:2: looks like a row of units, with 2 cells where the header has 3"));
+  EXPECT_THAT(why("t,x\ns,mm,N\n1,2\n"), HasSubstr("with 3 cells where the header has 2"));
+  EXPECT_THAT(why("t,x,f\n2mm,3mm,4mm\n1,2,3\n"), HasSubstr("'2mm' in column 't' is no number"));
+}
+
+TEST(UnitRow, ASpeedIsALengthInATime) {
+  for (const char* word : {"mm/s", "mm s^-1", "mm.s-1", "mm\u00b7s\u207b\u00b9"})
+    EXPECT_EQ(si_per_unit(Quantity::speed, word), 1e-3) << word;
+  for (const char* word : {"mm", "mm.s", "s^-1", "mm/min"})
+    EXPECT_EQ(si_per_unit(Quantity::speed, word), std::nullopt) << word;
+}
+
+TEST(UnitRow, AUnitInAColumnsNameIsHeldAgainstTheRow) {
+  const auto why = [](Quantity quantity, const char* word, const char* name) {
+    return test::why_not([&] {
+      told_unit({{word}, "t.csv:2"}, {name}, {quantity, {0}, false, 1, "--unit"});
+    });
+  };
+  const auto contradicts = HasSubstr("whose name says another unit: put # before the line, and say --unit");
+  EXPECT_THAT(why(Quantity::length, "m", "x_mm"), contradicts);
+  EXPECT_THAT(why(Quantity::time, "s", "t_ms"), contradicts);
+  EXPECT_THAT(why(Quantity::force, "N", "F_mN"), contradicts);
+  EXPECT_THAT(why(Quantity::torque, "N mm", "tx_n_m"), contradicts);
+  EXPECT_EQ(why(Quantity::length, "mm", "x_mm"), "taken");
+  EXPECT_EQ(why(Quantity::length, "mm", "pos_x"), "taken");
+}
+
+TEST(UnitRow, WhereAUnitCannotBeSaidTheColumnIsToBeTurned) {
+  const auto why = [](const char* word, const char* name) {
+    return test::why_not([&] {
+      told_unit({{word}, "t.csv:2"}, {name}, {Quantity::force, {0}, false, 1, ""});
+    });
+  };
+  EXPECT_THAT(why("V", "F"), HasSubstr("turn the column into newtons and put # before the line"));
+  EXPECT_THAT(why("mN", "fn_n"), HasSubstr("turn the column into newtons and put # before the line"));
+}
+
 TEST(UnitRow, SaysTheUnitOfAGroupOrWhatToDo) {
   const UnitRow row{{"ms", "mm", "mm", "furlong", "-", "N mm", "\u00b5s"}, "t.csv:2"};
   const std::vector<std::string_view> names{"t", "x", "y", "z", "k", "tx", "x_m"};

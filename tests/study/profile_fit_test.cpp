@@ -361,6 +361,18 @@ TEST(ProfileFit, WithoutDirectionsGivesWhatNeedsNoAxes) {
               HasSubstr("lateral_axis_m is missing: its fit says 'columns dx, dy, dz missing"));
 }
 
+TEST(ProfileFit, WhereNoStickIsSeenNoOtherWayToRubIsAdvised) {
+  test::KnownSensors sensors;
+  sensors.force_noise_n = 0.3;
+  const ProfileFit noisy = fitted({{1, 45, 0}, {1, 45, 90}}, 1, {}, sensors);
+  EXPECT_THAT(why(noisy, PadNumber::mu_static), HasSubstr("noise"));
+  EXPECT_THAT(missing_axes_words(noisy),
+              testing::AllOf(HasSubstr("press harder, start and reverse slower"), HasSubstr("less noise"),
+                             testing::Not(HasSubstr("add a trial"))));
+  const ProfileFit across = fitted({{1, 45, 0}, {1, 45, 0}}, 1);
+  EXPECT_THAT(missing_axes_words(across), HasSubstr("add a trial that rubs along the finger"));
+}
+
 TEST(ProfileFit, OneAngleGivesNoSlopes) {
   const ProfileFit fit = fitted({{1, 45, 45}, {1, 45, 45}}, 1);
   EXPECT_THAT(why(fit, PadNumber::lateral_slope), HasSubstr("one finger angle only"));
