@@ -47,7 +47,9 @@ void run_live_window(const LiveWindowChoice& choice, const LiveTouch& touch, con
   }
   input.keeps_pace = choice.real_time && touch.servo.refused().empty();
   if (touch.recorder != nullptr) {
-    input.note = "recording " + choice.record;
+    input.note = [&touch, words = "recording " + choice.record] {
+      return touch.recorder->failed() ? std::string() : words;
+    };
     input.view.recording = choice.record;
   }
   input.alarm = [&] { return alarm_words(touch); };

@@ -149,10 +149,9 @@ class TouchWindow {
   /// In red, whatever moves the finger: an emergency stop, and what has gone wrong.
   void warn() {
     const std::string trouble = input_.alarm ? input_.alarm() : "";
-    is_troubled_ = !trouble.empty();
     const bool stopped = input_.is_stopped && input_.is_stopped();
     stage_.words().alarm =
-        fmt::format("{}{}{}", stopped ? stopped_words : "", stopped && is_troubled_ ? "; " : "", trouble);
+        fmt::format("{}{}{}", stopped ? stopped_words : "", stopped && !trouble.empty() ? "; " : "", trouble);
   }
 
   void invite() {
@@ -164,7 +163,7 @@ class TouchWindow {
     if (history_.rows().empty()) return;
     const TickRecord& row = history_.rows().back();
     stage_.show(row, history_.speed_m_per_s());
-    const std::string& note = is_troubled_ ? no_note_ : input_.note;
+    const std::string note = input_.note ? input_.note() : "";
     const char* const held = stage_.charts().zoomed() ? "   charts held: r lets them run on" : "";
     // What must be read comes first: a long name may be cut.
     const std::string press = input_.pointer_leads
@@ -176,8 +175,6 @@ class TouchWindow {
   }
 
   const TouchWindowInput& input_;
-  const std::string no_note_;
-  bool is_troubled_ = false;
   RecentTicks history_;
   Stage stage_;
   PointerTouch pointer_;

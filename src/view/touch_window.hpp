@@ -38,7 +38,7 @@ struct TouchWindowInput {
   bool keeps_pace = false;
   /// The finger follows the mouse: without, nobody is told how to press with it.
   bool pointer_leads = true;
-  std::string note;  ///< in the title line, as "recording run.h5"
+  std::function<std::string()> note;  ///< in the title line, as "recording run.h5"; may be none
 };
 
 /// Opens a window on a live touch and returns when it is closed. The finger is under the mouse: it hovers
