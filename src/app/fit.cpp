@@ -55,6 +55,13 @@ void tell_report(const FitOptions& options, const Measurement& measurement, cons
   print_out("{}\n", written);
 }
 
+/// "1 trial of 1 subject".
+std::string trials_text(const ProfileFit& found) {
+  const auto ending = [](auto count) { return count == 1 ? "" : "s"; };
+  return fmt::format("{} trial{} of {} subject{}", found.trials, ending(found.trials), found.subjects,
+                     ending(found.subjects));
+}
+
 int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
   std::optional<OutputFolder> report_folder;
@@ -87,8 +94,7 @@ int fit(const FitOptions& options) {
                                   ? "; where its forces are called otherwise, say --columns "
                                     "fx=NAME,fy=NAME,fz=NAME"
                                   : ""));
-  std::string source =
-      fmt::format("fitted to {} trials of {} subjects, seed {}:", found.trials, found.subjects, options.seed);
+  std::string source = fmt::format("fitted to {}, seed {}:", trials_text(found), options.seed);
   for (const std::string& path : options.measurements) source += fmt::format(" {}", path);
   OutputFile file(options.out);
   file.write(profile_text(found, source));
@@ -96,8 +102,7 @@ int fit(const FitOptions& options) {
   if (!options.quiet && options.out != "-") tell_fit(found);
   if (!found.residual.misfit.empty())
     print_err("fingerpad: warning: the pad's law does not fit: {}\n", found.residual.misfit);
-  tell_written(options.quiet, options.out,
-               fmt::format("{} trials of {} subjects", found.trials, found.subjects));
+  tell_written(options.quiet, options.out, trials_text(found));
   if (const std::string missing = missing_axes_words(found); !missing.empty())
     print_err("fingerpad: warning: {}\n", missing);
   if (report_folder) tell_report(options, measurement, found, settings, source);

@@ -41,10 +41,11 @@ double usual(FileTrials trials, const std::function<double(const RecordedTrial&)
   return (values[(values.size() - 1) / 2] + values[values.size() / 2]) / 2;
 }
 
-/// Faster than all but a twentieth of a trial's ways over 12 ms.
+/// Faster than all but a twentieth of a trial's ways over 12 ms, or over all of a shorter one.
 double fastest_m_per_s(const RecordedTrial& trial) {
   constexpr double window_s = 12e-3, most_share = 0.95;
-  const auto step = static_cast<Eigen::Index>(std::max(1L, std::lround(window_s * trial.rate_hz)));
+  const auto window = static_cast<Eigen::Index>(std::lround(window_s * trial.rate_hz));
+  const auto step = std::max<Eigen::Index>(1, std::min<Eigen::Index>(window, trial.samples() - 1));
   std::vector<double> speeds;
   for (Eigen::Index i = 0; i + step < trial.samples(); i += step)
     speeds.push_back((trial.position_W.col(i + step) - trial.position_W.col(i)).norm() * trial.rate_hz /

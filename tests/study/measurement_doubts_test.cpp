@@ -71,7 +71,8 @@ TEST(MeasurementDoubts, ASaidUnitThatIsHardlyAFingersIsToldAsAWarning) {
   const auto tiny = [](RecordedTrial& trial) { trial.position_W *= 5e-3; };
   EXPECT_THAT(warned(tiny, true), ElementsAre(HasSubstr("mm, less than a finger rubs")));
   const auto quick = [](RecordedTrial& trial) { trial.rate_hz *= 1e3; };
-  EXPECT_THAT(warned(quick, true), ElementsAre(HasSubstr("1e+06 samples a second")));
+  EXPECT_THAT(warned(quick, true), ElementsAre(HasSubstr("1e+06 samples a second"),
+                                               HasSubstr("positions go at 37.3 m/s, faster")));
   const auto slow = [](RecordedTrial& trial) { trial.rate_hz *= 1e-2; };
   EXPECT_THAT(warned(slow, true), ElementsAre(HasSubstr("10 samples a second")));
   const auto hard = [](RecordedTrial& trial) { trial.force_W *= 102; };
@@ -89,6 +90,9 @@ TEST(MeasurementDoubts, WhatWasUnderstoodIsSaidInALine) {
       measurement_words(recorded),
       AllOf(HasSubstr("understood as 2 trials of 1 subject, 1.5 s each at 1000 samples a second"),
             HasSubstr("positions reach over 8"), HasSubstr("at up to 0.17"), HasSubstr("forces up to 1.")));
+  RecordedMeasurement short_ones = recorded;  // seconds taken for milliseconds: 12 ms is longer than they are
+  for (RecordedTrial& trial : short_ones.trials) trial.rate_hz *= 1000;
+  EXPECT_THAT(measurement_words(short_ones), testing::Not(HasSubstr("at up to 0 m/s")));
   EXPECT_EQ(measurement_words({}), "");
 }
 
