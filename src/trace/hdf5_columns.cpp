@@ -10,7 +10,7 @@
 #include "base/path_words.hpp"
 #include "trace/handover.hpp"
 #include "trace/hdf5_file.hpp"
-#include "trace/trial.hpp"
+#include "trace/hdf5_trial.hpp"
 
 namespace fingerpad {
 namespace {
@@ -69,27 +69,12 @@ Hdf5Columns read_hdf5_columns(const std::string& path, const std::vector<std::st
   // The first column, never compressed, has no more rows than the file has bytes, and no other has more;
   // numbers of four bytes or one are told as eight.
   const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + bytes + 8 * bytes * names.size();
-  const auto work = [&](const Trial::Say& say) {
-    Teller tell(say);
-    tell_columns(path, names, tell);
-  };
-  std::optional<hdf5::Turn> turn(std::in_place);  // no other thread is amid HDF5 when the child is born
-  Trial trial(work, {.seconds = 2 + bytes * names.size() / bytes_per_second,
-                     .memory_bytes = (std::uint64_t{256} << 20) + 8 * bytes});
-  turn.reset();
-  std::optional<Hdf5Columns> columns;
-  try {
-    Hearer hear([&trial](std::span<char> out) { return trial.hear(out); }, told_bytes);
-    columns = hear_columns(names.size(), hear);
-  } catch (const ToldTooMuch&) {
-    throw refused(path, "is damaged: it unfolds to more numbers than a file of its size can hold");
-  } catch (const ToldTooLittle&) {  // how it ended says why
-  }
-  const TrialOutcome outcome = trial.end();
-  if (outcome.end == TrialOutcome::End::threw) throw refused("", outcome.message);
-  if (outcome.end == TrialOutcome::End::died || !columns)
-    throw refused(path, "is damaged: HDF5 cannot read it to its end");
-  return *std::move(columns);
+  return read_in_trial(
+      path,
+      {.seconds = 2 + bytes * names.size() / bytes_per_second,
+       .memory_bytes = (std::uint64_t{256} << 20) + 8 * bytes},
+      told_bytes, [&](Teller& tell) { tell_columns(path, names, tell); },
+      [&](Hearer& hear) { return hear_columns(names.size(), hear); });
 }
 
 }  // namespace fingerpad

@@ -1,29 +1,23 @@
-#include <fmt/format.h>
-
 #include <filesystem>
 #include <limits>
-#include <optional>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/path_words.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/file_seal.hpp"
-#include "trace/hdf5_file.hpp"
 #include "trace/hdf5_trace.hpp"
+#include "trace/hdf5_trial.hpp"
 #include "trace/trace.hpp"
 #include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
-#include "trace/trial.hpp"
 
 namespace fingerpad {
 namespace {
 
 constexpr InputKind trace_file{"a trace", std::numeric_limits<std::uint64_t>::max()};
 
-/// HDF5 1.10 trusts what it reads: of files with a few bytes changed among its own records, one in thirty
-/// crashed it and one in ninety hung it; and anyone can put a right seal under such a file. So a child
-/// process reads it. The seal tells damage that HDF5 would not see.
+/// By a child process. The seal tells damage that HDF5 would not see.
 Trace read_hdf5_trace(const std::string& path, TraceContents contents) {
   constexpr std::uint64_t bytes_per_second = std::uint64_t{5} << 20;  // far slower than any reading
   if (check_seal(path) == Seal::broken)
@@ -36,27 +30,9 @@ Trace read_hdf5_trace(const std::string& path, TraceContents contents) {
   const std::uint64_t told_bytes = (std::uint64_t{1} << 20) + (trace_columns().size() + 1) * bytes;
   const TrialLimits limits{.seconds = 2 + bytes / bytes_per_second,
                            .memory_bytes = (std::uint64_t{256} << 20) + 4 * bytes};
-  const auto work = [&](const Trial::Say& say) {
-    Teller tell(say);
-    tell_trace(path, contents, tell);
-  };
-  std::optional<hdf5::Turn> turn(std::in_place);  // no other thread is amid HDF5 when the child is born
-  Trial trial(work, limits);
-  turn.reset();
-  std::optional<Trace> trace;
-  try {
-    Hearer hear([&trial](std::span<char> out) { return trial.hear(out); }, told_bytes);
-    trace = hear_trace(path, contents, hear);
-  } catch (const ToldTooMuch&) {
-    throw refused(path,
-                  fmt::format("is damaged: it unfolds to more than a trace of {} bytes can hold", bytes));
-  } catch (const ToldTooLittle&) {  // how it ended says why
-  }
-  const TrialOutcome outcome = trial.end();
-  if (outcome.end == TrialOutcome::End::threw) throw refused("", outcome.message);
-  if (outcome.end == TrialOutcome::End::died || !trace)
-    throw refused(path, "is damaged: HDF5 cannot read it to its end");
-  return *std::move(trace);
+  return read_in_trial(
+      path, limits, told_bytes, [&](Teller& tell) { tell_trace(path, contents, tell); },
+      [&](Hearer& hear) { return hear_trace(path, contents, hear); });
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr char returned_letter = 'r', threw_letter = 't';
+constexpr char returned_letter = 'r', threw_letter = 't', waited_letter = 'w';
 constexpr std::size_t max_message_bytes = 4000;  // less than any pipe holds, so that the child never waits
 constexpr int words_capacity_bytes = 1 << 20;
 
@@ -36,12 +36,21 @@ rlim_t held_bytes() {
   return statm ? field * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) : 0;
 }
 
+/// Where the child tells how it ended, for a signal's handler.
+volatile int ending_of_child = -1;
+
+extern "C" void tell_of_waiting(int) {
+  const ssize_t count = write(ending_of_child, &waited_letter, 1);
+  _exit(count == 1 ? 0 : 1);
+}
+
 /// A crash ends the child with no words of anybody's handlers. What asks the whole group of processes to end
 /// is for the parent to answer: the child ends when nobody hears it any more.
 void settle_signals() {
-  for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU, SIGALRM, SIGPIPE}) {
+  for (const int number : {SIGSEGV, SIGBUS, SIGABRT, SIGFPE, SIGILL, SIGXCPU, SIGPIPE}) {
     std::signal(number, SIG_DFL);
   }
+  std::signal(SIGALRM, tell_of_waiting);
   for (const int number : {SIGINT, SIGTERM, SIGHUP, SIGQUIT}) std::signal(number, SIG_IGN);
 }
 
@@ -57,11 +66,12 @@ bool write_all(int file, std::string_view bytes) {
 
 [[noreturn]] void run_in_child(const std::function<void(const Trial::Say&)>& work, const TrialLimits& limits,
                                int words, int ending) {
+  ending_of_child = ending;
   settle_signals();
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, limits.seconds);
   if (const rlim_t held = held_bytes()) limit(RLIMIT_DATA, held + limits.memory_bytes);
-  alarm(static_cast<unsigned>(60 + 10 * limits.seconds));  // a wait that takes no time of the processor
+  alarm(static_cast<unsigned>(wait_seconds(limits)));  // of what takes no time of the processor
   // The C library says "free(): invalid pointer" before it aborts: that is for nobody's eyes.
   if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) dup2(nowhere, STDERR_FILENO);
   std::string end(1, returned_letter);
@@ -167,6 +177,7 @@ TrialOutcome Trial::end() {
   told.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
   release();
   if (told.empty()) return {};
+  if (told.front() == waited_letter) return {TrialOutcome::End::waited, ""};
   if (told.front() == returned_letter) return {TrialOutcome::End::returned, ""};
   return {TrialOutcome::End::threw, told.substr(1)};
 }

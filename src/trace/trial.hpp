@@ -15,8 +15,9 @@ namespace fingerpad {
 struct TrialOutcome {
   enum class End {
     returned,
-    threw,  ///< an Error; `message` is what() of it
-    died,   ///< a crash, a hang, a hunger for memory, or another exception
+    threw,   ///< an Error; `message` is what() of it
+    waited,  ///< for wait_seconds(), and did nothing
+    died,    ///< a crash, a hang, a hunger for memory, or another exception
   };
   End end = End::died;
   std::string message;
@@ -26,6 +27,16 @@ struct TrialLimits {
   std::uint64_t seconds;       ///< of the processor
   std::uint64_t memory_bytes;  ///< beyond what this process holds already
 };
+
+/// How long a child may take in all, most of which it then waits, in seconds by the clock.
+constexpr std::uint64_t wait_seconds(const TrialLimits& limits) {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr std::uint64_t patience = 20;  // there a child may wait for nobody
+#else
+  constexpr std::uint64_t patience = 60;
+#endif
+  return patience + 10 * limits.seconds;
+}
 
 /// Work in a child process, where a crash ends the child alone: for libraries that trust what they read. The
 /// child changes nothing here; what it finds it says as bytes. In a process of several threads the work may

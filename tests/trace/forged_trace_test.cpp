@@ -272,7 +272,7 @@ TEST_F(ForgedTrace, OneSurfaceUnderManyNamesIsRefused) {
         H5Gclose(surfaces);
       },
       world);
-  EXPECT_THAT(message, HasSubstr("is damaged: it unfolds to more than a trace of"));
+  EXPECT_THAT(message, HasSubstr("is damaged: it unfolds to more than a file of its size"));
 }
 
 void write_sealed(const std::string& path, const std::string& bytes) {

@@ -6,12 +6,16 @@
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <fstream>
 #include <thread>
 #include <vector>
 
 #include <unistd.h>
 
 #include "base/error.hpp"
+#include "support/paths.hpp"
+#include "trace/hdf5_trial.hpp"
 
 namespace fingerpad::trial_test {
 namespace {
@@ -100,6 +104,39 @@ TEST(Trial, EndsAChildThatHangs) {
             TrialOutcome::End::died);
   // A second of the processor; the machine may have much else to do.
   EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(60));
+}
+
+TEST(Trial, EndsAChildThatWaitsForNothing) {
+  const auto wait = [] {
+    if (alarm(1) == 0) _exit(1);  // there was none
+    while (true) pause();
+  };
+  EXPECT_EQ(outcome_of(wait).end, TrialOutcome::End::waited);
+}
+
+TEST(Trial, OfAnHdf5FileIsMadeAgainWhereAChildMayWaitForNobody) {
+  const std::filesystem::path waited = test::scratch_dir() / "waited";
+  const auto tell = [&](Teller& tell) {
+    if (!std::filesystem::exists(waited)) {
+      std::ofstream(waited) << "once";
+      std::raise(SIGALRM);
+    }
+    tell(5);
+    tell.flush();
+  };
+  const auto read = [&] {
+    return read_in_trial("a.h5", roomy, 100, tell, [](Hearer& hear) { return hear.one<int>(); });
+  };
+#ifndef __SANITIZE_ADDRESS__
+  try {
+    read();
+    ADD_FAILURE() << "not refused";
+  } catch (const Error& error) {
+    EXPECT_STREQ(error.what(),
+                 "a.h5: cannot be read: nothing came for 110 seconds; does the disk that it is on answer?");
+  }
+#endif
+  EXPECT_EQ(read(), 5);
 }
 
 TEST(Trial, EndsAChildThatEatsMemory) {
