@@ -9,6 +9,7 @@
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
+#include "base/number_text.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
@@ -90,7 +91,7 @@ int check(const CheckOptions& options) {
       print_out("{}: refused\n", imported.verdict.file);  // the reason goes to standard error, once
     } else {
       write_stream(stdout, verdict_text(imported.verdict));
-      if (std::isfinite(wall_m)) print_out("  thinnest wall  {:.4g} mm\n", 1e3 * wall_m);
+      if (std::isfinite(wall_m)) print_out("  thinnest wall  {} mm\n", rounded_text(1e3 * wall_m, 4));
     }
     const std::string hint = unit_hint(imported.verdict, metres_of(options.unit));
     if (!hint.empty()) print_err("fingerpad: {}: {}\n", imported.verdict.file, hint);

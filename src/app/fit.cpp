@@ -62,6 +62,11 @@ std::string trials_text(const ProfileFit& found) {
                      ending(found.subjects));
 }
 
+/// What is told of a file, without its name where that stands before it: whoever tells it names it.
+std::string said_of(const std::string& path, const std::string& words) {
+  return words.starts_with(path + ": ") ? words.substr(path.size() + 2) : words;
+}
+
 int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
   std::optional<OutputFolder> report_folder;
@@ -89,7 +94,8 @@ int fit(const FitOptions& options) {
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any)
     throw refused(options.measurements.front(),
-                  fmt::format("nothing can be fitted: {}{}", found.values.front().refusal,
+                  fmt::format("nothing can be fitted: {}{}",
+                              said_of(options.measurements.front(), found.values.front().refusal),
                               is_without_force && options.reading.reader.empty()
                                   ? "; where its forces are called otherwise, say --columns "
                                     "fx=NAME,fy=NAME,fz=NAME"

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "app/standard_streams.hpp"
+#include "base/number_text.hpp"
 
 namespace fingerpad {
 
@@ -78,7 +79,7 @@ std::string JobBar::pace_words(double done, double seconds) const {
   const double left_s = (static_cast<double>(total_) - done) * seconds / done;
   const std::string left =
       left_s < 2 * minute_s ? fmt::format("{:.0f} s", left_s) : fmt::format("{:.0f} min", left_s / minute_s);
-  return fmt::format(", {:.3g} jobs/s, {} left", done / seconds, left);
+  return fmt::format(", {} jobs/s, {} left", rounded_text(done / seconds, 3), left);
 }
 
 }  // namespace fingerpad

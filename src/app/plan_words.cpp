@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/standard_streams.hpp"
+#include "base/number_text.hpp"
 
 namespace fingerpad {
 namespace {
@@ -16,7 +17,7 @@ std::string file_name(const std::string& path) {
 
 std::string duration_words(double seconds) {
   constexpr double minute_s = 60, hour_s = 3600;
-  if (seconds < 2 * minute_s) return fmt::format("{:.2g} s", seconds);
+  if (seconds < 2 * minute_s) return fmt::format("{} s", rounded_text(seconds, 2));
   if (seconds < 2 * hour_s) return fmt::format("{:.0f} min", seconds / minute_s);
   return fmt::format("{:.1f} h", seconds / hour_s);
 }
@@ -25,7 +26,7 @@ std::string size_words(double bytes) {
   constexpr const char* units[] = {"kB", "MB", "GB", "TB"};
   int unit = 0;
   for (bytes /= 1e3; bytes >= 1e3 && unit < 3; bytes /= 1e3) ++unit;
-  return fmt::format("{:.3g} {}", bytes, units[unit]);
+  return fmt::format("{} {}", rounded_text(bytes, 3), units[unit]);
 }
 
 /// "t-0003.h5: knob.stl, rub.csv, mu_static 0.3: 501 ticks".

@@ -67,11 +67,19 @@ void plot_runs(const PlotOptions& options, std::vector<ComparedRun> runs) {
 
 /// Several, or measurements.
 void plot_overlaid(const PlotOptions& options) {
+  if (options.show != "history" && options.inputs.size() == 1 && options.columns.empty())
+    throw refused(
+        options.inputs[0],
+        fmt::format("holds some of a trace's columns alone, measured or written by replay --columns, and "
+                    "--show {} needs a whole trace",
+                    options.show));
   constexpr std::size_t most = 8;  // colours that are told apart
   if (options.inputs.size() > most)
     throw Error(ErrorKind::usage, "plot", fmt::format("overlays at most {} at once", most));
   if (options.show != "history")
-    throw Error(ErrorKind::usage, "--show " + options.show, "shows one trace; name only one");
+    throw Error(
+        ErrorKind::usage, "--show " + options.show,
+        options.inputs.size() > 1 ? "shows one trace; name only one" : "has no --columns: leave them out");
   const Over over = over_of(options.over);
   plot_runs(options, read_compared_runs(options.inputs, over, options.from_s, options.to_s));
 }

@@ -19,6 +19,7 @@
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
 #include "base/kept_thread.hpp"
+#include "base/number_text.hpp"
 #include "device/device_table.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/toml_table.hpp"
@@ -103,8 +104,8 @@ void tell_signal(const TouchOptions& options) {
 }
 
 void tell_timing(const ServoTiming& timing, double rate_hz) {
-  print_out("{} ticks at {} Hz, {} of them late, the worst by {:.2g} ms\n", timing.ticks, rate_hz,
-            timing.late_ticks, 1e3 * timing.worst_late_s);
+  print_out("{} ticks at {} Hz, {} of them late, the worst by {} ms\n", timing.ticks, rate_hz,
+            timing.late_ticks, rounded_text(1e3 * timing.worst_late_s, 2));
   print_out("half of the ticks took up to {:.1f} us, 99.9 % up to {:.0f} us, the longest {:.0f} us\n",
             1e6 * timing.tick_s(0.5), 1e6 * timing.tick_s(0.999), 1e6 * timing.worst_tick_s);
 }

@@ -15,6 +15,7 @@
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/number_text.hpp"
 #include "base/output_place.hpp"
 #include "view/camera_look.hpp"
 #include "view/movie.hpp"
@@ -96,8 +97,8 @@ void write_movie(const ViewOptions& options, const ViewInput& input, const Movie
   });
   bar.finish();
   tell_written(options.quiet, options.movie,
-               fmt::format("{} frames of {} x {} pixels, {:.4g} s", frames, choice.width, choice.height,
-                           static_cast<double>(frames) / choice.frames_per_s));
+               fmt::format("{} frames of {} x {} pixels, {} s", frames, choice.width, choice.height,
+                           rounded_text(static_cast<double>(frames) / choice.frames_per_s, 4)));
 }
 
 /// Before a long import.

@@ -22,6 +22,14 @@ std::string number_text(double value) {
   return out;
 }
 
+std::string rounded_text(double value, int digits) {
+  std::string text = fmt::format("{:.{}g}", value, digits);
+  if (std::isnan(value)) return "nan";
+  constexpr double most = 1e9;
+  if (text.find('e') == std::string::npos || std::abs(value) < 1 || !(std::abs(value) < most)) return text;
+  return fmt::format("{:.0f}", parse_number(text).value_or(value));
+}
+
 std::optional<double> parse_number(std::string_view text) noexcept {
   const auto blank = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
   while (!text.empty() && blank(text.front())) text.remove_prefix(1);

@@ -9,6 +9,10 @@ namespace fingerpad {
 /// The shortest text that reads back as the same double; "nan", "inf", "-inf" (never "-nan").
 std::string number_text(double value);
 
+/// The number for a person to read, rounded to so many significant digits and written out, "150" and not
+/// "1.5e+02": all but what is below 1e-4 or from 1e9 on.
+std::string rounded_text(double value, int digits);
+
 /// Appends number_text(value) to `out` (the form for large tables).
 void append_number(std::string& out, double value);
 

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 
 namespace fingerpad {
@@ -78,7 +79,8 @@ std::string told_units_words(const ToldUnits& told) {
   std::string words;
   for (std::size_t q = 0; q < quantities; ++q) {
     if (told[q])
-      words += fmt::format("{}a {} is {:.6g} {}", words.empty() ? "" : ", ", things[q], *told[q], symbols[q]);
+      words += fmt::format("{}a {} is {} {}", words.empty() ? "" : ", ", things[q], rounded_text(*told[q], 6),
+                           symbols[q]);
   }
   return words.empty() ? words : "units as the line below its header has them: " + words;
 }

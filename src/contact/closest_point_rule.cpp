@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/number_text.hpp"
 #include "contact/contact_method_table.hpp"
 #include "contact/part_measures.hpp"
 
@@ -17,7 +18,7 @@ constexpr double right_angle_rad = std::numbers::pi / 2;
 constexpr double round_known_to = 0.8;
 
 std::string millimetres(double length_m) {
-  return fmt::format("{:.3g} mm", 1e3 * length_m);
+  return fmt::format("{} mm", rounded_text(1e3 * length_m, 3));
 }
 
 /// Why the part's inside is not known; empty where it is.
@@ -89,9 +90,10 @@ std::string closest_point_holds(const ContactDemand& demand) {
   if (!std::isfinite(demand.part.thinnest_m))
     return "it is closed and has no walls that face away from each other";
   const bool has_walls = std::isfinite(demand.part.thinnest_wall_m);
-  return fmt::format("{} {:.3g} mm {} or more and {}", has_walls ? "walls are" : "sides that lean leave",
-                     1e3 * (has_walls ? demand.part.thinnest_wall_m : demand.part.thinnest_m),
-                     has_walls ? "thick" : "between them", demand.press);
+  return fmt::format(
+      "{} {} mm {} or more and {}", has_walls ? "walls are" : "sides that lean leave",
+      rounded_text(1e3 * (has_walls ? demand.part.thinnest_wall_m : demand.part.thinnest_m), 3),
+      has_walls ? "thick" : "between them", demand.press);
 }
 
 }  // namespace fingerpad

@@ -4,6 +4,7 @@
 
 #include <vector>
 
+#include "base/number_text.hpp"
 #include "contact/contact_method_table.hpp"
 #include "contact/proxy_memory_limits.hpp"
 #include "contact/surface_places.hpp"
@@ -54,9 +55,9 @@ CrowdedHollow most_crowded_hollow(const TriangleTree& tree, std::span<const Surf
 
 std::string proxy_fails(const ContactDemand& demand) {
   if (!demand.crowded.is_too_much()) return {};
-  return fmt::format("a {:.3g} mm finger is near more than {} facets at once in a hollow of {:.3g} mm",
-                     1e3 * demand.finger_radius_m, ProxyMemoryLimits::richest_view,
-                     1e3 * demand.crowded.radius_m);
+  return fmt::format("a {} mm finger is near more than {} facets at once in a hollow of {} mm",
+                     rounded_text(1e3 * demand.finger_radius_m, 3), ProxyMemoryLimits::richest_view,
+                     rounded_text(1e3 * demand.crowded.radius_m, 3));
 }
 
 }  // namespace fingerpad

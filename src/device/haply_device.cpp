@@ -27,7 +27,13 @@ HaplyDevice::HaplyDevice(const DeviceSetup& setup, DeviceClock clock)
 
 /// Throws Error (usage) where there is no service, no device, or another one than before.
 void HaplyDevice::connect() {
-  socket_.emplace(haply_host, port_);
+  try {
+    socket_.emplace(haply_host, port_);
+  } catch (const Error& error) {
+    constexpr const char* mend =
+        "; start Haply's Inverse Service on this machine first, or say its port with --port";
+    throw Error(error.kind(), "", error.what() + std::string(mend));
+  }
   const std::string place = fmt::format("{}:{}", haply_host, port_);
   std::string inventory;
   if (socket_->hear(inventory, inventory_patience_ms) != WebSocket::Heard::message)
@@ -162,7 +168,8 @@ std::string HaplyDevice::closing_words() {
   const std::string lost = lost_ > 0 ? fmt::format("; {} answers of the service never came", lost_) : "";
   const std::string again =
       found_again_ > 0 ? fmt::format("; the Inverse Service was found again {} times", found_again_) : "";
-  return fmt::format("{} states, {} dropped{}{}{}", states_, dropped_, lost, again,
+  return fmt::format("{} states, {} dropped{}{}{}{}", states_, dropped_,
+                     trips_words(trips(), "state", states_, watchdog_s()), lost, again,
                      away_ ? "; the Inverse Service ended before the touch did" : "");
 }
 

@@ -107,8 +107,8 @@ PacketGate::Counts NetworkDevice::counts() noexcept {
 std::string NetworkDevice::trouble() const {
   const std::int64_t heard_ns = heard_ns_.load(std::memory_order_relaxed);
   if (heard_ns >= 0) {
-    if (1e-9 * static_cast<double>(now_ns() - heard_ns) < watchdog_s()) return {};
-    return fmt::format("no packet on {} (UDP) for {:.3g} ms: finger lifted", name(), 1e3 * watchdog_s());
+    const bool is_silent = 1e-9 * static_cast<double>(now_ns() - heard_ns) >= watchdog_s();
+    return silence_words(fmt::format("packet on {} (UDP)", name()), is_silent);
   }
   if (dropped_.load(std::memory_order_relaxed))
     return fmt::format("no device yet: what came to {} (UDP) was not in the protocol", name());
@@ -121,7 +121,7 @@ std::string NetworkDevice::opening_words() const {
 
 std::string NetworkDevice::closing_words() {
   stop();
-  return counts_text(gate_.counts());
+  return counts_text(gate_.counts()) + trips_words(trips(), "packet", gate_.counts().accepted, watchdog_s());
 }
 
 DeviceEntry network_device() noexcept {

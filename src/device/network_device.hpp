@@ -16,7 +16,7 @@ class NetworkDevice final : public RemoteDevice {
   NetworkDevice(const DeviceSetup& setup, DeviceClock clock = steady_clock_ns);
   ~NetworkDevice() override { stop(); }
 
-  /// That nobody is heard: not yet, or for as long as lifts the finger.
+  /// That nobody is heard: not yet, or for as long as lifts the finger; for a while after it, too.
   std::string trouble() const override;
   std::string opening_words() const override;
   std::string closing_words() override;

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "device/device_table.hpp"
 
 namespace fingerpad {
@@ -19,8 +20,8 @@ RecordedFinger::RecordedFinger(const DeviceSetup& setup) : RecordedFinger(setup,
 RecordedFinger::RecordedFinger(const DeviceSetup& setup, const LoadedMotion& motion)
     : path_(motion.path.with_rate(setup.scene.motion.rate_hz)), changes_(motion.changes) {
   const std::string& file = setup.scene.motion.file;
-  words_ = fmt::format("{}, {:.4g} s, {} ticks", file.empty() ? "a scripted motion" : file,
-                       path_.end_s() - path_.start_s(), path_.tick_count());
+  words_ = fmt::format("{}, {} s, {} ticks", file.empty() ? "a scripted motion" : file,
+                       rounded_text(path_.end_s() - path_.start_s(), 4), path_.tick_count());
 }
 
 SampleParts RecordedFinger::gives() const noexcept {

@@ -1,5 +1,9 @@
 #include "device/remote_device.hpp"
 
+#include <fmt/format.h>
+
+#include "base/number_text.hpp"
+
 namespace fingerpad {
 
 RemoteDevice::RemoteDevice(const DeviceSetup& setup, Answers answers, DeviceClock clock)
@@ -41,6 +45,18 @@ DeviceAnswer& RemoteDevice::newest_answer() noexcept {
     newest_.stopped = true;
   }
   return newest_;
+}
+
+std::string RemoteDevice::silence_words(const std::string& what, bool is_silent) const {
+  const TripWatch::Lately lately = trips().lately(now_ns());
+  const double patience_ms = 1e3 * watchdog_s_;
+  // The same words while it is lifted and put down in turns: they stay to be read.
+  if (lately == TripWatch::Lately::again)
+    return fmt::format("the device sends too seldom: no {} for {} ms lifts the finger, again and again", what,
+                       rounded_text(patience_ms, 4));
+  if (!is_silent && lately == TripWatch::Lately::none) return {};
+  return fmt::format("no {} for {} ms: finger {}", what, rounded_text(patience_ms, 4),
+                     is_silent ? "lifted" : "was lifted");
 }
 
 }  // namespace fingerpad

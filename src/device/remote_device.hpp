@@ -40,6 +40,11 @@ class RemoteDevice : public LiveDevice {
   bool is_stopping() const noexcept { return stopping_.load(std::memory_order_relaxed); }
   std::int64_t now_ns() const noexcept { return clock_(); }
   double watchdog_s() const noexcept { return watchdog_s_; }
+  /// What lifts the finger, any thread.
+  const TripWatch& trips() const noexcept { return finger_.trips(); }
+  /// That silence has lifted the finger: now, a moment ago, or again and again. Any thread.
+  /// @param what  that comes from the device: "packet on 127.0.0.1:47110"
+  std::string silence_words(const std::string& what, bool is_silent) const;
   /// Woken by each tick that feels a reading for the first time.
   WakeUp& wake_up() noexcept { return wake_up_; }
   void hand_over(const DeviceReading& reading) noexcept { readings_.put(reading); }

@@ -16,7 +16,10 @@ FingerSample RemoteFinger::advance(std::int64_t now_ns, double dt_s) noexcept {
   dt_s_ = dt_s;
   const double silence_s = 1e-9 * static_cast<double>(now_ns - last_.arrived_ns);
   const bool silent = last_.accepted == 0 || silence_s >= watchdog_s_;
-  tripped_ |= silent && !lifted_;
+  if (silent && !lifted_) {
+    tripped_ = true;
+    trips_.trip(now_ns);
+  }
   lifted_ = silent;
   return lifted_ ? rest_ : workspace_.finger(last_.place);
 }

@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "device/motor_guard.hpp"
+#include "device/trip_watch.hpp"
 #include "device/workspace.hpp"
 #include "touch/tick_record.hpp"
 
@@ -49,6 +50,8 @@ class RemoteFinger {
   MotorGuard& guard() noexcept { return guard_; }
   const MotorGuard& guard() const noexcept { return guard_; }
   bool lifted() const noexcept { return lifted_; }
+  /// How often silence has lifted the finger.
+  const TripWatch& trips() const noexcept { return trips_; }
   /// How many readings the device has given until the one that was heard last.
   std::uint64_t heard() const noexcept { return last_.accepted; }
   /// What the guard let through at the last tick, in the world's axes.
@@ -64,6 +67,7 @@ class RemoteFinger {
   DeviceReading last_;
   std::int64_t felt_ns_ = 0;
   bool lifted_ = true, tripped_ = false;
+  TripWatch trips_;
   Vec3 sent_W_n_ = Vec3::Zero();
 };
 

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 
 namespace fingerpad {
 namespace {
@@ -14,10 +15,10 @@ long ticks_between(double start_s, double end_s, double rate_hz) {
   // The last tick may lie a rounding error beyond the end: a motion of 1 s at 1 kHz has 1001 ticks.
   const double ticks = std::floor((end_s - start_s) * rate_hz + 1e-6) + 1;
   if (!(ticks <= most_ticks)) {
-    throw refused(
-        "", fmt::format("the motion lasts {} s, which is {:.3g} ticks at {} Hz; at most {:.0f} are run: "
-                        "make it shorter or lower rate_hz (is its time in seconds?)",
-                        end_s - start_s, ticks, rate_hz, most_ticks));
+    throw refused("",
+                  fmt::format("the motion lasts {} s, which is {} ticks at {} Hz; at most {:.0f} are run: "
+                              "make it shorter or lower rate_hz (is its time in seconds?)",
+                              end_s - start_s, rounded_text(ticks, 3), rate_hz, most_ticks));
   }
   return static_cast<long>(ticks);
 }

@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 
 namespace fingerpad {
 namespace {
@@ -70,10 +71,12 @@ JoinedClocks join_clocks(const ClockedValues& first, const ClockedValues& second
   const ClockedValues &slow = first_is_slow ? first : second, &quick = first_is_slow ? second : first;
   TakenAcross taken = taken_across(slow, std::max(first_step_s, second_step_s), quick);
   if (taken.times.size() < 2) {
-    throw refused(where, fmt::format("the {} from {:.6g} to {:.6g} s and the {} from {:.6g} to {:.6g} s have "
-                                     "no time in common: their clocks must count from the same moment",
-                                     first.what, first.t_s.front(), first.t_s.back(), second.what,
-                                     second.t_s.front(), second.t_s.back()));
+    throw refused(
+        where,
+        fmt::format("the {} from {} to {} s and the {} from {} to {} s have "
+                    "no time in common: their clocks must count from the same moment",
+                    first.what, rounded_text(first.t_s.front(), 6), rounded_text(first.t_s.back(), 6),
+                    second.what, rounded_text(second.t_s.front(), 6), rounded_text(second.t_s.back(), 6)));
   }
   JoinedClocks joined;
   Eigen::MatrixXd kept(quick.values.rows(), taken.values.cols());

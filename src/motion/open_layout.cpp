@@ -9,6 +9,7 @@
 #include "base/csv_columns.hpp"
 #include "base/csv_header.hpp"
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/unit_row.hpp"
 #include "motion/joined_clocks.hpp"
@@ -173,7 +174,7 @@ void take_positions(const std::vector<std::string_view>& keys, const Eigen::Matr
   const Eigen::VectorXd speed = values.bottomRows(1).transpose();
   const double ratio =
       speed_over_positions(motion.t_s, motion.p_WQ, {speed.data(), static_cast<std::size_t>(speed.size())});
-  std::string words = fmt::format("its speeds are {:.3g} times what its positions give", ratio);
+  std::string words = fmt::format("its speeds are {} times what its positions give", rounded_text(ratio, 3));
   if (!std::isfinite(ratio)) words = "its speeds could not be held against its positions, which hardly move";
   if (ratio > most_off || ratio < 1 / most_off) {
     recording.warnings.push_back(words +
@@ -200,8 +201,8 @@ void take_torques(const std::string& path, const RecordingFormat& format,
     throw refused(path, "a torque needs all of tx, ty and tz; name them in columns, or none of them");
   recording.torque_W_n_m = std::move(torque_n_m);
   recording.notes.push_back(fmt::format(
-      "torques up to {:.3g} N mm; they tell the contact point where --sensor-at says how the sensor stands",
-      1e3 * recording.torque_W_n_m.colwise().norm().maxCoeff()));
+      "torques up to {} N mm; they tell the contact point where --sensor-at says how the sensor stands",
+      rounded_text(1e3 * recording.torque_W_n_m.colwise().norm().maxCoeff(), 3)));
 }
 
 void take_forces(const std::string& path, const RecordingFormat& format,
@@ -226,12 +227,11 @@ void take_forces(const std::string& path, const RecordingFormat& format,
     const std::vector<double> normal(motion.force_W_n.row(2).begin(), motion.force_W_n.row(2).end());
     const double usual_n = pressed_median_n(normal);
     if (usual_n < 0)
-      throw refused(path,
-                    fmt::format("its fz is {:.3g} N in the middle of the samples that press: pressed on "
-                                "a surface the finger is pushed along the normal, so that forces on it "
-                                "have fz above 0; say force_on = \"plate\" (--force-on plate) if it "
-                                "is the load on the surface",
-                                usual_n));
+      throw refused(path, fmt::format("its fz is {} N in the middle of the samples that press: pressed on "
+                                      "a surface the finger is pushed along the normal, so that forces on it "
+                                      "have fz above 0; say force_on = \"plate\" (--force-on plate) if it "
+                                      "is the load on the surface",
+                                      rounded_text(usual_n, 3)));
     if (motion.normal_force_n.empty()) motion.normal_force_n = normal;
   }
 }
@@ -294,10 +294,10 @@ FieldRecording read_open_layout(const std::string& path, const RecordingFormat& 
     recording.notes.push_back(joined.note);
   }
   refuse_odd_samples(path, motion);
-  recording.notes.push_back(
-      fmt::format("read as {}: positions over {:.4g} mm{}{}", layout.format, 1e3 * reach_m(motion),
-                  named(format, "z").empty() ? ", in the plane z = 0" : "",
-                  format.forces_on_surface ? "; forces turned to those on the finger" : ""));
+  recording.notes.push_back(fmt::format(
+      "read as {}: positions over {} mm{}{}", layout.format, rounded_text(1e3 * reach_m(motion), 4),
+      named(format, "z").empty() ? ", in the plane z = 0" : "",
+      format.forces_on_surface ? "; forces turned to those on the finger" : ""));
   return recording;
 }
 

@@ -5,6 +5,7 @@
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "motion/field_format.hpp"
 #include "motion/joined_clocks.hpp"
 
@@ -69,9 +70,9 @@ void tell_cluster_accelerations(const std::string& path, FieldRecording& recordi
     ++count;
   }
   if (!(count > 0)) throw refused(accel, "has no time in common with its forces and positions");
-  recording.notes.push_back(fmt::format(
-      "accelerations read at {:.0f} of {} times, straight between their samples: {:.3g} m/s^2 RMS", count,
-      values.cols(), std::sqrt(squares / count)));
+  recording.notes.push_back(
+      fmt::format("accelerations read at {:.0f} of {} times, straight between their samples: {} m/s^2 RMS",
+                  count, values.cols(), rounded_text(std::sqrt(squares / count), 3)));
 }
 
 FieldRecording read_cluster_texture(const std::string& path, const RecordingFormat&) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "motion/finger_path.hpp"
 #include "motion/low_pass.hpp"
 #include "motion/velocity_estimator.hpp"
@@ -53,9 +54,9 @@ Motion evenly_sampled(const Motion& motion, const RecordingClock& clock) {
   if (clock.is_even || motion.t_s.size() < 2) return motion;
   const double steps = (motion.t_s.back() - motion.t_s.front()) * clock.rate_hz;
   if (!(steps <= 4 * static_cast<double>(motion.t_s.size()) + 1000)) {
-    throw refused("", fmt::format("its clock is too uneven to be resampled: {} samples, but {:.4g} steps at "
+    throw refused("", fmt::format("its clock is too uneven to be resampled: {} samples, but {} steps at "
                                   "{}",
-                                  motion.t_s.size(), steps, clock_text(clock)));
+                                  motion.t_s.size(), rounded_text(steps, 4), clock_text(clock)));
   }
   const FingerPath path(motion, clock.rate_hz, Vec3::UnitX());
   Motion even;

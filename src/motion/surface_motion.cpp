@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "motion/finger_path.hpp"
 #include "motion/proxy_trial.hpp"
 #include "motion/sharp_edge.hpp"
@@ -169,7 +170,7 @@ std::string no_place_words(int tries, bool is_too_deep, const SurfaceMotion& rub
                   : "";
   const std::string of_unit =
       rub.size_m > across_m
-          ? fmt::format("; the part is {:.3g} mm across: is its unit right?", 1e3 * across_m)
+          ? fmt::format("; the part is {} mm across: is its unit right?", rounded_text(1e3 * across_m, 3))
           : "";
   return fmt::format(
       "none of {} random places holds a rub of size_m {} for this finger: it would leave the part over an "

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "base/unit.hpp"
 
 namespace fingerpad {
@@ -11,7 +12,8 @@ constexpr double least_usual_m = 1e-3, greatest_usual_m = 20, least_likely_m = 1
 
 /// "0.3 mm", "300 m".
 std::string length_words(double length_m) {
-  return length_m < 1 ? fmt::format("{:.3g} mm", 1e3 * length_m) : fmt::format("{:.3g} m", length_m);
+  return length_m < 1 ? fmt::format("{} mm", rounded_text(1e3 * length_m, 3))
+                      : fmt::format("{} m", rounded_text(length_m, 3));
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 
 namespace fingerpad {
@@ -19,9 +20,9 @@ void tell_repair(const RepairCounts& repair, Verdict& verdict) {
   };
   if (repair.welded_vertices > 0) {
     done.push_back(
-        fmt::format("repaired: vertices up to {:.2g} m apart were taken as one ({} fewer); no "
+        fmt::format("repaired: vertices up to {} m apart were taken as one ({} fewer); no "
                     "coordinate was changed",
-                    verdict.weld_distance_m, repair.welded_vertices));
+                    rounded_text(verdict.weld_distance_m, 2), repair.welded_vertices));
   }
   tell(repair.turned_triangles, "triangle", " turned round, to be wound as the rest of the piece");
   tell(repair.turned_bodies, "closed shell", " turned outwards");
@@ -105,21 +106,21 @@ void tell_numbers(const BuiltPart& built, bool float32, Verdict& verdict) {
   }
   if (verdict.weld_distance_m > 0 && !verdict.repaired) {
     warnings.push_back(
-        fmt::format("cracked: vertices up to {:.2g} m apart were taken as one, which closes the mesh; no "
+        fmt::format("cracked: vertices up to {} m apart were taken as one, which closes the mesh; no "
                     "coordinate was changed",
-                    verdict.weld_distance_m));
+                    rounded_text(verdict.weld_distance_m, 2)));
   }
   constexpr double noticeable = 1e-6;  // of the part's size
   if (verdict.rounding_m > noticeable * size) {
     warnings.push_back(
-        fmt::format("rounding the file's numbers to float32 moves vertices by up to {:.2g} m ({:.1g} of the "
+        fmt::format("rounding the file's numbers to float32 moves vertices by up to {} m ({} of the "
                     "part's size): move the part to the origin and export again",
-                    verdict.rounding_m, verdict.rounding_m / size));
+                    rounded_text(verdict.rounding_m, 2), rounded_text(verdict.rounding_m / size, 1)));
   } else if (float32 && verdict.resolution_m > noticeable * size) {
-    warnings.push_back(fmt::format(
-        "lies so far from the origin that its float32 coordinates step by {:.2g} m ({:.1g} of the "
-        "part's size): move it to the origin and export again",
-        verdict.resolution_m, verdict.resolution_m / size));
+    warnings.push_back(
+        fmt::format("lies so far from the origin that its float32 coordinates step by {} m ({} of the "
+                    "part's size): move it to the origin and export again",
+                    rounded_text(verdict.resolution_m, 2), rounded_text(verdict.resolution_m / size, 1)));
   }
 }
 
@@ -156,13 +157,15 @@ std::string verdict_text(const Verdict& verdict) {
   if (verdict.kept == 0) return text;
   const Vec3 size_mm = 1e3 * (verdict.bounds_m.max - verdict.bounds_m.min);
   const Vec3 from_mm = 1e3 * verdict.bounds_m.min;
-  text += fmt::format("  size           {:.6g} x {:.6g} x {:.6g} mm, from ({:.6g}, {:.6g}, {:.6g}) mm\n",
-                      size_mm.x(), size_mm.y(), size_mm.z(), from_mm.x(), from_mm.y(), from_mm.z());
+  text +=
+      fmt::format("  size           {} x {} x {} mm, from ({}, {}, {}) mm\n", rounded_text(size_mm.x(), 6),
+                  rounded_text(size_mm.y(), 6), rounded_text(size_mm.z(), 6), rounded_text(from_mm.x(), 6),
+                  rounded_text(from_mm.y(), 6), rounded_text(from_mm.z(), 6));
   text += fmt::format("  closed         {}; {} boundary, {} non-manifold, {} inconsistent edges\n",
                       yes_no(verdict.closed), verdict.boundary_edges, verdict.nonmanifold_edges,
                       verdict.inconsistent_edges);
   text += fmt::format("  components     {}\n", verdict.components);
-  text += fmt::format("  volume         {:.6g} cm3{}\n", 1e6 * verdict.volume_m3,
+  text += fmt::format("  volume         {} cm3{}\n", rounded_text(1e6 * verdict.volume_m3, 6),
                       verdict.closed ? "" : " (not closed: of no meaning)");
   return text;
 }

@@ -177,7 +177,7 @@ std::string trouble_words(const JobOutcome& job, const std::vector<double>& bad)
   if (bad[1] > 0) words.push_back(counted(bad[1], "force not finite", "forces not finite"));
   if (bad[2] > 0) words.push_back(counted(bad[2], "pop-through", "pop-throughs"));
   if (bad[3] > 0) words.push_back(counted(bad[3], "unsettled tick", "unsettled ticks"));
-  if (bad[4] > 0) words.push_back(fmt::format("made {:.3g} J of energy", bad[4]));
+  if (bad[4] > 0) words.push_back(fmt::format("made {} J of energy", rounded_text(bad[4], 3)));
   if (job.done()) {
     for (std::string& doubt : residual_doubts(job.figures)) words.push_back(std::move(doubt));
   }

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 
 namespace fingerpad {
@@ -16,7 +17,8 @@ constexpr double mm_per_m = 1e3;
 /// "10 x 20 x 30 mm".
 std::string size_text(const Vec3& size_m) {
   const Vec3 size_mm = mm_per_m * size_m;
-  return fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size_mm.x(), size_mm.y(), size_mm.z());
+  return fmt::format("{} x {} x {} mm", rounded_text(size_mm.x(), 4), rounded_text(size_mm.y(), 4),
+                     rounded_text(size_mm.z(), 4));
 }
 
 /// Where a path comes nearest.
@@ -47,8 +49,8 @@ std::string never_touches(const World& world, const FingerPath& path, double rad
   if (!(nearest.gap_m >= 0) || !std::isfinite(nearest.gap_m)) return {};
   const Surface& surface = world.surfaces[nearest.surface];
   const std::string reach =
-      fmt::format("the motion never touches: it comes nearest at t = {:.4g} s, {:.4g} mm from", nearest.t_s,
-                  mm_per_m * nearest.gap_m);
+      fmt::format("the motion never touches: it comes nearest at t = {} s, {} mm from",
+                  rounded_text(nearest.t_s, 4), rounded_text(mm_per_m * nearest.gap_m, 4));
   if (surface.is_plane()) {
     return fmt::format("{} plane {}; the motion spans {}: check [motion] unit", reach, nearest.surface,
                        size_text(high - low));

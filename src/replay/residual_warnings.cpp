@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.hpp"
 #include "replay/figures.hpp"
 
 namespace fingerpad {
@@ -38,16 +39,16 @@ std::string bias_words(const std::vector<double>& figures) {
   switch (bias_seen(figures)) {
     case BiasSeen::without_contact:
       return fmt::format(
-          "the measured force is {:.2g} N on average while the model touches nothing (residual_bias_n): take "
+          "the measured force is {} N on average while the model touches nothing (residual_bias_n): take "
           "the sensor's zero off the file's forces, as `fingerpad fit` does by itself (its tare), or mend "
           "the surface's place, where the finger did touch there",
-          bias_n);
+          rounded_text(bias_n, 2));
     case BiasSeen::all_along:
       return fmt::format(
-          "{:.2g} N of the residual's {:.2g} N are the same all along (residual_bias_n): the sensor was not "
+          "{} N of the residual's {} N are the same all along (residual_bias_n): the sensor was not "
           "tared, or the contact is too hard or too soft throughout; a recording that begins before the "
           "touch tells which, and `fingerpad fit` takes its tare off",
-          bias_n, Figures::of(figures, "residual_rms_n"));
+          rounded_text(bias_n, 2), rounded_text(Figures::of(figures, "residual_rms_n"), 2));
     case BiasSeen::nowhere:
       break;
   }
@@ -58,11 +59,11 @@ std::string lag_words(const std::vector<double>& figures) {
   if (!is_late(figures)) return "";
   const double lag_s = Figures::of(figures, "residual_lag_s");
   return fmt::format(
-      "the measured force fits the model's best when it is taken {:.3g} ms {} (residual_lag_s): the "
+      "the measured force fits the model's best when it is taken {} ms {} (residual_lag_s): the "
       "recorder's forces come {} than its positions, or the finger's spring is {} than the model's; "
       "`fingerpad fit` tells which: its delay, or its stick_stiffness",
-      ms_per_s * std::abs(lag_s), lag_s > 0 ? "earlier" : "later", lag_s > 0 ? "later" : "earlier",
-      lag_s > 0 ? "softer" : "stiffer");
+      rounded_text(ms_per_s * std::abs(lag_s), 3), lag_s > 0 ? "earlier" : "later",
+      lag_s > 0 ? "later" : "earlier", lag_s > 0 ? "softer" : "stiffer");
 }
 
 }  // namespace
@@ -78,12 +79,13 @@ std::vector<std::string> residual_warnings(const std::vector<double>& figures) {
 std::vector<std::string> residual_doubts(const std::vector<double>& figures) {
   std::vector<std::string> doubts;
   if (bias_seen(figures) != BiasSeen::nowhere)
-    doubts.push_back(fmt::format("measured force off by {:.2g} N{}", Figures::of(figures, "residual_bias_n"),
+    doubts.push_back(fmt::format("measured force off by {} N{}",
+                                 rounded_text(Figures::of(figures, "residual_bias_n"), 2),
                                  bias_seen(figures) == BiasSeen::without_contact ? " without contact" : ""));
   if (!is_late(figures)) return doubts;
   const double lag_s = Figures::of(figures, "residual_lag_s");
-  doubts.push_back(fmt::format("measured force fits {:.3g} ms {}: {}, or a {} spring",
-                               ms_per_s * std::abs(lag_s), lag_s > 0 ? "later" : "earlier",
+  doubts.push_back(fmt::format("measured force fits {} ms {}: {}, or a {} spring",
+                               rounded_text(ms_per_s * std::abs(lag_s), 3), lag_s > 0 ? "later" : "earlier",
                                lag_s > 0 ? "late" : "early", lag_s > 0 ? "softer" : "stiffer"));
   return doubts;
 }

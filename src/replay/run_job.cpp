@@ -8,6 +8,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/number_text.hpp"
 #include "replay/never_touches.hpp"
 #include "replay/residual_warnings.hpp"
 #include "replay/run_proof.hpp"
@@ -100,9 +101,9 @@ void warn_of_odd_depth(const Scene& scene, const World& world, const FingerPath&
   constexpr double deepest_m = 0.1, mm_per_m = 1e3;
   const double depth_m = Figures::of(result.figures, "max_depth_m");
   if (!scene.motion.file.empty() && depth_m > deepest_m)
-    result.warnings.push_back(
-        fmt::format("{}: the finger is pressed {:.4g} mm deep, which no finger is: check [motion] unit{}",
-                    scene.name, mm_per_m * depth_m, scene.parts.empty() ? "" : " and [[part]] unit"));
+    result.warnings.push_back(fmt::format(
+        "{}: the finger is pressed {} mm deep, which no finger is: check [motion] unit{}", scene.name,
+        rounded_text(mm_per_m * depth_m, 4), scene.parts.empty() ? "" : " and [[part]] unit"));
   if (Figures::of(result.figures, "contact_ticks") > 0) return;
   const std::string words = never_touches(world, path, scene.finger.radius_m);
   if (!words.empty()) result.warnings.push_back(fmt::format("{}: {}", scene.name, words));

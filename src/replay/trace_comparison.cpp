@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "base/number_text.hpp"
 #include "trace/trace_column.hpp"
 
 namespace fingerpad {
@@ -53,10 +54,11 @@ void compare_column(const TraceColumn& column, const Trace& a, const Trace& b,
   }
   if (rows == 0) return;
   const std::string unit = column.unit == "1" ? "" : " " + std::string(column.unit);
-  const std::string most =
-      std::isinf(change.most) ? "from a number to none" : fmt::format("by up to {:.6g}{}", change.most, unit);
-  change.words = fmt::format("{} differs {} at t = {:.6g} s, in {} of {} ticks", column.name, most,
-                             change.at_s, rows, pairs.size());
+  const std::string most = std::isinf(change.most)
+                               ? "from a number to none"
+                               : fmt::format("by up to {}{}", rounded_text(change.most, 6), unit);
+  change.words = fmt::format("{} differs {} at t = {} s, in {} of {} ticks", column.name, most,
+                             rounded_text(change.at_s, 6), rows, pairs.size());
   changes.push_back(std::move(change));
 }
 

@@ -77,10 +77,10 @@ void settle_circle(const TomlTable& table, ScriptedMotion& motion) {
 void refuse_too_many_ticks(const TomlTable& table, const char* key, double duration_s, double rate_hz) {
   const double ticks = duration_s * rate_hz;
   if (ticks <= most_ticks) return;
-  throw table.error(key,
-                    fmt::format("the motion lasts {} s, which is {:.3g} ticks at {} Hz; at most {:.0f} are "
-                                "run: make it shorter or lower rate_hz",
-                                number_text(duration_s), ticks, number_text(rate_hz), most_ticks));
+  throw table.error(
+      key, fmt::format("the motion lasts {} s, which is {} ticks at {} Hz; at most {:.0f} are "
+                       "run: make it shorter or lower rate_hz",
+                       number_text(duration_s), rounded_text(ticks, 3), number_text(rate_hz), most_ticks));
 }
 
 /// A motion on a surface is placed by that, and pressed in by one of its two keys.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.hpp"
 #include "motion/low_pass.hpp"
 #include "study/file_delays.hpp"
 #include "study/force_tare.hpp"
@@ -55,24 +56,24 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
   const std::size_t trials = measurement.cleanings.size();
   std::vector<std::string> steps;
   steps.push_back(
-      fmt::format("missing samples: of {}, {} filled with straight lines (gaps up to {:.3g} ms), {} left out",
-                  samples, filled, 1e3 * settings.longest_fill_s, missing));
+      fmt::format("missing samples: of {}, {} filled with straight lines (gaps up to {} ms), {} left out",
+                  samples, filled, rounded_text(1e3 * settings.longest_fill_s, 3), missing));
   steps.push_back(settings.mains == Mains::off ? "mains hum: left in (off)"
                   : humming == 0
                       ? "mains hum: none stands out"
-                      : fmt::format("mains hum: taken out of {} of {} trials, at most {:.3g} N at {:.2f} Hz",
-                                    humming, trials, most_hum_n, hum_hz));
+                      : fmt::format("mains hum: taken out of {} of {} trials, at most {} N at {:.2f} Hz",
+                                    humming, trials, rounded_text(most_hum_n, 3), hum_hz));
   steps.push_back(!settings.takes_tare
                       ? "tare: left as it is (off)"
-                      : fmt::format("tare: taken off {} of {} trials, at most {:.3g} N{}", tared, trials,
-                                    most_tare_n,
+                      : fmt::format("tare: taken off {} of {} trials, at most {} N{}", tared, trials,
+                                    rounded_text(most_tare_n, 3),
                                     static_cast<std::size_t>(tared) < trials
                                         ? "; the others have no moment that is surely without contact"
                                         : ""));
   steps.push_back(delay_text(measurement.delays, settings));
   steps.push_back(settings.smoothing_hz > 0
-                      ? fmt::format("low pass: Butterworth, 2nd order, forth and back, {:.6g} Hz halved",
-                                    settings.smoothing_hz)
+                      ? fmt::format("low pass: Butterworth, 2nd order, forth and back, {} Hz halved",
+                                    rounded_text(settings.smoothing_hz, 6))
                       : "low pass: off; the fit averages over windows itself");
   return steps;
 }

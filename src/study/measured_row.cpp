@@ -149,4 +149,12 @@ void TrialCollector::finish() {
   trial_.reset();
 }
 
+void warn_of_thinned(const std::string& path, std::uint64_t every, RecordedMeasurement& into) {
+  if (every <= 1) return;
+  into.warnings.push_back(fmt::format(
+      "{}: is a trace with 1 row in {} ticks (replay --every): where stick and slip begin is seen {} "
+      "times as coarsely as its run had it; replay its scene without --every",
+      path, every, every));
+}
+
 }  // namespace fingerpad

@@ -68,6 +68,9 @@ class RowReader {
   std::vector<bool> present_;
 };
 
+/// Warns of a trace whose rows are every so manieth tick: what it has a pad do between them, nobody sees.
+void warn_of_thinned(const std::string& path, std::uint64_t every, RecordedMeasurement& into);
+
 /// Trials on their way from rows that name subject and trial.
 class TrialCollector {
  public:

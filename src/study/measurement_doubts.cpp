@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "motion/driving_share.hpp"
 #include "motion/pressed_force.hpp"
 
@@ -74,14 +75,14 @@ void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector
   if (rate_hz >= slowest_hz && rate_hz <= fastest_hz) return;
   if (!format.says_time_unit && !(rate_hz >= slowest_hz && rate_hz <= refused_hz)) {
     doubts.push_back(
-        {true, fmt::format("taken as seconds, its times give {:.3g} samples a second: say --time-unit ms (or "
+        {true, fmt::format("taken as seconds, its times give {} samples a second: say --time-unit ms (or "
                            "us), or --time-unit s if they are seconds",
-                           rate_hz)});
+                           rounded_text(rate_hz, 3))});
     return;
   }
-  doubts.push_back({false, fmt::format("its times give {:.3g} samples a second, at which no finger is "
+  doubts.push_back({false, fmt::format("its times give {} samples a second, at which no finger is "
                                        "measured: {}",
-                                       rate_hz, units_checked)});
+                                       rounded_text(rate_hz, 3), units_checked)});
 }
 
 void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
@@ -89,18 +90,18 @@ void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::ve
   const double way_m = usual(trials, extent_m), speed = usual(trials, fastest_m_per_s);
   if (!format.says_unit && way_m > refused_m) {
     doubts.push_back(
-        {true, fmt::format("taken as metres, its positions reach over {:.3g} m: say --unit mm (or cm, in), "
+        {true, fmt::format("taken as metres, its positions reach over {} m: say --unit mm (or cm, in), "
                            "or --unit m if they are metres",
-                           way_m)});
+                           rounded_text(way_m, 3))});
     return;
   }
   if (way_m < nearest_m || way_m > farthest_m)
-    doubts.push_back(
-        {false, fmt::format("its positions reach over {:.3g} mm, {} than a finger rubs: {}", 1e3 * way_m,
-                            way_m < nearest_m ? "less" : "farther", units_checked)});
+    doubts.push_back({false, fmt::format("its positions reach over {} mm, {} than a finger rubs: {}",
+                                         rounded_text(1e3 * way_m, 3), way_m < nearest_m ? "less" : "farther",
+                                         units_checked)});
   if (speed > fastest)
-    doubts.push_back({false, fmt::format("its positions go at {:.3g} m/s, faster than a finger rubs: {}",
-                                         speed, units_checked)});
+    doubts.push_back({false, fmt::format("its positions go at {} m/s, faster than a finger rubs: {}",
+                                         rounded_text(speed, 3), units_checked)});
 }
 
 void doubt_forces(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
@@ -108,20 +109,21 @@ void doubt_forces(FileTrials trials, const MeasurementFormat& format, std::vecto
   const double press_n = std::abs(usual(trials, pressing_n)), most_n = usual(trials, greatest_force_n);
   if (!format.says_force_unit && press_n > hardest_n) {
     doubts.push_back(
-        {true, fmt::format("taken as newtons, its normal force is {:.3g} N, harder than a finger rubs: say "
+        {true, fmt::format("taken as newtons, its normal force is {} N, harder than a finger rubs: say "
                            "--force-unit mN (or gf), or --force-unit N if they are newtons",
-                           press_n)});
+                           rounded_text(press_n, 3))});
   } else if (!format.says_force_unit && press_n > 0 && press_n < lightest_n) {
     doubts.push_back(
-        {true, fmt::format("taken as newtons, its normal force is {:.3g} N, lighter than a finger rubs: say "
+        {true, fmt::format("taken as newtons, its normal force is {} N, lighter than a finger rubs: say "
                            "--force-unit kN, or --force-unit N if they are newtons",
-                           press_n)});
+                           rounded_text(press_n, 3))});
   } else if (press_n > hardest_n || (press_n > 0 && press_n < lightest_n)) {
-    doubts.push_back({false, fmt::format("its normal force is {:.3g} N, {} than a finger rubs: {}", press_n,
-                                         press_n > hardest_n ? "harder" : "lighter", units_checked)});
-  } else if (most_n > greatest_n) {
     doubts.push_back(
-        {false, fmt::format("its forces reach {:.3g} N, more than a finger's: {}", most_n, units_checked)});
+        {false, fmt::format("its normal force is {} N, {} than a finger rubs: {}", rounded_text(press_n, 3),
+                            press_n > hardest_n ? "harder" : "lighter", units_checked)});
+  } else if (most_n > greatest_n) {
+    doubts.push_back({false, fmt::format("its forces reach {} N, more than a finger's: {}",
+                                         rounded_text(most_n, 3), units_checked)});
   }
 }
 
@@ -164,7 +166,7 @@ void each_file(const RecordedMeasurement& recorded, const Use& use) {
 
 /// "2.1", or "1.9 to 2.1" where they differ.
 std::string range_text(double least, double most) {
-  const std::string low = fmt::format("{:.4g}", least), high = fmt::format("{:.4g}", most);
+  const std::string low = rounded_text(least, 4), high = rounded_text(most, 4);
   return low == high ? low : fmt::format("{} to {}", low, high);
 }
 
@@ -208,10 +210,10 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double de
   if (press_n < -surely_n)
     throw refused(
         file, fmt::format(
-                  "its force is {:.3g} N along the plate's normal where it presses, and a plate pushes a "
+                  "its force is {} N along the plate's normal where it presses, and a plate pushes a "
                   "finger away: say {} if it is the force on the {}, or give the normal (nx, ny, nz) or how "
                   "the sensor stands (--sensor-turned)",
-                  press_n, format.force_on_plate ? "--force-on finger" : "--force-on plate",
+                  rounded_text(press_n, 3), format.force_on_plate ? "--force-on finger" : "--force-on plate",
                   format.force_on_plate ? "finger" : "plate"));
   refuse_mirrored_axis(trials, delay_s);
   const double drives = usual(trials, [delay_s](const RecordedTrial& trial) {
@@ -266,10 +268,11 @@ std::string measurement_words(const RecordedMeasurement& recorded) {
   const std::size_t trials = recorded.trials.size();
   return fmt::format(
       "understood as {} trial{} of {} subject{}, {} s each at {} samples a second; positions reach over "
-      "{:.3g} x {:.3g} x {:.3g} mm, at up to {:.3g} m/s; forces up to {:.3g} N",
+      "{} x {} x {} mm, at up to {} m/s; forces up to {} N",
       trials, trials == 1 ? "" : "s", subjects.size(), subjects.size() == 1 ? "" : "s",
-      range_text(shortest_s, longest_s), range_text(slowest_hz, fastest_hz), 1e3 * reach_m.x(),
-      1e3 * reach_m.y(), 1e3 * reach_m.z(), speed, force_n);
+      range_text(shortest_s, longest_s), range_text(slowest_hz, fastest_hz),
+      rounded_text(1e3 * reach_m.x(), 3), rounded_text(1e3 * reach_m.y(), 3),
+      rounded_text(1e3 * reach_m.z(), 3), rounded_text(speed, 3), rounded_text(force_n, 3));
 }
 
 }  // namespace fingerpad

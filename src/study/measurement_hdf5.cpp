@@ -60,6 +60,7 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
     into.without_force.push_back(fmt::format("{}: {}", path, missing));
     return;
   }
+  warn_of_thinned(path, file.every, into);
   TrialCollector trials(path, rows, into);
   std::vector<double> numbers(names.size());
   for (std::size_t i = 0; i < count; ++i) {

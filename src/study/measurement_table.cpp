@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "base/unit_row.hpp"
 #include "study/measured_row.hpp"
+#include "trace/trace.hpp"
 
 namespace fingerpad {
 namespace {
@@ -76,6 +77,7 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
     into.without_force.push_back(fmt::format("{}: {}", path, missing));
     return;
   }
+  warn_of_thinned(path, every_of_csv(path), into);
   TrialCollector trials(path, rows, into);
   std::vector<double> numbers(measurement_columns.size());
   while (table.next()) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 
+#include "base/number_text.hpp"
 #include "study/load_exponent.hpp"
 #include "study/press_fit.hpp"
 #include "study/spring_fit.hpp"
@@ -136,7 +137,7 @@ void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::ve
                  &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
   PadValue& v_min = value_of(found, PadNumber::v_min);
   const bool is_seen = v_min.refusal.empty();
-  const std::string seen = is_seen ? fmt::format("is seen to end at {:.3g} m/s", v_min.value)
+  const std::string seen = is_seen ? fmt::format("is seen to end at {} m/s", rounded_text(v_min.value, 3))
                                    : std::string("is not plainly seen to end in stick");
   if (mu_static.samples == 0 && has_short_teeth(trials)) {
     v_min.refusal = fmt::format(
@@ -148,10 +149,10 @@ void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::ve
   constexpr double faster = 1.03;
   if (slow_slip && (!is_seen || slow_slip->speed_m_per_s > faster * v_min.value)) {
     v_min.refusal = fmt::format(
-        "slip {}, but its friction is up by {:.3g} already below {:.3g} m/s: stick that gives way again "
+        "slip {}, but its friction is up by {} already below {} m/s: stick that gives way again "
         "within a few "
         "samples hides there (then sample faster), or friction rises as the finger slows",
-        seen, slow_slip->rise, slow_slip->speed_m_per_s);
+        seen, rounded_text(slow_slip->rise, 3), rounded_text(slow_slip->speed_m_per_s, 3));
     return;
   }
   if (!is_seen) return;
@@ -165,12 +166,12 @@ void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::ve
   const double drop = mu_static.value - mu_dynamic.value;
   if (!(drop > 0) || !(rise > most_rise * drop)) return;  // subjects that differ may have no drop
   v_min.refusal = fmt::format(
-      "friction is up by {:.0f} % of what a rupture drops just before slip is seen to end (at {:.3g} m/s): "
+      "friction is up by {:.0f} % of what a rupture drops just before slip is seen to end (at {} m/s): "
       "stick "
       "that gives way again within a few samples hides there (then sample faster), or friction rises as the "
       "finger "
       "slows",
-      100 * rise / std::max(drop, 1e-9), v_min.value);
+      100 * rise / std::max(drop, 1e-9), rounded_text(v_min.value, 3));
 }
 
 /// Lengths, stiffnesses, speeds and the like, that cannot be 0 or less.
@@ -197,8 +198,9 @@ void refuse_no_numbers(PadValues& found) {
   for (const PadNumber number : sizes) {
     PadValue& value = value_of(found, number);
     if (value.refusal.empty() && !(value.value > 0))
-      value.refusal = fmt::format("the measurement gives a {} of {:.4g}; it must be above 0",
-                                  pad_number_keys[static_cast<std::size_t>(number)], value.value);
+      value.refusal =
+          fmt::format("the measurement gives a {} of {}; it must be above 0",
+                      pad_number_keys[static_cast<std::size_t>(number)], rounded_text(value.value, 4));
   }
 }
 
@@ -260,7 +262,7 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   const std::vector<int> once(trials.size(), 1);
   FitPoint next = point;
   if (const auto log_load = mean_log_load(trials))
-    next.evidence.load.load_n = std::stod(fmt::format("{:.3g}", std::exp(*log_load)));
+    next.evidence.load.load_n = std::stod(rounded_text(std::exp(*log_load), 3));
   next.trial_scatter = trial_scatter(trials);
   const PadValue exponent = load_exponent(trials, once, point.evidence.load.exponent, next.trial_scatter);
   if (exponent.refusal.empty()) next.evidence.load.exponent = exponent.value;

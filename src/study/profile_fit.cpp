@@ -131,9 +131,8 @@ void refuse_odd_cubic_shares(ProfileFit& fit) {
     PadValue& share = fit.values[k];
     const auto [least, most] = fit.interval[k].value_or(std::pair(share.value, share.value));
     if (!share.refusal.empty() || (most >= 0 && least <= 1)) continue;
-    share.refusal =
-        fmt::format("the measurement gives a {} of {:.4g}; the finger-pad law's spring takes 0 to 1",
-                    pad_number_keys[k], share.value);
+    share.refusal = fmt::format("the measurement gives a {} of {}; the finger-pad law's spring takes 0 to 1",
+                                pad_number_keys[k], rounded_text(share.value, 4));
     fit.interval[k].reset();
   }
 }

@@ -84,7 +84,8 @@ std::string missing_axes_words(const ProfileFit& fit) {
   for (const UsedElsewhere& use : used_elsewhere) {
     const PadValue& value = value_of(fit, use.number);
     if (value.refusal.empty())
-      usable += fmt::format("{}{:.4g} as {}", usable.empty() ? "" : ", ", value.value, use.where);
+      usable +=
+          fmt::format("{}{} as {}", usable.empty() ? "" : ", ", rounded_text(value.value, 4), use.where);
   }
   return fmt::format("no scene takes this profile: it lacks {}. To have it, {}.{}", missing, mend,
                      usable.empty() ? "" : fmt::format(" What a scene can use of it: {}", usable));
@@ -93,33 +94,33 @@ std::string missing_axes_words(const ProfileFit& fit) {
 std::vector<std::string> fit_notes(const ProfileFit& fit) {
   std::vector<std::string> notes = fit.steps;
   for (const OutlierTrial& outlier : fit.outliers)
-    notes.push_back(fmt::format("outlier: {}: its {} is {:.4g}, the usual one {:.4g}; counted all the same",
+    notes.push_back(fmt::format("outlier: {}: its {} is {}, the usual one {}; counted all the same",
                                 outlier.name, pad_number_keys[static_cast<std::size_t>(outlier.number)],
-                                outlier.value, outlier.usual));
+                                rounded_text(outlier.value, 4), rounded_text(outlier.usual, 4)));
   constexpr double widest_m = 0.01;
   for (const PadNumber axis : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
     const auto k = static_cast<std::size_t>(axis);
     if (fit.values[k].refusal.empty() && fit.values[k].value > widest_m)
       notes.push_back(fmt::format(
-          "{} is {:.3g} mm, further than the skin of a finger gives way: is the positions' unit right?",
-          pad_number_keys[k], 1e3 * fit.values[k].value));
+          "{} is {} mm, further than the skin of a finger gives way: is the positions' unit right?",
+          pad_number_keys[k], rounded_text(1e3 * fit.values[k].value, 3)));
   }
   constexpr double untold_s = 0.5e-3;
   if (std::abs(fit.delay_left_s) > untold_s && fit.residual.misfit.empty())
     notes.push_back(
-        fmt::format("delay: the springs tell another {:.2g} ms beside what was taken out, which bent springs "
+        fmt::format("delay: the springs tell another {} ms beside what was taken out, which bent springs "
                     "(or a loop) hide "
                     "from the cross-correlation: it may be off by as much; axes and stiffnesses allow for it",
-                    1e3 * fit.delay_left_s));
+                    rounded_text(1e3 * fit.delay_left_s, 2)));
   constexpr double narrowest_m = 0.1e-3;
   const PadValue &lateral = value_of(fit, PadNumber::lateral_axis),
                  &longitudinal = value_of(fit, PadNumber::longitudinal_axis);
   if (lateral.refusal.empty() && longitudinal.refusal.empty() &&
       std::max(lateral.value, longitudinal.value) < narrowest_m)
     notes.push_back(
-        fmt::format("the axes are {:.3g} and {:.3g} mm, stiffer than the skin of a finger: is the "
+        fmt::format("the axes are {} and {} mm, stiffer than the skin of a finger: is the "
                     "positions' unit right?",
-                    1e3 * lateral.value, 1e3 * longitudinal.value));
+                    rounded_text(1e3 * lateral.value, 3), rounded_text(1e3 * longitudinal.value, 3)));
   const LawResidual& residual = fit.residual;
   if (residual.samples == 0) return notes;
   if (!residual.misfit.empty()) {

@@ -17,12 +17,13 @@ std::string words_of(const SceneStudy& study, const TouchChoice& choice) {
 }
 
 std::string cost_of(const ChoicePrice& price) {
-  return fmt::format("{:.0f} ns a tick, {:.2g} % of a core", price.tick_ns, 100 * price.load());
+  return fmt::format("{:.0f} ns a tick, {} % of a core", price.tick_ns, rounded_text(100 * price.load(), 2));
 }
 
 std::string tolerances_of(const Scene& scene) {
-  return fmt::format("the force within {:.3g} % on 99 % of the ticks and friction within {:.3g} %",
-                     100 * scene.contact.force_tolerance, 100 * scene.contact.mu_tolerance);
+  return fmt::format("the force within {} % on 99 % of the ticks and friction within {} %",
+                     rounded_text(100 * scene.contact.force_tolerance, 3),
+                     rounded_text(100 * scene.contact.mu_tolerance, 3));
 }
 
 std::string why(const SceneStudyInput& input, const SceneStudy& study, const ChoicePrice& chosen) {
@@ -31,10 +32,10 @@ std::string why(const SceneStudyInput& input, const SceneStudy& study, const Cho
                        tolerances_of(input.scene), cost_of(chosen), fmt::join(chosen.broken, "; "));
   }
   return fmt::format(
-      "of {} choices the cheapest that keeps {} over {:.4g} s of this motion, and of those within a tenth of "
+      "of {} choices the cheapest that keeps {} over {} s of this motion, and of those within a tenth of "
       "its "
       "cost the truest: {}",
-      study.prices.size(), tolerances_of(input.scene), study.compared_s, cost_of(chosen));
+      study.prices.size(), tolerances_of(input.scene), rounded_text(study.compared_s, 4), cost_of(chosen));
 }
 
 /// What the next cheaper choice would have lost; empty where the chosen one keeps nothing itself.

@@ -8,6 +8,7 @@
 #include <span>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "motion/recording_clock.hpp"
 #include "touch/skin_motion.hpp"
 
@@ -73,10 +74,10 @@ void TrialRows::finish(RecordedMeasurement& into) const {
   const double step_s =
       (t_s_.back() - t_s_.front()) / static_cast<double>(std::max<std::size_t>(t_s_.size(), 2) - 1);
   if (lost == static_cast<long>(t_s_.size()) && step_s > longest_gap_s)
-    throw refused(
-        file_, fmt::format("trial {} of subject {}: its {} rows are {:.3g} s apart, longer than the second "
-                           "that parts pieces: is its time in another unit than seconds (--time-unit ms)?",
-                           number_, subject_, t_s_.size(), step_s));
+    throw refused(file_,
+                  fmt::format("trial {} of subject {}: its {} rows are {} s apart, longer than the second "
+                              "that parts pieces: is its time in another unit than seconds (--time-unit ms)?",
+                              number_, subject_, t_s_.size(), rounded_text(step_s, 3)));
   if (into.trials.size() > first + 1) {
     for (std::size_t k = first; k < into.trials.size(); ++k)
       into.trials[k].piece = static_cast<int>(k - first) + 1;
@@ -109,9 +110,9 @@ void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasure
   const double last_step = (t_s_[end - 1] - t_s_[begin]) * clock.rate_hz;
   if (!(last_step <= 4 * static_cast<double>(end - begin) + 1000))
     throw refused(file_,
-                  fmt::format("trial {} of subject {}: its clock is too uneven: {} rows, but {:.4g} steps "
+                  fmt::format("trial {} of subject {}: its clock is too uneven: {} rows, but {} steps "
                               "at {}",
-                              number_, subject_, end - begin, last_step, clock_text(clock)));
+                              number_, subject_, end - begin, rounded_text(last_step, 4), clock_text(clock)));
   const Eigen::Index steps = std::lround(last_step) + 1;
   trial.position_W.resize(3, steps);
   trial.force_W.resize(3, steps);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "motion/stable_stiffness.hpp"
 #include "part/part.hpp"
 #include "scene/scene.hpp"
@@ -72,9 +73,9 @@ TickRecord ClosedLoop::next_in_hand(const FingerSample& intended) noexcept {
 }
 
 std::string ClosedLoop::divergence() const {
-  const std::string start = fmt::format(
-      "the hand's loop diverged at t = {:.4g} s, where it threw the finger over {:.3g} m off its motion",
-      path_.at(tick_ - 1).t_s, leash_m_);
+  const std::string start =
+      fmt::format("the hand's loop diverged at t = {} s, where it threw the finger over {} m off its motion",
+                  rounded_text(path_.at(tick_ - 1).t_s, 4), rounded_text(leash_m_, 3));
   if (last_surface_ < 0)
     return start + ", though it touched nothing: raise rate_hz or mass_kg, or lower [hand] stiffness_n_per_m";
   const SurfaceProperties& surface = world_->surfaces[static_cast<std::size_t>(last_surface_)].properties;
@@ -84,17 +85,20 @@ std::string ClosedLoop::divergence() const {
                       .tick_s = 1 / path_.rate_hz(),
                       .delay_ticks = hand_settings_.delay_ticks};
   const double limit = stable_stiffness(wall);
-  const std::string hand = fmt::format(
-      "that a hand of {:.4g} kg and {:.4g} N s/m holds stable on one wall{} at {:.6g} Hz{}", wall.mass_kg,
-      wall.damping_n_s_per_m,
-      wall.wall_damping_n_s_per_m > 0 ? fmt::format(" of {:.4g} N s/m", wall.wall_damping_n_s_per_m) : "",
-      path_.rate_hz(),
-      wall.delay_ticks > 0 ? fmt::format(" with a delay of {} ticks", wall.delay_ticks) : "");
+  const std::string hand =
+      fmt::format("that a hand of {} kg and {} N s/m holds stable on one wall{} at {} Hz{}",
+                  rounded_text(wall.mass_kg, 4), rounded_text(wall.damping_n_s_per_m, 4),
+                  wall.wall_damping_n_s_per_m > 0
+                      ? fmt::format(" of {} N s/m", rounded_text(wall.wall_damping_n_s_per_m, 4))
+                      : "",
+                  rounded_text(path_.rate_hz(), 6),
+                  wall.delay_ticks > 0 ? fmt::format(" with a delay of {} ticks", wall.delay_ticks) : "");
   const bool is_above = surface.stiffness_n_per_m > limit;
   return fmt::format(
-      "{}: stiffness_n_per_m {:.6g} is {} {:.4g} N/m, the largest {}; {}soften the surface, raise "
+      "{}: stiffness_n_per_m {} is {} {} N/m, the largest {}; {}soften the surface, raise "
       "rate_hz or give [hand] more damping_n_s_per_m",
-      start, surface.stiffness_n_per_m, is_above ? "above" : "below", limit, hand,
+      start, rounded_text(surface.stiffness_n_per_m, 6), is_above ? "above" : "below", rounded_text(limit, 4),
+      hand,
       is_above ? ""
                : "yet several walls at once, or a stiff spring of the sticking friction, count "
                  "together: ");

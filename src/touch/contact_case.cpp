@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <limits>
 
+#include "base/number_text.hpp"
 #include "contact/contact_cost.hpp"
 #include "part/part.hpp"
 #include "scene/scene.hpp"
@@ -26,9 +27,10 @@ ContactDemand demand_of(const Scene& scene, std::span<const Surface> surfaces, c
   demand.finger_radius_m = radius_m;
   demand.force_tolerance = scene.contact.force_tolerance;
   demand.centre_depth_m = depth_m - radius_m + choice_speed_m_per_s / scene.motion.rate_hz;
-  demand.press =
-      fmt::format("{:.3g} N at {:.4g} N/m presses {}{:.3g} mm deep", force_n, stiffness_n_per_m,
-                  radius_m > 0 ? fmt::format("a {:.3g} mm finger ", 1e3 * radius_m) : "", 1e3 * depth_m);
+  demand.press = fmt::format(
+      "{} N at {} N/m presses {}{} mm deep", rounded_text(force_n, 3), rounded_text(stiffness_n_per_m, 4),
+      radius_m > 0 ? fmt::format("a {} mm finger ", rounded_text(1e3 * radius_m, 3)) : "",
+      rounded_text(1e3 * depth_m, 3));
   demand.crowded = most_crowded_hollow(*surface.tree, part.places, radius_m);
   demand.has_neighbour = std::any_of(surfaces.begin(), surfaces.end(), [&](const Surface& other) {
     return &other != &surface && comes_within(other, box, 2 * radius_m);
@@ -111,8 +113,8 @@ std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surfa
         pair.fails.push_back(method.fails == nullptr ? "" : method.fails(one.contact));
         const ReckonedError& error = pair.errors.back();
         if (pair.fails.back().empty() && error.behind_share > one.contact.force_tolerance)
-          pair.fails.back() = fmt::format("{}, and falls behind where it goes round a rounding of {:.2g} mm",
-                                          one.contact.press, 1e3 * error.behind_m);
+          pair.fails.back() = fmt::format("{}, and falls behind where it goes round a rounding of {} mm",
+                                          one.contact.press, rounded_text(1e3 * error.behind_m, 2));
       }
       pairs.push_back(std::move(pair));
     }

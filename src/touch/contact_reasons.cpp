@@ -7,6 +7,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/number_text.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -24,7 +26,7 @@ std::string percent_words(double share) {
   const double percent = 100 * share,
                unit = percent > 0 ? std::pow(10, std::floor(std::log10(percent)) - 1) : 1;
   if (percent > 10) return fmt::format("{:.0f} %", std::ceil(percent));
-  return fmt::format("{:.2g} %", std::ceil(percent / unit - 1e-9) * unit);
+  return fmt::format("{} %", rounded_text(std::ceil(percent / unit - 1e-9) * unit, 2));
 }
 
 /// Why the method is the chosen one on part i: what forbids another there, or on another part, or its cost.
@@ -69,11 +71,12 @@ std::string normals_reason(const ContactVerdict& verdict, std::span<const Contac
 std::string facets_words(const ContactCase& on, const ReckonedError& error) {
   const PartMeasures& part = on.contact.part;
   const double sag_share = part.largest_sag_m * on.press.stiffness_n_per_m / on.press.least_force_n();
-  const std::string turn = fmt::format("turn by up to {:.2g} degrees where they stand for a smooth surface",
-                                       180 / std::numbers::pi * part.largest_smooth_turn_rad);
+  const std::string turn =
+      fmt::format("turn by up to {} degrees where they stand for a smooth surface",
+                  rounded_text(180 / std::numbers::pi * part.largest_smooth_turn_rad, 2));
   if (sag_share < error.force_share / 3) return "its facets " + turn;
-  return fmt::format("its facets cut up to {:.2g} mm into a smooth surface and {}", 1e3 * part.largest_sag_m,
-                     turn);
+  return fmt::format("its facets cut up to {} mm into a smooth surface and {}",
+                     rounded_text(1e3 * part.largest_sag_m, 2), turn);
 }
 
 /// Whether a pair that touches a surface of its own could have been taken, and would keep it.
@@ -89,9 +92,11 @@ std::string slips_round(const ContactCase& on) {
                inside_m = depth_m - on.press.finger_radius_m, round_m = on.contact.part.median_round_m;
   const std::string mend = ": a finger slips round it; a smaller greatest_force_n would";
   if (on.across_m < depth_m)
-    return fmt::format("{}, and it is {:.2g} mm across{}", on.contact.press, 1e3 * on.across_m, mend);
+    return fmt::format("{}, and it is {} mm across{}", on.contact.press, rounded_text(1e3 * on.across_m, 2),
+                       mend);
   if (round_m < inside_m)
-    return fmt::format("{}, and it is rounded by {:.2g} mm{}", on.contact.press, 1e3 * round_m, mend);
+    return fmt::format("{}, and it is rounded by {} mm{}", on.contact.press, rounded_text(1e3 * round_m, 2),
+                       mend);
   return {};
 }
 
@@ -105,7 +110,7 @@ std::string mend_of_method(const ContactVerdict& verdict, const ContactCase& on,
   if (falls_behind(on, error)) {
     // No deeper than half of the ball's radius it keeps up round anything.
     const double most_n = on.press.stiffness_n_per_m * on.press.finger_radius_m / 2;
-    return fmt::format("a greatest_force_n of {:.2g}", 0.95 * most_n);
+    return fmt::format("a greatest_force_n of {}", rounded_text(0.95 * most_n, 2));
   }
   return verdict.method_open ? "a coarser mesh there or another finger radius" : "method = \"auto\"";
 }
@@ -117,7 +122,7 @@ double instead(double error) {
 }
 
 std::string instead_words(double kept) {
-  return kept > most_kept ? ", nor anything like it" : fmt::format(", {:.2g} can", kept);
+  return kept > most_kept ? ", nor anything like it" : fmt::format(", {} can", rounded_text(kept, 2));
 }
 
 /// Roundings tighter than this are too tight to be pressed so deep: near their middle the least that facets
@@ -140,7 +145,7 @@ bool is_rounded_tighter(std::span<const SurfacePlace> places, double slips_m) {
 }
 
 std::string slips_words(double slips_m) {
-  return fmt::format(" but where it is rounded by less than {:.2g} mm", 1e3 * slips_m);
+  return fmt::format(" but where it is rounded by less than {} mm", rounded_text(1e3 * slips_m, 2));
 }
 
 std::string mend_words(const ContactVerdict& verdict, std::span<const ContactCase> cases) {
@@ -172,19 +177,20 @@ ContactLimit limit_of(const ContactVerdict& verdict, std::span<const ContactCase
   const std::string slips = slips_round(on);
   if (!slips.empty()) {
     limit.kept_tolerance = nothing_kept;
-    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept: {}", tolerance, slips);
+    limit.said = fmt::format("force_tolerance {} cannot be kept: {}", rounded_text(tolerance, 3), slips);
   } else if (!chosen.fails[i].empty()) {
     const bool lags = falls_behind(on, error);
     limit.kept_tolerance = lags ? instead(error.force_share + error.behind_share) : nothing_kept;
-    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept by {}{}: {}; {} would", tolerance,
-                             chosen.method->name, lags ? instead_words(limit.kept_tolerance) : "",
-                             chosen.fails[i], mend_of_method(verdict, on, error));
+    limit.said =
+        fmt::format("force_tolerance {} cannot be kept by {}{}: {}; {} would", rounded_text(tolerance, 3),
+                    chosen.method->name, lags ? instead_words(limit.kept_tolerance) : "", chosen.fails[i],
+                    mend_of_method(verdict, on, error));
   } else if (error.force_share > tolerance) {
     const double kept = instead(error.force_share), slips_m = slips_under_m(on);
     const bool slips_off =
         slips_m > 0 && kept <= most_kept && is_rounded_tighter(on.contact.part.places, slips_m);
     limit.kept_tolerance = slips_off ? nothing_kept : kept;
-    limit.said = fmt::format("force_tolerance {:.3g} cannot be kept{}{}: {}; {}", tolerance,
+    limit.said = fmt::format("force_tolerance {} cannot be kept{}{}: {}; {}", rounded_text(tolerance, 3),
                              instead_words(kept), slips_off ? slips_words(slips_m) : "",
                              facets_words(on, error), mend_words(verdict, cases));
   } else if (error.mean_tilt_rad > on.mean_tilt_rad) {

@@ -79,7 +79,8 @@ std::vector<Going> speeds_up_to(double v_min_m_per_s) {
 }
 
 std::string hand_text(const HandSettings& hand, double rate_hz) {
-  return fmt::format("[hand] of {:.4g} kg and {:.4g} N s/m{} at {} Hz", hand.mass_kg, hand.damping_n_s_per_m,
+  return fmt::format("[hand] of {} kg and {} N s/m{} at {} Hz", rounded_text(hand.mass_kg, 4),
+                     rounded_text(hand.damping_n_s_per_m, 4),
                      hand.delay_ticks > 0 ? fmt::format(", {} ticks late,", hand.delay_ticks) : "",
                      number_text(rate_hz));
 }
@@ -90,8 +91,9 @@ constexpr double gain_margin = 2;
 /// @param what  "a surface"
 std::string too_stiff_text(const HandSettings& hand, double rate_hz, double most_n_per_m,
                            std::string_view what, double stiffness_n_per_m) {
-  return fmt::format("a {} holds up to {:.4g} N/m, half of which is kept in reserve, and {} has {:.4g}",
-                     hand_text(hand, rate_hz), most_n_per_m, what, stiffness_n_per_m);
+  return fmt::format("a {} holds up to {} N/m, half of which is kept in reserve, and {} has {}",
+                     hand_text(hand, rate_hz), rounded_text(most_n_per_m, 4), what,
+                     rounded_text(stiffness_n_per_m, 4));
 }
 
 /// "rate_hz: 2000 Hz", and for the highest that it is no more than that.
@@ -153,20 +155,20 @@ ShownFriction shown_friction(const Teeth& teeth, const FingerPath* path, double 
 
 std::string friction_hidden_because(const ShownFriction& shown, double mu_tolerance, double rate_hz) {
   const std::string at = number_text(rate_hz) + " Hz";
-  const std::string allowed = fmt::format("where {:.3g} % is asked for", 100 * mu_tolerance);
+  const std::string allowed = fmt::format("where {} % is asked for", rounded_text(100 * mu_tolerance, 3));
   if (shown.held_share > mu_tolerance) {
     return fmt::format(
-        "held from tick to tick at {} the coefficient of friction of a slow finger is off by {:.2g} % "
+        "held from tick to tick at {} the coefficient of friction of a slow finger is off by {} % "
         "(RMS), {}",
-        at, 100 * shown.held_share, allowed);
+        at, rounded_text(100 * shown.held_share, 2), allowed);
   }
   if (shown.unseen_share > mu_tolerance) {
-    return fmt::format("at {} {:.3g} % of the stick-slip teeth last under two ticks, which nothing shows, {}",
-                       at, 100 * shown.unseen_share, allowed);
+    return fmt::format("at {} {} % of the stick-slip teeth last under two ticks, which nothing shows, {}", at,
+                       rounded_text(100 * shown.unseen_share, 3), allowed);
   }
   if (shown.turn_share > mu_tolerance) {
-    return fmt::format("the motion turns so sharply that at {} friction is off by {:.2g} % (RMS), {}", at,
-                       100 * shown.turn_share, allowed);
+    return fmt::format("the motion turns so sharply that at {} friction is off by {} % (RMS), {}", at,
+                       rounded_text(100 * shown.turn_share, 2), allowed);
   }
   return {};
 }
@@ -193,7 +195,7 @@ std::string unstable_because(const Scene& scene, double rate_hz) {
   const double most = stable_stiffness(wall);
   if (gain_margin * stick_n_per_m <= most) return {};
   return too_stiff_text(hand, rate_hz, most, "the sticking pad", stick_n_per_m) +
-         (scales ? fmt::format(" under greatest_force_n, {:.3g} N", load_n) : "");
+         (scales ? fmt::format(" under greatest_force_n, {} N", rounded_text(load_n, 3)) : "");
 }
 
 RateChoice choose_rate(const Scene& scene, const FingerPath* path) {
@@ -206,10 +208,9 @@ RateChoice choose_rate(const Scene& scene, const FingerPath* path) {
     std::string broken = unstable_because(scene, rate_hz);
     if (broken.empty()) broken = friction_hidden_because(shown, tolerance, rate_hz);
     if (broken.empty()) {
-      return told(rate_hz, !lower.empty()
-                               ? "because " + lower
-                               : fmt::format("the lowest there is: it shows friction within {:.3g} %",
-                                             100 * tolerance));
+      return told(rate_hz, !lower.empty() ? "because " + lower
+                                          : fmt::format("the lowest there is: it shows friction within {} %",
+                                                        rounded_text(100 * tolerance, 3)));
     }
     lower = std::move(broken);
   }

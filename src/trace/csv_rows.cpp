@@ -25,7 +25,8 @@ namespace {
 constexpr std::string_view every_name = "every";
 
 /// Whether a header is one that a writer of some columns writes.
-bool is_partial(const std::vector<std::string_view>& names) {
+bool is_partial(std::vector<std::string_view> names) {
+  if (!names.empty() && names.back() == every_name) names.pop_back();
   return names.size() > 1 && names.front() == "t_s" &&
          std::ranges::all_of(names, [](const std::string_view name) {
            return std::ranges::any_of(trace_columns(),
@@ -33,17 +34,23 @@ bool is_partial(const std::vector<std::string_view>& names) {
          });
 }
 
-/// The names in a file's first line.
-std::vector<std::string> header_names(const std::string& path) {
+/// How a file begins: a header and a row, if they are of a trace.
+std::string first_text(const std::string& path) {
   std::error_code none;
   if (!std::filesystem::is_regular_file(path, none)) return {};
   std::ifstream file(path, std::ios::binary);
-  constexpr std::size_t longest_header = 4096;
-  std::string line(longest_header, '\0');
-  file.read(line.data(), static_cast<std::streamsize>(line.size()));
-  line.resize(std::min(static_cast<std::size_t>(file.gcount()), line.find_first_of("\r\n")));
-  if (line.starts_with("\xef\xbb\xbf")) line.erase(0, 3);
-  const auto names = csv_cells(line, ',');
+  constexpr std::size_t longest = 8192;
+  std::string text(longest, '\0');
+  file.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(file.gcount()));
+  if (text.starts_with("\xef\xbb\xbf")) text.erase(0, 3);
+  return text;
+}
+
+/// The names in a file's first line.
+std::vector<std::string> header_names(const std::string& path) {
+  const std::string text = first_text(path);
+  const auto names = csv_cells(std::string_view(text).substr(0, text.find_first_of("\r\n")), ',');
   return {names.begin(), names.end()};
 }
 
@@ -64,6 +71,7 @@ std::vector<std::size_t> find_columns(const std::string& where, std::string_view
     if (!place && column.of == ColumnOf::every_trace) {
       trace.missing.emplace_back(column.name);
       trace.info.columns = {names.begin(), names.end()};
+      std::erase(trace.info.columns, every_name);
       if (is_partial(names)) {
         places.push_back(beyond);
         continue;
@@ -131,10 +139,6 @@ std::uint64_t read_every(const TextLines& lines, std::string_view cell, std::uin
 
 }  // namespace
 
-std::uint64_t told_every(const TraceInfo& info) noexcept {
-  return info.columns.empty() ? info.every : 1;
-}
-
 std::string csv_header(std::span<const TraceColumn> columns, std::uint64_t every) {
   std::string header;
   for (const TraceColumn& column : columns) {
@@ -168,6 +172,21 @@ bool is_csv_trace(const std::string& path) {
 bool is_partial_csv_trace(const std::string& path) {
   const std::vector<std::string> names = header_names(path);
   return is_partial({names.begin(), names.end()}) && !has_every_column(names);
+}
+
+std::uint64_t every_of_csv(const std::string& path) {
+  std::string_view text;
+  const std::string first = first_text(path);
+  text = first;
+  const std::size_t end = text.find_first_of("\r\n");
+  const auto names = csv_cells(text.substr(0, end), ',');
+  if (names.back() != every_name || !(is_partial(names) || is_csv_trace(path))) return 1;
+  text.remove_prefix(std::min(text.find_first_not_of("\r\n", end), text.size()));
+  const auto cells = csv_cells(text.substr(0, text.find_first_of("\r\n")), ',');
+  std::uint64_t every = 1;
+  if (cells.size() == names.size())
+    std::from_chars(cells.back().data(), cells.back().data() + cells.back().size(), every);
+  return every;
 }
 
 Trace read_csv_trace(const std::string& path) {

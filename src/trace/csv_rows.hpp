@@ -8,12 +8,8 @@
 
 namespace fingerpad {
 
-/// What a CSV trace of this run says in its last column, `every`: TraceInfo::every, where that is not 1. 1
-/// where it has no such column: all ticks are there, or its columns were chosen.
-std::uint64_t told_every(const TraceInfo& info) noexcept;
-
 /// The header line of a trace with these columns as CSV, with its line end.
-/// @param every  told_every
+/// @param every  TraceInfo::every, which a last column tells where that is not 1
 std::string csv_header(std::span<const TraceColumn> columns, std::uint64_t every = 1);
 
 /// Appends one row with its line end: shortest numbers that read back the same, `nan` for none, the phase by

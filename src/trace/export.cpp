@@ -90,7 +90,7 @@ void add_vectors(VtpArrays& arrays, const Trace& trace, std::string_view name, V
 void export_csv(const Trace& trace, const std::string& path) {
   OutputFile file(path);
   const auto columns = csv_columns(trace.info);
-  const std::uint64_t every = told_every(trace.info);
+  const std::uint64_t every = trace.info.every;
   std::string text = csv_header(columns, every);
   for (const TickRecord& row : trace.rows) {
     append_csv_row(text, columns, row, every);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -10,6 +11,7 @@ struct Hdf5Columns {
   std::vector<bool> present;                 ///< per asked-for name
   std::vector<std::vector<double>> columns;  ///< per asked-for name; empty where absent
   std::string scene_text;                    ///< the scene that a trace keeps; empty where there is none
+  std::uint64_t every = 1;                   ///< of a trace: its rows are every so manieth tick
 };
 
 /// Reads one-dimensional datasets of numbers at a file's root. The file is read by a child process, as

@@ -36,9 +36,7 @@ void take_attitude(const std::string& path, std::size_t i, const TickRecord& row
 }
 
 /// The finger's way in a trace, as the run's friction was told it: of a hand the encoders' positions.
-Motion motion_of_trace(const std::string& path, bool reads_normal_force, std::vector<SceneChange>& changes) {
-  Trace trace = read_trace(path, TraceContents::rows);
-  changes = std::move(trace.info.changes);
+Motion motion_of_trace(const Trace& trace, const std::string& path, bool reads_normal_force) {
   if (trace.rows.empty()) throw refused(path, "the trace has no rows");
   const auto count = static_cast<Eigen::Index>(trace.rows.size());
   Motion motion;
@@ -111,6 +109,14 @@ struct Reading {
   void warn(const std::string& what) { warnings.push_back(fmt::format("{}: {}", settings.file, what)); }
 };
 
+void warn_of_thinned(Reading& reading, std::uint64_t every) {
+  if (every <= 1) return;
+  reading.warn(fmt::format(
+      "is a trace with 1 row in {} ticks (replay --every): between its rows the finger goes straight, so "
+      "this is not the motion of its run, nor will the forces be; replay its scene without --every",
+      every));
+}
+
 void read_file(Reading& reading) {
   const MotionSettings& settings = reading.settings;
   const bool reads_force = settings.format.reads_normal_force;
@@ -122,13 +128,17 @@ void read_file(Reading& reading) {
                                 "(HDF5), which says itself what it holds: leave the key out",
                                 settings.table_key, settings.file));
     }
-    reading.motion = motion_of_trace(settings.file_path, reads_force, reading.changes);
+    Trace trace = read_trace(settings.file_path, TraceContents::rows);
+    reading.motion = motion_of_trace(trace, settings.file_path, reads_force);
+    warn_of_thinned(reading, trace.info.every);
+    reading.changes = std::move(trace.info.changes);
     if (!reading.changes.empty())
       reading.note(fmt::format("with the {} changes of the scene that were made while it was touched",
                                reading.changes.size()));
     return;
   }
   FieldRecording recording = read_field_recording(settings.file_path, settings.format);
+  warn_of_thinned(reading, every_of_csv(settings.file_path));
   reading.motion = std::move(recording.motion);
   if (!reads_force) reading.motion.normal_force_n.clear();
   if (reads_force && reading.motion.normal_force_n.empty())
@@ -171,8 +181,9 @@ void warn_of_odd_steps(Reading& reading) {
   if (clock.odd_steps == 0) return;
   reading.warn(
       fmt::format("its clock is irregular: {} of {} steps are off by more than half, the longest "
-                  "is {:.3g} ms at t = {:.6g} s; in between the finger goes straight",
-                  clock.odd_steps, clock.steps, 1e3 * clock.longest_s, clock.longest_at_s));
+                  "is {} ms at t = {} s; in between the finger goes straight",
+                  clock.odd_steps, clock.steps, rounded_text(1e3 * clock.longest_s, 3),
+                  rounded_text(clock.longest_at_s, 6)));
 }
 
 bool is_refined(const MotionSettings& settings) {
@@ -201,16 +212,16 @@ void refine(Reading& reading) {
   reading.motion = in_file(settings, [&] { return evenly_sampled(reading.motion, reading.clock); });
   if (settings.encoder_m > 0) {
     estimate_velocity(reading.motion, settings.encoder_m, rate_hz);
-    reading.note(
-        fmt::format("velocity by the adaptive window over positions rounded to {:.6g} mm, at {:.6g} Hz",
-                    1e3 * settings.encoder_m, rate_hz));
+    reading.note(fmt::format("velocity by the adaptive window over positions rounded to {} mm, at {} Hz",
+                             rounded_text(1e3 * settings.encoder_m, 6), rounded_text(rate_hz, 6)));
   }
   if (!(settings.smoothing_hz > 0)) return;
   const Smoothing smoothing = smooth(reading.motion, settings.smoothing_hz, rate_hz);
   reading.note(
-      fmt::format("smoothed without delay (Butterworth, 2nd order, forth and back at {:.6g} Hz; {:.6g} "
-                  "Hz is halved): positions moved by {:.3g} mm RMS, at most {:.3g} mm",
-                  rate_hz, settings.smoothing_hz, 1e3 * smoothing.rms_m, 1e3 * smoothing.most_m));
+      fmt::format("smoothed without delay (Butterworth, 2nd order, forth and back at {} Hz; {} "
+                  "Hz is halved): positions moved by {} mm RMS, at most {} mm",
+                  rounded_text(rate_hz, 6), rounded_text(settings.smoothing_hz, 6),
+                  rounded_text(1e3 * smoothing.rms_m, 3), rounded_text(1e3 * smoothing.most_m, 3)));
 }
 
 /// What takes a motion's own coordinates to the world.
@@ -237,9 +248,10 @@ LoadedMotion scripted_motion(const Scene& scene) {
 
 std::string shape_text(const SurfaceMotion& rub) {
   const double size_mm = 1e3 * rub.size_m;
-  if (rub.shape == SurfaceMotion::Shape::line) return fmt::format("a line of {:.4g} mm", size_mm);
-  return fmt::format("a {} of {:.4g} mm radius",
-                     rub.shape == SurfaceMotion::Shape::circle ? "circle" : "spiral", size_mm);
+  if (rub.shape == SurfaceMotion::Shape::line)
+    return fmt::format("a line of {} mm", rounded_text(size_mm, 4));
+  return fmt::format("a {} of {} mm radius", rub.shape == SurfaceMotion::Shape::circle ? "circle" : "spiral",
+                     rounded_text(size_mm, 4));
 }
 
 LoadedMotion laid_motion(const Scene& scene, double rate_hz, MeshStore& meshes) {
@@ -259,10 +271,11 @@ LoadedMotion laid_motion(const Scene& scene, double rate_hz, MeshStore& meshes) 
   const std::string edges = laid.edges == 0 ? ""
                                             : fmt::format(", eased off round {} sharp edge{}", laid.edges,
                                                           laid.edges == 1 ? "" : "s");
-  motion.notes.push_back(fmt::format(
-      "{}: {} at place {} of {}, ({:.4g}, {:.4g}, {:.4g}) mm in its frame, {:.4g} mm deep{}; tried {} {}",
-      scene.name, shape_text(rub), rub.place, part.mesh, place_mm.x(), place_mm.y(), place_mm.z(),
-      1e3 * depth_m, edges, laid.tried, laid.tried == 1 ? "point" : "points"));
+  motion.notes.push_back(
+      fmt::format("{}: {} at place {} of {}, ({}, {}, {}) mm in its frame, {} mm deep{}; tried {} {}",
+                  scene.name, shape_text(rub), rub.place, part.mesh, rounded_text(place_mm.x(), 4),
+                  rounded_text(place_mm.y(), 4), rounded_text(place_mm.z(), 4),
+                  rounded_text(1e3 * depth_m, 4), edges, laid.tried, laid.tried == 1 ? "point" : "points"));
   return motion;
 }
 
@@ -293,19 +306,19 @@ void warn_of_odd_force(Reading& reading) {
   constexpr double hardest_n = 40;
   const double usual_n = pressed_median_n(forces_n);
   if (usual_n < 0)
-    reading.warn(fmt::format(
-        "its measured normal force is {:.3g} N where it presses, and one below 0 presses nothing: "
-        "the finger feels no force there, nor friction; where it is the force on the surface, as "
-        "a plate measures it, say force_on = \"plate\" in [motion]",
-        usual_n));
+    reading.warn(
+        fmt::format("its measured normal force is {} N where it presses, and one below 0 presses nothing: "
+                    "the finger feels no force there, nor friction; where it is the force on the surface, as "
+                    "a plate measures it, say force_on = \"plate\" in [motion]",
+                    rounded_text(usual_n, 3)));
   if (usual_n == 0)
     reading.warn(
         "its measured normal force is 0 throughout, so that no force acts: is its column the right one?");
   if (usual_n > hardest_n)
     reading.warn(
-        fmt::format("its measured normal force is {:.3g} N where it presses, harder than a finger rubs: "
+        fmt::format("its measured normal force is {} N where it presses, harder than a finger rubs: "
                     "forces are read as newtons",
-                    usual_n));
+                    rounded_text(usual_n, 3)));
 }
 
 /// The residual would be that of a wrong sign.
@@ -328,7 +341,9 @@ LoadedMotion load_motion(const Scene& scene) {
 LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   const MotionSettings& settings = scene.motion;
   if (!settings.given()) {
-    throw refused(scene.path, "the scene has no motion to follow; give [motion] a 'file' or a 'kind'");
+    constexpr const char* why = "the scene has no motion to follow; give [motion] a 'file' or a 'kind'";
+    if (!scene.path.empty()) throw refused(scene.path, why);
+    throw refused(scene.name, std::string(why) + " (a mesh by itself has none: name a scene)");
   }
   if (settings.scripted) return at_chosen_rate(scene, scripted_motion(scene));
   if (settings.laid) return laid_at_chosen_rate(scene, meshes);

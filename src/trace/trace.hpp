@@ -77,6 +77,10 @@ Trace read_trace(const std::string& path, TraceContents contents);
 /// True if the file starts like an HDF5 file.
 bool is_hdf5(const std::string& path);
 
+/// What the column `every` of a trace as CSV says, one with some columns alone too; 1 where it has none, and
+/// for all other files.
+std::uint64_t every_of_csv(const std::string& path);
+
 /// True if it is a file of text whose first line names columns of a trace alone, t_s first, though not all.
 bool is_partial_csv_trace(const std::string& path);
 

@@ -51,9 +51,7 @@ std::string trace_columns_text() {
     text += fmt::format("{}`{}`", goes_on ? " " : "| ", columns[k].name);
     if (ends) text += fmt::format(" | {} | {} |\n", columns[k].unit, columns[k].doc);
   }
-  return text +
-         "| `every` | 1 | in CSV alone, of `replay --every N` without `--columns`: N, where that is not 1 "
-         "|\n";
+  return text + "| `every` | 1 | in CSV alone, of `replay --every N`: N, where that is not 1 |\n";
 }
 
 }  // namespace fingerpad

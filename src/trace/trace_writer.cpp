@@ -16,7 +16,7 @@ class CsvTraceWriter final : public TraceWriter {
  public:
   CsvTraceWriter(const std::string& path, const TraceInfo& info)
       : columns_(csv_columns(info)),
-        every_(told_every(info)),
+        every_(info.every),
         file_(path, OutputFile::Unfinished::kept),
         change_file_(path) {
     text_ = csv_header(columns_, every_);

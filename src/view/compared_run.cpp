@@ -98,6 +98,7 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   Trace trace = read_trace(path, TraceContents::some_rows);
   if (over != Over::time) refuse_missing_columns(trace, path);
   const bool lacks_ticks = ticks_a_row(trace) > 1;
+  const std::uint64_t every = trace.info.every;
   std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
   const std::string title = scene_title(trace.info, path);
   const std::string scene = trace.info.scene_name.empty() ? title : trace.info.scene_name;
@@ -105,6 +106,7 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   refuse_standstill(run.x, over, path);
   run.t_s = abscissa(trace.rows, Over::time);
   run.lacks_ticks = lacks_ticks;
+  run.every = every;
   for (const TraceColumn& column : trace_columns(trace.info)) {
     if (!is_comparable(column)) continue;
     ComparedColumn values{std::string(column.name), std::string(column.unit), {}};
@@ -134,8 +136,8 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
   const CsvColumns table = read_csv_columns(path, request);
   if (over != Over::time)
     throw refused(path,
-                  "is a table of measurements, which does not tell what the finger touched: only "
-                  "traces are drawn over travel or turn");
+                  "does not tell what the finger touched (px_m to nz): only whole traces are drawn over "
+                  "travel or turn, no measurements, and none that replay --columns wrote");
   const std::vector<double>& times = table.columns[0];
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (times[i] >= times[i - 1]) continue;
@@ -156,6 +158,8 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
   }
   if (run.columns.empty())
     throw refused(path, "is no trace, and none of its columns has a trace's name (fx_n, fn_n, x_m)");
+  run.every = every_of_csv(path);
+  run.lacks_ticks = run.every > 1;
   return run;
 }
 

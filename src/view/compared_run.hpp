@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,7 @@ struct ComparedRun {
   std::vector<double> t_s = {};  ///< of a trace: when each tick was
   bool x_by_fewer = false;       ///< its way is told as a trace of fewer ticks tells it
   bool lacks_ticks = false;      ///< of its ticks some were left out, as far as its trace tells
+  std::uint64_t every = 1;       ///< its rows are every so manieth tick, as its trace says
 };
 
 /// Reads a trace, or a table with a column t_s and others named as a trace's (fx_n, fn_n, x_m). Over

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "touch/tick_record.hpp"
 
 namespace fingerpad {
@@ -93,10 +94,10 @@ CommonTicks common_ticks(const ComparedRun& first, const ComparedRun& other, Ove
   CommonTicks ticks{std::max(first.x.front(), other.x.front()), std::min(first.x.back(), other.x.back()),
                     nullptr, nullptr};
   if (!(ticks.to >= ticks.from)) {
-    throw refused(other.path,
-                  fmt::format("has no {} in common with {}: {:.6g} to {:.6g} here, {:.6g} to {:.6g} there",
-                              over == Over::time ? "time" : "way", first.path, other.x.front(),
-                              other.x.back(), first.x.front(), first.x.back()));
+    throw refused(other.path, fmt::format("has no {} in common with {}: {} to {} here, {} to {} there",
+                                          over == Over::time ? "time" : "way", first.path,
+                                          rounded_text(other.x.front(), 6), rounded_text(other.x.back(), 6),
+                                          rounded_text(first.x.front(), 6), rounded_text(first.x.back(), 6)));
   }
   const bool first_is_finer =
       ticks_within(first, ticks.from, ticks.to) > ticks_within(other, ticks.from, ticks.to);
@@ -142,12 +143,18 @@ bool are_shared(const CommonTicks& ticks) {
 
 std::string note_on(const ComparedRun& first, const ComparedRun& other, const CommonTicks& ticks, Over over) {
   const char* unit = over == Over::time ? "s" : over == Over::travel ? "mm" : "deg";
-  const std::string span = fmt::format("{}: {:.4g} to {:.4g} {}", other.name, ticks.from, ticks.to, unit);
+  const std::string span = fmt::format("{}: {} to {} {}", other.name, rounded_text(ticks.from, 4),
+                                       rounded_text(ticks.to, 4), unit);
   if (first.x == other.x) return span;
   if (ticks.grid == &other)
     return span + ", at its own ticks" + (are_shared(ticks) ? "" : ", the first interpolated linearly");
   return span + (are_shared(ticks) ? ", at the ticks of the first"
                                    : ", interpolated linearly at the ticks of the first");
+}
+
+std::string left_out_words(const ComparedRun& run) {
+  if (run.every > 1) return fmt::format("{}: 1 tick in {} is here", run.name, run.every);
+  return run.name + ": ticks were left out (the last row comes sooner than the others)";
 }
 
 }  // namespace
@@ -166,6 +173,9 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
   if (std::find(comparison.columns.begin(), comparison.columns.end(), "friction") != comparison.columns.end())
     comparison.notes.push_back(
         "friction: along the sliding direction, negative where it holds the finger back");
+  for (const ComparedRun& run : runs) {
+    if (run.lacks_ticks) comparison.notes.push_back(left_out_words(run));
+  }
   const auto is_by_fewer = [](const ComparedRun& run) { return run.x_by_fewer; };
   const auto lacks_ticks = [](const ComparedRun& run) { return run.lacks_ticks; };
   if (std::any_of(runs.begin(), runs.end(), is_by_fewer))

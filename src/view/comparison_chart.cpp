@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.hpp"
 #include "view/comparison.hpp"
 
 namespace fingerpad {
@@ -66,8 +67,9 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
                              fmt::format("res. {} [{}]", name, shown.unit), over);
   for (const Residual& residual : comparison.residuals) {
     if (residual.column != name) continue;
-    const std::string legend = fmt::format("{}: RMS {:.4g}{}", comparison.runs[residual.run].name,
-                                           shown.factor * residual.rms, unit_words(shown.unit));
+    const std::string legend =
+        fmt::format("{}: RMS {}{}", comparison.runs[residual.run].name,
+                    rounded_text(shown.factor * residual.rms, 4), unit_words(shown.unit));
     left.curves.push_back(
         {legend, style_of(residual.run), residual.x, scaled_by(residual.values, shown.factor)});
   }
@@ -103,9 +105,9 @@ std::vector<std::string> residual_words(const Comparison& comparison) {
   for (const Residual& residual : comparison.residuals) {
     const auto ticks = std::count_if(residual.values.begin(), residual.values.end(),
                                      [](double value) { return std::isfinite(value); });
-    words.push_back(fmt::format("{}: RMS {:.6g}{}, '{}' less '{}', {} ticks", residual.column, residual.rms,
-                                unit_words(residual.unit), comparison.runs[residual.run].name,
-                                comparison.runs[0].name, ticks));
+    words.push_back(fmt::format("{}: RMS {}{}, '{}' less '{}', {} ticks", residual.column,
+                                rounded_text(residual.rms, 6), unit_words(residual.unit),
+                                comparison.runs[residual.run].name, comparison.runs[0].name, ticks));
   }
   return words;
 }

@@ -99,8 +99,7 @@ std::string MaterialPanel::unstable_words(const Scene& scene) const {
                                         .tick_s = 1 / scene.motion.rate_hz,
                                         .delay_ticks = hand.delay_ticks});
   if (surface.stiffness_n_per_m <= most) return {};
-  const std::string limit =
-      most < 100 ? fmt::format("{:.3g}", most) : number_text(10 * std::round(most / 10));
+  const std::string limit = most < 100 ? rounded_text(most, 3) : number_text(10 * std::round(most / 10));
   return fmt::format("motors shake over {} N/m at {} Hz", limit, number_text(scene.motion.rate_hz));
 }
 

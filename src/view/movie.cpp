@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "view/movie_encoder.hpp"
 #include "view/picture.hpp"
 #include "view/png_vtk.hpp"
@@ -35,10 +36,9 @@ long movie_frames(const ViewInput& input, const MovieChoice& choice) {
   // A last frame is not lost to rounding.
   const double frames = std::floor(duration_s * choice.frames_per_s / choice.speed + 1e-6) + 1;
   if (frames <= most) return static_cast<long>(frames);
-  throw Error(
-      ErrorKind::usage, "--movie",
-      fmt::format("{:.6g} s would be {:.6g} frames, and at most {:.0f} are made: give a higher --speed",
-                  duration_s, frames, most));
+  throw Error(ErrorKind::usage, "--movie",
+              fmt::format("{} s would be {} frames, and at most {:.0f} are made: give a higher --speed",
+                          rounded_text(duration_s, 6), rounded_text(frames, 6), most));
 }
 
 std::size_t movie_row(const ViewInput& input, const MovieChoice& choice, long k) {

@@ -22,6 +22,25 @@ Box with_rim(const Box& box) {
   return {box.left - 1, box.bottom - 1, box.width + 2, box.height + 2};
 }
 
+constexpr double alarm_em = 1.15, alarm_line_em = 1.5;
+
+/// What has gone wrong, in as many lines as it takes, but few: the terminal has it whole.
+std::vector<std::string> alarm_lines(const std::string& alarm, double width, double em) {
+  constexpr std::size_t most = 4;
+  std::vector<std::string> lines = wrapped(alarm, alarm_em * em, width - 1.4 * em, true);
+  if (lines.size() <= most) return lines;
+  lines.resize(most);
+  lines.back() = fitted(lines.back() + " ...", alarm_em * em, true, width - 1.4 * em);
+  return lines;
+}
+
+/// At the top of a box; empty where nothing has gone wrong.
+Box alarm_place(const std::string& alarm, const Box& box, double em) {
+  const auto lines = static_cast<double>(alarm_lines(alarm, box.width, em).size());
+  const double height = lines == 0 ? 0 : (alarm_line_em * lines + 0.5) * em;
+  return {box.left, box.top() - height, box.width, height};
+}
+
 /// Draws the overlay; holds what its parts share.
 class OverlayPainter {
  public:
@@ -32,8 +51,8 @@ class OverlayPainter {
     paint_title();
     if (!state_.help) paint_words();
     if (layout_.timeline.height > 0) paint_timeline();
-    if (!facts_.alarm.empty()) paint_alarm();
     if (state_.help) paint_help();
+    if (!facts_.alarm.empty()) paint_alarm();
   }
 
  private:
@@ -54,14 +73,21 @@ class OverlayPainter {
     }
   }
 
-  /// Cut where it does not fit: the terminal has it whole.
   void paint_alarm() {
-    const Box line = alarm_line(facts_, layout_);
+    const Box box = alarm_box();
     constexpr Colour on_red{255, 252, 204};  // a colour, which the dark theme leaves bright
-    drawing_.box(line, Colour{178, 24, 32});
-    drawing_.text({line.left + 0.7 * em_, line.centre().y()},
-                  fitted(facts_.alarm, 1.15 * em_, true, line.width - 1.4 * em_),
-                  {.size = 1.15 * em_, .colour = on_red, .upright = Upright::middle, .bold = true});
+    drawing_.box(box, Colour{178, 24, 32});
+    double y = box.top() - 1.0 * em_;
+    for (const std::string& words : alarm_lines(facts_.alarm, box.width, em_)) {
+      drawing_.text({box.left + 0.7 * em_, y}, words,
+                    {.size = alarm_em * em_, .colour = on_red, .upright = Upright::middle, .bold = true});
+      y -= alarm_line_em * em_;
+    }
+  }
+
+  /// Over the help page it stands at the window's top.
+  Box alarm_box() const {
+    return alarm_place(facts_.alarm, state_.help ? layout_.window : layout_.scene, em_);
   }
 
   /// What is said once: what is missing, how to press, what has just been done. Where lists leave too little
@@ -101,7 +127,7 @@ class OverlayPainter {
 
   /// What words keep clear of: readings, legend, close-up, alarm, lists, scale and axes.
   std::vector<Box> taken_places() const {
-    std::vector<Box> taken = {facts_.hud, facts_.legend, alarm_line(facts_, layout_)};
+    std::vector<Box> taken = {facts_.hud, facts_.legend, alarm_line(facts_.alarm, layout_)};
     if (facts_.inset_px_per_mm > 0) taken.push_back(facts_.inset);
     taken.insert(taken.end(), facts_.panels.begin(), facts_.panels.end());
     const Box& scene = layout_.scene;
@@ -139,7 +165,7 @@ class OverlayPainter {
   /// Where the help page may be: not over what has gone wrong.
   Box help_room() const {
     Box room = layout_.window;
-    if (!facts_.alarm.empty()) room.height = alarm_line(facts_, layout_).bottom;
+    room.height -= alarm_box().height;
     return room;
   }
 
@@ -166,22 +192,30 @@ class OverlayPainter {
     }
   }
 
-  void paint_help() {
-    constexpr double column_em = 34, line_em = 1.6, least_line_em = 1.1;
-    const Box around = help_room();
-    const double head = 3.4 * em_, room = around.height - head - em_;
+  /// How the help page's lines lie in its room.
+  struct HelpLines {
+    double size, line, columns;  ///< letters and lines [px]
+  };
+
+  HelpLines help_lines(double height) const {
+    constexpr double line_em = 1.6, least_line_em = 1.1, least_size = 0.7;
     const auto rows = static_cast<double>(facts_.help.size());
-    double line = line_em * em_, columns = std::ceil(rows / std::max(1.0, std::floor(room / line)));
-    // Rather close to each other than cut: two columns may be too narrow for what they say.
-    const bool is_narrow = column_em * em_ * columns > layout_.window.width;
-    if (is_narrow && room / rows >= least_line_em * em_) {
-      line = std::min(line, room / rows);
-      columns = 1;
-    }
-    const double per_column = std::ceil(rows / columns), height = line * per_column + head;
-    const Vec2 middle = around.centre();
-    const double width = std::min(column_em * em_ * columns, layout_.window.width - em_);
-    const Box box{middle.x() - width / 2, middle.y() - height / 2, width, height};
+    const double line = line_em * em_, columns = std::ceil(rows / std::max(1.0, std::floor(height / line)));
+    // Rather close to each other, and a little smaller, than cut: two columns may be too narrow.
+    const double size = std::min(em_, height / rows / least_line_em);
+    const bool is_narrow = help_column_em * em_ * columns > layout_.window.width;
+    if (is_narrow && size >= least_size * em_) return {size, std::min(line, height / rows), 1};
+    return {em_, line, columns};
+  }
+
+  void paint_help() {
+    const Box around = help_room();
+    const double head = 3.2 * em_, foot = 0.6 * em_;
+    const auto [size, line, columns] = help_lines(around.height - head - foot - 0.4 * em_);
+    const double per_column = std::ceil(static_cast<double>(facts_.help.size()) / columns);
+    const double height = line * per_column + head + foot;
+    const double width = std::min(help_column_em * em_ * columns, layout_.window.width - em_);
+    const Box box{around.centre().x() - width / 2, around.centre().y() - height / 2, width, height};
     drawing_.box(box, Colour{255, 255, 255, 0.96});
     drawing_.frame(box, {colours::ink, 0.12 * em_});
     paint_help_head(box);
@@ -190,17 +224,24 @@ class OverlayPainter {
       const std::string& entry = facts_.help[i];
       const double column = std::floor(static_cast<double>(i) / per_column);
       const double left = box.left + em_ + column * column_width;
-      const double y = box.top() - 3.2 * em_ - line * (static_cast<double>(i) - column * per_column);
-      const std::size_t colon = entry.find(": ");
-      const double does = 11 * em_;
-      drawing_.text({left, y}, fitted(entry.substr(0, colon), em_, true, does - 0.4 * em_),
-                    {.size = em_, .upright = Upright::middle, .bold = true});
-      if (colon == std::string::npos) continue;
-      drawing_.text({left + does, y},
-                    fitted(entry.substr(colon + 2), em_, false, column_width - does - 0.4 * em_),
-                    {.size = em_, .upright = Upright::middle});
+      const double y =
+          box.top() - head + line / 2 - line * (static_cast<double>(i + 1) - column * per_column);
+      paint_help_entry({left, y}, entry, size, column_width);
     }
   }
+
+  /// "key: what it does".
+  void paint_help_entry(const Vec2& at, const std::string& entry, double size, double width) {
+    const std::size_t colon = entry.find(": ");
+    const double does = 11 * size, gap = 0.4 * size;
+    drawing_.text(at, fitted(entry.substr(0, colon), size, true, does - gap),
+                  {.size = size, .upright = Upright::middle, .bold = true});
+    if (colon == std::string::npos) return;
+    drawing_.text({at.x() + does, at.y()}, fitted(entry.substr(colon + 2), size, false, width - does - gap),
+                  {.size = size, .upright = Upright::middle});
+  }
+
+  static constexpr double help_column_em = 34;
 
   Drawing& drawing_;
   const OverlayFacts& facts_;
@@ -223,9 +264,14 @@ Colour ramp_colour(double share) {
   return {mix(&Colour::red), mix(&Colour::green), mix(&Colour::blue)};
 }
 
-Box alarm_line(const OverlayFacts& facts, const Layout& layout) {
-  const double height = facts.alarm.empty() ? 0 : 2 * layout.em;
-  return {layout.scene.left, layout.scene.top() - height, layout.scene.width, height};
+Box alarm_line(const std::string& alarm, const Layout& layout) {
+  return alarm_place(alarm, layout.scene, layout.em);
+}
+
+Layout below_alarm(const std::string& alarm, const Layout& layout) {
+  Layout below = layout;
+  below.scene.height -= alarm_line(alarm, layout).height;
+  return below;
 }
 
 Box time_slider(const Layout& layout) {

@@ -60,8 +60,10 @@ struct OverlayFacts {
   std::vector<std::string> help;  ///< "key: what it does", for the help page
 };
 
-/// Where what has gone wrong is told: a line at the top of the scene, empty where nothing has.
-Box alarm_line(const OverlayFacts& facts, const Layout& layout);
+/// Where what has gone wrong is told: a line or a few at the top of the scene, empty where nothing has.
+Box alarm_line(const std::string& alarm, const Layout& layout);
+/// The layout with the scene that this leaves.
+Layout below_alarm(const std::string& alarm, const Layout& layout);
 
 /// The time line's slider within a layout.
 Box time_slider(const Layout& layout);

@@ -94,14 +94,27 @@ class GroundPainter {
     drawing_.frame(box, {colours::grey, std::max(1.0, 0.1 * em_)});
     drawing_.box({box.left, box.top() - 1.5 * em_, box.width, 1.5 * em_}, panel_colour);
     const double zoom = facts_.inset_px_per_mm / facts_.px_per_mm;
-    drawing_.text({box.centre().x(), box.top() - 0.75 * em_},
-                  fmt::format("contact, {}{:.{}f}x", walls_words(), zoom, zoom < 10 ? 1 : 0),
+    drawing_.text({box.centre().x(), box.top() - 0.75 * em_}, close_up_words(zoom, box.width - 0.8 * em_),
                   {.size = em_, .across = Across::centre, .upright = Upright::middle});
     drawing_.box({box.left, box.bottom, box.width, 2.3 * em_}, panel_colour);
-    drawing_.text({box.left + 0.6 * em_, box.bottom + 1.15 * em_}, "up: finger",
-                  {.size = em_, .colour = colours::grey, .upright = Upright::middle});
     const double length_mm = round_down_125(0.4 * box.width / facts_.inset_px_per_mm);
+    const double bar = length_mm * facts_.inset_px_per_mm,
+                 label = text_width(plain_number(length_mm) + " mm", em_);
+    const double scale_left = box.right() - 0.8 * em_ - bar / 2 - std::max(bar, label) / 2;
+    if (box.left + em_ + text_width("up: finger", em_) < scale_left) {
+      drawing_.text({box.left + 0.6 * em_, box.bottom + 1.15 * em_}, "up: finger",
+                    {.size = em_, .colour = colours::grey, .upright = Upright::middle});
+    }
     paint_scale_bar({box.right() - 0.8 * em_, box.bottom + 0.6 * em_}, length_mm, facts_.inset_px_per_mm);
+  }
+
+  /// The whole, or as much of it as a small frame has room for.
+  std::string close_up_words(double zoom, double room) const {
+    const std::string times = fmt::format("{:.{}f}x", zoom, zoom < 10 ? 1 : 0), walls = walls_words();
+    for (const std::string& words : {"contact, " + walls + times, walls + times}) {
+      if (text_width(words, em_) <= room) return words;
+    }
+    return fitted(times, em_, false, room);
   }
 
   /// Of several the region is not drawn: a record has the greatest wall's centre and the mean of their

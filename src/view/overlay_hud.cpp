@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "base/number_text.hpp"
 #include "view/axis.hpp"
 #include "view/colours.hpp"
 #include "view/overlay_words.hpp"
@@ -105,7 +106,7 @@ void paint_colour_bar(Drawing& drawing, const OverlayFacts& facts, const Box& bo
   }
   const double low = box.bottom + 0.95 * em;
   drawing.text({box.left, low}, "0", {.size = em, .upright = Upright::top});
-  drawing.text({box.right(), low}, fmt::format("{:.3g}", facts.max_force_n),
+  drawing.text({box.right(), low}, rounded_text(facts.max_force_n, 3),
                {.size = em, .across = Across::right, .upright = Upright::top});
 }
 

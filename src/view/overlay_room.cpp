@@ -17,9 +17,7 @@ void find_room(OverlayPlaces& places, OverlayFacts& facts, const ViewState& stat
   const Vec2 legend = state.hud ? legend_size(facts, state, layout.em) : Vec2(0, 0);
   const double side = wants_inset ? layout.inset.width : 0;
   using enum Corner;
-  Layout below_alarm = layout;
-  below_alarm.scene.height -= alarm_line(facts, layout).height;
-  const auto boxes = places.place(below_alarm,
+  const auto boxes = places.place(below_alarm(facts.alarm, layout),
                                   {{hud.x(), hud.y(), {top_left, top_right, bottom_right}},
                                    {side, side, {top_right, bottom_right, top_left, bottom_left}},
                                    {legend.x(), legend.y(), {bottom_left, bottom_right, top_left}}},

@@ -3,7 +3,6 @@
 #include <vtkContextMouseEvent.h>
 #include <vtkContextScene.h>
 #include <vtkObjectFactory.h>
-#include <vtkTextProperty.h>
 #include <vtkTooltipItem.h>
 #include <vtkVector.h>
 
@@ -11,7 +10,6 @@
 #include <cmath>
 
 #include "view/panel_plots_vtk.hpp"
-#include "view/text_width_vtk.hpp"
 #include "view/theme_device_vtk.hpp"
 
 namespace fingerpad {
@@ -30,9 +28,8 @@ PanelChart::PanelChart() {
     axis->SetGridVisible(position == vtkAxis::LEFT || position == vtkAxis::BOTTOM);
   }
   // Behind the axes that have just come in front of it.
-  vtkNew<vtkTooltipItem> tooltip;
-  tooltip->SetVisible(false);
-  this->SetTooltip(tooltip);
+  label_->SetVisible(false);
+  this->SetTooltip(label_);
 }
 
 void PanelChart::add_backdrop(std::function<void(Drawing&, const PanelFrame&)> draw) {
@@ -44,7 +41,7 @@ void PanelChart::add_backdrop(std::function<void(Drawing&, const PanelFrame&)> d
 void PanelChart::show(const ChartPanel& panel, const ChartLayout::Panel& placed, double em,
                       const ChartBand* band, const Box& strip) {
   if (this->GetNumberOfPlots() > 0) this->ClearPlots();
-  set_font(this->GetTooltip()->GetTextProperties(), em, false);
+  label_->set_em(em);
   const std::string foot_label = placed.foot ? panel.x_label : "";
   left_->set_look({em, true, fitting_y_label(panel, placed.frame.height, em), placed.y_label_x});
   bottom_->set_look({em, placed.foot, foot_label, placed.frame.bottom - 2.25 * em});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <vtkChartXY.h>
+#include <vtkNew.h>
 
 #include <functional>
 
@@ -8,6 +9,7 @@
 #include "view/chart_layout.hpp"
 #include "view/chart_marks.hpp"
 #include "view/panel_axis_vtk.hpp"
+#include "view/value_label_vtk.hpp"
 
 namespace fingerpad {
 
@@ -47,6 +49,7 @@ class PanelChart : public vtkChartXY {
   // The chart frees the axes that SetAxis gives it.
   PanelAxis *left_ = PanelAxis::New(), *bottom_ = PanelAxis::New(), *right_ = PanelAxis::New(),
             *top_ = PanelAxis::New();
+  vtkNew<ValueLabel> label_;
   Axis all_x_{0, 0, false, {}, {}, {}};
 };
 

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/number_text.hpp"
 #include "view/drawing_item_vtk.hpp"
 #include "view/panel_axis_vtk.hpp"
 
@@ -95,8 +96,8 @@ bool CurvePlot::Paint(vtkContext2D* painter) {
 vtkStdString CurvePlot::GetTooltipLabel(const vtkVector2d&, vtkIdType point, vtkIdType) {
   const auto i = static_cast<std::size_t>(point);
   if (i >= curve_.x.size() || i >= curve_.y.size()) return "";
-  return fmt::format("{}{}{:.4g}{} at {:.5g}{}", curve_.name, curve_.name.empty() ? "" : ": ", curve_.y[i],
-                     y_unit_, curve_.x[i], x_unit_);
+  return fmt::format("{}{}{}{} at {}{}", curve_.name, curve_.name.empty() ? "" : ": ",
+                     rounded_text(curve_.y[i], 4), y_unit_, rounded_text(curve_.x[i], 5), x_unit_);
 }
 
 bool BackdropPlot::Paint(vtkContext2D* painter) {

@@ -152,7 +152,7 @@ std::optional<double> Stage::close_up_half_height_mm() const {
 /// Finds room for what lies over the scene, and shows the close-up where it has some.
 void Stage::place_overlay(OverlayFacts& facts, const GlyphInk& ink) {
   const std::optional<double> half_mm = close_up_half_height_mm();
-  facts.panels = panels_.boxes(layout_);
+  facts.panels = panels_.boxes(panel_layout());
   const auto on_screen = [this](const Vec3& p_mm) { return view_.on_screen(p_mm); };
   const double arrows_mm_per_n = state_.forces ? facts.mm_per_n : 0;
   const InSight in_sight =
@@ -216,7 +216,7 @@ void Stage::render() {
   project_labels(facts, choice);
   project_marks(facts);
   auto overlay = std::make_shared<Drawing>(ground_drawing(facts, state_, layout_));
-  if (!state_.help) panels_.paint(*overlay, layout_);
+  if (!state_.help) panels_.paint(*overlay, panel_layout());
   overlay->append(overlay_drawing(facts, state_, layout_));
   drawings.push_back(std::move(overlay));
   item_->show(std::move(drawings));
@@ -250,7 +250,7 @@ std::optional<double> Stage::time_at(double x_px, double y_px) const {
 
 PointedScene Stage::pointed() const {
   PointedScene pointed = view_.pointed();
-  pointed.panels = panels_.boxes(layout_);
+  pointed.panels = panels_.boxes(panel_layout());
   return pointed;
 }
 

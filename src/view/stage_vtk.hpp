@@ -83,8 +83,9 @@ class Stage {
   void put(const Scene& scene) { shown_.put(scene); }
   /// The scene and the surfaces as they are at the moment shown; without rows.
   const ViewInput& now() const { return shown_.now(); }
-  /// Lists over the scene.
+  /// Lists over the scene, and the layout that they stand in: below what has gone wrong.
   SidePanels& panels() { return panels_; }
+  Layout panel_layout() const { return below_alarm(words_.alarm, layout_); }
   /// Places that somebody marked, and the distance of two.
   void show_marks(PlaceMarks marks) { marks_ = std::move(marks); }
   void show_chart(Chart chart) { column_.show(std::move(chart)); }

@@ -4,6 +4,7 @@
 
 #include <filesystem>
 
+#include "base/number_text.hpp"
 #include "part/part.hpp"
 #include "touch/world.hpp"
 
@@ -27,7 +28,8 @@ std::vector<std::string> about_lines(const ViewInput& input) {
     const Vec3 size_mm = 2e3 * surface.part->half_extent;
     lines.push_back(fmt::format("{}: {} triangles", surface_name(*input.world, static_cast<int>(i), 40),
                                 surface.part->triangle_count()));
-    lines.push_back(fmt::format("{:.4g} x {:.4g} x {:.4g} mm", size_mm.x(), size_mm.y(), size_mm.z()));
+    lines.push_back(fmt::format("{} x {} x {} mm", rounded_text(size_mm.x(), 4), rounded_text(size_mm.y(), 4),
+                                rounded_text(size_mm.z(), 4)));
     if (i >= input.world->verdicts.size()) continue;
     const Verdict& verdict = input.world->verdicts[i];
     lines.emplace_back(verdict.closed ? "closed" : "open");

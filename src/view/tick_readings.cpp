@@ -6,21 +6,25 @@
 #include <cmath>
 #include <string>
 
+#include "base/number_text.hpp"
+
 namespace fingerpad {
 namespace {
 
 std::string short_time(double seconds) {
-  if (seconds >= 1) return fmt::format("{:.2g} s", seconds);
-  return seconds < 1e-3 ? fmt::format("{:.3g} us", 1e6 * seconds) : fmt::format("{:.2g} ms", 1e3 * seconds);
+  if (seconds >= 1) return fmt::format("{} s", rounded_text(seconds, 2));
+  return seconds < 1e-3 ? fmt::format("{} us", rounded_text(1e6 * seconds, 3))
+                        : fmt::format("{} ms", rounded_text(1e3 * seconds, 2));
 }
 
 }  // namespace
 
 std::vector<Reading> timing_readings(const ServoTiming& timing) {
-  return {{"median tick", short_time(timing.tick_s(0.5))},
-          {"99.9 % of ticks", short_time(timing.tick_s(0.999))},
-          {"late ticks", fmt::format("{} ({:.2g} %)", timing.late_ticks, 100 * timing.late_share())},
-          {"latest", short_time(timing.worst_late_s)}};
+  return {
+      {"median tick", short_time(timing.tick_s(0.5))},
+      {"99.9 % of ticks", short_time(timing.tick_s(0.999))},
+      {"late ticks", fmt::format("{} ({} %)", timing.late_ticks, rounded_text(100 * timing.late_share(), 2))},
+      {"latest", short_time(timing.worst_late_s)}};
 }
 
 TickBars tick_bars(const TimeCounts& times) {

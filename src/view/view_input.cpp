@@ -5,6 +5,7 @@
 #include <filesystem>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "contact/triangle_tree.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/contact_choice.hpp"
@@ -70,7 +71,8 @@ std::string subtitle_of(const ViewInput& input, const std::string& beside) {
   words.push_back(input.scene->friction.law);
   if (input.world && !input.world->surfaces.empty()) {
     const SurfaceProperties& surface = input.world->surfaces.front().properties;
-    words.push_back(fmt::format("mu {:.3g}/{:.3g}", surface.mu_static, surface.mu_dynamic));
+    words.push_back(
+        fmt::format("mu {}/{}", rounded_text(surface.mu_static, 3), rounded_text(surface.mu_dynamic, 3)));
     const ContactChoice contact = settled_contact(*input.scene, *input.world);
     words.push_back(input.contact_words.empty()
                         ? fmt::format("{} {}", method_in(*input.world, contact.method), contact.normals->name)

@@ -55,7 +55,7 @@ void WindowMouse::on_panel(const PanelHit& hit) {
 
 /// What the mouse does on a panel goes no further; a button pressed beside it is not its.
 bool WindowMouse::on_panels(unsigned long event, int x, int y) {
-  const auto hit = stage_.panels().hit(stage_.layout(), x, y);
+  const auto hit = stage_.panels().hit(stage_.panel_layout(), x, y);
   switch (event) {
     case vtkCommand::LeftButtonPressEvent:
       on_panel_ = hit.has_value();

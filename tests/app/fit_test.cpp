@@ -109,7 +109,7 @@ TEST_F(Fit, SaysWhatItUnderstoodAndWarnsOfAUnitThatIsNoFingers) {
   EXPECT_EQ(centimetres.exit_code, 0);
   EXPECT_THAT(centimetres.err, HasSubstr("warning: mm.csv: its positions reach over 5"));
   const auto microseconds = fit(shipped.string() + " --time-unit ms --out a.toml");
-  EXPECT_THAT(microseconds.err, HasSubstr("1e+06 samples a second, at which no finger is measured"));
+  EXPECT_THAT(microseconds.err, HasSubstr("1000000 samples a second, at which no finger is measured"));
 }
 
 TEST_F(Fit, OneTrialEndsWithWhatItLacksForAScene) {
@@ -139,7 +139,8 @@ TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
       << "t_s,x_m,y_m,z_m,fz_n\n0,0,0,0,1\n0.001,0,0,0,1\n0.002,0,0,0,1\n";
   const auto normal_only = fit("normal_only.csv --out none.toml");
   EXPECT_EQ(normal_only.exit_code, 3);
-  EXPECT_THAT(normal_only.err, HasSubstr("nothing can be fitted: normal_only.csv: column fx_n missing"));
+  EXPECT_THAT(normal_only.err,
+              HasSubstr("error: normal_only.csv: nothing can be fitted: column fx_n missing"));
   EXPECT_THAT(normal_only.err, HasSubstr("say --columns fx=NAME,fy=NAME,fz=NAME"));
   EXPECT_FALSE(fs::exists(folder / "none.toml"));
   const auto both = fit("normal_only.csv " + shipped.string() + " --out both.toml");

@@ -90,6 +90,15 @@ TEST(LiveNetwork, ADeviceMovesTheFingerFeelsTheForceAndTheTraceHasBoth) {
   EXPECT_GT(same, 50);
 }
 
+TEST(LiveNetwork, ADeviceThatSendsTooSeldomIsToldSoAtOnceAndAtTheEnd) {
+  LiveRun run;
+  run.go("--seconds 1 --rate 40 --press 0.003");
+  ASSERT_EQ(run.shell.exit_code, 0) << run.shell.err;
+  EXPECT_THAT(run.shell.err, HasSubstr("fingerpad: network: the device sends too seldom: no packet on "));
+  EXPECT_THAT(run.shell.err, testing::ContainsRegex("for 20 ms lifted the finger [0-9]+ times: the device "
+                                                    "sends too seldom"));
+}
+
 /// To the last bit.
 std::vector<std::uint64_t> forces_of(const Trace& trace) {
   std::vector<std::uint64_t> forces;

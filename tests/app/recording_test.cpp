@@ -41,7 +41,7 @@ TEST(Recording, ThatNeverTouchesIsAWarningEvenOfAQuietRun) {
     EXPECT_EQ(
         result.err,
         "fingerpad: warning: s: the motion never touches: it comes nearest at t = 1 s, 2000 mm from plane "
-        "0; the motion spans 3e+04 x 0 x 3000 mm: check [motion] unit\n");
+        "0; the motion spans 30000 x 0 x 3000 mm: check [motion] unit\n");
   }
 }
 

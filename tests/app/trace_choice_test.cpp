@@ -78,6 +78,30 @@ TEST(ChosenColumns, WhatIsNotThereIsNamedByWhoeverNeedsIt) {
 }
 
 #ifdef FINGERPAD_VIEW
+TEST(ChosenColumns, OfACsvAreNotCalledMeasurementsNorOneFileSeveral) {
+  const fs::path folder = folder_with_scene();
+  ASSERT_EQ(replay(folder, "--out o --columns fn_n,mu --every 10 --format csv").exit_code, 0);
+  const auto shown = test::fingerpad("plot o/s.csv --show spectrum --out p.svg", folder);
+  EXPECT_EQ(shown.exit_code, 3);
+  EXPECT_THAT(shown.err, HasSubstr("o/s.csv: holds some of a trace's columns alone, measured or written by "
+                                   "replay --columns, and --show spectrum needs a whole trace"));
+  const auto over = test::fingerpad("plot o/s.csv --over s --out p.svg", folder);
+  EXPECT_EQ(over.exit_code, 3);
+  EXPECT_THAT(over.err, HasSubstr("o/s.csv: does not tell what the finger touched"));
+  EXPECT_THAT(over.err, HasSubstr("none that replay --columns wrote"));
+}
+
+TEST(EveryNthTick, IsToldByAPlotOfSomeColumns) {
+  const fs::path folder = folder_with_scene();
+  for (const std::string format : {"h5", "csv"}) {
+    ASSERT_EQ(replay(folder, "--out o --columns fn_n,mu --every 10 --format " + format).exit_code, 0);
+    const auto result = test::fingerpad("plot o/s." + format + " --out p.svg", folder);
+    ASSERT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr(": 1 tick in 10 is here")) << format;
+    EXPECT_THAT(bytes_of(folder / "p.svg"), HasSubstr(": 1 tick in 10 is here")) << format;
+  }
+}
+
 TEST(ChosenColumns, AreAllPlotted) {
   const fs::path folder = folder_with_scene();
   for (const std::string format : {"h5", "csv"}) {
@@ -133,6 +157,47 @@ TEST(EveryNthTick, IsToldByACsvTraceItself) {
               HasSubstr("spoilt.csv:12: column 'every' says 11, and 10 in the row before"));
   EXPECT_THAT(refusal_of(text.size() - 1, "0"), HasSubstr("'0' in column 'every' is no whole number from 1"));
   EXPECT_THAT(refusal_of(text.size() - 1, "1.5"), HasSubstr("'1.5' in column 'every'"));
+}
+
+TEST(EveryNthTick, IsToldByACsvOfSomeColumnsToo) {
+  const fs::path folder = folder_with_scene();
+  ASSERT_EQ(replay(folder, "--out o --columns fn_n,mu --every 10 --format csv").exit_code, 0);
+  const std::string csv = (folder / "o" / "s.csv").string(), text = bytes_of(csv);
+  EXPECT_TRUE(text.starts_with("t_s,fn_n,mu,every\n0,"));
+  EXPECT_EQ(every_of_csv(csv), 10u);
+  const Trace thin = read_trace(csv, TraceContents::some_rows);
+  EXPECT_EQ(thin.info.every, 10u);
+  const std::vector<std::string> columns{"t_s", "fn_n", "mu"};
+  EXPECT_EQ(thin.info.columns, columns);
+  ASSERT_EQ(replay(folder, "--out h --columns fn_n,mu --every 10").exit_code, 0);
+  for (const char* trace : {"o/s.csv", "h/s.h5"}) {
+    ASSERT_EQ(test::fingerpad(std::string("export ") + trace + " --out e.csv --quiet", folder).exit_code, 0);
+    EXPECT_EQ(bytes_of(folder / "e.csv"), text) << trace;
+  }
+  ASSERT_EQ(replay(folder, "--out all --columns fn_n,mu --format csv").exit_code, 0);
+  EXPECT_TRUE(bytes_of(folder / "all" / "s.csv").starts_with("t_s,fn_n,mu\n"));
+  EXPECT_EQ(every_of_csv((folder / "all" / "s.csv").string()), 1u);
+}
+
+TEST(EveryNthTick, IsNoMotionNorMeasurementWithoutAWarning) {
+  const fs::path folder = folder_with_scene();
+  const std::string columns = " --columns x_m,y_m,z_m,fx_n,fy_n,fz_n --format csv";
+  ASSERT_EQ(replay(folder, "--out h5 --every 5").exit_code, 0);
+  ASSERT_EQ(replay(folder, "--out csv --every 5 --format csv").exit_code, 0);
+  ASSERT_EQ(replay(folder, "--out some --every 5" + columns).exit_code, 0);
+  ASSERT_EQ(replay(folder, "--out all" + columns).exit_code, 0);
+  const std::string words = ": is a trace with 1 row in 5 ticks (replay --every): ";
+  for (const std::string trace : {"h5/s.h5", "csv/s.csv", "some/s.csv", "all/s.csv"}) {
+    std::ofstream(folder / "again.toml") << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\n"
+                                            "rate_hz = 1000\nfile = \""
+                                         << trace << "\"\n";
+    const bool is_thin = trace != "all/s.csv";
+    const auto replayed = test::fingerpad("replay again.toml --out r --quiet", folder);
+    EXPECT_EQ(replayed.exit_code, 0) << replayed.err;
+    EXPECT_EQ(replayed.err.find("warning: " + trace + words) != std::string::npos, is_thin) << replayed.err;
+    const auto fitted = test::fingerpad("fit " + trace + " --out p.toml --quiet", folder);
+    EXPECT_EQ(fitted.err.find("warning: " + trace + words) != std::string::npos, is_thin) << fitted.err;
+  }
 }
 
 TEST(ChosenTraces, AreKeptByResumeWhereTheChoiceIsTheSame) {

@@ -22,6 +22,21 @@ TEST(NumberText, ReadsBackAsTheSameBits) {
   }
 }
 
+TEST(RoundedText, IsWrittenOutForAPerson) {
+  EXPECT_EQ(rounded_text(148, 2), "150");
+  EXPECT_EQ(rounded_text(1234567, 3), "1230000");
+  EXPECT_EQ(rounded_text(-56712.5, 3), "-56700");
+  EXPECT_EQ(rounded_text(100, 2), "100");
+  EXPECT_EQ(rounded_text(99.96, 3), "100");
+  EXPECT_EQ(rounded_text(999.7, 3), "1000");
+  EXPECT_EQ(rounded_text(0.012345, 3), "0.0123");
+  EXPECT_EQ(rounded_text(0, 3), "0");
+  EXPECT_EQ(rounded_text(2e-7, 3), "2e-07") << "nobody counts zeros";
+  EXPECT_EQ(rounded_text(3.2e12, 3), "3.2e+12");
+  EXPECT_EQ(rounded_text(-std::numeric_limits<double>::quiet_NaN(), 3), "nan");
+  EXPECT_EQ(rounded_text(std::numeric_limits<double>::infinity(), 3), "inf");
+}
+
 TEST(NumberText, IsTheShortestForm) {
   EXPECT_EQ(number_text(0.1), "0.1");
   EXPECT_EQ(number_text(1.0 / 3), "0.3333333333333333");

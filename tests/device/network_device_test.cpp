@@ -133,6 +133,40 @@ TEST(NetworkDevice, SaysThatNobodyIsHeardAndWhereItListens) {
   EXPECT_EQ(rig.device->trouble(), "");
 }
 
+TEST(NetworkDevice, KeepsTellingOfASilenceForASecondAndOfTooFewPacketsForAsLongAsTheyAre) {
+  Rig rig;
+  Peer peer(*rig.device);
+  const std::string none = "no packet on " + rig.device->name() + " (UDP) for 20 ms";
+  std::uint32_t sent = 0;
+  const auto say = [&] {
+    peer.say(++sent, {0, 0, 0.01});
+    rig.tick_after(sent);
+  };
+  const auto fall_silent = [&] {
+    test_clock_ns += 25'000'000;
+    rig.tick_after(sent);
+  };
+  say();
+  fall_silent();
+  EXPECT_EQ(rig.device->trouble(), none + ": finger lifted");
+  say();
+  EXPECT_EQ(rig.device->trouble(), none + ": finger was lifted") << "for a person to read";
+  test_clock_ns += 1'000'000'000;
+  say();
+  EXPECT_EQ(rig.device->trouble(), "");
+  for (int k = 0; k < 5; ++k) {
+    fall_silent();
+    const std::string words = rig.device->trouble();
+    say();
+    if (k == 0) continue;
+    EXPECT_EQ(words, "the device sends too seldom: " + none + " lifts the finger, again and again");
+    EXPECT_EQ(rig.device->trouble(), words) << "the same, or it would flicker";
+  }
+  EXPECT_EQ(rig.device->closing_words(),
+            "8 packets accepted, 0 dropped; no packet for 20 ms lifted the finger 6 times: the device sends "
+            "too seldom (or watchdog_s in [device] is too short)");
+}
+
 TEST(NetworkDevice, TellsThatTheWatchdogHasTrippedAndStopsByTheBit) {
   Rig rig;
   Peer peer(*rig.device);

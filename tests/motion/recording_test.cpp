@@ -162,7 +162,7 @@ TEST(Recording, IsTakenAtEvenSteps) {
   Motion gap = recorded(20, 100, [](double t) { return t; });
   gap.t_s.back() = 1000;
   EXPECT_THAT(test::why_not([&] { evenly_sampled(gap, recording_clock(gap.t_s)); }),
-              HasSubstr("too uneven to be resampled: 20 samples, but 1e+05 steps"));
+              HasSubstr("too uneven to be resampled: 20 samples, but 100000 steps"));
 }
 
 TEST(Recording, KeepsTheLastSampleThatRoundingHasPutBeforeItsTick) {

@@ -105,7 +105,7 @@ TEST(RecordingJob, AMotionInAnotherUnitIsToldThatItNeverTouches) {
     EXPECT_THAT(job.warnings[0],
                 AllOf(HasSubstr("s: the motion never touches: it comes nearest at t = "),
                       HasSubstr("from part 0 (box.ply)"), HasSubstr("the part is 100 x 60 x 20 mm"),
-                      HasSubstr("the motion spans 8e+04 x 1e+04 x 2.3e+04 mm"),
+                      HasSubstr("the motion spans 80000 x 10000 x 23000 mm"),
                       HasSubstr("check [motion] unit and [[part]] unit")));
   }
   EXPECT_THAT(run(folder, scene + "unit = \"mm\"\n").warnings,

@@ -58,7 +58,7 @@ TEST(WildMotion, ALoopThatDivergesIsAFailedJobThatSaysSo) {
   run(jobs, folder / "out");
   EXPECT_EQ(jobs[0].exit_code, 3);
   EXPECT_THAT(jobs[0].status, AllOf(HasSubstr("stiff.toml: the hand's loop diverged at t = "),
-                                    HasSubstr("stiffness_n_per_m 1e+06 is above 1001 N/m")));
+                                    HasSubstr("stiffness_n_per_m 1000000 is above 1001 N/m")));
   EXPECT_EQ(jobs[1].status, "ok");
   const std::string summary = summary_of(folder / "out");
   EXPECT_THAT(summary, AllOf(HasSubstr("\nstiff,0,"), HasSubstr("diverged"), HasSubstr("\nsoft,0,ok,")));

@@ -71,7 +71,7 @@ TEST(MeasurementDoubts, ASaidUnitThatIsHardlyAFingersIsToldAsAWarning) {
   const auto tiny = [](RecordedTrial& trial) { trial.position_W *= 5e-3; };
   EXPECT_THAT(warned(tiny, true), ElementsAre(HasSubstr("mm, less than a finger rubs")));
   const auto quick = [](RecordedTrial& trial) { trial.rate_hz *= 1e3; };
-  EXPECT_THAT(warned(quick, true), ElementsAre(HasSubstr("1e+06 samples a second"),
+  EXPECT_THAT(warned(quick, true), ElementsAre(HasSubstr("1000000 samples a second"),
                                                HasSubstr("positions go at 37.3 m/s, faster")));
   const auto slow = [](RecordedTrial& trial) { trial.rate_hz *= 1e-2; };
   EXPECT_THAT(warned(slow, true), ElementsAre(HasSubstr("10 samples a second")));

@@ -91,7 +91,7 @@ TEST_F(MeasurementField, WhatARowOfUnitsTellsIsNotAskedForAgain) {
   const MeasurementFormat format = named(plain_keys);
   const RecordedMeasurement told = read(rows(head + "s,m,m,m,N,N,N", {-0.5, 0, 1}), format);
   EXPECT_NO_THROW(refuse_doubtful(told, format, 0));
-  EXPECT_THAT(doubts_of(told, format), Contains(HasSubstr("its positions reach over 1.9e+04 mm, farther")));
+  EXPECT_THAT(doubts_of(told, format), Contains(HasSubstr("its positions reach over 19000 mm, farther")));
   EXPECT_THAT(told.notes, Contains(HasSubstr("s.csv: units as the line below its header has them: a time is "
                                              "1 s, a position is 1 m, a force is 1 N")));
   MeasurementFormat in_metres = format;  // of the program's own tables

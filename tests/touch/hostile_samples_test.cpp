@@ -173,7 +173,7 @@ TEST(ClosedLoop, SaysThatItDivergedAndWhichStiffnessItWouldHold) {
   ASSERT_TRUE(loop.has_diverged());
   EXPECT_LT(ticks, loop.tick_count());
   // SCIENCE 4: 2 b/T is 1000 N/m, the finger's inertia gives a thousandth more.
-  EXPECT_NE(loop.divergence().find("stiffness_n_per_m 1e+06 is above 1001 N/m"), std::string::npos)
+  EXPECT_NE(loop.divergence().find("stiffness_n_per_m 1000000 is above 1001 N/m"), std::string::npos)
       << loop.divergence();
 }
 

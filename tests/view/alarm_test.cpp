@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <variant>
 
 #include "view/event_clock.hpp"
 #include "view/png_vtk.hpp"
@@ -33,6 +34,41 @@ TEST(Alarm, IsALineInRedAcrossTheScene) {
   stage.words().alarm.clear();
   stage.render();
   EXPECT_EQ(red_pixels(pixels_of(stage.window())), before);
+}
+
+TEST(Alarm, IsToldWholeInASmallWindowToo) {
+  OverlayFacts facts;
+  facts.alarm =
+      "STOPPED: no force until g, and the device, release it; no packet on 127.0.0.1:47110 (UDP) for 20 ms: "
+      "finger lifted";
+  for (const auto& [width, height] : {std::pair(1280, 800), std::pair(640, 480), std::pair(400, 300)}) {
+    const Layout layout = layout_for(width, height, true, false);
+    const Box red = alarm_line(facts.alarm, layout);
+    std::string told;
+    const Drawing drawing = overlay_drawing(facts, {}, layout);
+    for (const Drawing::Mark& mark : drawing.marks()) {
+      const auto* const text = std::get_if<Drawing::Text>(&mark);
+      if (text == nullptr || !red.holds(text->at.x(), text->at.y())) continue;
+      told += (told.empty() ? "" : " ") + text->words;
+      EXPECT_LE(text->at.x() + text_width(text->words, text->style.size, text->style.bold), red.right());
+      EXPECT_GE(text->at.y() - 0.6 * text->style.size, red.bottom) << width;
+    }
+    EXPECT_EQ(told, facts.alarm) << width;
+  }
+}
+
+TEST(Alarm, HasListsBelowIt) {
+  const VirtualScreen screen;
+  const ViewInput input = test::torus_rub(0.2);
+  Stage stage(input, 640, 480, true, true);
+  stage.panels().show({"material", "material", {{PanelRow::Kind::value, "mu static", "0.3"}}});
+  const auto list = [&] { return stage.panels().boxes(stage.panel_layout()).front(); };
+  const double top = list().top();
+  stage.words().alarm = "NOT RECORDED any longer: run.h5: cannot be written: No space left on device";
+  EXPECT_LT(list().top(), alarm_line(stage.words().alarm, stage.layout()).bottom);
+  EXPECT_EQ(stage.pointed().panels.front().top(), list().top()) << "where the mouse finds it";
+  stage.words().alarm.clear();
+  EXPECT_EQ(list().top(), top);
 }
 
 TEST(EventClock, KeepsTheServersOwnSteps) {

@@ -175,7 +175,7 @@ TEST(ComparedRun, OfATableHasItsMeasuredColumns) {
     return test::why_not([&] { read_compared_run((folder / name).string(), over, -all, all); });
   };
   EXPECT_THAT(read("tea.csv", Over::time), HasSubstr("plot takes traces, and tables with t_s"));
-  EXPECT_THAT(read("point.csv", Over::travel), HasSubstr("only traces are drawn over travel or turn"));
+  EXPECT_THAT(read("point.csv", Over::travel), HasSubstr("only whole traces are drawn over travel or turn"));
   std::ofstream(folder / "back.csv") << "t_s,fx_n\n1,2\n0.5,2\n";
   EXPECT_THAT(read("back.csv", Over::time), HasSubstr("back.csv:3: its time goes back"));
 }

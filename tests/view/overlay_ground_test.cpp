@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <variant>
 
 #include "view/overlay.hpp"
@@ -51,6 +52,48 @@ TEST(Axes, HaveTheirLettersOnPlates) {
     ASSERT_TRUE(plate) << name;
     EXPECT_GT(plate->fill.opacity, 0.8) << "grey letters on a grey part";
     EXPECT_EQ(plate->fill.red, 255);
+  }
+}
+
+TEST(CloseUp, HasAHeadThatFitsItsFrame) {
+  OverlayFacts facts;
+  facts.row = TickRecord{};
+  facts.row->phase = Phase::stick;
+  facts.row->walls = 2;
+  facts.px_per_mm = 1;
+  facts.inset_px_per_mm = 7.2;
+  for (const auto& [width, height, head] :
+       {std::tuple(400, 300, "2 walls, 7.2x"), std::tuple(1280, 800, "contact, 2 walls, 7.2x")}) {
+    const Layout layout = layout_for(width, height, true, false);
+    facts.inset = layout.inset;
+    bool is_there = false;
+    const Drawing drawing = ground_drawing(facts, {}, layout);
+    for (const Drawing::Mark& mark : drawing.marks()) {
+      const auto* const text = std::get_if<Drawing::Text>(&mark);
+      if (text == nullptr || !text->words.ends_with("7.2x")) continue;
+      is_there = true;
+      EXPECT_EQ(text->words, head);
+      EXPECT_LT(text_width(text->words, text->style.size, text->style.bold), facts.inset.width);
+    }
+    EXPECT_TRUE(is_there);
+  }
+}
+
+TEST(CloseUp, LeavesOutWhichWayIsUpWhereItsScaleNeedsTheRoom) {
+  OverlayFacts facts;
+  facts.row = TickRecord{};
+  facts.row->phase = Phase::stick;
+  facts.px_per_mm = 1;
+  facts.inset_px_per_mm = 17;
+  for (const auto& [width, height, is_told] : {std::tuple(400, 300, false), std::tuple(1280, 800, true)}) {
+    const Layout layout = layout_for(width, height, true, true);
+    facts.inset = layout.inset;
+    const Drawing drawing = ground_drawing(facts, {}, layout);
+    const auto is_up = [](const Drawing::Mark& mark) {
+      const auto* const text = std::get_if<Drawing::Text>(&mark);
+      return text != nullptr && text->words == "up: finger";
+    };
+    EXPECT_EQ(std::ranges::any_of(drawing.marks(), is_up), is_told) << width;
   }
 }
 

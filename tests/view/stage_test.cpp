@@ -13,6 +13,7 @@
 #include "view/rub.hpp"
 #include "view/screen.hpp"
 #include "view/touch_chart.hpp"
+#include "view/value_label_vtk.hpp"
 
 namespace fingerpad::test {
 namespace {
@@ -42,6 +43,19 @@ TEST(Stage, PaintsTheValueThatTheMouseAsksFor) {
   stage.render();
   // A box of a dozen letters.
   EXPECT_GT(pixels_that_differ(before, pixels_of(stage.window())), 500);
+}
+
+TEST(ValueLabel, StandsWholeInTheWindowWhereverTheMouseIs) {
+  for (double x = 0; x <= 640; x += 16) {
+    for (double y = 0; y <= 480; y += 16) {
+      const Box box = value_label_box({x, y}, {190, 16}, 640, 480);
+      EXPECT_GE(box.left, 0);
+      EXPECT_GE(box.bottom, 0);
+      EXPECT_LE(box.right(), 640);
+      EXPECT_LE(box.top(), 480);
+      EXPECT_FALSE(box.holds(x, y)) << "it would hide what is pointed at: " << x << ", " << y;
+    }
+  }
 }
 
 TEST(Stage, OfALiveTouchShowsThePartBesideTheReadings) {
