@@ -24,7 +24,7 @@ struct BatchOptions {
   bool traces = true;       ///< false: the figures alone are kept, in the summary
   int threads = 1;
   std::size_t memory_bytes =
-      0;  ///< bounds the meshes that are kept; 0: as many as there are threads, and one
+      0;  ///< bounds the meshes that are kept; 0: those of as many jobs as there are threads, and of one more
   bool resume = false;
   int shard = 1;        ///< this call's share of the jobs, from 1
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1

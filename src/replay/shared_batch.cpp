@@ -69,7 +69,7 @@ class RankWork {
   }
 
   void run(const std::function<void(const BatchJob&)>& on_done) {
-    runner_.run([this] { return next(); },
+    runner_.run([this](std::size_t) { return next(); },
                 [&](std::size_t job) {
                   ended(job);
                   on_done(jobs_[job]);
