@@ -38,8 +38,9 @@ struct BatchOptions {
   /// they were done: "OUT: process 12 on HOST (COMMAND) ..."; by the last, of ranks that never came. May be
   /// empty.
   std::function<void(const std::string&)> on_unfinished;
-  /// Told, by the process that comes first, where a summary of other scenes is kept, and that what another
-  /// build of the program has made is not. May be empty.
+  /// Told, by the process that comes first, where a summary of other scenes is kept, which traces of an
+  /// earlier run stay that are of none of these jobs, and that what another build of the program has made is
+  /// made again. May be empty.
   std::function<void(const std::string&)> on_kept;
   /// Told now and then, on a rank, how many jobs the other ranks have ended. May be empty.
   std::function<void(std::size_t)> on_elsewhere;

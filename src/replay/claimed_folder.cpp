@@ -12,6 +12,7 @@
 #include "base/path_words.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_proof.hpp"
+#include "replay/stale_traces.hpp"
 #include "replay/summary.hpp"
 
 namespace fingerpad {
@@ -102,6 +103,10 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
     if (options.on_kept && !kept.empty()) options.on_kept(kept);
     if (options.on_kept && options.resume) {
       const std::string words = words_of_other_build(jobs, options);
+      if (!words.empty()) options.on_kept(words);
+    }
+    if (options.on_kept) {
+      const std::string words = words_of_stale_traces(jobs, options);
       if (!words.empty()) options.on_kept(words);
     }
     std::error_code ignored;
