@@ -86,6 +86,10 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
     throw Error(ErrorKind::fault, options.out_dir,
                 fmt::format("rank {} writes nothing there: what started it is gone", ranks.rank));
   if (!RunLock::is_registered(options.out_dir, ranks.run) && has_ended(options, ranks)) return nullptr;
+  // Of its run nobody has come: who works there is another run, or has just ended, and its tables stay.
+  if (!ranks.is_root() && !RunLock::is_registered(options.out_dir, ranks.run) && options.should_stop &&
+      options.should_stop())
+    throw StoppedBeforeTheFirst();
   const bool others_came = ranks.are_many() && RunLock::is_registered(options.out_dir, ranks.run);
   if (!others_came) {
     refuse_collisions(jobs, options);
