@@ -210,10 +210,10 @@ void add_replay(CLI::App& program, Action& action) {
       ->check(CLI::Range(1L, 1000000000L))
       ->capture_default_str();
   command
-      ->add_option(
-          "--memory", options->batch.memory_bytes,
-          "Keep as many meshes loaded as fit into this, such as 500M or 4G, beside those in use; without "
-          "it one more than --jobs")
+      ->add_option("--memory", options->batch.memory_bytes,
+                   "Keep as many meshes loaded as fit into this, such as 500M or 4G, beside those in use, "
+                   "and begin with "
+                   "no further one beyond it; without it those of one job more than --jobs")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false));
   command->add_flag(

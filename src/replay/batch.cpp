@@ -2,14 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <atomic>
 #include <filesystem>
 #include <set>
 
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/claimed_folder.hpp"
-#include "replay/job_order.hpp"
+#include "replay/job_queue.hpp"
 #include "replay/job_runner.hpp"
 #include "replay/shared_batch.hpp"
 #include "replay/summary.hpp"
@@ -59,14 +58,12 @@ BatchEnd run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, con
     end.lost = write_job_index(jobs, options);  // before the jobs: then a killed run has said which is which
   });
   const std::vector<std::size_t> ours = jobs_of_shard(jobs.size(), options);
-  const JobOrder order = order_by_cost(jobs, ours);
   JobRunner runner(jobs, options);
   runner.expect(ours);
-  std::atomic<std::size_t> begun{0};
-  const auto next = [&]() -> std::optional<std::size_t> {
+  JobQueue queue(order_by_cost(jobs, ours), [&] { return runner.has_room_for_a_mesh(); });
+  const auto next = [&](std::size_t thread) -> std::optional<std::size_t> {
     if (options.should_stop && options.should_stop()) return std::nullopt;
-    const std::size_t k = begun++;
-    return k < order.jobs.size() ? std::optional<std::size_t>(order.jobs[k]) : std::nullopt;
+    return queue.next(thread);
   };
   runner.run(next, [&](std::size_t job) { on_done(jobs[job]); });
   mark_not_begun(jobs, ours);

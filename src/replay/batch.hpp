@@ -24,7 +24,7 @@ struct BatchOptions {
   bool traces = true;       ///< false: the figures alone are kept, in the summary
   int threads = 1;
   std::size_t memory_bytes =
-      0;  ///< bounds the meshes that are kept; 0: as many as there are threads, and one
+      0;  ///< bounds the meshes that are kept; 0: those of as many jobs as there are threads, and of one more
   bool resume = false;
   int shard = 1;        ///< this call's share of the jobs, from 1
   int shard_count = 1;  ///< job i of the batch (from 1) belongs to shard (i - 1) mod shard_count + 1
@@ -38,8 +38,9 @@ struct BatchOptions {
   /// they were done: "OUT: process 12 on HOST (COMMAND) ..."; by the last, of ranks that never came. May be
   /// empty.
   std::function<void(const std::string&)> on_unfinished;
-  /// Told, by the process that comes first, where a summary of other scenes is kept, and that what another
-  /// build of the program has made is not. May be empty.
+  /// Told, by the process that comes first, where a summary of other scenes is kept, which traces of an
+  /// earlier run stay that are of none of these jobs, and that what another build of the program has made is
+  /// made again. May be empty.
   std::function<void(const std::string&)> on_kept;
   /// Told now and then, on a rank, how many jobs the other ranks have ended. May be empty.
   std::function<void(std::size_t)> on_elsewhere;

@@ -12,6 +12,7 @@
 #include "base/path_words.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_proof.hpp"
+#include "replay/stale_traces.hpp"
 #include "replay/summary.hpp"
 
 namespace fingerpad {
@@ -85,6 +86,10 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
     throw Error(ErrorKind::fault, options.out_dir,
                 fmt::format("rank {} writes nothing there: what started it is gone", ranks.rank));
   if (!RunLock::is_registered(options.out_dir, ranks.run) && has_ended(options, ranks)) return nullptr;
+  // Of its run nobody has come: who works there is another run, or has just ended, and its tables stay.
+  if (!ranks.is_root() && !RunLock::is_registered(options.out_dir, ranks.run) && options.should_stop &&
+      options.should_stop())
+    throw StoppedBeforeTheFirst();
   const bool others_came = ranks.are_many() && RunLock::is_registered(options.out_dir, ranks.run);
   if (!others_came) {
     refuse_collisions(jobs, options);
@@ -102,6 +107,10 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
     if (options.on_kept && !kept.empty()) options.on_kept(kept);
     if (options.on_kept && options.resume) {
       const std::string words = words_of_other_build(jobs, options);
+      if (!words.empty()) options.on_kept(words);
+    }
+    if (options.on_kept) {
+      const std::string words = words_of_stale_traces(jobs, options);
       if (!words.empty()) options.on_kept(words);
     }
     std::error_code ignored;

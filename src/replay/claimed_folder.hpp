@@ -10,6 +10,10 @@
 
 namespace fingerpad {
 
+/// Thrown by claimed_folder where a rank was told to stop before the first of its run had come: it has
+/// written nothing.
+struct StoppedBeforeTheFirst {};
+
 /// Where the ranks of a shard tell one another: other shards may be at work in the same output folder.
 std::string ranks_folder(const BatchOptions& options);
 

@@ -43,12 +43,19 @@ std::optional<std::string> state_of(const std::string& path) {
 
 constexpr std::size_t motion_bytes = std::size_t{256} << 20;
 
+/// As many meshes as so many jobs use at a time, whatever they are.
+std::size_t meshes_of_jobs_at_a_time(const std::vector<BatchJob>& jobs, std::size_t at_a_time) {
+  std::size_t most_parts = 1;
+  for (const BatchJob& job : jobs) most_parts = std::max(most_parts, job.job.scene.parts.size());
+  return at_a_time * most_parts;
+}
+
 }  // namespace
 
 JobRunner::JobRunner(std::vector<BatchJob>& jobs, const BatchOptions& options)
     : jobs_(jobs),
       options_(options),
-      meshes_(static_cast<std::size_t>(options.threads) + 1, options.on_load),
+      meshes_(meshes_of_jobs_at_a_time(jobs, static_cast<std::size_t>(options.threads) + 1), options.on_load),
       motions_(motion_bytes) {
   if (options.memory_bytes > 0) meshes_.bound_memory(options.memory_bytes);
 }
@@ -112,8 +119,8 @@ void JobRunner::run(const NextJob& next, const OnEnd& on_end) {
   const std::size_t limit = tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   const tbb::global_control workers(tbb::global_control::max_allowed_parallelism,
                                     std::max(limit, static_cast<std::size_t>(options_.threads)));
-  const auto work = [&](const tbb::blocked_range<int>&) {
-    while (const std::optional<std::size_t> job = next()) {
+  const auto work = [&](const tbb::blocked_range<int>& threads) {
+    while (const std::optional<std::size_t> job = next(static_cast<std::size_t>(threads.begin()))) {
       // Isolated: while Embree builds a tree inside, this thread must not pick up a job that waits for
       // that tree.
       tbb::this_task_arena::isolate([&] { run_one(*job); });

@@ -13,8 +13,8 @@ namespace fingerpad {
 /// Carries out jobs on a batch's threads, with the meshes and motions that they share.
 class JobRunner {
  public:
-  /// What to do next, asked by any thread; nothing when there is nothing more.
-  using NextJob = std::function<std::optional<std::size_t>()>;
+  /// What a thread (by its number, from 0) is to do next; nothing when there is nothing more.
+  using NextJob = std::function<std::optional<std::size_t>(std::size_t thread)>;
   /// Told of each job that has ended, one call at a time.
   using OnEnd = std::function<void(std::size_t job)>;
 
@@ -24,6 +24,8 @@ class JobRunner {
   void expect(const std::vector<std::size_t>& jobs);
   /// The meshes of the last job so announced are kept until another's are, or none.
   void hold(std::optional<std::size_t> job);
+  /// Whether one more mesh may be loaded beside those in use (BatchOptions::memory_bytes).
+  bool has_room_for_a_mesh() { return meshes_.has_room_for_another(); }
   /// Runs jobs until there are none. Those that fail say so in their status; what the two functions throw is
   /// thrown.
   void run(const NextJob& next, const OnEnd& on_end);

@@ -38,11 +38,19 @@ constexpr std::chrono::seconds patience{10};
 constexpr std::chrono::seconds guard_patience{60};
 constexpr std::chrono::milliseconds between_tries{20};
 
-Error cannot_write(const std::string& folder) {
+Error cannot_write(const std::string& path) {
   const int problem = errno;
-  // The folder was there a moment ago: whoever removed it, the call was good.
-  return {problem == ENOENT ? ErrorKind::fault : output_fault(problem), folder,
-          "cannot be written: " + path_words(folder, problem)};
+  return {problem == ENOENT ? ErrorKind::fault : output_fault(problem), path,
+          "cannot be written: " + path_words(path, problem)};
+}
+
+/// Of the output folder, which was there a moment ago: whoever removed it, or put a file in its place, the
+/// call was good.
+Error cannot_write_into(const std::string& folder) {
+  const int problem = errno;
+  const bool is_gone = problem == ENOENT || problem == ENOTDIR;
+  return {is_gone ? ErrorKind::fault : output_fault(problem), folder,
+          "cannot be written: " + path_words(is_gone ? folder + "/" : folder, problem)};
 }
 
 /// The guard of a state folder, held by whoever reads or changes the registrations. Whoever finds the folder
@@ -50,7 +58,7 @@ Error cannot_write(const std::string& folder) {
 std::optional<OpenFile> take_guard(const std::string& state, const std::string& folder) {
   const std::string path = state + "/" + guard_name;
   for (const auto end = steady_clock::now() + guard_patience; steady_clock::now() < end;) {
-    if (mkdir(state.c_str(), 0777) != 0 && errno != EEXIST) throw cannot_write(folder);
+    if (mkdir(state.c_str(), 0777) != 0 && errno != EEXIST) throw cannot_write_into(folder);
     OpenFile guard(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (guard.number() < 0 && errno == ENOENT) continue;
     if (guard.number() < 0) throw cannot_write(path);
@@ -152,9 +160,9 @@ std::vector<std::string> registrations_in(const std::string& state) {
 /// A new file with this text, locked; nothing half written is left.
 OpenFile write_registration(const std::string& path, const std::string& text, const std::string& folder) {
   OpenFile file(open(path.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666));
-  if (file.number() < 0) throw cannot_write(folder);
+  if (file.number() < 0) throw cannot_write_into(folder);
   if (!write_all(file.number(), text.data(), text.size())) {
-    const Error error = cannot_write(folder);
+    const Error error = cannot_write_into(folder);
     unlink(path.c_str());
     throw error;
   }

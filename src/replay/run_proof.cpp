@@ -139,6 +139,11 @@ bool proves_another_run(const std::string& trace_path, const std::string& digest
          run.starts_with("run ") && run != "run " + digest;
 }
 
+bool has_proof(const std::string& trace_path) {
+  std::error_code ignored;
+  return fs::is_regular_file(proof_path(trace_path), ignored);
+}
+
 std::optional<std::string> other_build_of(const std::string& trace_path) {
   std::istringstream proof(proof_text(trace_path));
   std::string line;

@@ -32,6 +32,9 @@ std::optional<std::vector<double>> proven_figures(const std::string& trace_path,
 /// Whether the proof beside the trace names a run with another digest.
 bool proves_another_run(const std::string& trace_path, const std::string& digest);
 
+/// Whether a proof stands beside the trace, of whatever run.
+bool has_proof(const std::string& trace_path);
+
 /// Which build (short_build_identity) made the trace that the proof beside it is of; nothing where that is
 /// this one, or no proof is there. "an earlier one" where the proof names none.
 std::optional<std::string> other_build_of(const std::string& trace_path);

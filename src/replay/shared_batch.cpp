@@ -69,7 +69,7 @@ class RankWork {
   }
 
   void run(const std::function<void(const BatchJob&)>& on_done) {
-    runner_.run([this] { return next(); },
+    runner_.run([this](std::size_t) { return next(); },
                 [&](std::size_t job) {
                   ended(job);
                   on_done(jobs_[job]);
@@ -254,10 +254,16 @@ BatchEnd take_part(std::vector<BatchJob>& jobs, const BatchOptions& options, con
 
 BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                           const std::function<void(const BatchJob&)>& on_done) {
-  const auto claim = claimed_folder(jobs, options, ranks, [&] {
-    write_job_index(jobs, options);
-    make_board(jobs, options);
-  });
+  std::unique_ptr<RunLock> claim;
+  try {
+    claim = claimed_folder(jobs, options, ranks, [&] {
+      write_job_index(jobs, options);
+      make_board(jobs, options);
+    });
+  } catch (const StoppedBeforeTheFirst&) {
+    mark_not_begun(jobs, jobs_of_shard(jobs.size(), options));
+    return {};
+  }
   if (!claim) return {false, {}};  // it came too late: the others have done and told all
   try {
     return take_part(jobs, options, ranks, on_done, *claim);

@@ -60,6 +60,7 @@ std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
     drop_beyond_bounds();
     ours = !meshes_.contains(key);
     if (ours) meshes_[key] = promise.get_future().share();
+    if (ours) ++loading_;
     pending = meshes_[key];
   }
   if (ours) {
@@ -67,6 +68,8 @@ std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
       const auto mesh = load_mesh(entry, progress_of(progress_, entry));
       promise.set_value(mesh);
       const std::lock_guard lock(mutex_);
+      --loading_;
+      largest_bytes_ = std::max(largest_bytes_, mesh->bytes);
       if (most_bytes_ > 0 && mesh->bytes > most_bytes_) large_[key] = mesh->bytes;
       if (meshes_.contains(key)) {
         bytes_ -= sizes_[key];  // of one that was dropped and asked for again meanwhile
@@ -75,6 +78,8 @@ std::shared_ptr<const LoadedMesh> MeshStore::load(const PartEntry& entry) {
       drop_beyond_bounds();
     } catch (...) {
       promise.set_exception(std::current_exception());
+      const std::lock_guard lock(mutex_);
+      --loading_;
     }
   }
   return pending.get();
@@ -103,6 +108,11 @@ void MeshStore::drop_beyond_bounds() {
 void MeshStore::bound_memory(std::size_t most_bytes) {
   const std::lock_guard lock(mutex_);
   most_bytes_ = most_bytes;
+}
+
+bool MeshStore::has_room_for_another() {
+  const std::lock_guard lock(mutex_);
+  return most_bytes_ == 0 || (largest_bytes_ > 0 && bytes_ + (loading_ + 1) * largest_bytes_ <= most_bytes_);
 }
 
 void MeshStore::expect(const PartEntry& entry) {

@@ -39,6 +39,9 @@ class MeshStore {
 
   /// From now on as many meshes are kept as fit into so many bytes, beside those that are in use.
   void bound_memory(std::size_t most_bytes);
+  /// Whether a mesh as large as the largest so far would stay within that bound beside those that are kept or
+  /// being loaded. No while none is known.
+  bool has_room_for_another();
   /// Announces one use of a mesh, which ends with `done`: after the last its place is given up.
   void expect(const PartEntry& entry);
   void done(const PartEntry& entry);
@@ -76,8 +79,9 @@ class MeshStore {
   void drop_beyond_bounds();
 
   std::size_t keep_, most_bytes_ = 0, bytes_ = 0;  // no bound where most_bytes_ is 0
-  std::map<Key, std::size_t> sizes_;               // of those that are loaded and kept
-  std::map<Key, std::size_t> large_;               // by themselves beyond the bound
+  std::size_t largest_bytes_ = 0, loading_ = 0;  // of a mesh so far (0: none is known); how many are loading
+  std::map<Key, std::size_t> sizes_;             // of those that are loaded and kept
+  std::map<Key, std::size_t> large_;             // by themselves beyond the bound
   std::map<Key, long> uses_left_;
   LoadProgress progress_;
   std::mutex mutex_;

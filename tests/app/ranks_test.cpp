@@ -183,22 +183,38 @@ TEST(Ranks, ThatComeLateDoNotWaitForARootThatHasLeft) {
 }
 
 /// Its patience is a day, too.
-TEST(Ranks, ThatWaitForTheRootStopWhereTheyAreAskedTo) {
-  const fs::path folder = folder_with_batch();
+/// A rank that waits for its root in folder `o`, and is told to stop while it does.
+ShellResult waited_and_was_stopped(const fs::path& folder) {
   std::string waiting = as_rank(1);
   waiting.replace(waiting.find("--wait-for-ranks 0\n"), 19, "--wait-for-ranks 86400 &\n");
   // SIGTERM is the 15th: caught once the 4 of the fourth digit stands in the mask.
-  const ShellResult run = test::shell(
+  return test::shell(
       waiting +
           "rank=$!\nuntil grep -q '^SigCgt:.*[4-7c-f]...$' /proc/$rank/status; do sleep .02; done\n"
           "kill -TERM $rank\ntimeout 60 tail --pid=$rank -f /dev/null || kill -9 $rank\n"
           "wait $rank\necho ended $?\n",
       folder);
+}
+
+TEST(Ranks, ThatWaitForTheRootStopWhereTheyAreAskedTo) {
+  const fs::path folder = folder_with_batch();
+  const ShellResult run = waited_and_was_stopped(folder);
   EXPECT_THAT(run.out, HasSubstr("ended 4\n")) << run.err;
   EXPECT_THAT(run.err, HasSubstr("--resume"));
+  EXPECT_FALSE(fs::exists(folder / "o" / "summary.csv"));
   ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet --resume", folder).exit_code, 0);
   ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);
   EXPECT_EQ(all_bytes(folder / "o"), all_bytes(folder / "one"));
+}
+
+/// As where the root was refused because another run was at work, which has ended since.
+TEST(Ranks, ThatAreToldToStopBeforeTheirRootHasComeLeaveTheTablesOfAnotherRun) {
+  const fs::path folder = folder_with_batch();
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet", folder).exit_code, 0);
+  const auto before = all_bytes(folder / "o");
+  const ShellResult run = waited_and_was_stopped(folder);
+  EXPECT_THAT(run.out, HasSubstr("ended 4\n")) << run.err;
+  EXPECT_EQ(all_bytes(folder / "o"), before);
 }
 
 /// As where one script that is started with ranks calls it twice.

@@ -139,6 +139,29 @@ TEST(Batch, ResumeKeepsFinishedTracesOfTheSameRunOnly) {
   EXPECT_GT(fs::file_size(trace), 1000u) << "what is no trace is made again";
 }
 
+TEST(Batch, TellsOfTracesThatAnEarlierLargerSetHasLeft) {
+  const auto folder = test::scratch_dir();
+  const std::string set = std::string(plane) + rub + "[[set]]\nseed = ";
+  std::vector<std::string> told;
+  BatchOptions options = options_for(folder / "out");
+  options.resume = true;
+  options.on_kept = [&told](const std::string& words) { told.push_back(words); };
+  run({write_scene(folder, "s", set + "[1, 2, 3, 4]\n")}, options);
+  // Neither another set's, nor a file that no replay has made.
+  run({write_scene(folder, "s-2", set + "[1, 2]\n")}, options);
+  std::ofstream(folder / "out" / "s-0009.csv") << "mine";
+  told.clear();
+  const auto jobs = run({write_scene(folder, "s", set + "[1, 2]\n")}, options);
+  EXPECT_TRUE(jobs[0].kept && jobs[1].kept) << "by content, whatever the number of jobs";
+  ASSERT_EQ(told.size(), 2u) << "after the line on the other set's summary";
+  EXPECT_EQ(told[1], (folder / "out").string() +
+                         ": 2 traces are there from an earlier run, which this one does "
+                         "not write: s-0003.h5 to s-0004.h5; delete them where nobody needs them");
+  told.clear();
+  run({write_scene(folder, "s", set + "[1, 2, 3, 4]\n")}, options);
+  EXPECT_TRUE(told.empty());
+}
+
 TEST(Batch, RefusesTwoScenesOfOneName) {
   const auto folder = test::scratch_dir();
   fs::create_directories(folder / "b");

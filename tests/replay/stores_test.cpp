@@ -123,5 +123,22 @@ TEST(MeshStore, KeepsWhatFitsIntoItsMemoryAndKnowsWhatDoesNot) {
   }
 }
 
+TEST(MeshStore, HasRoomForAnotherMeshWhereOneAsLargeAsTheLargestFits) {
+  const fs::path folder = test::scratch_dir();
+  const PartEntry a = mesh_in(folder, "a.ply"), b = mesh_in(folder, "b.ply");
+  const std::size_t bytes = MeshStore(8).load(a)->bytes;
+  MeshStore store(8), unbound(8);
+  store.bound_memory(2 * bytes);
+  EXPECT_TRUE(unbound.has_room_for_another());
+  EXPECT_FALSE(store.has_room_for_another()) << "nothing is known of meshes yet";
+  PartEntry gone = a;
+  gone.mesh_path += ".gone";
+  EXPECT_ANY_THROW(store.load(gone));
+  store.load(a);
+  EXPECT_TRUE(store.has_room_for_another()) << "what could not be loaded takes no room";
+  store.load(b);
+  EXPECT_FALSE(store.has_room_for_another());
+}
+
 }  // namespace
 }  // namespace fingerpad::stores_test
