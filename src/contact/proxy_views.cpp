@@ -76,7 +76,7 @@ ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const Pr
 
 bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                              const ProxyWall& here) noexcept {
-  look_over_edge(place_O, far, over.norm());
+  look_over_edge(place_O, over, far);
   return is_seen_free(over, here);
 }
 
@@ -94,13 +94,15 @@ void ProxyViews::suit_view() noexcept {
     view_reach_m_ = std::min(Limits::growth * view_reach_m_, widest_view_m());
 }
 
-void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& far, double way_m) noexcept {
-  const double far_m = far.norm(), need_m = Limits::past_edge * std::max(far_m, way_m);
-  const double reach_m = view_reach_m_;
+void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept {
+  const double way_m = over.norm(), far_m = far.norm(), need_m = Limits::past_edge * std::max(far_m, way_m);
+  const double reach_m = view_reach_m_, both_m = way_m + (far - over).norm();
   if (need_m < (1 - Limits::lead) * reach_m) {
     look_ahead(place_O, need_m, Limits::lead * reach_m / far_m * far);
-  } else if (look_around(place_O, std::max(reach_m, way_m), false) < way_m) {
-    look_around(place_O, std::max(reach_m, way_m), true);
+  } else if (!look_again(place_O, both_m * wider)) {
+    // What the step from the edge will ask for, too.
+    search_around(place_O, std::max(reach_m, both_m + Limits::serves_again * reach_m));
+    suit_view();
   }
 }
 
