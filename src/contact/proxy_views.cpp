@@ -51,14 +51,14 @@ void ProxyViews::let_go() noexcept {
   falls_short_ = false;
 }
 
-ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*most_m*/) noexcept {
+ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
   if (is_amid_step()) return go_on_with_step();
   if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= 2;
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (is_blind()) return broken_off_step();
   if (place_O_ == search_place_O_) suit_view();
   if (overflow_) reach_m_ = (goal_O - place_O).norm() * wider;
-  ProxyStep step = step_towards(goal_O, nullptr);
+  ProxyStep step = step_towards(goal_O, terms);
   if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
   falls_short_ = step.truncated;
   return step;
@@ -69,9 +69,7 @@ ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const Pr
   see_from(edge_O, std::min(rest_m, Limits::serves_again * view_reach_m_), std::max(view_reach_m_, rest_m),
            Vec3::Zero());
   if (is_blind() || overflow_) return broken_off_step();
-  ProxyStep step = step_towards(goal_O, &first);
-  drop_step();
-  return step;
+  return step_beside(first, goal_O);
 }
 
 bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
