@@ -89,14 +89,17 @@ void Proxy::follow(double budget_m, bool steps_first) noexcept {
 void Proxy::settle(double& budget_m) noexcept {
   const Vec3& goal_O = state_.goal_O;
   sight_->let_go();
+  double bent_m = 0;  // the first step mostly ends it
   for (int k = 0; k < ProxyLimits::most_steps; ++k) {
     if (goal_O == state_.place_O) {
       state_.hold = {};
       break;
     }
     if (sight_->looks().are_spent()) return break_off({});
-    const ProxyStep step = sight_->step(state_.place_O, goal_O, budget_m);
+    const ProxyStep step = sight_->step(state_.place_O, goal_O, {budget_m, bent_m});
     if (step.broken_off) return break_off(step);
+    // Ways that converge get shorter by more than that.
+    bent_m = k == 0 ? budget_m : step.bent ? step.z.norm() / 2 : bent_m;
     if (advance(step, budget_m)) return;
   }
   state_.contact.settled = goal_O == state_.place_O;

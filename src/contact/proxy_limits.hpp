@@ -58,6 +58,10 @@ struct ProxyLimits {
   /// Walls that one step may try. It adds a wall a pass; two or three do.
   static constexpr int most_passes = 48;
 
+  /// What a step along bent walls divides by, as a share of what it would be along flat ones: with less than
+  /// this they bend about so close to the finger that the way to the second order means little.
+  static constexpr double least_left_of_bend = 1.0 / 1024;
+
   /// Sine of the angle under which a wall's normal counts as that of the triangle it stands for: where they
   /// agree so well there is nothing to gain from another step.
   static constexpr double same_wall = 1e-8;

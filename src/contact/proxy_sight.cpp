@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "contact/bent_walls.hpp"
 #include "contact/facet_fan.hpp"
 #include "contact/proxy_limits.hpp"
 #include "contact/way_sieve.hpp"
@@ -47,20 +48,18 @@ bool ProxySight::each_within_reach(int surface, const Vec3& at_P, double reach_m
   return true;
 }
 
-ProxyStep ProxySight::step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept {
+ProxyStep ProxySight::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
   if (is_amid_step()) return go_on_with_step();
   place_O_ = place_O;
-  reach_m_ = reach_of(std::min((goal_O - place_O).norm(), most_m));
-  return step_towards(goal_O, nullptr);
+  reach_m_ = reach_of(std::min((goal_O - place_O).norm(), terms.most_m));
+  return step_towards(goal_O, terms);
 }
 
 ProxyStep ProxySight::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                                 double) noexcept {
   place_O_ = edge_O;
   reach_m_ = reach_of((goal_O - edge_O).norm());
-  ProxyStep step = step_towards(goal_O, &first);
-  drop_step();
-  return step;
+  return step_beside(first, goal_O);
 }
 
 bool ProxySight::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3&,
@@ -148,22 +147,35 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
 /// Dual active-set method: the wall that blocks the way most is added until none blocks it. All walls have
 /// the start in front of them, so the way to the projection onto them crosses nothing, whenever it is
 /// stopped. Where the looks are spent within, it waits in `making_` for the next tick's.
-/// @param first  a wall to begin with (seen from the place looked around from), or none
-ProxyStep ProxySight::step_towards(const Vec3& goal_O, const ProxyWall* first) noexcept {
+ProxyStep ProxySight::step_towards(const Vec3& goal_O, const StepTerms& terms) noexcept {
+  begin_step(goal_O, terms.bent_m);
+  return go_on_with_step();
+}
+
+/// The same to be made at once or not at all.
+/// @param first  a wall to begin with, seen from the place looked around from
+ProxyStep ProxySight::step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept {
+  begin_step(goal_O, 0);
+  making_.walls[making_.count++] = first;
+  const ProxyStep step = go_on_with_step();
+  drop_step();
+  return step;
+}
+
+void ProxySight::begin_step(const Vec3& goal_O, double bent_m) noexcept {
   Making& m = making_;
   m.is_underway = m.is_amid_round = false;
   m.goal = goal_O - place_O_;
   m.step = {};
   m.step.goal_O = goal_O;
+  m.bent_m = bent_m;
   m.pass = 0;
   m.count = 0;
-  if (first != nullptr) m.walls[m.count++] = *first;
   // What the projection leaves behind a wall by rounding must not count as a breach.
   const double rounding_m =
       ProxyLimits::rounding * m.goal.cwiseAbs().maxCoeff() + world_.plane_rounding_m(place_O_);
   m.slack_m = world_.slack_m() + rounding_m;
   m.breach_m = world_.tolerance_m() + 2 * rounding_m;
-  return go_on_with_step();
 }
 
 /// The projection onto the walls found so far, as far as the view shows. False where they leave nothing.
@@ -184,6 +196,22 @@ bool ProxySight::project() noexcept {
   return true;
 }
 
+/// Where that is free, and no farther than was asked for.
+void ProxySight::go_on_along_bend() noexcept {
+  Making& m = making_;
+  if (!(m.bent_m > 0) || m.step.truncated || m.step.wall_count == 0) return;
+  looks_.spend(LookCosts::told * m.step.wall_count);
+  const Vec3 on = way_along_bend(world_, place_O_, m.step);
+  const double on_m = on.norm(), room_m = std::min(m.bent_m, reach_m_) - m.step.z.norm();
+  if (!(on_m > 0 && room_m > 0)) return;
+  const Vec3 z = m.step.z + std::min(1.0, room_m / on_m) * on;
+  Round round;
+  round.worst.slack_m = -m.breach_m;
+  if (!offer_all(z, m.step.held_by(), round) || round.worst.wall) return;
+  m.step.z = z;
+  m.step.bent = on_m <= room_m;
+}
+
 ProxyStep ProxySight::go_on_with_step() noexcept {
   Making& m = making_;
   m.is_underway = true;
@@ -201,7 +229,10 @@ ProxyStep ProxySight::go_on_with_step() noexcept {
     m.is_amid_round = !offer_all(m.step.z, m.step.held_by(), m.round);
     if (m.is_amid_round) break;
     m.is_underway = m.round.worst.wall.has_value();
-    if (!m.is_underway) return m.step;
+    if (!m.is_underway) {
+      go_on_along_bend();
+      return m.step;
+    }
     m.walls[m.count++] = *m.round.worst.wall;
   }
   if (m.pass == ProxyLimits::most_passes) {

@@ -14,6 +14,13 @@ struct WallPair {
   ProxyWall here, there;
 };
 
+/// What a step is asked for besides its goal.
+struct StepTerms {
+  double most_m;      ///< the proxy will go no farther: what stands beyond need not be seen
+  double bent_m = 0;  ///< goes on along walls that bend away (way_along_bend) where the way is then no longer
+                      ///< than this
+};
+
 /// What a proxy asks about its surroundings, answered by asking the trees for every triangle within reach,
 /// each time anew. Each answer depends on the question alone, and, where a tick's looks are limited, on what
 /// is left of them: then a step is broken off, and gone on with in the next tick, and all else is declined.
@@ -35,8 +42,7 @@ class ProxySight {
   /// goal that it was made for.
   bool is_amid_step() const noexcept { return making_.is_underway; }
   /// The step from a place that brings the ball as close to `goal` as it can get without crossing a surface.
-  /// @param most_m  the proxy will go no farther: what stands beyond need not be seen
-  virtual ProxyStep step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept;
+  virtual ProxyStep step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
   /// The same from a place above an edge, where `first` is known to hold (seen from there).
   /// @param rest_m  how far from there to the place that `first` alone would allow
   virtual ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
@@ -76,7 +82,8 @@ class ProxySight {
     double free_share = 1;
   };
 
-  ProxyStep step_towards(const Vec3& goal_O, const ProxyWall* first) noexcept;
+  ProxyStep step_towards(const Vec3& goal_O, const StepTerms& terms) noexcept;
+  ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
   ProxyStep go_on_with_step() noexcept;
   void drop_step() noexcept { making_.is_underway = false; }
   static ProxyStep broken_off_step() noexcept {
@@ -101,7 +108,7 @@ class ProxySight {
   struct Making {
     bool is_underway = false, is_amid_round = false;
     Vec3 goal = Vec3::Zero();  ///< relative to the place looked around from
-    double slack_m = 0, breach_m = 0;
+    double slack_m = 0, breach_m = 0, bent_m = 0;
     ProxyStep step;
     std::array<ProxyWall, 4> walls;
     std::size_t count = 0;
@@ -109,7 +116,9 @@ class ProxySight {
     Round round;
   };
 
+  void begin_step(const Vec3& goal_O, double bent_m) noexcept;
   bool project() noexcept;
+  void go_on_along_bend() noexcept;
   bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept;
   bool sweep_all(const Vec3& z, Round& round) noexcept;
   template <class Visit>

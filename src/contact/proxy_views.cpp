@@ -51,14 +51,14 @@ void ProxyViews::let_go() noexcept {
   falls_short_ = false;
 }
 
-ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, double /*most_m*/) noexcept {
+ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
   if (is_amid_step()) return go_on_with_step();
   if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= 2;
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (is_blind()) return broken_off_step();
   if (place_O_ == search_place_O_) suit_view();
   if (overflow_) reach_m_ = (goal_O - place_O).norm() * wider;
-  ProxyStep step = step_towards(goal_O, nullptr);
+  ProxyStep step = step_towards(goal_O, terms);
   if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
   falls_short_ = step.truncated;
   return step;
@@ -69,14 +69,12 @@ ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const Pr
   see_from(edge_O, std::min(rest_m, Limits::serves_again * view_reach_m_), std::max(view_reach_m_, rest_m),
            Vec3::Zero());
   if (is_blind() || overflow_) return broken_off_step();
-  ProxyStep step = step_towards(goal_O, &first);
-  drop_step();
-  return step;
+  return step_beside(first, goal_O);
 }
 
 bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                              const ProxyWall& here) noexcept {
-  look_over_edge(place_O, far, over.norm());
+  look_over_edge(place_O, over, far);
   return is_seen_free(over, here);
 }
 
@@ -94,13 +92,15 @@ void ProxyViews::suit_view() noexcept {
     view_reach_m_ = std::min(Limits::growth * view_reach_m_, widest_view_m());
 }
 
-void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& far, double way_m) noexcept {
-  const double far_m = far.norm(), need_m = Limits::past_edge * std::max(far_m, way_m);
-  const double reach_m = view_reach_m_;
+void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept {
+  const double way_m = over.norm(), far_m = far.norm(), need_m = Limits::past_edge * std::max(far_m, way_m);
+  const double reach_m = view_reach_m_, both_m = way_m + (far - over).norm();
   if (need_m < (1 - Limits::lead) * reach_m) {
     look_ahead(place_O, need_m, Limits::lead * reach_m / far_m * far);
-  } else if (look_around(place_O, std::max(reach_m, way_m), false) < way_m) {
-    look_around(place_O, std::max(reach_m, way_m), true);
+  } else if (!look_again(place_O, both_m * wider)) {
+    // What the step from the edge will ask for, too.
+    search_around(place_O, std::max(reach_m, both_m + Limits::serves_again * reach_m));
+    suit_view();
   }
 }
 

@@ -17,7 +17,7 @@ class ProxyViews : public ProxySight {
  public:
   ProxyViews(ProxyWorld world, Looks looks);
 
-  ProxyStep step(const Vec3& place_O, const Vec3& goal_O, double most_m) noexcept override;
+  ProxyStep step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept override;
   ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                       double rest_m) noexcept override;
   bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
@@ -29,9 +29,8 @@ class ProxyViews : public ProxySight {
   /// Looks around where a view that shows as far as `need_m` will do; a search is made from `ahead` of the
   /// place, which is nearer than the usual reach.
   void look_ahead(const Vec3& place_O, double need_m, const Vec3& ahead) noexcept;
-  /// Sees to a view that shows the way over an edge to `far`, and some more in this direction.
-  /// @param way_m  to the edge
-  void look_over_edge(const Vec3& place_O, const Vec3& far, double way_m) noexcept;
+  /// Sees to a view that shows the way by `over` to an edge and on to `far`, and some more in this direction.
+  void look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept;
   bool is_seen_free(const Vec3& over, const ProxyWall& here) noexcept;
   /// How far one can go from a centre in view and, in front of all these walls, meet no other [m].
   /// @param walls  seen from the place looked around from

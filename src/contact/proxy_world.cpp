@@ -1,5 +1,6 @@
 #include "contact/proxy_world.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <new>
@@ -55,6 +56,11 @@ const TriangleApproach& ProxyWorld::approach(int i, int triangle, const Vec3& pl
   new (&told.approach)
       TriangleApproach(approach_triangle(part(i), triangle, in_part(i, place_O)));  // no copy
   return told.approach;
+}
+
+bool ProxyWorld::is_own_plane(const ProxyWall& wall) const noexcept {
+  const Vec3 normal = turned_from_part(wall.surface, part(wall.surface).facet_normals.col(wall.triangle));
+  return wall.normal.cross(normal).squaredNorm() <= ProxyLimits::same_wall * ProxyLimits::same_wall;
 }
 
 ProxyWall ProxyWorld::plane_wall(int i, const Vec3& place_O) const noexcept {

@@ -60,6 +60,9 @@ class ProxyWorld {
   /// @returns good until the next question
   const TriangleApproach& approach(int surface, int triangle, const Vec3& place_O) const noexcept;
 
+  /// Whether a triangle's wall lies in its own plane.
+  bool is_own_plane(const ProxyWall& wall) const noexcept;
+
   /// The half space that a plane leaves free, seen from a place.
   ProxyWall plane_wall(int surface, const Vec3& place_O) const noexcept;
   /// The half space that a triangle leaves free of a ball at `from`: the way to there from its closest point

@@ -114,16 +114,16 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   if (kept != nullptr && BallShadow::is_cast(q, reach_m - kept->clearance_m, *kept))
     search.shadow.emplace(q, reach_m - kept->clearance_m, *kept, packed.scale);
   const double radius = search.bound_m * packed.scale;
-  std::size_t next = 0;
-  while (!limit.is_exceeded()) {
-    next = impl.winding.next_near(next, search.scaled, radius, limit.tests);
-    if (next >= packed.packets.size()) return true;
-    const TrianglePacket& packet = packed.packets[next++];
+  WindingNumber::NearPackets near(impl.winding, search.scaled, radius);
+  std::size_t index = 0;
+  while (!limit.is_exceeded() && near.next(index)) {
+    const TrianglePacket& packet = packed.packets[index];
     if (!is_box_near(packet, search.scaled, radius)) continue;
     ++limit.packets;
     if (!search.shadow || !search.shadow->covers(packet)) search.look_at(packet);
   }
-  return false;
+  limit.tests += near.tests();
+  return !limit.is_exceeded();
 }
 
 bool TriangleTree::each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks,

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <limits>
 
 #include "contact/tree_trials.hpp"
@@ -174,6 +175,69 @@ TEST(ClosestMemory, OfAnotherTreeIsForgotten) {
     expect_same_bits(tree.closest(q, memory, unbounded), tree.closest(q, -1, unbounded));
     if (HasFatalFailure()) FAIL() << "query " << i;
   }
+}
+
+/// A flat packet, and a much smaller one that ends in a tip a gap away from it, near the flat one's end: a
+/// float tells heights over a plane worst there, and the flat packet's disc is no thicker than rounding.
+class TipOverPlate {
+ public:
+  explicit TipOverPlate(RandomStream& random)
+      : turn_(Eigen::AngleAxisd(3 * random.uniform(), test::random_point(random, 1).normalized())),
+        at_(random.uniform() < 0.5 ? 0.9 : -0.9, 0.02 * random.uniform(), 0) {
+    soup_.vertices_P.resize(3, 18);
+    soup_.triangles.resize(3, 16);
+    const Mat3 upright = Eigen::AngleAxisd(M_PI / 2, Vec3::UnitY()).toRotationMatrix();
+    add(0, Mat3::Identity(), Vec3::Zero(), 1);
+    add(1, upright, at_ + (gap_m + tip_m) * Vec3::UnitZ(), tip_m);
+  }
+
+  std::shared_ptr<const Part> part() const { return std::make_shared<const Part>(make_part(soup_, 0.5)); }
+  /// A place in the gap, in the frame of the part's arrays.
+  /// @param share  0 at the plate, 1 at the tip
+  Vec3 in_gap(const Part& part, double share) const {
+    return turn_ * (at_ + share * gap_m * Vec3::UnitZ()) - part.centre_P;
+  }
+
+ private:
+  static constexpr double gap_m = 1e-4, tip_m = 0.03;
+
+  /// Eight triangles about a middle, longest along x.
+  void add(int k, const Mat3& turn, const Vec3& middle, double size_m) {
+    constexpr double corners[8][2] = {{1, 0},  {.5, .25},   {0, .25},  {-.5, .25},
+                                      {-1, 0}, {-.5, -.25}, {0, -.25}, {.5, -.25}};
+    soup_.vertices_P.col(9 * k) = turn_ * middle;
+    for (int i = 0; i < 8; ++i) {
+      const Vec3 corner = size_m * Vec3(corners[i][0], corners[i][1], 0);
+      soup_.vertices_P.col(9 * k + 1 + i) = turn_ * (middle + turn * corner);
+      soup_.triangles.col(8 * k + i) << 9 * k, 9 * k + 1 + i, 9 * k + 1 + (i + 1) % 8;
+    }
+  }
+
+  Mat3 turn_;
+  Vec3 at_;
+  TriangleSoup soup_;
+};
+
+TEST(ClosestMemory, FindsWhatIsNearerByLessThanItsDiscsCanTell) {
+  // A path crosses the middle of a narrow gap: what is nearest now is so by less than a float's rounding.
+  RandomStream random(15);
+  int crossed = 0;
+  for (int trial = 0; trial < samples(2000); ++trial) {
+    const TipOverPlate gap(random);
+    const auto part = gap.part();
+    const TriangleTree tree(part);
+    ClosestMemory memory;
+    int nearest = 0;
+    for (const double share : {0.51, 0.5098, 0.5096, 0.5 + 1e-6, 0.5 - 1e-6}) {
+      const Vec3 q = gap.in_gap(*part, share);
+      const ClosestTriangle answer = tree.closest(q, memory, unbounded);
+      expect_same_bits(answer, tree.closest(q, -1, unbounded));
+      if (HasFatalFailure()) FAIL() << "trial " << trial << ", at " << share;
+      crossed += nearest >= 8 && answer.triangle < 8 && memory.packet_count() == 2 ? 1 : 0;
+      nearest = answer.triangle;
+    }
+  }
+  EXPECT_GT(crossed, samples(1900));
 }
 
 TEST(ClosestMemory, TiesGoToTheLowestTriangleAsWithout) {
