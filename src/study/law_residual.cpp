@@ -105,7 +105,7 @@ void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& se
   const double force2 = force_noise_n2(trial, segments),
                both = evidence.spring[0](spring_straight, spring_straight) +
                       evidence.spring[1](spring_straight, spring_straight);
-  const std::vector<SpringGroups> stretches = spring_groups(trial, segments, ratio, spring_.about);
+  const std::vector<SpringGroups> stretches = spring_groups(trial, segments, ratio, {spring_.about, surest_pull(evidence, spring_.about)});
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const SpringSums& sums = evidence.spring[axis];
     const double compliance_m = spring_compliance_m(sums, spring_.shape[axis]);
@@ -165,14 +165,8 @@ void ResidualSums::add(const MeasuredTrial& trial, const StickSegments& segments
   const std::vector<Vec2> ratio = ratio_at_load(trial, spring_.about.load);
   add_stick(trial, segments, evidence, ratio);
   add_slip(segments, ratio, trial.rate_hz);
-  const std::size_t shortest = 4 * static_cast<std::size_t>(segments.half_window);
-  for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {
-    if (slip.to - slip.from < shortest || slip.from == 0 || trial.starts_anew[slip.from]) continue;
-    const bool was_stick = segments.phase[slip.from - 1] == PadPhase::stick;
-    if (!was_stick && !segments.is_rupture[slip.from]) continue;
-    ++gives_;
-    drops_ += segments.is_rupture[slip.from] ? 1 : 0;
-  }
+  gives_ += evidence.gives;
+  drops_ += evidence.drops;
 }
 
 LawResidual ResidualSums::verdict() const {

@@ -70,6 +70,10 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
       moved[static_cast<std::size_t>(PadNumber::mu_dynamic)] +=
           std::max(0.0, rise / static_cast<double>(stops));
   }
+  if (point.v_min_by_step) {
+    const auto k = static_cast<std::size_t>(PadNumber::v_min);
+    moved[k] = SlipBySpeed::bin_width * fit.values[k].value;
+  }
   constexpr double bends = 1e-3;
   for (const PadNumber share : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share})
     moved[static_cast<std::size_t>(share)] += bends;
@@ -119,7 +123,9 @@ void add_intervals(const std::vector<int>& subject_of, const FitSettings& settin
                              : interval_reach(spreads[k], without[k].deviation(left_out),
                                               static_cast<double>(fit.values[k].trials), subjects);
     const double reach = drawn + unsure[k];
-    if (drawn > 0) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
+    // Draws that all step in the same bin of speed are as sure as that bin is wide.
+    const bool is_step = point.v_min_by_step && k == static_cast<std::size_t>(PadNumber::v_min);
+    if (drawn > 0 || is_step) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
   }
 }
 

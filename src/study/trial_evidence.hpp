@@ -61,6 +61,8 @@ struct TrialEvidence {
   double stop_rise = 0;  ///< sum of what friction is above the trial's in slip just before them (30 ms; no
                          ///< less than 15 samples)
   long stops = 0;
+  long gives = 0, drops = 0;  ///< ends of stick in slip; of these, with a drop of the force (ruptures)
+  double unseen_drop = 0;     ///< of friction, that noise would hide
   std::vector<std::size_t> stop_samples;  ///< the first of what follows slip, of each
   std::vector<double> power;              ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
@@ -81,6 +83,9 @@ struct EvidencePoint {
   double v_min_m_per_s = 0;     ///< below which what seems to slip is stick whose ruptures are not seen
   std::array<SpringBend, 2>
       bend;                  ///< lateral, longitudinal: what is left of a share to find is small about it
+  /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then the
+  /// springs are told from where it surely does not (surest_pull). 0: where all of it is seen.
+  double hidden_stick_ratio = 0;
   bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
 };
 
