@@ -13,6 +13,24 @@ const PadValue& value_of(const PadValues& found, PadNumber number) {
   return found[static_cast<std::size_t>(number)];
 }
 
+/// Of all trials, how often stick gives way to slip, and slip is seen to end in it.
+struct SeenEnds {
+  long gives = 0, drops = 0, stops = 0;
+
+  explicit SeenEnds(const std::vector<TrialEvidence>& trials) {
+    for (const TrialEvidence& trial : trials) {
+      gives += trial.gives;
+      drops += trial.drops;
+      stops += trial.stops;
+    }
+  }
+  bool give_way_unseen() const noexcept {
+    constexpr long fewest_gives = 5;
+    return gives >= fewest_gives && 2 * drops < gives;
+  }
+};
+constexpr double most_stops_share = 0.25;
+
 bool has_short_teeth(const std::vector<TrialEvidence>& trials) {
   return std::any_of(trials.begin(), trials.end(), [](const TrialEvidence& t) { return t.short_teeth > 0; });
 }
@@ -23,8 +41,8 @@ std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const s
                                const std::optional<SpeedStep>& slow_slip, const PadValues& found) {
   constexpr double most_rise = 0.25;  // of what a rupture drops; of hidden teeth it is half of that
   const PadValue &mu_static = value_of(found, PadNumber::mu_static),
-                 &mu_dynamic = value_of(found, PadNumber::mu_dynamic),
-                 &v_min = value_of(found, PadNumber::v_min);
+                 &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
+  const PadValue v_min = seen_v_min(trials, times);
   const bool is_seen = v_min.refusal.empty();
   const std::string seen = is_seen ? fmt::format("is seen to end at {:.3g} m/s", v_min.value)
                                    : std::string("is not plainly seen to end in stick");
@@ -33,6 +51,12 @@ std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const s
         "slip {}, where stick gives way again within a few samples, and passes for slip before: sample "
         "faster",
         seen);
+  const SeenEnds ends(trials);
+  if (ends.give_way_unseen() && most_stops_share * static_cast<double>(ends.gives) > static_cast<double>(ends.stops))
+    return fmt::format(
+        "stick gives way without a drop of the force at {} of its {} ends, and slip is seen to end in stick {} "
+        "times only: where the finger sticks is not told, or it hardly does",
+        ends.gives - ends.drops, ends.gives, ends.stops);
   if (slow_slip && (!is_seen || slow_slip->speed_m_per_s > faster * v_min.value))
     return fmt::format(
         "slip {}, but its friction is up by {:.3g} already below {:.3g} m/s: stick that gives way again "
@@ -66,14 +90,13 @@ bool tells_v_min(const SpeedStep& slow, const PadValue& seen) {
   return slow.is_sharp && (!seen.refusal.empty() || slow.speed_m_per_s > faster * seen.value);
 }
 
-bool gives_way_unseen(const std::vector<TrialEvidence>& trials) {
+bool may_hide_stick(const std::vector<TrialEvidence>& trials, const std::optional<SpeedStep>& slow_slip,
+                    const PadValues& found) {
   constexpr long fewest_gives = 5;
-  long gives = 0, drops = 0;
-  for (const TrialEvidence& trial : trials) {
-    gives += trial.gives;
-    drops += trial.drops;
-  }
-  return gives >= fewest_gives && 2 * drops < gives;
+  const std::vector<int> once(trials.size(), 1);
+  const SeenEnds ends(trials);
+  if (ends.give_way_unseen() || (ends.gives >= fewest_gives && ends.stops == 0)) return true;
+  return !hidden_stick_words(trials, once, slow_slip, found).empty();
 }
 
 }  // namespace fingerpad

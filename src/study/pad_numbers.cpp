@@ -125,11 +125,6 @@ void add_axis(const SpringFit& fit, const SpringBend& bend, const AxisNumbers& n
   value_of(found, numbers.hysteresis_area) = of_axis(fit, 4 * fit.shape.hysteresis_m * mu, loop_refusal);
 }
 
-PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
-  return subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s, &TrialEvidence::stops, 10,
-                       "no slip that ends in stick was found");
-}
-
 PadValue v_min_of_step(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
   const std::optional<SpeedStep> step = speed_step(trials, times);
   if (!step) return {0, 0, 0, "no slip is slower than where friction steps"};
@@ -179,6 +174,11 @@ void take_bends(const PadValues& found, EvidencePoint& next) {
 
 }  // namespace
 
+PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
+  return subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s, &TrialEvidence::stops, 10,
+                       "no slip that ends in stick was found");
+}
+
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                       const FitPoint& point) {
   PadValues found;
@@ -227,14 +227,15 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
   const PadValues found = pad_numbers(trials, once, point);
   take_bends(found, next.evidence);
+  const PadValue& mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)];
+  next.evidence.mu_static = mu_static.refusal.empty() ? mu_static.value : 0;
   const PadValue& v_min = found[static_cast<std::size_t>(PadNumber::v_min)];
   next.evidence.v_min_m_per_s = v_min.refusal.empty() ? v_min.value : 0;
   next.slow_slip = speed_step(trials, once);
   if (next.slow_slip && !is_hidden_stick(found, *next.slow_slip)) next.slow_slip.reset();
   next.v_min_by_step = next.slow_slip && tells_v_min(*next.slow_slip, seen_v_min(trials, once));
   const PadValue& mu_dynamic = found[static_cast<std::size_t>(PadNumber::mu_dynamic)];
-  const bool may_hide = next.v_min_by_step || gives_way_unseen(trials) ||
-                        !hidden_stick_words(trials, once, next.slow_slip, found).empty();
+  const bool may_hide = may_hide_stick(trials, next.slow_slip, found);
   next.evidence.hidden_stick_ratio = may_hide && mu_dynamic.refusal.empty() ? mu_dynamic.value : 0;
   if (next.slow_slip)
     next.evidence.v_min_m_per_s = std::max(next.evidence.v_min_m_per_s, next.slow_slip->speed_m_per_s);

@@ -81,7 +81,7 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
   add_slip_sums(trial, segments, ratio, about, evidence);
   add_gives(trial, segments, evidence);
   add_spring_sums(trial, segments, ratio, about, evidence);
-  add_rupture_sums(trial, segments, ratio, about.bend, evidence);
+  add_rupture_sums(trial, segments, ratio, about, evidence);
   add_stop_sums(trial, segments, ratio, about.bend, evidence);
   add_press(trial, about.press_exponent, evidence);
   return evidence;

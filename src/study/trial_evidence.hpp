@@ -50,6 +50,7 @@ struct TrialEvidence {
   double rupture_ratio = 0;  ///< sum over ruptures of |q| just before it
   double rupture_rise = 0;   ///< sum of what |q| rises from sample to sample before them
   long ruptures = 0;
+  double short_drop = 0;  ///< sum of what |q| falls at short_teeth
   long short_teeth = 0;   ///< ruptures of teeth with too few samples to tell where they gave way
   double slip_ratio = 0;  ///< sum over slip of r = -q.v/|v|, which and n are means over 20 ms here
   double slip_load = 0, slip_load_2 = 0, slip_load_ratio = 0;  ///< sums of L, L^2 and L r, L = ln(n/load_n)
@@ -80,6 +81,7 @@ std::size_t vibration_window(double rate_hz);
 struct EvidencePoint {
   LoadLaw load;
   double press_exponent = 0.5;  ///< w of depth ~ n^w
+  double mu_static = 0;         ///< 0: not known yet
   double v_min_m_per_s = 0;     ///< below which what seems to slip is stick whose ruptures are not seen
   std::array<SpringBend, 2>
       bend;                  ///< lateral, longitudinal: what is left of a share to find is small about it

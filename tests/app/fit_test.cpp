@@ -93,6 +93,9 @@ TEST_F(Fit, AsksWhereATableIsDoubtful) {
   const auto unread = fit(shipped.string() + " --out none.toml --torque-unit N.mm");
   EXPECT_EQ(unread.exit_code, 2);
   EXPECT_THAT(unread.err, HasSubstr("--torque-unit: is read with --sensor-at"));
+  const auto unnamed = fit(shipped.string() + " --out none.toml --reader sens3 --torque-unit N.mm");
+  EXPECT_EQ(unnamed.exit_code, 2);
+  EXPECT_THAT(unnamed.err, HasSubstr("--torque-unit: no torque is named: name tx, ty and tz"));
 }
 
 TEST_F(Fit, SaysWhatItUnderstoodAndWarnsOfAUnitThatIsNoFingers) {
