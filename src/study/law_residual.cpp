@@ -107,9 +107,8 @@ void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& se
   const double force2 = force_noise_n2(trial, segments),
                both = evidence.spring[0](spring_straight, spring_straight) +
                       evidence.spring[1](spring_straight, spring_straight);
-  // Where v_min is known, what hides is known to be the pad's own stick; else it may be another law's.
-  const double most_pull = spring_.about.v_min_m_per_s > 0 ? surest_pull(evidence, spring_.about)
-                                                           : std::numeric_limits<double>::infinity();
+  const double most_pull = spring_.leaves_hidden_out ? surest_pull(evidence, spring_.about)
+                                                     : std::numeric_limits<double>::infinity();
   const std::vector<SpringGroups> stretches = spring_groups(trial, segments, ratio, {spring_.about, most_pull});
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const SpringSums& sums = evidence.spring[axis];
@@ -140,8 +139,7 @@ void ResidualSums::add_slip(const StickSegments& segments, const std::vector<Vec
   double mean = 0, squares = 0, count = 0;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {
     PhaseStretch inner = inner_stretch(whole, segments);
-    if (spring_.about.hidden_stick_ratio > 0)
-      inner = fast_part(inner, segments, spring_.about.v_min_m_per_s);
+    if (spring_.leaves_hidden_out) inner = fast_part(inner, segments, spring_.about.v_min_m_per_s);
     slips.push_back(group_means(inner, size, [&](std::size_t i) {
       return -ratio[i].dot(segments.velocity_m_per_s[i].normalized());
     }));

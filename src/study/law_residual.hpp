@@ -22,6 +22,7 @@ struct LawResidual {
 struct LawSpring {
   EvidencePoint about;               ///< that the evidence was taken about
   std::array<SpringShape, 2> shape;  ///< lateral, longitudinal
+  bool leaves_hidden_out = false;    ///< what of stick hides is surely the pad's own: friction's step tells it
 };
 
 /// What of stick may hide, which is no fault of the law.

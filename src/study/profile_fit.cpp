@@ -302,7 +302,7 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
     fit.delay_left_s = (static_cast<double>(lateral.samples) * lateral.shape.delay_s +
                         static_cast<double>(longitudinal.samples) * longitudinal.shape.delay_s) /
                        static_cast<double>(lateral.samples + longitudinal.samples);
-  ResidualSums residual({point.evidence, {lateral.shape, longitudinal.shape}});
+  ResidualSums residual({point.evidence, {lateral.shape, longitudinal.shape}, point.v_min_by_step});
   for (std::size_t i = 0; i < segments.size(); ++i)
     residual.add(measurement.trials[i], segments[i], fit.evidence[i]);
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
