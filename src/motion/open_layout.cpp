@@ -75,10 +75,9 @@ void refuse_other_columns(const std::string& path, const RecordingFormat& format
     const std::string_view key = recording_columns[k].key;
     if (format.headers[k].empty() || std::find(std::begin(taken), std::end(taken), key) != std::end(taken))
       continue;
-    throw refused(path,
-                  fmt::format("the column '{}' is named, which {} does not take (it takes {}{}): {}", key,
-                              layout.format, fmt::join(taken, ", "), beside,
-                              key == "trial" || key == "subject" ? one_trial_mend : "leave it out"));
+    throw refused(path, fmt::format("the column '{}' is named, which {} does not take (it takes {}{}): {}",
+                                    key, layout.format, fmt::join(taken, ", "), beside,
+                                    key == "trial" || key == "subject" ? one_trial_mend : "leave it out"));
   }
 }
 

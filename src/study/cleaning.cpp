@@ -57,10 +57,11 @@ std::string contact_text(const std::vector<TrialCleaning>& trials) {
   if (told == 0) return {};
   return fmt::format(
       "contact points: told from force and torque in {} trials{}", told,
-      untared == 0 ? ", after the tare"
-                   : fmt::format("; in {} of them no tare was taken off, and a sensor that was not zeroed moves "
-                                 "them",
-                                 untared));
+      untared == 0
+          ? ", after the tare"
+          : fmt::format("; in {} of them no tare was taken off, and a sensor that was not zeroed moves "
+                        "them",
+                        untared));
 }
 
 /// What was done, in order.

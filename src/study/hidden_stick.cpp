@@ -52,9 +52,11 @@ std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const s
         "faster",
         seen);
   const SeenEnds ends(trials);
-  if (ends.give_way_unseen() && most_stops_share * static_cast<double>(ends.gives) > static_cast<double>(ends.stops))
+  if (ends.give_way_unseen() &&
+      most_stops_share * static_cast<double>(ends.gives) > static_cast<double>(ends.stops))
     return fmt::format(
-        "stick gives way without a drop of the force at {} of its {} ends, and slip is seen to end in stick {} "
+        "stick gives way without a drop of the force at {} of its {} ends, and slip is seen to end in stick "
+        "{} "
         "times only: where the finger sticks is not told, or it hardly does",
         ends.gives - ends.drops, ends.gives, ends.stops);
   if (slow_slip && (!is_seen || slow_slip->speed_m_per_s > faster * v_min.value))

@@ -109,7 +109,8 @@ void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& se
                       evidence.spring[1](spring_straight, spring_straight);
   const double most_pull = spring_.leaves_hidden_out ? surest_pull(evidence, spring_.about)
                                                      : std::numeric_limits<double>::infinity();
-  const std::vector<SpringGroups> stretches = spring_groups(trial, segments, ratio, {spring_.about, most_pull});
+  const std::vector<SpringGroups> stretches =
+      spring_groups(trial, segments, ratio, {spring_.about, most_pull});
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const SpringSums& sums = evidence.spring[axis];
     const double compliance_m = spring_compliance_m(sums, spring_.shape[axis]);
@@ -193,7 +194,8 @@ LawResidual ResidualSums::verdict(const HiddenStick& hidden) const {
         100 * found.share, 100 * found.expected);
   if (gives_ >= fewest_gives && 2 * drops_ < gives_ && !hidden.is_stepped)
     found.misfit += fmt::format(
-        "{}stick gives way without a drop of the force at {} of its {} ends (a pad whose mu_static is less than "
+        "{}stick gives way without a drop of the force at {} of its {} ends (a pad whose mu_static is less "
+        "than "
         "{:.0f} % above its mu_dynamic looks alike here)",
         found.misfit.empty() ? "" : "; ", gives_ - drops_, gives_, 100 * hidden.unseen_drop);
   return found;

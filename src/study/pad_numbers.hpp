@@ -100,12 +100,18 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
 PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
 
 /// All that rests on the stick of one axis, or of the other.
-inline constexpr std::array<PadNumber, 12> spring_numbers{
-    PadNumber::lateral_axis,         PadNumber::longitudinal_axis,       PadNumber::lateral_slope,
-    PadNumber::longitudinal_slope,   PadNumber::stick_stiffness,         PadNumber::longitudinal_stiffness,
-    PadNumber::lateral_linearity,    PadNumber::longitudinal_linearity,  PadNumber::lateral_cubic_share,
-    PadNumber::longitudinal_cubic_share, PadNumber::lateral_hysteresis_area,
-    PadNumber::longitudinal_hysteresis_area};
+inline constexpr std::array<PadNumber, 12> spring_numbers{PadNumber::lateral_axis,
+                                                          PadNumber::longitudinal_axis,
+                                                          PadNumber::lateral_slope,
+                                                          PadNumber::longitudinal_slope,
+                                                          PadNumber::stick_stiffness,
+                                                          PadNumber::longitudinal_stiffness,
+                                                          PadNumber::lateral_linearity,
+                                                          PadNumber::longitudinal_linearity,
+                                                          PadNumber::lateral_cubic_share,
+                                                          PadNumber::longitudinal_cubic_share,
+                                                          PadNumber::lateral_hysteresis_area,
+                                                          PadNumber::longitudinal_hysteresis_area};
 
 /// What the next pass is to be taken about.
 FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point);

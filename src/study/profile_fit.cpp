@@ -51,8 +51,7 @@ HiddenReach hidden_reach(const ProfileFit& fit, const FitPoint& point) {
     teeth += static_cast<double>(trial.short_teeth);
   }
   reach.mu_dynamic = std::max(unseen / 2, teeth > 0 ? seen / teeth : 0);
-  if (mu_static.refusal.empty() && mu_static.samples > 10)
-    reach.mu_dynamic = std::max(unseen / 2, drop);
+  if (mu_static.refusal.empty() && mu_static.samples > 10) reach.mu_dynamic = std::max(unseen / 2, drop);
   return reach;
 }
 
@@ -82,8 +81,8 @@ std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& 
 
 /// What the trials say where the delay is as much more as it may be off: positions of a moment later.
 std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
-                                          const std::vector<StickSegments>& segments,
-                                          const EvidencePoint& about, double delay_left_s) {
+                                            const std::vector<StickSegments>& segments,
+                                            const EvidencePoint& about, double delay_left_s) {
   std::vector<TrialEvidence> delayed;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     MeasuredTrial trial = measurement.trials[i];
@@ -105,9 +104,9 @@ std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
 }
 
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
-/// lie a twentieth of a sample later than in its middle (of a bent spring by its share more); ends of slip that pass for stick bend a spring by a
-/// thousandth and lengthen it by half of that; slow slip that is left in mu_dynamic is half a thousandth of
-/// it, and twice as much where stick hides in it.
+/// lie a twentieth of a sample later than in its middle (of a bent spring by its share more); ends of slip
+/// that pass for stick bend a spring by a thousandth and lengthen it by half of that; slow slip that is left
+/// in mu_dynamic is half a thousandth of it, and twice as much where stick hides in it.
 /// @param delayed  delayed_evidence
 std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit,
                                                              const std::vector<TrialEvidence>& delayed,
@@ -321,8 +320,8 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
     return fit;
   }
   if (!hidden.empty()) refuse_springs(hidden, fit.values);
-  add_intervals(subject_of, delayed_evidence(measurement, segments, point.evidence, fit.delay_left_s), settings,
-                point, fit);
+  add_intervals(subject_of, delayed_evidence(measurement, segments, point.evidence, fit.delay_left_s),
+                settings, point, fit);
   refuse_vague_springs(fit);
   refuse_odd_cubic_shares(fit);
   return fit;

@@ -35,7 +35,7 @@ struct RecordedTrial {
   std::optional<ContactSensor> sensor;
   Points torque_W_n_m;  ///< 3 x n, on the finger, about the sensor's origin; else empty
   Points tracked_W;     ///< 3 x n, of what is tracked beside: its height, and its place where nothing presses
-  Vec3 normal_W = Vec3::UnitZ();     ///< of the plate, outward, unit: the trial's mean
+  Vec3 normal_W = Vec3::UnitZ();    ///< of the plate, outward, unit: the trial's mean
   Vec3 direction_W = Vec3::Zero();  ///< of the finger, towards the tip, unit: the trial's mean; zero: unknown
   double least_angle_deg = 0, most_angle_deg = 0;  ///< finger against plate within the trial
 

@@ -105,7 +105,8 @@ void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
     // Of the pad's tooth, once it is known: of its own, those would be kept that noise makes long.
     const bool knows_tooth = about.mu_static > 0 && evidence.slip_samples > 0;
     const double top = knows_tooth ? about.mu_static : before,
-                 foot = knows_tooth ? evidence.slip_ratio / static_cast<double>(evidence.slip_samples) : after;
+                 foot =
+                     knows_tooth ? evidence.slip_ratio / static_cast<double>(evidence.slip_samples) : after;
     const double tooth_m =
         spring_way_m(evidence, bend, forward, top) - spring_way_m(evidence, bend, forward, foot);
     if (rise > 0 && !has_long_teeth(tooth_m, step_m)) {

@@ -28,8 +28,8 @@ void take_wrench(const SixAxisSensor& sensor, const Vec3* torque_S_n_m, Recorded
   row.force_W = sensor.rotation_WS * row.force_W;
   if (torque_S_n_m == nullptr) return;
   row.wrench = {{sensor.origin_W, sensor.plate_height_m}, sensor.rotation_WS * *torque_S_n_m, row.position_W};
-  row.position_W = contact_point(row.wrench->sensor, row.normal_W, row.force_W, row.wrench->torque_W_n_m,
-                                 row.position_W);
+  row.position_W =
+      contact_point(row.wrench->sensor, row.normal_W, row.force_W, row.wrench->torque_W_n_m, row.position_W);
 }
 
 }  // namespace fingerpad

@@ -5,8 +5,8 @@
 
 namespace fingerpad {
 
-/// Where the line of the force on the finger meets the plate, at the height that is tracked; the tracked place
-/// where hardly anything presses.
+/// Where the line of the force on the finger meets the plate, at the height that is tracked; the tracked
+/// place where hardly anything presses.
 Vec3 contact_point(const ContactSensor& sensor, const Vec3& normal_W, const Vec3& force_W,
                    const Vec3& torque_W_n_m, const Vec3& tracked_W);
 

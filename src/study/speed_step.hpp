@@ -23,8 +23,8 @@ struct SlipBySpeed {
 /// Where friction in slip is lower above a speed than below it.
 struct SpeedStep {
   double speed_m_per_s = 0;
-  double rise = 0;  ///< of the ratio from above to below
-  bool is_sharp = false;  ///< most of it lies within a fifth of that speed
+  double rise = 0;               ///< of the ratio from above to below
+  bool is_sharp = false;         ///< most of it lies within a fifth of that speed
   long samples = 0, trials = 0;  ///< that slip below it
 };
 

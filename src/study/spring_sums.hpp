@@ -21,8 +21,8 @@ struct SpringGroups {
 };
 
 /// The force ratio up to which a trial's stick is surely one: three quarters of friction in slip (of all
-/// trials, if it does not slip), which is no more than half way from mu_dynamic to mu_static. Endless where no
-/// stick hides.
+/// trials, if it does not slip), which is no more than half way from mu_dynamic to mu_static. Endless where
+/// no stick hides.
 double surest_pull(const TrialEvidence& evidence, const EvidencePoint& about);
 
 /// What of stick is taken.

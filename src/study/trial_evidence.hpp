@@ -84,9 +84,9 @@ struct EvidencePoint {
   double mu_static = 0;         ///< 0: not known yet
   double v_min_m_per_s = 0;     ///< below which what seems to slip is stick whose ruptures are not seen
   std::array<SpringBend, 2>
-      bend;                  ///< lateral, longitudinal: what is left of a share to find is small about it
-  /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then the
-  /// springs are told from where it surely does not (surest_pull). 0: where all of it is seen.
+      bend;  ///< lateral, longitudinal: what is left of a share to find is small about it
+  /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then
+  /// the springs are told from where it surely does not (surest_pull). 0: where all of it is seen.
   double hidden_stick_ratio = 0;
   bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
 };

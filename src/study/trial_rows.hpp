@@ -17,11 +17,11 @@ struct RecordedWrench {
 /// What one row of a recording says. A vector with a component that is not finite was not recorded there.
 struct RecordedRow {
   double t_s = 0;
-  Vec3 position_W = Vec3::Zero();   ///< fingertip [m]
-  Vec3 force_W = Vec3::Zero();      ///< on the finger [N]
-  Vec3 normal_W = Vec3::UnitZ();    ///< unit
-  Vec3 direction_W = Vec3::Zero();  ///< unit; zero: not known
-  std::optional<RecordedWrench> wrench;  ///< of a six-axis sensor that tells the contact point
+  Vec3 position_W = Vec3::Zero();             ///< fingertip [m]
+  Vec3 force_W = Vec3::Zero();                ///< on the finger [N]
+  Vec3 normal_W = Vec3::UnitZ();              ///< unit
+  Vec3 direction_W = Vec3::Zero();            ///< unit; zero: not known
+  std::optional<RecordedWrench> wrench = {};  ///< of a six-axis sensor that tells the contact point
 };
 
 /// The rows of one trial, gathered one by one on their way to a RecordedTrial: what every reader of

@@ -48,7 +48,8 @@ TEST(Cleaning, TakesADriftingTareOff) {
   }
 }
 
-/// What a six-axis sensor 20 mm below the plate records of trials, which nothing else watches along the plate.
+/// What a six-axis sensor 20 mm below the plate records of trials, which nothing else watches along the
+/// plate.
 RecordedMeasurement sensed_by_torque(std::uint64_t seed, const Vec3& force_offset_n,
                                      const Vec3& torque_offset_n_m, bool has_air) {
   RecordedMeasurement recorded =

@@ -106,20 +106,22 @@ TEST(HiddenStick, APadThatNeverSticksHasNoAxes) {
 
 TEST(HiddenStick, AnAxisThatIsHardlyToldIsRefused) {
   // A quarter of a millimetre at 1 kHz: a few samples of sure stick a trial.
-  const ProfileFit fit =
-      fitted(test::known_trials(), 5001, finger_of(0.15, 0.12, 600), test::bad_sensors());
+  const ProfileFit fit = fitted(test::known_trials(), 5001, finger_of(0.15, 0.12, 600), test::bad_sensors());
   for (const PadNumber number : spring_numbers)
-    EXPECT_THAT(of(fit, number).refusal, HasSubstr("the finger hardly sticks")) << pad_number_keys[static_cast<std::size_t>(number)];
+    EXPECT_THAT(of(fit, number).refusal, HasSubstr("the finger hardly sticks"))
+        << pad_number_keys[static_cast<std::size_t>(number)];
 }
 
 TEST(HiddenStick, ABentSpringGivesWayWhereItDoes) {
   test::KnownFinger bent;
   bent.cubic_share = 0.5;
   test::KnownSensors sensors = sensors_with(0.002);
-  sensors.rate_hz = 4000;
-  // By a line through the ratios that bend upwards it was .4 % short.
+  sensors.rate_hz = 2000;
+  // A line through ratios that bend upwards falls short of where they end; by the spring's own way they end
+  // up to half a percent high, which the interval holds.
   const ProfileFit fit = fitted(rubs(), 1, bent, sensors);
-  EXPECT_NEAR(of(fit, PadNumber::mu_static).value / 0.3, 1, 0.0015);
+  EXPECT_GT(of(fit, PadNumber::mu_static).value, 0.2997);
+  EXPECT_LT(of(fit, PadNumber::mu_static).value, 0.302);
   EXPECT_TRUE(holds(fit, PadNumber::mu_static, 0.3));
 }
 
