@@ -209,17 +209,20 @@ void refuse_springs(const std::string& words, PadValues& values) {
   }
 }
 
-/// An axis that its interval does not tell to half of it rests on hardly any stick: refused, with what
-/// rests on the same.
+/// An axis that its interval does not tell to half of it, and that rests on hardly any stick beside what
+/// slips, is refused, with what rests on the same. One of few trials or subjects is only told so widely.
 void refuse_vague_springs(ProfileFit& fit) {
-  constexpr double vaguest = 0.5;
+  constexpr double vaguest = 0.5, hardly = 0.05;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     // A number of the other axis stands beside each.
     const auto k = static_cast<std::size_t>(spring_numbers[axis]);
     const double value = fit.values[k].value;
     if (!fit.values[k].refusal.empty() || !fit.interval[k]) continue;
     const double reach = fit.interval[k]->second - value;
-    if (!(reach > vaguest * value)) continue;
+    const long slip = fit.values[static_cast<std::size_t>(PadNumber::mu_dynamic)].samples;
+    if (!(reach > vaguest * value) ||
+        static_cast<double>(fit.values[k].samples) > hardly * static_cast<double>(slip))
+      continue;
     const std::string words = fmt::format(
         "the finger hardly sticks: what is seen of its stick along this axis tells it to -+ {:.0f} % only",
         100 * reach / value);
