@@ -20,6 +20,11 @@
 namespace fingerpad {
 namespace {
 
+/// What to do with a table of several trials.
+constexpr std::string_view one_trial_mend =
+    "one file is one trial here; part them into files, or have fit read it as a table of your own "
+    "(--reader table, with subject=... and trial=... in --columns)";
+
 /// What the user calls a column; empty where it was not named.
 std::string_view named(const RecordingFormat& format, std::string_view key) {
   if (key == "speed") return format.speed_header;
@@ -65,14 +70,15 @@ void ask_for_columns(const std::string& path, const RecordingFormat& format, con
 
 void refuse_other_columns(const std::string& path, const RecordingFormat& format, const OpenLayout& layout) {
   constexpr std::string_view taken[] = {"t", "x", "y", "z", "fx", "fy", "fz", "fn"};
+  // A motion has no use for these.
+  const std::string_view beside = format.takes_force_unit ? ", tx, ty, tz, speed" : "";
   for (std::size_t k = 0; k < recording_columns.size(); ++k) {
     const std::string_view key = recording_columns[k].key;
     if (format.headers[k].empty() || std::find(std::begin(taken), std::end(taken), key) != std::end(taken))
       continue;
-    throw refused(path,
-                  fmt::format("the column '{}' is named, which {} does not take (it takes {}): leave it "
-                              "out",
-                              key, layout.format, fmt::join(taken, ", ")));
+    throw refused(path, fmt::format("the column '{}' is named, which {} does not take (it takes {}{}): {}",
+                                    key, layout.format, fmt::join(taken, ", "), beside,
+                                    key == "trial" || key == "subject" ? one_trial_mend : "leave it out"));
   }
 }
 
@@ -246,7 +252,8 @@ void refuse_odd_samples(const std::string& path, const Motion& motion) {
     const auto column = static_cast<Eigen::Index>(i);
     std::string fault = sample_fault(motion.t_s[i], motion.p_WQ.col(column));
     if (fault.empty() && i > 0 && !(motion.t_s[i] > motion.t_s[i - 1]))
-      fault = fmt::format("time {} s does not come after {} s", motion.t_s[i], motion.t_s[i - 1]);
+      fault = fmt::format("time {} s does not come after {} s: {}", motion.t_s[i], motion.t_s[i - 1],
+                          one_trial_mend);
     if (fault.empty() && !motion.normal_force_n.empty()) fault = force_fault(motion.normal_force_n[i]);
     if (!fault.empty()) throw refused(path, fmt::format("sample {}: {}", i + 1, fault));
   }

@@ -10,6 +10,7 @@
 #include "study/mains_hum.hpp"
 #include "study/measurement.hpp"
 #include "study/pad_axes.hpp"
+#include "study/six_axis_sensor.hpp"
 
 namespace fingerpad {
 namespace {
@@ -38,6 +39,30 @@ void low_pass(RecordedTrial& trial, double cutoff_hz) {
       points->row(axis) = filter.filtered(row);
     }
   }
+}
+
+/// Torques hum as forces do.
+void remove_torque_hum(RecordedTrial& trial, Mains mains) {
+  std::swap(trial.force_W, trial.torque_W_n_m);
+  remove_mains_hum(trial, mains);
+  std::swap(trial.force_W, trial.torque_W_n_m);
+}
+
+/// Where contact points come from; empty where none are told from torques.
+std::string contact_text(const std::vector<TrialCleaning>& trials) {
+  std::size_t told = 0, untared = 0;
+  for (const TrialCleaning& trial : trials) {
+    told += trial.tells_contact ? 1 : 0;
+    untared += trial.tells_contact && trial.free_samples == 0 ? 1 : 0;
+  }
+  if (told == 0) return {};
+  return fmt::format(
+      "contact points: told from force and torque in {} trials{}", told,
+      untared == 0
+          ? ", after the tare"
+          : fmt::format("; in {} of them no tare was taken off, and a sensor that was not zeroed moves "
+                        "them",
+                        untared));
 }
 
 /// What was done, in order.
@@ -70,6 +95,8 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
                                     static_cast<std::size_t>(tared) < trials
                                         ? "; the others have no moment that is surely without contact"
                                         : ""));
+  if (const std::string contact = contact_text(measurement.cleanings); !contact.empty())
+    steps.push_back(contact);
   steps.push_back(delay_text(measurement.delays, settings));
   steps.push_back(settings.smoothing_hz > 0
                       ? fmt::format("low pass: Butterworth, 2nd order, forth and back, {} Hz halved",
@@ -91,7 +118,10 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
     const MainsHum hum = remove_mains_hum(trial, settings.mains);
     cleaning.hum_hz = hum.frequency_hz;
     cleaning.hum_n = hum.amplitude_n;
+    if (trial.sensor) remove_torque_hum(trial, settings.mains);
     if (settings.takes_tare) take_tare(trial, cleaning);
+    if (trial.sensor) take_contact_points(trial);
+    cleaning.tells_contact = trial.sensor.has_value();
     measurement.cleanings.push_back(cleaning);
   }
   measurement.delays = settle_delays(recorded.trials, settings);
@@ -99,6 +129,7 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
   for (RecordedTrial& trial : recorded.trials) {
     if (settings.smoothing_hz > 0) low_pass(trial, settings.smoothing_hz);
     MeasuredTrial measured = in_pad_axes(trial);
+    if (!measurement.knows_delay) measured.delay_unsure_s = delay_unsure_s(measurement.delays, trial.file);
     trial = RecordedTrial();
     if (measured.position_m.size() < fewest_touching_samples) {
       measurement.untouched.push_back(measured.name);

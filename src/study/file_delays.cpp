@@ -101,6 +101,15 @@ std::vector<FileDelay> settle_delays(std::vector<RecordedTrial>& trials, const C
   return delays;
 }
 
+double delay_unsure_s(const std::vector<FileDelay>& delays, const std::string& file) {
+  for (const FileDelay& delay : delays) {
+    const bool is_its = std::find(delay.files.begin(), delay.files.end(), file) != delay.files.end();
+    const auto& interval_s = delay.estimate.interval_s;
+    if (is_its && interval_s) return (interval_s->second - interval_s->first) / 2;
+  }
+  return 0;
+}
+
 std::string delay_text(const std::vector<FileDelay>& delays, const CleaningSettings& settings) {
   std::string text = "delay: ";
   if (settings.delay_s) text += fmt::format("{:.3f} ms as given was taken out; ", 1e3 * *settings.delay_s);

@@ -14,6 +14,9 @@ namespace fingerpad {
 /// @returns an entry a file, and one for those taken together
 std::vector<FileDelay> settle_delays(std::vector<RecordedTrial>& trials, const CleaningSettings& settings);
 
+/// By how much the delay of a file may be off: half of its interval; 0 where it has none.
+double delay_unsure_s(const std::vector<FileDelay>& delays, const std::string& file);
+
 /// What was done about the delay, for people.
 std::string delay_text(const std::vector<FileDelay>& delays, const CleaningSettings& settings);
 

@@ -148,19 +148,18 @@ struct TareLine {
   double at(double i) const noexcept { return level_n + slope_n * (i - middle); }
 };
 
-TareLine line_through(const RecordedTrial& trial, Eigen::Index axis, const Samples& samples,
-                      bool takes_slope) {
+TareLine line_through(const Points& sensed, Eigen::Index axis, const Samples& samples, bool takes_slope) {
   TareLine line;
   const auto count = static_cast<double>(samples.size());
   for (const Eigen::Index i : samples) {
     line.middle += static_cast<double>(i) / count;
-    line.level_n += trial.force_W(axis, i) / count;
+    line.level_n += sensed(axis, i) / count;
   }
   double squares = 0, drift = 0;
   for (const Eigen::Index i : samples) {
     const double off = static_cast<double>(i) - line.middle;
     squares += off * off;
-    drift += off * (trial.force_W(axis, i) - line.level_n);
+    drift += off * (sensed(axis, i) - line.level_n);
   }
   if (takes_slope && squares > 0) line.slope_n = drift / squares;
   return line;
@@ -171,11 +170,12 @@ struct Tare {
   Vec3 begin_n, end_n;
   double last;  ///< sample
 
-  Tare(const RecordedTrial& trial, const Samples& free)
-      : last(static_cast<double>(std::max<Eigen::Index>(trial.samples() - 1, 1))) {
-    const bool takes_slope = 3 * (free.back() - free.front()) > trial.samples();
+  /// @param sensed  forces or torques
+  Tare(const Points& sensed, const Samples& free)
+      : last(static_cast<double>(std::max<Eigen::Index>(sensed.cols() - 1, 1))) {
+    const bool takes_slope = 3 * (free.back() - free.front()) > sensed.cols();
     for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const TareLine line = line_through(trial, axis, free, takes_slope);
+      const TareLine line = line_through(sensed, axis, free, takes_slope);
       begin_n[axis] = line.at(0);
       end_n[axis] = line.at(last);
     }
@@ -204,11 +204,15 @@ void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
   if (!(levels.press_n - levels.low_n > 20 * noise_n)) return;
   Samples free = free_samples(trial, levels);
   if (free.empty()) return;
-  if (passes_slowly(trial, levels, Tare(trial, free), noise_n, free.size()))
+  if (passes_slowly(trial, levels, Tare(trial.force_W, free), noise_n, free.size()))
     free = cornered_samples(trial, levels, noise_n);
   if (free.empty()) return;
-  const Tare tare(trial, free);
+  const Tare tare(trial.force_W, free);
   for (Eigen::Index i = 0; i < trial.samples(); ++i) trial.force_W.col(i) -= tare.at(i);
+  if (trial.sensor) {
+    const Tare torque(trial.torque_W_n_m, free);
+    for (Eigen::Index i = 0; i < trial.samples(); ++i) trial.torque_W_n_m.col(i) -= torque.at(i);
+  }
   cleaning.free_samples = static_cast<long>(free.size());
   cleaning.tare_begin_n = tare.begin_n;
   cleaning.tare_end_n = tare.end_n;

@@ -5,7 +5,8 @@
 namespace fingerpad {
 
 /// Takes off what the force sensor reads while nothing touches it: a straight line in time through the
-/// samples without contact (a constant, where they do not span a third of the trial), on each axis.
+/// samples without contact (a constant, where they do not span a third of the trial), on each axis,
+/// and off its torques by the same samples.
 ///
 /// Samples are without contact where the normal force is at its lowest for 50 ms and as still as its noise,
 /// and either hardly any lie between there and the press, or it is level for 75 ms and left in a corner: a

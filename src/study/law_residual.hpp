@@ -22,6 +22,14 @@ struct LawResidual {
 struct LawSpring {
   EvidencePoint about;               ///< that the evidence was taken about
   std::array<SpringShape, 2> shape;  ///< lateral, longitudinal
+  bool leaves_hidden_out = false;  ///< what of stick hides is surely the pad's own: friction's step tells it
+};
+
+/// What of stick may hide, which is no fault of the law.
+struct HiddenStick {
+  bool is_likely = false;   ///< it passes for slip: what slip's ends leave says nothing
+  bool is_stepped = false;  ///< and friction's step tells it: its ruptures are not to be seen
+  double unseen_drop = 0;   ///< share of friction that a rupture may drop unseen
 };
 
 /// Holds the law against one trial: in stick each stretch is the fitted spring, bent and with its loop, of
@@ -30,7 +38,7 @@ class ResidualSums {
  public:
   explicit ResidualSums(const LawSpring& spring) : spring_(spring) {}
   void add(const MeasuredTrial& trial, const StickSegments& segments, const TrialEvidence& evidence);
-  LawResidual verdict() const;
+  LawResidual verdict(const HiddenStick& hidden) const;
 
  private:
   void add_stick(const MeasuredTrial& trial, const StickSegments& segments, const TrialEvidence& evidence,

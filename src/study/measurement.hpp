@@ -25,6 +25,7 @@ struct MeasuredTrial {
   std::vector<bool> starts_anew;  ///< the sample does not follow the one before: samples or contact missed
   bool has_direction = false;     ///< else the axes are arbitrary
   double inclination_deg = 0;     ///< mean, finger against the plate; 0 without a direction
+  double delay_unsure_s = 0;      ///< by which the delay that was taken out may be off: half its interval
 };
 
 /// The finger's angle that a trial is run and drawn at [deg]: 45, where a pad's axes hold, if it says none.
@@ -40,6 +41,7 @@ struct TrialCleaning {
   Vec3 tare_begin_n{0, 0, 0};  ///< taken off at the trial's begin, in W
   Vec3 tare_end_n{0, 0, 0};    ///< and at its end; straight in between
   double hum_hz = 0;           ///< of the mains hum taken off; 0: none was found
+  bool tells_contact = false;  ///< its positions are told from its torques
   double hum_n = 0;            ///< its greatest amplitude of an axis
 };
 

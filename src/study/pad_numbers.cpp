@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/number_text.hpp"
+#include "study/hidden_stick.hpp"
 #include "study/load_exponent.hpp"
 #include "study/press_fit.hpp"
 #include "study/spring_fit.hpp"
@@ -125,53 +126,10 @@ void add_axis(const SpringFit& fit, const SpringBend& bend, const AxisNumbers& n
   value_of(found, numbers.hysteresis_area) = of_axis(fit, 4 * fit.shape.hysteresis_m * mu, loop_refusal);
 }
 
-bool has_short_teeth(const std::vector<TrialEvidence>& trials) {
-  return std::any_of(trials.begin(), trials.end(), [](const TrialEvidence& t) { return t.short_teeth > 0; });
-}
-
-/// Refuses a v_min that stick which passes for slip has made too low.
-void refuse_hidden_stick(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
-                         const std::optional<SpeedStep>& slow_slip, PadValues& found) {
-  constexpr double most_rise = 0.25;  // of what a rupture drops; of hidden teeth it is half of that
-  const PadValue &mu_static = value_of(found, PadNumber::mu_static),
-                 &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
-  PadValue& v_min = value_of(found, PadNumber::v_min);
-  const bool is_seen = v_min.refusal.empty();
-  const std::string seen = is_seen ? fmt::format("is seen to end at {} m/s", rounded_text(v_min.value, 3))
-                                   : std::string("is not plainly seen to end in stick");
-  if (mu_static.samples == 0 && has_short_teeth(trials)) {
-    v_min.refusal = fmt::format(
-        "slip {}, where stick gives way again within a few samples, and passes for slip before: sample "
-        "faster",
-        seen);
-    return;
-  }
-  constexpr double faster = 1.03;
-  if (slow_slip && (!is_seen || slow_slip->speed_m_per_s > faster * v_min.value)) {
-    v_min.refusal = fmt::format(
-        "slip {}, but its friction is up by {} already below {} m/s: stick that gives way again "
-        "within a few "
-        "samples hides there (then sample faster), or friction rises as the finger slows",
-        seen, rounded_text(slow_slip->rise, 3), rounded_text(slow_slip->speed_m_per_s, 3));
-    return;
-  }
-  if (!is_seen) return;
-  if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty()) return;
-  double rise = 0, stops = 0;
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    rise += times[i] * trials[i].stop_rise;
-    stops += static_cast<double>(times[i] * trials[i].stops);
-  }
-  rise /= stops;
-  const double drop = mu_static.value - mu_dynamic.value;
-  if (!(drop > 0) || !(rise > most_rise * drop)) return;  // subjects that differ may have no drop
-  v_min.refusal = fmt::format(
-      "friction is up by {:.0f} % of what a rupture drops just before slip is seen to end (at {} m/s): "
-      "stick "
-      "that gives way again within a few samples hides there (then sample faster), or friction rises as the "
-      "finger "
-      "slows",
-      100 * rise / std::max(drop, 1e-9), rounded_text(v_min.value, 3));
+PadValue v_min_of_step(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
+  const std::optional<SpeedStep> step = speed_step(trials, times);
+  if (!step) return {0, 0, 0, "no slip is slower than where friction steps"};
+  return {step->speed_m_per_s, step->samples, step->trials, ""};
 }
 
 /// Lengths, stiffnesses, speeds and the like, that cannot be 0 or less.
@@ -204,15 +162,6 @@ void refuse_no_numbers(PadValues& found) {
   }
 }
 
-/// Whether slow slip's friction is so much higher that stick may hide in it, of a law like the pad's.
-bool is_hidden_stick(const PadValues& found, const SpeedStep& slow) {
-  constexpr double least_of_drop = 0.25, least_of_friction = 0.04;
-  const PadValue &mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)],
-                 &mu_dynamic = found[static_cast<std::size_t>(PadNumber::mu_dynamic)];
-  if (!mu_dynamic.refusal.empty() || !(slow.rise > least_of_friction * mu_dynamic.value)) return false;
-  return !mu_static.refusal.empty() || slow.rise > least_of_drop * (mu_static.value - mu_dynamic.value);
-}
-
 /// The spring that was found, for the next pass. The law's shares begin at 0.
 void take_bends(const PadValues& found, EvidencePoint& next) {
   constexpr double most_bent = 0.9;
@@ -227,6 +176,11 @@ void take_bends(const PadValues& found, EvidencePoint& next) {
 
 }  // namespace
 
+PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
+  return subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s, &TrialEvidence::stops, 10,
+                       "no slip that ends in stick was found");
+}
+
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                       const FitPoint& point) {
   PadValues found;
@@ -237,9 +191,12 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
                                             &TrialEvidence::slip_samples, 500, "no slip was found");
   at(PadNumber::mu_load_exponent) =
       load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
-  at(PadNumber::v_min) = subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s,
-                                       &TrialEvidence::stops, 10, "no slip that ends in stick was found");
-  refuse_hidden_stick(trials, times, point.slow_slip, found);
+  at(PadNumber::v_min) = seen_v_min(trials, times);
+  if (point.v_min_by_step) {
+    at(PadNumber::v_min) = v_min_of_step(trials, times);
+  } else if (std::string words = hidden_stick_words(trials, times, point.slow_slip, found); !words.empty()) {
+    at(PadNumber::v_min).refusal = std::move(words);
+  }
   for (int axis = 0; axis < 2; ++axis)
     add_axis(fit_spring(trials, times, axis), point.evidence.bend[static_cast<std::size_t>(axis)],
              axis_numbers[axis], found);
@@ -272,10 +229,16 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
   const PadValues found = pad_numbers(trials, once, point);
   take_bends(found, next.evidence);
+  const PadValue& mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)];
+  next.evidence.mu_static = mu_static.refusal.empty() ? mu_static.value : 0;
   const PadValue& v_min = found[static_cast<std::size_t>(PadNumber::v_min)];
   next.evidence.v_min_m_per_s = v_min.refusal.empty() ? v_min.value : 0;
-  next.slow_slip = speed_step(trials);
+  next.slow_slip = speed_step(trials, once);
   if (next.slow_slip && !is_hidden_stick(found, *next.slow_slip)) next.slow_slip.reset();
+  next.v_min_by_step = next.slow_slip && tells_v_min(*next.slow_slip, seen_v_min(trials, once));
+  const PadValue& mu_dynamic = found[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+  const bool may_hide = may_hide_stick(trials, next.slow_slip, found);
+  next.evidence.hidden_stick_ratio = may_hide && mu_dynamic.refusal.empty() ? mu_dynamic.value : 0;
   if (next.slow_slip)
     next.evidence.v_min_m_per_s = std::max(next.evidence.v_min_m_per_s, next.slow_slip->speed_m_per_s);
   return next;

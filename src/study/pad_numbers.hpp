@@ -70,6 +70,7 @@ struct FitPoint {
   std::optional<VibrationPeak> vibration;  ///< where a draw's own peak is looked for
   double trial_scatter = 0;                ///< of the trials' friction; see load_exponent
   std::optional<SpeedStep> slow_slip;      ///< where slip's friction rises as it slows
+  bool v_min_by_step = false;              ///< v_min is the speed at which it does (tells_v_min)
 };
 
 /// The numbers of the trials' evidence, each counted `times` (a bootstrap's draw; once each for the
@@ -78,7 +79,7 @@ struct FitPoint {
 /// Each subject weighs the same, whatever its samples (paper, "Stick Ellipse"): a number is the mean of the
 /// subjects' own. mu_static is the mean of |q| at ruptures, mu_dynamic of q in slip, both at the load of
 /// `point`; mu_load_exponent is that of mu(n) = mu (n/load)^exponent in slip; v_min the mean of the speeds at
-/// ends of slip.
+/// ends of slip, or the one at which friction steps in slip (speed_step).
 /// Axes: a trial at angle alpha gives A of x = A g(r) (SpringBend), and a = A mu_s, where the spring ends.
 /// Each subject's line a(alpha) gives its own a45, by which its points are normalised (figs. 5, 6); the slope
 /// s is that of the weighted least squares line a/a45 = 1 - s (alpha - 45) over all subjects, the weights of
@@ -94,6 +95,23 @@ struct FitPoint {
 /// finite, or not above 0 where it must be, is refused.
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                       const FitPoint& point);
+
+/// The mean speed at which slip is seen to end.
+PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
+
+/// All that rests on the stick of one axis, or of the other.
+inline constexpr std::array<PadNumber, 12> spring_numbers{PadNumber::lateral_axis,
+                                                          PadNumber::longitudinal_axis,
+                                                          PadNumber::lateral_slope,
+                                                          PadNumber::longitudinal_slope,
+                                                          PadNumber::stick_stiffness,
+                                                          PadNumber::longitudinal_stiffness,
+                                                          PadNumber::lateral_linearity,
+                                                          PadNumber::longitudinal_linearity,
+                                                          PadNumber::lateral_cubic_share,
+                                                          PadNumber::longitudinal_cubic_share,
+                                                          PadNumber::lateral_hysteresis_area,
+                                                          PadNumber::longitudinal_hysteresis_area};
 
 /// What the next pass is to be taken about.
 FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point);

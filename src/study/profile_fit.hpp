@@ -43,9 +43,10 @@ struct FitSettings {
 /// subjects, not for those who were not measured; with Blocks::subjects whole subjects are drawn); the
 /// estimate -+ Student's t times the spread of the draws, or of the jackknife (interval_reach), and as far as
 /// the number moves where what the sampling leaves unknown is a little otherwise: the sensors' noise a tenth
-/// more than was taken off, ruptures a twentieth of a sample later, ends of slip half a sample earlier (and
-/// by as many more as teeth of stick and slip at v_min have less than six), the peak of vibration a fortieth
-/// of the spectrum's step beside. The same seed gives the same intervals.
+/// more than was taken off, the delay by half its interval more (and what the springs tell of its rest),
+/// ruptures a twentieth of a sample later (of a bent spring by its cubic share more), ends of slip half a
+/// sample earlier (and by as many more as teeth of stick and slip at v_min have less than six), the peak of
+/// vibration a fortieth of the spectrum's step beside. The same seed gives the same intervals.
 ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings);
 
 }  // namespace fingerpad

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +14,12 @@ namespace fingerpad {
 /// longer one nothing is known.
 enum class SampleOrigin : unsigned char { recorded, filled, missing };
 
+/// Where a six-axis sensor stands that tells the contact point on the plate.
+struct ContactSensor {
+  Vec3 origin_W = Vec3::Zero();  ///< of its axes [m]
+  double plate_height_m = 0;     ///< of the plate's surface over W's origin, along the plate's normal
+};
+
 /// One trial as the sensors recorded it: in SI units and the recording's own axes W, at even steps.
 /// Sample i was taken at start_s + i / rate_hz.
 struct RecordedTrial {
@@ -24,7 +31,11 @@ struct RecordedTrial {
   Points position_W;                 ///< 3 x n, the fingertip [m]
   Points force_W;                    ///< 3 x n, on the finger [N]
   std::vector<SampleOrigin> origin;  ///< n
-  Vec3 normal_W = Vec3::UnitZ();     ///< of the plate, outward, unit: the trial's mean
+  /// Where positions are contact points that a sensor tells: they are told anew once its tare is off.
+  std::optional<ContactSensor> sensor;
+  Points torque_W_n_m;  ///< 3 x n, on the finger, about the sensor's origin; else empty
+  Points tracked_W;     ///< 3 x n, of what is tracked beside: its height, and its place where nothing presses
+  Vec3 normal_W = Vec3::UnitZ();    ///< of the plate, outward, unit: the trial's mean
   Vec3 direction_W = Vec3::Zero();  ///< of the finger, towards the tip, unit: the trial's mean; zero: unknown
   double least_angle_deg = 0, most_angle_deg = 0;  ///< finger against plate within the trial
 

@@ -26,11 +26,11 @@ std::optional<double> drop_at(const MeasuredTrial& trial, std::size_t i, std::si
 
 bool ruptures_at(std::size_t i, const MeasuredTrial& trial, int half_window, double noise,
                  std::size_t count) {
-  constexpr double shares = 1, least_share = 0.08;
+  constexpr double shares = 1;
   const std::optional<double> drop = drop_at(trial, i, count);
   if (!drop) return false;
-  const double least = std::max(rupture_deviations * std::sqrt(2.0 / static_cast<double>(count)) * noise,
-                                least_share * trial.force_ratio[i - 1].norm());
+  const double least =
+      least_drop(noise / std::sqrt(static_cast<double>(count)), trial.force_ratio[i - 1].norm());
   if (!(*drop > 0.5 * least)) return false;
   const auto half = static_cast<std::size_t>(half_window);
   std::vector<double> drops;
@@ -53,6 +53,11 @@ constexpr double single_noise = most_noise_share / 2;
 constexpr std::size_t means_count = 3;
 
 }  // namespace
+
+double least_drop(double noise, double friction) {
+  constexpr double least_share = 0.08;
+  return std::max(rupture_deviations * std::sqrt(2.0) * noise, least_share * friction);
+}
 
 double ratio_noise_at(const MeasuredTrial& trial, const StickSegments& segments, std::size_t i) {
   return segments.ratio_noise * std::max(1.0, segments.usual_normal_n / trial.normal_force_n[i]);

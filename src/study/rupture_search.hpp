@@ -12,6 +12,9 @@ inline constexpr double most_noise_share = 2.0 * 0.15 / 4.5 / 1.414;
 /// of it is in the ratio.
 double ratio_noise_at(const MeasuredTrial& trial, const StickSegments& segments, std::size_t i);
 
+/// The least drop of the ratio that is seen as a rupture.
+double least_drop(double noise, double friction);
+
 /// Friction of samples that are pressed, near its greatest.
 double most_friction(const MeasuredTrial& trial, double least_n);
 

@@ -5,9 +5,8 @@
 namespace fingerpad {
 
 /// Adds the force ratios at which a trial's stick gives way.
-/// @param bend  that the evidence's springs were taken about
+/// @pre  its slip and its springs have been added
 void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
-                      const std::vector<Vec2>& ratio, const std::array<SpringBend, 2>& bend,
-                      TrialEvidence& evidence);
+                      const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence);
 
 }  // namespace fingerpad

@@ -5,19 +5,31 @@
 
 namespace fingerpad {
 
-void take_wrench(const SixAxisSensor& sensor, const Vec3* torque_S_n_m, RecordedRow& row) {
-  const Vec3 force_W = sensor.rotation_WS * row.force_W;
-  row.force_W = force_W;
-  if (torque_S_n_m == nullptr) return;
-  const Vec3 torque_W = sensor.rotation_WS * *torque_S_n_m;
-  const Vec3& n = row.normal_W;
-  const double height_m = sensor.plate_height_m - n.dot(sensor.origin_W), normal_n = n.dot(force_W);
+Vec3 contact_point(const ContactSensor& sensor, const Vec3& normal_W, const Vec3& force_W,
+                   const Vec3& torque_W_n_m, const Vec3& tracked_W) {
+  constexpr double least_n = 0.05;
+  const double height_m = sensor.plate_height_m - normal_W.dot(sensor.origin_W),
+               normal_n = normal_W.dot(force_W);
   // Of all points r on the line of the force the moment is tau = r x f + m n, with m the free moment about
   // the normal. n x (r x f) = r (n.f) - f (n.r), so that r = (n x tau + h f)/(n.f) with h = n.r: McCarthy
   // 1990's centre of pressure. Its height along the normal is not told by the force.
-  const Vec3 contact = (n.cross(torque_W) + height_m * force_W) / normal_n;
-  if (std::abs(normal_n) > 0.05 && contact.allFinite())
-    row.position_W = sensor.origin_W + contact + n * n.dot(row.position_W - sensor.origin_W - contact);
+  const Vec3 contact = (normal_W.cross(torque_W_n_m) + height_m * force_W) / normal_n;
+  if (!(std::abs(normal_n) > least_n) || !contact.allFinite()) return tracked_W;
+  return sensor.origin_W + contact + normal_W * normal_W.dot(tracked_W - sensor.origin_W - contact);
+}
+
+void take_contact_points(RecordedTrial& trial) {
+  for (Eigen::Index i = 0; i < trial.samples(); ++i)
+    trial.position_W.col(i) = contact_point(*trial.sensor, trial.normal_W, trial.force_W.col(i),
+                                            trial.torque_W_n_m.col(i), trial.tracked_W.col(i));
+}
+
+void take_wrench(const SixAxisSensor& sensor, const Vec3* torque_S_n_m, RecordedRow& row) {
+  row.force_W = sensor.rotation_WS * row.force_W;
+  if (torque_S_n_m == nullptr) return;
+  row.wrench = {{sensor.origin_W, sensor.plate_height_m}, sensor.rotation_WS * *torque_S_n_m, row.position_W};
+  row.position_W =
+      contact_point(row.wrench->sensor, row.normal_W, row.force_W, row.wrench->torque_W_n_m, row.position_W);
 }
 
 }  // namespace fingerpad

@@ -43,18 +43,17 @@ void add_loads(const MeasuredTrial& trial, const PhaseStretch& s, const std::vec
   evidence.slip_samples += static_cast<long>(samples);
 }
 
-/// Without what is slower at its ends than v_min, and a little more, since a trial's own may be higher.
-PhaseStretch fast_part(PhaseStretch s, const StickSegments& segments, double v_min_m_per_s) {
+}  // namespace
+
+PhaseStretch fast_part(PhaseStretch stretch, const StickSegments& segments, double v_min_m_per_s) {
   constexpr double above = 1.1;
   const auto is_slow = [&](std::size_t i) {
     return segments.velocity_m_per_s[i].norm() < above * v_min_m_per_s;
   };
-  while (s.from < s.to && is_slow(s.from)) ++s.from;
-  while (s.to > s.from && is_slow(s.to - 1)) --s.to;
-  return s;
+  while (stretch.from < stretch.to && is_slow(stretch.from)) ++stretch.from;
+  while (stretch.to > stretch.from && is_slow(stretch.to - 1)) --stretch.to;
+  return stretch;
 }
-
-}  // namespace
 
 void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
                    const EvidencePoint& about, TrialEvidence& evidence) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "study/phase_stretch.hpp"
 #include "study/trial_evidence.hpp"
 
 namespace fingerpad {
@@ -12,5 +13,9 @@ void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, co
 /// Adds the speeds at which its slip ends in stick, told along the spring of the evidence.
 void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
                    const std::array<SpringBend, 2>& bend, TrialEvidence& evidence);
+
+/// A stretch of slip without what is slower at its ends than v_min, and a little more, since a trial's own
+/// may be higher.
+PhaseStretch fast_part(PhaseStretch stretch, const StickSegments& segments, double v_min_m_per_s);
 
 }  // namespace fingerpad

@@ -8,12 +8,52 @@
 namespace fingerpad {
 namespace {
 
-constexpr double slowest_m_per_s = 5e-3, bin_width = 0.025;
+constexpr double slowest_m_per_s = 5e-3;
 
-/// Sums of a trial's slip below a speed and in all.
-struct BelowAndAll {
-  double ratio = 0, samples = 0, all_ratio = 0, all_samples = 0;
+/// What slips of a trial between two speeds.
+struct SlipBetween {
+  double ratio = 0, samples = 0;
+  SlipBetween& operator+=(const SlipBetween& other) {
+    ratio += other.ratio;
+    samples += other.samples;
+    return *this;
+  }
 };
+
+SlipBetween slip_between(const SlipBySpeed& slip, std::size_t from, std::size_t to) {
+  SlipBetween sum;
+  for (std::size_t bin = from; bin < std::min(to, SlipBySpeed::bins); ++bin)
+    sum += {slip.ratio[bin], slip.samples[bin]};
+  return sum;
+}
+
+/// The mean rise from above to below, each trial by how well it tells it.
+struct MeanRise {
+  double rises = 0, weights = 0;
+  long below = 0, trials = 0;
+
+  void add(const SlipBetween& slow, const SlipBetween& fast, int times) {
+    if (!(slow.samples > 0) || !(fast.samples > 0) || times == 0) return;
+    const double weight = times * slow.samples * fast.samples / (slow.samples + fast.samples);
+    rises += weight * (slow.ratio / slow.samples - fast.ratio / fast.samples);
+    weights += weight;
+    below += times * static_cast<long>(slow.samples);
+    trials += times;
+  }
+  double mean() const noexcept { return rises / weights; }
+};
+
+/// Whether friction rises at the bin's speed, and not over a wide range about it.
+bool is_sharp_at(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, std::size_t bin,
+                 double rise) {
+  constexpr double most_of_it = 0.7;
+  constexpr std::size_t near = 8;  // bins: a fifth
+  MeanRise close;
+  for (std::size_t i = 0; i < trials.size(); ++i)
+    close.add(slip_between(trials[i].slip_by_speed, bin > near ? bin - near : 0, bin),
+              slip_between(trials[i].slip_by_speed, bin, bin + near), times[i]);
+  return close.weights > 0 && close.mean() > most_of_it * rise;
+}
 
 }  // namespace
 
@@ -29,34 +69,26 @@ double SlipBySpeed::speed_m_per_s(std::size_t bin) {
   return slowest_m_per_s * std::exp(bin_width * static_cast<double>(bin));
 }
 
-std::optional<SpeedStep> speed_step(const std::vector<TrialEvidence>& trials) {
-  constexpr double fewest = 50;
-  std::vector<BelowAndAll> sums(trials.size());
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    for (std::size_t bin = 0; bin < SlipBySpeed::bins; ++bin) {
-      sums[i].all_ratio += trials[i].slip_by_speed.ratio[bin];
-      sums[i].all_samples += trials[i].slip_by_speed.samples[bin];
-    }
-  }
+std::optional<SpeedStep> speed_step(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
+  constexpr long fewest = 50;
+  std::vector<SlipBetween> all, slower(trials.size());
+  for (const TrialEvidence& trial : trials)
+    all.push_back(slip_between(trial.slip_by_speed, 0, SlipBySpeed::bins));
   std::optional<SpeedStep> best;
+  std::size_t best_bin = 0;
   double most = 0;
   for (std::size_t bin = 1; bin < SlipBySpeed::bins; ++bin) {
-    double below = 0, weights = 0, rises = 0;
+    MeanRise sum;
     for (std::size_t i = 0; i < trials.size(); ++i) {
-      BelowAndAll& sum = sums[i];
-      sum.ratio += trials[i].slip_by_speed.ratio[bin - 1];
-      sum.samples += trials[i].slip_by_speed.samples[bin - 1];
-      const double above = sum.all_samples - sum.samples;
-      if (!(sum.samples > 0) || !(above > 0)) continue;
-      const double weight = sum.samples * above / sum.all_samples;
-      rises += weight * (sum.ratio / sum.samples - (sum.all_ratio - sum.ratio) / above);
-      weights += weight;
-      below += sum.samples;
+      slower[i] += slip_between(trials[i].slip_by_speed, bin - 1, bin);
+      sum.add(slower[i], {all[i].ratio - slower[i].ratio, all[i].samples - slower[i].samples}, times[i]);
     }
-    if (below < fewest || !(rises > 0) || !(rises * rises / weights > most)) continue;
-    most = rises * rises / weights;
-    best = {SlipBySpeed::speed_m_per_s(bin), rises / weights};
+    if (sum.below < fewest || !(sum.rises > 0) || !(sum.rises * sum.rises / sum.weights > most)) continue;
+    most = sum.rises * sum.rises / sum.weights;
+    best = {SlipBySpeed::speed_m_per_s(bin), sum.mean(), false, sum.below, sum.trials};
+    best_bin = bin;
   }
+  if (best) best->is_sharp = is_sharp_at(trials, times, best_bin, best->rise);
   return best;
 }
 

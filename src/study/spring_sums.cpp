@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "friction/stick_spring.hpp"
 #include "study/phase_stretch.hpp"
@@ -146,29 +147,49 @@ Eigen::Matrix2d spring_slopes(const SpringBend& bend, const Vec2& own_and_other)
   return slopes;
 }
 
+double surest_pull(const TrialEvidence& evidence, const EvidencePoint& about) {
+  constexpr double surely = 0.75;
+  if (!(about.hidden_stick_ratio > 0)) return std::numeric_limits<double>::infinity();
+  if (evidence.slip_samples == 0) return surely * about.hidden_stick_ratio;
+  return surely * evidence.slip_ratio / static_cast<double>(evidence.slip_samples);
+}
+
 std::vector<SpringGroups> spring_groups(const MeasuredTrial& trial, const StickSegments& segments,
-                                        const std::vector<Vec2>& ratio, const EvidencePoint& about) {
+                                        const std::vector<Vec2>& ratio, const SpringChoice& choice) {
   const auto wanted = static_cast<std::size_t>(std::max(1L, std::lround(spring_group_s * trial.rate_hz)));
   const MotionDirection direction(trial, segments.half_window);
   std::vector<SpringGroups> found;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     const PhaseStretch s = inner_stretch(whole, segments);
     if (s.to - s.from < fewest_groups * std::min<std::size_t>(wanted, 2)) continue;
-    SpringGroups groups{s, std::max<std::size_t>(1, std::min(wanted, (s.to - s.from) / fewest_groups)), {}};
-    groups.is_short = groups.size < wanted;
-    for (std::size_t from = s.from; from + groups.size <= s.to; from += groups.size) {
-      groups.terms.push_back(
-          group_terms(trial, segments, ratio, direction, about.bend, from, from + groups.size));
-      if (about.knows_delay) groups.terms.back()[0][spring_speed] = groups.terms.back()[1][spring_speed] = 0;
+    const std::size_t size = std::max<std::size_t>(1, std::min(wanted, (s.to - s.from) / fewest_groups));
+    SpringGroups groups{{s.from, s.to}, size, {}, size < wanted};
+    // Beyond a group that is pulled too much, stick may be another one.
+    const auto end_at = [&](std::size_t to) {
+      groups.stretch.to = to;
+      if (groups.terms.size() >= fewest_groups || std::isinf(choice.most_pull)) found.push_back(groups);
+      groups.terms.clear();
+      groups.stretch.from = to + size;
+    };
+    for (std::size_t from = s.from; from + size <= s.to; from += size) {
+      auto terms = group_terms(trial, segments, ratio, direction, choice.about.bend, from, from + size);
+      const double pull = std::hypot(terms[0][spring_straight], terms[1][spring_straight]);
+      if (pull > choice.most_pull) {
+        end_at(from);
+        continue;
+      }
+      if (choice.about.knows_delay) terms[0][spring_speed] = terms[1][spring_speed] = 0;
+      groups.terms.push_back(terms);
     }
-    found.push_back(std::move(groups));
+    end_at(s.to);
   }
   return found;
 }
 
 void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
                      const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence) {
-  const std::vector<SpringGroups> all = spring_groups(trial, segments, ratio, about);
+  const std::vector<SpringGroups> all =
+      spring_groups(trial, segments, ratio, {about, surest_pull(evidence, about)});
   std::vector<PhaseStretch> stretches;
   stretches.reserve(all.size());
   for (const SpringGroups& groups : all) stretches.push_back(groups.stretch);

@@ -3,6 +3,8 @@
 #include <cmath>
 
 #include "study/law_residual.hpp"
+#include "study/phase_stretch.hpp"
+#include "study/rupture_search.hpp"
 #include "study/rupture_sums.hpp"
 #include "study/sample_noise.hpp"
 #include "study/slip_sums.hpp"
@@ -45,6 +47,21 @@ void add_press(const MeasuredTrial& trial, double exponent, TrialEvidence& evide
   evidence.press_groups += static_cast<long>(groups.size());
 }
 
+/// How often stick ends in slip, and drops as it does.
+void add_gives(const MeasuredTrial& trial, const StickSegments& segments, TrialEvidence& evidence) {
+  const std::size_t shortest = 4 * static_cast<std::size_t>(segments.half_window);
+  for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {
+    if (slip.to - slip.from < shortest || slip.from == 0 || trial.starts_anew[slip.from]) continue;
+    const bool was_stick = segments.phase[slip.from - 1] == PadPhase::stick;
+    if (!was_stick && !segments.is_rupture[slip.from]) continue;
+    ++evidence.gives;
+    evidence.drops += segments.is_rupture[slip.from] ? 1 : 0;
+  }
+  if (evidence.slip_samples > 0)
+    evidence.unseen_drop =
+        least_drop(segments.ratio_noise, evidence.slip_ratio / static_cast<double>(evidence.slip_samples));
+}
+
 }  // namespace
 
 std::size_t vibration_window(double rate_hz) {
@@ -61,9 +78,10 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
   evidence.inclination_deg = trial.inclination_deg;
   evidence.rate_hz = trial.rate_hz;
   const std::vector<Vec2> ratio = ratio_at_load(trial, about.load);
-  add_spring_sums(trial, segments, ratio, about, evidence);
-  add_rupture_sums(trial, segments, ratio, about.bend, evidence);
   add_slip_sums(trial, segments, ratio, about, evidence);
+  add_gives(trial, segments, evidence);
+  add_spring_sums(trial, segments, ratio, about, evidence);
+  add_rupture_sums(trial, segments, ratio, about, evidence);
   add_stop_sums(trial, segments, ratio, about.bend, evidence);
   add_press(trial, about.press_exponent, evidence);
   return evidence;

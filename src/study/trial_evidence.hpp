@@ -50,6 +50,7 @@ struct TrialEvidence {
   double rupture_ratio = 0;  ///< sum over ruptures of |q| just before it
   double rupture_rise = 0;   ///< sum of what |q| rises from sample to sample before them
   long ruptures = 0;
+  double short_drop = 0;  ///< sum of what |q| falls at short_teeth
   long short_teeth = 0;   ///< ruptures of teeth with too few samples to tell where they gave way
   double slip_ratio = 0;  ///< sum over slip of r = -q.v/|v|, which and n are means over 20 ms here
   double slip_load = 0, slip_load_2 = 0, slip_load_ratio = 0;  ///< sums of L, L^2 and L r, L = ln(n/load_n)
@@ -61,6 +62,8 @@ struct TrialEvidence {
   double stop_rise = 0;  ///< sum of what friction is above the trial's in slip just before them (30 ms; no
                          ///< less than 15 samples)
   long stops = 0;
+  long gives = 0, drops = 0;  ///< ends of stick in slip; of these, with a drop of the force (ruptures)
+  double unseen_drop = 0;     ///< of friction, that noise would hide
   std::vector<std::size_t> stop_samples;  ///< the first of what follows slip, of each
   std::vector<double> power;              ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
@@ -78,9 +81,13 @@ std::size_t vibration_window(double rate_hz);
 struct EvidencePoint {
   LoadLaw load;
   double press_exponent = 0.5;  ///< w of depth ~ n^w
+  double mu_static = 0;         ///< 0: not known yet
   double v_min_m_per_s = 0;     ///< below which what seems to slip is stick whose ruptures are not seen
   std::array<SpringBend, 2>
-      bend;                  ///< lateral, longitudinal: what is left of a share to find is small about it
+      bend;  ///< lateral, longitudinal: what is left of a share to find is small about it
+  /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then
+  /// the springs are told from where it surely does not (surest_pull). 0: where all of it is seen.
+  double hidden_stick_ratio = 0;
   bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
 };
 

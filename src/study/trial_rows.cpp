@@ -48,6 +48,10 @@ void TrialRows::add(const RecordedRow& row) {
   t_s_.push_back(row.t_s);
   position_.push_back(row.position_W);
   force_.push_back(row.force_W);
+  if (!row.wrench) return;
+  sensor_ = row.wrench->sensor;
+  torque_.push_back(row.wrench->torque_W_n_m);
+  tracked_.push_back(row.wrench->tracked_W);
 }
 
 void TrialRows::finish(RecordedMeasurement& into) const {
@@ -114,8 +118,13 @@ void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasure
                               "at {}",
                               number_, subject_, end - begin, rounded_text(last_step, 4), clock_text(clock)));
   const Eigen::Index steps = std::lround(last_step) + 1;
-  trial.position_W.resize(3, steps);
-  trial.force_W.resize(3, steps);
+  std::vector<std::pair<const std::vector<Vec3>*, Points*>> columns{{&position_, &trial.position_W},
+                                                                    {&force_, &trial.force_W}};
+  if (sensor_) {
+    trial.sensor = sensor_;
+    columns.insert(columns.end(), {{&torque_, &trial.torque_W_n_m}, {&tracked_, &trial.tracked_W}});
+  }
+  for (const auto& [rows, points] : columns) points->resize(3, steps);
   trial.origin.assign(static_cast<std::size_t>(steps), SampleOrigin::missing);
   Vec3 normal = Vec3::Zero(), direction = Vec3::Zero();
   std::size_t before = end;  // the last recorded row
@@ -131,8 +140,8 @@ void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasure
       const bool is_near = std::abs(step - at) <= 0.5;
       const double share = before == end || step >= at - slack ? 1 : (step - from) / (at - from);
       const std::size_t other = before == end ? i : before;
-      trial.position_W.col(k) = position_[other] + share * (position_[i] - position_[other]);
-      trial.force_W.col(k) = force_[other] + share * (force_[i] - force_[other]);
+      for (const auto& [rows, points] : columns)
+        points->col(k) = (*rows)[other] + share * ((*rows)[i] - (*rows)[other]);
       trial.origin[static_cast<std::size_t>(k)] =
           is_near || step - from <= 0.5 ? SampleOrigin::recorded : SampleOrigin::filled;
     }
@@ -146,8 +155,7 @@ void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasure
   }
   for (Eigen::Index k = 0; k < steps; ++k) {  // before the first recorded row and after the last
     if (trial.origin[static_cast<std::size_t>(k)] != SampleOrigin::missing) continue;
-    trial.position_W.col(k) = position_[before];
-    trial.force_W.col(k) = force_[before];
+    for (const auto& [rows, points] : columns) points->col(k) = (*rows)[before];
   }
   if (normal.norm() > 0) trial.normal_W = normal.normalized();
   if (direction.norm() > 0) trial.direction_W = direction.normalized();

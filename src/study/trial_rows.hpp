@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -7,13 +8,20 @@
 
 namespace fingerpad {
 
+/// What tells the contact point of a row beside its force.
+struct RecordedWrench {
+  ContactSensor sensor;
+  Vec3 torque_W_n_m, tracked_W;  ///< as in RecordedTrial
+};
+
 /// What one row of a recording says. A vector with a component that is not finite was not recorded there.
 struct RecordedRow {
   double t_s = 0;
-  Vec3 position_W = Vec3::Zero();   ///< fingertip [m]
-  Vec3 force_W = Vec3::Zero();      ///< on the finger [N]
-  Vec3 normal_W = Vec3::UnitZ();    ///< unit
-  Vec3 direction_W = Vec3::Zero();  ///< unit; zero: not known
+  Vec3 position_W = Vec3::Zero();             ///< fingertip [m]
+  Vec3 force_W = Vec3::Zero();                ///< on the finger [N]
+  Vec3 normal_W = Vec3::UnitZ();              ///< unit
+  Vec3 direction_W = Vec3::Zero();            ///< unit; zero: not known
+  std::optional<RecordedWrench> wrench = {};  ///< of a six-axis sensor that tells the contact point
 };
 
 /// The rows of one trial, gathered one by one on their way to a RecordedTrial: what every reader of
@@ -44,7 +52,8 @@ class TrialRows {
   int subject_, number_;
   bool is_numbered_;
   std::vector<double> t_s_;
-  std::vector<Vec3> position_, force_;
+  std::vector<Vec3> position_, force_, torque_, tracked_;  // the last two where there is a sensor
+  std::optional<ContactSensor> sensor_;
   std::vector<Vec3> normal_, direction_;  // one where they have been the same all along
 };
 

@@ -93,6 +93,9 @@ TEST_F(Fit, AsksWhereATableIsDoubtful) {
   const auto unread = fit(shipped.string() + " --out none.toml --torque-unit N.mm");
   EXPECT_EQ(unread.exit_code, 2);
   EXPECT_THAT(unread.err, HasSubstr("--torque-unit: is read with --sensor-at"));
+  const auto unnamed = fit(shipped.string() + " --out none.toml --reader sens3 --torque-unit N.mm");
+  EXPECT_EQ(unnamed.exit_code, 2);
+  EXPECT_THAT(unnamed.err, HasSubstr("--torque-unit: no torque is named: name tx, ty and tz"));
 }
 
 TEST_F(Fit, SaysWhatItUnderstoodAndWarnsOfAUnitThatIsNoFingers) {
@@ -126,7 +129,7 @@ TEST_F(Fit, OneTrialEndsWithWhatItLacksForAScene) {
               HasSubstr("warning: no scene takes this profile: it lacks lateral_axis_m (one finger "
                         "angle only"));
   EXPECT_THAT(steep.err, HasSubstr("add a trial with the finger at about 45 degrees"));
-  EXPECT_THAT(steep.err, HasSubstr("0.302 as mu_static of a part or plane"));
+  EXPECT_THAT(steep.err, HasSubstr("0.3015 as mu_static of a part or plane"));
   EXPECT_THAT(test::bytes_of(folder / "one.toml"), HasSubstr("# no scene takes this profile"));
   EXPECT_THAT(test::bytes_of(folder / "report/report.html"), HasSubstr("no scene takes this profile"));
   EXPECT_THAT(fit("plain.csv --quiet --out plain.toml").err,

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +10,7 @@
 #include "study/mains_hum.hpp"
 #include "study/measurement.hpp"
 #include "study/position_delay.hpp"
+#include "study/profile_fit.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::cleaning_test {
@@ -44,6 +46,47 @@ TEST(Cleaning, TakesADriftingTareOff) {
     EXPECT_LT(trial.force_W.leftCols(200).rowwise().mean().norm(), 2e-3);
     EXPECT_LT(trial.force_W.rightCols(200).rowwise().mean().norm(), 2e-3);
   }
+}
+
+/// What a six-axis sensor 20 mm below the plate records of trials, which nothing else watches along the
+/// plate.
+RecordedMeasurement sensed_by_torque(std::uint64_t seed, const Vec3& force_offset_n,
+                                     const Vec3& torque_offset_n_m, bool has_air) {
+  RecordedMeasurement recorded =
+      test::known_measurement(rubs, {}, has_air ? sensors_in_the_air() : test::KnownSensors(), seed);
+  for (RecordedTrial& trial : recorded.trials) {
+    trial.sensor = ContactSensor{Vec3(0.01, 0.005, -0.02), 0};
+    trial.tracked_W = trial.position_W;
+    trial.tracked_W.topRows(2).setZero();
+    trial.torque_W_n_m.resize(3, trial.samples());
+    for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+      const Vec3 at(trial.position_W(0, i), trial.position_W(1, i), 0), force = trial.force_W.col(i);
+      trial.torque_W_n_m.col(i) = (at - trial.sensor->origin_W).cross(force) + torque_offset_n_m;
+      trial.force_W.col(i) += force_offset_n;
+    }
+  }
+  return recorded;
+}
+
+TEST(Cleaning, TellsContactPointsFromTheWrenchThatItsTareIsOff) {
+  const Vec3 force_n(0.05, -0.03, 0.15), torque_n_m(2e-3, -3e-3, 1e-3);
+  const Measurement zeroed = clean(sensed_by_torque(1, Vec3::Zero(), Vec3::Zero(), true), {}),
+                    offset = clean(sensed_by_torque(1, force_n, torque_n_m, true), {});
+  EXPECT_THAT(offset.steps, Contains(HasSubstr("force and torque in 3 trials, after the tare")));
+  ASSERT_EQ(offset.trials.size(), 3U);
+  double worst_m = 0;
+  const MeasuredTrial &one = zeroed.trials[0], &other = offset.trials[0];
+  for (std::size_t i = 500; i < 3500; ++i)
+    worst_m = std::max(worst_m, (one.position_m[i] - other.position_m[i]).norm());
+  EXPECT_LT(worst_m, 1e-4);  // 3 mm off with the offsets left in
+  // The finger of subject 1: 0.8 of 2 mm.
+  const ProfileFit fit = fit_profile(offset, {});
+  EXPECT_NEAR(fit.values[static_cast<std::size_t>(PadNumber::stick_stiffness)].value, 150 / 0.8, 4);
+}
+
+TEST(Cleaning, SaysWhereContactPointsRestOnNoTare) {
+  const Measurement pressed = clean(sensed_by_torque(1, Vec3::Zero(), Vec3::Zero(), false), {});
+  EXPECT_THAT(pressed.steps, Contains(HasSubstr("in 3 of them no tare was taken off")));
 }
 
 /// A tenth of a second in the air, beside a second in which it comes down slowly.

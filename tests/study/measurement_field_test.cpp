@@ -100,6 +100,19 @@ TEST_F(MeasurementField, WhatARowOfUnitsTellsIsNotAskedForAgain) {
   EXPECT_THAT(test::why_not([&] { refuse_doubtful(own, in_metres, 0); }), HasSubstr("say --force-unit mN"));
 }
 
+TEST_F(MeasurementField, SeveralTrialsInOneFileHaveAWayOut) {
+  std::vector<std::string_view> keys = plain_keys;
+  keys.push_back("trial");
+  const std::string by_column =
+      why(rows("t,x,y,z,fx,fy,fz,trial\ns,mm,mm,mm,N,N,N,", {-0.5, 0, 1}, ",1"), named(keys));
+  EXPECT_THAT(by_column, HasSubstr("it takes t, x, y, z, fx, fy, fz, fn, tx, ty, tz, speed"));
+  EXPECT_THAT(by_column, HasSubstr("--reader table, with subject=... and trial=..."));
+  const std::string once = rows("t,x,y,z,fx,fy,fz\ns,mm,mm,mm,N,N,N", {-0.5, 0, 1});
+  const std::string twice = once + once.substr(once.find("\n0,") + 1);
+  EXPECT_THAT(why(twice, named(plain_keys)),
+              HasSubstr("does not come after 0.019 s: one file is one trial here"));
+}
+
 TEST_F(MeasurementField, ASpeedsOwnUnitIsRead) {
   std::vector<std::string_view> keys = plain_keys;
   keys.push_back("speed");

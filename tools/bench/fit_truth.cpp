@@ -175,5 +175,5 @@ void print_tables(int sets, int first_seed) {
 int main(int argc, char** argv) {
   // Seeds that no choice was made by.
   fingerpad::print_tables(argc > 1 ? std::max(1, std::atoi(argv[1])) : 100,
-                          argc > 2 ? std::atoi(argv[2]) : 8301);
+                          argc > 2 ? std::atoi(argv[2]) : 9701);
 }
