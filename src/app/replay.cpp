@@ -212,8 +212,8 @@ void add_replay(CLI::App& program, Action& action) {
   command
       ->add_option("--memory", options->batch.memory_bytes,
                    "Keep as many meshes loaded as fit into this, such as 500M or 4G, beside those in use, "
-                   "and begin with "
-                   "no further one beyond it; without it those of one job more than --jobs")
+                   "and begin with no further one beyond it while jobs of those are left; without it those "
+                   "of one job more than --jobs")
       ->type_name("SIZE")
       ->transform(CLI::AsSizeValue(false));
   command->add_flag(

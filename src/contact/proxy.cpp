@@ -98,9 +98,9 @@ void Proxy::settle(double& budget_m) noexcept {
     if (sight_->looks().are_spent()) return break_off({});
     const ProxyStep step = sight_->step(state_.place_O, goal_O, {budget_m, bent_m});
     if (step.broken_off) return break_off(step);
+    if (advance(step, budget_m)) return;
     // Ways that converge get shorter by more than that.
     bent_m = k == 0 ? budget_m : step.bent ? step.z.norm() / 2 : bent_m;
-    if (advance(step, budget_m)) return;
   }
   state_.contact.settled = goal_O == state_.place_O;
 }

@@ -205,6 +205,7 @@ void ProxySight::go_on_along_bend() noexcept {
   const double on_m = on.norm(), room_m = std::min(m.bent_m, reach_m_) - m.step.z.norm();
   if (!(on_m > 0 && room_m > 0)) return;
   const Vec3 z = m.step.z + std::min(1.0, room_m / on_m) * on;
+  if (!((z - m.goal).squaredNorm() < m.goal.squaredNorm())) return;  // no nearer than where it began
   Round round;
   round.worst.slack_m = -m.breach_m;
   if (!offer_all(z, m.step.held_by(), round) || round.worst.wall) return;

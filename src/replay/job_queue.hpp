@@ -15,7 +15,8 @@ namespace fingerpad {
 /// those that are loaded. Which thread does a job changes nothing of it. Thread-safe.
 class JobQueue {
  public:
-  /// @param may_begin  whether there is room for one more mesh beside those in use; asked while some are
+  /// @param may_begin  whether there is room for one more mesh beside those in use; asked while those that
+  ///        are begun have jobs left: where they have none, a thread would else stand idle
   JobQueue(JobOrder order, std::function<bool()> may_begin);
 
   /// The next job of a thread, an index into the batch; nothing when all are begun.

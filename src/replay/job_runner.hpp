@@ -24,7 +24,7 @@ class JobRunner {
   void expect(const std::vector<std::size_t>& jobs);
   /// The meshes of the last job so announced are kept until another's are, or none.
   void hold(std::optional<std::size_t> job);
-  /// Whether one more mesh may be loaded beside those in use (BatchOptions::memory_bytes).
+  /// Whether BatchOptions::memory_bytes has room for one more mesh beside those in use.
   bool has_room_for_a_mesh() { return meshes_.has_room_for_another(); }
   /// Runs jobs until there are none. Those that fail say so in their status; what the two functions throw is
   /// thrown.

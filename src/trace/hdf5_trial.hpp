@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 
@@ -55,9 +56,10 @@ std::invoke_result_t<const HearAll&, Hearer&> read_in_trial(const std::string& p
     if (outcome.end == TrialOutcome::End::waited && --trials_left > 0) continue;
     if (outcome.end == TrialOutcome::End::threw) throw refused("", outcome.message);
     if (outcome.end == TrialOutcome::End::waited)
-      throw refused(path, fmt::format("cannot be read: nothing came for {} seconds; does the disk that it is "
-                                      "on answer?",
-                                      wait_seconds(limits)));
+      throw refused(path,
+                    fmt::format("cannot be read: it was not read within {} seconds; does the disk that it "
+                                "is on answer?",
+                                wait_seconds(limits)));
     if (outcome.end == TrialOutcome::End::died || !heard)
       throw refused(path, "is damaged: HDF5 cannot read it to its end");
     return *std::move(heard);

@@ -37,7 +37,7 @@ rlim_t held_bytes() {
 }
 
 /// Where the child tells how it ended, for a signal's handler.
-volatile int ending_of_child = -1;
+volatile std::sig_atomic_t ending_of_child = -1;
 
 extern "C" void tell_of_waiting(int) {
   const ssize_t count = write(ending_of_child, &waited_letter, 1);

@@ -16,7 +16,7 @@ struct TrialOutcome {
   enum class End {
     returned,
     threw,   ///< an Error; `message` is what() of it
-    waited,  ///< for wait_seconds(), and did nothing
+    waited,  ///< longer than wait_seconds()
     died,    ///< a crash, a hang, a hunger for memory, or another exception
   };
   End end = End::died;
@@ -28,7 +28,8 @@ struct TrialLimits {
   std::uint64_t memory_bytes;  ///< beyond what this process holds already
 };
 
-/// How long a child may take in all, most of which it then waits, in seconds by the clock.
+/// How long a child may take in all by the clock, far more than it may of the processor: beyond that it waits
+/// for what does not come.
 constexpr std::uint64_t wait_seconds(const TrialLimits& limits) {
 #ifdef __SANITIZE_ADDRESS__
   constexpr std::uint64_t patience = 20;  // there a child may wait for nobody

@@ -6,6 +6,7 @@
 
 #include "contact/proxies.hpp"
 #include "contact/proxy_sight.hpp"
+#include "contact/tree_trials.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad::bent_walls_test {
@@ -86,6 +87,21 @@ TEST(BentWalls, ABallOnTwoCornersComesToRestInAFewSteps) {
   EXPECT_GT(steps_to_rest(sight, flat_place, goal, 0), 15);
   EXPECT_LE(steps_to_rest(sight, bent_place, goal, unbounded), 7);
   EXPECT_LT((flat_place - bent_place).norm(), 1e-9) << "it is the same place";
+}
+
+TEST(BentWalls, NoStepLeadsAwayFromTheFinger) {
+  ProxySight sight = sight_of(test::box_soup(Vec3(0.02, 0.02, 0.02)));
+  const Vec3 corner(0.01, 0.01, 0.01);
+  RandomStream random(5);
+  int bent = 0;
+  for (int k = 0; k < 20000; ++k) {
+    const Vec3 place = on(sight, corner, test::random_point(random, 1).cwiseAbs()),
+               goal = corner + test::random_point(random, 5e-3);
+    const ProxyStep step = sight.step(place, goal, {unbounded, unbounded});
+    EXPECT_LE((place + step.z - goal).norm(), (place - goal).norm()) << k;
+    bent += step.bent ? 1 : 0;
+  }
+  EXPECT_GT(bent, 100);
 }
 
 TEST(BentWalls, TheWayIsNoLongerThanAskedForAndFreeOfAllElse) {

@@ -53,7 +53,7 @@ TEST(JobQueue, LetsAThreadHelpWhereMostIsLeftOnceAllMeshesAreBegun) {
 TEST(JobQueue, BeginsWithNoFurtherMeshWhereThereIsNoRoomForIt) {
   JobQueue queue(order_of({3, 2}), never);
   EXPECT_THAT(asked_by(queue, {0, 1, 2, 1, 0, 1}), ElementsAre(0, 1, 2, 3, 4, -1))
-      << "the next when none is in use any more";
+      << "the next when nothing else is left to be begun";
 }
 
 }  // namespace

@@ -132,8 +132,9 @@ TEST(Trial, OfAnHdf5FileIsMadeAgainWhereAChildMayWaitForNobody) {
     read();
     ADD_FAILURE() << "not refused";
   } catch (const Error& error) {
-    EXPECT_STREQ(error.what(),
-                 "a.h5: cannot be read: nothing came for 110 seconds; does the disk that it is on answer?");
+    EXPECT_STREQ(
+        error.what(),
+        "a.h5: cannot be read: it was not read within 110 seconds; does the disk that it is on answer?");
   }
 #endif
   EXPECT_EQ(read(), 5);
