@@ -42,15 +42,54 @@ class TroubleLog {
       seen_ = std::move(now);
       since_ = time;
     }
-    if (seen_ == told_ || time - since_ < lasts) return;
+    if (time - since_ < lasts) return;
+    const char* well = has_begun_ ? "goes on" : "a device is heard";
+    has_begun_ |= seen_.empty();
+    if (seen_ == told_) return;
     told_ = seen_;
-    print_err("fingerpad: {}: {}\n", name_, told_.empty() ? "goes on" : told_);
+    print_err("fingerpad: {}: {}\n", name_, told_.empty() ? well : told_);
   }
 
  private:
   const std::string& name_;
   std::string seen_, told_;
+  bool has_begun_ = false;  // there was a time without trouble
   std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
+};
+
+/// Tells of the emergency stop, whoever asked for it: a device tells its own stop anew with each packet, so
+/// that what a key has taken back may be on again at once.
+class StopLog {
+ public:
+  StopLog(const std::string& name, bool has_keys)
+      : name_(name),
+        words_(has_keys
+                   ? "STOPPED: no force until g, and the device, release it"
+                   : "STOPPED: no force until the end (g in a terminal, or in a window, gives it back)") {}
+
+  /// A key has asked for it, or for its end: what came of that is told. Any thread.
+  void ask() { asked_ = true; }
+
+  void look(bool is_stopped) {
+    constexpr auto settles = std::chrono::milliseconds(300);
+    const auto time = std::chrono::steady_clock::now();
+    if (asked_.exchange(false)) {
+      answered_ = false;
+      since_ = time;
+    }
+    const bool begins = is_stopped && !told_;
+    if (!begins && (answered_ || time - since_ < settles)) return;
+    told_ = is_stopped;
+    answered_ = true;
+    print_err("fingerpad: {}: {}\n", name_, is_stopped ? words_ : "goes on");
+  }
+
+ private:
+  const std::string& name_;
+  const char* words_;
+  std::atomic<bool> asked_{false};
+  bool told_ = false, answered_ = true;
+  std::chrono::steady_clock::time_point since_{};
 };
 
 }  // namespace
@@ -58,19 +97,22 @@ class TroubleLog {
 void run_headless(std::optional<double> seconds, const std::string& name, LiveDevice& device,
                   const StopSignals& signals) {
   std::atomic<bool> quit{false};
+  const bool has_keys = device.has_motors() && has_terminal_keys();
+  StopLog stop(name, has_keys);
   std::optional<TerminalKeys> keys;
-  if (device.has_motors() && has_terminal_keys()) {
+  if (has_keys) {
     print_err("fingerpad: {}: x: emergency stop; g: give the force back; q: end\n", name);
     keys.emplace([&](std::string_view key) {
       if (key == "q") quit = true;
       if (key != "x" && key != "g") return;
       device.set_emergency_stop(key == "x");
-      print_err("fingerpad: {}: {}\n", name, key == "x" ? "STOPPED, g gives the force back" : "goes on");
+      stop.ask();
     });
   }
   TroubleLog trouble(name);
   wait_without_window(seconds, signals, [&] {
     trouble.look(device.trouble());
+    stop.look(device.emergency_stopped());
     return quit || device.has_ended();
   });
 }

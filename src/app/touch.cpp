@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <exception>
 #include <memory>
 #include <optional>
 #include <utility>
@@ -54,7 +55,8 @@ struct Touched {
 Scene touched_scene(const TouchOptions& options, const std::string& subject) {
   const SubjectKind kind = subject_kind(subject);
   if (kind == SubjectKind::trace) {
-    throw Error(ErrorKind::usage, subject, "is a trace; touch a scene or a mesh, and view a trace");
+    throw Error(ErrorKind::usage, subject,
+                "is a trace, or a table of numbers; touch a scene or a mesh, and view a trace");
   }
   Scene scene =
       kind == SubjectKind::scene ? single_scene(subject) : scene_of_mesh(subject, metres_of(options.unit));
@@ -145,7 +147,9 @@ std::string take_drop(const TouchOptions& options, const std::string& path, std:
   if (!find_device(options.device)->needs_window)
     return fmt::format("--device {} stays with what it touches", options.device);
   try {
-    dropped = load_touched(options, path);
+    TouchOptions unrecorded = options;
+    unrecorded.record.clear();
+    dropped = load_touched(unrecorded, path);
   } catch (const Error& error) {
     return error.what();
   }
@@ -154,8 +158,10 @@ std::string take_drop(const TouchOptions& options, const std::string& path, std:
 
 /// Touches until the end.
 /// @param kept  older than any window, whose own thread stands back for ever, with all that it begins
+/// @param lost  the recording's error, where there was one
 /// @returns what was dropped onto the window, to be touched next; empty: nothing
-std::optional<Touched> touch_once(const TouchOptions& options, const Touched& touched, KeptThread& kept) {
+std::optional<Touched> touch_once(const TouchOptions& options, const Touched& touched, KeptThread& kept,
+                                  std::exception_ptr& lost) {
   const Scene& scene = touched.scene;
   const auto& world = touched.world;
   const DeviceEntry& entry = *find_device(options.device);
@@ -187,7 +193,8 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
   for (const std::string& line : servo.refused()) print_err("fingerpad: {}\n", line);
   std::optional<Touched> dropped;
   const auto on_drop = [&](const std::string& path) {
-    return recorder ? "this touch is recorded: close its window first" : take_drop(options, path, dropped);
+    return recorder && !recorder->failed() ? "this touch is recorded: close its window first"
+                                           : take_drop(options, path, dropped);
   };
   if (options.headless) {
     run_headless(options.seconds, options.device, *device, signals);
@@ -199,7 +206,11 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
   if (signals.has_come()) tell_signal(options);
   tell_device(options, device->closing_words());
   tell_timing(servo.timing(), scene.motion.rate_hz);
-  if (recorder) finish_recording(options, *recorder, servo.timing(), after_end);
+  try {
+    if (recorder) finish_recording(options, *recorder, servo.timing(), after_end);
+  } catch (const Error&) {
+    lost = std::current_exception();
+  }
   return dropped;
 }
 
@@ -214,10 +225,14 @@ int touch(const TouchOptions& options) {
   if (!options.headless) need_live_window(window_choice(options, options.subject));
   KeptThread kept;
   std::optional<Touched> next = load_touched(options, options.subject);
+  TouchOptions now_with = options;
+  std::exception_ptr lost;
   while (next) {
     const Touched now = std::move(*next);
-    next = touch_once(options, now, kept);
+    next = touch_once(now_with, now, kept, lost);
+    now_with.record.clear();  // a drop is taken where nothing is recorded, or no longer
   }
+  if (lost) std::rethrow_exception(lost);
   return 0;
 }
 

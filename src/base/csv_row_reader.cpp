@@ -106,10 +106,12 @@ double number_in(const Row& row, const Wanted& column, char decimal, bool takes_
     const char other = decimal == '.' ? ',' : '.';
     throw refused(
         row.lines.place(),
-        fmt::format("'{}' in column '{}' is no number{}", printable(cell, 40), printable(column.name, 60),
-                    csv_number(cell, other)
-                        ? fmt::format("; with decimal = \"{0}\" (--decimal {0}) it would be one", other)
-                        : ""));
+        fmt::format(
+            "'{}' in column '{}' is no number{}", printable(cell, 40), printable(column.name, 60),
+            csv_number(cell, other)
+                ? fmt::format("; with decimal = \"{0}\" in [motion] (fit: --decimal {0}) it would be one",
+                              other)
+                : ""));
   }
   if (!std::isfinite(*value))
     throw refused(row.lines.place(), fmt::format("column '{}' is not finite", printable(column.name, 60)));

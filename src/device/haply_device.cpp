@@ -168,8 +168,8 @@ std::string HaplyDevice::closing_words() {
   const std::string lost = lost_ > 0 ? fmt::format("; {} answers of the service never came", lost_) : "";
   const std::string again =
       found_again_ > 0 ? fmt::format("; the Inverse Service was found again {} times", found_again_) : "";
-  return fmt::format("{} states, {} dropped{}{}{}{}", states_, dropped_,
-                     trips_words(trips(), "state", states_, watchdog_s()), lost, again,
+  return fmt::format("{} states, {} dropped{}{}{}{}{}", states_, dropped_,
+                     trips_words(trips(), "state", states_, watchdog_s()), stop_words(), lost, again,
                      away_ ? "; the Inverse Service ended before the touch did" : "");
 }
 

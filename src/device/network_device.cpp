@@ -121,7 +121,8 @@ std::string NetworkDevice::opening_words() const {
 
 std::string NetworkDevice::closing_words() {
   stop();
-  return counts_text(gate_.counts()) + trips_words(trips(), "packet", gate_.counts().accepted, watchdog_s());
+  return counts_text(gate_.counts()) + trips_words(trips(), "packet", gate_.counts().accepted, watchdog_s()) +
+         stop_words();
 }
 
 DeviceEntry network_device() noexcept {

@@ -52,11 +52,14 @@ std::string RemoteDevice::silence_words(const std::string& what, bool is_silent)
   const double patience_ms = 1e3 * watchdog_s_;
   // The same words while it is lifted and put down in turns: they stay to be read.
   if (lately == TripWatch::Lately::again)
-    return fmt::format("the device sends too seldom: no {} for {} ms lifts the finger, again and again", what,
-                       rounded_text(patience_ms, 4));
+    return fmt::format("no {} for {} ms: finger lifted, again and again", what, rounded_text(patience_ms, 4));
   if (!is_silent && lately == TripWatch::Lately::none) return {};
   return fmt::format("no {} for {} ms: finger {}", what, rounded_text(patience_ms, 4),
                      is_silent ? "lifted" : "was lifted");
+}
+
+std::string RemoteDevice::stop_words() const {
+  return emergency_stopped() ? "; the emergency stop was on at the end: no force" : "";
 }
 
 }  // namespace fingerpad

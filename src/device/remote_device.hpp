@@ -45,6 +45,8 @@ class RemoteDevice : public LiveDevice {
   /// That silence has lifted the finger: now, a moment ago, or again and again. Any thread.
   /// @param what  that comes from the device: "packet on 127.0.0.1:47110"
   std::string silence_words(const std::string& what, bool is_silent) const;
+  /// "; the emergency stop was on at the end"; empty where it was not.
+  std::string stop_words() const;
   /// Woken by each tick that feels a reading for the first time.
   WakeUp& wake_up() noexcept { return wake_up_; }
   void hand_over(const DeviceReading& reading) noexcept { readings_.put(reading); }

@@ -153,8 +153,9 @@ std::string note_on(const ComparedRun& first, const ComparedRun& other, const Co
 }
 
 std::string left_out_words(const ComparedRun& run) {
-  if (run.every > 1) return fmt::format("{}: 1 tick in {} is here", run.name, run.every);
-  return run.name + ": ticks were left out (the last row comes sooner than the others)";
+  const std::string of = run.name.empty() ? "" : run.name + ": ";
+  if (run.every > 1) return fmt::format("{}1 tick in {} is here", of, run.every);
+  return of + "ticks were left out (the last row comes sooner than the others)";
 }
 
 }  // namespace

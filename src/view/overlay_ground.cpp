@@ -73,19 +73,27 @@ class GroundPainter {
     }
     if (!(facts_.px_per_mm > 0)) return;
     const double length_mm = round_down_125(9 * em_ / facts_.px_per_mm);
-    paint_scale_bar({middle.x() - 4.2 * em_, layout_.scene.bottom + 1.2 * em_}, length_mm, facts_.px_per_mm);
+    paint_scale_bar({middle.x() - 4.2 * em_, layout_.scene.bottom + 1.2 * em_}, length_mm, facts_.px_per_mm,
+                    true);
   }
 
   /// A bar that ends at `right_end`, with its length above.
-  void paint_scale_bar(const Vec2& right_end, double length_mm, double px_per_mm) {
+  /// @param on_plate  where a part of its own colour may lie behind it
+  void paint_scale_bar(const Vec2& right_end, double length_mm, double px_per_mm, bool on_plate) {
     const Vec2 left_end = right_end - Vec2(length_mm * px_per_mm, 0);
     const double half = 0.3 * em_;
+    const std::string words = plain_number(length_mm) + " mm";
+    if (on_plate) {
+      const double width = std::max(right_end.x() - left_end.x(), text_width(words, em_)) + 0.4 * em_;
+      drawing_.box({(left_end.x() + right_end.x() - width) / 2, right_end.y() - 0.5 * em_, width, 2 * em_},
+                   panel_colour);
+    }
     const Stroke stroke{colours::ink, 0.14 * em_};
     drawing_.line(left_end, right_end, stroke);
     for (const Vec2& end : {left_end, right_end}) {
       drawing_.line(end - Vec2(0, half), end + Vec2(0, half), stroke);
     }
-    drawing_.text((left_end + right_end) / 2 + Vec2(0, 0.4 * em_), plain_number(length_mm) + " mm",
+    drawing_.text((left_end + right_end) / 2 + Vec2(0, 0.4 * em_), words,
                   {.size = em_, .across = Across::centre});
   }
 
@@ -100,18 +108,20 @@ class GroundPainter {
     const double length_mm = round_down_125(0.4 * box.width / facts_.inset_px_per_mm);
     const double bar = length_mm * facts_.inset_px_per_mm,
                  label = text_width(plain_number(length_mm) + " mm", em_);
-    const double scale_left = box.right() - 0.8 * em_ - bar / 2 - std::max(bar, label) / 2;
+    const double scale_left = box.right() - 0.8 * em_ - std::max(bar, label);
     if (box.left + em_ + text_width("up: finger", em_) < scale_left) {
       drawing_.text({box.left + 0.6 * em_, box.bottom + 1.15 * em_}, "up: finger",
                     {.size = em_, .colour = colours::grey, .upright = Upright::middle});
     }
-    paint_scale_bar({box.right() - 0.8 * em_, box.bottom + 0.6 * em_}, length_mm, facts_.inset_px_per_mm);
+    const double label_beside = std::max(0.0, (label - bar) / 2);  // of a short bar, at each end
+    paint_scale_bar({box.right() - 0.8 * em_ - label_beside, box.bottom + 0.6 * em_}, length_mm,
+                    facts_.inset_px_per_mm, false);
   }
 
   /// The whole, or as much of it as a small frame has room for.
   std::string close_up_words(double zoom, double room) const {
     const std::string times = fmt::format("{:.{}f}x", zoom, zoom < 10 ? 1 : 0), walls = walls_words();
-    for (const std::string& words : {"contact, " + walls + times, walls + times}) {
+    for (const std::string& words : {fmt::format("contact, {}{}", walls, times), walls + times}) {
       if (text_width(words, em_) <= room) return words;
     }
     return fitted(times, em_, false, room);

@@ -94,7 +94,9 @@ TEST(LiveNetwork, ADeviceThatSendsTooSeldomIsToldSoAtOnceAndAtTheEnd) {
   LiveRun run;
   run.go("--seconds 1 --rate 40 --press 0.003");
   ASSERT_EQ(run.shell.exit_code, 0) << run.shell.err;
-  EXPECT_THAT(run.shell.err, HasSubstr("fingerpad: network: the device sends too seldom: no packet on "));
+  EXPECT_THAT(run.shell.err,
+              testing::ContainsRegex("fingerpad: network: no packet on .* for 20 ms: finger lifted, "
+                                     "again and again\n"));
   EXPECT_THAT(run.shell.err, testing::ContainsRegex("for 20 ms lifted the finger [0-9]+ times: the device "
                                                     "sends too seldom"));
 }
@@ -151,6 +153,35 @@ TEST(LiveNetwork, AnEmergencyStopHoldsTheForceAtZeroAndALimitIsKept) {
   EXPECT_THAT(run.shell.err, HasSubstr("fingerpad: network: told to end, by Ctrl-C or another signal\n"));
   EXPECT_TRUE(was_limited) << "20 mm into 1000 N/m are 20 N";
   EXPECT_TRUE(was_stopped);
+  EXPECT_THAT(run.shell.err, HasSubstr("fingerpad: network: STOPPED: no force until the end "));
+  EXPECT_THAT(run.shell.err, HasSubstr("; the emergency stop was on at the end: no force\n"));
+}
+
+/// The bridge holds its stop from its first packet on; `g` is typed against it.
+TEST(LiveNetwork, AKeyGivesNoForceBackThatTheDeviceItselfHoldsStopped) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "floor.toml", std::string(floor_scene) + "[device]\nwatchdog_s = 1\n");
+  const std::string tools = (test::source_dir() / "tests" / "support" / "type_in_terminal").string();
+  const std::string bridge = (test::source_dir() / "tools" / "device_bridge").string();
+  const auto run =
+      test::shell("'" + tools + "' STOPPED 'g|g' '" + test::program().string() +
+                      "' touch floor.toml --headless --device network --port 0 --seconds 60 >told & live=$!\n"
+                      "until grep -q 'no device yet' told && port=$(sed -n 's/.* "
+                      "127.0.0.1:\\([0-9]*\\),.*/\\1/p' told); [ -n \"$port\" ]; "
+                      "do kill -0 $live || exit 99; sleep 0.02; done\n"
+                      "python3 '" +
+                      bridge +
+                      "' $port --json --seconds 30 --stop-at 0 >answers & bridge=$!\n"
+                      "until [ $(grep -c 'STOPPED\\|network: goes on' told) -gt 1 ] && grep -q 'is heard' "
+                      "told; do kill -0 $bridge || exit 98; "
+                      "sleep 0.02; done\n"
+                      "kill $bridge $live; wait $live; true",
+                  folder);
+  const std::string told = test::bytes_of(folder / "told");
+  ASSERT_EQ(run.exit_code, 0) << run.err << told;
+  EXPECT_THAT(
+      told, testing::ContainsRegex("STOPPED: no force until g, and the device, release it(.|\r|\n)*STOPPED"));
+  EXPECT_THAT(told, testing::Not(HasSubstr("network: goes on")));
 }
 
 TEST(LiveNetwork, AKeyOfTheTerminalStopsTheForce) {

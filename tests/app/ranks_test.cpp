@@ -182,7 +182,6 @@ TEST(Ranks, ThatComeLateDoNotWaitForARootThatHasLeft) {
   EXPECT_THAT(run.out, HasSubstr("in o\nended 0\n")) << run.err;
 }
 
-/// Its patience is a day, too.
 /// A rank that waits for its root in folder `o`, and is told to stop while it does.
 ShellResult waited_and_was_stopped(const fs::path& folder) {
   std::string waiting = as_rank(1);

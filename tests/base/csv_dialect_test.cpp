@@ -56,9 +56,9 @@ TEST(CsvDialect, HasADecimalComma) {
 
 TEST(CsvDialect, TellsTheDecimalMarkThatWouldDo) {
   EXPECT_THAT(refusal("t;x\n0;1,5\n"),
-              HasSubstr("is no number; with decimal = \",\" (--decimal ,) it would be one"));
+              HasSubstr("is no number; with decimal = \",\" in [motion] (fit: --decimal ,) it would be one"));
   EXPECT_THAT(refusal("t;x\n0;1.5\n", ';', ','),
-              HasSubstr("with decimal = \".\" (--decimal .) it would be one"));
+              HasSubstr("with decimal = \".\" in [motion] (fit: --decimal .) it would be one"));
   EXPECT_THAT(refusal("t;x\n0;a\n1;1\n"), Not(HasSubstr("would be one")));
 }
 

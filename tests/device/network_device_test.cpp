@@ -159,7 +159,7 @@ TEST(NetworkDevice, KeepsTellingOfASilenceForASecondAndOfTooFewPacketsForAsLongA
     const std::string words = rig.device->trouble();
     say();
     if (k == 0) continue;
-    EXPECT_EQ(words, "the device sends too seldom: " + none + " lifts the finger, again and again");
+    EXPECT_EQ(words, none + ": finger lifted, again and again");
     EXPECT_EQ(rig.device->trouble(), words) << "the same, or it would flicker";
   }
   EXPECT_EQ(rig.device->closing_words(),
@@ -188,6 +188,7 @@ TEST(NetworkDevice, TellsThatTheWatchdogHasTrippedAndStopsByTheBit) {
   ASSERT_TRUE(answer);
   EXPECT_EQ(answer->force_n, Vec3::Zero());
   EXPECT_TRUE(answer->status & status_stopped) << "though a packet without the bit came before the tick";
+  EXPECT_TRUE(rig.device->closing_words().ends_with("; the emergency stop was on at the end: no force"));
 }
 
 TEST(NetworkDevice, TellsOfATripOnceThoughItAnswersTwice) {

@@ -101,6 +101,15 @@ TEST(Comparison, DrawsFrictionFromZero) {
   EXPECT_TRUE(chart.panels[1].y_from_zero) << "its sign says which way it acts";
 }
 
+TEST(Comparison, OfOneThinnedRunNamesItNot) {
+  ComparedRun run = line_run("a.h5", 0, 1, 0.1, 5);
+  run.name.clear();
+  run.scene_text = "[[plane]]";
+  run.lacks_ticks = true;
+  run.every = 10;
+  EXPECT_THAT(compare_runs({run}, {"fn_n"}, Over::time).notes, testing::Contains("1 tick in 10 is here"));
+}
+
 // Friction along the sliding direction goes by the way from one row to the next, which is another where rows
 // are left out.
 TEST(Comparison, OfARunWithItselfThinnedLeavesNothing) {

@@ -55,6 +55,41 @@ TEST(Axes, HaveTheirLettersOnPlates) {
   }
 }
 
+TEST(ScaleBar, HasItsLengthOnAPlate) {
+  OverlayFacts facts;
+  facts.px_per_mm = 5;
+  const Drawing drawing = ground_drawing(facts, {}, layout_for(640, 480, false, false));
+  const auto plate = plate_of(drawing, "10 mm");
+  ASSERT_TRUE(plate);
+  EXPECT_GT(plate->fill.opacity, 0.8) << "pale letters on a pale plane";
+}
+
+TEST(CloseUp, HasTheLengthOfItsScaleWithinItsFrame) {
+  OverlayFacts facts;
+  facts.row = TickRecord{};
+  facts.row->phase = Phase::stick;
+  facts.px_per_mm = 1;
+  for (const auto& [width, height] : {std::pair(400, 300), std::pair(1280, 800)}) {
+    const Layout layout = layout_for(width, height, true, true);
+    facts.inset = layout.inset;
+    for (facts.inset_px_per_mm = 2; facts.inset_px_per_mm < 500; facts.inset_px_per_mm *= 1.1) {
+      const Drawing drawing = ground_drawing(facts, {}, layout);
+      bool is_there = false;
+      for (const Drawing::Mark& mark : drawing.marks()) {
+        const auto* const text = std::get_if<Drawing::Text>(&mark);
+        if (text == nullptr || !text->words.ends_with(" mm") ||
+            !facts.inset.holds(text->at.x(), text->at.y()))
+          continue;
+        is_there = true;
+        const double half = text_width(text->words, text->style.size, text->style.bold) / 2;
+        EXPECT_LT(text->at.x() + half, facts.inset.right()) << width << ": " << text->words;
+        EXPECT_GT(text->at.x() - half, facts.inset.left) << width << ": " << text->words;
+      }
+      EXPECT_TRUE(is_there) << width << ", " << facts.inset_px_per_mm;
+    }
+  }
+}
+
 TEST(CloseUp, HasAHeadThatFitsItsFrame) {
   OverlayFacts facts;
   facts.row = TickRecord{};

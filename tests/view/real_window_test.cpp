@@ -264,5 +264,30 @@ TEST(RealWindow, GoesOnWithAMeshThatIsDroppedOntoALiveTouchUnlessThatIsRecorded)
   }
 }
 
+TEST(RealWindow, GoesOnWithAMeshThatIsDroppedOntoATouchThatIsRecordedNoLonger) {
+  std::string why;
+  const auto screen = screen_or_why(why);
+  if (!screen) GTEST_SKIP() << "no X server can be started: " << why;
+  const fs::path folder = workshop();
+  test::write_file(folder, "cube.stl", test::binary_stl(test::box_soup({20, 20, 20})));
+  const auto opened =
+      test::shell(hands(*screen) +
+                      "mkdir r; { $P touch ring.toml --size 600x400 --record r/run.h5; echo ended $?; } "
+                      ">touch.log 2>&1 &\nwindow || exit 9\nrm -r r\nfor i in $(seq 200); do "
+                      "grep -q 'recorded no longer' touch.log && break; sleep 0.05; done\necho $w\n",
+                  folder);
+  ASSERT_EQ(opened.exit_code, 0) << test::bytes_of(folder / "touch.log");
+  EXPECT_EQ(test::drop_file(screen->display(), std::stoul(opened.out), (folder / "cube.stl").string()), "");
+  const auto shown =
+      test::shell(hands(*screen) +
+                      "for i in $(seq 200); do n=$(xdotool search --name '^cube.stl' "
+                      "getwindowname 2>/dev/null) && break; sleep 0.05; done\necho \"$n\"\nwindow\n"
+                      "xdotool mousemove --window $w 100 100 key q\n"
+                      "for i in $(seq 400); do grep -q ended touch.log && break; sleep 0.05; done\n",
+                  folder);
+  EXPECT_THAT(shown.out, testing::StartsWith("cube.stl"));
+  EXPECT_THAT(test::bytes_of(folder / "touch.log"), testing::EndsWith("ended 1\n")) << "for what was lost";
+}
+
 }  // namespace
 }  // namespace fingerpad::real_window_test
