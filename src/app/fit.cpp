@@ -10,6 +10,7 @@
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
+#include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_reader.hpp"
@@ -44,9 +45,25 @@ void tell_fit(const ProfileFit& fit) {
   }
 }
 
+/// All files that it reads.
+std::vector<std::string> input_paths(const FitOptions& options) {
+  std::vector<std::string> paths = options.measurements;
+  if (!options.reading.positions.empty()) paths.push_back(options.reading.positions);
+  return paths;
+}
+
+void refuse_lost_inputs(const FitReport& report, const FitOptions& options) {
+  std::vector<std::string> names{"report.html"};
+  for (const StudyTable& table : report.study.tables) names.push_back(table.name + ".csv");
+  for (const Chart& chart : report.study.charts)
+    for (const char* ending : {".png", ".svg"}) names.push_back(chart.name + ending);
+  for (const std::string& name : names) refuse_overwriting(options.report + "/" + name, input_paths(options));
+}
+
 void tell_report(const FitOptions& options, const Measurement& measurement, const ProfileFit& found,
                  const FitSettings& settings, const std::string& source) {
   const FitReport report = fit_report(measurement, found, settings);
+  refuse_lost_inputs(report, options);
   const std::string written =
       write_fit_report(report, fit_page(report, measurement, found, source), options.report);
   if (options.quiet) return;
@@ -69,6 +86,7 @@ std::string said_of(const std::string& path, const std::string& words) {
 
 int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
+  refuse_overwriting(options.out, input_paths(options));
   std::optional<OutputFolder> report_folder;
   if (!options.report.empty()) report_folder.emplace(options.report);
   const MeasurementFormat format = measurement_format(options.reading);
