@@ -38,10 +38,10 @@ void tell_fit(const ProfileFit& fit) {
       continue;
     }
     const auto& both = fit.interval[k];
-    print_out("{:<30} {:<11.5g} {} ({} samples, {} trials)\n", std::string(pad_number_keys[k]), value.value,
+    print_out("{:<30} {:<11.5g} {} ({} sample{}, {} trial{})\n", std::string(pad_number_keys[k]), value.value,
               both ? fmt::format("95 %: {:.5g} .. {:.5g}", both->first, both->second)
                    : std::string("too few trials for an interval"),
-              value.samples, value.trials);
+              value.samples, value.samples == 1 ? "" : "s", value.trials, value.trials == 1 ? "" : "s");
   }
 }
 
@@ -110,14 +110,18 @@ int fit(const FitOptions& options) {
   const bool is_without_force = measurement.trials.empty() && !measurement.without_force.empty();
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
-  if (!has_any)
-    throw refused(options.measurements.front(),
-                  fmt::format("nothing can be fitted: {}{}",
-                              said_of(options.measurements.front(), found.values.front().refusal),
-                              is_without_force && options.reading.reader.empty()
-                                  ? "; where its forces are called otherwise, say --columns "
-                                    "fx=NAME,fy=NAME,fz=NAME"
-                                  : ""));
+  if (!has_any) {
+    // Of what was read, the first number's reason speaks of stick alone; slip is what friction is told by.
+    const PadValue& slip = found.values[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+    throw refused(
+        options.measurements.front(),
+        fmt::format("nothing can be fitted: {}{}{}", measurement.trials.empty() ? "" : "mu_dynamic: ",
+                    said_of(options.measurements.front(), slip.refusal),
+                    is_without_force && options.reading.reader.empty()
+                        ? "; where its forces are called otherwise, say --columns "
+                          "fx=NAME,fy=NAME,fz=NAME"
+                        : ""));
+  }
   std::string source = fmt::format("fitted to {}, seed {}:", trials_text(found), options.seed);
   for (const std::string& path : options.measurements) source += fmt::format(" {}", path);
   OutputFile file(options.out);

@@ -164,6 +164,14 @@ TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   const auto both = fit("normal_only.csv " + shipped.string() + " --out both.toml");
   EXPECT_EQ(both.exit_code, 0);
   EXPECT_THAT(both.err, HasSubstr("normal_only.csv: column fx_n missing; the file is left out"));
+  std::ofstream still(folder / "still.csv");
+  still << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n";
+  for (int i = 0; i < 400; ++i) still << 0.001 * i << ",0,0,0,0,0,1\n";
+  still.close();
+  const auto motionless = fit("still.csv --out none.toml");
+  EXPECT_EQ(motionless.exit_code, 3);
+  EXPECT_THAT(motionless.err,
+              HasSubstr("error: still.csv: nothing can be fitted: mu_dynamic: no slip was found"));
   EXPECT_EQ(fit("absent.csv --out none.toml").exit_code, 3);
   EXPECT_EQ(fit(shipped.string() + " --out no/such/folder.toml").exit_code, 2);
 }
