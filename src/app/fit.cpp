@@ -10,6 +10,7 @@
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
+#include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_reader.hpp"
@@ -37,16 +38,32 @@ void tell_fit(const ProfileFit& fit) {
       continue;
     }
     const auto& both = fit.interval[k];
-    print_out("{:<30} {:<11.5g} {} ({} samples, {} trials)\n", std::string(pad_number_keys[k]), value.value,
+    print_out("{:<30} {:<11.5g} {} ({} sample{}, {} trial{})\n", std::string(pad_number_keys[k]), value.value,
               both ? fmt::format("95 %: {:.5g} .. {:.5g}", both->first, both->second)
                    : std::string("too few trials for an interval"),
-              value.samples, value.trials);
+              value.samples, value.samples == 1 ? "" : "s", value.trials, value.trials == 1 ? "" : "s");
   }
+}
+
+/// All files that it reads.
+std::vector<std::string> input_paths(const FitOptions& options) {
+  std::vector<std::string> paths = options.measurements;
+  if (!options.reading.positions.empty()) paths.push_back(options.reading.positions);
+  return paths;
+}
+
+void refuse_lost_inputs(const FitReport& report, const FitOptions& options) {
+  std::vector<std::string> names{"report.html"};
+  for (const StudyTable& table : report.study.tables) names.push_back(table.name + ".csv");
+  for (const Chart& chart : report.study.charts)
+    for (const char* ending : {".png", ".svg"}) names.push_back(chart.name + ending);
+  for (const std::string& name : names) refuse_overwriting(options.report + "/" + name, input_paths(options));
 }
 
 void tell_report(const FitOptions& options, const Measurement& measurement, const ProfileFit& found,
                  const FitSettings& settings, const std::string& source) {
   const FitReport report = fit_report(measurement, found, settings);
+  refuse_lost_inputs(report, options);
   const std::string written =
       write_fit_report(report, fit_page(report, measurement, found, source), options.report);
   if (options.quiet) return;
@@ -69,6 +86,7 @@ std::string said_of(const std::string& path, const std::string& words) {
 
 int fit(const FitOptions& options) {
   refuse_unwritable(options.out);
+  refuse_overwriting(options.out, input_paths(options));
   std::optional<OutputFolder> report_folder;
   if (!options.report.empty()) report_folder.emplace(options.report);
   const MeasurementFormat format = measurement_format(options.reading);
@@ -92,14 +110,18 @@ int fit(const FitOptions& options) {
   const bool is_without_force = measurement.trials.empty() && !measurement.without_force.empty();
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
-  if (!has_any)
-    throw refused(options.measurements.front(),
-                  fmt::format("nothing can be fitted: {}{}",
-                              said_of(options.measurements.front(), found.values.front().refusal),
-                              is_without_force && options.reading.reader.empty()
-                                  ? "; where its forces are called otherwise, say --columns "
-                                    "fx=NAME,fy=NAME,fz=NAME"
-                                  : ""));
+  if (!has_any) {
+    // Of what was read, the first number's reason speaks of stick alone; slip is what friction is told by.
+    const PadValue& slip = found.values[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+    throw refused(
+        options.measurements.front(),
+        fmt::format("nothing can be fitted: {}{}{}", measurement.trials.empty() ? "" : "mu_dynamic: ",
+                    said_of(options.measurements.front(), slip.refusal),
+                    is_without_force && options.reading.reader.empty()
+                        ? "; where its forces are called otherwise, say --columns "
+                          "fx=NAME,fy=NAME,fz=NAME"
+                        : ""));
+  }
   std::string source = fmt::format("fitted to {}, seed {}:", trials_text(found), options.seed);
   for (const std::string& path : options.measurements) source += fmt::format(" {}", path);
   OutputFile file(options.out);

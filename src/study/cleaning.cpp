@@ -90,10 +90,12 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
                                     humming, trials, rounded_text(most_hum_n, 3), hum_hz));
   steps.push_back(!settings.takes_tare
                       ? "tare: left as it is (off)"
-                      : fmt::format("tare: taken off {} of {} trials, at most {} N{}", tared, trials,
-                                    rounded_text(most_tare_n, 3),
+                      : fmt::format("tare: taken off {} of {} trial{}, at most {} N{}", tared, trials,
+                                    trials == 1 ? "" : "s", rounded_text(most_tare_n, 3),
                                     static_cast<std::size_t>(tared) < trials
-                                        ? "; the others have no moment that is surely without contact"
+                                        ? tared == 0
+                                              ? "; none has a moment that is surely without contact"
+                                              : "; the others have no moment that is surely without contact"
                                         : ""));
   if (const std::string contact = contact_text(measurement.cleanings); !contact.empty())
     steps.push_back(contact);

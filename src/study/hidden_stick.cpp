@@ -58,8 +58,7 @@ std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const s
       most_stops_share * static_cast<double>(ends.gives) > static_cast<double>(ends.stops))
     return fmt::format(
         "stick gives way without a drop of the force at {} of its {} ends, and slip is seen to end in stick "
-        "{} "
-        "times only: where the finger sticks is not told, or it hardly does",
+        "{} times only: where the finger sticks is not told, or it hardly does",
         ends.gives - ends.drops, ends.gives, ends.stops);
   if (slow_slip && (!is_seen || slow_slip->speed_m_per_s > faster * v_min.value))
     return fmt::format(
@@ -79,7 +78,7 @@ std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const s
       "friction is up by {:.0f} % of what a rupture drops just before slip is seen to end (at {} m/s): "
       "stick that gives way again within a few samples hides there (then sample faster), or friction rises "
       "as the finger slows",
-      100 * rise / std::max(drop, 1e-9), rounded_text(v_min.value, 3));
+      100 * rise / drop, rounded_text(v_min.value, 3));
 }
 
 bool is_hidden_stick(const PadValues& found, const SpeedStep& slow) {

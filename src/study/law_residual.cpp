@@ -195,8 +195,7 @@ LawResidual ResidualSums::verdict(const HiddenStick& hidden) const {
   if (gives_ >= fewest_gives && 2 * drops_ < gives_ && !hidden.is_stepped)
     found.misfit += fmt::format(
         "{}stick gives way without a drop of the force at {} of its {} ends (a pad whose mu_static is less "
-        "than "
-        "{:.0f} % above its mu_dynamic looks alike here)",
+        "than {:.0f} % above its mu_dynamic looks alike here)",
         found.misfit.empty() ? "" : "; ", gives_ - drops_, gives_, 100 * hidden.unseen_drop);
   return found;
 }

@@ -41,8 +41,8 @@ struct TrialCleaning {
   Vec3 tare_begin_n{0, 0, 0};  ///< taken off at the trial's begin, in W
   Vec3 tare_end_n{0, 0, 0};    ///< and at its end; straight in between
   double hum_hz = 0;           ///< of the mains hum taken off; 0: none was found
-  bool tells_contact = false;  ///< its positions are told from its torques
   double hum_n = 0;            ///< its greatest amplitude of an axis
+  bool tells_contact = false;  ///< its positions are told from its torques
 };
 
 /// By how much force lags position. The interval is a bootstrap over the trials.

@@ -7,6 +7,7 @@
 #include "study/measured_row.hpp"
 #include "trace/hdf5_columns.hpp"
 #include "trace/trace.hpp"
+#include "trace/trace_choice.hpp"
 
 namespace fingerpad {
 namespace {
@@ -40,12 +41,15 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
   std::vector<std::string> names;
   for (std::size_t k = 0; k < measurement_columns.size(); ++k) names.emplace_back(header_of(format, k));
   Hdf5Columns file = read_hdf5_columns(path, names);
-  for (std::size_t k = 0; k < names.size(); ++k) {
-    if (!file.present[k] && is_required(format, k))
-      throw refused(
-          path,
-          fmt::format("has no dataset '{}'; a measurement has one a column, as t_s, x_m, fx_n", names[k]));
-  }
+  std::vector<std::string> missing;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (!file.present[k] && is_required(format, k)) missing.push_back(names[k]);
+  if (!missing.empty())
+    throw refused(path,
+                  file.chosen.empty()
+                      ? fmt::format("has no dataset '{}'; a measurement has one a column, as t_s, x_m, fx_n",
+                                    missing.front())
+                      : missing_columns_words(missing, file.chosen));
   const std::size_t count = file.columns[0].size(),
                     first_direction = static_cast<std::size_t>(MeasuredColumn::dx);
   if (!file.scene_text.empty() && !file.present[first_direction] && !format.markers) {

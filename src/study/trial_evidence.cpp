@@ -47,7 +47,7 @@ void add_press(const MeasuredTrial& trial, double exponent, TrialEvidence& evide
   evidence.press_groups += static_cast<long>(groups.size());
 }
 
-/// How often stick ends in slip, and drops as it does.
+/// How often stick ends in slip, and drops as it does; and the drop that noise would hide.
 void add_gives(const MeasuredTrial& trial, const StickSegments& segments, TrialEvidence& evidence) {
   const std::size_t shortest = 4 * static_cast<std::size_t>(segments.half_window);
   for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {

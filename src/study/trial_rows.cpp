@@ -137,8 +137,11 @@ void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasure
     for (Eigen::Index k = before == end ? std::lround(at) : std::lround(std::floor(from + slack)) + 1;
          static_cast<double>(k) <= at + slack && k < steps; ++k) {
       const double step = static_cast<double>(k);
+      // A row within half a step is taken as it is: between two, a straight line would cut across a rupture.
       const bool is_near = std::abs(step - at) <= 0.5;
-      const double share = before == end || step >= at - slack ? 1 : (step - from) / (at - from);
+      const double share = before == end || (is_near && at - step <= step - from) ? 1
+                           : step - from <= 0.5                                   ? 0
+                                                : (step - from) / (at - from);
       const std::size_t other = before == end ? i : before;
       for (const auto& [rows, points] : columns)
         points->col(k) = (*rows)[other] + share * ((*rows)[i] - (*rows)[other]);

@@ -40,8 +40,9 @@ class TrialRows {
   /// @pre row.t_s comes after the last
   void add(const RecordedRow& row);
 
-  /// Puts the trial at even steps into `into`, as several where samples are missing for over a second. Throws
-  /// Error (refused) where it has fewer than 16 rows.
+  /// Puts the trial at even steps into `into`, as several where samples are missing for over a second. Each
+  /// sample is the nearest row within half a step, whose position and force belong together, or where there
+  /// is none a gap's straight line. Throws Error (refused) where it has fewer than 16 rows.
   void finish(RecordedMeasurement& into) const;
 
  private:

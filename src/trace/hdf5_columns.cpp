@@ -18,6 +18,7 @@ namespace {
 void tell_columns(const std::string& path, const std::vector<std::string>& names, Teller& tell) {
   const hdf5::Handle file = hdf5::open_file(path);
   tell(hdf5::read_text(file, "scene"));
+  tell(hdf5::read_texts(file, "columns"));
   tell(hdf5::read_whole(file, "every").value_or(1));
   std::optional<std::uint64_t> rows;
   for (const std::string& name : names) {
@@ -51,6 +52,7 @@ Hdf5Columns hear_columns(std::size_t names, Hearer& hear) {
   Hdf5Columns found;
   found.columns.resize(names);
   hear(found.scene_text);
+  hear(found.chosen);
   hear(found.every);
   for (std::size_t k = 0; k < names; ++k) {
     bool is_there = false;

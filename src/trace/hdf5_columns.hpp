@@ -11,7 +11,8 @@ struct Hdf5Columns {
   std::vector<bool> present;                 ///< per asked-for name
   std::vector<std::vector<double>> columns;  ///< per asked-for name; empty where absent
   std::string scene_text;                    ///< the scene that a trace keeps; empty where there is none
-  std::uint64_t every = 1;                   ///< of a trace: its rows are every so manieth tick
+  std::vector<std::string> chosen;  ///< of a trace: the columns alone that it was written with; else none
+  std::uint64_t every = 1;          ///< of a trace: its rows are every so manieth tick
 };
 
 /// Reads one-dimensional datasets of numbers at a file's root. The file is read by a child process, as

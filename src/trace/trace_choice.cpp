@@ -45,6 +45,18 @@ std::vector<TraceColumn> chosen(std::vector<TraceColumn> columns, const TraceInf
   return columns;
 }
 
+std::string missing_columns_words(const std::vector<std::string>& missing,
+                                  const std::vector<std::string>& chosen) {
+  constexpr std::size_t most_named = 3;
+  const std::vector<std::string> named(
+      missing.begin(), missing.begin() + static_cast<std::ptrdiff_t>(std::min(most_named, missing.size())));
+  const std::size_t more = missing.size() - named.size();
+  return fmt::format(
+      "has no column {}{}: it was written with {} alone (replay --columns), and a whole trace is "
+      "needed here; replay its scene without --columns",
+      word_list(named), more > 0 ? fmt::format(" and {} more", more) : "", word_list(chosen));
+}
+
 void refuse_missing_columns(const Trace& trace, const std::string& path) {
   if (trace.missing.empty()) return;
   // A table of text does not say what wrote it, and its header is all that it has.
@@ -53,16 +65,7 @@ void refuse_missing_columns(const Trace& trace, const std::string& path) {
                   fmt::format("is no trace: it has no column '{}' (a trace that was written with "
                               "some columns alone, by replay --columns, cannot be taken here)",
                               trace.missing.front()));
-  constexpr std::size_t most_named = 3;
-  const std::vector<std::string> named(
-      trace.missing.begin(),
-      trace.missing.begin() + static_cast<std::ptrdiff_t>(std::min(most_named, trace.missing.size())));
-  const std::size_t more = trace.missing.size() - named.size();
-  throw refused(
-      path, fmt::format("has no column {}{}: it was written with {} alone (replay --columns), and a whole "
-                        "trace is needed here; replay its scene without --columns",
-                        word_list(named), more > 0 ? fmt::format(" and {} more", more) : "",
-                        word_list(trace.info.columns)));
+  throw refused(path, missing_columns_words(trace.missing, trace.info.columns));
 }
 
 }  // namespace fingerpad

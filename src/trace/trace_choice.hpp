@@ -38,6 +38,10 @@ constexpr std::uint64_t kept_rows(long ticks, std::uint64_t every) noexcept {
   return ticks < 1 ? 0 : last / every + 1 + (last % every != 0 ? 1 : 0);
 }
 
+/// What a trace that was written with some columns alone lacks, and the mend; `missing` is not empty.
+std::string missing_columns_words(const std::vector<std::string>& missing,
+                                  const std::vector<std::string>& chosen);
+
 /// Throws Error (refused) where a trace lacks columns: which it has, which it would need, and the mend.
 void refuse_missing_columns(const Trace& trace, const std::string& path);
 

@@ -137,6 +137,21 @@ TEST_F(Fit, OneTrialEndsWithWhatItLacksForAScene) {
   EXPECT_THAT(fit(shipped.string() + " --out whole.toml").err, testing::Not(HasSubstr("no scene takes")));
 }
 
+TEST_F(Fit, OverwritesNoneOfItsInputs) {
+  fs::create_directory(folder / "r");
+  for (const char* name : {"a.csv", "r/numbers.csv"}) fs::copy_file(shipped, folder / name);
+  const std::string before = test::bytes_of(shipped);
+  for (const std::string& words : {std::string("a.csv --out a.csv"), shipped.string() + " a.csv --out a.csv",
+                                   shipped.string() + " --positions a.csv --out ./a.csv",
+                                   std::string("r/numbers.csv --out b.toml --report r")}) {
+    const auto result = fit(words);
+    EXPECT_EQ(result.exit_code, 3) << words;
+    EXPECT_THAT(result.err, HasSubstr("an input of this command")) << words;
+    for (const char* name : {"a.csv", "r/numbers.csv"})
+      EXPECT_EQ(test::bytes_of(folder / name), before) << words;
+  }
+}
+
 TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   std::ofstream(folder / "normal_only.csv")
       << "t_s,x_m,y_m,z_m,fz_n\n0,0,0,0,1\n0.001,0,0,0,1\n0.002,0,0,0,1\n";
@@ -149,6 +164,14 @@ TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   const auto both = fit("normal_only.csv " + shipped.string() + " --out both.toml");
   EXPECT_EQ(both.exit_code, 0);
   EXPECT_THAT(both.err, HasSubstr("normal_only.csv: column fx_n missing; the file is left out"));
+  std::ofstream still(folder / "still.csv");
+  still << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n";
+  for (int i = 0; i < 400; ++i) still << 0.001 * i << ",0,0,0,0,0,1\n";
+  still.close();
+  const auto motionless = fit("still.csv --out none.toml");
+  EXPECT_EQ(motionless.exit_code, 3);
+  EXPECT_THAT(motionless.err,
+              HasSubstr("error: still.csv: nothing can be fitted: mu_dynamic: no slip was found"));
   EXPECT_EQ(fit("absent.csv --out none.toml").exit_code, 3);
   EXPECT_EQ(fit(shipped.string() + " --out no/such/folder.toml").exit_code, 2);
 }

@@ -59,6 +59,10 @@ TEST(ChosenColumns, WhatIsNotThereIsNamedByWhoeverNeedsIt) {
   const std::string words =
       "o/s.h5: has no column x_m, y_m, z_m and 20 more: it was written with t_s, fn_n, mu";
   EXPECT_THAT(test::fingerpad("export o/s.h5 --out e.vtp", folder).err, HasSubstr(words));
+  EXPECT_THAT(
+      test::fingerpad("fit o/s.h5 --out f.toml", folder).err,
+      HasSubstr("o/s.h5: has no column x_m, y_m, z_m: it was written with t_s, fn_n, mu alone (replay "
+                "--columns), and a whole trace is needed here; replay its scene without --columns"));
 #ifdef FINGERPAD_VIEW
   for (const char* command : {"plot o/s.h5 --out p.svg --over s", "plot o/s.h5 --show spectrum --out p.svg",
                               "view o/s.h5 --png v.png"}) {

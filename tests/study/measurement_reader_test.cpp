@@ -265,6 +265,27 @@ TEST(TrialRows, NamesThePiecesOfALongTrialApart) {
   EXPECT_EQ(trial_name(read.trials.back()), "long.csv, subject 1, trial 3, piece 3");
 }
 
+TEST(TrialRows, TimesALittleOffTheirGridDrawNoLineAcrossARupture) {
+  TrialRows rows("uneven.csv", 1, 3, true);
+  for (int i = 0; i < 60; ++i) {
+    RecordedRow row;
+    row.t_s = 1e-3 * (i + 0.1 * ((i * 7) % 3 - 1));
+    row.force_W.x() = i < 30 ? 0.3 : 0.2;
+    row.position_W.x() = 1e-4 * i;
+    rows.add(row);
+  }
+  RecordedMeasurement read;
+  rows.finish(read);
+  ASSERT_EQ(read.trials.size(), 1u);
+  const RecordedTrial& trial = read.trials.front();
+  ASSERT_GE(trial.samples(), 58);
+  for (Eigen::Index k = 0; k < trial.samples(); ++k) {
+    const double x = trial.position_W(0, k) / 1e-4;
+    EXPECT_NEAR(x, std::round(x), 1e-9) << k << ": no row's own position";
+    EXPECT_NEAR(trial.force_W(0, k), x < 29.5 ? 0.3 : 0.2, 1e-12) << k << ": another row's force";
+  }
+}
+
 /// Rows of `step_s`, with a gap in the middle.
 TrialRows short_trial(double step_s, double gap_s) {
   TrialRows rows("short.csv", 1, 3, true);
