@@ -62,6 +62,10 @@ struct ProxyLimits {
   /// this they bend about so close to the finger that the way to the second order means little.
   static constexpr double least_left_of_bend = 1.0 / 1024;
 
+  /// Gap between the ball and what holds it, as a share of the scene's extent, that can be seen and felt: of
+  /// a part as large as a hand, a micrometre.
+  static constexpr double far_wall = 1e-5;
+
   /// Sine of the angle under which a wall's normal counts as that of the triangle it stands for: where they
   /// agree so well there is nothing to gain from another step.
   static constexpr double same_wall = 1e-8;

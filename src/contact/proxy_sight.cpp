@@ -169,6 +169,7 @@ void ProxySight::begin_step(const Vec3& goal_O, double bent_m) noexcept {
   m.step = {};
   m.step.goal_O = goal_O;
   m.bent_m = bent_m;
+  m.has_let_go = false;
   m.pass = 0;
   m.count = 0;
   // What the projection leaves behind a wall by rounding must not count as a breach.
@@ -213,6 +214,24 @@ void ProxySight::go_on_along_bend() noexcept {
   m.step.bent = on_m <= room_m;
 }
 
+/// A wall stands for how the straight way to the goal meets its triangle. Where another wall turns the way
+/// off, the ball may never come there: both together would hold it in thin air, for ever. So where a step
+/// leads nowhere, walls whose triangles the ball is far from are looked for anew, once, beside those that
+/// it is not; where that leads nowhere either, all hold as before. False where there is nothing to let go.
+bool ProxySight::let_go_of_far_walls() noexcept {
+  Making& m = making_;
+  if (m.has_let_go || m.count < 2 || m.step.z.norm() > world_.tolerance_m()) return false;
+  looks_.spend(LookCosts::told * static_cast<long>(m.count));
+  std::size_t touched = 0;
+  for (std::size_t k = 0; k < m.count; ++k) {
+    if (!world_.is_far_from(m.walls[k], place_O_)) m.walls[touched++] = m.walls[k];
+  }
+  if (touched == 0 || touched == m.count) return false;
+  m.held = m.step;
+  m.count = touched;
+  return m.has_let_go = m.is_underway = true;
+}
+
 ProxyStep ProxySight::go_on_with_step() noexcept {
   Making& m = making_;
   m.is_underway = true;
@@ -231,6 +250,8 @@ ProxyStep ProxySight::go_on_with_step() noexcept {
     if (m.is_amid_round) break;
     m.is_underway = m.round.worst.wall.has_value();
     if (!m.is_underway) {
+      if (let_go_of_far_walls()) continue;
+      if (m.has_let_go && m.step.z.norm() <= world_.tolerance_m()) m.step = m.held;
       go_on_along_bend();
       return m.step;
     }

@@ -106,10 +106,11 @@ class ProxySight {
  private:
   /// A step in the making: see step_towards.
   struct Making {
-    bool is_underway = false, is_amid_round = false;
+    bool is_underway = false, is_amid_round = false, has_let_go = false;
     Vec3 goal = Vec3::Zero();  ///< relative to the place looked around from
     double slack_m = 0, breach_m = 0, bent_m = 0;
     ProxyStep step;
+    ProxyStep held;  ///< what it was before far walls were let go
     std::array<ProxyWall, 4> walls;
     std::size_t count = 0;
     int pass = 0;
@@ -119,6 +120,7 @@ class ProxySight {
   void begin_step(const Vec3& goal_O, double bent_m) noexcept;
   bool project() noexcept;
   void go_on_along_bend() noexcept;
+  bool let_go_of_far_walls() noexcept;
   bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept;
   bool sweep_all(const Vec3& z, Round& round) noexcept;
   template <class Visit>

@@ -58,6 +58,11 @@ const TriangleApproach& ProxyWorld::approach(int i, int triangle, const Vec3& pl
   return told.approach;
 }
 
+bool ProxyWorld::is_far_from(const ProxyWall& wall, const Vec3& place_O) const noexcept {
+  return wall.triangle >= 0 && approach(wall.surface, wall.triangle, place_O).distance_m >
+                                   clearance_m() + ProxyLimits::far_wall * extent_m_;
+}
+
 bool ProxyWorld::is_own_plane(const ProxyWall& wall) const noexcept {
   const Vec3 normal = turned_from_part(wall.surface, part(wall.surface).facet_normals.col(wall.triangle));
   return wall.normal.cross(normal).squaredNorm() <= ProxyLimits::same_wall * ProxyLimits::same_wall;

@@ -60,6 +60,8 @@ class ProxyWorld {
   /// @returns good until the next question
   const TriangleApproach& approach(int surface, int triangle, const Vec3& place_O) const noexcept;
 
+  /// Whether there is a gap that could be seen between the ball at a place and the triangle of a wall.
+  bool is_far_from(const ProxyWall& wall, const Vec3& place_O) const noexcept;
   /// Whether a triangle's wall lies in its own plane.
   bool is_own_plane(const ProxyWall& wall) const noexcept;
 

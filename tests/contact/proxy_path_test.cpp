@@ -55,6 +55,16 @@ Vec3 wandering(int k) {
 class ProxyPath : public EitherProxy {};
 INSTANTIATE_TEST_SUITE_P(Kinds, ProxyPath, testing::ValuesIn(proxy_kinds), kind_name);
 
+TEST_P(ProxyPath, NoWallThatTheBallIsFarFromHoldsItInThinAir) {
+  Proxy proxy = make_proxy({surface_of(test::box_soup(Vec3(0.02, 0.02, 0.02)))}, 0.8e-3, Normals::facet);
+  proxy.move(Vec3(5e-3, 0, -12e-3), dt_s);
+  proxy.move(Vec3(5e-3, 0, -10.5e-3), dt_s);
+  ASSERT_TRUE(proxy.state().contact.touching);
+  // The straight way there meets the back of the face of x; along the bottom it comes by its edge.
+  for (int k = 0; k < 1000; ++k) proxy.move(Vec3(11.516e-3, 8.967e-3, -8.793e-3), dt_s);
+  EXPECT_FALSE(proxy.state().contact.touching);
+}
+
 TEST_P(ProxyPath, AroundAConvexPartTheBallStandsOverTheClosestPoint) {
   for (const Convex& convex : convex_parts()) {
     SCOPED_TRACE(convex.name);
