@@ -14,6 +14,7 @@ namespace {
 namespace fs = std::filesystem;
 using test::bytes_of;
 using test::ShellResult;
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -101,8 +102,10 @@ TEST(EveryNthTick, IsToldByAPlotOfSomeColumns) {
     ASSERT_EQ(replay(folder, "--out o --columns fn_n,mu --every 10 --format " + format).exit_code, 0);
     const auto result = test::fingerpad("plot o/s." + format + " --out p.svg", folder);
     ASSERT_EQ(result.exit_code, 0) << result.err;
-    EXPECT_THAT(result.out, HasSubstr(": 1 tick in 10 is here")) << format;
-    EXPECT_THAT(bytes_of(folder / "p.svg"), HasSubstr(": 1 tick in 10 is here")) << format;
+    EXPECT_THAT(result.out, HasSubstr("1 tick in 10 is here")) << format;
+    EXPECT_FALSE(result.out.starts_with(": ")) << format << ": a name that is none";
+    EXPECT_THAT(bytes_of(folder / "p.svg"), AllOf(HasSubstr("1 tick in 10 is here"), Not(HasSubstr(">: "))))
+        << format;
   }
 }
 
