@@ -2,7 +2,7 @@
 
 namespace fingerpad {
 
-/// The prices of looks. The unit is a look at a triangle that is at hand and was seen before: some eight
+/// The prices of looks. The unit is a look at a triangle that is at hand and was seen before: some nine
 /// nanoseconds, with room for memory that is slower than a part in a cache.
 struct LookCosts {
   static constexpr long packet = 6;           ///< a float filter looks at eight triangles at once
