@@ -1,5 +1,6 @@
 #pragma once
 
+#include <exception>
 #include <functional>
 #include <memory>
 #include <string>
@@ -12,7 +13,9 @@ namespace fingerpad {
 
 /// Thrown by claimed_folder where a rank was told to stop before the first of its run had come: it has
 /// written nothing.
-struct StoppedBeforeTheFirst {};
+struct StoppedBeforeTheFirst : std::exception {
+  const char* what() const noexcept override { return "told to stop before the first of its run had come"; }
+};
 
 /// Where the ranks of a shard tell one another: other shards may be at work in the same output folder.
 std::string ranks_folder(const BatchOptions& options);
