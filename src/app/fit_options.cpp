@@ -79,6 +79,7 @@ std::optional<SixAxisSensor> sensor_of(const ReadingOptions& options) {
     sensor.rotation_WS = turn.normalized().toRotationMatrix();
   }
   sensor.plate_height_m = options.plate_height_m.value_or(0);
+  sensor.says_place = !options.sensor_at.empty();
   return sensor;
 }
 

@@ -84,8 +84,10 @@ CrossValidation cross_validate(const Measurement& measurement, const FitSettings
     return checked;
   }
   std::vector<std::optional<HeldOutTrial>> told(measurement.trials.size());
+  FitSettings of_fold = settings;
+  of_fold.keeps_vague_axes = true;
   for (int left_out = 0; left_out < folds; ++left_out) {
-    const ProfileFit fit = fit_profile(without_fold(measurement, fold, left_out), settings);
+    const ProfileFit fit = fit_profile(without_fold(measurement, fold, left_out), of_fold);
     if (!is_runnable(fit)) {
       checked.refusal =
           "without some of the trials the others do not give a pad with both coefficients of friction";

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "study/pad_axes.hpp"
 #include "study/position_delay.hpp"
 
@@ -69,13 +70,17 @@ void count_moved(double moved_s, DelayEstimate& estimate) {
 }
 
 std::string estimate_text(const DelayEstimate& delay) {
+  constexpr double slow_s = 1.5e-3;
   if (!delay.refusal.empty())
     return fmt::format("the delay of force behind position cannot be told: {}", delay.refusal);
   std::string told = fmt::format("force lags position by {:.3f} ms", 1e3 * delay.delay_s);
-  if (delay.interval_s)
-    told += fmt::format(" (95 %: {:.3f} .. {:.3f} ms, {} samples of stick)", 1e3 * delay.interval_s->first,
-                        1e3 * delay.interval_s->second, delay.samples);
-  return told;
+  if (!delay.interval_s) return told;
+  told += fmt::format(" (95 %: {:.3f} .. {:.3f} ms, {} samples of stick", 1e3 * delay.interval_s->first,
+                      1e3 * delay.interval_s->second, delay.samples);
+  if (delay.sample_s > slow_s)
+    told += fmt::format("; samples that are {} ms apart leave {} ms either way of it open",
+                        rounded_text(1e3 * delay.sample_s, 3), rounded_text(1e3 * delay.unsure_s, 2));
+  return told + ")";
 }
 
 }  // namespace

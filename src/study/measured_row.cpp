@@ -62,6 +62,22 @@ RowReader::RowReader(const std::string& path, const MeasurementFormat& format, s
                               header_of(format, place_of(first)), header_of(format, place_of(first) + 1),
                               header_of(format, place_of(first) + 2)));
   }
+  refuse_unused_place(path);
+}
+
+void RowReader::refuse_unused_place(const std::string& path) const {
+  if (!format_.sensor || !format_.sensor->says_place) return;
+  if (format_.markers)
+    throw refused(path,
+                  "--sensor-at has no effect beside --markers, which tell the fingertip: leave one out");
+  if (has(MeasuredColumn::torque)) return;
+  const std::size_t first = place_of(MeasuredColumn::torque);
+  throw refused(
+      path,
+      fmt::format("--sensor-at has no effect without torque, and the columns {}, {}, {} are missing: where "
+                  "yours are called otherwise, say --columns tx=NAME,ty=NAME,tz=NAME (and --torque-unit); "
+                  "else leave it out (--sensor-turned alone turns the forces)",
+                  header_of(format_, first), header_of(format_, first + 1), header_of(format_, first + 2)));
 }
 
 std::string RowReader::missing_force() const {

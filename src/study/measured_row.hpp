@@ -59,6 +59,8 @@ class RowReader {
   int whole(std::span<const double> numbers, MeasuredColumn column, const RowPlace& place) const;
 
  private:
+  /// Refuses a sensor's place that nothing would be told with.
+  void refuse_unused_place(const std::string& path) const;
   Vec3 vector(std::span<const double> numbers, MeasuredColumn first) const;
   Vec3 unit(std::span<const double> numbers, MeasuredColumn first, const char* what,
             const RowPlace& place) const;

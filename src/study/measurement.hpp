@@ -49,8 +49,10 @@ struct TrialCleaning {
 struct DelayEstimate {
   double delay_s = 0;
   std::optional<std::pair<double, double>> interval_s;  ///< 95 %
-  long samples = 0;                                     ///< of stick, that it rests on
-  std::string refusal;                                  ///< empty: the estimate holds
+  double sample_s = 0;                                  ///< between samples, of the slowest clock
+  double unsure_s = 0;  ///< of the interval, either way: what samples so far apart leave open
+  long samples = 0;     ///< of stick, that it rests on
+  std::string refusal;  ///< empty: the estimate holds
 };
 
 /// The delay of a file, or of several that do not tell theirs one by one.

@@ -52,6 +52,7 @@ struct SixAxisSensor {
   Mat3 rotation_WS = Mat3::Identity();
   Vec3 origin_W = Vec3::Zero();  ///< of its axes [m]
   double plate_height_m = 0;     ///< of the plate's surface over W's origin, along the plate's normal
+  bool says_place = false;       ///< the origin was said, which torque alone makes use of
 };
 
 /// How a measurement's files are to be read; as it stands, the program's own tables.

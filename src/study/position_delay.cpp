@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <set>
 
@@ -12,8 +11,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double longest_s = 0.05;
-constexpr double coarsest_s = 1e-3;  // between lags, where the rate allows
+constexpr std::size_t lags = 2 * std::size_t{delay_lags_each_way} + 1;
 
 /// The part of a trial around i without a gap.
 PhaseStretch unbroken_around(const MeasuredTrial& trial, std::size_t from, std::size_t to,
@@ -43,10 +41,31 @@ std::vector<OrderTerms> centred_spring(const MeasuredTrial& trial, const PhaseSt
   return spring;
 }
 
-/// @param noise_m2  variance of the positions' noise, which takes part of what a position explains
-void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, double noise_m2,
+/// A trial's positions of a moment before: whole samples, and the rest along the velocity.
+class EarlierPositions {
+ public:
+  EarlierPositions(const MeasuredTrial& trial, const StickSegments& segments, double lag_s)
+      : back_(std::lround(lag_s * trial.rate_hz)),
+        rest_s_(lag_s - static_cast<double>(back_) / trial.rate_hz),
+        position_m_(trial.position_m),
+        velocity_m_per_s_(segments.velocity_m_per_s) {}
+  Vec2 at(std::size_t i) const {
+    const auto from = static_cast<std::size_t>(static_cast<std::ptrdiff_t>(i) - back_);
+    return position_m_[from] - rest_s_ * velocity_m_per_s_[from];
+  }
+
+ private:
+  std::ptrdiff_t back_;
+  double rest_s_;
+  const std::vector<Vec2>&position_m_, &velocity_m_per_s_;
+};
+
+/// The positions' noise takes part of what a position explains.
+void add_stretch(const MeasuredTrial& trial, const StickSegments& segments, PhaseStretch stretch,
                  DelaySums& sums) {
-  const auto reach = static_cast<std::size_t>(sums.lags_each_way * stride);
+  const double noise_m2 = segments.position_noise_m * segments.position_noise_m;
+  const auto reach =
+      static_cast<std::size_t>(std::lround(delay_lags_each_way * delay_step_s * trial.rate_hz));
   const PhaseStretch around = unbroken_around(trial, stretch.from, stretch.to, reach);
   stretch.from = std::max(stretch.from, around.from + reach);
   stretch.to = std::min(stretch.to, around.to > reach ? around.to - reach : 0);
@@ -57,20 +76,19 @@ void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, 
     for (Eigen::Index axis = 0; axis < 2; ++axis)
       sums.spring[static_cast<std::size_t>(axis)] += terms.row(axis).transpose() * terms.row(axis);
   }
-  for (int lag = -sums.lags_each_way; lag <= sums.lags_each_way; ++lag) {
-    const auto back = static_cast<std::ptrdiff_t>(lag * stride);
-    const Vec2* position = trial.position_m.data() - back;
+  for (int lag = -delay_lags_each_way; lag <= delay_lags_each_way; ++lag) {
+    const EarlierPositions position(trial, segments, lag * delay_step_s);
     Vec2 sum(0, 0), xx(0, 0);
     OrderTerms xq = OrderTerms::Zero();
-    const Vec2 origin = position[stretch.from];
+    const Vec2 origin = position.at(stretch.from);
     for (std::size_t i = stretch.from; i < stretch.to; ++i) {
-      const Vec2 x = position[i] - origin;
+      const Vec2 x = position.at(i) - origin;
       sum += x;
       xx += x.cwiseProduct(x);
       xq += x.asDiagonal() * spring[i - stretch.from];
     }
     xx -= sum.cwiseProduct(sum) / count + Vec2::Constant((count - 1) * noise_m2);
-    const auto k = static_cast<std::size_t>(long{lag} + sums.lags_each_way);
+    const auto k = static_cast<std::size_t>(long{lag} + delay_lags_each_way);
     for (Eigen::Index axis = 0; axis < 2; ++axis) {
       sums.xx[static_cast<std::size_t>(axis)][k] += xx[axis];
       sums.xq[static_cast<std::size_t>(axis)][k] += xq.row(axis).transpose();
@@ -78,14 +96,6 @@ void add_stretch(const MeasuredTrial& trial, PhaseStretch stretch, long stride, 
   }
   sums.samples += static_cast<long>(stretch.to - stretch.from);
   sums.noise_m2 += (count - 1) * noise_m2;
-}
-
-/// Lags either way that all trials with stick have: their rates, and so their grids, differ a little.
-int common_lags(const std::vector<DelaySums>& trials) {
-  int least = std::numeric_limits<int>::max();
-  for (const DelaySums& trial : trials)
-    if (trial.samples > 0) least = std::min(least, trial.lags_each_way);
-  return least == std::numeric_limits<int>::max() ? 0 : least;
 }
 
 /// How many of q, q |q|^2 and q |q|^4 a spring has.
@@ -122,7 +132,7 @@ class SpringExplains {
   std::vector<OwnTerm> terms_;
 };
 
-/// How much of q the springs explain at each lag that all have, and how much there is of it.
+/// How much of q the springs explain at each lag, and how much there is of it.
 struct ExplainedByLag {
   std::vector<double> explained;
   double all = 0;  ///< of the axes that count
@@ -130,9 +140,7 @@ struct ExplainedByLag {
 
 ExplainedByLag explained_by_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times,
                                 SpringOrder order) {
-  const int lags_each_way = common_lags(trials);
-  const auto count = 2 * static_cast<std::size_t>(lags_each_way) + 1;
-  ExplainedByLag found{std::vector<double>(count, 0)};
+  ExplainedByLag found{std::vector<double>(lags, 0)};
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (times[i] == 0 || trials[i].samples == 0) continue;
     for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -142,11 +150,8 @@ ExplainedByLag explained_by_lag(const std::vector<DelaySums>& trials, const std:
       // An axis that hardly moves at some lag would seem to explain anything there.
       if (!(*std::min_element(xx.begin(), xx.end()) > 4 * trials[i].noise_m2)) continue;
       found.all += times[i] * trials[i].spring[axis](0, 0);
-      const auto ahead = static_cast<std::size_t>(trials[i].lags_each_way - lags_each_way);
-      for (std::size_t k = 0; k < count; ++k) {
-        const std::size_t own = k + ahead;
-        if (xq[own][0] < 0) found.explained[k] += times[i] * explains.of(xq[own]) / xx[own];
-      }
+      for (std::size_t k = 0; k < lags; ++k)
+        if (xq[k][0] < 0) found.explained[k] += times[i] * explains.of(xq[k]) / xx[k];
     }
   }
   return found;
@@ -161,7 +166,7 @@ std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::
   if (k == 0 || k + 1 == explained.size()) return std::nullopt;
   const double bend = explained[k - 1] - 2 * explained[k] + explained[k + 1];
   if (!(bend < 0)) return std::nullopt;
-  return static_cast<double>(k) - common_lags(trials) + 0.5 * (explained[k - 1] - explained[k + 1]) / bend;
+  return static_cast<double>(k) - delay_lags_each_way + 0.5 * (explained[k - 1] - explained[k + 1]) / bend;
 }
 
 /// A higher one where it leaves much less of q: where it is only free, ends of stick bend it, and the delay
@@ -181,20 +186,16 @@ SpringOrder spring_order_of(const std::vector<DelaySums>& trials) {
 }  // namespace
 
 DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) {
-  const long stride = std::max(1L, std::lround(coarsest_s * trial.rate_hz));
   DelaySums sums;
-  sums.lags_each_way = static_cast<int>(longest_s * trial.rate_hz / static_cast<double>(stride) + 1e-6);
   sums.subject = trial.subject;
-  sums.step_s = static_cast<double>(stride) / trial.rate_hz;
-  const auto lags = 2 * static_cast<std::size_t>(sums.lags_each_way) + 1;
+  sums.sample_s = 1 / trial.rate_hz;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     sums.xx[axis].assign(lags, 0);
     sums.xq[axis].assign(lags, Vec3::Zero());
   }
-  const double noise_m2 = segments.position_noise_m * segments.position_noise_m;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     const PhaseStretch stretch = inner_stretch(whole, segments);
-    if (stretch.from < stretch.to) add_stretch(trial, stretch, stride, noise_m2, sums);
+    if (stretch.from < stretch.to) add_stretch(trial, segments, stretch, sums);
   }
   return sums;
 }
@@ -206,18 +207,14 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
   DelayEstimate estimate;
   std::vector<int> subject_of;
   std::set<int> subjects;
-  double step_s = 0, blocks = 0;
+  double blocks = 0;
   for (const DelaySums& trial : trials) {
     subject_of.push_back(trial.subject);
     estimate.samples += trial.samples;
     if (trial.samples == 0) continue;
     ++blocks;
     subjects.insert(trial.subject);
-    if (step_s > 0 && std::abs(trial.step_s / step_s - 1) > 0.05) {
-      estimate.refusal = "trials have different rates";
-      return estimate;
-    }
-    step_s = trial.step_s;
+    estimate.sample_s = std::max(estimate.sample_s, trial.sample_s);
   }
   const SpringOrder order = spring_order_of(trials);
   const auto lag = best_lag(trials, std::vector<int>(trials.size(), 1), order);
@@ -228,21 +225,23 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
                              "given";
     return estimate;
   }
-  estimate.delay_s = *lag * step_s;
+  estimate.delay_s = *lag * delay_step_s;
   DrawSpread spread;
   RandomStream random(seed, 1);
   for (int draw = 0; draw < draws; ++draw) {
     if (const auto drawn = best_lag(trials, drawn_times(subject_of, Blocks::trials, random), order))
-      spread.add(*drawn * step_s);
+      spread.add(*drawn * delay_step_s);
   }
   LeftOutSpread without;
   const std::size_t left_out = each_left_out(subject_of, Blocks::trials, [&](const LeftOut& one) {
-    if (const auto lag_left = best_lag(trials, one.times, order)) without.add(one, *lag_left * step_s);
+    if (const auto lag_left = best_lag(trials, one.times, order)) without.add(one, *lag_left * delay_step_s);
   });
-  constexpr double unsure_steps = 0.05;  // what ends of stick that count as stick move all trials alike
+  // What ends of stick that count as stick move all trials alike.
+  constexpr double unsure_samples = 0.05;
+  estimate.unsure_s = unsure_samples * std::max(estimate.sample_s, delay_step_s);
   const auto groups = static_cast<double>(subjects.size());
   const double drawn = interval_reach(spread, without.deviation(left_out), blocks, groups);
-  const double reach = drawn > 0 ? drawn + unsure_steps * step_s : 0;
+  const double reach = drawn > 0 ? drawn + estimate.unsure_s : 0;
   if (!(reach > 0) || spread.count < 0.95 * draws) return estimate;
   estimate.interval_s = {estimate.delay_s - reach, estimate.delay_s + reach};
   // Of few trials, the jackknife has those without the one that tells it.

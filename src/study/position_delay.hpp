@@ -7,12 +7,16 @@
 
 namespace fingerpad {
 
+/// The lags that are tried: 50 ms either way. They lie as near at every rate: over steps of a slow clock's
+/// samples, which stick is hardly longer than, what a lag explains is no parabola.
+inline constexpr double delay_step_s = 1e-3;
+inline constexpr int delay_lags_each_way = 50;
+
 /// What a trial says about the delay of force behind position: how well, in stick, the force ratio follows
-/// the position of a moment before, for each lag of a grid. Sums, so that those of several trials add up.
+/// the position of a moment before, for each lag of the grid. Sums, so that those of several trials add up.
 struct DelaySums {
   int subject = 0;
-  double step_s = 0;      ///< between lags: 1 ms, or a sample where that is longer
-  int lags_each_way = 0;  ///< as many steps as 50 ms hold
+  double sample_s = 0;  ///< between the trial's samples
   /// Per axis and lag, about each stretch's means: products of the position with itself, and with q, q |q|^2
   /// and q |q|^4.
   std::array<std::vector<double>, 2> xx;

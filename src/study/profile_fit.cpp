@@ -209,9 +209,8 @@ void refuse_springs(const std::string& words, PadValues& values) {
   }
 }
 
-/// An axis that its interval does not tell to half of it, and that rests on hardly any stick beside what
-/// slips, is refused, with what rests on the same. One of few trials or subjects is only told so widely.
-void refuse_vague_springs(ProfileFit& fit) {
+/// An axis that its interval does not tell to half of it is refused, with what rests on the same.
+void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit) {
   constexpr double vaguest = 0.5, hardly = 0.05;
   for (std::size_t axis = 0; axis < 2; ++axis) {
     // A number of the other axis stands beside each.
@@ -220,12 +219,16 @@ void refuse_vague_springs(ProfileFit& fit) {
     if (!fit.values[k].refusal.empty() || !fit.interval[k]) continue;
     const double reach = fit.interval[k]->second - value;
     const long slip = fit.values[static_cast<std::size_t>(PadNumber::mu_dynamic)].samples;
-    if (!(reach > vaguest * value) ||
-        static_cast<double>(fit.values[k].samples) > hardly * static_cast<double>(slip))
-      continue;
-    const std::string words = fmt::format(
-        "the finger hardly sticks: what is seen of its stick along this axis tells it to -+ {:.0f} % only",
-        100 * reach / value);
+    if (!(reach > vaguest * value)) continue;
+    const bool hardly_sticks =
+        static_cast<double>(fit.values[k].samples) <= hardly * static_cast<double>(slip);
+    if (keeps_told_by_few && !hardly_sticks) continue;
+    fit.has_vague_axis[axis] = true;
+    const std::string words =
+        fmt::format("{} along this axis tells it to -+ {:.0f} % only",
+                    hardly_sticks ? "the finger hardly sticks: what is seen of its stick"
+                                  : "the trials are too few or too unlike: their stick",
+                    100 * reach / value);
     for (std::size_t n = axis; n < spring_numbers.size(); n += 2) {
       const auto other = static_cast<std::size_t>(spring_numbers[n]);
       if (fit.values[other].refusal.empty()) fit.values[other].refusal = words;
@@ -295,6 +298,7 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   }
   fit.mu_load_n = point.evidence.load.load_n;
   fit.outliers = outlier_trials(measurement, fit.evidence);
+  fit.offset = sensor_offset(measurement, segments);
   const std::vector<int> once(fit.evidence.size(), 1);
   const SpringFit lateral = fit_spring(fit.evidence, once, 0),
                   longitudinal = fit_spring(fit.evidence, once, 1);
@@ -324,7 +328,7 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   if (!hidden.empty()) refuse_springs(hidden, fit.values);
   add_intervals(subject_of, delayed_evidence(measurement, segments, point.evidence, fit.delay_left_s),
                 settings, point, fit);
-  refuse_vague_springs(fit);
+  refuse_vague_springs(settings.keeps_vague_axes, fit);
   refuse_odd_cubic_shares(fit);
   return fit;
 }

@@ -12,6 +12,7 @@
 #include "study/measurement.hpp"
 #include "study/outlier_trials.hpp"
 #include "study/pad_numbers.hpp"
+#include "study/sensor_offset.hpp"
 
 namespace fingerpad {
 
@@ -24,7 +25,9 @@ struct ProfileFit {
   std::size_t subjects = 0, trials = 0;
   std::vector<TrialEvidence> evidence;  ///< per trial of the measurement
   std::vector<OutlierTrial> outliers;
+  std::array<bool, 2> has_vague_axis{};  ///< lateral, longitudinal: refused as told to less than half
   LawResidual residual;
+  SensorOffset offset;
   bool knows_delay = false;  ///< Measurement's
   double delay_left_s = 0;   ///< of force behind position, that the springs tell beside what was taken out; 0
                              ///< where the delay is known
@@ -35,6 +38,9 @@ struct ProfileFit {
 struct FitSettings {
   std::uint64_t seed = 1;
   Blocks blocks = Blocks::trials;
+  /// An axis that few trials tell to less than half of it is given all the same: the best guess that they
+  /// have of trials that are held out.
+  bool keeps_vague_axes = false;
 };
 
 /// Fits a pad's profile (pad_numbers).

@@ -40,6 +40,9 @@ std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
   const bool has_direction = std::any_of(fit.evidence.begin(), fit.evidence.end(),
                                          [](const TrialEvidence& trial) { return trial.has_direction; });
   if (!has_direction) return "give the finger's direction in the columns dx, dy, dz";
+  if (fit.has_vague_axis[axis == PadNumber::lateral_axis ? 0 : 1])
+    return fmt::format("add trials whose finger sticks before it slips {} the finger, pushed alike",
+                       axis == PadNumber::lateral_axis ? "across" : "along");
   // The slope is refused with these words of its own where the axis was pushed, but at one angle.
   const PadNumber slope =
       axis == PadNumber::lateral_axis ? PadNumber::lateral_slope : PadNumber::longitudinal_slope;
@@ -97,6 +100,14 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
     notes.push_back(fmt::format("outlier: {}: its {} is {}, the usual one {}; counted all the same",
                                 outlier.name, pad_number_keys[static_cast<std::size_t>(outlier.number)],
                                 rounded_text(outlier.value, 4), rounded_text(outlier.usual, 4)));
+  if (fit.offset.off > 0)
+    notes.push_back(fmt::format(
+        "force's zero: no tare was taken off {} trials, and of {} that rub to and fro {} have an offset, of "
+        "{} N on the median and at most {} N along the plate (or friction that differs by direction): "
+        "coefficients and springs rest on it, and what it is along the normal is not told. Record a second "
+        "without contact in each trial, or zero the sensor",
+        fit.offset.untared, fit.offset.told, fit.offset.off, rounded_text(fit.offset.usual_n, 2),
+        rounded_text(fit.offset.most_n, 2)));
   constexpr double widest_m = 0.01;
   for (const PadNumber axis : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
     const auto k = static_cast<std::size_t>(axis);
@@ -133,8 +144,10 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
   } else {
     notes.push_back(
         fmt::format("the pad's law fits: it leaves {:.1f} % of the friction in stick and about its ends "
-                    "(RMS), noise and vibration explain {:.1f} %",
-                    100 * residual.share, 100 * residual.expected));
+                    "(RMS), {} explain {:.1f} %",
+                    100 * residual.share,
+                    fit.offset.off > 0 ? "noise, vibration and the force's offset" : "noise and vibration",
+                    100 * residual.expected));
   }
   return notes;
 }

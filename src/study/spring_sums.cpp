@@ -90,6 +90,20 @@ std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments
   return terms;
 }
 
+/// How hard a group of a stretch is pulled. One of a single sample is told by the samples beside it: did its
+/// own noise tell, those would be chosen that it makes less of, and the spring would seem softer far out.
+double pull_of(const std::vector<Vec2>& ratio, const PhaseStretch& stretch, std::size_t from, std::size_t to,
+               int half_window) {
+  const std::size_t reach =
+      to - from > 1 ? 0
+                    : std::min({static_cast<std::size_t>(half_window), from - stretch.from, stretch.to - to});
+  Vec2 sum(0, 0);
+  for (std::size_t k = 1; k <= reach; ++k) sum += ratio[from - k] + ratio[to - 1 + k];
+  if (reach > 0) return sum.norm() / static_cast<double>(2 * reach);
+  for (std::size_t i = from; i < to; ++i) sum += ratio[i];
+  return sum.norm() / static_cast<double>(to - from);
+}
+
 /// What the groups' means keep of the noise, to first order in it.
 SpringSums noise_sums(const std::vector<std::array<Terms, 2>>& groups, std::size_t axis,
                       const SpringNoise& noise, const SpringBend& bend, std::size_t size) {
@@ -173,8 +187,7 @@ std::vector<SpringGroups> spring_groups(const MeasuredTrial& trial, const StickS
     };
     for (std::size_t from = s.from; from + size <= s.to; from += size) {
       auto terms = group_terms(trial, segments, ratio, direction, choice.about.bend, from, from + size);
-      const double pull = std::hypot(terms[0][spring_straight], terms[1][spring_straight]);
-      if (pull > choice.most_pull) {
+      if (pull_of(ratio, s, from, from + size, segments.half_window) > choice.most_pull) {
         end_at(from);
         continue;
       }

@@ -250,13 +250,29 @@ TEST(Cleaning, ACubicSpringsDelayIsFoundToo) {
 }
 
 TEST(Cleaning, LooksForADelayWithin50MillisecondsAtEachRate) {
+  static_assert(delay_lags_each_way * delay_step_s == 0.05);
   for (const double rate_hz : {40.0, 100.0, 700.0, 1000.0, 1400.0, 1600.0, 5000.0}) {
     MeasuredTrial trial;
     trial.rate_hz = rate_hz;
-    const DelaySums sums = delay_sums(trial, {});
-    EXPECT_LE(sums.lags_each_way * sums.step_s, 0.05 + 1e-9) << rate_hz;
-    EXPECT_GT((sums.lags_each_way + 1) * sums.step_s, 0.05) << rate_hz;
-    EXPECT_EQ(sums.xx[0].size(), static_cast<std::size_t>(2 * sums.lags_each_way + 1));
+    EXPECT_EQ(delay_sums(trial, {}).xx[0].size(), 101U) << rate_hz;
+  }
+}
+
+/// Over lags a sample of 5 ms apart the delay would come out 0.6 ms short, at 333 Hz 0.24 ms.
+TEST(Cleaning, FindsTheDelayOfSlowRecordings) {
+  for (const double rate_hz : {200.0, 333.0, 500.0}) {
+    test::KnownSensors sensors;
+    sensors.rate_hz = rate_hz;
+    sensors.delay_s = 4e-3;
+    const Measurement measurement = clean(test::known_measurement(test::known_trials(), {}, sensors, 1), {});
+    const DelayEstimate& delay = measurement.delays.front().estimate;
+    // Three hundredths of a sample, and the tenth of a millisecond that is left at 1 kHz.
+    EXPECT_NEAR(delay.delay_s, 4e-3, 0.03 / rate_hz + 0.05e-3) << rate_hz;
+    ASSERT_TRUE(delay.interval_s) << rate_hz;
+    EXPECT_LT(delay.interval_s->first, 4e-3) << rate_hz;
+    EXPECT_GT(delay.interval_s->second, 4e-3) << rate_hz;
+    EXPECT_NEAR(delay.unsure_s, 0.05 / rate_hz, 1e-9);
+    EXPECT_THAT(measurement.steps, Contains(HasSubstr("ms apart leave 0."))) << rate_hz;
   }
 }
 

@@ -251,6 +251,30 @@ TEST_F(Reading, ATorqueOrSpeedIsNotPassedOverInSilenceWhereItIsNotRead) {
               HasSubstr("no torque is named"));
 }
 
+TEST_F(Reading, ASensorsPlaceIsNotPassedOverInSilenceWhereNoTorqueIsFound) {
+  const std::string path = written("t.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,tx,ty,tz", [](int i) {
+                                     return std::to_string(i) + "e-3,9,9,0,0,0,2,0,0.04,0";
+                                   }));
+  MeasurementFormat format;
+  format.sensor = SixAxisSensor{Mat3::Identity(), Vec3(0.01, 0, 0), 0, true};
+  const auto why = [&] { return test::why_not([&] { read_measurements({path}, format); }); };
+  EXPECT_THAT(why(),
+              HasSubstr("--sensor-at has no effect without torque, and the columns tx_n_m, ty_n_m, "
+                        "tz_n_m are missing: where yours are called otherwise, say --columns tx=NAME"));
+  const auto torque = static_cast<std::size_t>(19);
+  for (std::size_t k = 0; k < 3; ++k) format.headers[torque + k] = std::array{"tx", "ty", "tz"}[k];
+  // Named, they are read: 2 N press at x = 10 mm - 0.04 N m / 2 N.
+  const RecordedTrial trial = read_measurements({path}, format).trials.at(0);
+  EXPECT_LT((trial.position_W.col(3) - Vec3(-0.01, 0, 0)).norm(), 1e-9);
+  format.markers = TwoMarkers{};
+  for (std::size_t k = 13; k < 19; ++k) format.headers[k] = "fx_n";
+  EXPECT_THAT(why(), HasSubstr("--sensor-at has no effect beside --markers"));
+  format.markers.reset();
+  for (std::string& header : format.headers) header.clear();
+  format.sensor->says_place = false;  // turned alone: the forces are
+  EXPECT_EQ(why(), "taken");
+}
+
 TEST(TrialRows, NamesThePiecesOfALongTrialApart) {
   TrialRows rows("long.csv", 1, 3, false);
   for (int i = 0; i < 450; ++i) {

@@ -146,6 +146,66 @@ TEST(ProfileFit, FindsTheKnownPadThroughBadSensors) {
   EXPECT_THAT(fit.outliers, testing::IsEmpty());
 }
 
+/// Between samples that are far apart stick may hide, and springs are told from those that are pulled little.
+/// Were these chosen by their own noisy pull, axes would be 4 to 8 % long.
+TEST(ProfileFit, SlowRecordingsTellTheSprings) {
+  for (const double rate_hz : {200.0, 333.0}) {
+    test::KnownSensors sensors;
+    sensors.rate_hz = rate_hz;
+    sensors.delay_s = 4e-3;
+    const ProfileFit fit = fitted(test::known_trials(), 1, {}, sensors);
+    const auto truth = test::known_numbers({}, fit.mu_load_n);
+    for (const PadNumber number : {PadNumber::lateral_axis, PadNumber::longitudinal_axis,
+                                   PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {
+      const auto k = static_cast<std::size_t>(number);
+      ASSERT_EQ(fit.values[k].refusal, "") << pad_number_keys[k];
+      // The interval of such springs reaches over three hundredths.
+      EXPECT_NEAR(fit.values[k].value / truth[k], 1, 0.03) << rate_hz << pad_number_keys[k];
+      ASSERT_TRUE(fit.interval[k]);
+      EXPECT_LT(fit.interval[k]->first, truth[k]) << rate_hz << pad_number_keys[k];
+      EXPECT_GT(fit.interval[k]->second, truth[k]) << rate_hz << pad_number_keys[k];
+    }
+  }
+}
+
+/// Six rubs by pads that differ by a fifth.
+TEST(ProfileFit, AnAxisThatIsNotToldToHalfOfItIsRefused) {
+  test::KnownFinger finger;
+  finger.scatter = 0.2;
+  const std::vector<test::KnownTrial> rubs{{1, 45, 0},  {1, 45, 90}, {1, 45, 0},
+                                           {1, 45, 90}, {1, 45, 0},  {1, 45, 90}};
+  const ProfileFit fit = fitted(rubs, 3, finger);
+  for (const PadNumber number : {PadNumber::lateral_axis, PadNumber::stick_stiffness}) {
+    EXPECT_THAT(why(fit, number), HasSubstr("the trials are too few or too unlike: their stick along this "
+                                            "axis tells it to -+ "));
+    EXPECT_FALSE(fit.interval[static_cast<std::size_t>(number)]);
+  }
+  EXPECT_THAT(missing_axes_words(fit),
+              HasSubstr("add trials whose finger sticks before it slips across the finger, pushed alike"));
+}
+
+TEST(ProfileFit, TellsAnOffsetOfTheForceWhereNoTareIsTaken) {
+  const std::vector<test::KnownTrial> rubs{{1, 45, 0}, {1, 45, 90}, {1, 45, 0}, {1, 45, 90}};
+  RecordedMeasurement recorded = test::known_measurement(rubs, {}, {}, 1);
+  for (RecordedTrial& trial : recorded.trials) trial.force_W.row(0).array() += 0.06;
+  const ProfileFit off = fit_profile(clean(recorded, {}), {});
+  EXPECT_EQ(off.offset.untared, 4U);
+  EXPECT_EQ(off.offset.off, 4U);
+  EXPECT_NEAR(off.offset.usual_n, 0.06, 0.005);  // the vibration of slip is a hundredth of a newton
+  EXPECT_THAT(fit_notes(off), testing::Contains(HasSubstr("force's zero: no tare was taken off 4 trials")));
+  EXPECT_THAT(fit_notes(off), testing::Contains(HasSubstr("Record a second without contact")));
+  EXPECT_THAT(fit_notes(off), testing::Not(testing::Contains(HasSubstr("), noise and vibration explain"))));
+  const ProfileFit none = fitted(rubs, 1);
+  EXPECT_EQ(none.offset.told, 4U);
+  EXPECT_EQ(none.offset.off, 0U);
+  test::KnownSensors air;
+  air.air_s = 0.3;
+  air.tare_n = 0.1;
+  const ProfileFit tared = fitted(rubs, 1, {}, air);
+  EXPECT_EQ(tared.offset.untared, 0U);
+  EXPECT_THAT(fit_notes(tared), testing::Not(testing::Contains(HasSubstr("force's zero"))));
+}
+
 TEST(ProfileFit, IntervalsHoldTheKnownPad) {
   const char* asked = std::getenv("FINGERPAD_FIT_SEEDS");
   const int seeds = asked != nullptr ? std::atoi(asked) : test::samples(3);
