@@ -25,6 +25,7 @@ struct ProfileFit {
   std::vector<TrialEvidence> evidence;  ///< per trial of the measurement
   std::vector<OutlierTrial> outliers;
   LawResidual residual;
+  bool tells_law = true;     ///< else no rub is fast enough to say whether the law fits (slow_rubs_words)
   bool knows_delay = false;  ///< Measurement's
   double delay_left_s = 0;   ///< of force behind position, that the springs tell beside what was taken out; 0
                              ///< where the delay is known
