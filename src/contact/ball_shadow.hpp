@@ -52,6 +52,7 @@ class BallShadow {
   bool covers(const TrianglePacket& packet) const noexcept {
     const Vec3 way = packet.origin - point_;
     const double height = outwards_.dot(way), radius = static_cast<double>(packet.radius);
+    if (dip_ + height + 1.5 * radius <= 0) return true;  // `highest` is at most sqrt(2) of the radius
     const double beside = std::sqrt(std::max(0.0, way.squaredNorm() - height * height)) - radius;
     return covers(height + packet.highest(outwards_), beside);
   }
@@ -61,6 +62,7 @@ class BallShadow {
     const Vec3 a = corners[0] - point_, b = corners[1] - point_, c = corners[2] - point_;
     const double height_a = outwards_.dot(a), height_b = outwards_.dot(b), height_c = outwards_.dot(c);
     const double highest = std::max({height_a, height_b, height_c});
+    if (dip_ + highest <= 0) return true;  // wherever it is beside the axis
     // No point of it is nearer to the axis than its corners are along any way away from it.
     const Vec3 sum = a + b + c;
     const Vec3 aside = sum - (height_a + height_b + height_c) * outwards_;

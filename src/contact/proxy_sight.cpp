@@ -52,7 +52,7 @@ ProxyStep ProxySight::step(const Vec3& place_O, const Vec3& goal_O, const StepTe
   if (is_amid_step()) return go_on_with_step();
   place_O_ = place_O;
   reach_m_ = reach_of(std::min((goal_O - place_O).norm(), terms.most_m));
-  return step_towards(goal_O, terms);
+  return step_towards(goal_O, reach_m_, terms.bent_m);
 }
 
 ProxyStep ProxySight::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
@@ -147,27 +147,28 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
 /// Dual active-set method: the wall that blocks the way most is added until none blocks it. All walls have
 /// the start in front of them, so the way to the projection onto them crosses nothing, whenever it is
 /// stopped. Where the looks are spent within, it waits in `making_` for the next tick's.
-ProxyStep ProxySight::step_towards(const Vec3& goal_O, const StepTerms& terms) noexcept {
-  begin_step(goal_O, terms.bent_m);
+ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m) noexcept {
+  begin_step(goal_O, most_m, bent_m);
   return go_on_with_step();
 }
 
 /// The same to be made at once or not at all.
 /// @param first  a wall to begin with, seen from the place looked around from
 ProxyStep ProxySight::step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept {
-  begin_step(goal_O, 0);
+  begin_step(goal_O, reach_m_, 0);
   making_.walls[making_.count++] = first;
   const ProxyStep step = go_on_with_step();
   drop_step();
   return step;
 }
 
-void ProxySight::begin_step(const Vec3& goal_O, double bent_m) noexcept {
+void ProxySight::begin_step(const Vec3& goal_O, double most_m, double bent_m) noexcept {
   Making& m = making_;
   m.is_underway = m.is_amid_round = false;
   m.goal = goal_O - place_O_;
   m.step = {};
   m.step.goal_O = goal_O;
+  m.most_m = most_m;
   m.bent_m = bent_m;
   m.has_let_go = false;
   m.pass = 0;
@@ -179,7 +180,7 @@ void ProxySight::begin_step(const Vec3& goal_O, double bent_m) noexcept {
   m.breach_m = world_.tolerance_m() + 2 * rounding_m;
 }
 
-/// The projection onto the walls found so far, as far as the view shows. False where they leave nothing.
+/// The projection onto the walls found so far, as far as it may go. False where they leave nothing.
 bool ProxySight::project() noexcept {
   Making& m = making_;
   looks_.spend(LookCosts::projection);
@@ -192,8 +193,8 @@ bool ProxySight::project() noexcept {
   for (std::size_t k = 0; k < m.count; ++k)
     m.step.walls[k] = m.walls[k] = m.walls[static_cast<std::size_t>(p.active[k])];
   const double length_m = p.z.norm();
-  m.step.truncated = length_m > reach_m_;
-  m.step.z = m.step.truncated ? Vec3(p.z * (reach_m_ / length_m)) : p.z;
+  m.step.truncated = length_m > m.most_m;
+  m.step.z = m.step.truncated ? Vec3(p.z * (m.most_m / length_m)) : p.z;
   return true;
 }
 
@@ -203,7 +204,7 @@ void ProxySight::go_on_along_bend() noexcept {
   if (!(m.bent_m > 0) || m.step.truncated || m.step.wall_count == 0) return;
   looks_.spend(LookCosts::told * m.step.wall_count);
   const Vec3 on = way_along_bend(world_, place_O_, m.step);
-  const double on_m = on.norm(), room_m = std::min(m.bent_m, reach_m_) - m.step.z.norm();
+  const double on_m = on.norm(), room_m = std::min(m.bent_m, m.most_m) - m.step.z.norm();
   if (!(on_m > 0 && room_m > 0)) return;
   const Vec3 z = m.step.z + std::min(1.0, room_m / on_m) * on;
   if (!((z - m.goal).squaredNorm() < m.goal.squaredNorm())) return;  // no nearer than where it began

@@ -82,7 +82,8 @@ class ProxySight {
     double free_share = 1;
   };
 
-  ProxyStep step_towards(const Vec3& goal_O, const StepTerms& terms) noexcept;
+  /// @param most_m  the step ends there at the latest; no farther than is looked around
+  ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m) noexcept;
   ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
   ProxyStep go_on_with_step() noexcept;
   void drop_step() noexcept { making_.is_underway = false; }
@@ -108,7 +109,7 @@ class ProxySight {
   struct Making {
     bool is_underway = false, is_amid_round = false, has_let_go = false;
     Vec3 goal = Vec3::Zero();  ///< relative to the place looked around from
-    double slack_m = 0, breach_m = 0, bent_m = 0;
+    double slack_m = 0, breach_m = 0, most_m = 0, bent_m = 0;
     ProxyStep step;
     ProxyStep held;  ///< what it was before far walls were let go
     std::array<ProxyWall, 4> walls;
@@ -117,7 +118,7 @@ class ProxySight {
     Round round;
   };
 
-  void begin_step(const Vec3& goal_O, double bent_m) noexcept;
+  void begin_step(const Vec3& goal_O, double most_m, double bent_m) noexcept;
   bool project() noexcept;
   void go_on_along_bend() noexcept;
   bool let_go_of_far_walls() noexcept;

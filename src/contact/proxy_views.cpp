@@ -58,9 +58,9 @@ ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTe
   if (is_blind()) return broken_off_step();
   if (place_O_ == search_place_O_) suit_view();
   if (overflow_) reach_m_ = (goal_O - place_O).norm() * wider;
-  ProxyStep step = step_towards(goal_O, terms);
+  ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * wider), terms.bent_m);
   if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
-  falls_short_ = step.truncated;
+  falls_short_ = step.truncated && reach_m_ <= terms.most_m;
   return step;
 }
 

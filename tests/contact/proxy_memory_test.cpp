@@ -64,7 +64,7 @@ void compare(const ProxyState& fast, const ProxyState& plain, double size_m, Agr
   sum.touched += plain.contact.touching ? 1 : 0;
   const bool is_same = (fast.place_O - plain.place_O).norm() <= 1e-12 * size_m;
   if (!fast.contact.settled || !plain.contact.settled) {
-    // The way there depends on how far it looked.
+    // How far a view shows may yet decide which wall a step comes upon.
     ++sum.underway;
     sum.underway_same += is_same ? 1 : 0;
   } else if (is_same) {
@@ -111,7 +111,7 @@ void expect_agreement(const std::shared_ptr<const TriangleTree>& tree, const std
         EXPECT_LE(a.shaded_otherwise, normals == Normals::facet ? 0 : walk_ticks / 8);
         EXPECT_LE(a.elsewhere, walk_ticks / 200);
         EXPECT_LE(a.ties, walk_ticks / 5);
-        EXPECT_LE(a.underway - a.underway_same, walk_ticks / 4);
+        EXPECT_LE(a.underway - a.underway_same, walk_ticks / 16);
         EXPECT_LE(a.underway, walk_ticks / 2);
         EXPECT_GT(a.same, walk_ticks / 3);
       }
