@@ -4,6 +4,8 @@
 #include <atomic>
 #include <chrono>
 #include <functional>
+#include <optional>
+#include <string>
 
 #include "app/standard_streams.hpp"
 #include "device/terminal_keys.hpp"
@@ -39,21 +41,21 @@ class TroubleLog {
     constexpr auto lasts = std::chrono::milliseconds(300);
     const auto time = std::chrono::steady_clock::now();
     if (now != seen_) {
+      has_begun_ |= seen_ && seen_->empty();
       seen_ = std::move(now);
       since_ = time;
     }
-    if (time - since_ < lasts) return;
+    if (time - since_ < lasts || *seen_ == told_) return;
+    told_ = *seen_;
     const char* well = has_begun_ ? "goes on" : "a device is heard";
-    has_begun_ |= seen_.empty();
-    if (seen_ == told_) return;
-    told_ = seen_;
     print_err("fingerpad: {}: {}\n", name_, told_.empty() ? well : told_);
   }
 
  private:
   const std::string& name_;
-  std::string seen_, told_;
-  bool has_begun_ = false;  // there was a time without trouble
+  std::optional<std::string> seen_;  // nothing before the first look
+  std::string told_;
+  bool has_begun_ = false;  // there was a time without trouble, however short
   std::chrono::steady_clock::time_point since_ = std::chrono::steady_clock::now();
 };
 
@@ -110,6 +112,7 @@ void run_headless(std::optional<double> seconds, const std::string& name, LiveDe
     });
   }
   TroubleLog trouble(name);
+  trouble.look(device.trouble());
   wait_without_window(seconds, signals, [&] {
     trouble.look(device.trouble());
     stop.look(device.emergency_stopped());

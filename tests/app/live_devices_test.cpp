@@ -217,7 +217,8 @@ TEST(LiveHaply, AStateThatNeverComesIsAskedForAnewAndTold) {
 
 TEST(LiveHaply, AServiceThatComesBackIsFoundAgainAndFeltSoftly) {
   HaplyRun run;
-  run.go("--states 300", fake("fake_inverse_service") +
+  // Gone before a trouble's least time is over: that it was there counts all the same.
+  run.go("--states 150", fake("fake_inverse_service") +
                              " --states 400 --port $port >again & service=$!\n"
                              "wait_for 'haply: goes on'\nwait $service\n");
   ASSERT_EQ(run.shell.exit_code, 0) << run.shell.err;
