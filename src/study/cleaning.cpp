@@ -44,7 +44,7 @@ void low_pass(RecordedTrial& trial, double cutoff_hz) {
 /// Torques hum as forces do.
 void remove_torque_hum(RecordedTrial& trial, Mains mains) {
   std::swap(trial.force_W, trial.torque_W_n_m);
-  take_off(hum_lines(trial, mains), trial);
+  remove_mains_hum(trial, mains);
   std::swap(trial.force_W, trial.torque_W_n_m);
 }
 
@@ -85,11 +85,9 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
                   samples, filled, rounded_text(1e3 * settings.longest_fill_s, 3), missing));
   steps.push_back(settings.mains == Mains::off ? "mains hum: left in (off)"
                   : humming == 0
-                      ? measurement.hum_left_in.empty() ? "mains hum: none stands out"
-                                                        : "mains hum: none; " + measurement.hum_left_in
-                      : fmt::format("mains hum: taken out of {} of {} trials, at most {} N at {:.2f} Hz{}{}",
-                                    humming, trials, rounded_text(most_hum_n, 3), hum_hz,
-                                    measurement.hum_left_in.empty() ? "" : "; ", measurement.hum_left_in));
+                      ? "mains hum: none stands out"
+                      : fmt::format("mains hum: taken out of {} of {} trials, at most {} N at {:.2f} Hz",
+                                    humming, trials, rounded_text(most_hum_n, 3), hum_hz));
   steps.push_back(!settings.takes_tare
                       ? "tare: left as it is (off)"
                       : fmt::format("tare: taken off {} of {} trial{}, at most {} N{}", tared, trials,
@@ -114,19 +112,15 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
 Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings) {
   Measurement measurement;
   measurement.without_force = std::move(recorded.without_force);
-  const HumVerdict hums = judge_hum(recorded.trials, settings.mains);
-  measurement.hum_left_in = hums.left_in;
   for (RecordedTrial& trial : recorded.trials) {
     TrialCleaning cleaning;
     cleaning.name = trial_name(trial);
     cleaning.samples = static_cast<long>(trial.samples());
     limit_fills(trial, settings.longest_fill_s, cleaning);
-    const std::vector<HumLine>& lines = hums.lines[measurement.cleanings.size()];
-    const MainsHum hum = take_off(lines, trial);
+    const MainsHum hum = remove_mains_hum(trial, settings.mains);
     cleaning.hum_hz = hum.frequency_hz;
     cleaning.hum_n = hum.amplitude_n;
-    for (const HumLine& line : lines)
-      if (trial.sensor) remove_torque_hum(trial, line.nominal_hz == 50 ? Mains::hz_50 : Mains::hz_60);
+    if (trial.sensor) remove_torque_hum(trial, settings.mains);
     if (settings.takes_tare) take_tare(trial, cleaning);
     if (trial.sensor) take_contact_points(trial);
     cleaning.tells_contact = trial.sensor.has_value();

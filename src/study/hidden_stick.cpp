@@ -5,13 +5,15 @@
 #include <algorithm>
 
 #include "base/number_text.hpp"
-#include "study/slow_rubs.hpp"
 
 namespace fingerpad {
 namespace {
 
 constexpr double faster = 1.03;
-constexpr long fewest_gives = 5;
+
+const PadValue& value_of(const PadValues& found, PadNumber number) {
+  return found[static_cast<std::size_t>(number)];
+}
 
 /// Of all trials, how often stick gives way to slip, and slip is seen to end in it.
 struct SeenEnds {
@@ -24,6 +26,10 @@ struct SeenEnds {
       stops += trial.stops;
     }
   }
+  bool give_way_unseen() const noexcept {
+    constexpr long fewest_gives = 5;
+    return gives >= fewest_gives && 2 * drops < gives;
+  }
 };
 constexpr double most_stops_share = 0.25;
 
@@ -32,10 +38,6 @@ bool has_short_teeth(const std::vector<TrialEvidence>& trials) {
 }
 
 }  // namespace
-
-bool gives_way_unseen(long gives, long drops) noexcept {
-  return gives >= fewest_gives && 2 * drops < gives;
-}
 
 std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                                const std::optional<SpeedStep>& slow_slip, const PadValues& found) {
@@ -52,14 +54,12 @@ std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const s
         "faster",
         seen);
   const SeenEnds ends(trials);
-  if (gives_way_unseen(ends.gives, ends.drops) &&
-      most_stops_share * static_cast<double>(ends.gives) > static_cast<double>(ends.stops)) {
-    if (std::string slow = slow_rubs_words(trials); !slow.empty()) return slow;
+  if (ends.give_way_unseen() &&
+      most_stops_share * static_cast<double>(ends.gives) > static_cast<double>(ends.stops))
     return fmt::format(
         "stick gives way without a drop of the force at {} of its {} ends, and slip is seen to end in stick "
         "{} times only: where the finger sticks is not told, or it hardly does",
         ends.gives - ends.drops, ends.gives, ends.stops);
-  }
   if (slow_slip && (!is_seen || slow_slip->speed_m_per_s > faster * v_min.value))
     return fmt::format(
         "slip {}, but its friction is up by {} already below {} m/s: stick that gives way again "
@@ -95,10 +95,10 @@ bool tells_v_min(const SpeedStep& slow, const PadValue& seen) {
 
 bool may_hide_stick(const std::vector<TrialEvidence>& trials, const std::optional<SpeedStep>& slow_slip,
                     const PadValues& found) {
+  constexpr long fewest_gives = 5;
   const std::vector<int> once(trials.size(), 1);
   const SeenEnds ends(trials);
-  if (gives_way_unseen(ends.gives, ends.drops) || (ends.gives >= fewest_gives && ends.stops == 0))
-    return true;
+  if (ends.give_way_unseen() || (ends.gives >= fewest_gives && ends.stops == 0)) return true;
   return !hidden_stick_words(trials, once, slow_slip, found).empty();
 }
 

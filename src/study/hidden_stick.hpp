@@ -8,10 +8,6 @@
 
 namespace fingerpad {
 
-/// Whether most ends of stick in slip show no drop of the force, where enough were seen.
-/// @param drops  of the `gives` ends, those with a drop
-bool gives_way_unseen(long gives, long drops) noexcept;
-
 /// Why stick that gives way again within a few samples, and so passes for slip, makes the speed at which slip
 /// is seen to end too low; empty where it does not.
 /// @param found  holds the coefficients

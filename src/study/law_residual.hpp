@@ -27,10 +27,9 @@ struct LawSpring {
 
 /// What of stick may hide, which is no fault of the law.
 struct HiddenStick {
-  bool is_likely = false;    ///< it passes for slip: what slip's ends leave says nothing
-  bool is_stepped = false;   ///< and friction's step tells it: its ruptures are not to be seen
-  bool rubs_slowly = false;  ///< no rub is fast enough to tell slip from it: nothing is held against the law
-  double unseen_drop = 0;    ///< share of friction that a rupture may drop unseen
+  bool is_likely = false;   ///< it passes for slip: what slip's ends leave says nothing
+  bool is_stepped = false;  ///< and friction's step tells it: its ruptures are not to be seen
+  double unseen_drop = 0;   ///< share of friction that a rupture may drop unseen
 };
 
 /// Holds the law against one trial: in stick each stretch is the fitted spring, bent and with its loop, of

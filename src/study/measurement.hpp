@@ -69,7 +69,6 @@ struct Measurement {
   std::vector<FileDelay> delays;           ///< by file, those taken together last
   std::vector<std::string> untouched;      ///< names of trials whose finger never presses
   std::vector<std::string> without_force;  ///< as RecordedMeasurement
-  std::string hum_left_in;                 ///< why lines near the mains' frequency are no hum (HumVerdict)
   std::vector<std::string> steps;          ///< what was done to the samples, in order, for people
 };
 

@@ -82,6 +82,10 @@ constexpr AxisNumbers axis_numbers[] = {
      PadNumber::longitudinal_hysteresis_area},
 };
 
+PadValue& value_of(PadValues& values, PadNumber number) {
+  return values[static_cast<std::size_t>(number)];
+}
+
 /// Why too few ruptures tell where stick ends.
 std::string no_rupture_words(const std::vector<TrialEvidence>& trials) {
   long short_teeth = 0;

@@ -64,13 +64,6 @@ struct PadValue {
 };
 using PadValues = std::array<PadValue, pad_number_keys.size()>;
 
-inline const PadValue& value_of(const PadValues& values, PadNumber number) {
-  return values[static_cast<std::size_t>(number)];
-}
-inline PadValue& value_of(PadValues& values, PadNumber number) {
-  return values[static_cast<std::size_t>(number)];
-}
-
 /// What earlier passes over the trials have found, about which the evidence is taken.
 struct FitPoint {
   EvidencePoint evidence;

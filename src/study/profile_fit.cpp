@@ -9,9 +9,7 @@
 #include "base/number_text.hpp"
 #include "base/random_stream.hpp"
 #include "scene/toml_tree.hpp"
-#include "study/few_trials.hpp"
 #include "study/hidden_stick.hpp"
-#include "study/slow_rubs.hpp"
 
 namespace fingerpad {
 namespace {
@@ -318,10 +316,8 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.values = pad_numbers(fit.evidence, once, point);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
-  const std::string slow = slow_rubs_words(fit.evidence);
-  fit.tells_law = slow.empty() || value_of(fit.values, PadNumber::mu_dynamic).samples == 0;
-  fit.residual = residual.verdict({point.v_min_by_step || !hidden.empty(), point.v_min_by_step,
-                                   !fit.tells_law, unseen_drop_share(fit.evidence)});
+  fit.residual = residual.verdict(
+      {point.v_min_by_step || !hidden.empty(), point.v_min_by_step, unseen_drop_share(fit.evidence)});
   tell_noise(segments, fit);
   if (fit.evidence.empty()) {
     for (PadValue& value : fit.values)
@@ -334,8 +330,6 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
                 settings, point, fit);
   refuse_vague_springs(settings.keeps_vague_axes, fit);
   refuse_odd_cubic_shares(fit);
-  if (!slow.empty()) refuse_slip(slow, fit);
-  refuse_untold(fit);
   return fit;
 }
 

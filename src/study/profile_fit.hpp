@@ -28,7 +28,6 @@ struct ProfileFit {
   std::array<bool, 2> has_vague_axis{};  ///< lateral, longitudinal: refused as told to less than half
   LawResidual residual;
   SensorOffset offset;
-  bool tells_law = true;     ///< else no rub is fast enough to say whether the law fits (slow_rubs_words)
   bool knows_delay = false;  ///< Measurement's
   double delay_left_s = 0;   ///< of force behind position, that the springs tell beside what was taken out; 0
                              ///< where the delay is known

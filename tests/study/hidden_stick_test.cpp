@@ -149,27 +149,6 @@ TEST(HiddenStick, WhatTheDelayLeavesUnsureIsInTheIntervals) {
   EXPECT_GT(unsure[1], sure[1] + 0.01);
 }
 
-TEST(HiddenStick, RubsThatAreAllBelowVMinAreNoOtherLaw) {
-  // At most 0.06 m/s, where the finger slips from 0.1 on: teeth of 5 % of the friction pass for slip.
-  std::vector<test::KnownTrial> slow;
-  for (int k = 0; k < 12; ++k) slow.push_back({2, 25.0 + 20 * (k % 3), k % 2 * 90.0, 0.032, 0.3, 4});
-  const ProfileFit fit = fitted(slow, 3, finger_of(0.3, 0.27, 150), sensors_with(0.005));
-  EXPECT_EQ(fit.residual.misfit, "");
-  for (const PadNumber number : {PadNumber::mu_dynamic, PadNumber::v_min, PadNumber::vibration})
-    EXPECT_THAT(of(fit, number).refusal, HasSubstr("no rub is fast enough to see slip"))
-        << pad_number_keys[static_cast<std::size_t>(number)];
-  EXPECT_THAT(fit_notes(fit),
-              testing::Contains(HasSubstr("whether the pad's law fits is not told: no rub is")));
-  EXPECT_THAT(missing_axes_words(fit),
-              testing::AllOf(HasSubstr("To have it, rub faster"), testing::Not(HasSubstr("two angles"))));
-  // Teeth that are plainly seen tell the spring and mu_static all the same.
-  const ProfileFit plain = fitted(slow, 3, finger_of(0.3, 0.2, 150), sensors_with(0.005));
-  EXPECT_TRUE(holds(plain, PadNumber::stick_stiffness, 150));
-  EXPECT_TRUE(holds(plain, PadNumber::mu_static, 0.3));
-  EXPECT_THAT(of(plain, PadNumber::mu_dynamic).refusal, HasSubstr("rub faster"));
-  EXPECT_THAT(of(plain, PadNumber::v_min).refusal, HasSubstr("rub faster"));
-}
-
 TEST(HiddenStick, AStraightSpringsCubicShareIsGivenThoughItIsALittleBelowNone) {
   // Of few trials there is no interval; of many it is so narrow that it does not reach to 0.
   for (const std::uint64_t seed : {1U, 2U, 3U, 4U, 5U, 6U}) {

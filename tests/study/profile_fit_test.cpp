@@ -372,7 +372,6 @@ TEST(ProfileFit, AxesThatNoFingerHasAreAskedAbout) {
   ProfileFit fit;
   for (PadValue& value : fit.values) value.refusal = "not here";
   fit.values[0] = {0.02, 100, 1, ""};
-  fit.interval[0] = {0.003, 0.03};
   EXPECT_THAT(fit_notes(fit), testing::ElementsAre(HasSubstr("lateral_axis_m is 20 mm")));
   fit.values[0].value = 0.004;
   EXPECT_THAT(fit_notes(fit), testing::IsEmpty());
@@ -506,32 +505,6 @@ TEST(ProfileFit, SlipThatDoesNotVibrateHasNoVibration) {
   for (const std::uint64_t seed : {1, 2, 3}) EXPECT_THAT(refusal(2, seed), HasSubstr("stands out")) << seed;
   finger.law = "stick-slip";  // what slips below v_min is stick that hides, and little is above
   EXPECT_THAT(refusal(1, 2), HasSubstr("no slip lasts for a window of its spectrum"));
-}
-
-TEST(ProfileFit, VMinOfTwoTrialsIsRefusedAndWhatElseHasNoIntervalIsListed) {
-  const ProfileFit two = fitted({{1, 45, 0}, {1, 45, 90}}, 1),
-                   three = fitted({{1, 45, 0}, {1, 45, 90}, {1, 45, 45}}, 1);
-  EXPECT_THAT(why(two, PadNumber::v_min), HasSubstr("slip is seen to end in 2 trials only"));
-  EXPECT_THAT(fit_notes(two),
-              testing::Contains(HasSubstr("too few trials for an interval, so that these may be "
-                                          "off by any amount: lateral_axis_m")));
-  EXPECT_EQ(why(three, PadNumber::v_min), "");
-  EXPECT_NE(profile_text(two, "x").find("# too few trials for an interval"), std::string::npos);
-}
-
-TEST(ProfileFit, AVibrationWhoseWidthMayBeNoneIsRefused) {
-  test::KnownFinger hardly;
-  hardly.vibration = 0.01;  // beneath the noise
-  test::KnownSensors sensors;
-  sensors.force_noise_n = 0.005;
-  std::vector<test::KnownTrial> trials;
-  for (int k = 0; k < 6; ++k) trials.push_back({2, 45, 45.0 * k, 0.06, 0.6, 4});
-  const ProfileFit fit = fitted(trials, 3, hardly, sensors);
-  for (const PadNumber number : {PadNumber::vibration, PadNumber::vibration_bandwidth}) {
-    EXPECT_THAT(why(fit, number), HasSubstr("nothing is seen to vibrate for sure"));
-    EXPECT_FALSE(fit.interval[static_cast<std::size_t>(number)]);
-  }
-  EXPECT_EQ(why(fitted(trials, 3, {}, sensors), PadNumber::vibration), "");
 }
 
 TEST(ProfileFit, NormalForceAloneIsRefusedByTheMissingColumn) {
