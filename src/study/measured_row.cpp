@@ -70,7 +70,8 @@ void RowReader::refuse_unused_place(const std::string& path) const {
   if (format_.markers)
     throw refused(path,
                   "--sensor-at has no effect beside --markers, which tell the fingertip: leave one out");
-  if (has(MeasuredColumn::torque)) return;
+  // A file without force is left out as a whole, which is told elsewhere.
+  if (has(MeasuredColumn::torque) || !missing_force().empty()) return;
   const std::size_t first = place_of(MeasuredColumn::torque);
   throw refused(
       path,

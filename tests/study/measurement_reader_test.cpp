@@ -261,6 +261,10 @@ TEST_F(Reading, ASensorsPlaceIsNotPassedOverInSilenceWhereNoTorqueIsFound) {
   EXPECT_THAT(why(),
               HasSubstr("--sensor-at has no effect without torque, and the columns tx_n_m, ty_n_m, "
                         "tz_n_m are missing: where yours are called otherwise, say --columns tx=NAME"));
+  const std::string motion =
+      written("motion.csv", table("t_s,x_m,y_m,z_m", [](int i) { return std::to_string(i) + "e-3,9,9,0"; }));
+  EXPECT_EQ(test::why_not([&] { read_measurements({motion}, format); }), "taken")
+      << "it is left out as any file without force";
   const auto torque = static_cast<std::size_t>(19);
   for (std::size_t k = 0; k < 3; ++k) format.headers[torque + k] = std::array{"tx", "ty", "tz"}[k];
   // Named, they are read: 2 N press at x = 10 mm - 0.04 N m / 2 N.
