@@ -98,7 +98,7 @@ TEST(RealWindow, IsTouchedChangedPhotographedAndItsTraceScrubbed) {
       "$P touch ring.toml --size 900x600 --record run.h5 >touch.log 2>&1 &\np=$!\nwindow || exit 9\n" +
       at(x - 30, y) + "xdotool mousedown 1\nsleep 0.4\n";
   for (int i = 0; i < 20; ++i) script += at(x - 30 + i, y) + "sleep 0.03\n";
-  for (int i = 0; i < 6; ++i) script += at(x - 10 + (i % 2 == 0 ? 40 : -40), y) + "sleep 0.1\n";
+  for (int i = 0; i < 14; ++i) script += at(x - 10 + (i % 2 == 0 ? 40 : -40), y) + "sleep 0.1\n";
   script += "xdotool key m\nsleep 0.2\nxdotool mouseup 1\n" + at(panel.right() - 1.2 * layout.em, row_y) +
             "xdotool click 1\nsleep 0.2\nxdotool key s\nwait_for ring-view-001.png || exit 8\n"
             "xdotool key q\nwait $p\n";
@@ -112,7 +112,7 @@ TEST(RealWindow, IsTouchedChangedPhotographedAndItsTraceScrubbed) {
                          [phase](const TickRecord& row) { return row.phase == phase; });
   };
   EXPECT_GT(ticks_in(Phase::stick), 50);
-  EXPECT_GT(ticks_in(Phase::slip), 50);
+  EXPECT_GT(ticks_in(Phase::slip), 50) << "of some hundreds; a busy machine moves the pointer in jumps";
   ASSERT_EQ(trace.info.changes.size(), 1u);
   EXPECT_EQ(trace.info.changes[0].key, "part.0.mu_static");
   EXPECT_EQ(trace.info.changes[0].value, "0.35");
