@@ -105,7 +105,7 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
         "force's zero: no tare was taken off {} trials, and of {} that rub to and fro {} have an offset, of "
         "{} N on the median and at most {} N along the plate (or friction that differs by direction): "
         "coefficients and springs rest on it, and what it is along the normal is not told. Record a second "
-        "without contact in each trial, or zero the sensor",
+        "without contact in each trial and do without --no-tare, or zero the sensor",
         fit.offset.untared, fit.offset.told, fit.offset.off, rounded_text(fit.offset.usual_n, 2),
         rounded_text(fit.offset.most_n, 2)));
   constexpr double widest_m = 0.01;
