@@ -279,5 +279,29 @@ TEST(ProxyLooks, AStartInTheMiddleOfASphereIsFoundInAFewTicks) {
   EXPECT_GT(ticks, 1) << "32,768 triangles are as near as each other";
 }
 
+TEST(ProxyLooks, ABallThatFitsNowhereTakesLittleOfATickUntilItIsOut) {
+  const TriangleSoup plate = test::box_soup(Vec3(0.04, 0.04, 0.002));
+  const PlacedSurface slot =
+      surface_of(test::joined(test::moved(plate, Vec3(0, 0, 0.002)), test::moved(plate, Vec3(0, 0, -0.002))));
+  constexpr long looks = 2000;
+  Proxy proxy = limited_proxy(true, slot, 0.002, Normals::smooth, looks);
+  int tries = 0;
+  do {
+    ASSERT_LT(++tries, 100);
+    proxy.move(Vec3(0.001, 0, 0), 1e-3);
+  } while (proxy.state().contact.broken_off);
+  ASSERT_FALSE(proxy.state().placed);
+  long most = 0;
+  for (int k = 0; k < 50; ++k) {
+    proxy.move(Vec3(0.001 + 1e-5 * k, 0, 0), 1e-3);
+    ASSERT_FALSE(proxy.state().placed);
+    most = std::max(most, proxy.looks().spent());
+  }
+  // A search may be ended by the look that spends what is left: a packet, or the angles of eight triangles.
+  EXPECT_LE(most, looks / ProxyLimits::less_after_no_place + LookCosts::angle * 8 + LookCosts::closest);
+  proxy.move(Vec3(0.001, 0, 0.03), 1e-3);
+  EXPECT_TRUE(proxy.state().placed) << "it waits for no start from where it was";
+}
+
 }  // namespace
 }  // namespace fingerpad::proxy_looks_test
