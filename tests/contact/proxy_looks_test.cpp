@@ -26,7 +26,7 @@ constexpr double dt_s = 1;
 /// about a facet's corners.
 constexpr long most_beyond =
     LookCosts::fetched * (ProxyMemoryLimits::richest_view + 6 * ProxyLimits::most_turns) +
-    LookCosts::packet * ProxyMemoryLimits::most_packets;
+    ProxyMemoryLimits::search_looks;
 
 Proxy limited_proxy(bool fast, const PlacedSurface& surface, double radius_m, Normals normals, long looks) {
   return fast ? fast_proxy({surface}, radius_m, normals, Looks(looks))
