@@ -65,17 +65,36 @@ std::string contact_text(const std::vector<TrialCleaning>& trials) {
                         untared));
 }
 
+/// What was taken off for the sensor's zero, and why from no more.
+std::string tare_text(const std::vector<TrialCleaning>& trials) {
+  std::size_t tared = 0, press_on = 0;
+  double most_n = 0;
+  for (const TrialCleaning& trial : trials) {
+    tared += trial.free_samples > 0 ? 1 : 0;
+    press_on += trial.presses_on ? 1 : 0;
+    most_n = std::max({most_n, trial.tare_begin_n.norm(), trial.tare_end_n.norm()});
+  }
+  std::string text = fmt::format("tare: taken off {} of {} trial{}, at most {} N", tared, trials.size(),
+                                 trials.size() == 1 ? "" : "s", rounded_text(most_n, 3));
+  if (tared == trials.size()) return text;
+  text += tared == 0 ? "; none has a moment" : "; the others have no moment";
+  text += " that is surely without contact";
+  if (press_on > 0)
+    text += fmt::format(
+        " (in {} the force is low and still, but height or friction tell that the finger presses on)",
+        press_on);
+  return text;
+}
+
 /// What was done, in order.
 std::vector<std::string> steps_text(const Measurement& measurement, const CleaningSettings& settings) {
-  long samples = 0, filled = 0, missing = 0, tared = 0, humming = 0;
-  double most_tare_n = 0, most_hum_n = 0, hum_hz = 0;
+  long samples = 0, filled = 0, missing = 0, humming = 0;
+  double most_hum_n = 0, hum_hz = 0;
   for (const TrialCleaning& trial : measurement.cleanings) {
     samples += trial.samples;
     filled += trial.filled;
     missing += trial.missing;
-    tared += trial.free_samples > 0 ? 1 : 0;
     humming += trial.hum_hz > 0 ? 1 : 0;
-    most_tare_n = std::max({most_tare_n, trial.tare_begin_n.norm(), trial.tare_end_n.norm()});
     if (trial.hum_n > most_hum_n) most_hum_n = trial.hum_n, hum_hz = trial.hum_hz;
   }
   const std::size_t trials = measurement.cleanings.size();
@@ -88,15 +107,7 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
                       ? "mains hum: none stands out"
                       : fmt::format("mains hum: taken out of {} of {} trials, at most {} N at {:.2f} Hz",
                                     humming, trials, rounded_text(most_hum_n, 3), hum_hz));
-  steps.push_back(!settings.takes_tare
-                      ? "tare: left as it is (off)"
-                      : fmt::format("tare: taken off {} of {} trial{}, at most {} N{}", tared, trials,
-                                    trials == 1 ? "" : "s", rounded_text(most_tare_n, 3),
-                                    static_cast<std::size_t>(tared) < trials
-                                        ? tared == 0
-                                              ? "; none has a moment that is surely without contact"
-                                              : "; the others have no moment that is surely without contact"
-                                        : ""));
+  steps.push_back(settings.takes_tare ? tare_text(measurement.cleanings) : "tare: left as it is (off)");
   if (const std::string contact = contact_text(measurement.cleanings); !contact.empty())
     steps.push_back(contact);
   steps.push_back(delay_text(measurement.delays, settings));
