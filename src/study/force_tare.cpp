@@ -198,14 +198,18 @@ bool passes_slowly(const RecordedTrial& trial, const PressLevels& levels, const 
 
 }  // namespace
 
-void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
+std::vector<Eigen::Index> samples_without_contact(const RecordedTrial& trial) {
   const PressLevels levels(trial);
   const double noise_n = std::abs(trial.normal_W.cwiseAbs().dot(levels.noise_n));
-  if (!(levels.press_n - levels.low_n > 20 * noise_n)) return;
+  if (!(levels.press_n - levels.low_n > 20 * noise_n)) return {};
   Samples free = free_samples(trial, levels);
-  if (free.empty()) return;
-  if (passes_slowly(trial, levels, Tare(trial.force_W, free), noise_n, free.size()))
+  if (!free.empty() && passes_slowly(trial, levels, Tare(trial.force_W, free), noise_n, free.size()))
     free = cornered_samples(trial, levels, noise_n);
+  return free;
+}
+
+void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
+  const Samples free = samples_without_contact(trial);
   if (free.empty()) return;
   const Tare tare(trial.force_W, free);
   for (Eigen::Index i = 0; i < trial.samples(); ++i) trial.force_W.col(i) -= tare.at(i);

@@ -4,6 +4,10 @@
 
 namespace fingerpad {
 
+/// The samples at which nothing touches the sensor for sure, as take_tare finds them, in order; none where it
+/// finds none.
+std::vector<Eigen::Index> samples_without_contact(const RecordedTrial& trial);
+
 /// Takes off what the force sensor reads while nothing touches it: a straight line in time through the
 /// samples without contact (a constant, where they do not span a third of the trial), on each axis,
 /// and off its torques by the same samples.
