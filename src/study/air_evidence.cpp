@@ -15,13 +15,14 @@ namespace {
 enum class FingerPlace { unknown, air, plate };
 
 /// What the evidence is read from.
-struct Sensed {
+struct TrialSenses {
   const RecordedTrial& trial;
   double noise_n, press_n;
   std::vector<double> height_m, normal_n;
   double height_noise_m;
 
-  Sensed(const RecordedTrial& of, double noise, double press) : trial(of), noise_n(noise), press_n(press) {
+  TrialSenses(const RecordedTrial& of, double noise, double press)
+      : trial(of), noise_n(noise), press_n(press) {
     for (Eigen::Index i = 0; i < trial.samples(); ++i) {
       height_m.push_back(trial.normal_W.dot(places().col(i)));
       normal_n.push_back(trial.normal_W.dot(trial.force_W.col(i)));
@@ -43,7 +44,7 @@ struct Sensed {
 };
 
 /// How far the heights of samples [from, to) spread, those of them that there are; each is the mean of five.
-double height_spread_m(const Sensed& sensed, Eigen::Index from, Eigen::Index to) {
+double height_spread_m(const TrialSenses& sensed, Eigen::Index from, Eigen::Index to) {
   constexpr Eigen::Index window = 5;
   double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -lowest_m;
   for (Eigen::Index i = std::max<Eigen::Index>(from, 0); i + window <= to; ++i) {
@@ -57,7 +58,7 @@ double height_spread_m(const Sensed& sensed, Eigen::Index from, Eigen::Index to)
 
 /// Outward from one end of a run, the first sample that is plainly above it; none where the trial ends, or a
 /// sample is missing, before that.
-std::optional<Eigen::Index> first_above(const Sensed& sensed, const StillRun& run, Eigen::Index way) {
+std::optional<Eigen::Index> first_above(const TrialSenses& sensed, const StillRun& run, Eigen::Index way) {
   constexpr double plainly = 6, longest_s = 0.1;
   const auto most = static_cast<Eigen::Index>(longest_s * sensed.trial.rate_hz);
   Eigen::Index i = way < 0 ? run.from - 1 : run.to;
@@ -72,7 +73,7 @@ std::optional<Eigen::Index> first_above(const Sensed& sensed, const StillRun& ru
 /// What a run's heights say, up to where it is pressed before and after. Force may lag them by up to 50 ms,
 /// which is not known yet: a finger on the plate keeps its height at one of these lags; one in the air that
 /// is pressed at both ends at none.
-FingerPlace place_by_height(const Sensed& sensed, const StillRun& run) {
+FingerPlace place_by_height(const TrialSenses& sensed, const StillRun& run) {
   constexpr double most_lag_s = 0.05, lags = 10;
   // A pad is softer where it presses little; its noise passes for change.
   constexpr double softer = 3, beyond_noise = 5;
@@ -102,7 +103,7 @@ struct MovingRun {
   double samples;
 };
 
-std::optional<MovingRun> moved_along(const Sensed& sensed, const StillRun& run, std::size_t number) {
+std::optional<MovingRun> moved_along(const TrialSenses& sensed, const StillRun& run, std::size_t number) {
   constexpr double least_m_per_s = 2e-3, beyond_noise = 5;
   const Points& places = sensed.places();
   const Vec3 normal = sensed.trial.normal_W;
@@ -119,7 +120,7 @@ std::optional<MovingRun> moved_along(const Sensed& sensed, const StillRun& run, 
 
 /// Whether what opposes the motion, beside an offset that drifts, is more than chance. Of fewer than four
 /// runs the two cannot be told apart.
-bool opposes_motion(const Sensed& sensed, const std::vector<MovingRun>& moving) {
+bool opposes_motion(const TrialSenses& sensed, const std::vector<MovingRun>& moving) {
   constexpr double surely = 5, least_share = 0.01;
   constexpr Eigen::Index unknowns = 7, fewest = 4;
   const auto runs = static_cast<Eigen::Index>(moving.size());
@@ -152,7 +153,7 @@ bool go_one_way(const std::vector<MovingRun>& moving) {
 
 /// Whether a run's force looks like friction by itself: against the motion, and such a share of its normal
 /// force as friction may be.
-bool looks_like_friction(const Sensed& sensed, const MovingRun& one, double normal_n) {
+bool looks_like_friction(const TrialSenses& sensed, const MovingRun& one, double normal_n) {
   constexpr double aside = 0.35, least_mu = 0.05, most_mu = 3, surely = 5, least_share = 0.01;
   const double against_n = -one.force_n.dot(one.way), aside_n = (one.force_n + against_n * one.way).norm();
   return against_n >
@@ -164,7 +165,7 @@ bool looks_like_friction(const Sensed& sensed, const MovingRun& one, double norm
 
 std::vector<StillRun> runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs,
                                       double noise_n, double press_n) {
-  const Sensed sensed(trial, noise_n, press_n);
+  const TrialSenses sensed(trial, noise_n, press_n);
   std::vector<FingerPlace> places(runs.size(), FingerPlace::unknown);
   if (sensed.tell_height()) {
     for (std::size_t r = 0; r < runs.size(); ++r) places[r] = place_by_height(sensed, runs[r]);

@@ -213,17 +213,23 @@ bool passes_slowly(const RecordedTrial& trial, const PressLevels& levels, const 
 
 }  // namespace
 
-void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
+FreeMoments moments_without_contact(const RecordedTrial& trial) {
   const PressLevels levels(trial);
   const double noise_n = std::abs(trial.normal_W.cwiseAbs().dot(levels.noise_n));
-  if (!(levels.press_n - levels.low_n > 20 * noise_n)) return;
+  if (!(levels.press_n - levels.low_n > 20 * noise_n)) return {};
   Samples free = free_samples(trial, levels);
-  if (free.empty()) return;
-  if (passes_slowly(trial, levels, Tare(trial.force_W, free), noise_n, free.size()))
+  if (!free.empty() && passes_slowly(trial, levels, Tare(trial.force_W, free), noise_n, free.size()))
     free = cornered_samples(trial, levels, noise_n);
-  if (free.empty()) return;
-  free = in_the_air(trial, levels, free, noise_n);
-  cleaning.presses_on = free.empty();
+  if (free.empty()) return {};
+  FreeMoments found{in_the_air(trial, levels, free, noise_n), false};
+  found.presses_on = found.samples.empty();
+  return found;
+}
+
+void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
+  const FreeMoments moments = moments_without_contact(trial);
+  const Samples& free = moments.samples;
+  cleaning.presses_on = moments.presses_on;
   if (free.empty()) return;
   const Tare tare(trial.force_W, free);
   for (Eigen::Index i = 0; i < trial.samples(); ++i) trial.force_W.col(i) -= tare.at(i);

@@ -55,12 +55,30 @@ inline constexpr std::array<std::string_view, 20> pad_number_keys{"lateral_axis_
                                                                   "normal_stiffness_n_per_m",
                                                                   "normal_exponent"};
 
+/// Why a number is refused, where advice depends on it.
+enum class RefusalReason {
+  other,
+  not_pushed,    ///< no stick along this axis was seen
+  one_angle,     ///< stick was, at one angle of the finger that is far from 45 degrees
+  hidden_stick,  ///< stick that gives way unseen passes for slip
+  unseen_slip,   ///< the same, and no slip is surely seen: unseen_slip_words
+  vague,         ///< too few trials, or too unlike ones, tell it
+};
+
 /// A number, how many samples it rests on, and why there is none.
 struct PadValue {
   double value = 0;
   long samples = 0;  ///< of stick or slip; of mu_static ruptures, of v_min ends of slip, of vibration windows
   long trials = 0;   ///< that it rests on
   std::string refusal;  ///< empty: the value holds
+  RefusalReason reason = RefusalReason::other;
+
+  /// An earlier refusal stays.
+  void refuse(RefusalReason why, const std::string& words) {
+    if (!refusal.empty()) return;
+    refusal = words;
+    reason = why;
+  }
 };
 using PadValues = std::array<PadValue, pad_number_keys.size()>;
 

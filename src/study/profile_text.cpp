@@ -9,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "scene/toml_tree.hpp"
+#include "study/few_trials.hpp"
 
 namespace fingerpad {
 namespace {
@@ -40,13 +41,13 @@ std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
   const bool has_direction = std::any_of(fit.evidence.begin(), fit.evidence.end(),
                                          [](const TrialEvidence& trial) { return trial.has_direction; });
   if (!has_direction) return "give the finger's direction in the columns dx, dy, dz";
-  if (fit.has_vague_axis[axis == PadNumber::lateral_axis ? 0 : 1])
+  const RefusalReason reason = value_of(fit, axis).reason;
+  if (reason == RefusalReason::vague)
     return fmt::format("add trials whose finger sticks before it slips {} the finger, pushed alike",
                        axis == PadNumber::lateral_axis ? "across" : "along");
-  // The slope is refused with these words of its own where the axis was pushed, but at one angle.
-  const PadNumber slope =
-      axis == PadNumber::lateral_axis ? PadNumber::lateral_slope : PadNumber::longitudinal_slope;
-  if (value_of(fit, slope).samples > 0)
+  if (reason == RefusalReason::unseen_slip) return "rub faster";
+  if (reason == RefusalReason::hidden_stick) return "sample faster";
+  if (reason == RefusalReason::one_angle)
     return "add a trial with the finger at about 45 degrees to the plate, or at two angles";
   // A rub goes some way: where no stick was seen along either axis, another way to rub is no help.
   if (value_of(fit, PadNumber::lateral_slope).samples == 0 &&
@@ -132,8 +133,15 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
         fmt::format("the axes are {} and {} mm, stiffer than the skin of a finger: is the "
                     "positions' unit right?",
                     rounded_text(1e3 * lateral.value, 3), rounded_text(1e3 * longitudinal.value, 3)));
+  if (const std::string words = without_interval_words(fit); !words.empty()) notes.push_back(words);
   const LawResidual& residual = fit.residual;
-  if (residual.samples == 0) return notes;
+  if (residual.samples == 0 && residual.untold.empty()) return notes;
+  if (!residual.untold.empty()) {
+    notes.push_back("whether the pad's law fits cannot be told: " + residual.untold);
+    return notes;
+  }
+  for (const std::string& odd : residual.odd_trials)
+    notes.push_back("the pad's law fits most trials, but not " + odd + "; it counts all the same");
   if (!residual.misfit.empty()) {
     if (!fit.knows_delay)
       notes.push_back(

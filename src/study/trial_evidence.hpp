@@ -62,8 +62,12 @@ struct TrialEvidence {
   double stop_rise = 0;  ///< sum of what friction is above the trial's in slip just before them (30 ms; no
                          ///< less than 15 samples)
   long stops = 0;
-  long gives = 0, drops = 0;  ///< ends of stick in slip; of these, with a drop of the force (ruptures)
-  double unseen_drop = 0;     ///< of friction, that noise would hide
+  /// Ends of stick in slip; of these, with a drop of the force (ruptures). Without one they count where the
+  /// finger was pulled by less than three quarters of slip's friction before.
+  long gives = 0, drops = 0;
+  /// Of the gives, those before which it was pulled so little: stick that began anew; and of these the drops.
+  long strokes = 0, stroke_drops = 0;
+  double unseen_drop = 0;                 ///< of friction, that noise would hide
   std::vector<std::size_t> stop_samples;  ///< the first of what follows slip, of each
   std::vector<double> power;              ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;

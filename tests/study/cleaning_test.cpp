@@ -8,7 +8,7 @@
 
 #include "base/random_stream.hpp"
 #include "study/force_tare.hpp"
-#include "study/mains_hum.hpp"
+#include "study/hum_verdict.hpp"
 #include "study/measurement.hpp"
 #include "study/position_delay.hpp"
 #include "study/profile_fit.hpp"
@@ -217,12 +217,13 @@ TEST(Cleaning, TakesMainsHumOutAndLeavesTheRest) {
   sensors.hum_hz = 50;
   RecordedMeasurement with = test::known_measurement(rubs, {}, sensors, 1),
                       without = test::known_measurement(rubs, {}, still, 1);
+  const HumVerdict lines = judge_hum(with.trials, &RecordedTrial::force_W, Mains::any);
   for (std::size_t i = 0; i < with.trials.size(); ++i) {
     const double before = (with.trials[i].force_W - without.trials[i].force_W).rowwise().norm().maxCoeff();
-    const MainsHum hum = remove_mains_hum(with.trials[i], Mains::any);
+    const MainsHum hum = take_off(lines.lines[i], &RecordedTrial::force_W, with.trials[i]);
     EXPECT_NEAR(hum.frequency_hz, 50, 0.1);
     EXPECT_LT((with.trials[i].force_W - without.trials[i].force_W).rowwise().norm().maxCoeff(), 0.2 * before);
-    EXPECT_EQ(remove_mains_hum(without.trials[i], Mains::any).amplitude_n, 0);
+    EXPECT_TRUE(hum_lines(without.trials[i], &RecordedTrial::force_W, Mains::any).empty());
   }
 }
 
@@ -235,9 +236,10 @@ TEST(Cleaning, FindsTheHumsFrequencyInALongTrial) {
       const double t_s = static_cast<double>(i) / trial.rate_hz;
       with.force_W(1, i) += 0.02 * std::sin(2 * std::numbers::pi * hum_hz * t_s + 1);
     }
-    const MainsHum hum = remove_mains_hum(with, Mains::hz_50);
+    const MainsHum hum =
+        take_off(hum_lines(with, &RecordedTrial::force_W, Mains::hz_50), &RecordedTrial::force_W, with);
     EXPECT_NEAR(hum.frequency_hz, hum_hz, 1e-3);
-    EXPECT_NEAR(hum.amplitude_n, 0.02, 1e-3);
+    EXPECT_NEAR(hum.amplitude, 0.02, 1e-3);
   }
 }
 
