@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <span>
 
 #include "study/force_tare.hpp"
@@ -15,7 +16,7 @@ constexpr double hum_window_s = 0.2;
 
 using Samples = std::vector<Eigen::Index>;
 
-/// What of a line is in some samples.
+/// What of a line is in some samples; of these those count that HannLine counts, which were recorded.
 struct InSamples {
   std::complex<double> ratio;  ///< 1: the line as it is in the whole trial
   double weight = 0;           ///< 1 over the variance of the ratio's real part; 0: they tell nothing
@@ -52,8 +53,8 @@ InSamples line_in(const HannLine& whole, const HumLine& line, double rate_hz,
 
 /// How a finger moves through a window.
 struct WindowMotion {
-  Vec3 way_m;  ///< from the first quarter's mean to the last's
   double speed_m_per_s;
+  bool turns;  ///< it goes some of the way back
 };
 
 WindowMotion motion_of(const RecordedTrial& trial, Eigen::Index from, Eigen::Index window) {
@@ -68,10 +69,12 @@ WindowMotion motion_of(const RecordedTrial& trial, Eigen::Index from, Eigen::Ind
     if (k > 0) way_m += (mean - before).norm();
     before = mean;
   }
-  return {before - first, way_m * trial.rate_hz / static_cast<double>((quarters - 1) * quarter)};
+  constexpr double straight = 0.9;
+  return {way_m * trial.rate_hz / static_cast<double>((quarters - 1) * quarter),
+          (before - first).norm() < straight * way_m};
 }
 
-/// Recorded samples at which nothing touches the sensor, window by window.
+/// Samples at which nothing touches the sensor, window by window.
 std::vector<Samples> windows_without_contact(const RecordedTrial& trial, Sensed sensed, const HumLine& line,
                                              Eigen::Index window) {
   Samples free = moments_without_contact(trial).samples;
@@ -84,7 +87,6 @@ std::vector<Samples> windows_without_contact(const RecordedTrial& trial, Sensed 
   std::vector<Samples> windows;
   Eigen::Index begin = -window;
   for (const Eigen::Index i : free) {
-    if (trial.origin[static_cast<std::size_t>(i)] != SampleOrigin::recorded) continue;
     if (i >= begin + window) {
       windows.emplace_back();
       begin = i;
@@ -99,7 +101,6 @@ std::vector<Samples> windows_without_contact(const RecordedTrial& trial, Sensed 
 HumEvidence& HumEvidence::operator+=(const HumEvidence& other) {
   still += other.still;
   windows.insert(windows.end(), other.windows.begin(), other.windows.end());
-  turns += other.turns;
   return *this;
 }
 
@@ -115,11 +116,9 @@ HumEvidence hum_evidence(const RecordedTrial& trial, Sensed sensed, const HumLin
   for (const Samples& free : windows_without_contact(trial, sensed, line, window))
     add_still(line_in(whole, line, trial.rate_hz, free));
   std::vector<double> speeds;
-  Vec3 last_m = Vec3::Zero();
   for (Eigen::Index from = 0; from + window <= trial.samples(); from += window) {
-    Samples samples;
-    for (Eigen::Index i = from; i < from + window; ++i)
-      if (trial.origin[static_cast<std::size_t>(i)] == SampleOrigin::recorded) samples.push_back(i);
+    Samples samples(static_cast<std::size_t>(window));
+    std::iota(samples.begin(), samples.end(), from);
     const InSamples here = line_in(whole, line, trial.rate_hz, samples);
     if (!(here.weight > 0)) continue;
     const WindowMotion motion = motion_of(trial, from, window);
@@ -127,9 +126,7 @@ HumEvidence hum_evidence(const RecordedTrial& trial, Sensed sensed, const HumLin
     if (motion.speed_m_per_s < stands_m_per_s) {
       add_still(here);
     } else if (here.weight * surest * surest > 1) {
-      found.windows.push_back({motion.speed_m_per_s, std::abs(here.ratio - 1.0) < near});
-      found.turns += motion.way_m.dot(last_m) < 0 ? 1 : 0;
-      last_m = motion.way_m;
+      found.windows.push_back({motion.speed_m_per_s, std::abs(here.ratio - 1.0) < near, motion.turns});
     }
   }
   found.speed_m_per_s = median_of(speeds);

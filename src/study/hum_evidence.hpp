@@ -24,13 +24,13 @@ struct HumShare {
 struct HumWindow {
   double speed_m_per_s = 0;  ///< of the finger
   bool is_steady = false;    ///< the line has its amplitude and phase there
+  bool turns = false;        ///< the finger goes some of the way back
 };
 
 /// What a trial, or several, say of a line.
 struct HumEvidence {
   HumShare still;  ///< while no teeth can be: nothing touches the sensor, or the finger stands still
   std::vector<HumWindow> windows;  ///< of the rest
-  long turns = 0;                  ///< how often the finger turns back from one of these to the next
   double speed_m_per_s = 0;        ///< median of all of the trial's windows
 
   HumEvidence& operator+=(const HumEvidence& other);

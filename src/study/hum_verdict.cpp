@@ -40,8 +40,8 @@ HumReason judged_while_still(const HumEvidence& evidence) {
   return evidence.still.share() < least_share ? HumReason::not_while_still : HumReason::hum;
 }
 
-/// Teeth follow the speed: a line that goes on at others is hum. One that is seen at one speed alone is left
-/// open.
+/// Teeth follow the speed: a line that goes on at others is hum. One that is seen at one speed alone, or
+/// beside it in turns, is left open.
 HumReason judged_by_windows(const HumEvidence& evidence) {
   constexpr long fewest = 8, fewest_other = 4;
   constexpr double least_steady = 0.6, other_speed = 0.25;
@@ -54,7 +54,7 @@ HumReason judged_by_windows(const HumEvidence& evidence) {
   const double usual = median_of(steady_at);
   long others = 0, steady = 0;
   for (const HumWindow& window : evidence.windows) {
-    if (std::abs(window.speed_m_per_s - usual) < other_speed * usual) continue;
+    if (window.turns || std::abs(window.speed_m_per_s - usual) < other_speed * usual) continue;
     ++others;
     steady += window.is_steady ? 1 : 0;
   }
@@ -64,7 +64,7 @@ HumReason judged_by_windows(const HumEvidence& evidence) {
 }
 
 /// Most trials have the line, and teeth would have to be what they cannot: of one frequency at speeds that
-/// differ, or in step again each time that the finger turns back. (Of a few times they may be, by chance.)
+/// differ, or in step through each turn of the finger. (From one way to the other they may be, by chance.)
 bool is_in_most(const std::vector<const TrialLine*>& alike, const std::vector<TrialLine>& lines,
                 std::size_t showing) {
   constexpr double least_spread = 0.1;  // of the speed, between the quartiles
@@ -74,12 +74,18 @@ bool is_in_most(const std::vector<const TrialLine*>& alike, const std::vector<Tr
   std::vector<double> speeds;
   for (const TrialLine* found : alike) speeds.push_back(found->evidence.speed_m_per_s);
   if (quantile(speeds, 0.75) - quantile(speeds, 0.25) > least_spread * quantile(speeds, 0.5)) return true;
-  HumEvidence all;
-  for (const TrialLine& line : lines) all += line.evidence;
-  const auto steady = std::count_if(all.windows.begin(), all.windows.end(),
-                                    [](const HumWindow& window) { return window.is_steady; });
-  return all.turns >= fewest_turns &&
-         static_cast<double>(steady) > least_steady * static_cast<double>(all.windows.size());
+  long windows = 0, steady = 0, turns = 0, steady_turns = 0;
+  for (const TrialLine& line : lines) {
+    for (const HumWindow& window : line.evidence.windows) {
+      ++windows;
+      steady += window.is_steady ? 1 : 0;
+      turns += window.turns ? 1 : 0;
+      steady_turns += window.turns && window.is_steady ? 1 : 0;
+    }
+  }
+  return turns >= fewest_turns &&
+         static_cast<double>(steady_turns) > least_steady * static_cast<double>(turns) &&
+         static_cast<double>(steady) > least_steady * static_cast<double>(windows);
 }
 
 HumReason judged(const TrialLine& found, const std::vector<TrialLine>& lines,

@@ -67,7 +67,8 @@ long standing(const RecordedMeasurement& recorded, double nominal_hz) {
 TEST(MainsHum, TeethOfStickAndSlipAreNone) {
   for (const auto& [air_s, frequency_step_hz, trials] :
        {std::tuple(0.0, 0.02, 6), std::tuple(0.0, 0.01, 10), std::tuple(0.0, 0.0, 6),
-        std::tuple(0.3, 0.02, 6), std::tuple(0.3, 0.0, 6), std::tuple(0.0, 0.02, 1)}) {
+        std::tuple(0.3, 0.02, 6), std::tuple(0.3, 0.0, 6), std::tuple(0.0, 0.02, 1),
+        std::tuple(0.0, 0.009, 10)}) {
     const RecordedMeasurement recorded =
         test::known_measurement(even_rubs(frequency_step_hz, trials), {}, sensors_with(air_s, 0), 3);
     EXPECT_GT(standing(recorded, 50), 0)
@@ -141,14 +142,20 @@ TEST(MainsHum, FilledGapsAreNoAir) {
   EXPECT_EQ(taken(judge_hum(recorded.trials, forces, Mains::any), 60), 3);
 }
 
-TEST(MainsHum, IsToldByAFingerAtRest) {
-  // Teeth and hum at one frequency, and one trial in which the finger only presses.
-  std::vector<test::KnownTrial> rubs = even_rubs(0.02, 2);
-  rubs.push_back({2, 45, 0, 0, 0.3, 4});
-  RecordedMeasurement recorded = test::known_measurement(rubs, {}, sensors_with(0, 0), 3);
-  add_sine(recorded.trials[2], 49.6, 0.02, 0, recorded.trials[2].samples());
-  const HumVerdict verdict = judge_hum(recorded.trials, forces, Mains::any);
-  EXPECT_EQ(verdict.lines[2].size(), 1U);
+TEST(MainsHum, ALineThatIsNotThereWhileTheFingerRestsIsNone) {
+  for (const bool hums : {true, false}) {
+    RecordedMeasurement recorded = test::known_measurement(swift_rubs, {}, sensors_with(0, 0), 3);
+    for (RecordedTrial& trial : recorded.trials) {
+      const auto rest = static_cast<Eigen::Index>(0.25 * static_cast<double>(trial.samples()));
+      for (Eigen::Index i = 0; i < rest; ++i) trial.position_W.col(i) = trial.position_W.col(rest);
+      add_sine(trial, 50, 0.02, hums ? 0 : rest, trial.samples());
+    }
+    const HumVerdict verdict = judge_hum(recorded.trials, forces, Mains::any);
+    EXPECT_EQ(taken(verdict, 50), hums ? 3 : 0);
+    if (!hums) {
+      EXPECT_THAT(verdict.left_in, Contains(HasSubstr("or the finger stands still")));
+    }
+  }
 }
 
 TEST(MainsHum, ALineThatDoesNotLastIsNone) {

@@ -110,6 +110,17 @@ TEST(UnseenSlip, SlowSlipThatCannotHoldTeethIsSlip) {
   }
 }
 
+TEST(UnseenSlip, EndsOfSlipThatAreSeenOnceInAWhileTellNoVMin) {
+  TrialEvidence trial;
+  trial.subject = 1;
+  trial.stops = 1;
+  trial.stop_speed_m_per_s = 0.06;
+  trial.gives = 10;
+  EXPECT_EQ(seen_v_min({trial}, {1}).refusal, "");
+  trial.gives = 11;
+  EXPECT_THAT(seen_v_min({trial}, {1}).refusal, HasSubstr("seen to end in stick 1 times only"));
+}
+
 TEST(UnseenSlip, AnotherLawIsToldAtAnySpeed) {
   for (const double speed_m_per_s : {0.06, 0.2}) {
     test::KnownFinger finger = finger_of(0.2, 0.1);
