@@ -48,7 +48,7 @@ void refuse_number(PadNumber number, const std::string& words, ProfileFit& fit) 
 void refuse_odd_axes(ProfileFit& fit) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const PadNumber number = spring_numbers[axis];
-    const PadValue& value = fit.values[static_cast<std::size_t>(number)];
+    const PadValue& value = value_of(fit.values, number);
     const bool is_odd = value.value > widest_axis_m || value.value < narrowest_axis_m;
     if (!value.refusal.empty() || has_interval(fit, number) || !is_odd) continue;
     const std::string words =
@@ -62,7 +62,7 @@ void refuse_odd_axes(ProfileFit& fit) {
 }  // namespace
 
 void refuse_told_by_few(ProfileFit& fit) {
-  const PadValue& v_min = fit.values[static_cast<std::size_t>(PadNumber::v_min)];
+  const PadValue& v_min = value_of(fit.values, PadNumber::v_min);
   if (v_min.refusal.empty() && !has_interval(fit, PadNumber::v_min) && v_min.trials < fewest_trials)
     refuse_number(
         PadNumber::v_min,

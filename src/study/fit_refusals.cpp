@@ -10,8 +10,7 @@
 namespace fingerpad {
 
 void refuse_springs(RefusalReason reason, const std::string& words, PadValues& values) {
-  for (const PadNumber number : spring_numbers)
-    values[static_cast<std::size_t>(number)].refuse(reason, words);
+  for (const PadNumber number : spring_numbers) value_of(values, number).refuse(reason, words);
 }
 
 void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit) {
@@ -22,7 +21,7 @@ void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit) {
     const double value = fit.values[k].value;
     if (!fit.values[k].refusal.empty() || !fit.interval[k]) continue;
     const double reach = fit.interval[k]->second - value;
-    const long slip = fit.values[static_cast<std::size_t>(PadNumber::mu_dynamic)].samples;
+    const long slip = value_of(fit.values, PadNumber::mu_dynamic).samples;
     if (!(reach > vaguest * value)) continue;
     const bool hardly_sticks =
         static_cast<double>(fit.values[k].samples) <= hardly * static_cast<double>(slip);
@@ -61,7 +60,7 @@ void tell_noise(const std::vector<StickSegments>& segments, ProfileFit& fit) {
                                    [](const StickSegments& trial) { return trial.is_too_noisy; });
   if (noisy == 0) return;
   for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic}) {
-    std::string& refusal = fit.values[static_cast<std::size_t>(number)].refusal;
+    std::string& refusal = value_of(fit.values, number).refusal;
     if (!refusal.empty())
       refusal += fmt::format(
           "; in {} of {} trials the forces' noise is so large for their load that ruptures cannot be seen in "

@@ -33,7 +33,7 @@ void refuse_impossible_numbers(PadValues& found) {
                    fmt::format("the measurement gives no finite {}", pad_number_keys[k]));
   }
   for (const PadNumber number : sizes) {
-    PadValue& value = found[static_cast<std::size_t>(number)];
+    PadValue& value = value_of(found, number);
     if (!(value.value > 0))
       value.refuse(RefusalReason::other, fmt::format("the measurement gives a {} of {}; it must be above 0",
                                                      pad_number_keys[static_cast<std::size_t>(number)],

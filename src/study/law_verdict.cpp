@@ -6,6 +6,8 @@
 #include <cmath>
 #include <utility>
 
+#include "study/trial_evidence.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -42,8 +44,7 @@ std::string off_words(const ResidualPart& part, const char* where) {
 
 /// Whether stick gives way without a drop of the force: mostly, and mostly in most of the trials in which it
 /// does.
-bool gives_without_drops(const std::vector<TrialResidual>& trials) {
-  constexpr long fewest_gives = 5;
+bool trials_give_without_drops(const std::vector<TrialResidual>& trials) {
   long gives = 0, drops = 0, giving = 0, off = 0;
   for (const TrialResidual& trial : trials) {
     gives += trial.gives;
@@ -51,7 +52,7 @@ bool gives_without_drops(const std::vector<TrialResidual>& trials) {
     giving += trial.gives > 0 ? 1 : 0;
     off += 2 * trial.drops < trial.gives ? 1 : 0;
   }
-  return gives >= fewest_gives && 2 * drops < gives && 2 * off > giving;
+  return gives_without_drops(gives, drops) && 2 * off > giving;
 }
 
 /// Where no slip is surely seen, stick alone is held against the law: where it surely does not give way; and
@@ -99,7 +100,7 @@ LawResidual law_verdict(const std::vector<TrialResidual>& trials, const std::vec
       if (left_beyond(parts.each[i]) > most_left)
         found.odd_trials.push_back(names[i] + ": " + off_words(parts.each[i], where));
   }
-  if (gives_without_drops(trials) && !hidden.is_stepped)
+  if (trials_give_without_drops(trials) && !hidden.is_stepped)
     found.misfit += fmt::format(
         "{}stick gives way without a drop of the force at {} of its {} ends (a pad whose mu_static is less "
         "than {:.0f} % above its mu_dynamic looks alike here)",

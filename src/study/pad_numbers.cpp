@@ -84,10 +84,6 @@ constexpr AxisNumbers axis_numbers[] = {
      PadNumber::longitudinal_hysteresis_area},
 };
 
-PadValue& value_of(PadValues& values, PadNumber number) {
-  return values[static_cast<std::size_t>(number)];
-}
-
 /// Why too few ruptures tell where stick ends.
 std::string no_rupture_words(const std::vector<TrialEvidence>& trials) {
   long short_teeth = 0;
@@ -137,10 +133,10 @@ PadValue v_min_of_step(const std::vector<TrialEvidence>& trials, const std::vect
 /// The spring that was found, for the next pass. The law's shares begin at 0.
 void take_bends(const PadValues& found, EvidencePoint& next) {
   constexpr double most_bent = 0.9;
-  const PadValue& mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)];
+  const PadValue& mu_static = value_of(found, PadNumber::mu_static);
   if (!mu_static.refusal.empty()) return;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const PadValue& share = found[static_cast<std::size_t>(axis_numbers[axis].cubic_share)];
+    const PadValue& share = value_of(found, axis_numbers[axis].cubic_share);
     next.bend[axis].mu_static = mu_static.value;
     if (share.refusal.empty()) next.bend[axis].cubic_share = std::clamp(share.value, 0.0, most_bent);
   }
@@ -213,14 +209,14 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
   const PadValues found = pad_numbers(trials, once, point);
   take_bends(found, next.evidence);
-  const PadValue& mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)];
+  const PadValue& mu_static = value_of(found, PadNumber::mu_static);
   next.evidence.mu_static = mu_static.refusal.empty() ? mu_static.value : 0;
-  const PadValue& v_min = found[static_cast<std::size_t>(PadNumber::v_min)];
+  const PadValue& v_min = value_of(found, PadNumber::v_min);
   next.evidence.v_min_m_per_s = v_min.refusal.empty() ? v_min.value : 0;
   next.slow_slip = speed_step(trials, once);
   if (next.slow_slip && !is_hidden_stick(found, *next.slow_slip)) next.slow_slip.reset();
   next.v_min_by_step = next.slow_slip && tells_v_min(*next.slow_slip, seen_v_min(trials, once));
-  const PadValue& mu_dynamic = found[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+  const PadValue& mu_dynamic = value_of(found, PadNumber::mu_dynamic);
   const bool may_hide = may_hide_stick(trials, next.slow_slip, found);
   next.evidence.hidden_stick_ratio = may_hide && mu_dynamic.refusal.empty() ? mu_dynamic.value : 0;
   if (next.slow_slip)

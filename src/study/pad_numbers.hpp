@@ -82,6 +82,13 @@ struct PadValue {
 };
 using PadValues = std::array<PadValue, pad_number_keys.size()>;
 
+inline PadValue& value_of(PadValues& values, PadNumber number) noexcept {
+  return values[static_cast<std::size_t>(number)];
+}
+inline const PadValue& value_of(const PadValues& values, PadNumber number) noexcept {
+  return values[static_cast<std::size_t>(number)];
+}
+
 /// What earlier passes over the trials have found, about which the evidence is taken.
 struct FitPoint {
   EvidencePoint evidence;
@@ -117,7 +124,8 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
 /// The mean speed at which slip is seen to end.
 PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
 
-/// All that rests on the stick of one axis, or of the other.
+/// All that rests on the stick of one axis or of the other: lateral ones at even places, longitudinal ones at
+/// odd.
 inline constexpr std::array<PadNumber, 12> spring_numbers{PadNumber::lateral_axis,
                                                           PadNumber::longitudinal_axis,
                                                           PadNumber::lateral_slope,

@@ -15,9 +15,7 @@ struct HiddenReach {
 };
 
 HiddenReach hidden_reach(const ProfileFit& fit, const FitPoint& point) {
-  const auto value = [&](PadNumber number) -> const PadValue& {
-    return fit.values[static_cast<std::size_t>(number)];
-  };
+  const auto value = [&](PadNumber number) -> const PadValue& { return value_of(fit.values, number); };
   const PadValue &mu_static = value(PadNumber::mu_static), &mu_dynamic = value(PadNumber::mu_dynamic);
   HiddenReach reach;
   const bool is_likely = point.evidence.hidden_stick_ratio > 0;
@@ -40,9 +38,7 @@ HiddenReach hidden_reach(const ProfileFit& fit, const FitPoint& point) {
 /// How many samples a tooth of stick and slip takes at v_min, from mu_dynamic to mu_static along the spring;
 /// nothing where that is not known.
 std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& about) {
-  const auto value = [&](PadNumber number) -> const PadValue& {
-    return fit.values[static_cast<std::size_t>(number)];
-  };
+  const auto value = [&](PadNumber number) -> const PadValue& { return value_of(fit.values, number); };
   const PadValue &mu_static = value(PadNumber::mu_static), &mu_dynamic = value(PadNumber::mu_dynamic),
                  &v_min = value(PadNumber::v_min);
   if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty() || !v_min.refusal.empty())
@@ -118,7 +114,7 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
     }
   }
   // Where stick passes for slip before slip is seen to end, it does so within mu_dynamic too.
-  if (!fit.values[static_cast<std::size_t>(PadNumber::v_min)].refusal.empty()) {
+  if (!value_of(fit.values, PadNumber::v_min).refusal.empty()) {
     double rise = 0;
     long stops = 0;
     for (const TrialEvidence& trial : fit.evidence) rise += trial.stop_rise, stops += trial.stops;

@@ -37,6 +37,14 @@ struct SpringBend {
   Vec2 at(double ratio) const noexcept;
 };
 
+/// So many ends of stick are needed before they tell anything.
+inline constexpr long fewest_gives = 5;
+
+/// Whether stick gives way mostly without a drop of the force, where it ends often enough to tell.
+inline bool gives_without_drops(long gives, long drops) noexcept {
+  return gives >= fewest_gives && 2 * drops < gives;
+}
+
 /// What one trial says about the pad, as sums: those of several trials add up, so that a bootstrap is quick.
 struct TrialEvidence {
   int subject = 0;

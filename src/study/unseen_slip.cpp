@@ -44,8 +44,8 @@ struct SlipSeen {
 /// Whether the teeth that slip would hold are too short to be seen at its speeds.
 bool may_hold_teeth(const SlipSeen& seen, const PadValues& found) {
   constexpr double fewest_samples = 5, slow_share = 0.25;
-  const PadValue &mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)],
-                 &mu_dynamic = found[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+  const PadValue &mu_static = value_of(found, PadNumber::mu_static),
+                 &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
   if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty() || !(seen.pulled > 0)) return true;
   const double tooth_m = 2 * (mu_static.value - mu_dynamic.value) * seen.moved_m / seen.pulled;
   return tooth_m * seen.rate_hz < fewest_samples * seen.speed_m_per_s(slow_share);
