@@ -50,7 +50,7 @@ struct TriangleTree::Impl {
   /// @param beside  another memory, asked before packets are listed anew; null if there is none
   bool search_list(ClosestSearch& search, ClosestMemory& memory, int seed,
                    const ClosestMemory* beside) const noexcept;
-  void look_through(ClosestSearch& search, const ClosestMemory& memory) const noexcept;
+  void look_through(ClosestSearch& search, const PacketList& list) const noexcept;
   void list_packets(const ClosestSearch& search, const Vec3& step, ClosestMemory& memory) const noexcept;
   ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
   void far_each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
