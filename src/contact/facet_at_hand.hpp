@@ -14,15 +14,22 @@ class FacetAtHand {
   /// @param t  index into Part::triangles
   /// @pre the surface stays where it is
   void take(const PlacedSurface& surface, int t) noexcept {
-    if (!is(surface, t)) take_anew(surface, t);
+    if (is(surface, t)) return;
+    surface_ = &surface;
+    triangle_ = t;
+    is_ready_ = false;
   }
   bool is(const PlacedSurface& surface, int t) const noexcept {
     return triangle_ == t && surface_ == &surface;
   }
   const PlacedSurface* surface() const noexcept { return surface_; }  ///< null: none is at hand
   int triangle() const noexcept { return triangle_; }
+  /// Whether what feet take of it is at hand, or will be made with the next look for one.
+  bool is_ready() const noexcept { return is_ready_; }
   /// @param foot_W  the point of the facet under p_W, written where there is one
-  bool find_foot(const Vec3& p_W, Vec3& foot_W) const noexcept {
+  /// @pre one is at hand
+  bool find_foot(const Vec3& p_W, Vec3& foot_W) noexcept {
+    if (!is_ready_) make_ready();
     const Vec3 from_corner = p_W - corner_W_;
     if (!(inwards_W_[0].dot(from_corner) > 0 && inwards_W_[1].dot(from_corner) > 0 &&
           inwards_W_[2].dot(from_corner) > opposite_m2_))
@@ -32,10 +39,11 @@ class FacetAtHand {
   }
 
  private:
-  void take_anew(const PlacedSurface& surface, int t) noexcept;
+  void make_ready() noexcept;
 
   const PlacedSurface* surface_ = nullptr;
   int triangle_ = -1;
+  bool is_ready_ = false;
   Vec3 corner_W_ = Vec3::Zero(), normal_W_ = Vec3::UnitZ();
   /// Across each edge, as long as it; the first two meet in the corner.
   std::array<Vec3, 3> inwards_W_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};
