@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/closest_search.hpp"
+#include "contact/packet_gathering.hpp"
 #include "contact/tree_parts.hpp"
 
 namespace fingerpad {
@@ -31,78 +32,6 @@ constexpr long most_tests = 400;
 /// Rounding of a distance between two points, in sizes of the part.
 constexpr double distance_rounding = 1e-12;
 
-}  // namespace
-
-/// Lists the packets that come near a way, or the nearest of them to it. Scaled.
-struct PacketGathering {
-  PacketList& list;
-  Vec3 middle, half;  ///< of the way: from `middle - half` to `middle + half`
-  double radius;      ///< what is farther from it is not listed
-  std::array<double, PacketList::most> distance;
-  std::size_t farthest = 0;
-
-  PacketGathering(PacketList& into, const Vec3& anchor, const Vec3& about, const Vec3& half_way,
-                  double within) noexcept
-      : list(into), middle(about), half(half_way), radius(within) {
-    list.count = 0;
-    list.spread = 0;
-    list.anchor = anchor;
-  }
-
-  bool is_full() const noexcept { return list.count == PacketList::most; }
-
-  void offer(const PacketDisc& disc, std::uint32_t index) noexcept {
-    const double away = least_distance(disc);
-    if (away > radius) return;
-    std::size_t place = farthest;
-    if (is_full()) {
-      radius = std::min(radius, std::max(away, distance[farthest]));
-      if (away >= distance[farthest]) return;
-    } else {
-      place = static_cast<std::size_t>(list.count++);
-    }
-    distance[place] = away;
-    put(disc, index, place);
-    if (is_full())
-      farthest =
-          static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
-  }
-
- private:
-  /// How far at least a packet's triangles are from the way: how high over the disc it comes at least, and
-  /// how far beside it.
-  double least_distance(const PacketDisc& disc) const noexcept {
-    constexpr double shorter = 1 - 1e-6, longer = 1 + 1e-6;  // as PacketDisc::least_distance
-    const Vec3 across(disc.across[0], disc.across[1], disc.across[2]),
-        off = middle - Vec3(disc.centre[0], disc.centre[1], disc.centre[2]);
-    const double height = across.dot(off), rise = across.dot(half);
-    const double bend = half.squaredNorm() - rise * rise * longer,
-                 slope = off.dot(half) - height * rise * longer;
-    const double at = bend > 0 ? std::clamp(-slope / bend, -1.0, 1.0) : slope > 0 ? -1.0 : 1.0;
-    const double along2 = off.squaredNorm() - height * height * longer + at * (2 * slope + at * bend);
-    const double above = std::max(
-        0.0, std::max(0.0, std::abs(height) - std::abs(rise)) * shorter - static_cast<double>(disc.thick));
-    const double beside = std::max(0.0, std::sqrt(std::max(0.0, along2)) - static_cast<double>(disc.radius));
-    return std::sqrt(above * above + beside * beside);
-  }
-
-  void put(const PacketDisc& disc, std::uint32_t index, std::size_t place) noexcept {
-    list.packet[place] = index;
-    PacketDiscs& discs = list.discs[place / packet_width];
-    const std::size_t lane = place % packet_width;
-    float reaches = disc.radius + disc.thick;
-    for (std::size_t i = 0; i < 3; ++i) {
-      discs.centre[i][lane] =
-          static_cast<float>(static_cast<double>(disc.centre[i]) - list.anchor[static_cast<int>(i)]);
-      discs.across[i][lane] = disc.across[i];
-      reaches += std::abs(discs.centre[i][lane]);
-    }
-    discs.radius[lane] = disc.radius;
-    discs.thick[lane] = disc.thick;
-    list.spread = std::max(list.spread, reaches);
-  }
-};
-
 /// The way that the path goes along the surface, at most of length 1; nothing where it has only begun.
 Vec3 forward(const ClosestSearch& search, const Vec3& step, double near_m) noexcept {
   const double step_m = step.norm();
@@ -112,6 +41,8 @@ Vec3 forward(const ClosestSearch& search, const Vec3& step, double near_m) noexc
   const Vec3 off = (search.q - search.winner.at.point) / near_m;
   return way - way.dot(off) * off;
 }
+
+}  // namespace
 
 /// Lists what stands around the way to come, if that pays. Costs no more than `most_tests` and as many
 /// packets.
@@ -144,13 +75,18 @@ void TriangleTree::Impl::list_packets(const ClosestSearch& search, const Vec3& s
                within = least + beside_m * 0.75 * packed.scale;
   if (!(way_m >= least_steps * step_m) || !(within < static_cast<double>(far_off))) return;
 
-  PacketGathering gathering(list, search.scaled, way.middle * packed.scale, way.half * packed.scale, within);
-  WindingNumber::NearPackets near(winding, gathering.middle, gathering.half, gathering.radius);
-  for (std::size_t next = 0; near.tests() <= most_tests && gathering.radius > least && near.next(next);) {
-    gathering.offer(packed.discs[next], static_cast<std::uint32_t>(next));
-    near.shrink(gathering.radius);
+  PacketGathering gathering;
+  const PathPiece scaled{way.middle * packed.scale, way.half * packed.scale};
+  WindingNumber::NearPackets near(winding, scaled.middle, within, scaled.half);
+  for (std::size_t next = 0; !gathering.is_full() && near.tests() <= most_tests && near.next(next);)
+    gathering.add(static_cast<std::uint32_t>(next));
+  double clear = 0;
+  if (!gathering.is_full() && near.tests() <= most_tests) {
+    if (gathering.count > 0) disc_measure(packed.discs.data(), scaled, gathering);
+    const Vec3 anchor(search.embree[0], search.embree[1], search.embree[2]);
+    clear = put_into(list, packed.discs.data(), anchor, within, gathering);
   }
-  const bool fits = near.tests() <= most_tests && gathering.radius > least;
+  const bool fits = clear > least;
   if (!fits) {
     list.clear();
     // Perhaps a shorter one is not too much.
@@ -159,7 +95,7 @@ void TriangleTree::Impl::list_packets(const ClosestSearch& search, const Vec3& s
     return;
   }
   memory.share_ = std::min(memory.share_ * share_growth, 1.0);
-  list.clear_m = gathering.radius / packed.scale * (1 - distance_rounding);
+  list.clear_m = clear / packed.scale * (1 - distance_rounding);
   list.middle = way.middle;
   list.half = way.half;
   const double half2 = way.half.squaredNorm();

@@ -7,7 +7,7 @@
 
 namespace fingerpad {
 
-void FacetAtHand::make_ready() noexcept {
+void FacetAtHand::turn_into_world() noexcept {
   is_ready_ = true;
   const PlacedSurface& surface = *surface_;
   const Part& part = *surface.part;

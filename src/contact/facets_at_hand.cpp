@@ -25,7 +25,7 @@ bool is_beside(const Part& part, int t, int other) noexcept {
 void FacetsAtHand::go_on_to(const PlacedSurface& surface, int t) noexcept {
   // The skin is held behind the contact: mostly on the facet that this has just left.
   std::swap(own_, beside_);
-  own_.take(surface, t);
+  own_.name(surface, t);
   goes_on_ = beside_.surface() == &surface && is_beside(*surface.part, t, beside_.triangle());
 }
 
@@ -35,6 +35,7 @@ void FacetsAtHand::go_on_to(const PlacedSurface& surface, int t) noexcept {
 bool FacetsAtHand::has_foot(FacetAtHand& facet, const FacetView& view, double slip_m, const Vec3& p_W,
                             Vec3& foot_W) noexcept {
   if (!facet.is_ready() && view.is_surely_beside(slip_m)) return false;
+  facet.make_ready();
   return facet.find_foot(p_W, foot_W);
 }
 
@@ -57,7 +58,7 @@ bool FacetsAtHand::find_beside(const Vec3& p_W, Vec3& foot_W) noexcept {
   }
   const FacetFoot foot = foot_on_facet(part, own_.triangle(), own);
   if (foot.triangle < 0) return false;
-  beside_.take(surface, foot.triangle);
+  beside_.name(surface, foot.triangle);
   goes_on_ = true;
   foot_W = surface.R_WP * foot.point_P + surface.p_WP;
   return true;

@@ -18,7 +18,9 @@ class FacetsAtHand {
   /// @pre the surface is a part, and stays where it is. noexcept, allocates nothing.
   bool find_foot(const PlacedSurface& surface, int t, const Vec3& p_W, Vec3& foot_W) noexcept {
     if (!own_.is(surface, t)) go_on_to(surface, t);
-    if (own_.is_ready() && own_.find_foot(p_W, foot_W)) return true;
+    if (own_.is_ready() &&
+        (own_.find_foot(p_W, foot_W) || (goes_on_ && beside_.is_ready() && beside_.find_foot(p_W, foot_W))))
+      return true;
     return find_beside(p_W, foot_W);
   }
   /// For searches where they find none.

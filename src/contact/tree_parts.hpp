@@ -5,6 +5,7 @@
 
 #include "contact/closest_memory.hpp"
 #include "contact/closest_search.hpp"
+#include "contact/packet_gathering.hpp"
 #include "contact/triangle_tree.hpp"
 #include "contact/winding_number.hpp"
 
@@ -22,6 +23,7 @@ struct TriangleTree::Impl {
   PackedPart packed;
   PacketFilter filter;
   DiscFilter disc_filter = fastest_disc_filter();
+  DiscMeasure disc_measure = fastest_disc_measure();
   PacketScene scene;
   WindingNumber winding;
   std::once_flag curved_once;

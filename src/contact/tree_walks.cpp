@@ -114,7 +114,7 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   if (kept != nullptr && BallShadow::is_cast(q, reach_m - kept->clearance_m, *kept))
     search.shadow.emplace(q, reach_m - kept->clearance_m, *kept, packed.scale);
   const double radius = search.bound_m * packed.scale;
-  WindingNumber::NearPackets near(impl.winding, search.scaled, Vec3::Zero(), radius);
+  WindingNumber::NearPackets near(impl.winding, search.scaled, radius);
   std::size_t index = 0;
   while (!limit.is_exceeded() && near.next(index)) {
     const TrianglePacket& packet = packed.packets[index];

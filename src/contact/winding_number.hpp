@@ -99,7 +99,8 @@ class WindingNumber::NearPackets {
   /// @param at, half, radius  scaled: of the point, or of a way from `at - half` to `at + half`, all packets
   /// that may come within the radius, and perhaps some more
   /// @pre all within a float's range; `clusters` outlives this
-  NearPackets(const WindingNumber& clusters, const Vec3& at, const Vec3& half, double radius) noexcept
+  NearPackets(const WindingNumber& clusters, const Vec3& at, double radius,
+              const Vec3& half = Vec3::Zero()) noexcept
       : clusters_(&clusters), around_(at, radius, half), level_(clusters.top()) {
     look_into(0);
   }
