@@ -18,7 +18,9 @@ constexpr double least_way = 1, longest_way = 5;
 constexpr double free_steps_ahead = 200;
 /// How the room beside the way changes: a path that left it sideways is given more, one that came to its end
 /// less.
-constexpr double wider = 1.5, narrower = 0.9;
+constexpr double wider = 1.5, narrower = 0.8;
+/// And where a list did not pay at all: the path goes to and fro.
+constexpr double much_wider = 4;
 /// Where more stands near the way than a list holds, the next is for half of it, down to this share, and
 /// longer again slowly.
 constexpr double least_share = 0.25, share_growth = 1.1;
@@ -54,7 +56,8 @@ void TriangleTree::Impl::list_packets(const ClosestSearch& search, const Vec3& s
   memory.learn_room(search.q);
   memory.take_next_list();
   PacketList& list = memory.list();
-  if (poor) memory.pause_ = pause_queries;
+  if (poor && memory.room_ >= ClosestMemory::greatest_room) memory.pause_ = pause_queries;
+  if (poor) memory.room_ = std::min(memory.room_ * much_wider, ClosestMemory::greatest_room);
   if (memory.pause_ > 0) {
     --memory.pause_;
     return;
@@ -92,6 +95,7 @@ void TriangleTree::Impl::list_packets(const ClosestSearch& search, const Vec3& s
     // Perhaps a shorter one is not too much.
     if (!(memory.share_ > least_share)) memory.pause_ = pause_queries;
     memory.share_ = std::max(memory.share_ / 2, least_share);
+    memory.room_ = std::max(memory.room_ / 2, ClosestMemory::least_room);
     return;
   }
   memory.share_ = std::min(memory.share_ * share_growth, 1.0);
