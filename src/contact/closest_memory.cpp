@@ -53,7 +53,7 @@ Vec3 forward(const ClosestSearch& search, const Vec3& step, double near_m) noexc
 void TriangleTree::Impl::list_packets(const ClosestSearch& search, const Vec3& step,
                                       ClosestMemory& memory) const noexcept {
   const bool poor = memory.list().is_list() && memory.served_ < least_steps;
-  memory.learn_room(search.q);
+  if (!poor) memory.learn_room(search.q);
   memory.take_next_list();
   PacketList& list = memory.list();
   if (poor && memory.room_ >= ClosestMemory::greatest_room) memory.pause_ = pause_queries;
