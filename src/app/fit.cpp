@@ -112,7 +112,7 @@ int fit(const FitOptions& options) {
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any) {
     // Of what was read, the first number's reason speaks of stick alone; slip is what friction is told by.
-    const PadValue& slip = found.values[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+    const PadValue& slip = value_of(found.values, PadNumber::mu_dynamic);
     throw refused(
         options.measurements.front(),
         fmt::format("nothing can be fitted: {}{}{}", measurement.trials.empty() ? "" : "mu_dynamic: ",

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/closest_search.hpp"
+#include "contact/packet_gathering.hpp"
 #include "contact/tree_parts.hpp"
 
 namespace fingerpad {
@@ -12,74 +13,26 @@ namespace {
 /// A list is made for so many steps of the path, and not where it would serve fewer than `least_steps`.
 constexpr double steps_ahead = 24, least_steps = 6;
 /// In radii of the packet that holds the closest triangle: how long a way a list serves at least and at most.
-constexpr double least_way = 1, longest_way = 2.5;
+constexpr double least_way = 1, longest_way = 5;
 /// Where nothing is within reach, it serves more steps, as nothing need be looked at.
 constexpr double free_steps_ahead = 200;
-/// One that stands off the surface stands ahead too, by so much of its way, as the path goes on as it came;
-/// by less where it was given less lift.
-constexpr double ahead_share = 0.5;
-/// A lift for which there is no room is halved, down to none, and grows again slowly.
-constexpr double least_lift = 0.5, lift_growth = 1.1;
+/// How the room beside the way changes: a path that left it sideways is given more, one that came to its end
+/// less.
+constexpr double wider = 1.5, narrower = 0.8;
+/// And where a list did not pay at all: the path goes to and fro.
+constexpr double much_wider = 4;
+/// Where more stands near the way than a list holds, the next is for half of it, down to this share, and
+/// longer again slowly.
+constexpr double least_share = 0.25, share_growth = 1.1;
+/// A path that turned by more than this [rad] since the last list has turned back, or trembles: it is taken
+/// to go straight on.
+constexpr double most_turn = 0.5;
 /// Queries without a list after one that did not pay.
 constexpr int pause_queries = 64;
 /// Of clusters: a gathering that takes more is given up.
 constexpr long most_tests = 400;
 /// Rounding of a distance between two points, in sizes of the part.
 constexpr double distance_rounding = 1e-12;
-
-}  // namespace
-
-/// Lists the packets that come within a ball, or the nearest of them to its middle. Scaled.
-struct PacketGathering {
-  ClosestMemory& memory;
-  Vec3 about;
-  double radius;  ///< what is farther is not listed
-  std::array<double, ClosestMemory::most> distance{};
-  std::size_t farthest = 0;
-
-  PacketGathering(ClosestMemory& into, const Vec3& anchor, const Vec3& middle, double within) noexcept
-      : memory(into), about(middle), radius(within) {
-    memory.count_ = 0;
-    memory.spread_ = 0;
-    memory.anchor_ = anchor;
-  }
-
-  bool is_full() const noexcept { return memory.count_ == ClosestMemory::most; }
-
-  void offer(const PacketDisc& disc, std::uint32_t index) noexcept {
-    const double away = disc.least_distance(about);
-    if (away > radius) return;
-    std::size_t place = farthest;
-    if (is_full()) {
-      radius = std::min(radius, std::max(away, distance[farthest]));
-      if (away >= distance[farthest]) return;
-    } else {
-      place = static_cast<std::size_t>(memory.count_++);
-    }
-    distance[place] = away;
-    put(disc, index, place);
-    if (is_full())
-      farthest =
-          static_cast<std::size_t>(std::max_element(distance.begin(), distance.end()) - distance.begin());
-  }
-
- private:
-  void put(const PacketDisc& disc, std::uint32_t index, std::size_t place) noexcept {
-    memory.packet_[place] = index;
-    PacketDiscs& discs = memory.discs_[place / packet_width];
-    const std::size_t lane = place % packet_width;
-    float reaches = disc.radius + disc.thick;
-    for (std::size_t i = 0; i < 3; ++i) {
-      discs.centre[i][lane] =
-          static_cast<float>(static_cast<double>(disc.centre[i]) - memory.anchor_[static_cast<int>(i)]);
-      discs.across[i][lane] = disc.across[i];
-      reaches += std::abs(discs.centre[i][lane]);
-    }
-    discs.radius[lane] = disc.radius;
-    discs.thick[lane] = disc.thick;
-    memory.spread_ = std::max(memory.spread_, reaches);
-  }
-};
 
 /// The way that the path goes along the surface, at most of length 1; nothing where it has only begun.
 Vec3 forward(const ClosestSearch& search, const Vec3& step, double near_m) noexcept {
@@ -91,83 +44,105 @@ Vec3 forward(const ClosestSearch& search, const Vec3& step, double near_m) noexc
   return way - way.dot(off) * off;
 }
 
+}  // namespace
+
 /// Lists what stands around the way to come, if that pays. Costs no more than `most_tests` and as many
 /// packets.
 /// @param search    has looked at its seed
 /// @param step      how far the path went since the last query, and which way [m]
 void TriangleTree::Impl::list_packets(const ClosestSearch& search, const Vec3& step,
                                       ClosestMemory& memory) const noexcept {
-  const bool poor = memory.clear_m_ >= 0 && memory.served_ < least_steps;
-  memory.forget_packets();
-  if (poor) memory.pause_ = pause_queries;
+  const bool poor = memory.list().is_list() && memory.served_ < least_steps;
+  if (!poor) memory.learn_room(search.q);
+  memory.take_next_list();
+  PacketList& list = memory.list();
+  if (poor && memory.room_ >= ClosestMemory::greatest_room) memory.pause_ = pause_queries;
+  if (poor) memory.room_ = std::min(memory.room_ * much_wider, ClosestMemory::greatest_room);
   if (memory.pause_ > 0) {
     --memory.pause_;
     return;
   }
   const double step_m = step.norm();
   const double near_m = std::sqrt(search.winner.at.distance2_m2);  // the reach where there is none
-  Vec3 about = search.q;
-  double lift_m = 0, way_m = std::max(free_steps_ahead * step_m, near_m / 8), ahead_m = way_m,
-         served_m = way_m;
+  PathPiece way{search.q, Vec3::Zero()};
+  double way_m = std::max(free_steps_ahead * step_m, near_m / 8), beside_m = way_m;
   if (search.won_in != nullptr) {
     const double radius_m = static_cast<double>(search.won_in->radius) / packed.scale;
-    way_m = std::clamp(steps_ahead * step_m, least_way * radius_m, longest_way * radius_m);
-    ahead_m = served_m = way_m;
-    if (near_m > way_m / 2 && memory.lift_ > least_lift) {
-      const double ahead = ahead_share * memory.lift_ / ClosestMemory::greatest_lift;
-      way_m = std::min(way_m, longest_way * radius_m / (1 + ahead));
-      served_m = (1 + ahead) * way_m;
-      lift_m = memory.lift_ * way_m;
-      about += lift_m / near_m * (search.q - search.winner.at.point);
-      // Straight on, and along a surface that is as curved as the ball.
-      ahead_m = way_m * way_m * (0.5 / lift_m + 0.5 / (lift_m + near_m)) * 1.1;
-      about += forward(search, step, near_m) * (ahead * way_m);
-    }
+    way_m = memory.share_ * std::clamp(steps_ahead * step_m, least_way * radius_m, longest_way * radius_m);
+    beside_m = memory.room_ * way_m;
+    way = memory.way_ahead(search.q, forward(search, step, near_m), way_m);
   }
-  const double within = (lift_m + near_m + ahead_m) * packed.scale;
-  if (!(served_m >= least_steps * step_m) || !(within < static_cast<double>(far_off))) return;
-
-  PacketGathering gathering(memory, search.scaled, about * packed.scale, within);
   // It must hold the ball of this query, and those of some of the next.
-  const double held_m = (search.q - about).norm() + near_m;
-  const double least = (held_m + std::max(0.0, lift_m + near_m + ahead_m - held_m) / 4) * packed.scale;
-  WindingNumber::NearPackets near(winding, gathering.about, gathering.radius);
-  for (std::size_t next = 0; near.tests() <= most_tests && gathering.radius > least && near.next(next);) {
-    gathering.offer(packed.discs[next], static_cast<std::uint32_t>(next));
-    near.shrink(gathering.radius);
+  const double held_m = near_m + (search.q - way.middle + way.half).norm(),
+               least = (held_m + beside_m / 4) * packed.scale,
+               within = least + beside_m * 0.75 * packed.scale;
+  if (!(way_m >= least_steps * step_m) || !(within < static_cast<double>(far_off))) return;
+
+  PacketGathering gathering;
+  const PathPiece scaled{way.middle * packed.scale, way.half * packed.scale};
+  WindingNumber::NearPackets near(winding, scaled.middle, within, scaled.half);
+  for (std::size_t next = 0; !gathering.is_full() && near.tests() <= most_tests && near.next(next);)
+    gathering.add(static_cast<std::uint32_t>(next));
+  double clear = 0;
+  if (!gathering.is_full() && near.tests() <= most_tests) {
+    if (gathering.count > 0) disc_measure(packed.discs.data(), scaled, gathering);
+    const Vec3 anchor(search.embree[0], search.embree[1], search.embree[2]);
+    clear = put_into(list, packed.discs.data(), anchor, within, gathering);
   }
-  const bool fits = near.tests() <= most_tests && gathering.radius > least;
+  const bool fits = clear > least;
   if (!fits) {
-    memory.forget_packets();
-    if (!(lift_m > 0)) memory.pause_ = pause_queries;
-    memory.lift_ /= 2;
+    list.clear();
+    // Perhaps a shorter one is not too much.
+    if (!(memory.share_ > least_share)) memory.pause_ = pause_queries;
+    memory.share_ = std::max(memory.share_ / 2, least_share);
+    memory.room_ = std::max(memory.room_ / 2, ClosestMemory::least_room);
     return;
   }
-  memory.lift_ = std::clamp(memory.lift_ * lift_growth, least_lift, ClosestMemory::greatest_lift);
-  memory.clear_m_ = gathering.radius / packed.scale * (1 - distance_rounding);
-  memory.about_ = about;
+  memory.share_ = std::min(memory.share_ * share_growth, 1.0);
+  list.clear_m = clear / packed.scale * (1 - distance_rounding);
+  list.middle = way.middle;
+  list.half = way.half;
+  const double half2 = way.half.squaredNorm();
+  list.per_half2 = half2 > 0 ? 1 / half2 : 0;
   memory.served_ = 0;
 }
 
-/// Whether no packet that is not listed can hold a triangle as near as `distance_m`.
-bool ClosestMemory::covers(const Vec3& q, double distance_m, double rounding_m) const noexcept {
-  return clear_m_ - (q - about_).norm() > distance_m + rounding_m;
+/// Gives the way ahead more room beside it or less, by where the path left that of the last list.
+void ClosestMemory::learn_room(const Vec3& q) noexcept {
+  if (!(list().per_half2 > 0) || !list().is_list()) return;
+  const double along = list().along(q);
+  if (along < 0.5) room_ = std::min(room_ * wider, greatest_room);
+  if (along >= 1) room_ = std::max(room_ * narrower, least_room);
+}
+
+/// The chord of the way ahead, if this bends on as it has bent since the last list, moved halfway to the arc.
+/// @param heading  at most of length 1
+PathPiece ClosestMemory::way_ahead(const Vec3& q, const Vec3& heading, double way_m) noexcept {
+  const double since_m = (q - from_).norm();
+  Vec3 bend = Vec3::Zero();
+  if (since_m > way_m / 4 && since_m < 2 * way_m &&
+      (heading - heading_).squaredNorm() < most_turn * most_turn)
+    bend = (heading - heading_) / since_m;
+  from_ = q;
+  heading_ = heading;
+  const Vec3 half = way_m / 2 * heading + way_m * way_m / 4 * bend;
+  return {q + half - way_m * way_m / 16 * bend, half};
 }
 
 /// Looks at the packets listed that could hold something nearer.
-void TriangleTree::Impl::look_through(ClosestSearch& search, const ClosestMemory& memory) const noexcept {
-  float at[3], spread = memory.spread_;
+void TriangleTree::Impl::look_through(ClosestSearch& search, const PacketList& list) const noexcept {
+  float at[3], spread = list.spread;
   for (int i = 0; i < 3; ++i) {
-    at[i] = static_cast<float>(search.scaled[i] - memory.anchor_[i]);
+    at[i] = static_cast<float>(search.scaled[i] - list.anchor[i]);
     spread += std::abs(at[i]);
   }
   const float limit = search.best + disc_margin * spread + search.exact_margin;
-  const int groups = (memory.count_ + packet_width - 1) / packet_width;
-  std::uint64_t near = disc_filter(memory.discs_.data(), groups, at, limit, disc_margin * (spread * spread));
-  if (memory.count_ < ClosestMemory::most) near &= (std::uint64_t{1} << memory.count_) - 1;
+  const int groups = (list.count + packet_width - 1) / packet_width;
+  std::uint64_t near = disc_filter(list.discs.data(), groups, at, limit, disc_margin * (spread * spread));
+  if (list.count < PacketList::most) near &= (std::uint64_t{1} << list.count) - 1;
   for (; near != 0; near &= near - 1) {
     const TrianglePacket& packet =
-        packed.packets[memory.packet_[static_cast<std::size_t>(std::countr_zero(near))]];
+        packed.packets[list.packet[static_cast<std::size_t>(std::countr_zero(near))]];
     if (&packet != search.looked_at) search.look_at(packet);
   }
 }
@@ -184,17 +159,21 @@ bool TriangleTree::Impl::search_list(ClosestSearch& search, ClosestMemory& memor
   const Vec3 step = q - memory.last_;
   memory.last_ = q;
   const double rounding_m = distance_rounding * (packed.extent_m + q.cwiseAbs().maxCoeff());
-  const double near_m = std::sqrt(search.winner.at.distance2_m2);
-  if (!memory.covers(q, near_m, rounding_m)) {
-    if (beside != nullptr && beside->tree_ == number && beside->covers(q, near_m, rounding_m)) {
-      look_through(search, *beside);
-      return true;
-    }
+  const auto within_m = [&] { return std::sqrt(search.winner.at.distance2_m2) + rounding_m; };
+  const PacketList* list = memory.covering(q, within_m());
+  if (list == nullptr && beside != nullptr && beside->tree_ == number) {
+    // What is near may stand in it though the seed is far off.
+    const PacketList* near = beside->covering(q, 0);
+    if (near != nullptr) look_through(search, *near);
+    if (near != nullptr && near->covers(q, within_m())) return true;
+  }
+  if (list == nullptr) {
     list_packets(search, step, memory);
-    if (!memory.covers(q, near_m, rounding_m)) return false;
+    if (!memory.list().covers(q, within_m())) return false;
+    list = &memory.list();
   }
   ++memory.served_;
-  look_through(search, memory);
+  look_through(search, *list);
   return true;
 }
 

@@ -4,21 +4,19 @@
 #include <cstdint>
 #include <limits>
 
-#include "contact/packet_filter.hpp"
+#include "contact/packet_list.hpp"
 
 namespace fingerpad {
 
 /// What a caller keeps from one query for the closest triangle to the next, along a path: the last answer,
 /// and now and then the packets around it, so that while the path stays near no tree is searched. It changes
 /// what a query costs and never its answer, whatever it holds: also that of another tree, or of a path that
-/// jumps. (But that of a BriefSearch which is broken off, and is nearer then.) Two and a half kilobytes; for
-/// one thread at a time.
+/// jumps. (But that of a BriefSearch which is broken off, and is nearer then.) Five kilobytes; for one thread
+/// at a time.
 ///
-/// The packets listed are all that come within a ball. A query is answered by them as long as its own ball,
-/// which reaches from q as far as the closest triangle, lies in that one. So the listed ball does not stand
-/// about q, but farther off the surface where there is room (`lift`): it is flatter there, has fewer packets
-/// in it, and holds the balls of a longer way along the surface. And it stands ahead, as the path goes on as
-/// it came.
+/// It lists the packets along a piece of the way ahead (PacketList), as far as the path is likely to go, and
+/// keeps the last such list for a path that turns back, and for others that follow it. How much room a list
+/// has beside its way, for what the path bends and the surface comes nearer, it learns from the path.
 class ClosestMemory {
  public:
   /// Forgets everything.
@@ -26,41 +24,47 @@ class ClosestMemory {
     tree_ = 0;
     triangle_ = -1;
     pause_ = 0;
-    lift_ = greatest_lift;
-    forget_packets();
+    room_ = first_room;
+    share_ = 1;
+    for (PacketList& list : lists_) list.clear();
   }
 
   /// How many packets are kept; 0 where every query searches the tree.
-  int packet_count() const noexcept { return count_; }
+  int packet_count() const noexcept { return list().count; }
 
  private:
   friend class TriangleTree;
-  friend struct PacketGathering;
 
-  static constexpr int groups = 8, most = groups * packet_width;
-  /// How far the listed ball is moved off the surface, in lengths of the way that it is to serve.
-  static constexpr double greatest_lift = 6;
+  /// How far beside the way packets are listed, in its lengths.
+  static constexpr double first_room = 1.0 / 16, least_room = 1.0 / 64, greatest_room = 1;
 
-  bool covers(const Vec3& q, double distance_m, double rounding_m) const noexcept;
-  void forget_packets() noexcept {
-    count_ = 0;
-    clear_m_ = -1;
+  const PacketList& list() const noexcept { return lists_[newest_]; }
+  PacketList& list() noexcept { return lists_[newest_]; }
+  /// The oldest, to be made anew.
+  void take_next_list() noexcept {
+    if (list().is_list()) newest_ = 1 - newest_;
+    list().clear();
   }
+  /// A list that answers for q where the closest triangle is at most so far away; null if there is none.
+  const PacketList* covering(const Vec3& q, double within_m) const noexcept {
+    if (list().covers(q, within_m)) return &list();
+    const PacketList& last = lists_[1 - newest_];
+    return last.covers(q, within_m) ? &last : nullptr;
+  }
+  void learn_room(const Vec3& q) noexcept;
+  PathPiece way_ahead(const Vec3& q, const Vec3& heading, double way_m) noexcept;
 
   std::uint64_t tree_ = 0;  ///< the number of the tree that all this is about
   int triangle_ = -1;       ///< the last answer; -1 if there is none
   Vec3 last_ = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< last point asked for
+  Vec3 from_ = last_, heading_ = Vec3::Zero();  ///< where a list was made last, and where the path went there
 
-  int count_ = 0;               ///< packets listed
-  Vec3 about_ = Vec3::Zero();   ///< the middle of the listed ball [m]
-  double clear_m_ = -1;         ///< no triangle of a packet that is not listed is nearer to it
-  Vec3 anchor_ = Vec3::Zero();  ///< scaled: what the discs' places are relative to
-  float spread_ = 0;            ///< no disc reaches farther from there, by the sum of coordinates and radius
-  double lift_ = greatest_lift;
-  int served_ = 0;  ///< queries since the list was made
-  int pause_ = 0;   ///< queries until a list may be made again: the last was not worth it
-  std::array<std::uint32_t, most> packet_{};
-  std::array<PacketDiscs, groups> discs_{};  // ordinary numbers too where nothing is listed
+  std::array<PacketList, 2> lists_;
+  std::size_t newest_ = 0;
+  double room_ = first_room;
+  double share_ = 1;  ///< of the longest way that a list is made for
+  int served_ = 0;    ///< queries since the list was made
+  int pause_ = 0;     ///< queries until a list may be made again: the last was not worth it
 };
 
 }  // namespace fingerpad

@@ -7,11 +7,11 @@
 
 namespace fingerpad {
 
-void FacetAtHand::take_anew(const PlacedSurface& surface, int t) noexcept {
-  surface_ = &surface;
-  triangle_ = t;
+void FacetAtHand::turn_into_world() noexcept {
+  is_ready_ = true;
+  const PlacedSurface& surface = *surface_;
   const Part& part = *surface.part;
-  const TriangleCorners facet = corners_of(part, t);
+  const TriangleCorners facet = corners_of(part, triangle_);
   const Mat3& R = surface.R_WP;
   const Vec3 ab = facet.b - facet.a, bc = facet.c - facet.b, ca = facet.a - facet.c;
   corner_W_ = R * (part.centre_P + facet.a) + surface.p_WP;

@@ -14,7 +14,19 @@ class FacetAtHand {
   /// @param t  index into Part::triangles
   /// @pre the surface stays where it is
   void take(const PlacedSurface& surface, int t) noexcept {
-    if (!is(surface, t)) take_anew(surface, t);
+    name(surface, t);
+    make_ready();
+  }
+  /// The same, but for what feet take of it: nobody may look for one before that is made ready.
+  void name(const PlacedSurface& surface, int t) noexcept {
+    if (is(surface, t)) return;
+    surface_ = &surface;
+    triangle_ = t;
+    is_ready_ = false;
+  }
+  bool is_ready() const noexcept { return is_ready_; }
+  void make_ready() noexcept {
+    if (!is_ready_) turn_into_world();
   }
   bool is(const PlacedSurface& surface, int t) const noexcept {
     return triangle_ == t && surface_ == &surface;
@@ -22,6 +34,7 @@ class FacetAtHand {
   const PlacedSurface* surface() const noexcept { return surface_; }  ///< null: none is at hand
   int triangle() const noexcept { return triangle_; }
   /// @param foot_W  the point of the facet under p_W, written where there is one
+  /// @pre is_ready()
   bool find_foot(const Vec3& p_W, Vec3& foot_W) const noexcept {
     const Vec3 from_corner = p_W - corner_W_;
     if (!(inwards_W_[0].dot(from_corner) > 0 && inwards_W_[1].dot(from_corner) > 0 &&
@@ -32,10 +45,11 @@ class FacetAtHand {
   }
 
  private:
-  void take_anew(const PlacedSurface& surface, int t) noexcept;
+  void turn_into_world() noexcept;
 
   const PlacedSurface* surface_ = nullptr;
   int triangle_ = -1;
+  bool is_ready_ = true;  ///< also where none is at hand, which has no foot
   Vec3 corner_W_ = Vec3::Zero(), normal_W_ = Vec3::UnitZ();
   /// Across each edge, as long as it; the first two meet in the corner.
   std::array<Vec3, 3> inwards_W_{Vec3::Zero(), Vec3::Zero(), Vec3::Zero()};

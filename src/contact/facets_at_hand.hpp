@@ -5,6 +5,8 @@
 
 namespace fingerpad {
 
+struct FacetView;
+
 /// Finds tick after tick what foot_on_facet finds, near a contact that moves on from facet to facet: the
 /// contact's own facet and the one beside it where a foot lay last are at hand: for speed alone. Beside them
 /// is kept what searches around go by, whose answer it may make better where they are bounded (BriefSearch).
@@ -16,15 +18,20 @@ class FacetsAtHand {
   /// @pre the surface is a part, and stays where it is. noexcept, allocates nothing.
   bool find_foot(const PlacedSurface& surface, int t, const Vec3& p_W, Vec3& foot_W) noexcept {
     if (!own_.is(surface, t)) go_on_to(surface, t);
-    if (own_.find_foot(p_W, foot_W) || (goes_on_ && beside_.find_foot(p_W, foot_W))) return true;
-    return look_up(p_W, foot_W);
+    if (own_.is_ready() &&
+        (own_.find_foot(p_W, foot_W) || (goes_on_ && beside_.is_ready() && beside_.find_foot(p_W, foot_W))))
+      return true;
+    return find_beside(p_W, foot_W);
   }
   /// For searches where they find none.
   ClosestMemory& around() noexcept { return around_; }
 
  private:
   void go_on_to(const PlacedSurface& surface, int t) noexcept;
-  bool look_up(const Vec3& p_W, Vec3& foot_W) noexcept;
+  bool find_beside(const Vec3& p_W, Vec3& foot_W) noexcept;
+
+  static bool has_foot(FacetAtHand& facet, const FacetView& view, double slip_m, const Vec3& p_W,
+                       Vec3& foot_W) noexcept;
 
   FacetAtHand own_, beside_;
   ClosestMemory around_;

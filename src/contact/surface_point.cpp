@@ -38,17 +38,21 @@ bool are_level(const Part& part, int t, int next) noexcept {
 
 /// The facet under q some edges away from triangle t, of which at most one is bent, or two where the surface
 /// is smooth: past a corner; -1: not found.
-int find_foot_around(const Part& part, int t, const Vec3& q, Vec3& foot) noexcept {
+/// @param view    of triangle t
+/// @param across  where it is the neighbour `across_t`, how that is seen
+int find_foot_around(const Part& part, int t, FacetView view, int across_t, const FacetView& across,
+                     Vec3& foot) noexcept {
   constexpr int most_edges = 8;
   int level = 0, bent = 0, most_bent = 2;
   for (int k = 0; k < most_edges; ++k) {
-    const int edge = edge_farthest_behind(part, t, q), next = part.neighbours(edge, t);
+    const int edge = view.edge_farthest_behind(), next = part.neighbours(edge, t);
     if (next < 0) return -1;
     if (has_crease(part, t, edge)) most_bent = 1;
     ++(are_level(part, t, next) ? level : bent);
     if (bent > most_bent) return -1;
     t = next;
-    if (find_foot_on_face(part, t, q, foot)) return level > 0 || bent > 1 ? t : -1;
+    view = k == 0 && next == across_t ? across : FacetView(part, next, view.q);
+    if (view.find_foot(foot)) return level > 0 || bent > 1 ? t : -1;
   }
   return -1;
 }
@@ -91,19 +95,18 @@ Vec3 shaded_normal(const TriangleTree& tree, int t, const TrianglePoint& at, Nor
 }
 
 FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept {
-  const Vec3 q = p_P - part.centre_P;
+  return foot_on_facet(part, t, FacetView(part, t, p_P - part.centre_P));
+}
+
+FacetFoot foot_on_facet(const Part& part, int t, const FacetView& view) noexcept {
   Vec3 foot;
-  if (!find_foot_on_face(part, t, q, foot)) {
-    const Feature feature = approach_triangle(part, t, q).at.feature;
-    const int across = is_edge(feature) ? part.neighbours(edge_of(feature), t) : -1;
-    if (across >= 0 && find_foot_on_face(part, across, q, foot)) {
-      t = across;
-    } else {
-      t = find_foot_around(part, t, q, foot);
-      if (t < 0) return {};
-    }
-  }
-  return {part.centre_P + foot, t};
+  if (view.find_foot(foot)) return {part.centre_P + foot, t};
+  const Feature feature = view.nearest_feature();
+  const int across_t = is_edge(feature) ? part.neighbours(edge_of(feature), t) : -1;
+  const FacetView across = across_t >= 0 ? FacetView(part, across_t, view.q) : view;
+  if (across_t >= 0 && across.find_foot(foot)) return {part.centre_P + foot, across_t};
+  const int around = find_foot_around(part, t, view, across_t, across, foot);
+  return around >= 0 ? FacetFoot{part.centre_P + foot, around} : FacetFoot{};
 }
 
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,

@@ -9,6 +9,7 @@ namespace fingerpad {
 class ClosestMemory;
 struct BriefSearch;
 struct ClosestTriangle;
+struct FacetView;
 struct Part;
 
 /// Where a point stands against a surface, frame P (the file's frame, not re-centred).
@@ -59,6 +60,9 @@ struct FacetFoot {
 /// nearer.
 /// noexcept, allocates nothing.
 FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept;
+/// The same of a facet that was looked at from there.
+/// @param view  of triangle t, from p_P relative to the part's centre
+FacetFoot foot_on_facet(const Part& part, int t, const FacetView& view) noexcept;
 
 /// The normal at a point of triangle t of the tree's part as `normals` says: the facet rule's where that is
 /// asked for, and at creases and sharp vertices.

@@ -5,6 +5,7 @@
 
 #include "contact/closest_memory.hpp"
 #include "contact/closest_search.hpp"
+#include "contact/packet_gathering.hpp"
 #include "contact/triangle_tree.hpp"
 #include "contact/winding_number.hpp"
 
@@ -22,6 +23,7 @@ struct TriangleTree::Impl {
   PackedPart packed;
   PacketFilter filter;
   DiscFilter disc_filter = fastest_disc_filter();
+  DiscMeasure disc_measure = fastest_disc_measure();
   PacketScene scene;
   WindingNumber winding;
   std::once_flag curved_once;
@@ -50,7 +52,7 @@ struct TriangleTree::Impl {
   /// @param beside  another memory, asked before packets are listed anew; null if there is none
   bool search_list(ClosestSearch& search, ClosestMemory& memory, int seed,
                    const ClosestMemory* beside) const noexcept;
-  void look_through(ClosestSearch& search, const ClosestMemory& memory) const noexcept;
+  void look_through(ClosestSearch& search, const PacketList& list) const noexcept;
   void list_packets(const ClosestSearch& search, const Vec3& step, ClosestMemory& memory) const noexcept;
   ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
   void far_each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),

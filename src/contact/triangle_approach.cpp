@@ -8,9 +8,6 @@
 namespace fingerpad {
 namespace {
 
-/// A triangle whose area is smaller than this share of its sides' squares is no more than its edges: its
-/// width is then far below any clearance.
-constexpr double least_area_share = 1e-13;
 /// From so large a share on, the sides' order about a point is known to rounding, and only edges that the
 /// point is outside of are looked at.
 constexpr double regular_area_share = 1e-4;
@@ -49,51 +46,34 @@ TrianglePoint on_edge(const EdgeFoot& foot) noexcept {
   return p;
 }
 
-/// What share of a triangle lies opposite to each corner, seen from a point's foot: all above 0 over the
-/// face.
-struct FaceShares {
-  double a, b, c;             ///< twice the areas [m^2]
-  double area_m2, sides2_m2;  ///< their sum; the sides' squares
-
-  FaceShares(const Vec3& corner_a, const Vec3& corner_b, const Vec3& corner_c, const Vec3& normal,
-             const Vec3& q) noexcept {
-    const Vec3 ab = corner_b - corner_a, bc = corner_c - corner_b, ca = corner_a - corner_c;
-    c = normal.dot(ab.cross(q - corner_a));
-    a = normal.dot(bc.cross(q - corner_b));
-    b = normal.dot(ca.cross(q - corner_c));
-    area_m2 = a + b + c;
-    sides2_m2 = ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm();
-  }
-
-  bool are_of_face() const noexcept {
-    return a > 0 && b > 0 && c > 0 && area_m2 > least_area_share * sides2_m2;
-  }
-};
+/// Of a point that is not over the face.
+EdgeFoot nearest_edge_foot(const TriangleCorners& f, const FaceShares& shares, const Vec3& q) noexcept {
+  const bool every = !(shares.area_m2 > regular_area_share * shares.sides2_m2);
+  EdgeFoot best;
+  if (every || !(shares.c > 0)) offer_edge(f.a, f.b, 0, q, best);
+  if (every || !(shares.a > 0)) offer_edge(f.b, f.c, 1, q, best);
+  if (every || !(shares.b > 0)) offer_edge(f.c, f.a, 2, q, best);
+  return best;
+}
 
 }  // namespace
 
-bool find_foot_on_face(const Part& part, int t, const Vec3& q, Vec3& foot) noexcept {
-  const auto corner = [&part, t](int k) { return part.vertices.col(part.triangles(k, t)); };
-  const Vec3 a = corner(0), b = corner(1), c = corner(2), normal = part.facet_normals.col(t);
-  if (!FaceShares(a, b, c, normal, q).are_of_face()) return false;
-  foot = q - normal.dot(q - a) * normal;
-  return true;
-}
-
-int edge_farthest_behind(const Part& part, int t, const Vec3& q) noexcept {
-  const TriangleCorners f = corners_of(part, t);
-  const FaceShares shares(f.a, f.b, f.c, f.normal, q);
+int FacetView::edge_farthest_behind() const noexcept {
   const std::array<double, 3> of_edge{shares.c, shares.a, shares.b};
   return static_cast<int>(std::min_element(of_edge.begin(), of_edge.end()) - of_edge.begin());
 }
 
+Feature FacetView::nearest_feature() const noexcept {
+  return shares.are_of_face() ? Feature::face : on_edge(nearest_edge_foot(facet, shares, q)).feature;
+}
+
 bool has_face(const TriangleCorners& f) noexcept {
-  return FaceShares(f.a, f.b, f.c, f.normal, (f.a + f.b + f.c) / 3).are_of_face();
+  return FaceShares(f, (f.a + f.b + f.c) / 3).are_of_face();
 }
 
 TriangleApproach approach_triangle(const TriangleCorners& f, const Vec3& q) noexcept {
   const Vec3& normal = f.normal;
-  const FaceShares shares(f.a, f.b, f.c, normal, q);
+  const FaceShares shares(f, q);
   TriangleApproach result;
   if (shares.are_of_face()) {
     const double height = normal.dot(q - f.a);
@@ -104,12 +84,7 @@ TriangleApproach approach_triangle(const TriangleCorners& f, const Vec3& q) noex
     result.towards = height < 0 ? Vec3(-normal) : normal;
     return result;
   }
-  const bool every = !(shares.area_m2 > regular_area_share * shares.sides2_m2);
-  EdgeFoot best;
-  if (every || !(shares.c > 0)) offer_edge(f.a, f.b, 0, q, best);
-  if (every || !(shares.a > 0)) offer_edge(f.b, f.c, 1, q, best);
-  if (every || !(shares.b > 0)) offer_edge(f.c, f.a, 2, q, best);
-  result.at = on_edge(best);
+  result.at = on_edge(nearest_edge_foot(f, shares, q));
   result.distance_m = std::sqrt(result.at.distance2_m2);
   result.towards = result.distance_m > 0 ? Vec3((q - result.at.point) / result.distance_m) : normal;
   return result;

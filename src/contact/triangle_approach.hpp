@@ -1,5 +1,8 @@
 #pragma once
 
+#include <Eigen/Geometry>
+#include <algorithm>
+
 #include "contact/closest_point.hpp"
 
 namespace fingerpad {
@@ -31,13 +34,56 @@ bool has_face(const TriangleCorners& triangle) noexcept;
 TriangleApproach approach_triangle(const Part& part, int t, const Vec3& q) noexcept;
 TriangleApproach approach_triangle(const TriangleCorners& triangle, const Vec3& q) noexcept;
 
-/// The same, where the closest point is on the face and no more than the point is wanted.
-/// @param foot  written where it is
-/// @returns     whether it is
-bool find_foot_on_face(const Part& part, int t, const Vec3& q, Vec3& foot) noexcept;
+/// What share of a triangle lies opposite to each corner, seen from a point's foot: all above 0 over the
+/// face.
+struct FaceShares {
+  /// A triangle whose area is smaller than this share of its sides' squares is no more than its edges: its
+  /// width is then far below any clearance.
+  static constexpr double least_area_share = 1e-13;
 
-/// The edge of triangle t, as Part::neighbours counts them, beyond which a place beside it lies: of two that
-/// with the larger triangle between.
-int edge_farthest_behind(const Part& part, int t, const Vec3& q) noexcept;
+  double a, b, c;             ///< twice the areas [m^2]
+  double area_m2, sides2_m2;  ///< their sum; the sides' squares
+
+  FaceShares(const TriangleCorners& f, const Vec3& q) noexcept {
+    const Vec3 ab = f.b - f.a, bc = f.c - f.b, ca = f.a - f.c;
+    c = f.normal.dot(ab.cross(q - f.a));
+    a = f.normal.dot(bc.cross(q - f.b));
+    b = f.normal.dot(ca.cross(q - f.c));
+    area_m2 = a + b + c;
+    sides2_m2 = ab.squaredNorm() + bc.squaredNorm() + ca.squaredNorm();
+  }
+
+  bool are_of_face() const noexcept {
+    return a > 0 && b > 0 && c > 0 && area_m2 > least_area_share * sides2_m2;
+  }
+};
+
+/// A facet seen from a point, reckoned once for all that is asked of it.
+struct FacetView {
+  TriangleCorners facet;
+  Vec3 q;
+  FaceShares shares;
+
+  FacetView(const Part& part, int t, const Vec3& from) noexcept
+      : facet(corners_of(part, t)), q(from), shares(facet, from) {}
+
+  /// Whether the closest point of the facet, as approach_triangle finds it, is on its face.
+  /// @param foot  that point, written where it is
+  bool find_foot(Vec3& foot) const noexcept {
+    if (!shares.are_of_face()) return false;
+    foot = q - facet.normal.dot(q - facet.a) * facet.normal;
+    return true;
+  }
+  /// The feature that approach_triangle finds the closest point on.
+  Feature nearest_feature() const noexcept;
+  /// The edge, as Part::neighbours counts them, beyond which a place beside the facet lies: of two that
+  /// with the larger triangle between.
+  int edge_farthest_behind() const noexcept;
+  /// Whether the point is beside the face by more than `off_m` [m], whatever that loses in rounding.
+  bool is_surely_beside(double off_m) const noexcept {
+    const double least = std::min({shares.a, shares.b, shares.c});
+    return least < 0 && least * least > off_m * off_m * shares.sides2_m2;
+  }
+};
 
 }  // namespace fingerpad

@@ -105,13 +105,15 @@ void WindingNumber::Four::set(std::size_t k, const Eigen::AlignedBox3f& box) noe
   }
 }
 
-WindingNumber::Around::Around(const Vec3& point, double radius) noexcept : slack(1) {
+WindingNumber::Around::Around(const Vec3& point, double radius, const Vec3& half) noexcept {
   shrink(radius);
+  float rounding = 1;
   for (int i = 0; i < 3; ++i) {
     at[i] = static_cast<float>(point[i]);
-    slack += std::abs(at[i]);
+    rounding += std::abs(at[i]);
   }
-  slack *= place_rounding;
+  for (int i = 0; i < 3; ++i)
+    slack[i] = rounding * place_rounding + static_cast<float>(std::abs(half[i])) * (1 + radius_rounding);
 }
 
 void WindingNumber::Around::shrink(double radius) noexcept {
@@ -139,7 +141,7 @@ unsigned WindingNumber::Around::near(const Four& four) const noexcept {
   Floats beyond2 = {};
   for (int i = 0; i < 3; ++i) {
     const Floats off = load(four.middle[i]) - at[i];
-    const Floats beyond = greater(greater(off, -off) - load(four.half[i]) - slack, Floats{});
+    const Floats beyond = greater(greater(off, -off) - load(four.half[i]) - slack[i], Floats{});
     beyond2 += beyond * beyond;
   }
   return to_mask(beyond2 <= radius2);

@@ -66,9 +66,10 @@ class WindingNumber {
   };
   /// A ball about a point, as clusters are held against it.
   struct Around {
-    float at[3], radius2, slack;
+    float at[3], radius2, slack[3];
 
-    Around(const Vec3& point, double radius) noexcept;
+    /// @param half  the ball is moved about within a box of such half sides
+    Around(const Vec3& point, double radius, const Vec3& half = Vec3::Zero()) noexcept;
     void shrink(double radius) noexcept;
     /// Of four clusters those whose boxes come within the ball, a bit each.
     unsigned near(const Four& four) const noexcept;
@@ -95,10 +96,12 @@ class WindingNumber {
 
 class WindingNumber::NearPackets {
  public:
-  /// @param at, radius  scaled
-  /// @pre both within a float's range; `clusters` outlives this
-  NearPackets(const WindingNumber& clusters, const Vec3& at, double radius) noexcept
-      : clusters_(&clusters), around_(at, radius), level_(clusters.top()) {
+  /// @param at, half, radius  scaled: of the point, or of a way from `at - half` to `at + half`, all packets
+  /// that may come within the radius, and perhaps some more
+  /// @pre all within a float's range; `clusters` outlives this
+  NearPackets(const WindingNumber& clusters, const Vec3& at, double radius,
+              const Vec3& half = Vec3::Zero()) noexcept
+      : clusters_(&clusters), around_(at, radius, half), level_(clusters.top()) {
     look_into(0);
   }
 

@@ -7,7 +7,7 @@
 #include "motion/low_pass.hpp"
 #include "study/file_delays.hpp"
 #include "study/force_tare.hpp"
-#include "study/mains_hum.hpp"
+#include "study/hum_verdict.hpp"
 #include "study/measurement.hpp"
 #include "study/pad_axes.hpp"
 #include "study/six_axis_sensor.hpp"
@@ -41,11 +41,50 @@ void low_pass(RecordedTrial& trial, double cutoff_hz) {
   }
 }
 
-/// Torques hum as forces do.
-void remove_torque_hum(RecordedTrial& trial, Mains mains) {
-  std::swap(trial.force_W, trial.torque_W_n_m);
-  remove_mains_hum(trial, mains);
-  std::swap(trial.force_W, trial.torque_W_n_m);
+/// What was done about hum, and what looks like it and was left in.
+std::string hum_text(const std::vector<MainsHum>& taken, const std::vector<std::string>& left_in,
+                     bool of_forces) {
+  long humming = 0;
+  MainsHum most;
+  for (const MainsHum& hum : taken) {
+    humming += hum.frequency_hz > 0 ? 1 : 0;
+    if (hum.amplitude > most.amplitude) most = hum;
+  }
+  std::string text = of_forces ? "mains hum: " : "mains hum of torques: ";
+  if (humming > 0) {
+    text += fmt::format(
+        "taken out of {} of {} trials, at most {} at {:.2f} Hz", humming, taken.size(),
+        of_forces ? rounded_text(most.amplitude, 3) + " N" : rounded_text(1e3 * most.amplitude, 3) + " N mm",
+        most.frequency_hz);
+  } else {
+    text += left_in.empty() ? "none stands out" : "none is taken out";
+  }
+  for (const std::string& line : left_in) text += "; " + line;
+  return text;
+}
+
+/// Takes mains hum out of all trials. Torques may hum where forces do not.
+std::vector<std::string> remove_hum(std::vector<RecordedTrial>& trials, Mains mains,
+                                    Measurement& measurement) {
+  if (mains == Mains::off) return {"mains hum: left in (off)"};
+  std::vector<std::string> steps;
+  for (const Sensed sensed : {&RecordedTrial::force_W, &RecordedTrial::torque_W_n_m}) {
+    const bool are_forces = sensed == &RecordedTrial::force_W;
+    const bool is_sensed =
+        are_forces || std::any_of(trials.begin(), trials.end(),
+                                  [](const RecordedTrial& t) { return t.sensor.has_value(); });
+    if (!is_sensed) continue;
+    const HumVerdict verdict = judge_hum(trials, sensed, mains);
+    std::vector<MainsHum> taken;
+    for (std::size_t i = 0; i < trials.size(); ++i) {
+      taken.push_back(take_off(verdict.lines[i], sensed, trials[i]));
+      if (!are_forces) continue;
+      measurement.cleanings[i].hum_hz = taken.back().frequency_hz;
+      measurement.cleanings[i].hum_n = taken.back().amplitude;
+    }
+    steps.push_back(hum_text(taken, verdict.left_in, are_forces));
+  }
+  return steps;
 }
 
 /// Where contact points come from; empty where none are told from torques.
@@ -65,38 +104,42 @@ std::string contact_text(const std::vector<TrialCleaning>& trials) {
                         untared));
 }
 
+/// What was taken off for the sensor's zero, and why from no more.
+std::string tare_text(const std::vector<TrialCleaning>& trials) {
+  std::size_t tared = 0, press_on = 0;
+  double most_n = 0;
+  for (const TrialCleaning& trial : trials) {
+    tared += trial.free_samples > 0 ? 1 : 0;
+    press_on += trial.presses_on ? 1 : 0;
+    most_n = std::max({most_n, trial.tare_begin_n.norm(), trial.tare_end_n.norm()});
+  }
+  std::string text = fmt::format("tare: taken off {} of {} trial{}, at most {} N", tared, trials.size(),
+                                 trials.size() == 1 ? "" : "s", rounded_text(most_n, 3));
+  if (tared == trials.size()) return text;
+  text += tared == 0 ? "; none has a moment" : "; the others have no moment";
+  text += " that is surely without contact";
+  if (press_on > 0)
+    text += fmt::format(
+        " (in {} the force is low and still, but height or friction tell that the finger presses on)",
+        press_on);
+  return text;
+}
+
 /// What was done, in order.
-std::vector<std::string> steps_text(const Measurement& measurement, const CleaningSettings& settings) {
-  long samples = 0, filled = 0, missing = 0, tared = 0, humming = 0;
-  double most_tare_n = 0, most_hum_n = 0, hum_hz = 0;
+std::vector<std::string> steps_text(const Measurement& measurement, const CleaningSettings& settings,
+                                    const std::vector<std::string>& hum) {
+  long samples = 0, filled = 0, missing = 0;
   for (const TrialCleaning& trial : measurement.cleanings) {
     samples += trial.samples;
     filled += trial.filled;
     missing += trial.missing;
-    tared += trial.free_samples > 0 ? 1 : 0;
-    humming += trial.hum_hz > 0 ? 1 : 0;
-    most_tare_n = std::max({most_tare_n, trial.tare_begin_n.norm(), trial.tare_end_n.norm()});
-    if (trial.hum_n > most_hum_n) most_hum_n = trial.hum_n, hum_hz = trial.hum_hz;
   }
-  const std::size_t trials = measurement.cleanings.size();
   std::vector<std::string> steps;
   steps.push_back(
       fmt::format("missing samples: of {}, {} filled with straight lines (gaps up to {} ms), {} left out",
                   samples, filled, rounded_text(1e3 * settings.longest_fill_s, 3), missing));
-  steps.push_back(settings.mains == Mains::off ? "mains hum: left in (off)"
-                  : humming == 0
-                      ? "mains hum: none stands out"
-                      : fmt::format("mains hum: taken out of {} of {} trials, at most {} N at {:.2f} Hz",
-                                    humming, trials, rounded_text(most_hum_n, 3), hum_hz));
-  steps.push_back(!settings.takes_tare
-                      ? "tare: left as it is (off)"
-                      : fmt::format("tare: taken off {} of {} trial{}, at most {} N{}", tared, trials,
-                                    trials == 1 ? "" : "s", rounded_text(most_tare_n, 3),
-                                    static_cast<std::size_t>(tared) < trials
-                                        ? tared == 0
-                                              ? "; none has a moment that is surely without contact"
-                                              : "; the others have no moment that is surely without contact"
-                                        : ""));
+  steps.insert(steps.end(), hum.begin(), hum.end());
+  steps.push_back(settings.takes_tare ? tare_text(measurement.cleanings) : "tare: left as it is (off)");
   if (const std::string contact = contact_text(measurement.cleanings); !contact.empty())
     steps.push_back(contact);
   steps.push_back(delay_text(measurement.delays, settings));
@@ -116,15 +159,14 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
     TrialCleaning cleaning;
     cleaning.name = trial_name(trial);
     cleaning.samples = static_cast<long>(trial.samples());
-    limit_fills(trial, settings.longest_fill_s, cleaning);
-    const MainsHum hum = remove_mains_hum(trial, settings.mains);
-    cleaning.hum_hz = hum.frequency_hz;
-    cleaning.hum_n = hum.amplitude_n;
-    if (trial.sensor) remove_torque_hum(trial, settings.mains);
-    if (settings.takes_tare) take_tare(trial, cleaning);
-    if (trial.sensor) take_contact_points(trial);
     cleaning.tells_contact = trial.sensor.has_value();
+    limit_fills(trial, settings.longest_fill_s, cleaning);
     measurement.cleanings.push_back(cleaning);
+  }
+  const std::vector<std::string> hum = remove_hum(recorded.trials, settings.mains, measurement);
+  for (std::size_t i = 0; i < recorded.trials.size(); ++i) {
+    if (settings.takes_tare) take_tare(recorded.trials[i], measurement.cleanings[i]);
+    if (recorded.trials[i].sensor) take_contact_points(recorded.trials[i]);
   }
   measurement.delays = settle_delays(recorded.trials, settings);
   measurement.knows_delay = settings.delay_s || !settings.takes_delay;
@@ -139,7 +181,7 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
       measurement.trials.push_back(std::move(measured));
     }
   }
-  measurement.steps = steps_text(measurement, settings);
+  measurement.steps = steps_text(measurement, settings, hum);
   return measurement;
 }
 

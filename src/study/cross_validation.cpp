@@ -85,7 +85,7 @@ CrossValidation cross_validate(const Measurement& measurement, const FitSettings
   }
   std::vector<std::optional<HeldOutTrial>> told(measurement.trials.size());
   FitSettings of_fold = settings;
-  of_fold.keeps_vague_axes = true;
+  of_fold.keeps_told_by_few = true;
   for (int left_out = 0; left_out < folds; ++left_out) {
     const ProfileFit fit = fit_profile(without_fold(measurement, fold, left_out), of_fold);
     if (!is_runnable(fit)) {

@@ -125,6 +125,9 @@ std::string fit_page(const FitReport& report, const Measurement& measurement, co
   if (!fit.residual.misfit.empty())
     page += fmt::format("<p><strong>The finger-pad law does not fit: {}</strong></p>\n",
                         html(fit.residual.misfit));
+  if (!fit.residual.untold.empty())
+    page += fmt::format("<p><strong>Whether the finger-pad law fits cannot be told: {}</strong></p>\n",
+                        html(fit.residual.untold));
   if (const std::string missing = missing_axes_words(fit); !missing.empty())
     page += fmt::format("<p><strong>{}</strong></p>\n", html(missing));
   page += numbers_html(fit);

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "study/air_evidence.hpp"
 #include "study/press_corner.hpp"
 #include "study/sample_noise.hpp"
 
@@ -69,16 +70,10 @@ Samples free_samples(const RecordedTrial& trial, const PressLevels& levels) {
   return found;
 }
 
-/// Samples [from, to) of windows that are still, low and alike.
-struct LevelRun {
-  Eigen::Index from, to;
-  double normal_n;
-};
-
 /// Runs of two such windows or more, half a window apart, whose means differ by less than the noise.
-std::vector<LevelRun> level_runs(const RecordedTrial& trial, const PressLevels& levels, double noise_n) {
+std::vector<StillRun> level_runs(const RecordedTrial& trial, const PressLevels& levels, double noise_n) {
   const Eigen::Index window = window_of(trial), step = window / 2;
-  std::vector<LevelRun> runs;
+  std::vector<StillRun> runs;
   for (Eigen::Index from = 0; from + window <= trial.samples(); from += step) {
     if (!is_still(trial, levels, from, from + window)) continue;
     double normal_n = 0;
@@ -89,14 +84,14 @@ std::vector<LevelRun> level_runs(const RecordedTrial& trial, const PressLevels& 
     if (goes_on) runs.back().to = from + window;
     if (!goes_on) runs.push_back({from, from + window, normal_n});
   }
-  std::erase_if(runs, [window](const LevelRun& run) { return run.to - run.from == window; });
+  std::erase_if(runs, [window](const StillRun& run) { return run.to - run.from == window; });
   return runs;
 }
 
 /// Whether the finger leaves the run's level as one that comes down on the plate or is lifted from it does:
 /// in a corner. It must come 20 deviations of the noise above it about as fast as the run is long (twice,
 /// where the trial begins or ends with the run), without a sample missing.
-bool is_left_in_a_corner(const RecordedTrial& trial, const PressLevels& levels, const LevelRun& run,
+bool is_left_in_a_corner(const RecordedTrial& trial, const PressLevels& levels, const StillRun& run,
                          double noise_n) {
   constexpr double surely_above = 20, most_length = 0.8;
   const Eigen::Index window = window_of(trial);
@@ -131,7 +126,7 @@ Samples cornered_samples(const RecordedTrial& trial, const PressLevels& levels, 
   Samples found;
   if (!(levels.press_n - levels.low_n > least_press * noise_n)) return found;
   double least_n = 0, most_n = 0;
-  for (const LevelRun& run : level_runs(trial, levels, noise_n)) {
+  for (const StillRun& run : level_runs(trial, levels, noise_n)) {
     if (!is_left_in_a_corner(trial, levels, run, noise_n)) continue;
     least_n = found.empty() ? run.normal_n : std::min(least_n, run.normal_n);
     most_n = found.empty() ? run.normal_n : std::max(most_n, run.normal_n);
@@ -163,6 +158,26 @@ TareLine line_through(const Points& sensed, Eigen::Index axis, const Samples& sa
   }
   if (takes_slope && squares > 0) line.slope_n = drift / squares;
   return line;
+}
+
+/// The samples without those of runs that are known to be pressed.
+Samples in_the_air(const RecordedTrial& trial, const PressLevels& levels, const Samples& samples,
+                   double noise_n) {
+  std::vector<StillRun> runs;
+  for (const Eigen::Index i : samples) {
+    if (runs.empty() || runs.back().to != i) runs.push_back({i, i, 0});
+    ++runs.back().to;
+  }
+  for (StillRun& run : runs) {
+    for (Eigen::Index i = run.from; i < run.to; ++i)
+      run.normal_n += levels.normal_n[static_cast<std::size_t>(i)] / static_cast<double>(run.to - run.from);
+  }
+  Samples left;
+  for (const StillRun& run : runs_in_the_air(trial, runs, noise_n, levels.press_n - levels.low_n)) {
+    for (Eigen::Index i = run.from; i < run.to; ++i) left.push_back(i);
+  }
+  if (left.size() < fewest_free) left.clear();
+  return left;
 }
 
 /// A straight line in time on each axis; a constant, where the samples do not span a third of the trial.
@@ -198,14 +213,23 @@ bool passes_slowly(const RecordedTrial& trial, const PressLevels& levels, const 
 
 }  // namespace
 
-void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
+FreeMoments moments_without_contact(const RecordedTrial& trial) {
   const PressLevels levels(trial);
   const double noise_n = std::abs(trial.normal_W.cwiseAbs().dot(levels.noise_n));
-  if (!(levels.press_n - levels.low_n > 20 * noise_n)) return;
+  if (!(levels.press_n - levels.low_n > 20 * noise_n)) return {};
   Samples free = free_samples(trial, levels);
-  if (free.empty()) return;
-  if (passes_slowly(trial, levels, Tare(trial.force_W, free), noise_n, free.size()))
+  if (!free.empty() && passes_slowly(trial, levels, Tare(trial.force_W, free), noise_n, free.size()))
     free = cornered_samples(trial, levels, noise_n);
+  if (free.empty()) return {};
+  FreeMoments found{in_the_air(trial, levels, free, noise_n), false};
+  found.presses_on = found.samples.empty();
+  return found;
+}
+
+void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
+  const FreeMoments moments = moments_without_contact(trial);
+  const Samples& free = moments.samples;
+  cleaning.presses_on = moments.presses_on;
   if (free.empty()) return;
   const Tare tare(trial.force_W, free);
   for (Eigen::Index i = 0; i < trial.samples(); ++i) trial.force_W.col(i) -= tare.at(i);

@@ -11,10 +11,6 @@ namespace {
 
 constexpr double faster = 1.03;
 
-const PadValue& value_of(const PadValues& found, PadNumber number) {
-  return found[static_cast<std::size_t>(number)];
-}
-
 /// Of all trials, how often stick gives way to slip, and slip is seen to end in it.
 struct SeenEnds {
   long gives = 0, drops = 0, stops = 0;
@@ -26,12 +22,8 @@ struct SeenEnds {
       stops += trial.stops;
     }
   }
-  bool give_way_unseen() const noexcept {
-    constexpr long fewest_gives = 5;
-    return gives >= fewest_gives && 2 * drops < gives;
-  }
+  bool give_way_unseen() const noexcept { return gives_without_drops(gives, drops); }
 };
-constexpr double most_stops_share = 0.25;
 
 bool has_short_teeth(const std::vector<TrialEvidence>& trials) {
   return std::any_of(trials.begin(), trials.end(), [](const TrialEvidence& t) { return t.short_teeth > 0; });
@@ -41,6 +33,7 @@ bool has_short_teeth(const std::vector<TrialEvidence>& trials) {
 
 std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                                const std::optional<SpeedStep>& slow_slip, const PadValues& found) {
+  constexpr double most_stops_share = 0.25;
   constexpr double most_rise = 0.25;  // of what a rupture drops; of hidden teeth it is half of that
   const PadValue &mu_static = value_of(found, PadNumber::mu_static),
                  &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
@@ -95,7 +88,6 @@ bool tells_v_min(const SpeedStep& slow, const PadValue& seen) {
 
 bool may_hide_stick(const std::vector<TrialEvidence>& trials, const std::optional<SpeedStep>& slow_slip,
                     const PadValues& found) {
-  constexpr long fewest_gives = 5;
   const std::vector<int> once(trials.size(), 1);
   const SeenEnds ends(trials);
   if (ends.give_way_unseen() || (ends.gives >= fewest_gives && ends.stops == 0)) return true;

@@ -1,7 +1,5 @@
 #include "study/law_residual.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -92,30 +90,20 @@ StretchLeft left_of_stretch(const SpringGroups& groups, const OwnSpring& own) {
   return left;
 }
 
-}  // namespace
-
-std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const LoadLaw& load) {
-  std::vector<Vec2> ratio = trial.force_ratio;
-  if (load.exponent == 0) return ratio;
-  for (std::size_t i = 0; i < ratio.size(); ++i)
-    ratio[i] *= std::pow(trial.normal_force_n[i] / load.load_n, -load.exponent);
-  return ratio;
-}
-
-void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& segments,
-                             const TrialEvidence& evidence, const std::vector<Vec2>& ratio) {
+ResidualPart stick_residual(const MeasuredTrial& trial, const StickSegments& segments,
+                            const TrialEvidence& evidence, const LawSpring& spring,
+                            const std::vector<Vec2>& ratio, double most_pull) {
+  ResidualPart part;
   const double force2 = force_noise_n2(trial, segments),
                both = evidence.spring[0](spring_straight, spring_straight) +
                       evidence.spring[1](spring_straight, spring_straight);
-  const double most_pull = spring_.leaves_hidden_out ? surest_pull(evidence, spring_.about)
-                                                     : std::numeric_limits<double>::infinity();
   const std::vector<SpringGroups> stretches =
-      spring_groups(trial, segments, ratio, {spring_.about, most_pull});
+      spring_groups(trial, segments, ratio, {spring.about, most_pull});
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const SpringSums& sums = evidence.spring[axis];
-    const double compliance_m = spring_compliance_m(sums, spring_.shape[axis]);
+    const double compliance_m = spring_compliance_m(sums, spring.shape[axis]);
     if (!(sums(spring_straight, spring_straight) > 0.01 * both) || !(compliance_m > 0)) continue;
-    const OwnSpring own{spring_.about.bend[axis], spring_.shape[axis], compliance_m, axis};
+    const OwnSpring own{spring.about.bend[axis], spring.shape[axis], compliance_m, axis};
     for (const SpringGroups& groups : stretches) {
       if (groups.is_short) continue;
       const StretchLeft left = left_of_stretch(groups, own);
@@ -123,24 +111,26 @@ void ResidualSums::add_stick(const MeasuredTrial& trial, const StickSegments& se
       for (std::size_t k = 0; k < groups.terms.size(); ++k) {
         const double place = segments.position_noise_m / left.slope_m[k];
         noise2 += force2 * mean_inverse_load2(trial, groups, k) + place * place;
-        left_ += left.ratio[k] * left.ratio[k];
-        signal_ += groups.terms[k][axis][spring_straight] * groups.terms[k][axis][spring_straight];
+        part.left += left.ratio[k] * left.ratio[k];
+        part.signal += groups.terms[k][axis][spring_straight] * groups.terms[k][axis][spring_straight];
       }
       const auto count = static_cast<double>(groups.terms.size()), size = static_cast<double>(groups.size);
-      expected_ += (count - 1) / count * noise2 / size;
-      samples_ += static_cast<long>(groups.terms.size() * groups.size);
+      part.expected += (count - 1) / count * noise2 / size;
+      part.samples += static_cast<long>(groups.terms.size() * groups.size);
     }
   }
+  return part;
 }
 
-void ResidualSums::add_slip(const StickSegments& segments, const std::vector<Vec2>& ratio, double rate_hz) {
+ResidualPart slip_residual(const StickSegments& segments, const LawSpring& spring,
+                           const std::vector<Vec2>& ratio, double rate_hz) {
   const std::size_t size = group_size(rate_hz),
                     near = static_cast<std::size_t>(std::lround(near_s / spring_group_s));
   std::vector<std::vector<double>> slips;
   double mean = 0, squares = 0, count = 0;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {
     PhaseStretch inner = inner_stretch(whole, segments);
-    if (spring_.leaves_hidden_out) inner = fast_part(inner, segments, spring_.about.v_min_m_per_s);
+    if (spring.leaves_hidden_out) inner = fast_part(inner, segments, spring.about.v_min_m_per_s);
     slips.push_back(group_means(inner, size, [&](std::size_t i) {
       return -ratio[i].dot(segments.velocity_m_per_s[i].normalized());
     }));
@@ -152,51 +142,54 @@ void ResidualSums::add_slip(const StickSegments& segments, const std::vector<Vec
     }
   }
   constexpr double fewest = 20;
-  if (count < fewest) return;
+  ResidualPart part;
+  if (count < fewest) return part;
   mean /= count;
   const double variance = std::max(0.0, squares / count - mean * mean);
   for (const std::vector<double>& groups : slips) {
     if (groups.size() < 2 * near) continue;  // between ruptures, or while it hardly moves
     for (std::size_t k = 0; k < groups.size(); ++k) {
       if (k >= near && k + near < groups.size()) continue;
-      left_ += (groups[k] - mean) * (groups[k] - mean);
-      expected_ += variance;
-      signal_ += groups[k] * groups[k];
-      samples_ += static_cast<long>(size);
+      part.left += (groups[k] - mean) * (groups[k] - mean);
+      part.expected += variance;
+      part.signal += groups[k] * groups[k];
+      part.samples += static_cast<long>(size);
     }
   }
+  return part;
 }
 
-void ResidualSums::add(const MeasuredTrial& trial, const StickSegments& segments,
-                       const TrialEvidence& evidence) {
-  const std::vector<Vec2> ratio = ratio_at_load(trial, spring_.about.load);
-  add_stick(trial, segments, evidence, ratio);
-  add_slip(segments, ratio, trial.rate_hz);
-  gives_ += evidence.gives;
-  drops_ += evidence.drops;
+}  // namespace
+
+ResidualPart& ResidualPart::operator+=(const ResidualPart& other) noexcept {
+  left += other.left;
+  expected += other.expected;
+  signal += other.signal;
+  samples += other.samples;
+  return *this;
 }
 
-LawResidual ResidualSums::verdict(const HiddenStick& hidden) const {
-  constexpr double most_left = 0.06;  // RMS beyond what is expected, of the force ratio
-  constexpr long fewest_gives = 5;
-  LawResidual found;
-  found.samples = samples_;
-  found.gives = gives_;
-  found.drops = drops_;
-  if (!(signal_ > 0)) return found;
-  found.share = std::sqrt(left_ / signal_);
-  found.expected = std::sqrt(expected_ / signal_);
-  const double beyond = std::sqrt(std::max(0.0, (left_ - expected_) / signal_));
-  if (beyond > most_left && !hidden.is_likely)
-    found.misfit = fmt::format(
-        "it leaves {:.1f} % of the friction in stick and about its ends (RMS), where noise and "
-        "vibration explain {:.1f} %",
-        100 * found.share, 100 * found.expected);
-  if (gives_ >= fewest_gives && 2 * drops_ < gives_ && !hidden.is_stepped)
-    found.misfit += fmt::format(
-        "{}stick gives way without a drop of the force at {} of its {} ends (a pad whose mu_static is less "
-        "than {:.0f} % above its mu_dynamic looks alike here)",
-        found.misfit.empty() ? "" : "; ", gives_ - drops_, gives_, 100 * hidden.unseen_drop);
+std::vector<Vec2> ratio_at_load(const MeasuredTrial& trial, const LoadLaw& load) {
+  std::vector<Vec2> ratio = trial.force_ratio;
+  if (load.exponent == 0) return ratio;
+  for (std::size_t i = 0; i < ratio.size(); ++i)
+    ratio[i] *= std::pow(trial.normal_force_n[i] / load.load_n, -load.exponent);
+  return ratio;
+}
+
+TrialResidual trial_residual(const MeasuredTrial& trial, const StickSegments& segments,
+                             const TrialEvidence& evidence, const LawSpring& spring) {
+  const std::vector<Vec2> ratio = ratio_at_load(trial, spring.about.load);
+  const double surest = surest_pull(evidence, spring.about);
+  TrialResidual found;
+  found.sure_stick = stick_residual(trial, segments, evidence, spring, ratio, surest);
+  found.stick =
+      spring.leaves_hidden_out || std::isinf(surest)
+          ? found.sure_stick
+          : stick_residual(trial, segments, evidence, spring, ratio, std::numeric_limits<double>::infinity());
+  found.slip = slip_residual(segments, spring, ratio, trial.rate_hz);
+  found.gives = evidence.gives;
+  found.drops = evidence.drops;
   return found;
 }
 

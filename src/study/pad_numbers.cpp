@@ -9,6 +9,7 @@
 
 #include "base/number_text.hpp"
 #include "study/hidden_stick.hpp"
+#include "study/impossible_numbers.hpp"
 #include "study/load_exponent.hpp"
 #include "study/press_fit.hpp"
 #include "study/spring_fit.hpp"
@@ -67,7 +68,8 @@ PadValue plain_stiffness(const std::vector<TrialEvidence>& trials, const std::ve
 
 /// A number that rests on one axis' stick.
 PadValue of_axis(const SpringFit& fit, double value, const std::string& refusal) {
-  return {value, fit.samples, fit.trials, refusal};
+  return {value, fit.samples, fit.trials, refusal,
+          fit.samples > 0 ? RefusalReason::one_angle : RefusalReason::not_pushed};
 }
 
 /// Where a number of one axis stands.
@@ -81,10 +83,6 @@ constexpr AxisNumbers axis_numbers[] = {
      PadNumber::longitudinal_linearity, PadNumber::longitudinal_cubic_share,
      PadNumber::longitudinal_hysteresis_area},
 };
-
-PadValue& value_of(PadValues& values, PadNumber number) {
-  return values[static_cast<std::size_t>(number)];
-}
 
 /// Why too few ruptures tell where stick ends.
 std::string no_rupture_words(const std::vector<TrialEvidence>& trials) {
@@ -132,43 +130,13 @@ PadValue v_min_of_step(const std::vector<TrialEvidence>& trials, const std::vect
   return {step->speed_m_per_s, step->samples, step->trials, ""};
 }
 
-/// Lengths, stiffnesses, speeds and the like, that cannot be 0 or less.
-constexpr PadNumber sizes[] = {PadNumber::lateral_axis,
-                               PadNumber::longitudinal_axis,
-                               PadNumber::stick_stiffness,
-                               PadNumber::longitudinal_stiffness,
-                               PadNumber::mu_static,
-                               PadNumber::mu_dynamic,
-                               PadNumber::v_min,
-                               PadNumber::vibration,
-                               PadNumber::vibration_bandwidth,
-                               PadNumber::normal_stiffness,
-                               PadNumber::normal_exponent};
-
-/// Refuses what came out as no number, or as a size that is none.
-void refuse_no_numbers(PadValues& found) {
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    PadValue& value = found[k];
-    if (!value.refusal.empty()) continue;
-    if (!std::isfinite(value.value))
-      value.refusal = fmt::format("the measurement gives no finite {}", pad_number_keys[k]);
-  }
-  for (const PadNumber number : sizes) {
-    PadValue& value = value_of(found, number);
-    if (value.refusal.empty() && !(value.value > 0))
-      value.refusal =
-          fmt::format("the measurement gives a {} of {}; it must be above 0",
-                      pad_number_keys[static_cast<std::size_t>(number)], rounded_text(value.value, 4));
-  }
-}
-
 /// The spring that was found, for the next pass. The law's shares begin at 0.
 void take_bends(const PadValues& found, EvidencePoint& next) {
   constexpr double most_bent = 0.9;
-  const PadValue& mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)];
+  const PadValue& mu_static = value_of(found, PadNumber::mu_static);
   if (!mu_static.refusal.empty()) return;
   for (std::size_t axis = 0; axis < 2; ++axis) {
-    const PadValue& share = found[static_cast<std::size_t>(axis_numbers[axis].cubic_share)];
+    const PadValue& share = value_of(found, axis_numbers[axis].cubic_share);
     next.bend[axis].mu_static = mu_static.value;
     if (share.refusal.empty()) next.bend[axis].cubic_share = std::clamp(share.value, 0.0, most_bent);
   }
@@ -177,8 +145,18 @@ void take_bends(const PadValues& found, EvidencePoint& next) {
 }  // namespace
 
 PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
-  return subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s, &TrialEvidence::stops, 10,
-                       "no slip that ends in stick was found");
+  PadValue found = subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s, &TrialEvidence::stops, 10,
+                                 "no slip that ends in stick was found");
+  // What is seen once in a while may be a vibration's swing.
+  constexpr long least_share = 10;
+  long gives = 0;
+  for (std::size_t i = 0; i < trials.size(); ++i) gives += times[i] * trials[i].gives;
+  if (found.refusal.empty() && least_share * found.samples < gives)
+    found.refuse(RefusalReason::other,
+                 fmt::format("slip is seen to end in stick {} times only, where stick ends in "
+                             "slip {} times: let the finger slow down to its stops",
+                             found.samples, gives));
+  return found;
 }
 
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
@@ -191,11 +169,13 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
                                             &TrialEvidence::slip_samples, 500, "no slip was found");
   at(PadNumber::mu_load_exponent) =
       load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
-  at(PadNumber::v_min) = seen_v_min(trials, times);
+  PadValue& v_min = at(PadNumber::v_min);
   if (point.v_min_by_step) {
-    at(PadNumber::v_min) = v_min_of_step(trials, times);
-  } else if (std::string words = hidden_stick_words(trials, times, point.slow_slip, found); !words.empty()) {
-    at(PadNumber::v_min).refusal = std::move(words);
+    v_min = v_min_of_step(trials, times);
+  } else {
+    v_min = seen_v_min(trials, times);
+    if (std::string words = hidden_stick_words(trials, times, point.slow_slip, found); !words.empty())
+      v_min = {v_min.value, v_min.samples, v_min.trials, std::move(words), RefusalReason::hidden_stick};
   }
   for (int axis = 0; axis < 2; ++axis)
     add_axis(fit_spring(trials, times, axis), point.evidence.bend[static_cast<std::size_t>(axis)],
@@ -211,7 +191,7 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
   at(PadNumber::normal_stiffness) = {1 / (press.depth_at_1_n_m * press.exponent), press.samples, press.trials,
                                      press.refusal};
   at(PadNumber::normal_exponent) = {1 / press.exponent, press.samples, press.trials, press.refusal};
-  refuse_no_numbers(found);
+  refuse_impossible_numbers(found);
   return found;
 }
 
@@ -229,14 +209,14 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
   const PadValues found = pad_numbers(trials, once, point);
   take_bends(found, next.evidence);
-  const PadValue& mu_static = found[static_cast<std::size_t>(PadNumber::mu_static)];
+  const PadValue& mu_static = value_of(found, PadNumber::mu_static);
   next.evidence.mu_static = mu_static.refusal.empty() ? mu_static.value : 0;
-  const PadValue& v_min = found[static_cast<std::size_t>(PadNumber::v_min)];
+  const PadValue& v_min = value_of(found, PadNumber::v_min);
   next.evidence.v_min_m_per_s = v_min.refusal.empty() ? v_min.value : 0;
   next.slow_slip = speed_step(trials, once);
   if (next.slow_slip && !is_hidden_stick(found, *next.slow_slip)) next.slow_slip.reset();
   next.v_min_by_step = next.slow_slip && tells_v_min(*next.slow_slip, seen_v_min(trials, once));
-  const PadValue& mu_dynamic = found[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+  const PadValue& mu_dynamic = value_of(found, PadNumber::mu_dynamic);
   const bool may_hide = may_hide_stick(trials, next.slow_slip, found);
   next.evidence.hidden_stick_ratio = may_hide && mu_dynamic.refusal.empty() ? mu_dynamic.value : 0;
   if (next.slow_slip)

@@ -55,14 +55,39 @@ inline constexpr std::array<std::string_view, 20> pad_number_keys{"lateral_axis_
                                                                   "normal_stiffness_n_per_m",
                                                                   "normal_exponent"};
 
+/// Why a number is refused, where advice depends on it.
+enum class RefusalReason {
+  other,
+  not_pushed,    ///< no stick along this axis was seen
+  one_angle,     ///< stick was, at one angle of the finger that is far from 45 degrees
+  hidden_stick,  ///< stick that gives way unseen passes for slip
+  unseen_slip,   ///< the same, and no slip is surely seen: unseen_slip_words
+  vague,         ///< too few trials, or too unlike ones, tell it
+};
+
 /// A number, how many samples it rests on, and why there is none.
 struct PadValue {
   double value = 0;
   long samples = 0;  ///< of stick or slip; of mu_static ruptures, of v_min ends of slip, of vibration windows
   long trials = 0;   ///< that it rests on
   std::string refusal;  ///< empty: the value holds
+  RefusalReason reason = RefusalReason::other;
+
+  /// An earlier refusal stays.
+  void refuse(RefusalReason why, const std::string& words) {
+    if (!refusal.empty()) return;
+    refusal = words;
+    reason = why;
+  }
 };
 using PadValues = std::array<PadValue, pad_number_keys.size()>;
+
+inline PadValue& value_of(PadValues& values, PadNumber number) noexcept {
+  return values[static_cast<std::size_t>(number)];
+}
+inline const PadValue& value_of(const PadValues& values, PadNumber number) noexcept {
+  return values[static_cast<std::size_t>(number)];
+}
 
 /// What earlier passes over the trials have found, about which the evidence is taken.
 struct FitPoint {
@@ -99,7 +124,8 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
 /// The mean speed at which slip is seen to end.
 PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
 
-/// All that rests on the stick of one axis, or of the other.
+/// All that rests on the stick of one axis or of the other: lateral ones at even places, longitudinal ones at
+/// odd.
 inline constexpr std::array<PadNumber, 12> spring_numbers{PadNumber::lateral_axis,
                                                           PadNumber::longitudinal_axis,
                                                           PadNumber::lateral_slope,

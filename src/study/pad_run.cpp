@@ -12,12 +12,8 @@ namespace {
 
 constexpr double built_in_stiffness_per_m = 1000;  // stick_stiffness_per_m of the finger-pad law
 
-const PadValue& number_of(const ProfileFit& fit, PadNumber number) {
-  return fit.values[static_cast<std::size_t>(number)];
-}
-
 bool is_given(const ProfileFit& fit, PadNumber number) {
-  return number_of(fit, number).refusal.empty();
+  return value_of(fit.values, number).refusal.empty();
 }
 
 }  // namespace
@@ -35,21 +31,22 @@ bool is_runnable(const ProfileFit& fit) {
 
 PadOnPlate fitted_pad(const ProfileFit& fit) {
   PadOnPlate pad;
-  pad.mu_static = number_of(fit, PadNumber::mu_static).value;
-  pad.mu_dynamic = std::min(number_of(fit, PadNumber::mu_dynamic).value, pad.mu_static);
+  pad.mu_static = value_of(fit.values, PadNumber::mu_static).value;
+  pad.mu_dynamic = std::min(value_of(fit.values, PadNumber::mu_dynamic).value, pad.mu_static);
   const bool has_axes = is_given(fit, PadNumber::lateral_axis) && is_given(fit, PadNumber::longitudinal_axis);
   pad.profile = assumed_profile(pad.mu_static, is_given(fit, PadNumber::stick_stiffness)
-                                                   ? number_of(fit, PadNumber::stick_stiffness).value
+                                                   ? value_of(fit.values, PadNumber::stick_stiffness).value
                                                    : built_in_stiffness_per_m);
   if (has_axes) {
-    pad.profile.lateral_axis_m = number_of(fit, PadNumber::lateral_axis).value;
-    pad.profile.longitudinal_axis_m = number_of(fit, PadNumber::longitudinal_axis).value;
+    pad.profile.lateral_axis_m = value_of(fit.values, PadNumber::lateral_axis).value;
+    pad.profile.longitudinal_axis_m = value_of(fit.values, PadNumber::longitudinal_axis).value;
   }
   if (is_given(fit, PadNumber::lateral_slope))
-    pad.profile.lateral_slope_per_deg = number_of(fit, PadNumber::lateral_slope).value;
+    pad.profile.lateral_slope_per_deg = value_of(fit.values, PadNumber::lateral_slope).value;
   if (is_given(fit, PadNumber::longitudinal_slope))
-    pad.profile.longitudinal_slope_per_deg = number_of(fit, PadNumber::longitudinal_slope).value;
-  if (is_given(fit, PadNumber::v_min)) pad.profile.v_min_m_per_s = number_of(fit, PadNumber::v_min).value;
+    pad.profile.longitudinal_slope_per_deg = value_of(fit.values, PadNumber::longitudinal_slope).value;
+  if (is_given(fit, PadNumber::v_min))
+    pad.profile.v_min_m_per_s = value_of(fit.values, PadNumber::v_min).value;
   return pad;
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "study/block_draws.hpp"
-#include "study/law_residual.hpp"
+#include "study/law_verdict.hpp"
 #include "study/measurement.hpp"
 #include "study/outlier_trials.hpp"
 #include "study/pad_numbers.hpp"
@@ -25,7 +25,6 @@ struct ProfileFit {
   std::size_t subjects = 0, trials = 0;
   std::vector<TrialEvidence> evidence;  ///< per trial of the measurement
   std::vector<OutlierTrial> outliers;
-  std::array<bool, 2> has_vague_axis{};  ///< lateral, longitudinal: refused as told to less than half
   LawResidual residual;
   SensorOffset offset;
   bool knows_delay = false;  ///< Measurement's
@@ -38,9 +37,9 @@ struct ProfileFit {
 struct FitSettings {
   std::uint64_t seed = 1;
   Blocks blocks = Blocks::trials;
-  /// An axis that few trials tell to less than half of it is given all the same: the best guess that they
-  /// have of trials that are held out.
-  bool keeps_vague_axes = false;
+  /// Numbers that are refused as few trials tell them are given all the same: the best guess that they have
+  /// of trials that are held out.
+  bool keeps_told_by_few = false;
 };
 
 /// Fits a pad's profile (pad_numbers).

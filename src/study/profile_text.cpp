@@ -9,6 +9,7 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "scene/toml_tree.hpp"
+#include "study/few_trials.hpp"
 
 namespace fingerpad {
 namespace {
@@ -31,26 +32,22 @@ std::string numbers_text(const ProfileFit& fit) {
   return text;
 }
 
-const PadValue& value_of(const ProfileFit& fit, PadNumber number) {
-  return fit.values[static_cast<std::size_t>(number)];
-}
-
 /// What is to be measured so that the axis is told.
 std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
   const bool has_direction = std::any_of(fit.evidence.begin(), fit.evidence.end(),
                                          [](const TrialEvidence& trial) { return trial.has_direction; });
   if (!has_direction) return "give the finger's direction in the columns dx, dy, dz";
-  if (fit.has_vague_axis[axis == PadNumber::lateral_axis ? 0 : 1])
+  const RefusalReason reason = value_of(fit.values, axis).reason;
+  if (reason == RefusalReason::vague)
     return fmt::format("add trials whose finger sticks before it slips {} the finger, pushed alike",
                        axis == PadNumber::lateral_axis ? "across" : "along");
-  // The slope is refused with these words of its own where the axis was pushed, but at one angle.
-  const PadNumber slope =
-      axis == PadNumber::lateral_axis ? PadNumber::lateral_slope : PadNumber::longitudinal_slope;
-  if (value_of(fit, slope).samples > 0)
+  if (reason == RefusalReason::unseen_slip) return "rub faster";
+  if (reason == RefusalReason::hidden_stick) return "sample faster";
+  if (reason == RefusalReason::one_angle)
     return "add a trial with the finger at about 45 degrees to the plate, or at two angles";
   // A rub goes some way: where no stick was seen along either axis, another way to rub is no help.
-  if (value_of(fit, PadNumber::lateral_slope).samples == 0 &&
-      value_of(fit, PadNumber::longitudinal_slope).samples == 0)
+  if (value_of(fit.values, PadNumber::lateral_slope).samples == 0 &&
+      value_of(fit.values, PadNumber::longitudinal_slope).samples == 0)
     return "let the finger be seen to stick before it slips: press harder, start and reverse slower, and "
            "measure forces with less noise";
   return axis == PadNumber::lateral_axis ? "add a trial that rubs across the finger"
@@ -75,7 +72,7 @@ constexpr UsedElsewhere used_elsewhere[] = {
 std::string missing_axes_words(const ProfileFit& fit) {
   std::string missing, mend;
   for (const PadNumber axis : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
-    const PadValue& value = value_of(fit, axis);
+    const PadValue& value = value_of(fit.values, axis);
     if (value.refusal.empty()) continue;
     missing += fmt::format("{}{} ({})", missing.empty() ? "" : " and ",
                            pad_number_keys[static_cast<std::size_t>(axis)], value.refusal);
@@ -85,7 +82,7 @@ std::string missing_axes_words(const ProfileFit& fit) {
   if (missing.empty()) return {};
   std::string usable;
   for (const UsedElsewhere& use : used_elsewhere) {
-    const PadValue& value = value_of(fit, use.number);
+    const PadValue& value = value_of(fit.values, use.number);
     if (value.refusal.empty())
       usable +=
           fmt::format("{}{} as {}", usable.empty() ? "" : ", ", rounded_text(value.value, 4), use.where);
@@ -124,16 +121,23 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
                     "from the cross-correlation: it may be off by as much; axes and stiffnesses allow for it",
                     rounded_text(1e3 * fit.delay_left_s, 2)));
   constexpr double narrowest_m = 0.1e-3;
-  const PadValue &lateral = value_of(fit, PadNumber::lateral_axis),
-                 &longitudinal = value_of(fit, PadNumber::longitudinal_axis);
+  const PadValue &lateral = value_of(fit.values, PadNumber::lateral_axis),
+                 &longitudinal = value_of(fit.values, PadNumber::longitudinal_axis);
   if (lateral.refusal.empty() && longitudinal.refusal.empty() &&
       std::max(lateral.value, longitudinal.value) < narrowest_m)
     notes.push_back(
         fmt::format("the axes are {} and {} mm, stiffer than the skin of a finger: is the "
                     "positions' unit right?",
                     rounded_text(1e3 * lateral.value, 3), rounded_text(1e3 * longitudinal.value, 3)));
+  if (const std::string words = without_interval_words(fit); !words.empty()) notes.push_back(words);
   const LawResidual& residual = fit.residual;
-  if (residual.samples == 0) return notes;
+  if (residual.samples == 0 && residual.untold.empty()) return notes;
+  if (!residual.untold.empty()) {
+    notes.push_back("whether the pad's law fits cannot be told: " + residual.untold);
+    return notes;
+  }
+  for (const std::string& odd : residual.odd_trials)
+    notes.push_back("the pad's law fits most trials, but not " + odd + "; it counts all the same");
   if (!residual.misfit.empty()) {
     if (!fit.knows_delay)
       notes.push_back(

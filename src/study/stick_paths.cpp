@@ -78,7 +78,7 @@ TrialAxes axes_of(const Measurement& measurement, std::size_t k, const StickSegm
 }  // namespace
 
 double fitted_number(const ProfileFit& fit, PadNumber number) noexcept {
-  const PadValue& value = fit.values[static_cast<std::size_t>(number)];
+  const PadValue& value = value_of(fit.values, number);
   return value.refusal.empty() ? value.value : no_number;
 }
 

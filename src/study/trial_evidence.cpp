@@ -47,19 +47,38 @@ void add_press(const MeasuredTrial& trial, double exponent, TrialEvidence& evide
   evidence.press_groups += static_cast<long>(groups.size());
 }
 
+/// Whether the finger was pulled much less within the stick before a sample than in slip. A vibration of
+/// slip, or stick that gives way again within a few samples, passes for stick here and there, with friction
+/// as it is.
+bool was_let_go(const StickSegments& segments, const std::vector<Vec2>& ratio, std::size_t end,
+                double slip_ratio) {
+  constexpr double surely = 0.75;
+  const Vec2 forward = segments.velocity_m_per_s[end].normalized();
+  for (std::size_t i = end; i-- > 0 && segments.phase[i] != PadPhase::slip;) {
+    if (-ratio[i].dot(forward) < surely * slip_ratio) return true;
+    if (segments.begins_run[i]) break;
+  }
+  return false;
+}
+
 /// How often stick ends in slip, and drops as it does; and the drop that noise would hide.
-void add_gives(const MeasuredTrial& trial, const StickSegments& segments, TrialEvidence& evidence) {
+void add_gives(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
+               TrialEvidence& evidence) {
   const std::size_t shortest = 4 * static_cast<std::size_t>(segments.half_window);
+  const double slip_ratio =
+      evidence.slip_samples > 0 ? evidence.slip_ratio / static_cast<double>(evidence.slip_samples) : 0;
   for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {
     if (slip.to - slip.from < shortest || slip.from == 0 || trial.starts_anew[slip.from]) continue;
     const bool was_stick = segments.phase[slip.from - 1] == PadPhase::stick;
     if (!was_stick && !segments.is_rupture[slip.from]) continue;
+    const bool is_new = slip_ratio == 0 || was_let_go(segments, ratio, slip.from, slip_ratio);
+    evidence.strokes += is_new ? 1 : 0;
+    evidence.stroke_drops += is_new && segments.is_rupture[slip.from] ? 1 : 0;
+    if (!is_new && !segments.is_rupture[slip.from]) continue;
     ++evidence.gives;
     evidence.drops += segments.is_rupture[slip.from] ? 1 : 0;
   }
-  if (evidence.slip_samples > 0)
-    evidence.unseen_drop =
-        least_drop(segments.ratio_noise, evidence.slip_ratio / static_cast<double>(evidence.slip_samples));
+  if (slip_ratio > 0) evidence.unseen_drop = least_drop(segments.ratio_noise, slip_ratio);
 }
 
 }  // namespace
@@ -79,7 +98,7 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
   evidence.rate_hz = trial.rate_hz;
   const std::vector<Vec2> ratio = ratio_at_load(trial, about.load);
   add_slip_sums(trial, segments, ratio, about, evidence);
-  add_gives(trial, segments, evidence);
+  add_gives(trial, segments, ratio, evidence);
   add_spring_sums(trial, segments, ratio, about, evidence);
   add_rupture_sums(trial, segments, ratio, about, evidence);
   add_stop_sums(trial, segments, ratio, about.bend, evidence);

@@ -37,6 +37,14 @@ struct SpringBend {
   Vec2 at(double ratio) const noexcept;
 };
 
+/// So many ends of stick are needed before they tell anything.
+inline constexpr long fewest_gives = 5;
+
+/// Whether stick gives way mostly without a drop of the force, where it ends often enough to tell.
+inline bool gives_without_drops(long gives, long drops) noexcept {
+  return gives >= fewest_gives && 2 * drops < gives;
+}
+
 /// What one trial says about the pad, as sums: those of several trials add up, so that a bootstrap is quick.
 struct TrialEvidence {
   int subject = 0;
@@ -62,8 +70,12 @@ struct TrialEvidence {
   double stop_rise = 0;  ///< sum of what friction is above the trial's in slip just before them (30 ms; no
                          ///< less than 15 samples)
   long stops = 0;
-  long gives = 0, drops = 0;  ///< ends of stick in slip; of these, with a drop of the force (ruptures)
-  double unseen_drop = 0;     ///< of friction, that noise would hide
+  /// Ends of stick in slip; of these, with a drop of the force (ruptures). Without one they count where the
+  /// finger was pulled by less than three quarters of slip's friction before.
+  long gives = 0, drops = 0;
+  /// Of the gives, those before which it was pulled so little: stick that began anew; and of these the drops.
+  long strokes = 0, stroke_drops = 0;
+  double unseen_drop = 0;                 ///< of friction, that noise would hide
   std::vector<std::size_t> stop_samples;  ///< the first of what follows slip, of each
   std::vector<double> power;              ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;

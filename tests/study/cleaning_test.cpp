@@ -4,10 +4,11 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "base/random_stream.hpp"
 #include "study/force_tare.hpp"
-#include "study/mains_hum.hpp"
+#include "study/hum_verdict.hpp"
 #include "study/measurement.hpp"
 #include "study/position_delay.hpp"
 #include "study/profile_fit.hpp"
@@ -146,18 +147,83 @@ TEST(Cleaning, NeitherIsOneWhoseLoadSwings) {
   }
 }
 
+/// What watches a finger whose load steps between a light one and 1.5 N, .4 s each, as it rubs to and fro.
+struct SteppingLoad {
+  double rate_hz = 1000, light_n = 0.3;
+  bool has_height = true, rubs = true;
+  double lifted_m = 0;  ///< above the plate in place of pressing lightly
+};
+
+RecordedTrial stepping(const SteppingLoad& load, std::uint64_t seed) {
+  constexpr double noise_n = 2e-3, noise_m = 2e-6, step_s = 0.4, ramp_s = 0.06, mu = 0.25,
+                   depth_at_1_n_m = 1.5e-3, press_n = 1.5;
+  constexpr double turn_s = 0.53;  // of the rub, so that light moments fall on both ways
+  RandomStream random(seed);
+  RecordedTrial trial;
+  trial.rate_hz = load.rate_hz;
+  const Eigen::Index n = std::lround(6 * load.rate_hz);
+  trial.position_W.resize(3, n);
+  trial.force_W.resize(3, n);
+  trial.origin.assign(static_cast<std::size_t>(n), SampleOrigin::recorded);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    const double t = static_cast<double>(i) / load.rate_hz, turns = std::fmod(t / step_s, 2);
+    const double in_step_s = step_s * std::fmod(turns, 1), up = std::min(1.0, in_step_s / ramp_s);
+    const double share = turns < 1 ? up : 1 - up;
+    const double low_m = load.lifted_m > 0 ? load.lifted_m : -depth_at_1_n_m * std::sqrt(load.light_n);
+    const double height_m = low_m + share * (-depth_at_1_n_m * std::sqrt(press_n) - low_m);
+    const double normal_n = height_m < 0 ? height_m * height_m / (depth_at_1_n_m * depth_at_1_n_m) : 0;
+    const double to_and_fro = std::fmod(t / turn_s, 2), along = to_and_fro < 1 ? to_and_fro : 2 - to_and_fro;
+    const double way = load.rubs ? (to_and_fro < 1 ? 1 : -1) : 0;
+    trial.position_W.col(i) = Vec3(load.rubs ? 0.02 * along : 0, 0, load.has_height ? height_m : 0) +
+                              noise_m * Vec3(random.normal(), random.normal(), random.normal());
+    trial.force_W.col(i) = Vec3(0.03 - mu * way * normal_n, -0.02, 0.05 + normal_n) +
+                           noise_n * Vec3(random.normal(), random.normal(), random.normal());
+  }
+  return trial;
+}
+
+TEST(Cleaning, NeitherIsOneThatGoesOnPressingLightly) {
+  for (const double rate_hz : {250.0, 500.0, 1000.0}) {
+    for (const double light_n : {0.1, 0.3}) {
+      // By height alone, by friction alone, by both.
+      for (const auto& [has_height, rubs] : {std::pair{true, false}, {false, true}, {true, true}}) {
+        RecordedTrial trial = stepping({rate_hz, light_n, has_height, rubs}, 5);
+        TrialCleaning cleaning;
+        take_tare(trial, cleaning);
+        EXPECT_EQ(cleaning.free_samples, 0) << rate_hz << " " << light_n << " " << has_height << rubs;
+        EXPECT_TRUE(cleaning.presses_on);
+      }
+    }
+  }
+}
+
+TEST(Cleaning, AFingerThatIsLiftedByHalfAMillimetreIsOffThePlate) {
+  for (const double rate_hz : {250.0, 500.0, 1000.0}) {
+    for (const auto& [has_height, rubs] : {std::pair{true, false}, {false, true}, {true, true}}) {
+      SteppingLoad lifted{rate_hz, 0, has_height, rubs};
+      lifted.lifted_m = 5e-4;
+      RecordedTrial trial = stepping(lifted, 5);
+      TrialCleaning cleaning;
+      take_tare(trial, cleaning);
+      EXPECT_GT(cleaning.free_samples, 0.2 * static_cast<double>(trial.samples())) << rate_hz;
+      EXPECT_NEAR(cleaning.tare_begin_n.z(), 0.05, 2e-3);
+    }
+  }
+}
+
 TEST(Cleaning, TakesMainsHumOutAndLeavesTheRest) {
   test::KnownSensors sensors, still;
   sensors.hum_n = 0.02;
   sensors.hum_hz = 50;
   RecordedMeasurement with = test::known_measurement(rubs, {}, sensors, 1),
                       without = test::known_measurement(rubs, {}, still, 1);
+  const HumVerdict lines = judge_hum(with.trials, &RecordedTrial::force_W, Mains::any);
   for (std::size_t i = 0; i < with.trials.size(); ++i) {
     const double before = (with.trials[i].force_W - without.trials[i].force_W).rowwise().norm().maxCoeff();
-    const MainsHum hum = remove_mains_hum(with.trials[i], Mains::any);
+    const MainsHum hum = take_off(lines.lines[i], &RecordedTrial::force_W, with.trials[i]);
     EXPECT_NEAR(hum.frequency_hz, 50, 0.1);
     EXPECT_LT((with.trials[i].force_W - without.trials[i].force_W).rowwise().norm().maxCoeff(), 0.2 * before);
-    EXPECT_EQ(remove_mains_hum(without.trials[i], Mains::any).amplitude_n, 0);
+    EXPECT_TRUE(hum_lines(without.trials[i], &RecordedTrial::force_W, Mains::any).empty());
   }
 }
 
@@ -170,9 +236,10 @@ TEST(Cleaning, FindsTheHumsFrequencyInALongTrial) {
       const double t_s = static_cast<double>(i) / trial.rate_hz;
       with.force_W(1, i) += 0.02 * std::sin(2 * std::numbers::pi * hum_hz * t_s + 1);
     }
-    const MainsHum hum = remove_mains_hum(with, Mains::hz_50);
+    const MainsHum hum =
+        take_off(hum_lines(with, &RecordedTrial::force_W, Mains::hz_50), &RecordedTrial::force_W, with);
     EXPECT_NEAR(hum.frequency_hz, hum_hz, 1e-3);
-    EXPECT_NEAR(hum.amplitude_n, 0.02, 1e-3);
+    EXPECT_NEAR(hum.amplitude, 0.02, 1e-3);
   }
 }
 

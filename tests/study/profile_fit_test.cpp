@@ -372,6 +372,7 @@ TEST(ProfileFit, AxesThatNoFingerHasAreAskedAbout) {
   ProfileFit fit;
   for (PadValue& value : fit.values) value.refusal = "not here";
   fit.values[0] = {0.02, 100, 1, ""};
+  fit.interval[0] = {0.003, 0.03};
   EXPECT_THAT(fit_notes(fit), testing::ElementsAre(HasSubstr("lateral_axis_m is 20 mm")));
   fit.values[0].value = 0.004;
   EXPECT_THAT(fit_notes(fit), testing::IsEmpty());

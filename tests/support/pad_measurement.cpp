@@ -64,7 +64,8 @@ struct TrueMotion {
   }
   Vec2 place(double t) const {
     const double deg = pi / 180;
-    return trial.amplitude_m * std::sin(2 * pi * trial.frequency_hz * t) *
+    const double wave = std::sin(2 * pi * trial.frequency_hz * t);
+    return trial.amplitude_m * (trial.is_even ? 2 / pi * std::asin(wave) : wave) *
            Vec2(std::cos(trial.bearing_deg * deg), std::sin(trial.bearing_deg * deg));
   }
   double height_m(double t) const {

@@ -44,6 +44,7 @@ struct KnownTrial {
   double bearing_deg = 0;  ///< 0 lateral, 90 longitudinal
   double amplitude_m = 0.06, frequency_hz = 0.6, duration_s = 4, load_n = 1;
   double ramp_s = 0.15;  ///< in which it is pressed and lifted, where the sensors watch it in the air
+  bool is_even = false;  ///< forth and back at one speed, 4 f amplitude, in place of the sine
 };
 
 /// A row of a measured table.

@@ -1,0 +1,193 @@
+#include "study/air_evidence.hpp"
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+#include <optional>
+
+#include "study/sample_noise.hpp"
+
+namespace fingerpad {
+namespace {
+
+enum class FingerPlace { unknown, air, plate };
+
+/// What the evidence is read from.
+struct TrialSenses {
+  const RecordedTrial& trial;
+  double noise_n, press_n;
+  std::vector<double> height_m, normal_n;
+  double height_noise_m;
+
+  TrialSenses(const RecordedTrial& of, double noise, double press)
+      : trial(of), noise_n(noise), press_n(press) {
+    for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+      height_m.push_back(trial.normal_W.dot(places().col(i)));
+      normal_n.push_back(trial.normal_W.dot(trial.force_W.col(i)));
+    }
+    height_noise_m = sample_noise(height_m);
+  }
+  /// Contact points rest on the tare; what is tracked does not.
+  const Points& places() const { return trial.sensor ? trial.tracked_W : trial.position_W; }
+
+  /// Mean, over all heights; less where the finger is lifted.
+  double stiffness_n_per_m() const { return press_n / spread_m(); }
+  double spread_m() const { return quantile(height_m, 0.99) - quantile(height_m, 0.01); }
+
+  /// Whether the heights are a finger's that presses and lifts, and not a rail's.
+  bool tell_height() const {
+    constexpr double least_m = 2e-5, beyond_noise = 10;
+    return spread_m() > std::max(least_m, beyond_noise * height_noise_m);
+  }
+};
+
+/// How far the heights of samples [from, to) spread, those of them that there are; each is the mean of five.
+double height_spread_m(const TrialSenses& sensed, Eigen::Index from, Eigen::Index to) {
+  constexpr Eigen::Index window = 5;
+  double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -lowest_m;
+  for (Eigen::Index i = std::max<Eigen::Index>(from, 0); i + window <= to; ++i) {
+    const auto first = sensed.height_m.begin() + i;
+    const double mean_m = std::accumulate(first, first + window, 0.0) / window;
+    lowest_m = std::min(lowest_m, mean_m);
+    highest_m = std::max(highest_m, mean_m);
+  }
+  return std::max(0.0, highest_m - lowest_m);
+}
+
+/// Outward from one end of a run, the first sample that is plainly above it; none where the trial ends, or a
+/// sample is missing, before that.
+std::optional<Eigen::Index> first_above(const TrialSenses& sensed, const StillRun& run, Eigen::Index way) {
+  constexpr double plainly = 6, longest_s = 0.1;
+  const auto most = static_cast<Eigen::Index>(longest_s * sensed.trial.rate_hz);
+  Eigen::Index i = way < 0 ? run.from - 1 : run.to;
+  for (Eigen::Index steps = 0; steps < most && i >= 0 && i < sensed.trial.samples(); ++steps, i += way) {
+    const auto k = static_cast<std::size_t>(i);
+    if (sensed.trial.origin[k] == SampleOrigin::missing) return std::nullopt;
+    if (sensed.normal_n[k] > run.normal_n + plainly * sensed.noise_n) return i;
+  }
+  return std::nullopt;
+}
+
+/// What a run's heights say, up to where it is pressed before and after. Force may lag them by up to 50 ms,
+/// which is not known yet: a finger on the plate keeps its height at one of these lags; one in the air that
+/// is pressed at both ends at none.
+FingerPlace place_by_height(const TrialSenses& sensed, const StillRun& run) {
+  constexpr double most_lag_s = 0.05, lags = 10;
+  // A pad is softer where it presses little; its noise passes for change.
+  constexpr double softer = 3, beyond_noise = 5;
+  const auto before = first_above(sensed, run, -1), after = first_above(sensed, run, 1);
+  const Eigen::Index from = before ? *before + 1 : run.from, to = after ? *after : run.to;
+  const auto [least_n, most_n] =
+      std::minmax_element(sensed.normal_n.begin() + from, sensed.normal_n.begin() + to);
+  const double yields_m =
+      softer * (*most_n - *least_n) / sensed.stiffness_n_per_m() + beyond_noise * sensed.height_noise_m;
+  double least_m = height_spread_m(sensed, from, to);
+  const bool is_flat = least_m < yields_m;
+  for (double lag = 1; lag <= lags; ++lag) {
+    const auto late = static_cast<Eigen::Index>(std::lround(lag / lags * most_lag_s * sensed.trial.rate_hz));
+    if (to - late <= 0) break;
+    least_m = std::min(least_m, height_spread_m(sensed, from - late, to - late));
+  }
+  if (!(least_m < yields_m)) return FingerPlace::air;
+  const bool is_plate = (before && after) || (is_flat && (before || after));
+  return is_plate ? FingerPlace::plate : FingerPlace::unknown;
+}
+
+/// A run that moves along the plate: which way, and what force along the plate it has.
+struct MovingRun {
+  std::size_t run;
+  double middle;  ///< sample
+  Vec3 way, force_n;
+  double samples;
+};
+
+std::optional<MovingRun> moved_along(const TrialSenses& sensed, const StillRun& run, std::size_t number) {
+  constexpr double least_m_per_s = 2e-3, beyond_noise = 5;
+  const Points& places = sensed.places();
+  const Vec3 normal = sensed.trial.normal_W;
+  const auto along_plate = [&normal](const Vec3& v) -> Vec3 { return v - normal * normal.dot(v); };
+  const Vec3 way = along_plate(places.col(run.to - 1) - places.col(run.from));
+  const auto count = static_cast<double>(run.to - run.from);
+  const double least_m =
+      std::max(least_m_per_s * count / sensed.trial.rate_hz, beyond_noise * sensed.height_noise_m);
+  if (!(way.norm() > least_m)) return std::nullopt;
+  const Vec3 mean_n = sensed.trial.force_W.middleCols(run.from, run.to - run.from).rowwise().mean();
+  return MovingRun{number, 0.5 * static_cast<double>(run.from + run.to), way.normalized(),
+                   along_plate(mean_n), count};
+}
+
+/// Whether what opposes the motion, beside an offset that drifts, is more than chance. Of fewer than four
+/// runs the two cannot be told apart.
+bool opposes_motion(const TrialSenses& sensed, const std::vector<MovingRun>& moving) {
+  constexpr double surely = 5, least_share = 0.01;
+  constexpr Eigen::Index unknowns = 7, fewest = 4;
+  const auto runs = static_cast<Eigen::Index>(moving.size());
+  if (runs < fewest) return false;
+  Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(3 * runs, unknowns);
+  Eigen::VectorXd forces(3 * runs);
+  double samples = 0;
+  for (Eigen::Index r = 0; r < runs; ++r) {
+    const MovingRun& one = moving[static_cast<std::size_t>(r)];
+    rows.block<3, 1>(3 * r, 0) = -one.way;
+    rows.block<3, 3>(3 * r, 1).setIdentity();
+    rows.block<3, 3>(3 * r, 4) =
+        Eigen::Matrix3d::Identity() * (one.middle / static_cast<double>(sensed.trial.samples()) - 0.5);
+    forces.segment<3>(3 * r) = one.force_n;
+    samples += one.samples / static_cast<double>(runs);
+  }
+  const Eigen::MatrixXd inverse = (rows.transpose() * rows).completeOrthogonalDecomposition().pseudoInverse();
+  const Eigen::VectorXd found = inverse * (rows.transpose() * forces);
+  const double left_n = (forces - rows * found).norm() / std::sqrt(static_cast<double>(3 * runs - unknowns)),
+               error_n = std::sqrt(inverse(0, 0)) * std::max(left_n, sensed.noise_n / std::sqrt(samples));
+  return found[0] > std::max(surely * error_n, least_share * sensed.press_n);
+}
+
+/// Whether all runs go one way.
+bool go_one_way(const std::vector<MovingRun>& moving) {
+  constexpr double alike = 0.8;  // cosine
+  return std::all_of(moving.begin(), moving.end(),
+                     [&](const MovingRun& one) { return one.way.dot(moving[0].way) > alike; });
+}
+
+/// Whether a run's force looks like friction by itself: against the motion, and such a share of its normal
+/// force as friction may be.
+bool looks_like_friction(const TrialSenses& sensed, const MovingRun& one, double normal_n) {
+  constexpr double aside = 0.35, least_mu = 0.05, most_mu = 3, surely = 5, least_share = 0.01;
+  const double against_n = -one.force_n.dot(one.way), aside_n = (one.force_n + against_n * one.way).norm();
+  return against_n >
+             std::max(surely * sensed.noise_n / std::sqrt(one.samples), least_share * sensed.press_n) &&
+         aside_n < aside * against_n && against_n > least_mu * normal_n && against_n < most_mu * normal_n;
+}
+
+}  // namespace
+
+std::vector<StillRun> runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs,
+                                      double noise_n, double press_n) {
+  const TrialSenses sensed(trial, noise_n, press_n);
+  std::vector<FingerPlace> places(runs.size(), FingerPlace::unknown);
+  if (sensed.tell_height()) {
+    for (std::size_t r = 0; r < runs.size(); ++r) places[r] = place_by_height(sensed, runs[r]);
+  }
+  std::vector<MovingRun> moving;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (places[r] == FingerPlace::plate) continue;
+    if (const auto one = moved_along(sensed, runs[r], r)) moving.push_back(*one);
+  }
+  if (!moving.empty() && go_one_way(moving)) {
+    for (const MovingRun& one : moving) {
+      if (places[one.run] == FingerPlace::unknown && looks_like_friction(sensed, one, runs[one.run].normal_n))
+        places[one.run] = FingerPlace::plate;
+    }
+  } else if (!moving.empty() && opposes_motion(sensed, moving)) {
+    for (const MovingRun& one : moving) places[one.run] = FingerPlace::plate;
+  }
+  std::vector<StillRun> left;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    if (places[r] != FingerPlace::plate) left.push_back(runs[r]);
+  }
+  return left;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <vector>
+
+#include "study/recorded_trial.hpp"
+
+namespace fingerpad {
+
+/// Samples [from, to) of a trial in which the force is low and as still as its noise: without contact, or
+/// pressed lightly and evenly.
+struct StillRun {
+  Eigen::Index from, to;
+  double normal_n;  ///< mean normal force, as sensed
+};
+
+/// The runs among them that are not known to be pressed, in their order. Two things tell a finger that rests
+/// or rubs on the plate from one that is off it:
+/// - its height: one that leaves the plate rises while its force stays as it is; one that presses on is no
+///   higher than where the force begins to rise, but for what the pad yields by so little;
+/// - its friction: what is left of the force along the plate opposes the motion in some runs one way and in
+///   others the other way. (Of runs that all go one way an offset of the sensor looks alike: those whose
+///   height tells nothing are taken for pressed if the rest opposes their motion and is a share of their
+///   normal force that friction may be.)
+/// Where neither tells anything (no height, no motion along the plate) a run stays.
+/// @param noise_n  standard deviation of the normal force's noise
+/// @param press_n  how hard the plate is pressed in the trial
+std::vector<StillRun> runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs,
+                                      double noise_n, double press_n);
+
+}  // namespace fingerpad

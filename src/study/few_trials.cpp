@@ -1,0 +1,92 @@
+#include "study/few_trials.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "base/number_text.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr long fewest_trials = 3;                                  // of which an interval is told
+constexpr double widest_axis_m = 0.01, narrowest_axis_m = 0.1e-3;  // of a finger's
+
+bool has_interval(const ProfileFit& fit, PadNumber number) {
+  return fit.interval[static_cast<std::size_t>(number)].has_value();
+}
+
+/// What to record so that a number of so many trials has an interval.
+std::string more_trials_words(long trials) {
+  return fmt::format("{} trial{} tell{} it, too few to say how far it may be off: record {} or more", trials,
+                     trials == 1 ? "" : "s", trials == 1 ? "s" : "", fewest_trials);
+}
+
+/// Why what was found of a vibration is none; empty where it may be one.
+std::string no_vibration_words(const ProfileFit& fit) {
+  const auto k = static_cast<std::size_t>(PadNumber::vibration_bandwidth);
+  const PadValue& bandwidth = fit.values[k];
+  if (bandwidth.trials < fewest_trials) return more_trials_words(bandwidth.trials);
+  if (!fit.interval[k])
+    return "with other trials drawn of these no frequency stands out of the spectrum of slip: nothing is "
+           "seen to "
+           "vibrate for sure";
+  if (fit.interval[k]->first > 0) return {};
+  return fmt::format(
+      "the peak of the spectrum of slip is {} Hz wide, give or take {}: nothing is seen to vibrate for sure",
+      rounded_text(bandwidth.value, 2), rounded_text(fit.interval[k]->second - bandwidth.value, 2));
+}
+
+void refuse_number(PadNumber number, const std::string& words, ProfileFit& fit) {
+  const auto k = static_cast<std::size_t>(number);
+  fit.values[k].refuse(RefusalReason::vague, words);
+  fit.interval[k].reset();
+}
+
+/// A finger's skin gives way by less than a centimetre: an axis of more is what single trials come to by
+/// chance.
+void refuse_odd_axes(ProfileFit& fit) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const PadNumber number = spring_numbers[axis];
+    const PadValue& value = value_of(fit.values, number);
+    const bool is_odd = value.value > widest_axis_m || value.value < narrowest_axis_m;
+    if (!value.refusal.empty() || has_interval(fit, number) || !is_odd) continue;
+    const std::string words =
+        fmt::format("it would be {} mm, which is no finger's, and {}", rounded_text(1e3 * value.value, 2),
+                    more_trials_words(value.trials));
+    for (std::size_t n = axis; n < spring_numbers.size(); n += 2)
+      refuse_number(spring_numbers[n], words, fit);
+  }
+}
+
+}  // namespace
+
+void refuse_told_by_few(ProfileFit& fit) {
+  const PadValue& v_min = value_of(fit.values, PadNumber::v_min);
+  if (v_min.refusal.empty() && !has_interval(fit, PadNumber::v_min) && v_min.trials < fewest_trials)
+    refuse_number(
+        PadNumber::v_min,
+        fmt::format("slip is seen to end in {} trial{} only, too few to say how far it may be off: record "
+                    "until it does in {} or more",
+                    v_min.trials, v_min.trials == 1 ? "" : "s", fewest_trials),
+        fit);
+  if (const std::string words = no_vibration_words(fit); !words.empty()) {
+    for (const PadNumber number : {PadNumber::vibration, PadNumber::vibration_bandwidth})
+      refuse_number(number, words, fit);
+  }
+  refuse_odd_axes(fit);
+}
+
+std::string without_interval_words(const ProfileFit& fit) {
+  std::string names;
+  for (std::size_t k = 0; k < fit.values.size(); ++k) {
+    if (!fit.values[k].refusal.empty() || fit.interval[k]) continue;
+    names += fmt::format("{}{}", names.empty() ? "" : ", ", pad_number_keys[k]);
+  }
+  if (names.empty()) return {};
+  return fmt::format(
+      "too few trials for an interval, so that these may be off by any amount (record {} or more): {}",
+      fewest_trials, names);
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,72 @@
+#include "study/fit_refusals.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "base/number_text.hpp"
+
+namespace fingerpad {
+
+void refuse_springs(RefusalReason reason, const std::string& words, PadValues& values) {
+  for (const PadNumber number : spring_numbers) value_of(values, number).refuse(reason, words);
+}
+
+void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit) {
+  constexpr double vaguest = 0.5, hardly = 0.05;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    // A number of the other axis stands beside each.
+    const auto k = static_cast<std::size_t>(spring_numbers[axis]);
+    const double value = fit.values[k].value;
+    if (!fit.values[k].refusal.empty() || !fit.interval[k]) continue;
+    const double reach = fit.interval[k]->second - value;
+    const long slip = value_of(fit.values, PadNumber::mu_dynamic).samples;
+    if (!(reach > vaguest * value)) continue;
+    const bool hardly_sticks =
+        static_cast<double>(fit.values[k].samples) <= hardly * static_cast<double>(slip);
+    if (keeps_told_by_few && !hardly_sticks) continue;
+    const std::string words =
+        fmt::format("{} along this axis tells it to -+ {:.0f} % only",
+                    hardly_sticks ? "the finger hardly sticks: what is seen of its stick"
+                                  : "the trials are too few or too unlike: their stick",
+                    100 * reach / value);
+    for (std::size_t n = axis; n < spring_numbers.size(); n += 2) {
+      const auto other = static_cast<std::size_t>(spring_numbers[n]);
+      fit.values[other].refuse(RefusalReason::vague, words);
+      fit.interval[other].reset();
+    }
+  }
+}
+
+void refuse_odd_cubic_shares(ProfileFit& fit) {
+  for (const PadNumber number : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share}) {
+    const auto k = static_cast<std::size_t>(number);
+    PadValue& share = fit.values[k];
+    constexpr double as_straight = 0.02;
+    if (share.refusal.empty() && share.value < 0 && share.value > -as_straight && fit.interval[k])
+      fit.interval[k]->second = std::max(fit.interval[k]->second, 0.0);
+    const auto [least, most] = fit.interval[k].value_or(std::pair(share.value, share.value));
+    if (!share.refusal.empty() || (most >= -as_straight && least <= 1)) continue;
+    share.refuse(RefusalReason::other,
+                 fmt::format("the measurement gives a {} of {}; the finger-pad law's spring takes 0 to 1",
+                             pad_number_keys[k], rounded_text(share.value, 4)));
+    fit.interval[k].reset();
+  }
+}
+
+void tell_noise(const std::vector<StickSegments>& segments, ProfileFit& fit) {
+  const auto noisy = std::count_if(segments.begin(), segments.end(),
+                                   [](const StickSegments& trial) { return trial.is_too_noisy; });
+  if (noisy == 0) return;
+  for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic}) {
+    std::string& refusal = value_of(fit.values, number).refusal;
+    if (!refusal.empty())
+      refusal += fmt::format(
+          "; in {} of {} trials the forces' noise is so large for their load that ruptures cannot be seen in "
+          "it",
+          noisy, segments.size());
+  }
+}
+
+}  // namespace fingerpad

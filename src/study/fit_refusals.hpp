@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "study/profile_fit.hpp"
+
+namespace fingerpad {
+
+/// Refuses what rests on stick.
+void refuse_springs(RefusalReason reason, const std::string& words, PadValues& values);
+
+/// An axis that its interval does not tell to half of it is refused, with what rests on the same.
+/// @param keeps_told_by_few  FitSettings'
+void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit);
+
+/// The finger-pad law takes a cubic_share of 0 to 1. One that noise puts outside is left if its interval
+/// reaches into that. One that is a little below 0 is a straight spring's, some of whose ends pass for stick:
+/// its interval reaches to 0.
+void refuse_odd_cubic_shares(ProfileFit& fit);
+
+/// Says of coefficients that are refused that noise may be why.
+void tell_noise(const std::vector<StickSegments>& segments, ProfileFit& fit);
+
+}  // namespace fingerpad

@@ -1,0 +1,44 @@
+#include "study/impossible_numbers.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+#include "base/number_text.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// Lengths, stiffnesses, speeds and the like, that cannot be 0 or less.
+constexpr PadNumber sizes[] = {PadNumber::lateral_axis,
+                               PadNumber::longitudinal_axis,
+                               PadNumber::stick_stiffness,
+                               PadNumber::longitudinal_stiffness,
+                               PadNumber::mu_static,
+                               PadNumber::mu_dynamic,
+                               PadNumber::v_min,
+                               PadNumber::vibration,
+                               PadNumber::vibration_bandwidth,
+                               PadNumber::normal_stiffness,
+                               PadNumber::normal_exponent};
+
+}  // namespace
+
+void refuse_impossible_numbers(PadValues& found) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    PadValue& value = found[k];
+    if (!value.refusal.empty()) continue;
+    if (!std::isfinite(value.value))
+      value.refuse(RefusalReason::other,
+                   fmt::format("the measurement gives no finite {}", pad_number_keys[k]));
+  }
+  for (const PadNumber number : sizes) {
+    PadValue& value = value_of(found, number);
+    if (!(value.value > 0))
+      value.refuse(RefusalReason::other, fmt::format("the measurement gives a {} of {}; it must be above 0",
+                                                     pad_number_keys[static_cast<std::size_t>(number)],
+                                                     rounded_text(value.value, 4)));
+  }
+}
+
+}  // namespace fingerpad

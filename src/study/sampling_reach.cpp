@@ -1,0 +1,153 @@
+#include "study/sampling_reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace fingerpad {
+namespace {
+
+/// How far coefficients may be off where stick hides: slip may hold teeth, whose mean is half way up to
+/// mu_static, and of ruptures that noise hides half the time those are seen that noise raises.
+struct HiddenReach {
+  double mu_static = 0, mu_dynamic = 0;
+};
+
+HiddenReach hidden_reach(const ProfileFit& fit, const FitPoint& point) {
+  const auto value = [&](PadNumber number) -> const PadValue& { return value_of(fit.values, number); };
+  const PadValue &mu_static = value(PadNumber::mu_static), &mu_dynamic = value(PadNumber::mu_dynamic);
+  HiddenReach reach;
+  const bool is_likely = point.evidence.hidden_stick_ratio > 0;
+  if (!is_likely || !mu_dynamic.refusal.empty()) return reach;
+  const double unseen = unseen_drop_share(fit.evidence) * mu_dynamic.value,
+               drop = mu_static.value - mu_dynamic.value;
+  if (mu_static.refusal.empty() && drop < 1.5 * unseen)
+    reach.mu_static = 0.3 * (std::max(0.0, unseen - drop) + unseen / 6);
+  if (value(PadNumber::v_min).refusal.empty()) return reach;
+  double seen = 0, teeth = 0;
+  for (const TrialEvidence& trial : fit.evidence) {
+    seen += trial.short_drop;
+    teeth += static_cast<double>(trial.short_teeth);
+  }
+  reach.mu_dynamic = std::max(unseen / 2, teeth > 0 ? seen / teeth : 0);
+  if (mu_static.refusal.empty() && mu_static.samples > 10) reach.mu_dynamic = std::max(unseen / 2, drop);
+  return reach;
+}
+
+/// How many samples a tooth of stick and slip takes at v_min, from mu_dynamic to mu_static along the spring;
+/// nothing where that is not known.
+std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& about) {
+  const auto value = [&](PadNumber number) -> const PadValue& { return value_of(fit.values, number); };
+  const PadValue &mu_static = value(PadNumber::mu_static), &mu_dynamic = value(PadNumber::mu_dynamic),
+                 &v_min = value(PadNumber::v_min);
+  if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty() || !v_min.refusal.empty())
+    return std::nullopt;
+  double rate_hz = 0, way_m = 0, axes = 0;
+  for (const TrialEvidence& trial : fit.evidence) rate_hz = std::max(rate_hz, trial.rate_hz);
+  for (const auto& [number, axis] :
+       {std::pair(PadNumber::lateral_axis, 0), std::pair(PadNumber::longitudinal_axis, 1)}) {
+    if (!value(number).refusal.empty()) continue;
+    const SpringBend& bend = about.bend[static_cast<std::size_t>(axis)];
+    const auto way = [&](double ratio) { return bend.at(ratio)[0] * ratio; };
+    way_m += value(number).value * (1 - way(mu_dynamic.value) / way(mu_static.value));
+    ++axes;
+  }
+  if (axes == 0) return std::nullopt;
+  return way_m / axes / v_min.value * rate_hz;
+}
+
+}  // namespace
+
+double unseen_drop_share(const std::vector<TrialEvidence>& trials) {
+  double drop = 0, friction = 0;
+  for (const TrialEvidence& trial : trials) {
+    drop += static_cast<double>(trial.slip_samples) * trial.unseen_drop;
+    friction += trial.slip_ratio;
+  }
+  return friction > 0 ? drop / friction : 0;
+}
+
+std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
+                                            const std::vector<StickSegments>& segments,
+                                            const EvidencePoint& about, double delay_left_s) {
+  std::vector<TrialEvidence> delayed;
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    MeasuredTrial trial = measurement.trials[i];
+    const double by_s = trial.delay_unsure_s + std::abs(delay_left_s);
+    const std::vector<double> heights = trial.height_m;
+    const auto half = static_cast<std::size_t>(segments[i].half_window);
+    for (std::size_t k = 0; k < heights.size(); ++k) {
+      trial.position_m[k] += by_s * segments[i].velocity_m_per_s[k];
+      std::size_t from = k, to = k;
+      while (k - from < half && from > 0 && !trial.starts_anew[from]) --from;
+      while (to - k < half && to + 1 < heights.size() && !trial.starts_anew[to + 1]) ++to;
+      if (to > from)
+        trial.height_m[k] +=
+            by_s * trial.rate_hz * (heights[to] - heights[from]) / static_cast<double>(to - from);
+    }
+    delayed.push_back(trial_evidence(trial, segments[i], about));
+  }
+  return delayed;
+}
+
+std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit,
+                                                             const std::vector<TrialEvidence>& delayed,
+                                                             const FitPoint& point, bool has_slow_slip) {
+  constexpr double unsure = 0.1, later = 0.05, beside = 0.025, long_tooth = 6;
+  // The end of slip may be seen a tooth late where teeth have few samples.
+  const double earlier =
+      0.5 + std::max(0.0, long_tooth - tooth_samples(fit, point.evidence).value_or(long_tooth));
+  const double bent = (point.evidence.bend[0].cubic_share + point.evidence.bend[1].cubic_share) / 2;
+  std::vector<TrialEvidence> noisier = fit.evidence;
+  for (TrialEvidence& trial : noisier) {
+    for (std::size_t axis = 0; axis < 2; ++axis) trial.spring[axis] -= unsure * trial.spring_noise[axis];
+    trial.rupture_ratio += later * (1 + bent) * trial.rupture_rise;
+    trial.stop_speed_m_per_s += earlier * trial.stop_slowing_m_per_s;
+  }
+  std::array<double, pad_number_keys.size()> moved{};
+  for (const auto* evidence : {&std::as_const(noisier), &delayed}) {
+    const PadValues values = pad_numbers(*evidence, std::vector<int>(evidence->size(), 1), point);
+    for (std::size_t k = 0; k < moved.size(); ++k) {
+      if (fit.values[k].refusal.empty() && values[k].refusal.empty())
+        moved[k] += std::abs(values[k].value - fit.values[k].value);
+    }
+  }
+  // Where stick passes for slip before slip is seen to end, it does so within mu_dynamic too.
+  if (!value_of(fit.values, PadNumber::v_min).refusal.empty()) {
+    double rise = 0;
+    long stops = 0;
+    for (const TrialEvidence& trial : fit.evidence) rise += trial.stop_rise, stops += trial.stops;
+    if (stops > 0)
+      moved[static_cast<std::size_t>(PadNumber::mu_dynamic)] +=
+          std::max(0.0, rise / static_cast<double>(stops));
+  }
+  if (point.v_min_by_step) {
+    const auto k = static_cast<std::size_t>(PadNumber::v_min);
+    moved[k] = SlipBySpeed::bin_width * fit.values[k].value;
+  }
+  const HiddenReach hidden = hidden_reach(fit, point);
+  moved[static_cast<std::size_t>(PadNumber::mu_static)] += hidden.mu_static;
+  moved[static_cast<std::size_t>(PadNumber::mu_dynamic)] += hidden.mu_dynamic;
+  constexpr double bends = 1e-3;
+  for (const PadNumber share : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share})
+    moved[static_cast<std::size_t>(share)] += bends;
+  constexpr double stretches = 5e-4;
+  for (const PadNumber length : {PadNumber::lateral_axis, PadNumber::longitudinal_axis,
+                                 PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {
+    const auto k = static_cast<std::size_t>(length);
+    moved[k] += stretches * std::abs(fit.values[k].value);
+  }
+  constexpr double slow_share = 5e-4;  // of slip's friction: what slow slip is left in it
+  const auto dynamic = static_cast<std::size_t>(PadNumber::mu_dynamic);
+  moved[dynamic] += (has_slow_slip ? 2 : 1) * slow_share * std::abs(fit.values[dynamic].value);
+  if (point.vibration) {
+    const double step_hz =
+        point.vibration->rate_hz / static_cast<double>(vibration_window(point.vibration->rate_hz));
+    moved[static_cast<std::size_t>(PadNumber::vibration)] += beside * step_hz;
+    moved[static_cast<std::size_t>(PadNumber::vibration_bandwidth)] += beside * step_hz;
+  }
+  return moved;
+}
+
+}  // namespace fingerpad

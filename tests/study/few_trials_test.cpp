@@ -1,0 +1,88 @@
+#include "study/few_trials.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/cross_validation.hpp"
+#include "study/profile_text.hpp"
+#include "support/pad_measurement.hpp"
+
+namespace fingerpad::few_trials_test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+Measurement measured(const std::vector<test::KnownTrial>& trials, const test::KnownFinger& finger = {},
+                     std::uint64_t seed = 1) {
+  return clean(test::known_measurement(trials, finger, {}, seed), {});
+}
+
+const PadValue& of(const ProfileFit& fit, PadNumber number) {
+  return fit.values[static_cast<std::size_t>(number)];
+}
+
+TEST(FewTrials, VMinAndVibrationOfTwoAreRefused) {
+  const ProfileFit two = fit_profile(measured({{1, 45, 0}, {1, 45, 90}}), {}),
+                   three = fit_profile(measured({{1, 45, 0}, {1, 45, 90}, {1, 45, 45}}), {});
+  EXPECT_THAT(
+      of(two, PadNumber::v_min).refusal,
+      HasSubstr("slip is seen to end in 2 trials only, too few to say how far it may be off: record until"));
+  for (const PadNumber number : {PadNumber::vibration, PadNumber::vibration_bandwidth})
+    EXPECT_THAT(of(two, number).refusal, HasSubstr("2 trials tell it, too few"));
+  EXPECT_THAT(fit_notes(two),
+              Contains(HasSubstr("too few trials for an interval, so that these may be off by any "
+                                 "amount (record 3 or more): lateral_axis_m")));
+  EXPECT_NE(profile_text(two, "x").find("# too few trials for an interval"), std::string::npos);
+  for (const PadNumber number : {PadNumber::v_min, PadNumber::vibration, PadNumber::vibration_bandwidth})
+    EXPECT_EQ(of(three, number).refusal, "");
+}
+
+TEST(FewTrials, AVibrationWhoseWidthMayBeNoneIsRefused) {
+  test::KnownFinger hardly;
+  hardly.vibration = 0.01;  // beneath the noise
+  std::vector<test::KnownTrial> trials;
+  for (int k = 0; k < 6; ++k) trials.push_back({2, 45, 45.0 * k, 0.06, 0.6, 4});
+  const ProfileFit fit = fit_profile(measured(trials, hardly, 3), {});
+  for (const PadNumber number : {PadNumber::vibration, PadNumber::vibration_bandwidth}) {
+    EXPECT_THAT(of(fit, number).refusal, HasSubstr("nothing is seen to vibrate for sure"));
+    EXPECT_FALSE(fit.interval[static_cast<std::size_t>(number)]);
+  }
+  EXPECT_EQ(of(fit_profile(measured(trials), {}), PadNumber::vibration).refusal, "");
+}
+
+TEST(FewTrials, AnAxisWithoutAnIntervalThatIsNoFingersIsRefused) {
+  ProfileFit fit;
+  for (PadValue& value : fit.values) value.refusal = "not here";
+  PadValue &axis = fit.values[0], &slope = fit.values[2];
+  axis = {0.024, 100, 1, ""};
+  slope.refusal = "one angle";
+  refuse_told_by_few(fit);
+  EXPECT_THAT(axis.refusal, HasSubstr("it would be 24 mm, which is no finger's, and 1 trial tells it"));
+  EXPECT_EQ(slope.refusal, "one angle") << "an earlier refusal stays";
+  axis = {0.024, 100, 3, ""};
+  fit.interval[0] = {0.02, 0.028};
+  refuse_told_by_few(fit);
+  EXPECT_EQ(axis.refusal, "");
+  axis = {0.004, 100, 1, ""};
+  fit.interval[0].reset();
+  refuse_told_by_few(fit);
+  EXPECT_EQ(axis.refusal, "");
+}
+
+TEST(FewTrials, FoldsKeepWhatFewTell) {
+  FitSettings of_fold;
+  of_fold.keeps_told_by_few = true;
+  const ProfileFit fold = fit_profile(measured({{1, 45, 0}, {1, 45, 90}}), of_fold);
+  for (const PadNumber number : {PadNumber::v_min, PadNumber::vibration})
+    EXPECT_EQ(of(fold, number).refusal, "");
+  // Without their v_min each fold would have the built-in one.
+  test::KnownFinger slow;
+  slow.pad.v_min_m_per_s = 0.04;
+  slow.vibration = 0;
+  const CrossValidation checked = cross_validate(measured({{2, 45, 45}, {2, 45, 45}, {2, 45, 45}}, slow), {});
+  EXPECT_LT(checked.fitted_rms_n, 0.02);  // 0.09 with the built-in v_min
+}
+
+}  // namespace
+}  // namespace fingerpad::few_trials_test

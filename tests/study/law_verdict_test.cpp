@@ -1,0 +1,76 @@
+#include "study/law_verdict.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "study/profile_text.hpp"
+#include "support/pad_measurement.hpp"
+
+namespace fingerpad::law_verdict_test {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+/// A trial of which the law leaves a share in stick.
+TrialResidual leaving(double share) {
+  TrialResidual trial;
+  trial.stick = {share * share, 0.02 * 0.02, 1, 1000};
+  trial.sure_stick = trial.stick;
+  trial.gives = trial.drops = 3;
+  return trial;
+}
+
+const std::vector<std::string> names{"a", "b", "c", "d", "e"};
+
+TEST(LawVerdict, RestsOnMostTrials) {
+  const std::vector<TrialResidual> one_bad(5, leaving(0.02));
+  std::vector<TrialResidual> trials = one_bad;
+  trials[3] = leaving(0.4);
+  const LawResidual found = law_verdict(trials, names, {});
+  EXPECT_GT(found.share, 0.15);
+  EXPECT_EQ(found.misfit, "");
+  EXPECT_THAT(found.odd_trials, ElementsAre(HasSubstr("d: it leaves 40.0 %")));
+  trials[0] = trials[1] = leaving(0.1);
+  EXPECT_THAT(law_verdict(trials, names, {}).misfit, HasSubstr("it leaves"));
+  EXPECT_TRUE(law_verdict(trials, names, {}).odd_trials.empty());
+}
+
+TEST(LawVerdict, WithoutSlipRestsOnStick) {
+  HiddenStick hidden;
+  hidden.no_slip = "no slip";
+  hidden.unseen_drop = 0.1;
+  const std::vector<TrialResidual> fitting(5, leaving(0.02));
+  EXPECT_EQ(law_verdict(fitting, names, hidden).untold, "no slip");
+  // Stick that surely does not give way leaves more than noise; of all of it more than unseen teeth drop.
+  std::vector<TrialResidual> bent = fitting, far = fitting, near = fitting;
+  for (TrialResidual& trial : bent) trial.sure_stick.left = 0.1 * 0.1;
+  for (TrialResidual& trial : far) trial.stick.left = 0.2 * 0.2;
+  for (TrialResidual& trial : near) trial.stick.left = 0.14 * 0.14;
+  for (const auto* trials : {&bent, &far}) {
+    EXPECT_THAT(law_verdict(*trials, names, hidden).misfit, HasSubstr("of the friction in stick (RMS)"));
+    EXPECT_EQ(law_verdict(*trials, names, hidden).untold, "");
+  }
+  EXPECT_EQ(law_verdict(near, names, hidden).misfit, "");
+}
+
+TEST(LawVerdict, NamesTheOneTrialThatDoesNotFit) {
+  std::vector<test::KnownTrial> rubs;
+  for (int k = 0; k < 8; ++k) rubs.push_back({2, 45, k % 3 * 45.0});
+  RecordedMeasurement recorded = test::known_measurement(rubs, {}, {}, 3);
+  // Its sensor shook.
+  RecordedTrial& odd = recorded.trials[5];
+  for (Eigen::Index i = 0; i < odd.samples(); ++i)
+    odd.force_W(0, i) += 0.5 * std::sin(44 * static_cast<double>(i) / odd.rate_hz);
+  const ProfileFit fit = fit_profile(clean(recorded, {}), {});
+  EXPECT_EQ(fit.residual.misfit, "");
+  EXPECT_THAT(fit_notes(fit),
+              Contains(testing::AllOf(HasSubstr("the pad's law fits most trials, but not known"),
+                                      HasSubstr("trial 6: it leaves"))));
+}
+
+}  // namespace
+}  // namespace fingerpad::law_verdict_test

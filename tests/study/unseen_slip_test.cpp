@@ -1,0 +1,133 @@
+#include "study/unseen_slip.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/profile_text.hpp"
+#include "support/pad_measurement.hpp"
+
+namespace fingerpad::unseen_slip_test {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+ProfileFit fitted(const std::vector<test::KnownTrial>& trials, const test::KnownFinger& finger,
+                  double rate_hz) {
+  test::KnownSensors sensors;
+  sensors.rate_hz = rate_hz;
+  return fit_profile(clean(test::known_measurement(trials, finger, sensors, 3), {}), {});
+}
+
+const PadValue& of(const ProfileFit& fit, PadNumber number) {
+  return fit.values[static_cast<std::size_t>(number)];
+}
+
+bool holds(const ProfileFit& fit, PadNumber number, double truth) {
+  const auto& interval = fit.interval[static_cast<std::size_t>(number)];
+  return interval && interval->first <= truth && truth <= interval->second;
+}
+
+test::KnownFinger finger_of(double mu_dynamic, double v_min_m_per_s) {
+  test::KnownFinger finger;
+  finger.mu_dynamic = mu_dynamic;
+  finger.pad.v_min_m_per_s = v_min_m_per_s;
+  return finger;
+}
+
+/// Twelve rubs of one subject, at three angles, along both axes.
+std::vector<test::KnownTrial> rubs(double speed_m_per_s, bool are_even) {
+  std::vector<test::KnownTrial> trials;
+  constexpr double frequency_hz = 0.3;
+  const double amplitude_m = speed_m_per_s / frequency_hz / (are_even ? 4 : 2 * 3.14159265);
+  for (int k = 0; k < 12; ++k) {
+    trials.push_back({2, 25.0 + 20 * (k % 3), k % 2 * 90.0, amplitude_m, frequency_hz, 4});
+    trials.back().is_even = are_even;
+  }
+  return trials;
+}
+
+TEST(UnseenSlip, RubsThatAreAllBelowVMinAreNoOtherLaw) {
+  // At most 0.06 m/s, where the finger slips from 0.1 on: teeth that are not seen, or seen here and there.
+  for (const double mu_dynamic : {0.25, 0.27}) {
+    for (const double rate_hz : {1000.0, 500.0}) {
+      const ProfileFit fit = fitted(rubs(0.06, false), finger_of(mu_dynamic, 0.1), rate_hz);
+      EXPECT_EQ(fit.residual.misfit, "") << mu_dynamic << " " << rate_hz;
+      EXPECT_THAT(fit_notes(fit),
+                  Contains(AllOf(HasSubstr("whether the pad's law fits cannot be told: no slip is "
+                                           "surely seen"),
+                                 HasSubstr("rub faster"))))
+          << mu_dynamic << " " << rate_hz;
+      EXPECT_THAT(fit_notes(fit), Not(Contains(HasSubstr("the pad's law fits: ")))) << mu_dynamic;
+      EXPECT_TRUE(holds(fit, PadNumber::mu_dynamic, mu_dynamic)) << mu_dynamic << " " << rate_hz;
+      const PadValue& mu_static = of(fit, PadNumber::mu_static);
+      EXPECT_TRUE(!mu_static.refusal.empty() || std::abs(mu_static.value / 0.3 - 1) < 0.02)
+          << mu_static.value;
+    }
+  }
+}
+
+TEST(UnseenSlip, AdviceIsToRubFasterWhereThatIsWhy) {
+  const ProfileFit slow = fitted(rubs(0.06, false), finger_of(0.27, 0.1), 1000);
+  EXPECT_EQ(of(slow, PadNumber::lateral_axis).reason, RefusalReason::unseen_slip);
+  EXPECT_THAT(missing_axes_words(slow),
+              AllOf(HasSubstr("To have it, rub faster."), Not(HasSubstr("two angles"))));
+  // The words are those of another refusal, whose reason is its own.
+  ProfileFit other = slow;
+  for (const PadNumber number : {PadNumber::lateral_axis, PadNumber::longitudinal_axis})
+    other.values[static_cast<std::size_t>(number)].reason = RefusalReason::one_angle;
+  EXPECT_THAT(missing_axes_words(other),
+              AllOf(HasSubstr("two angles"), Not(HasSubstr("To have it, rub faster"))));
+}
+
+TEST(UnseenSlip, NoSlipAtAllIsNoVerdictEither) {
+  const ProfileFit fit = fitted(rubs(0.06, false), finger_of(0.2, 0.1), 1000);
+  EXPECT_EQ(of(fit, PadNumber::mu_dynamic).refusal, "no slip was found");
+  EXPECT_THAT(fit_notes(fit), Contains(HasSubstr("cannot be told: no slip is seen: stick gives way")));
+  // Teeth that are plainly seen tell spring and mu_static all the same.
+  EXPECT_TRUE(holds(fit, PadNumber::mu_static, 0.3));
+  EXPECT_TRUE(holds(fit, PadNumber::lateral_axis, 0.002));
+}
+
+TEST(UnseenSlip, SlowSlipThatCannotHoldTeethIsSlip) {
+  // Forth and back at 0.06 m/s: the finger turns at once, so that slip is never seen to end in stick.
+  for (const double vibration : {0.0, 0.05}) {
+    test::KnownFinger finger = finger_of(0.25, 0.012);
+    finger.vibration = vibration;
+    for (const double mu_static : {0.3, 0.35}) {
+      finger.pad = assumed_profile(mu_static, 150);
+      finger.pad.v_min_m_per_s = 0.012;
+      const ProfileFit fit = fitted(rubs(0.06, true), finger, 1000);
+      EXPECT_NEAR(of(fit, PadNumber::mu_dynamic).value, 0.25, 0.001) << vibration << " " << mu_static;
+      EXPECT_EQ(of(fit, PadNumber::mu_dynamic).refusal, "") << vibration << " " << mu_static;
+      EXPECT_EQ(fit.residual.misfit, "") << vibration << " " << mu_static;
+      EXPECT_EQ(fit.residual.untold, "") << vibration << " " << mu_static;
+      EXPECT_THAT(fit_notes(fit).back(), HasSubstr("the pad's law fits: ")) << vibration << " " << mu_static;
+      EXPECT_NE(of(fit, PadNumber::v_min).refusal, "") << of(fit, PadNumber::v_min).value;
+    }
+  }
+}
+
+TEST(UnseenSlip, EndsOfSlipThatAreSeenOnceInAWhileTellNoVMin) {
+  TrialEvidence trial;
+  trial.subject = 1;
+  trial.stops = 1;
+  trial.stop_speed_m_per_s = 0.06;
+  trial.gives = 10;
+  EXPECT_EQ(seen_v_min({trial}, {1}).refusal, "");
+  trial.gives = 11;
+  EXPECT_THAT(seen_v_min({trial}, {1}).refusal, HasSubstr("seen to end in stick 1 times only"));
+}
+
+TEST(UnseenSlip, AnotherLawIsToldAtAnySpeed) {
+  for (const double speed_m_per_s : {0.06, 0.2}) {
+    test::KnownFinger finger = finger_of(0.2, 0.1);
+    finger.law = "lugre";
+    EXPECT_NE(fitted(rubs(speed_m_per_s, false), finger, 1000).residual.misfit, "") << speed_m_per_s;
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad::unseen_slip_test
