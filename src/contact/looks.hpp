@@ -8,6 +8,7 @@ struct LookCosts {
   static constexpr long packet = 6;           ///< a float filter looks at eight triangles at once
   static constexpr long left_out = 6;         ///< a sieve leaves out eight: mostly the way to them
   static constexpr long shadowed = 3;         ///< a triangle within reach is held against a shadow
+  static constexpr long listed = 1;           ///< one that is found
   static constexpr long fetched = 5;          ///< its corners are fetched
   static constexpr long fetched_cleared = 4;  ///< the same for one that is held against its own plane
   static constexpr long told = 5;             ///< how a place stands before it is told anew
@@ -16,7 +17,9 @@ struct LookCosts {
   static constexpr long of_few = 4;           ///< a pass goes over it in a small view, whatever becomes of it
   static constexpr long too_many = 200;       ///< a search for a few ends where there are more
   static constexpr long closest = 30;         ///< what is left of a packet's triangles is told exactly
-  static constexpr long angle = 6;            ///< the angle under which a triangle is seen
+  static constexpr long closest_cold = 50;    ///< the same of a part that no core's own cache holds
+  static constexpr long dipole = 2;           ///< a cluster of triangles is seen as one
+  static constexpr long angle = 8;            ///< the angle under which a triangle is seen
   static constexpr long projection = 32;      ///< onto four walls
   static constexpr long hop = 64;             ///< the way over an edge
 };

@@ -16,6 +16,13 @@ bool is_box_within(const Part& part, const Vec3& q_P, double distance_m) noexcep
   return beyond.maxCoeff() <= distance_m && beyond.norm() <= distance_m * longer;
 }
 
+/// Lets a column of three come from memory while other things are done.
+template <class Number>
+void ask_for(const Number* column) noexcept {
+  __builtin_prefetch(column);
+  __builtin_prefetch(column + 2);
+}
+
 }  // namespace
 
 NearTriangles::NearTriangles(const ProxyWorld& world) {
@@ -54,11 +61,14 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
   struct Listing {
     NearTriangles* near;
     const SearchLimit* limit;
+    const Part* part;
     double clearance_m;
-  } listing{this, nullptr, world.clearance_m()};
+  } listing{this, nullptr, &tree.part(), world.clearance_m()};
   const auto list = [](void* any_listing, int triangle) {
     const Listing& to = *static_cast<Listing*>(any_listing);
     to.near->found_.push_back(triangle);
+    ask_for(to.part->triangles.col(triangle).data());
+    ask_for(to.part->facet_normals.col(triangle).data());
     to.near->least_gaps_m_.push_back(to.limit->at_least_m - to.clearance_m);
   };
   found_.clear();
@@ -77,39 +87,50 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
   }
   view.is_in_order = !is_whole;
   if (!is_whole) {
-    SearchLimit limit{most - count(), Limits::most_packets};
+    SearchLimit limit{most - count(), Limits::most_packets, std::max(looks.left(), Limits::search_looks)};
     std::optional<KeptPoint> kept;
     if (blocker.surface == surface && blocker.triangle >= 0)
       kept = {approach_triangle(tree.part(), blocker.triangle, view.at_P).at.point, world.clearance_m(),
               2 * world.touching_m()};
     listing.limit = &limit;
     is_whole = tree.each_within(view.at_P, distance_m, kept ? &*kept : nullptr, limit, list, &listing);
-    looks.spend(limit.tests + LookCosts::packet * limit.packets + LookCosts::shadowed * limit.shadowed);
+    looks.spend(limit.looks());
     view.is_crowded = !is_whole || limit.packets > Limits::small_packets / 4;
   }
   if (!is_whole) {
     count_ = most;
     return false;
   }
-  list_found(world, surface, blocker);
+  list_found(tree.part(), surface, blocker);
   count_ += static_cast<int>(found_.size());
-  looks.spend(LookCosts::fetched * static_cast<long>(found_.size()));
+  looks.spend((view.is_in_order ? LookCosts::listed : LookCosts::fetched) * static_cast<long>(found_.size()));
   return true;
 }
 
 /// Of many the blocker first: it is likely the worst of the next way, which then tells at once that others
 /// are not.
-void NearTriangles::list_found(const ProxyWorld& world, int surface, const Blocker& blocker) noexcept {
+void NearTriangles::list_found(const Part& part, int surface, const Blocker& blocker) noexcept {
   const std::size_t first = near_.size();
   for (const int triangle : found_) {
-    NearTriangle& near = near_.emplace_back();
-    near.triangle = triangle;
-    near.corners = corners_of(world.part(surface), triangle);
+    near_.emplace_back(triangle);
+    for (int k = 0; k < 3; ++k) ask_for(part.vertices.col(part.triangles(k, triangle)).data());
   }
   bounds_.resize(near_.size());
   if (blocker.surface != surface || !views_[static_cast<std::size_t>(surface)].is_in_order) return;
   const auto at = std::find(found_.begin(), found_.end(), blocker.triangle);
   if (at != found_.end()) swap(first, first + static_cast<std::size_t>(at - found_.begin()));
+}
+
+/// Of a few, all are paid for when they are listed: in which order Embree finds them decides which are
+/// wanted.
+const NearTriangle& NearTriangles::fetched(std::size_t k, const Part& part, const PartView& view,
+                                           Looks& looks) noexcept {
+  NearTriangle& near = near_[k];
+  if (near.fetched) return near;
+  near.corners = corners_of(part, near.triangle);
+  near.fetched = true;
+  if (view.is_in_order) looks.spend(LookCosts::fetched);
+  return near;
 }
 
 void NearTriangles::swap(std::size_t a, std::size_t b) noexcept {
@@ -156,6 +177,7 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
                           Looks& looks) noexcept {
   const PartView& view = views_[static_cast<std::size_t>(surface)];
   if (!view.within_reach) return true;
+  const Part& part = world.part(surface);
   const std::size_t from = view.first + next;
   const PartWay way(world, surface, view.at_P, z);
   const PartWalls before(world, surface, walls, way.from_P);
@@ -175,7 +197,7 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
     if (std::min(here_m, there_m) >= clear_m) continue;
     // The gap shrinks by no more than the way is long. Even so this breach would not be the worst.
     if (here_m - way_m > worst.slack_m) continue;
-    const NearTriangle& near = near_[k];
+    const NearTriangle& near = fetched(k, part, view, looks);
     if (before.hide(near.corners)) continue;
     if (view.is_in_order && !near.seen && is_cleared_by_plane(k, world, way, worst)) continue;
     if (look_at(k, way.from_P, world.clearance_m())) looks.spend(told);
@@ -190,7 +212,7 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
 }
 
 double NearTriangles::room_m(const ProxyWorld& world, std::span<const ProxyWall> walls, const Vec3& centre_O,
-                             double most_m) noexcept {
+                             double most_m, Looks& looks) noexcept {
   double room_m = most_m;
   for (int i = 0; i < world.surface_count() && room_m > 0; ++i) {
     const PartView& view = views_[static_cast<std::size_t>(i)];
@@ -201,7 +223,7 @@ double NearTriangles::room_m(const ProxyWorld& world, std::span<const ProxyWall>
     for (std::size_t k = view.first; k < view.end; ++k) {
       if (least_gaps_m_[k] - nearer_m >= room_m) continue;
       if (bounds_[k].least_gap_m(at_P) >= room_m) continue;
-      if (before.hide(near_[k].corners)) continue;
+      if (before.hide(fetched(k, world.part(i), view, looks).corners)) continue;
       look_at(k, at_P, world.clearance_m());
       room_m = std::min(room_m, near_[k].gap_m);
     }

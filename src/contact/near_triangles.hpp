@@ -11,12 +11,15 @@ namespace fingerpad {
 
 /// A triangle in a proxy's view, and how it was last seen.
 struct NearTriangle {
-  TriangleCorners corners;
-  FirstApproach first;              ///< of where it was looked at from ...
-  Vec3 seen_from_P = Vec3::Zero();  ///< ... and where that was
-  double gap_m = 0;                 ///< distance from there less the clearance
-  int triangle = -1;
-  bool seen = false;  ///< looked at so far; most stand behind the wall that holds the proxy and never are
+  int triangle;
+  bool fetched = false;  ///< its corners, from the part; of one that is far or behind a wall seldom
+  bool seen = false;     ///< looked at so far; most stand behind the wall that holds the proxy and never are
+  TriangleCorners corners;  ///< where fetched
+  FirstApproach first;      ///< where seen: of where it was looked at from ...
+  Vec3 seen_from_P;         ///< ... and where that was
+  double gap_m;             ///< distance from there less the clearance
+
+  explicit NearTriangle(int t) noexcept : triangle(t) {}  // the rest is written before it is read
 };
 
 /// What is known of a triangle's distance. It is a convex function of the place that changes no faster than
@@ -73,7 +76,7 @@ class NearTriangles {
   /// at most `most_m` [m]. May be negative.
   /// @param walls  seen from the place looked from
   double room_m(const ProxyWorld& world, std::span<const ProxyWall> walls, const Vec3& centre_O,
-                double most_m) noexcept;
+                double most_m, Looks& looks) noexcept;
 
  private:
   struct PartView {
@@ -86,7 +89,8 @@ class NearTriangles {
 
   bool search_part(const ProxyWorld& world, int surface, double distance_m, int most, const Blocker& blocker,
                    Looks& looks) noexcept;
-  void list_found(const ProxyWorld& world, int surface, const Blocker& blocker) noexcept;
+  void list_found(const Part& part, int surface, const Blocker& blocker) noexcept;
+  const NearTriangle& fetched(std::size_t k, const Part& part, const PartView& view, Looks& looks) noexcept;
   void swap(std::size_t a, std::size_t b) noexcept;
   bool is_cleared_by_plane(std::size_t k, const ProxyWorld& world, const PartWay& way,
                            const WorstWall& worst) noexcept;

@@ -51,6 +51,9 @@ struct ProxyLimits {
   /// Pushes that a start may take to get out of every surface. Walls that stand at right angles need one
   /// each; between walls that lean towards each other each push leaves a fixed share.
   static constexpr int most_pushes = 200;
+  /// A start after one that found no place takes so many times less of a tick than that: a ball that is held
+  /// in a slot narrower than itself would else cost a whole tick's looks as long as it is there.
+  static constexpr long less_after_no_place = 8;
   /// A start that goes round ends: all its pushes would take it less than this share of what it lacks.
   static constexpr double little_way = 1e-3;
   /// Steps, and hops over smooth edges, in a tick. Two or three do; the caps bound what a tick may cost.

@@ -17,6 +17,9 @@ struct ProxyMemoryLimits {
   /// Packets of triangles that a search may look at; where facets are so slender that all their boxes
   /// overlap it is as many however near one looks.
   static constexpr int most_packets = 2048;
+  /// A search that is begun may cost so much however little is left of a tick's looks, and else no more than
+  /// is left: of what is broken off nothing remains.
+  static constexpr long search_looks = 2000;
   /// A view of about so many triangles pays: more are sorted out for nothing, fewer are soon left behind.
   static constexpr int poor_view = 8, rich_view = 32;
   /// By how much a poor view grows and a rich one shrinks, a search.
@@ -37,6 +40,9 @@ struct ProxyMemoryLimits {
   static constexpr int most_cuts = 6;
   /// Where even this share of the clearance shows too many, so does any.
   static constexpr double hopeless_share = 1.0 / 512;
+  /// A search for the richest view that was broken off, and before which a tick had looked at so much, is
+  /// made again in the next tick.
+  static constexpr long late = 1000;
   /// Farther than this from a part, in its sizes, the distance to its box is near enough to the truth.
   static constexpr double far_from_box = 4;
   /// Flights through free balls in a tick, each to this share of the ball, so that it ends in front of what

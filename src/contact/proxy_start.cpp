@@ -91,16 +91,32 @@ ProxyStart::End ProxyStart::go_on(const ProxyWorld& world, const Vec3& goal_O, L
     place_O_ = out_O.value_or(goal_O);
     return out_O ? End::placed : End::no_place;
   }
+  if (!has_failed_ || looks.is_unlimited()) return push_on(world, goal_O, looks);
+  // Where there was none, there likely is none yet: what looks for it takes little of a tick.
+  if ((goal_O - goal_O_).norm() > world.clearance_m()) is_underway_ = false;
+  Looks few(looks.left() / ProxyLimits::less_after_no_place);
+  const End end = push_on(world, goal_O, few);
+  looks.spend(few.spent());
+  return end;
+}
+
+/// From the goal, or on from where it was broken off.
+ProxyStart::End ProxyStart::push_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept {
   if (!is_underway_) {
+    const bool has_failed = has_failed_;
     *this = {};
-    place_O_ = goal_O;
+    has_failed_ = has_failed;
+    place_O_ = goal_O_ = goal_O;
     worst_.lack_m = world.tolerance_m();
   }
   // The pushes go outwards, and where they lead into another surface, out of that again.
   for (; pushes_ < ProxyLimits::most_pushes; ++pushes_) {
     is_underway_ = looks.are_spent() || !find_worst(world, looks);
     if (is_underway_) return End::broken_off;
-    if (!lacks_) return End::placed;
+    if (!lacks_) {
+      has_failed_ = false;
+      return End::placed;
+    }
     place_O_ += worst_.lack_m * worst_.outwards_W;
     if (is_going_round()) break;
     if ((pushes_ & (pushes_ - 1)) == 0) passed_O_ = place_O_;
@@ -108,6 +124,7 @@ ProxyStart::End ProxyStart::go_on(const ProxyWorld& world, const Vec3& goal_O, L
     worst_ = {world.tolerance_m(), Vec3::UnitZ()};
     lacks_ = false;
   }
+  has_failed_ = true;
   return End::no_place;
 }
 

@@ -18,7 +18,9 @@ class ProxyStart {
  public:
   enum class End { placed, no_place, broken_off };
 
-  /// A start that was broken off is gone on with, from the goal that it began with.
+  /// A start that was broken off is gone on with, from the goal that it began with. After one that found no
+  /// place the next goes on with a share of the looks, until it finds one; and it begins anew where the
+  /// finger has gone on by more than the clearance.
   /// @param goal_O  finite
   /// noexcept, allocates nothing. O(triangles) where the goal is behind a surface and the looks have no end.
   End go_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
@@ -31,11 +33,14 @@ class ProxyStart {
     Vec3 outwards_W = Vec3::UnitZ();
   };
 
+  End push_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
   bool is_going_round() const noexcept;
   bool find_worst(const ProxyWorld& world, Looks& looks) noexcept;
   bool lack_at(const ProxyWorld& world, int surface, Looks& looks, Lack& lack) noexcept;
 
   bool is_underway_ = false;
+  bool has_failed_ = false;  // the last one to end found no place
+  Vec3 goal_O_ = Vec3::Zero();
   Vec3 place_O_ = Vec3::Zero();
   Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   int pushes_ = 0;

@@ -42,6 +42,7 @@ void ProxyViews::forget() noexcept {
   std::fill(seeds_.begin(), seeds_.end(), -1);
   search_reach_m_ = -1;
   blocker_ = {};
+  rich_looks_ = 0;
   is_cut_ = is_rich_ = overflow_ = falls_short_ = false;
   view_reach_m_ = Limits::first_view * widest_view_m();
 }
@@ -141,15 +142,25 @@ void ProxyViews::search_around(const Vec3& place_O, double reach_m) noexcept {
   double shorter_m = reach_m;
   for (int cut = 0; cut <= Limits::most_cuts && !is_rich_; ++cut, shorter_m *= Limits::cut) {
     if (looks_.are_spent()) return see_nothing(shorter_m);
+    const bool begins_late = looks_.are_half_spent();
     if (search(place_O, shorter_m, usual_view_)) return;
+    if (looks_.are_spent() && begins_late) return see_nothing(shorter_m);
     is_cut_ = true;
     if (shorter_m < Limits::hopeless_share * world_.clearance_m()) break;
   }
   is_rich_ = true;
-  if (looks_.are_half_spent()) return see_nothing(view_reach_m_);
+  const long before = looks_.spent();
+  const bool begins_late = before > Limits::late;
+  if (begins_late && (looks_.are_half_spent() || looks_.left() < rich_looks_))
+    return see_nothing(view_reach_m_);
   is_cut_ = false;
   view_reach_m_ = std::max(view_reach_m_, least_view_m());
   overflow_ = !search(place_O, std::max(reach_m, view_reach_m_), Limits::richest_view);
+  if (overflow_ && looks_.are_spent() && begins_late) {
+    overflow_ = false;
+    return see_nothing(view_reach_m_);
+  }
+  rich_looks_ = looks_.spent() - before;
   is_rich_ = overflow_ || near_.count() > usual_view_;
 }
 
@@ -182,7 +193,7 @@ double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3
   if (overflow_ || looks_.left() < near_.count()) return 0;
   looks_.spend(near_.count());
   const double most_m = search_reach_m_ - (centre_O - search_place_O_).norm() * wider;
-  return std::max(0.0, near_.room_m(world_, walls, centre_O, most_m));
+  return std::max(0.0, near_.room_m(world_, walls, centre_O, most_m, looks_));
 }
 
 double ProxyViews::room_m(const Vec3& place_O, double least_m, double enough_m) noexcept {

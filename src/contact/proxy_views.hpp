@@ -69,6 +69,7 @@ class ProxyViews : public ProxySight {
   bool falls_short_ = false;  // ... because the last one ended where its view did
   bool is_cut_ = false;       // the last search found too many and was made again, nearer
   bool is_rich_ = false;      // it found more than usual however near
+  long rich_looks_ = 0;       // what the last search for the richest view cost
   bool overflow_ = false;     // there are more than can be listed: every pass asks the trees again
   int usual_view_ = ProxyMemoryLimits::usual_view;  // triangles; more with large fans
   NearTriangles near_;

@@ -10,6 +10,9 @@
 namespace fingerpad {
 namespace {
 
+/// Of more packets most come from memory: 1.4 MB.
+constexpr std::size_t cached_packets = 2048;
+
 struct LimitedSearch : WithinSearch {
   SearchLimit* limit;
   void (*visit)(void* context, int triangle);
@@ -116,13 +119,15 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   const double radius = search.bound_m * packed.scale;
   WindingNumber::NearPackets near(impl.winding, search.scaled, radius);
   std::size_t index = 0;
+  const long tests = limit.tests;
   while (!limit.is_exceeded() && near.next(index)) {
     const TrianglePacket& packet = packed.packets[index];
     if (!is_box_near(packet, search.scaled, radius)) continue;
     ++limit.packets;
+    limit.tests = tests + near.tests();
     if (!search.shadow || !search.shadow->covers(packet)) search.look_at(packet);
   }
-  limit.tests += near.tests();
+  limit.tests = tests + near.tests();
   return !limit.is_exceeded();
 }
 
@@ -188,7 +193,7 @@ std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach
     const TrianglePacket& packet = packed.packets[walk.next++];
     if (&packet == seen || !is_box_near(packet, search.scaled, radius)) continue;
     search.look_at(packet);
-    looks.spend(LookCosts::closest);
+    looks.spend(packed.packets.size() > cached_packets ? LookCosts::closest_cold : LookCosts::closest);
   }
   if (search.won_in != nullptr) walk.triangle = search.winner.triangle;
   return std::nullopt;

@@ -51,14 +51,19 @@ struct WindingWalk {
   int round = 0;           ///< of sums, each better than the last
 };
 
-/// How much a search may find: no more triangles and no more packets (groups of eight) within reach.
+/// How much a search may find: no more triangles and no more packets (groups of eight) within reach; and what
+/// it may cost.
 struct SearchLimit {
   int most_triangles, most_packets;
+  long most_looks = Looks::unlimited;
   int triangles = 0, packets = 0;  ///< found
   long tests = 0, shadowed = 0;    ///< of clusters of packets; of triangles against a shadow
   double at_least_m = 0;           ///< while a triangle is visited: its distance is no smaller
 
-  bool is_exceeded() const noexcept { return triangles > most_triangles || packets > most_packets; }
+  long looks() const noexcept { return tests + LookCosts::packet * packets + LookCosts::shadowed * shadowed; }
+  bool is_exceeded() const noexcept {
+    return triangles > most_triangles || packets > most_packets || looks() > most_looks;
+  }
 };
 
 /// Where a ray leaves a part.

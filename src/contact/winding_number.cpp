@@ -188,7 +188,7 @@ bool WindingNumber::add_half_angles(const PackedPart& packed, const Vec3& q, dou
     // The largest cluster that begins here; where it is near, its first part.
     std::size_t level = widest_level(walk.next, top());
     for (;; --level) {
-      looks.spend(1);
+      looks.spend(LookCosts::dipole);
       const Dipole& here = dipole(level, walk.next >> (branching_bits * level));
       const Vec3 way = Vec3(here.centre[0], here.centre[1], here.centre[2]) - at;
       const double distance2 = way.squaredNorm(), near = far * static_cast<double>(here.radius);

@@ -26,7 +26,7 @@ constexpr double dt_s = 1;
 /// about a facet's corners.
 constexpr long most_beyond =
     LookCosts::fetched * (ProxyMemoryLimits::richest_view + 6 * ProxyLimits::most_turns) +
-    LookCosts::packet * ProxyMemoryLimits::most_packets;
+    ProxyMemoryLimits::search_looks;
 
 Proxy limited_proxy(bool fast, const PlacedSurface& surface, double radius_m, Normals normals, long looks) {
   return fast ? fast_proxy({surface}, radius_m, normals, Looks(looks))
@@ -277,6 +277,30 @@ TEST(ProxyLooks, AStartInTheMiddleOfASphereIsFoundInAFewTicks) {
     ASSERT_NE(limited.state().placed, limited.state().contact.broken_off && !limited.state().placed);
   } while (!limited.state().placed);
   EXPECT_GT(ticks, 1) << "32,768 triangles are as near as each other";
+}
+
+TEST(ProxyLooks, ABallThatFitsNowhereTakesLittleOfATickUntilItIsOut) {
+  const TriangleSoup plate = test::box_soup(Vec3(0.04, 0.04, 0.002));
+  const PlacedSurface slot =
+      surface_of(test::joined(test::moved(plate, Vec3(0, 0, 0.002)), test::moved(plate, Vec3(0, 0, -0.002))));
+  constexpr long looks = 2000;
+  Proxy proxy = limited_proxy(true, slot, 0.002, Normals::smooth, looks);
+  int tries = 0;
+  do {
+    ASSERT_LT(++tries, 100);
+    proxy.move(Vec3(0.001, 0, 0), 1e-3);
+  } while (proxy.state().contact.broken_off);
+  ASSERT_FALSE(proxy.state().placed);
+  long most = 0;
+  for (int k = 0; k < 50; ++k) {
+    proxy.move(Vec3(0.001 + 1e-5 * k, 0, 0), 1e-3);
+    ASSERT_FALSE(proxy.state().placed);
+    most = std::max(most, proxy.looks().spent());
+  }
+  // A search may be ended by the look that spends what is left: a packet, or the angles of eight triangles.
+  EXPECT_LE(most, looks / ProxyLimits::less_after_no_place + LookCosts::angle * 8 + LookCosts::closest);
+  proxy.move(Vec3(0.001, 0, 0.03), 1e-3);
+  EXPECT_TRUE(proxy.state().placed) << "it waits for no start from where it was";
 }
 
 }  // namespace
