@@ -59,7 +59,7 @@ double height_spread_m(const TrialSenses& sensed, Eigen::Index from, Eigen::Inde
 /// Outward from one end of a run, the first sample that is plainly above it; none where the trial ends, or a
 /// sample is missing, before that.
 std::optional<Eigen::Index> first_above(const TrialSenses& sensed, const StillRun& run, Eigen::Index way) {
-  constexpr double plainly = 6, longest_s = 0.1;
+  constexpr double plainly = 6, longest_s = 2;
   const auto most = static_cast<Eigen::Index>(longest_s * sensed.trial.rate_hz);
   Eigen::Index i = way < 0 ? run.from - 1 : run.to;
   for (Eigen::Index steps = 0; steps < most && i >= 0 && i < sensed.trial.samples(); ++steps, i += way) {
@@ -70,15 +70,47 @@ std::optional<Eigen::Index> first_above(const TrialSenses& sensed, const StillRu
   return std::nullopt;
 }
 
+/// What lies between a run's neighbours that are plainly above it: all of a moment in which the finger is off
+/// the plate or presses lightly, of which runs are the still parts.
+struct LowPhase {
+  Eigen::Index from, to;
+  bool begins_pressed, ends_pressed;
+
+  LowPhase(const TrialSenses& sensed, const StillRun& run) {
+    const auto before = first_above(sensed, run, -1), after = first_above(sensed, run, 1);
+    from = before ? *before + 1 : run.from;
+    to = after ? *after : run.to;
+    begins_pressed = before.has_value();
+    ends_pressed = after.has_value();
+  }
+};
+
+/// Whether the force along the plate changes while the normal force does not: as friction does, and no
+/// sensor's offset, which drifts straight. By means over 50 ms, from which hum is gone.
+bool rubs_within(const TrialSenses& sensed, const LowPhase& phase) {
+  constexpr double window_s = 0.05, surely = 6;
+  const RecordedTrial& trial = sensed.trial;
+  const auto window = std::max<Eigen::Index>(4, std::lround(window_s * trial.rate_hz));
+  const Eigen::Index windows = (phase.to - phase.from) / window;
+  if (windows < 3) return false;
+  Points means(3, windows);
+  for (Eigen::Index w = 0; w < windows; ++w)
+    means.col(w) = trial.force_W.middleCols(phase.from + w * window, window).rowwise().mean();
+  means -= trial.normal_W * (trial.normal_W.transpose() * means);
+  const Eigen::VectorXd along = Eigen::VectorXd::LinSpaced(windows, -1, 1);
+  means.colwise() -= means.rowwise().mean().eval();
+  means -= (means * along / along.squaredNorm()) * along.transpose();
+  return (means.rowwise().maxCoeff() - means.rowwise().minCoeff()).maxCoeff() > surely * sensed.noise_n;
+}
+
 /// What a run's heights say, up to where it is pressed before and after. Force may lag them by up to 50 ms,
 /// which is not known yet: a finger on the plate keeps its height at one of these lags; one in the air that
 /// is pressed at both ends at none.
-FingerPlace place_by_height(const TrialSenses& sensed, const StillRun& run) {
+FingerPlace place_by_height(const TrialSenses& sensed, const LowPhase& phase) {
   constexpr double most_lag_s = 0.05, lags = 10;
   // A pad is softer where it presses little; its noise passes for change.
   constexpr double softer = 3, beyond_noise = 5;
-  const auto before = first_above(sensed, run, -1), after = first_above(sensed, run, 1);
-  const Eigen::Index from = before ? *before + 1 : run.from, to = after ? *after : run.to;
+  const Eigen::Index from = phase.from, to = phase.to;
   const auto [least_n, most_n] =
       std::minmax_element(sensed.normal_n.begin() + from, sensed.normal_n.begin() + to);
   const double yields_m =
@@ -91,7 +123,8 @@ FingerPlace place_by_height(const TrialSenses& sensed, const StillRun& run) {
     least_m = std::min(least_m, height_spread_m(sensed, from - late, to - late));
   }
   if (!(least_m < yields_m)) return FingerPlace::air;
-  const bool is_plate = (before && after) || (is_flat && (before || after));
+  const bool is_plate = (phase.begins_pressed && phase.ends_pressed) ||
+                        (is_flat && (phase.begins_pressed || phase.ends_pressed));
   return is_plate ? FingerPlace::plate : FingerPlace::unknown;
 }
 
@@ -167,8 +200,11 @@ std::vector<StillRun> runs_in_the_air(const RecordedTrial& trial, const std::vec
                                       double noise_n, double press_n) {
   const TrialSenses sensed(trial, noise_n, press_n);
   std::vector<FingerPlace> places(runs.size(), FingerPlace::unknown);
-  if (sensed.tell_height()) {
-    for (std::size_t r = 0; r < runs.size(); ++r) places[r] = place_by_height(sensed, runs[r]);
+  const bool tells_height = sensed.tell_height();
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const LowPhase phase(sensed, runs[r]);
+    if (tells_height) places[r] = place_by_height(sensed, phase);
+    if (places[r] == FingerPlace::unknown && rubs_within(sensed, phase)) places[r] = FingerPlace::plate;
   }
   std::vector<MovingRun> moving;
   for (std::size_t r = 0; r < runs.size(); ++r) {

@@ -199,16 +199,22 @@ struct Tare {
 };
 
 /// A finger that presses less now and then passes slowly through the forces in between; one that is lifted
-/// is gone.
-bool passes_slowly(const RecordedTrial& trial, const PressLevels& levels, const Tare& tare, double noise_n,
-                   std::size_t free) {
+/// is gone. What counts as free is not in between, though the sensor drifts.
+bool passes_slowly(const RecordedTrial& trial, const PressLevels& levels, const Samples& free,
+                   double noise_n) {
   constexpr double most_between = 0.3, half_way = 0.5, beyond_noise = 4;
+  const Tare tare(trial.force_W, free);
   long between = 0;
+  auto next = free.begin();
   for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+    if (next != free.end() && *next == i) {
+      ++next;
+      continue;
+    }
     const double above_n = levels.normal_n[static_cast<std::size_t>(i)] - trial.normal_W.dot(tare.at(i));
     if (above_n > beyond_noise * noise_n && above_n < half_way * (levels.press_n - levels.low_n)) ++between;
   }
-  return static_cast<double>(between) > most_between * static_cast<double>(free);
+  return static_cast<double>(between) > most_between * static_cast<double>(free.size());
 }
 
 }  // namespace
@@ -218,7 +224,7 @@ FreeMoments moments_without_contact(const RecordedTrial& trial) {
   const double noise_n = std::abs(trial.normal_W.cwiseAbs().dot(levels.noise_n));
   if (!(levels.press_n - levels.low_n > 20 * noise_n)) return {};
   Samples free = free_samples(trial, levels);
-  if (!free.empty() && passes_slowly(trial, levels, Tare(trial.force_W, free), noise_n, free.size()))
+  if (!free.empty() && passes_slowly(trial, levels, free, noise_n))
     free = cornered_samples(trial, levels, noise_n);
   if (free.empty()) return {};
   FreeMoments found{in_the_air(trial, levels, free, noise_n), false};
