@@ -43,17 +43,25 @@ struct TrialSenses {
   }
 };
 
-/// How far the heights of samples [from, to) spread, those of them that there are; each is the mean of five.
-double height_spread_m(const TrialSenses& sensed, Eigen::Index from, Eigen::Index to) {
-  constexpr Eigen::Index window = 5;
+/// How many samples a mean height is of.
+Eigen::Index height_window(const TrialSenses& sensed) {
+  constexpr double window_s = 0.02;
+  return std::max<Eigen::Index>(1, std::lround(window_s * sensed.trial.rate_hz));
+}
+
+/// How far the mean heights of samples [from, to) spread, those of them that there are; nothing of too few.
+std::optional<double> height_spread_m(const TrialSenses& sensed, Eigen::Index from, Eigen::Index to) {
+  const Eigen::Index window = height_window(sensed);
   double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -lowest_m;
-  for (Eigen::Index i = std::max<Eigen::Index>(from, 0); i + window <= to; ++i) {
+  from = std::max<Eigen::Index>(from, 0);
+  if (to - from < window) return std::nullopt;
+  for (Eigen::Index i = from; i + window <= to; ++i) {
     const auto first = sensed.height_m.begin() + i;
-    const double mean_m = std::accumulate(first, first + window, 0.0) / window;
+    const double mean_m = std::accumulate(first, first + window, 0.0) / static_cast<double>(window);
     lowest_m = std::min(lowest_m, mean_m);
     highest_m = std::max(highest_m, mean_m);
   }
-  return std::max(0.0, highest_m - lowest_m);
+  return highest_m - lowest_m;
 }
 
 /// Outward from one end of a run, the first sample that is plainly above it; none where the trial ends, or a
@@ -109,18 +117,21 @@ bool rubs_within(const TrialSenses& sensed, const LowPhase& phase) {
 FingerPlace place_by_height(const TrialSenses& sensed, const LowPhase& phase) {
   constexpr double most_lag_s = 0.05, lags = 10;
   // A pad is softer where it presses little; its noise passes for change.
-  constexpr double softer = 3, beyond_noise = 5;
+  constexpr double softer = 3, beyond_noise = 8;
   const Eigen::Index from = phase.from, to = phase.to;
   const auto [least_n, most_n] =
       std::minmax_element(sensed.normal_n.begin() + from, sensed.normal_n.begin() + to);
   const double yields_m =
-      softer * (*most_n - *least_n) / sensed.stiffness_n_per_m() + beyond_noise * sensed.height_noise_m;
-  double least_m = height_spread_m(sensed, from, to);
+      softer * (*most_n - *least_n) / sensed.stiffness_n_per_m() +
+      beyond_noise * sensed.height_noise_m / std::sqrt(static_cast<double>(height_window(sensed)));
+  const std::optional<double> spread_m = height_spread_m(sensed, from, to);
+  if (!spread_m) return FingerPlace::unknown;
+  double least_m = *spread_m;
   const bool is_flat = least_m < yields_m;
   for (double lag = 1; lag <= lags; ++lag) {
     const auto late = static_cast<Eigen::Index>(std::lround(lag / lags * most_lag_s * sensed.trial.rate_hz));
-    if (to - late <= 0) break;
-    least_m = std::min(least_m, height_spread_m(sensed, from - late, to - late));
+    if (const auto later_m = height_spread_m(sensed, from - late, to - late))
+      least_m = std::min(least_m, *later_m);
   }
   if (!(least_m < yields_m)) return FingerPlace::air;
   const bool is_plate = (phase.begins_pressed && phase.ends_pressed) ||
@@ -151,13 +162,20 @@ std::optional<MovingRun> moved_along(const TrialSenses& sensed, const StillRun& 
                    along_plate(mean_n), count};
 }
 
+/// Whether all runs go one way.
+bool go_one_way(const std::vector<MovingRun>& moving) {
+  constexpr double alike = 0.8;  // cosine
+  return std::all_of(moving.begin(), moving.end(),
+                     [&](const MovingRun& one) { return one.way.dot(moving[0].way) > alike; });
+}
+
 /// Whether what opposes the motion, beside an offset that drifts, is more than chance. Of fewer than four
 /// runs the two cannot be told apart.
 bool opposes_motion(const TrialSenses& sensed, const std::vector<MovingRun>& moving) {
   constexpr double surely = 5, least_share = 0.01;
-  constexpr Eigen::Index unknowns = 7, fewest = 4;
+  constexpr Eigen::Index unknowns = 7, in_plane = 2, fewest = 4;
   const auto runs = static_cast<Eigen::Index>(moving.size());
-  if (runs < fewest) return false;
+  if (runs < fewest || go_one_way(moving)) return false;
   Eigen::MatrixXd rows = Eigen::MatrixXd::Zero(3 * runs, unknowns);
   Eigen::VectorXd forces(3 * runs);
   double samples = 0;
@@ -172,26 +190,10 @@ bool opposes_motion(const TrialSenses& sensed, const std::vector<MovingRun>& mov
   }
   const Eigen::MatrixXd inverse = (rows.transpose() * rows).completeOrthogonalDecomposition().pseudoInverse();
   const Eigen::VectorXd found = inverse * (rows.transpose() * forces);
-  const double left_n = (forces - rows * found).norm() / std::sqrt(static_cast<double>(3 * runs - unknowns)),
+  const double left_n = (forces - rows * found).norm() /
+                        std::sqrt(static_cast<double>(in_plane * runs - (unknowns - in_plane))),
                error_n = std::sqrt(inverse(0, 0)) * std::max(left_n, sensed.noise_n / std::sqrt(samples));
   return found[0] > std::max(surely * error_n, least_share * sensed.press_n);
-}
-
-/// Whether all runs go one way.
-bool go_one_way(const std::vector<MovingRun>& moving) {
-  constexpr double alike = 0.8;  // cosine
-  return std::all_of(moving.begin(), moving.end(),
-                     [&](const MovingRun& one) { return one.way.dot(moving[0].way) > alike; });
-}
-
-/// Whether a run's force looks like friction by itself: against the motion, and such a share of its normal
-/// force as friction may be.
-bool looks_like_friction(const TrialSenses& sensed, const MovingRun& one, double normal_n) {
-  constexpr double aside = 0.35, least_mu = 0.05, most_mu = 3, surely = 5, least_share = 0.01;
-  const double against_n = -one.force_n.dot(one.way), aside_n = (one.force_n + against_n * one.way).norm();
-  return against_n >
-             std::max(surely * sensed.noise_n / std::sqrt(one.samples), least_share * sensed.press_n) &&
-         aside_n < aside * against_n && against_n > least_mu * normal_n && against_n < most_mu * normal_n;
 }
 
 }  // namespace
@@ -199,24 +201,21 @@ bool looks_like_friction(const TrialSenses& sensed, const MovingRun& one, double
 std::vector<StillRun> runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs,
                                       double noise_n, double press_n) {
   const TrialSenses sensed(trial, noise_n, press_n);
-  std::vector<FingerPlace> places(runs.size(), FingerPlace::unknown);
+  std::vector<FingerPlace> by_height(runs.size(), FingerPlace::unknown);
+  std::vector<FingerPlace> places;
   const bool tells_height = sensed.tell_height();
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const LowPhase phase(sensed, runs[r]);
-    if (tells_height) places[r] = place_by_height(sensed, phase);
-    if (places[r] == FingerPlace::unknown && rubs_within(sensed, phase)) places[r] = FingerPlace::plate;
+    if (tells_height) by_height[r] = place_by_height(sensed, phase);
+    places.push_back(by_height[r] == FingerPlace::unknown && rubs_within(sensed, phase) ? FingerPlace::plate
+                                                                                        : by_height[r]);
   }
   std::vector<MovingRun> moving;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (places[r] == FingerPlace::plate) continue;
+    if (by_height[r] == FingerPlace::plate) continue;
     if (const auto one = moved_along(sensed, runs[r], r)) moving.push_back(*one);
   }
-  if (!moving.empty() && go_one_way(moving)) {
-    for (const MovingRun& one : moving) {
-      if (places[one.run] == FingerPlace::unknown && looks_like_friction(sensed, one, runs[one.run].normal_n))
-        places[one.run] = FingerPlace::plate;
-    }
-  } else if (!moving.empty() && opposes_motion(sensed, moving)) {
+  if (opposes_motion(sensed, moving)) {
     for (const MovingRun& one : moving) places[one.run] = FingerPlace::plate;
   }
   std::vector<StillRun> left;

@@ -18,10 +18,9 @@ struct StillRun {
 /// - its height: one that leaves the plate rises while its force stays as it is; one that presses on keeps
 ///   its height, but for what the pad yields by so little;
 /// - its friction: where heights tell nothing, the force along the plate changes while the normal force does
-///   not. And in all runs together, what is left of the force along the plate opposes the motion in some one
-///   way and in others the other way. (Of runs that all go one way an offset of the sensor looks alike: those
-///   whose height tells nothing are taken for pressed if the rest opposes their motion and is a share of
-///   their normal force that friction may be.)
+///   not. And in all runs together, of which there must be four, what is left of the force along the plate
+///   opposes the motion in some one way and in others the other way. (Of runs that all go one way an offset
+///   of the sensor looks alike.)
 /// Where none tells anything (no height, no motion along the plate) a run stays.
 /// @param noise_n  standard deviation of the normal force's noise
 /// @param press_n  how hard the plate is pressed in the trial

@@ -132,6 +132,9 @@ Samples cornered_samples(const RecordedTrial& trial, const PressLevels& levels, 
     most_n = found.empty() ? run.normal_n : std::max(most_n, run.normal_n);
     for (Eigen::Index i = run.from; i < run.to; ++i) found.push_back(i);
   }
+  // Runs may share half a window.
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end());
   const bool are_alike = most_n - least_n < alike * (levels.press_n - levels.low_n);
   if (found.size() < fewest_free || !are_alike) found.clear();
   return found;
@@ -161,8 +164,8 @@ TareLine line_through(const Points& sensed, Eigen::Index axis, const Samples& sa
 }
 
 /// The samples without those of runs that are known to be pressed.
-Samples in_the_air(const RecordedTrial& trial, const PressLevels& levels, const Samples& samples,
-                   double noise_n) {
+FreeMoments in_the_air(const RecordedTrial& trial, const PressLevels& levels, const Samples& samples,
+                       double noise_n) {
   std::vector<StillRun> runs;
   for (const Eigen::Index i : samples) {
     if (runs.empty() || runs.back().to != i) runs.push_back({i, i, 0});
@@ -172,11 +175,12 @@ Samples in_the_air(const RecordedTrial& trial, const PressLevels& levels, const 
     for (Eigen::Index i = run.from; i < run.to; ++i)
       run.normal_n += levels.normal_n[static_cast<std::size_t>(i)] / static_cast<double>(run.to - run.from);
   }
-  Samples left;
+  FreeMoments left;
   for (const StillRun& run : runs_in_the_air(trial, runs, noise_n, levels.press_n - levels.low_n)) {
-    for (Eigen::Index i = run.from; i < run.to; ++i) left.push_back(i);
+    for (Eigen::Index i = run.from; i < run.to; ++i) left.samples.push_back(i);
   }
-  if (left.size() < fewest_free) left.clear();
+  left.presses_on = left.samples.empty();
+  if (left.samples.size() < fewest_free) left.samples.clear();
   return left;
 }
 
@@ -227,9 +231,7 @@ FreeMoments moments_without_contact(const RecordedTrial& trial) {
   if (!free.empty() && passes_slowly(trial, levels, free, noise_n))
     free = cornered_samples(trial, levels, noise_n);
   if (free.empty()) return {};
-  FreeMoments found{in_the_air(trial, levels, free, noise_n), false};
-  found.presses_on = found.samples.empty();
-  return found;
+  return in_the_air(trial, levels, free, noise_n);
 }
 
 void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {

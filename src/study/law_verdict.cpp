@@ -101,16 +101,17 @@ LawResidual law_verdict(const std::vector<TrialResidual>& trials, const std::vec
       if (left_beyond(parts.each[i]) > most_left)
         found.odd_trials.push_back(names[i] + ": " + off_words(parts.each[i], where));
   }
-  if (hidden.is_likely && parts.is_off(surely_left) && parts.are_most_off(surely_left))
-    found.untold =
-        off_words(parts.all, where) +
-        ": more than stick that passes for slip mostly leaves, so that another law may be behind it; "
-        "rub faster, or sample faster";
   if (trials_give_without_drops(trials) && !hidden.is_stepped)
     found.misfit += fmt::format(
         "{}stick gives way without a drop of the force at {} of its {} ends (a pad whose mu_static is less "
         "than {:.0f} % above its mu_dynamic looks alike here)",
         found.misfit.empty() ? "" : "; ", found.gives - found.drops, found.gives, 100 * hidden.unseen_drop);
+  if (found.misfit.empty() && hidden.is_likely && parts.is_off(surely_left) &&
+      parts.are_most_off(surely_left))
+    found.untold =
+        off_words(parts.all, where) +
+        ": more than stick that passes for slip mostly leaves, so that another law may be behind it; "
+        "rub faster, or sample faster";
   return found;
 }
 
