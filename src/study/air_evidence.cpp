@@ -198,31 +198,29 @@ bool opposes_motion(const TrialSenses& sensed, const std::vector<MovingRun>& mov
 
 }  // namespace
 
-std::vector<StillRun> runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs,
-                                      double noise_n, double press_n) {
+AirRuns runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs, double noise_n,
+                        double press_n) {
   const TrialSenses sensed(trial, noise_n, press_n);
-  std::vector<FingerPlace> by_height(runs.size(), FingerPlace::unknown);
-  std::vector<FingerPlace> places;
   const bool tells_height = sensed.tell_height();
-  for (std::size_t r = 0; r < runs.size(); ++r) {
-    const LowPhase phase(sensed, runs[r]);
-    if (tells_height) by_height[r] = place_by_height(sensed, phase);
-    places.push_back(by_height[r] == FingerPlace::unknown && rubs_within(sensed, phase) ? FingerPlace::plate
-                                                                                        : by_height[r]);
-  }
+  std::vector<FingerPlace> places;
   std::vector<MovingRun> moving;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (by_height[r] == FingerPlace::plate) continue;
+    const LowPhase phase(sensed, runs[r]);
+    places.push_back(tells_height ? place_by_height(sensed, phase) : FingerPlace::unknown);
+    if (places[r] == FingerPlace::plate) continue;
     if (const auto one = moved_along(sensed, runs[r], r)) moving.push_back(*one);
+    if (rubs_within(sensed, phase)) places[r] = FingerPlace::plate;
   }
   if (opposes_motion(sensed, moving)) {
     for (const MovingRun& one : moving) places[one.run] = FingerPlace::plate;
   }
-  std::vector<StillRun> left;
+  AirRuns found;
   for (std::size_t r = 0; r < runs.size(); ++r) {
-    if (places[r] != FingerPlace::plate) left.push_back(runs[r]);
+    if (places[r] == FingerPlace::air) found.surely.push_back(runs[r]);
+    if (places[r] == FingerPlace::unknown) found.perhaps.push_back(runs[r]);
+    found.presses_on = found.presses_on || places[r] == FingerPlace::plate;
   }
-  return left;
+  return found;
 }
 
 }  // namespace fingerpad

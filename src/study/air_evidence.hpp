@@ -13,18 +13,24 @@ struct StillRun {
   double normal_n;  ///< mean normal force, as sensed
 };
 
-/// The runs among them that are not known to be pressed, in their order. What tells a finger that rests or
+/// Runs that are not known to be pressed, in order.
+struct AirRuns {
+  std::vector<StillRun> surely;   ///< told by height
+  std::vector<StillRun> perhaps;  ///< nothing tells
+  bool presses_on = false;        ///< others are pressed
+};
+
+/// What tells a finger that rests or
 /// rubs on the plate from one that is off it, over all of the moment in which the normal force stays low:
 /// - its height: one that leaves the plate rises while its force stays as it is; one that presses on keeps
 ///   its height, but for what the pad yields by so little;
-/// - its friction: where heights tell nothing, the force along the plate changes while the normal force does
-///   not. And in all runs together, of which there must be four, what is left of the force along the plate
+/// - its friction: the force along the plate changes while the normal force does not. And in all runs
+/// together, of which there must be four, what is left of the force along the plate
 ///   opposes the motion in some one way and in others the other way. (Of runs that all go one way an offset
 ///   of the sensor looks alike.)
-/// Where none tells anything (no height, no motion along the plate) a run stays.
 /// @param noise_n  standard deviation of the normal force's noise
 /// @param press_n  how hard the plate is pressed in the trial
-std::vector<StillRun> runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs,
-                                      double noise_n, double press_n);
+AirRuns runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs, double noise_n,
+                        double press_n);
 
 }  // namespace fingerpad

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "study/air_evidence.hpp"
@@ -163,9 +164,8 @@ TareLine line_through(const Points& sensed, Eigen::Index axis, const Samples& sa
   return line;
 }
 
-/// The samples without those of runs that are known to be pressed.
-FreeMoments in_the_air(const RecordedTrial& trial, const PressLevels& levels, const Samples& samples,
-                       double noise_n) {
+/// The runs that samples make, one after the other.
+std::vector<StillRun> runs_of(const PressLevels& levels, const Samples& samples) {
   std::vector<StillRun> runs;
   for (const Eigen::Index i : samples) {
     if (runs.empty() || runs.back().to != i) runs.push_back({i, i, 0});
@@ -175,13 +175,16 @@ FreeMoments in_the_air(const RecordedTrial& trial, const PressLevels& levels, co
     for (Eigen::Index i = run.from; i < run.to; ++i)
       run.normal_n += levels.normal_n[static_cast<std::size_t>(i)] / static_cast<double>(run.to - run.from);
   }
-  FreeMoments left;
-  for (const StillRun& run : runs_in_the_air(trial, runs, noise_n, levels.press_n - levels.low_n)) {
-    for (Eigen::Index i = run.from; i < run.to; ++i) left.samples.push_back(i);
+  return runs;
+}
+
+Samples samples_of(const std::vector<StillRun>& runs) {
+  Samples samples;
+  for (const StillRun& run : runs) {
+    for (Eigen::Index i = run.from; i < run.to; ++i) samples.push_back(i);
   }
-  left.presses_on = left.samples.empty();
-  if (left.samples.size() < fewest_free) left.samples.clear();
-  return left;
+  if (samples.size() < fewest_free) samples.clear();
+  return samples;
 }
 
 /// A straight line in time on each axis; a constant, where the samples do not span a third of the trial.
@@ -225,13 +228,25 @@ bool passes_slowly(const RecordedTrial& trial, const PressLevels& levels, const 
 
 FreeMoments moments_without_contact(const RecordedTrial& trial) {
   const PressLevels levels(trial);
-  const double noise_n = std::abs(trial.normal_W.cwiseAbs().dot(levels.noise_n));
-  if (!(levels.press_n - levels.low_n > 20 * noise_n)) return {};
+  const double noise_n = std::abs(trial.normal_W.cwiseAbs().dot(levels.noise_n)),
+               press_n = levels.press_n - levels.low_n;
+  if (!(press_n > 20 * noise_n)) return {};
   Samples free = free_samples(trial, levels);
-  if (!free.empty() && passes_slowly(trial, levels, free, noise_n))
-    free = cornered_samples(trial, levels, noise_n);
   if (free.empty()) return {};
-  return in_the_air(trial, levels, free, noise_n);
+  AirRuns air = runs_in_the_air(trial, runs_of(levels, free), noise_n, press_n);
+  if (passes_slowly(trial, levels, free, noise_n)) {
+    // A corner shows where a slow ramp begins; without one only what height tells is sure.
+    const AirRuns cornered =
+        runs_in_the_air(trial, runs_of(levels, cornered_samples(trial, levels, noise_n)), noise_n, press_n);
+    if (!cornered.surely.empty() || !cornered.perhaps.empty())
+      air = cornered;
+    else
+      air.perhaps.clear();
+  }
+  std::vector<StillRun> runs = std::move(air.surely);
+  runs.insert(runs.end(), air.perhaps.begin(), air.perhaps.end());
+  std::sort(runs.begin(), runs.end(), [](const StillRun& a, const StillRun& b) { return a.from < b.from; });
+  return {samples_of(runs), air.presses_on && runs.empty()};
 }
 
 void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {

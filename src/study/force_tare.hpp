@@ -14,7 +14,8 @@ struct FreeMoments {
 
 /// Samples are without contact where the normal force is at its lowest for 50 ms and as still as its noise,
 /// either hardly any lie between there and the press, or it is level for 75 ms and left in a corner, and
-/// neither height nor friction tell that the finger presses on (air_evidence.hpp).
+/// neither height nor friction tell that the finger presses on; or height tells that it is off the plate
+/// (air_evidence.hpp).
 FreeMoments moments_without_contact(const RecordedTrial& trial);
 
 /// Takes off what the force sensor reads while nothing touches it: a straight line in time through the

@@ -211,6 +211,39 @@ TEST(Cleaning, AFingerThatIsLiftedByHalfAMillimetreIsOffThePlate) {
   }
 }
 
+/// A second in the air at its begin, in which the sensor drifts by more than its noise; then loads that swing
+/// slowly through half of the press.
+TEST(Cleaning, ADriftingSensorIsFreeInTheAirAllTheSame) {
+  constexpr double drift_n_per_s = 8e-3, touch_s = 1;
+  RandomStream random(7);
+  RecordedTrial trial = stepping({1000, 0.5}, 5);
+  for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+    const double t = static_cast<double>(i) / trial.rate_hz, pressed_s = t - touch_s;
+    const double normal_n = pressed_s < 0 ? 0 : std::min(1.0, pressed_s / 0.05) * (1 + 0.5 * std::sin(3 * t));
+    trial.position_W(2, i) =
+        pressed_s < 0 ? std::min(3e-3, -0.03 * pressed_s) : -1.5e-3 * std::sqrt(normal_n);
+    trial.force_W.col(i) = Vec3(0.03, -0.02, 0.05) + drift_n_per_s * t * Vec3(1, 0, 1.3) +
+                           normal_n * Vec3(-0.2, 0, 1) +
+                           2e-3 * Vec3(random.normal(), random.normal(), random.normal());
+  }
+  TrialCleaning cleaning;
+  take_tare(trial, cleaning);
+  EXPECT_GT(cleaning.free_samples, 800);
+  EXPECT_LT(trial.force_W.leftCols(900).rowwise().mean().norm(), 1e-3);
+}
+
+TEST(Cleaning, SlowSamplesTellALiftToo) {
+  for (const double rate_hz : {60.0, 80.0, 125.0}) {
+    SteppingLoad lifted{rate_hz, 0, true, false};
+    lifted.lifted_m = 5e-4;
+    RecordedTrial trial = stepping(lifted, 5);
+    TrialCleaning cleaning;
+    take_tare(trial, cleaning);
+    EXPECT_FALSE(cleaning.presses_on) << rate_hz;
+    EXPECT_GT(cleaning.free_samples, 0) << rate_hz;
+  }
+}
+
 TEST(Cleaning, TakesMainsHumOutAndLeavesTheRest) {
   test::KnownSensors sensors, still;
   sensors.hum_n = 0.02;

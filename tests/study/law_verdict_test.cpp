@@ -57,6 +57,15 @@ TEST(LawVerdict, WithoutSlipRestsOnStick) {
   EXPECT_EQ(law_verdict(near, names, hidden).misfit, "");
 }
 
+TEST(LawVerdict, WhereStickPassesForSlipMuchIsDoubtedAndLittleIsNot) {
+  HiddenStick hidden;
+  hidden.is_likely = true;
+  const std::vector<TrialResidual> near(5, leaving(0.14)), far(5, leaving(0.24));
+  EXPECT_EQ(law_verdict(near, names, hidden).untold, "");
+  EXPECT_THAT(law_verdict(far, names, hidden).untold, HasSubstr("it leaves 24.0 %"));
+  EXPECT_EQ(law_verdict(far, names, hidden).misfit, "");
+}
+
 TEST(LawVerdict, NamesTheOneTrialThatDoesNotFit) {
   std::vector<test::KnownTrial> rubs;
   for (int k = 0; k < 8; ++k) rubs.push_back({2, 45, k % 3 * 45.0});
