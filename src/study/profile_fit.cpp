@@ -16,6 +16,15 @@ namespace {
 
 constexpr int bootstrap_draws = 400;
 
+/// Whether there are too few blocks for an interval, whatever they say.
+std::optional<NoInterval> too_few_blocks(const PadValue& value, std::size_t subjects, Blocks blocks) {
+  const bool are_subjects = blocks == Blocks::subjects;
+  const auto blocks_here = are_subjects ? static_cast<double>(subjects) : static_cast<double>(value.trials);
+  if (blocks_here - (are_subjects ? 1 : static_cast<double>(subjects)) >= least_freedom) return std::nullopt;
+  if (value.trials < fewest_trials) return NoInterval::few_trials;
+  return are_subjects ? NoInterval::few_subjects : NoInterval::few_a_subject;
+}
+
 void add_intervals(const std::vector<int>& subject_of, const std::vector<TrialEvidence>& delayed,
                    const FitSettings& settings, FitPoint point, ProfileFit& fit) {
   const bool has_slow_slip = point.slow_slip.has_value();
@@ -38,7 +47,14 @@ void add_intervals(const std::vector<int>& subject_of, const std::vector<TrialEv
   const auto unsure = moved_by_sampling(fit, delayed, point, has_slow_slip);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     constexpr double most_missing = 0.05;
-    if (!fit.values[k].refusal.empty() || spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
+    if (!fit.values[k].refusal.empty()) continue;
+    if (const auto too_few = too_few_blocks(fit.values[k], fit.subjects, settings.blocks)) {
+      fit.no_interval[k] = *too_few;
+    } else {
+      fit.no_interval[k] = spreads[k].count < (1 - most_missing) * bootstrap_draws ? NoInterval::draws_refused
+                                                                                   : NoInterval::no_spread;
+    }
+    if (fit.no_interval[k] == NoInterval::draws_refused) continue;
     const double drawn = settings.blocks == Blocks::subjects
                              ? interval_reach(spreads[k], without[k].deviation(left_out), subjects, 1)
                              : interval_reach(spreads[k], without[k].deviation(left_out),

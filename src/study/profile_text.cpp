@@ -129,7 +129,7 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
         fmt::format("the axes are {} and {} mm, stiffer than the skin of a finger: is the "
                     "positions' unit right?",
                     rounded_text(1e3 * lateral.value, 3), rounded_text(1e3 * longitudinal.value, 3)));
-  if (const std::string words = without_interval_words(fit); !words.empty()) notes.push_back(words);
+  for (const std::string& words : without_interval_words(fit)) notes.push_back(words);
   const LawResidual& residual = fit.residual;
   if (residual.samples == 0 && residual.untold.empty()) return notes;
   if (!residual.untold.empty()) {
