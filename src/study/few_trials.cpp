@@ -11,8 +11,6 @@
 namespace fingerpad {
 namespace {
 
-constexpr double widest_axis_m = 0.01, narrowest_axis_m = 0.1e-3;  // of a finger's
-
 struct NoIntervalWords {
   NoInterval reason;
   std::string_view why, advice;
@@ -98,6 +96,15 @@ void refuse_told_by_few(ProfileFit& fit) {
       refuse_number(number, words, fit);
   }
   refuse_odd_axes(fit);
+}
+
+void refuse_unsure_slip(ProfileFit& fit) {
+  const auto k = static_cast<std::size_t>(PadNumber::mu_dynamic);
+  if (!fit.values[k].refusal.empty() || fit.interval[k]) return;
+  fit.values[k].refuse(RefusalReason::unseen_slip,
+                       fmt::format("no slip is surely seen, and what passes for it and may be teeth tells no "
+                                   "interval ({}): rub faster",
+                                   no_interval_words(fit.no_interval[k])));
 }
 
 std::string no_interval_words(NoInterval why) {

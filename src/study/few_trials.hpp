@@ -7,9 +7,15 @@
 
 namespace fingerpad {
 
+inline constexpr double widest_axis_m = 0.01, narrowest_axis_m = 0.1e-3;  ///< of a finger's
+
 /// Refuses what fewer than three trials tell, where it is a v_min, a vibration or an axis that is no
 /// finger's; and a vibration that many draws of the trials do not show, or whose bandwidth may be none.
 void refuse_told_by_few(ProfileFit& fit);
+
+/// Refuses a mu_dynamic without an interval where no slip is surely seen: nothing says then how far the teeth
+/// that may pass for slip reach.
+void refuse_unsure_slip(ProfileFit& fit);
 
 /// Why a number has no interval, in short.
 std::string no_interval_words(NoInterval why);

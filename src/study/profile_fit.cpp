@@ -78,6 +78,11 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   }
   FitPoint point;
   point.evidence.knows_delay = measurement.knows_delay;
+  const auto gather = [&] {
+    fit.evidence.clear();
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
+  };
   // The normal law's exponent comes last, where it is far from the half that it is looked for from.
   constexpr int passes = 4, most_passes = 10;
   constexpr double settled_exponent = 1e-3;
@@ -88,14 +93,19 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
       point = next_point(fit.evidence, point);
       moved = std::abs(point.evidence.press_exponent - before);
     }
-    fit.evidence.clear();
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
+    gather();
+  }
+  const std::vector<int> once(fit.evidence.size(), 1);
+  fit.values = pad_numbers(fit.evidence, once, point);
+  // The last pass' numbers may be the first that tell it.
+  if (!point.has_unseen_slip && !unseen_slip_words(fit.evidence, fit.values, point).empty()) {
+    doubt_slip(fit.evidence, point);
+    gather();
+    fit.values = pad_numbers(fit.evidence, once, point);
   }
   fit.mu_load_n = point.evidence.load.load_n;
   fit.outliers = outlier_trials(measurement, fit.evidence);
   fit.offset = sensor_offset(measurement, segments);
-  const std::vector<int> once(fit.evidence.size(), 1);
   const SpringFit lateral = fit_spring(fit.evidence, once, 0),
                   longitudinal = fit_spring(fit.evidence, once, 1);
   fit.knows_delay = measurement.knows_delay;
@@ -106,7 +116,6 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
-  fit.values = pad_numbers(fit.evidence, once, point);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
   const std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
@@ -134,7 +143,10 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
                 settings, point, fit);
   refuse_vague_springs(settings.keeps_told_by_few, fit);
   refuse_odd_cubic_shares(fit);
-  if (!settings.keeps_told_by_few) refuse_told_by_few(fit);
+  if (!settings.keeps_told_by_few) {
+    refuse_told_by_few(fit);
+    if (!no_slip.empty() || point.has_unseen_slip) refuse_unsure_slip(fit);
+  }
   return fit;
 }
 

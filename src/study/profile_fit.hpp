@@ -32,7 +32,8 @@ struct ProfileFit {
   /// 95 %: low and high; nothing where the number is refused, or for the reason of no_interval.
   std::array<std::optional<std::pair<double, double>>, pad_number_keys.size()> interval;
   std::array<NoInterval, pad_number_keys.size()> no_interval{};
-  double mu_load_n = 0;  ///< normal force at which mu_static and mu_dynamic hold: the geometric mean in slip
+  double mu_load_n = 0;  ///< normal force at which mu_static and mu_dynamic hold: the geometric mean in slip,
+                         ///< or at ruptures where no slip is surely seen
   std::size_t subjects = 0, trials = 0;
   std::vector<TrialEvidence> evidence;  ///< per trial of the measurement
   std::vector<OutlierTrial> outliers;
