@@ -12,6 +12,7 @@
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
+#include "study/few_trials.hpp"
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_reader.hpp"
 #include "study/profile_text.hpp"
@@ -40,7 +41,7 @@ void tell_fit(const ProfileFit& fit) {
     const auto& both = fit.interval[k];
     print_out("{:<30} {:<11.5g} {} ({} sample{}, {} trial{})\n", std::string(pad_number_keys[k]), value.value,
               both ? fmt::format("95 %: {:.5g} .. {:.5g}", both->first, both->second)
-                   : std::string("too few trials for an interval"),
+                   : no_interval_words(fit.no_interval[k]),
               value.samples, value.samples == 1 ? "" : "s", value.trials, value.trials == 1 ? "" : "s");
   }
 }

@@ -74,7 +74,6 @@ std::optional<double> LeftOutSpread::deviation(std::size_t wanted) const {
 
 double interval_reach(const DrawSpread& spread, std::optional<double> left_out, double blocks,
                       double groups) {
-  constexpr double least_freedom = 2;
   const double freedom = blocks - groups;
   // Blocks do not weigh alike, so that fewer of them tell the spread: half.
   const double telling = std::max(least_freedom, blocks / 2 - groups);

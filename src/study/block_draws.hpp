@@ -58,6 +58,9 @@ class LeftOutSpread {
   std::size_t added_ = 0;
 };
 
+/// Fewer blocks than these and one for each group tell no interval.
+inline constexpr double least_freedom = 2;
+
 /// How far a 95 % interval reaches to either side of an estimate: Student's t times the spread of the draws,
 /// widened by sqrt(n/(n-1)) for the n blocks of a group that a draw holds less different than they are, or
 /// that of the jackknife if it is more. Half the blocks count as Student's degrees of freedom: they do not

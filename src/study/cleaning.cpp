@@ -42,6 +42,7 @@ void low_pass(RecordedTrial& trial, double cutoff_hz) {
 }
 
 /// What was done about hum, and what looks like it and was left in.
+/// @param taken  of each trial that senses what may hum
 std::string hum_text(const std::vector<MainsHum>& taken, const std::vector<std::string>& left_in,
                      bool of_forces) {
   long humming = 0;
@@ -77,6 +78,7 @@ std::vector<std::string> remove_hum(std::vector<RecordedTrial>& trials, Mains ma
     const HumVerdict verdict = judge_hum(trials, sensed, mains);
     std::vector<MainsHum> taken;
     for (std::size_t i = 0; i < trials.size(); ++i) {
+      if ((trials[i].*sensed).cols() == 0) continue;
       taken.push_back(take_off(verdict.lines[i], sensed, trials[i]));
       if (!are_forces) continue;
       measurement.cleanings[i].hum_hz = taken.back().frequency_hz;

@@ -3,14 +3,34 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <iterator>
+#include <string_view>
 
 #include "base/number_text.hpp"
 
 namespace fingerpad {
 namespace {
 
-constexpr long fewest_trials = 3;                                  // of which an interval is told
-constexpr double widest_axis_m = 0.01, narrowest_axis_m = 0.1e-3;  // of a finger's
+struct NoIntervalWords {
+  NoInterval reason;
+  std::string_view why, advice;
+};
+constexpr NoIntervalWords no_interval_table[] = {
+    {NoInterval::few_trials, "too few trials for an interval", "record 3 or more"},
+    {NoInterval::few_a_subject, "too few trials of each subject for an interval",
+     "record several trials of each, or draw whole subjects with --blocks subjects"},
+    {NoInterval::few_subjects, "too few subjects for an interval that draws whole subjects",
+     "measure 3 or more, or draw trials with --blocks trials"},
+    {NoInterval::draws_refused, "no interval, as many draws of the trials do not tell the number",
+     "record more trials that tell it"},
+    {NoInterval::no_spread, "no interval, as all draws of the trials say the same",
+     "are there trials that differ?"},
+};
+
+const NoIntervalWords& words_of(NoInterval reason) {
+  return *std::find_if(std::begin(no_interval_table), std::end(no_interval_table),
+                       [&](const NoIntervalWords& words) { return words.reason == reason; });
+}
 
 bool has_interval(const ProfileFit& fit, PadNumber number) {
   return fit.interval[static_cast<std::size_t>(number)].has_value();
@@ -27,11 +47,11 @@ std::string no_vibration_words(const ProfileFit& fit) {
   const auto k = static_cast<std::size_t>(PadNumber::vibration_bandwidth);
   const PadValue& bandwidth = fit.values[k];
   if (bandwidth.trials < fewest_trials) return more_trials_words(bandwidth.trials);
-  if (!fit.interval[k])
+  if (!fit.interval[k] && fit.no_interval[k] == NoInterval::draws_refused)
     return "with other trials drawn of these no frequency stands out of the spectrum of slip: nothing is "
            "seen to "
            "vibrate for sure";
-  if (fit.interval[k]->first > 0) return {};
+  if (!fit.interval[k] || fit.interval[k]->first > 0) return {};
   return fmt::format(
       "the peak of the spectrum of slip is {} Hz wide, give or take {}: nothing is seen to vibrate for sure",
       rounded_text(bandwidth.value, 2), rounded_text(fit.interval[k]->second - bandwidth.value, 2));
@@ -43,14 +63,15 @@ void refuse_number(PadNumber number, const std::string& words, ProfileFit& fit) 
   fit.interval[k].reset();
 }
 
-/// A finger's skin gives way by less than a centimetre: an axis of more is what single trials come to by
-/// chance.
+/// A finger's skin gives way by less than a centimetre: an axis of more is what one or two trials come to by
+/// chance. What more trials come to is no chance (fit_notes asks for the unit).
 void refuse_odd_axes(ProfileFit& fit) {
   for (std::size_t axis = 0; axis < 2; ++axis) {
     const PadNumber number = spring_numbers[axis];
     const PadValue& value = value_of(fit.values, number);
     const bool is_odd = value.value > widest_axis_m || value.value < narrowest_axis_m;
-    if (!value.refusal.empty() || has_interval(fit, number) || !is_odd) continue;
+    if (!value.refusal.empty() || has_interval(fit, number) || !is_odd || value.trials >= fewest_trials)
+      continue;
     const std::string words =
         fmt::format("it would be {} mm, which is no finger's, and {}", rounded_text(1e3 * value.value, 2),
                     more_trials_words(value.trials));
@@ -77,16 +98,32 @@ void refuse_told_by_few(ProfileFit& fit) {
   refuse_odd_axes(fit);
 }
 
-std::string without_interval_words(const ProfileFit& fit) {
-  std::string names;
-  for (std::size_t k = 0; k < fit.values.size(); ++k) {
-    if (!fit.values[k].refusal.empty() || fit.interval[k]) continue;
-    names += fmt::format("{}{}", names.empty() ? "" : ", ", pad_number_keys[k]);
+void refuse_unsure_slip(ProfileFit& fit) {
+  const auto k = static_cast<std::size_t>(PadNumber::mu_dynamic);
+  if (!fit.values[k].refusal.empty() || fit.interval[k]) return;
+  fit.values[k].refuse(RefusalReason::unseen_slip,
+                       fmt::format("no slip is surely seen, and what passes for it and may be teeth tells no "
+                                   "interval ({}): rub faster",
+                                   no_interval_words(fit.no_interval[k])));
+}
+
+std::string no_interval_words(NoInterval why) {
+  return std::string(words_of(why).why);
+}
+
+std::vector<std::string> without_interval_words(const ProfileFit& fit) {
+  std::vector<std::string> told;
+  for (const NoIntervalWords& words : no_interval_table) {
+    std::string names;
+    for (std::size_t k = 0; k < fit.values.size(); ++k) {
+      if (!fit.values[k].refusal.empty() || fit.interval[k] || fit.no_interval[k] != words.reason) continue;
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", pad_number_keys[k]);
+    }
+    if (!names.empty())
+      told.push_back(
+          fmt::format("{}, so that these may be off by any amount ({}): {}", words.why, words.advice, names));
   }
-  if (names.empty()) return {};
-  return fmt::format(
-      "too few trials for an interval, so that these may be off by any amount (record {} or more): {}",
-      fewest_trials, names);
+  return told;
 }
 
 }  // namespace fingerpad

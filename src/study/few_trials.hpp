@@ -1,16 +1,26 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "study/profile_fit.hpp"
 
 namespace fingerpad {
 
-/// Refuses what too few trials tell, and what may be nothing at all: v_min and vibrations that have no
-/// interval, a vibration whose bandwidth may be none, and an axis without an interval that is no finger's.
+inline constexpr double widest_axis_m = 0.01, narrowest_axis_m = 0.1e-3;  ///< of a finger's
+
+/// Refuses what fewer than three trials tell, where it is a v_min, a vibration or an axis that is no
+/// finger's; and a vibration that many draws of the trials do not show, or whose bandwidth may be none.
 void refuse_told_by_few(ProfileFit& fit);
 
-/// Which numbers have no interval, and what to do about it; empty where all have one.
-std::string without_interval_words(const ProfileFit& fit);
+/// Refuses a mu_dynamic without an interval where no slip is surely seen: nothing says then how far the teeth
+/// that may pass for slip reach.
+void refuse_unsure_slip(ProfileFit& fit);
+
+/// Why a number has no interval, in short.
+std::string no_interval_words(NoInterval why);
+
+/// Which numbers have no interval and what to do about it, one for each reason; empty where all have one.
+std::vector<std::string> without_interval_words(const ProfileFit& fit);
 
 }  // namespace fingerpad

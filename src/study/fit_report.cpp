@@ -4,6 +4,7 @@
 
 #include <limits>
 
+#include "study/few_trials.hpp"
 #include "study/fit_figures.hpp"
 #include "study/profile_text.hpp"
 
@@ -64,7 +65,8 @@ std::string numbers_html(const ProfileFit& fit) {
     const auto& both = fit.interval[k];
     out += fmt::format("<tr><td>{}</td><td>{:.5g}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
                        pad_number_keys[k], value.value,
-                       both ? fmt::format("{:.5g} to {:.5g}", both->first, both->second) : "too few trials",
+                       both ? fmt::format("{:.5g} to {:.5g}", both->first, both->second)
+                            : no_interval_words(fit.no_interval[k]),
                        value.samples, value.trials);
   }
   return out + "</table>\n";

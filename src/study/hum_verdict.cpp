@@ -65,8 +65,7 @@ HumReason judged_by_windows(const HumEvidence& evidence) {
 
 /// Most trials have the line, and teeth would have to be what they cannot: of one frequency at speeds that
 /// differ, or in step through each turn of the finger. (From one way to the other they may be, by chance.)
-bool is_in_most(const std::vector<const TrialLine*>& alike, const std::vector<TrialLine>& lines,
-                std::size_t showing) {
+bool is_in_most(const std::vector<const TrialLine*>& alike, std::size_t showing) {
   constexpr double least_spread = 0.1;  // of the speed, between the quartiles
   constexpr double least_steady = 0.8;
   constexpr long fewest_turns = 6;
@@ -75,8 +74,8 @@ bool is_in_most(const std::vector<const TrialLine*>& alike, const std::vector<Tr
   for (const TrialLine* found : alike) speeds.push_back(found->evidence.speed_m_per_s);
   if (quantile(speeds, 0.75) - quantile(speeds, 0.25) > least_spread * quantile(speeds, 0.5)) return true;
   long windows = 0, steady = 0, turns = 0, steady_turns = 0;
-  for (const TrialLine& line : lines) {
-    for (const HumWindow& window : line.evidence.windows) {
+  for (const TrialLine* line : alike) {
+    for (const HumWindow& window : line->evidence.windows) {
       ++windows;
       steady += window.is_steady ? 1 : 0;
       turns += window.turns ? 1 : 0;
@@ -101,7 +100,7 @@ HumReason judged(const TrialLine& found, const std::vector<TrialLine>& lines,
     for (const HumEvidence* evidence : {&found.evidence, &std::as_const(all)})
       if (const HumReason reason = judge(*evidence); reason != HumReason::open) return reason;
   }
-  return is_in_most(alike, lines, showing) ? HumReason::hum : HumReason::open;
+  return is_in_most(alike, showing) ? HumReason::hum : HumReason::open;
 }
 
 std::string reason_words(HumReason reason, double nominal_hz) {
@@ -129,6 +128,8 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
   HumVerdict verdict;
   verdict.lines.resize(trials.size());
   const bool are_forces = sensed == &RecordedTrial::force_W;
+  const auto sensing = std::count_if(trials.begin(), trials.end(),
+                                     [&](const RecordedTrial& trial) { return (trial.*sensed).cols() > 0; });
   std::array<std::vector<TrialLine>, mains_hz.size()> found;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     for (HumLine& line : hum_lines(trials[i], sensed, mains)) {
@@ -143,7 +144,7 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
   for (std::size_t k = 0; k < mains_hz.size(); ++k) {
     const auto showing =
         static_cast<std::size_t>(std::count_if(trials.begin(), trials.end(), [&](const RecordedTrial& trial) {
-          return can_show_line(trial, mains_hz[k]);
+          return can_show_line(trial, sensed, mains_hz[k]);
         }));
     std::map<HumReason, LeftIn> left;
     for (const TrialLine& one : found[k]) {
@@ -157,10 +158,10 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
       if (one.line.amplitude() > here.most) here.most = one.line.amplitude(), here.hz = one.line.hz;
     }
     for (const auto& [reason, here] : left)
-      verdict.left_in.push_back(fmt::format(
-          "a line near {:.0f} Hz is left in {} of {} trials, of at most {} {} at {:.2f} Hz: {}", mains_hz[k],
-          here.trials, trials.size(), rounded_text((are_forces ? 1 : 1e3) * here.most, 2),
-          are_forces ? "N" : "N mm", here.hz, reason_words(reason, mains_hz[k])));
+      verdict.left_in.push_back(
+          fmt::format("a line near {:.0f} Hz is left in {} of {} trials, of at most {} {} at {:.2f} Hz: {}",
+                      mains_hz[k], here.trials, sensing, rounded_text((are_forces ? 1 : 1e3) * here.most, 2),
+                      are_forces ? "N" : "N mm", here.hz, reason_words(reason, mains_hz[k])));
   }
   return verdict;
 }

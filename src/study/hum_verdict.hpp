@@ -17,9 +17,9 @@ struct HumVerdict {
 ///
 /// Each line is asked in turn, until one answer is sure: is it there where no teeth can be, as nothing
 /// touches the sensor or the finger stands still (in its own trial; else in those whose line has the same
-/// frequency)? Does its amplitude and phase run on through windows of 0.2 s while the finger turns round or
-/// changes its speed, as hum's does and teeth's do not? Does it stand at one frequency in most trials that
-/// can show one, although their speeds differ? Else it is left in.
+/// frequency)? Does its amplitude and phase run on through windows of 0.2 s while the
+/// finger turns round or changes its speed, as hum's does and teeth's do not? Does it stand at one frequency
+/// in most trials that can show one, although their speeds differ? Else it is left in.
 ///
 /// Mains::hz_50 or hz_60 is the user's word, and overrides all of this.
 HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Mains mains);

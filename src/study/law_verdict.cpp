@@ -64,7 +64,6 @@ void judge_stick(const std::vector<TrialResidual>& trials, const HiddenStick& hi
     sure.add(trial.sure_stick);
     whole.add(trial.stick);
   }
-  found.untold = hidden.no_slip;
   for (const auto& [parts, most] :
        {std::pair(&sure, most_left), std::pair(&whole, most_left + hidden.unseen_drop)}) {
     if (!found.misfit.empty() || !parts->is_off(most) || !parts->are_most_off(most)) continue;
@@ -87,6 +86,7 @@ LawResidual law_verdict(const std::vector<TrialResidual>& trials, const std::vec
     found.drops += trial.drops;
   }
   found.samples = parts.all.samples;
+  found.untold = hidden.no_slip;
   if (!(parts.all.signal > 0)) return found;
   found.share = std::sqrt(parts.all.left / parts.all.signal);
   found.expected = std::sqrt(parts.all.expected / parts.all.signal);
@@ -95,9 +95,9 @@ LawResidual law_verdict(const std::vector<TrialResidual>& trials, const std::vec
     return found;
   }
   const char* where = " and about its ends";
-  if (!hidden.is_likely && parts.is_off(most_left)) {
-    if (parts.are_most_off(most_left)) found.misfit = off_words(parts.all, where);
-    for (std::size_t i = 0; i < parts.each.size() && found.misfit.empty(); ++i)
+  if (!hidden.is_likely) {
+    if (parts.is_off(most_left) && parts.are_most_off(most_left)) found.misfit = off_words(parts.all, where);
+    for (std::size_t i = 0; i < parts.each.size(); ++i)
       if (left_beyond(parts.each[i]) > most_left)
         found.odd_trials.push_back(names[i] + ": " + off_words(parts.each[i], where));
   }
@@ -112,6 +112,7 @@ LawResidual law_verdict(const std::vector<TrialResidual>& trials, const std::vec
         off_words(parts.all, where) +
         ": more than stick that passes for slip mostly leaves, so that another law may be behind it; "
         "rub faster, or sample faster";
+  if (!found.misfit.empty()) found.odd_trials.clear();
   return found;
 }
 

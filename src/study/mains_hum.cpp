@@ -72,19 +72,18 @@ double HumLine::amplitude() const {
   return most;
 }
 
-bool can_show_line(const RecordedTrial& trial, double nominal_hz) {
+bool can_show_line(const RecordedTrial& trial, Sensed sensed, double nominal_hz) {
   constexpr double shortest_s = 1, above_nyquist = 2.1;
-  return static_cast<double>(trial.samples()) >= shortest_s * trial.rate_hz &&
+  return (trial.*sensed).cols() > 0 && static_cast<double>(trial.samples()) >= shortest_s * trial.rate_hz &&
          trial.rate_hz > above_nyquist * nominal_hz;
 }
 
 std::vector<HumLine> hum_lines(const RecordedTrial& trial, Sensed sensed, Mains mains) {
   std::vector<HumLine> found;
-  if ((trial.*sensed).cols() == 0) return found;
   for (const double nominal_hz : mains_hz) {
     const bool is_asked = mains == Mains::any || (mains == Mains::hz_50 && nominal_hz == 50) ||
                           (mains == Mains::hz_60 && nominal_hz == 60);
-    if (!is_asked || !can_show_line(trial, nominal_hz)) continue;
+    if (!is_asked || !can_show_line(trial, sensed, nominal_hz)) continue;
     if (const auto line = hum_line(trial, sensed, nominal_hz)) found.push_back(*line);
   }
   return found;

@@ -26,9 +26,9 @@ struct HumLine {
   double amplitude() const;
 };
 
-/// Whether a line near a frequency of the mains would be seen in a trial: it is at least 1 s long, and its
-/// rate is above twice the line's.
-bool can_show_line(const RecordedTrial& trial, double nominal_hz);
+/// Whether a line near a frequency of the mains would be seen in what a trial sensed: there is some, it is at
+/// least 1 s long, and its rate is above twice the line's.
+bool can_show_line(const RecordedTrial& trial, Sensed sensed, double nominal_hz);
 
 /// On each axis the sine of constant amplitude and phase that stands out of the spectrum (Hann window over
 /// the whole trial) twelvefold in power, near 50 or 60 Hz. Whether it is hum, judge_hum says.

@@ -13,12 +13,14 @@
 #include "study/load_exponent.hpp"
 #include "study/press_fit.hpp"
 #include "study/spring_fit.hpp"
+#include "study/unseen_slip.hpp"
 #include "study/vibration_peak.hpp"
 
 namespace fingerpad {
 namespace {
 
 constexpr double assumed_mu_static = 0.3;  // a profile's default
+constexpr double enough_ruptures = 10;     // beyond which they hardly add to a trial's weight
 
 using EvidenceSum = double TrialEvidence::*;
 using EvidenceCount = long TrialEvidence::*;
@@ -69,7 +71,9 @@ PadValue plain_stiffness(const std::vector<TrialEvidence>& trials, const std::ve
 /// A number that rests on one axis' stick.
 PadValue of_axis(const SpringFit& fit, double value, const std::string& refusal) {
   return {value, fit.samples, fit.trials, refusal,
-          fit.samples > 0 ? RefusalReason::one_angle : RefusalReason::not_pushed};
+          refusal.empty()   ? RefusalReason::other
+          : fit.samples > 0 ? RefusalReason::one_angle
+                            : RefusalReason::not_pushed};
 }
 
 /// Where a number of one axis stands.
@@ -148,10 +152,10 @@ PadValue seen_v_min(const std::vector<TrialEvidence>& trials, const std::vector<
   PadValue found = subjects_mean(trials, times, &TrialEvidence::stop_speed_m_per_s, &TrialEvidence::stops, 10,
                                  "no slip that ends in stick was found");
   // What is seen once in a while may be a vibration's swing.
-  constexpr long least_share = 10;
+  constexpr long most_gives_a_stop = 10;
   long gives = 0;
   for (std::size_t i = 0; i < trials.size(); ++i) gives += times[i] * trials[i].gives;
-  if (found.refusal.empty() && least_share * found.samples < gives)
+  if (found.refusal.empty() && most_gives_a_stop * found.samples < gives)
     found.refuse(RefusalReason::other,
                  fmt::format("slip is seen to end in stick {} times only, where stick ends in "
                              "slip {} times: let the finger slow down to its stops",
@@ -163,12 +167,18 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
                       const FitPoint& point) {
   PadValues found;
   const auto at = [&](PadNumber number) -> PadValue& { return value_of(found, number); };
-  at(PadNumber::mu_static) = subjects_mean(trials, times, &TrialEvidence::rupture_ratio,
-                                           &TrialEvidence::ruptures, 10, no_rupture_words(trials));
+  at(PadNumber::mu_static) =
+      subjects_mean(trials, times, &TrialEvidence::rupture_ratio, &TrialEvidence::ruptures, enough_ruptures,
+                    no_rupture_words(trials));
   at(PadNumber::mu_dynamic) = subjects_mean(trials, times, &TrialEvidence::slip_ratio,
                                             &TrialEvidence::slip_samples, 500, "no slip was found");
   at(PadNumber::mu_load_exponent) =
       load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
+  if (point.has_unseen_slip)
+    at(PadNumber::mu_load_exponent)
+        .refuse(RefusalReason::unseen_slip,
+                "no slip is surely seen: what passes for it may be teeth of stick and slip, whose mean "
+                "changes with the load in its own way; mu_static is taken as it is: rub faster");
   PadValue& v_min = at(PadNumber::v_min);
   if (point.v_min_by_step) {
     v_min = v_min_of_step(trials, times);
@@ -193,6 +203,16 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
   at(PadNumber::normal_exponent) = {1 / press.exponent, press.samples, press.trials, press.refusal};
   refuse_impossible_numbers(found);
   return found;
+}
+
+void doubt_slip(const std::vector<TrialEvidence>& trials, FitPoint& point) {
+  point.has_unseen_slip = true;
+  point.evidence.load.exponent = 0;
+  const PadValue log_load =
+      subjects_mean(trials, std::vector<int>(trials.size(), 1), &TrialEvidence::rupture_log_load,
+                    &TrialEvidence::ruptures, enough_ruptures, "no rupture");
+  if (log_load.refusal.empty())
+    point.evidence.load.load_n = std::stod(rounded_text(std::exp(log_load.value), 3));
 }
 
 FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point) {
@@ -221,6 +241,8 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.evidence.hidden_stick_ratio = may_hide && mu_dynamic.refusal.empty() ? mu_dynamic.value : 0;
   if (next.slow_slip)
     next.evidence.v_min_m_per_s = std::max(next.evidence.v_min_m_per_s, next.slow_slip->speed_m_per_s);
+  next.has_unseen_slip = false;
+  if (!unseen_slip_words(trials, found, next).empty()) doubt_slip(trials, next);
   return next;
 }
 

@@ -95,6 +95,7 @@ struct FitPoint {
   std::optional<VibrationPeak> vibration;  ///< where a draw's own peak is looked for
   double trial_scatter = 0;                ///< of the trials' friction; see load_exponent
   std::optional<SpeedStep> slow_slip;      ///< where slip's friction rises as it slows
+  bool has_unseen_slip = false;            ///< what passes for slip may be teeth (unseen_slip_words)
   bool v_min_by_step = false;              ///< v_min is the speed at which it does (tells_v_min)
 };
 
@@ -103,21 +104,21 @@ struct FitPoint {
 ///
 /// Each subject weighs the same, whatever its samples (paper, "Stick Ellipse"): a number is the mean of the
 /// subjects' own. mu_static is the mean of |q| at ruptures, mu_dynamic of q in slip, both at the load of
-/// `point`; mu_load_exponent is that of mu(n) = mu (n/load)^exponent in slip; v_min the mean of the speeds at
-/// ends of slip, or the one at which friction steps in slip (speed_step).
-/// Axes: a trial at angle alpha gives A of x = A g(r) (SpringBend), and a = A mu_s, where the spring ends.
-/// Each subject's line a(alpha) gives its own a45, by which its points are normalised (figs. 5, 6); the slope
-/// s is that of the weighted least squares line a/a45 = 1 - s (alpha - 45) over all subjects, the weights of
-/// a subject's trials (by what they moved) adding up to 1. Where there is one angle only, slopes are refused
-/// and axes given if it is within 10 degrees of 45. Where mu_static is refused, the axes hold at 0.3, a
-/// profile's default, and the spring is taken for straight: their quotient is what is measured.
-/// stick_stiffness is mu_s/a45, k_f across the finger, longitudinal_stiffness along it; without directions
-/// stick_stiffness is the mean over those that were pushed. cubic_share is c of the finger-pad law's
-/// third-order spring; hysteresis_area that of the loop of force ratio over displacement, pushed to the limit
-/// both ways, 4 h mu_s (too small where the loop turns slowly: of one that turns within a tenth of the reach
-/// some 70 %); linearity the share of the displacement's variance that a straight line explains. Vibration:
-/// see vibration_peak. normal_stiffness is dn/d(depth) at 1 N of n ~ depth^normal_exponent. What is not
-/// finite, or not above 0 where it must be, is refused.
+/// `point`; mu_load_exponent is that of mu(n) = mu (n/load)^exponent in slip (refused where that may be
+/// teeth); v_min the mean of the speeds at ends of slip, or the one at which friction steps in slip
+/// (speed_step). Axes: a trial at angle alpha gives A of x = A g(r) (SpringBend), and a = A mu_s, where the
+/// spring ends. Each subject's line a(alpha) gives its own a45, by which its points are normalised (figs. 5,
+/// 6); the slope s is that of the weighted least squares line a/a45 = 1 - s (alpha - 45) over all subjects,
+/// the weights of a subject's trials (by what they moved) adding up to 1. Where there is one angle only,
+/// slopes are refused and axes given if it is within 10 degrees of 45. Where mu_static is refused, the axes
+/// hold at 0.3, a profile's default, and the spring is taken for straight: their quotient is what is
+/// measured. stick_stiffness is mu_s/a45, k_f across the finger, longitudinal_stiffness along it; without
+/// directions stick_stiffness is the mean over those that were pushed. cubic_share is c of the finger-pad
+/// law's third-order spring; hysteresis_area that of the loop of force ratio over displacement, pushed to the
+/// limit both ways, 4 h mu_s (too small where the loop turns slowly: of one that turns within a tenth of the
+/// reach some 70 %); linearity the share of the displacement's variance that a straight line explains.
+/// Vibration: see vibration_peak. normal_stiffness is dn/d(depth) at 1 N of n ~ depth^normal_exponent. What
+/// is not finite, or not above 0 where it must be, is refused.
 PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                       const FitPoint& point);
 
@@ -138,6 +139,10 @@ inline constexpr std::array<PadNumber, 12> spring_numbers{PadNumber::lateral_axi
                                                           PadNumber::longitudinal_cubic_share,
                                                           PadNumber::lateral_hysteresis_area,
                                                           PadNumber::longitudinal_hysteresis_area};
+
+/// Leaves the coefficients as they were measured where what passes for slip may be teeth: how those change
+/// with the load is no exponent of friction. They hold at the ruptures' load then, where there are any.
+void doubt_slip(const std::vector<TrialEvidence>& trials, FitPoint& point);
 
 /// What the next pass is to be taken about.
 FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point);

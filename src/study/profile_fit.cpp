@@ -16,6 +16,15 @@ namespace {
 
 constexpr int bootstrap_draws = 400;
 
+/// Whether there are too few blocks for an interval, whatever they say.
+std::optional<NoInterval> too_few_blocks(const PadValue& value, std::size_t subjects, Blocks blocks) {
+  const bool are_subjects = blocks == Blocks::subjects;
+  const auto blocks_here = are_subjects ? static_cast<double>(subjects) : static_cast<double>(value.trials);
+  if (blocks_here - (are_subjects ? 1 : static_cast<double>(subjects)) >= least_freedom) return std::nullopt;
+  if (value.trials < fewest_trials) return NoInterval::few_trials;
+  return are_subjects ? NoInterval::few_subjects : NoInterval::few_a_subject;
+}
+
 void add_intervals(const std::vector<int>& subject_of, const std::vector<TrialEvidence>& delayed,
                    const FitSettings& settings, FitPoint point, ProfileFit& fit) {
   const bool has_slow_slip = point.slow_slip.has_value();
@@ -38,7 +47,14 @@ void add_intervals(const std::vector<int>& subject_of, const std::vector<TrialEv
   const auto unsure = moved_by_sampling(fit, delayed, point, has_slow_slip);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     constexpr double most_missing = 0.05;
-    if (!fit.values[k].refusal.empty() || spreads[k].count < (1 - most_missing) * bootstrap_draws) continue;
+    if (!fit.values[k].refusal.empty()) continue;
+    if (const auto too_few = too_few_blocks(fit.values[k], fit.subjects, settings.blocks)) {
+      fit.no_interval[k] = *too_few;
+    } else {
+      fit.no_interval[k] = spreads[k].count < (1 - most_missing) * bootstrap_draws ? NoInterval::draws_refused
+                                                                                   : NoInterval::no_spread;
+    }
+    if (fit.no_interval[k] == NoInterval::draws_refused) continue;
     const double drawn = settings.blocks == Blocks::subjects
                              ? interval_reach(spreads[k], without[k].deviation(left_out), subjects, 1)
                              : interval_reach(spreads[k], without[k].deviation(left_out),
@@ -62,6 +78,11 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   }
   FitPoint point;
   point.evidence.knows_delay = measurement.knows_delay;
+  const auto gather = [&] {
+    fit.evidence.clear();
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
+  };
   // The normal law's exponent comes last, where it is far from the half that it is looked for from.
   constexpr int passes = 4, most_passes = 10;
   constexpr double settled_exponent = 1e-3;
@@ -72,14 +93,19 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
       point = next_point(fit.evidence, point);
       moved = std::abs(point.evidence.press_exponent - before);
     }
-    fit.evidence.clear();
-    for (std::size_t i = 0; i < segments.size(); ++i)
-      fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
+    gather();
+  }
+  const std::vector<int> once(fit.evidence.size(), 1);
+  fit.values = pad_numbers(fit.evidence, once, point);
+  // The last pass' numbers may be the first that tell it.
+  if (!point.has_unseen_slip && !unseen_slip_words(fit.evidence, fit.values, point).empty()) {
+    doubt_slip(fit.evidence, point);
+    gather();
+    fit.values = pad_numbers(fit.evidence, once, point);
   }
   fit.mu_load_n = point.evidence.load.load_n;
   fit.outliers = outlier_trials(measurement, fit.evidence);
   fit.offset = sensor_offset(measurement, segments);
-  const std::vector<int> once(fit.evidence.size(), 1);
   const SpringFit lateral = fit_spring(fit.evidence, once, 0),
                   longitudinal = fit_spring(fit.evidence, once, 1);
   fit.knows_delay = measurement.knows_delay;
@@ -90,7 +116,6 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
-  fit.values = pad_numbers(fit.evidence, once, point);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
   const std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
@@ -118,7 +143,10 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
                 settings, point, fit);
   refuse_vague_springs(settings.keeps_told_by_few, fit);
   refuse_odd_cubic_shares(fit);
-  if (!settings.keeps_told_by_few) refuse_told_by_few(fit);
+  if (!settings.keeps_told_by_few) {
+    refuse_told_by_few(fit);
+    if (!no_slip.empty() || point.has_unseen_slip) refuse_unsure_slip(fit);
+  }
   return fit;
 }
 

@@ -16,12 +16,24 @@
 
 namespace fingerpad {
 
+/// Why a number that is given has no interval.
+enum class NoInterval {
+  few_trials,     ///< fewer than three tell it
+  few_a_subject,  ///< trials are drawn within each subject, of which most have one
+  few_subjects,   ///< whole subjects are drawn, of which there are fewer than three
+  draws_refused,  ///< too many draws of the trials do not give it
+  no_spread,      ///< all draws give the same
+};
+inline constexpr long fewest_trials = 3;  ///< of which an interval is told
+
 /// A profile from measurements.
 struct ProfileFit {
   PadValues values;
-  /// 95 %: low and high; nothing where the number is refused, or rests on too few trials.
+  /// 95 %: low and high; nothing where the number is refused, or for the reason of no_interval.
   std::array<std::optional<std::pair<double, double>>, pad_number_keys.size()> interval;
-  double mu_load_n = 0;  ///< normal force at which mu_static and mu_dynamic hold: the geometric mean in slip
+  std::array<NoInterval, pad_number_keys.size()> no_interval{};
+  double mu_load_n = 0;  ///< normal force at which mu_static and mu_dynamic hold: the geometric mean in slip,
+                         ///< or at ruptures where no slip is surely seen
   std::size_t subjects = 0, trials = 0;
   std::vector<TrialEvidence> evidence;  ///< per trial of the measurement
   std::vector<OutlierTrial> outliers;

@@ -105,10 +105,9 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
         "without contact in each trial and do without --no-tare, or zero the sensor",
         fit.offset.untared, fit.offset.told, fit.offset.off, rounded_text(fit.offset.usual_n, 2),
         rounded_text(fit.offset.most_n, 2)));
-  constexpr double widest_m = 0.01;
   for (const PadNumber axis : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
     const auto k = static_cast<std::size_t>(axis);
-    if (fit.values[k].refusal.empty() && fit.values[k].value > widest_m)
+    if (fit.values[k].refusal.empty() && fit.values[k].value > widest_axis_m)
       notes.push_back(fmt::format(
           "{} is {} mm, further than the skin of a finger gives way: is the positions' unit right?",
           pad_number_keys[k], rounded_text(1e3 * fit.values[k].value, 3)));
@@ -120,16 +119,15 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
                     "(or a loop) hide "
                     "from the cross-correlation: it may be off by as much; axes and stiffnesses allow for it",
                     rounded_text(1e3 * fit.delay_left_s, 2)));
-  constexpr double narrowest_m = 0.1e-3;
   const PadValue &lateral = value_of(fit.values, PadNumber::lateral_axis),
                  &longitudinal = value_of(fit.values, PadNumber::longitudinal_axis);
   if (lateral.refusal.empty() && longitudinal.refusal.empty() &&
-      std::max(lateral.value, longitudinal.value) < narrowest_m)
+      std::max(lateral.value, longitudinal.value) < narrowest_axis_m)
     notes.push_back(
         fmt::format("the axes are {} and {} mm, stiffer than the skin of a finger: is the "
                     "positions' unit right?",
                     rounded_text(1e3 * lateral.value, 3), rounded_text(1e3 * longitudinal.value, 3)));
-  if (const std::string words = without_interval_words(fit); !words.empty()) notes.push_back(words);
+  for (const std::string& words : without_interval_words(fit)) notes.push_back(words);
   const LawResidual& residual = fit.residual;
   if (residual.samples == 0 && residual.untold.empty()) return notes;
   if (!residual.untold.empty()) {

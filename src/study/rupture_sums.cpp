@@ -1,6 +1,7 @@
 #include "study/rupture_sums.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "study/position_parabola.hpp"
@@ -118,6 +119,7 @@ void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
     if (!at_rupture) continue;
     evidence.rupture_rise += rise;
     evidence.rupture_ratio += *at_rupture;
+    evidence.rupture_log_load += std::log(trial.normal_force_n[i - 1]);
     ++evidence.ruptures;
   }
 }

@@ -18,20 +18,21 @@ HiddenReach hidden_reach(const ProfileFit& fit, const FitPoint& point) {
   const auto value = [&](PadNumber number) -> const PadValue& { return value_of(fit.values, number); };
   const PadValue &mu_static = value(PadNumber::mu_static), &mu_dynamic = value(PadNumber::mu_dynamic);
   HiddenReach reach;
-  const bool is_likely = point.evidence.hidden_stick_ratio > 0;
+  const bool is_likely = point.has_unseen_slip || point.evidence.hidden_stick_ratio > 0;
   if (!is_likely || !mu_dynamic.refusal.empty()) return reach;
   const double unseen = unseen_drop_share(fit.evidence) * mu_dynamic.value,
                drop = mu_static.value - mu_dynamic.value;
   if (mu_static.refusal.empty() && drop < 1.5 * unseen)
     reach.mu_static = 0.3 * (std::max(0.0, unseen - drop) + unseen / 6);
-  if (value(PadNumber::v_min).refusal.empty()) return reach;
+  if (!point.has_unseen_slip && value(PadNumber::v_min).refusal.empty()) return reach;
   double seen = 0, teeth = 0;
   for (const TrialEvidence& trial : fit.evidence) {
     seen += trial.short_drop;
     teeth += static_cast<double>(trial.short_teeth);
   }
   reach.mu_dynamic = std::max(unseen / 2, teeth > 0 ? seen / teeth : 0);
-  if (mu_static.refusal.empty() && mu_static.samples > 10) reach.mu_dynamic = std::max(unseen / 2, drop);
+  if (mu_static.refusal.empty() && (point.has_unseen_slip || mu_static.samples > 10))
+    reach.mu_dynamic = std::max(unseen / 2, drop);
   return reach;
 }
 

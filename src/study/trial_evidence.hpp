@@ -55,8 +55,9 @@ struct TrialEvidence {
   /// What was taken off `spring` for the sensors' noise, which is itself an estimate.
   std::array<SpringSums, 2> spring_noise{SpringSums::Zero(), SpringSums::Zero()};
   long stick_samples = 0;
-  double rupture_ratio = 0;  ///< sum over ruptures of |q| just before it
-  double rupture_rise = 0;   ///< sum of what |q| rises from sample to sample before them
+  double rupture_ratio = 0;     ///< sum over ruptures of |q| just before it
+  double rupture_rise = 0;      ///< sum of what |q| rises from sample to sample before them
+  double rupture_log_load = 0;  ///< sum of ln(n/1 N) just before them
   long ruptures = 0;
   double short_drop = 0;  ///< sum of what |q| falls at short_teeth
   long short_teeth = 0;   ///< ruptures of teeth with too few samples to tell where they gave way

@@ -19,10 +19,6 @@ constexpr std::size_t fewest_rows = 16;
 constexpr double longest_gap_s = 1;     // beyond it the recording was stopped
 constexpr double longest_piece_s = 20;  // of a recording that names no trials
 
-bool is_recorded(const Vec3& position, const Vec3& force) {
-  return position.allFinite() && force.allFinite();
-}
-
 const Vec3& pose_at(const std::vector<Vec3>& values, std::size_t row) {
   return values.size() == 1 ? values.front() : values[row];
 }
@@ -102,6 +98,11 @@ void TrialRows::add_pose(std::size_t row, RecordedTrial& trial, Vec3& normal, Ve
   trial.most_angle_deg = std::max(trial.most_angle_deg, angle_deg);
 }
 
+bool TrialRows::is_recorded(std::size_t row) const {
+  return position_[row].allFinite() && force_[row].allFinite() &&
+         (!sensor_ || (torque_[row].allFinite() && tracked_[row].allFinite()));
+}
+
 void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasurement& into) const {
   const RecordingClock clock = recording_clock(std::span(t_s_).subspan(begin, end - begin));
   RecordedTrial trial;
@@ -130,7 +131,7 @@ void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasure
   std::size_t before = end;  // the last recorded row
   for (std::size_t i = begin; i < end; ++i) {
     add_pose(i, trial, normal, direction);
-    if (!is_recorded(position_[i], force_[i])) continue;
+    if (!is_recorded(i)) continue;
     const double at = (t_s_[i] - trial.start_s) * clock.rate_hz;
     const double from = before == end ? at : (t_s_[before] - trial.start_s) * clock.rate_hz;
     constexpr double slack = 0.05;  // of a step: times are rounded

@@ -46,6 +46,8 @@ class TrialRows {
   void finish(RecordedMeasurement& into) const;
 
  private:
+  /// Whether all that tells the row's sample is there: its torque too, where there is a sensor of it.
+  bool is_recorded(std::size_t row) const;
   void finish_piece(std::size_t begin, std::size_t end, RecordedMeasurement& into) const;
   void add_pose(std::size_t row, RecordedTrial& trial, Vec3& normal, Vec3& direction) const;
 

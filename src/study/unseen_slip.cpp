@@ -55,10 +55,10 @@ bool may_hold_teeth(const SlipSeen& seen, const PadValues& found) {
 
 std::string unseen_slip_words(const std::vector<TrialEvidence>& trials, const PadValues& found,
                               const FitPoint& point) {
-  constexpr long fewest_breaks = 5, many_teeth = 4;  // the latter for each time that stick began anew
+  constexpr long many_teeth = 4;  // for each time that stick began anew
   constexpr double hardly_any_stops = 0.25;
   const SlipSeen seen(trials);
-  if (seen.gives + seen.teeth < fewest_breaks || point.slow_slip) return {};
+  if (seen.gives + seen.teeth < fewest_gives || point.slow_slip) return {};
   if (seen.samples == 0)
     return fmt::format(
         "no slip is seen: stick gives way {} times, and each time holds again at once: rub faster",

@@ -12,6 +12,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 Measurement measured(const std::vector<test::KnownTrial>& trials, const test::KnownFinger& finger = {},
                      std::uint64_t seed = 1) {
@@ -68,6 +69,52 @@ TEST(FewTrials, AnAxisWithoutAnIntervalThatIsNoFingersIsRefused) {
   fit.interval[0].reset();
   refuse_told_by_few(fit);
   EXPECT_EQ(axis.refusal, "");
+}
+
+TEST(FewTrials, OneTrialOfEachSubjectIsNotTooFewTrials) {
+  std::vector<test::KnownTrial> trials;
+  for (int k = 0; k < 12; ++k) trials.push_back({k + 1, 45, 45.0 * (k % 3), 0.06, 0.6, 4});
+  const Measurement twelve = measured(trials, {}, 3);
+  const ProfileFit fit = fit_profile(twelve, {});
+  for (const PadNumber number : {PadNumber::vibration, PadNumber::vibration_bandwidth}) {
+    EXPECT_EQ(of(fit, number).refusal, "");
+    EXPECT_FALSE(fit.interval[static_cast<std::size_t>(number)]);
+    EXPECT_EQ(fit.no_interval[static_cast<std::size_t>(number)], NoInterval::few_a_subject);
+  }
+  EXPECT_EQ(of(fit, PadNumber::v_min).refusal, "");
+  EXPECT_THAT(fit_notes(fit),
+              Contains(HasSubstr("too few trials of each subject for an interval, so that these may be off "
+                                 "by any amount (record several trials of each, or draw whole subjects with "
+                                 "--blocks subjects): lateral_axis_m")));
+  EXPECT_THAT(fit_notes(fit), Not(Contains(HasSubstr("too few trials for an interval"))));
+  FitSettings of_subjects;
+  of_subjects.blocks = Blocks::subjects;
+  const ProfileFit drawn = fit_profile(twelve, of_subjects);
+  EXPECT_TRUE(drawn.interval[static_cast<std::size_t>(PadNumber::vibration)]);
+  Measurement two = twelve;
+  for (std::size_t i = 0; i < two.trials.size(); ++i) two.trials[i].subject = i % 2 == 0 ? 1 : 2;
+  EXPECT_THAT(fit_notes(fit_profile(two, of_subjects)),
+              Contains(HasSubstr("too few subjects for an interval")));
+}
+
+TEST(FewTrials, OddAxesOfManyTrialsAreGiven) {
+  ProfileFit fit;
+  for (PadValue& value : fit.values) value.refusal = "not here";
+  fit.values[0] = {0.024, 100, 12, ""};
+  fit.no_interval[0] = NoInterval::few_a_subject;
+  refuse_told_by_few(fit);
+  EXPECT_EQ(fit.values[0].refusal, "");
+  EXPECT_THAT(fit_notes(fit), Contains(HasSubstr("is the positions' unit right?")));
+}
+
+TEST(FewTrials, AVibrationThatManyDrawsDoNotShowIsRefused) {
+  ProfileFit fit;
+  for (const PadNumber number : {PadNumber::vibration, PadNumber::vibration_bandwidth}) {
+    fit.values[static_cast<std::size_t>(number)] = {90, 100, 12, ""};
+    fit.no_interval[static_cast<std::size_t>(number)] = NoInterval::draws_refused;
+  }
+  refuse_told_by_few(fit);
+  EXPECT_THAT(of(fit, PadNumber::vibration).refusal, HasSubstr("no frequency stands out"));
 }
 
 TEST(FewTrials, FoldsKeepWhatFewTell) {

@@ -39,6 +39,32 @@ TEST(LawVerdict, RestsOnMostTrials) {
   EXPECT_TRUE(law_verdict(trials, names, {}).odd_trials.empty());
 }
 
+TEST(LawVerdict, NamesAnOddTrialThoughAllTogetherFit) {
+  std::vector<TrialResidual> trials(50, leaving(0.02));
+  std::vector<std::string> of_fifty(50, "fits");
+  trials[7] = leaving(0.3);
+  of_fifty[7] = "odd";
+  const LawResidual found = law_verdict(trials, of_fifty, {});
+  EXPECT_LT(found.share, 0.06);
+  EXPECT_EQ(found.misfit, "");
+  EXPECT_THAT(found.odd_trials, ElementsAre(HasSubstr("odd: it leaves 30.0 %")));
+}
+
+TEST(LawVerdict, NoTrialIsOddWhereTheLawDoesNotFit) {
+  std::vector<TrialResidual> trials(5, leaving(0.02));
+  trials[3] = leaving(0.4);
+  for (TrialResidual& trial : trials) trial.drops = 0;
+  const LawResidual found = law_verdict(trials, names, {});
+  EXPECT_THAT(found.misfit, HasSubstr("without a drop of the force"));
+  EXPECT_TRUE(found.odd_trials.empty());
+}
+
+TEST(LawVerdict, WithoutSlipIsUntoldThoughNothingIsLongEnough) {
+  HiddenStick hidden;
+  hidden.no_slip = "no slip";
+  EXPECT_EQ(law_verdict({}, {}, hidden).untold, "no slip");
+}
+
 TEST(LawVerdict, WithoutSlipRestsOnStick) {
   HiddenStick hidden;
   hidden.no_slip = "no slip";

@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <cmath>
 #include <fstream>
+#include <limits>
 
 #include "study/trial_rows.hpp"
 #include "support/paths.hpp"
@@ -312,6 +313,25 @@ TEST(TrialRows, TimesALittleOffTheirGridDrawNoLineAcrossARupture) {
     EXPECT_NEAR(x, std::round(x), 1e-9) << k << ": no row's own position";
     EXPECT_NEAR(trial.force_W(0, k), x < 29.5 ? 0.3 : 0.2, 1e-12) << k << ": another row's force";
   }
+}
+
+TEST(TrialRows, ARowWithoutItsTorqueIsNotRecorded) {
+  TrialRows rows("sensor.csv", 1, 3, true);
+  for (int i = 0; i < 60; ++i) {
+    RecordedRow row;
+    row.t_s = 1e-3 * i;
+    row.wrench = RecordedWrench{{}, Vec3(0.01 * i, 0, 0), Vec3::Zero()};
+    if (i == 30) row.wrench->torque_W_n_m.y() = std::numeric_limits<double>::quiet_NaN();
+    rows.add(row);
+  }
+  RecordedMeasurement read;
+  rows.finish(read);
+  ASSERT_EQ(read.trials.size(), 1u);
+  const RecordedTrial& trial = read.trials.front();
+  EXPECT_TRUE(trial.torque_W_n_m.allFinite());
+  EXPECT_NEAR(trial.torque_W_n_m(0, 30), 0.3, 1e-9) << "a straight line across the gap";
+  EXPECT_EQ(trial.origin[30], SampleOrigin::filled);
+  EXPECT_EQ(trial.origin[31], SampleOrigin::recorded);
 }
 
 /// Rows of `step_s`, with a gap in the middle.

@@ -1,7 +1,11 @@
 #include "study/unseen_slip.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <cmath>
+#include <tuple>
 
 #include "study/profile_text.hpp"
 #include "support/pad_measurement.hpp"
@@ -66,6 +70,37 @@ TEST(UnseenSlip, RubsThatAreAllBelowVMinAreNoOtherLaw) {
       EXPECT_TRUE(!mu_static.refusal.empty() || std::abs(mu_static.value / 0.3 - 1) < 0.02)
           << mu_static.value;
     }
+  }
+}
+
+/// Its load swings by a third, a little over once a second.
+void swing_load(RecordedTrial& trial, double phase) {
+  for (Eigen::Index i = 0; i < trial.samples(); ++i)
+    trial.force_W.col(i) *= 1 + 0.35 * std::sin(7 * static_cast<double>(i) / trial.rate_hz + phase);
+}
+
+TEST(UnseenSlip, TeethThatPassForSlipTellNoLoadExponent) {
+  test::KnownSensors sensors;
+  sensors.position_noise_m = 2e-6;
+  sensors.position_quantum_m = sensors.force_quantum_n = 1e-7;
+  for (const auto& [rate_hz, speed_m_per_s, noise_n] :
+       {std::tuple(500.0, 0.015, 0.002), std::tuple(500.0, 0.02, 0.005), std::tuple(500.0, 0.018, 0.004)}) {
+    sensors.rate_hz = rate_hz;
+    sensors.force_noise_n = noise_n;
+    RecordedMeasurement recorded =
+        test::known_measurement(rubs(speed_m_per_s, false), finger_of(0.2, 0.1), sensors, 3);
+    for (std::size_t k = 0; k < recorded.trials.size(); ++k)
+      swing_load(recorded.trials[k], static_cast<double>(k));
+    const ProfileFit fit = fit_profile(clean(recorded, {}), {});
+    std::string about = fmt::format("{} Hz, {} m/s, {} N", rate_hz, speed_m_per_s, noise_n);
+    for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::mu_load_exponent})
+      about += fmt::format("; {} of {} samples {}", of(fit, number).value, of(fit, number).samples,
+                           of(fit, number).refusal);
+    ASSERT_THAT(fit.residual.untold, HasSubstr("no slip is s")) << about;
+    EXPECT_NE(of(fit, PadNumber::mu_load_exponent).refusal, "") << about;
+    EXPECT_TRUE(holds(fit, PadNumber::mu_static, 0.3)) << about;
+    EXPECT_TRUE(!of(fit, PadNumber::mu_dynamic).refusal.empty() || holds(fit, PadNumber::mu_dynamic, 0.2))
+        << about;
   }
 }
 
