@@ -12,7 +12,6 @@ namespace {
 constexpr std::size_t four_wide = 4;  // lanes of a double
 using Doubles [[gnu::vector_size(sizeof(double) * four_wide)]] = double;
 using Four [[gnu::vector_size(sizeof(float) * four_wide)]] = float;
-using Order [[gnu::vector_size(sizeof(int) * four_wide)]] = int;
 
 #define FINGERPAD_INLINED [[gnu::always_inline]] inline
 
@@ -23,14 +22,14 @@ struct FourDiscs {
 
 /// Of four rows of four the columns.
 FINGERPAD_INLINED void transpose(const Four* row, Four* column) noexcept {
-  const Four low = __builtin_shuffle(row[0], row[1], Order{0, 4, 1, 5}),
-             low_next = __builtin_shuffle(row[2], row[3], Order{0, 4, 1, 5}),
-             high = __builtin_shuffle(row[0], row[1], Order{2, 6, 3, 7}),
-             high_next = __builtin_shuffle(row[2], row[3], Order{2, 6, 3, 7});
-  column[0] = __builtin_shuffle(low, low_next, Order{0, 1, 4, 5});
-  column[1] = __builtin_shuffle(low, low_next, Order{2, 3, 6, 7});
-  column[2] = __builtin_shuffle(high, high_next, Order{0, 1, 4, 5});
-  column[3] = __builtin_shuffle(high, high_next, Order{2, 3, 6, 7});
+  const Four low = __builtin_shufflevector(row[0], row[1], 0, 4, 1, 5),
+             low_next = __builtin_shufflevector(row[2], row[3], 0, 4, 1, 5),
+             high = __builtin_shufflevector(row[0], row[1], 2, 6, 3, 7),
+             high_next = __builtin_shufflevector(row[2], row[3], 2, 6, 3, 7);
+  column[0] = __builtin_shufflevector(low, low_next, 0, 1, 4, 5);
+  column[1] = __builtin_shufflevector(low, low_next, 2, 3, 6, 7);
+  column[2] = __builtin_shufflevector(high, high_next, 0, 1, 4, 5);
+  column[3] = __builtin_shufflevector(high, high_next, 2, 3, 6, 7);
 }
 
 /// Four of a gathering's discs from `first` on; where it has fewer, its last again.

@@ -71,6 +71,7 @@ bool is_in_most(const std::vector<const TrialLine*>& alike, std::size_t showing)
   constexpr long fewest_turns = 6;
   if (alike.size() < 3 || 2 * alike.size() <= showing) return false;
   std::vector<double> speeds;
+  speeds.reserve(alike.size());
   for (const TrialLine* found : alike) speeds.push_back(found->evidence.speed_m_per_s);
   if (quantile(speeds, 0.75) - quantile(speeds, 0.25) > least_spread * quantile(speeds, 0.5)) return true;
   long windows = 0, steady = 0, turns = 0, steady_turns = 0;
