@@ -3,8 +3,6 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 
 #include "study/sample_noise.hpp"
@@ -18,50 +16,50 @@ enum class FingerPlace { unknown, air, plate };
 struct TrialSenses {
   const RecordedTrial& trial;
   double noise_n, press_n;
-  std::vector<double> height_m, normal_n;
-  double height_noise_m;
+  std::vector<double> normal_n;
+  Eigen::Index window;                ///< samples that a mean height is of
+  std::vector<double> mean_height_m;  ///< of the samples [i, i + window)
+  double height_noise_m, height_spread_m;
 
   TrialSenses(const RecordedTrial& of, double noise, double press)
       : trial(of), noise_n(noise), press_n(press) {
+    constexpr double window_s = 0.02;
+    window = std::max<Eigen::Index>(1, std::lround(window_s * trial.rate_hz));
+    std::vector<double> height_m;
     for (Eigen::Index i = 0; i < trial.samples(); ++i) {
-      height_m.push_back(trial.normal_W.dot(places().col(i)));
+      height_m.push_back(trial.normal_W.dot(trial.seen_W().col(i)));
       normal_n.push_back(trial.normal_W.dot(trial.force_W.col(i)));
     }
     height_noise_m = sample_noise(height_m);
+    height_spread_m = quantile(height_m, 0.99) - quantile(height_m, 0.01);
+    // From their middle, so that a sum keeps what a mean differs by.
+    const double middle_m = quantile(height_m, 0.5);
+    double sum_m = 0;
+    for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+      sum_m += height_m[static_cast<std::size_t>(i)] - middle_m;
+      if (i + 1 < window) continue;
+      mean_height_m.push_back(sum_m / static_cast<double>(window));
+      sum_m -= height_m[static_cast<std::size_t>(i + 1 - window)] - middle_m;
+    }
   }
-  /// Contact points rest on the tare; what is tracked does not.
-  const Points& places() const { return trial.sensor ? trial.tracked_W : trial.position_W; }
 
   /// Mean, over all heights; less where the finger is lifted.
-  double stiffness_n_per_m() const { return press_n / spread_m(); }
-  double spread_m() const { return quantile(height_m, 0.99) - quantile(height_m, 0.01); }
+  double stiffness_n_per_m() const { return press_n / height_spread_m; }
 
   /// Whether the heights are a finger's that presses and lifts, and not a rail's.
   bool tell_height() const {
     constexpr double least_m = 2e-5, beyond_noise = 10;
-    return spread_m() > std::max(least_m, beyond_noise * height_noise_m);
+    return height_spread_m > std::max(least_m, beyond_noise * height_noise_m);
   }
 };
 
-/// How many samples a mean height is of.
-Eigen::Index height_window(const TrialSenses& sensed) {
-  constexpr double window_s = 0.02;
-  return std::max<Eigen::Index>(1, std::lround(window_s * sensed.trial.rate_hz));
-}
-
 /// How far the mean heights of samples [from, to) spread, those of them that there are; nothing of too few.
-std::optional<double> height_spread_m(const TrialSenses& sensed, Eigen::Index from, Eigen::Index to) {
-  const Eigen::Index window = height_window(sensed);
-  double lowest_m = std::numeric_limits<double>::infinity(), highest_m = -lowest_m;
+std::optional<double> mean_height_spread_m(const TrialSenses& sensed, Eigen::Index from, Eigen::Index to) {
   from = std::max<Eigen::Index>(from, 0);
-  if (to - from < window) return std::nullopt;
-  for (Eigen::Index i = from; i + window <= to; ++i) {
-    const auto first = sensed.height_m.begin() + i;
-    const double mean_m = std::accumulate(first, first + window, 0.0) / static_cast<double>(window);
-    lowest_m = std::min(lowest_m, mean_m);
-    highest_m = std::max(highest_m, mean_m);
-  }
-  return highest_m - lowest_m;
+  if (to - from < sensed.window) return std::nullopt;
+  const auto means = sensed.mean_height_m.begin();
+  const auto [lowest, highest] = std::minmax_element(means + from, means + (to - sensed.window + 1));
+  return *highest - *lowest;
 }
 
 /// Outward from one end of a run, the first sample that is plainly above it; none where the trial ends, or a
@@ -91,6 +89,7 @@ struct LowPhase {
     begins_pressed = before.has_value();
     ends_pressed = after.has_value();
   }
+  bool operator==(const LowPhase&) const = default;
 };
 
 /// Whether the force along the plate changes while the normal force does not: as friction does, and no
@@ -123,14 +122,14 @@ FingerPlace place_by_height(const TrialSenses& sensed, const LowPhase& phase) {
       std::minmax_element(sensed.normal_n.begin() + from, sensed.normal_n.begin() + to);
   const double yields_m =
       softer * (*most_n - *least_n) / sensed.stiffness_n_per_m() +
-      beyond_noise * sensed.height_noise_m / std::sqrt(static_cast<double>(height_window(sensed)));
-  const std::optional<double> spread_m = height_spread_m(sensed, from, to);
+      beyond_noise * sensed.height_noise_m / std::sqrt(static_cast<double>(sensed.window));
+  const std::optional<double> spread_m = mean_height_spread_m(sensed, from, to);
   if (!spread_m) return FingerPlace::unknown;
   double least_m = *spread_m;
   const bool is_flat = least_m < yields_m;
   for (double lag = 1; lag <= lags; ++lag) {
     const auto late = static_cast<Eigen::Index>(std::lround(lag / lags * most_lag_s * sensed.trial.rate_hz));
-    if (const auto later_m = height_spread_m(sensed, from - late, to - late))
+    if (const auto later_m = mean_height_spread_m(sensed, from - late, to - late))
       least_m = std::min(least_m, *later_m);
   }
   if (!(least_m < yields_m)) return FingerPlace::air;
@@ -149,7 +148,7 @@ struct MovingRun {
 
 std::optional<MovingRun> moved_along(const TrialSenses& sensed, const StillRun& run, std::size_t number) {
   constexpr double least_m_per_s = 2e-3, beyond_noise = 5;
-  const Points& places = sensed.places();
+  const Points& places = sensed.trial.seen_W();
   const Vec3 normal = sensed.trial.normal_W;
   const auto along_plate = [&normal](const Vec3& v) -> Vec3 { return v - normal * normal.dot(v); };
   const Vec3 way = along_plate(places.col(run.to - 1) - places.col(run.from));
@@ -170,7 +169,7 @@ bool go_one_way(const std::vector<MovingRun>& moving) {
 }
 
 /// Whether what opposes the motion, beside an offset that drifts, is more than chance. Of fewer than four
-/// runs the two cannot be told apart.
+/// runs, or of such as all go one way, the two cannot be told apart.
 bool opposes_motion(const TrialSenses& sensed, const std::vector<MovingRun>& moving) {
   constexpr double surely = 5, least_share = 0.01;
   constexpr Eigen::Index unknowns = 7, in_plane = 2, fewest = 4;
@@ -204,12 +203,20 @@ AirRuns runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>&
   const bool tells_height = sensed.tell_height();
   std::vector<FingerPlace> places;
   std::vector<MovingRun> moving;
+  std::optional<LowPhase> last;
+  FingerPlace by_height = FingerPlace::unknown;
+  bool rubs = false;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const LowPhase phase(sensed, runs[r]);
-    places.push_back(tells_height ? place_by_height(sensed, phase) : FingerPlace::unknown);
-    if (places[r] == FingerPlace::plate) continue;
+    if (!last || *last != phase) {  // of whose still parts one after the other comes
+      by_height = tells_height ? place_by_height(sensed, phase) : FingerPlace::unknown;
+      rubs = rubs_within(sensed, phase);
+      last = phase;
+    }
+    places.push_back(by_height);
+    if (by_height == FingerPlace::plate) continue;
     if (const auto one = moved_along(sensed, runs[r], r)) moving.push_back(*one);
-    if (rubs_within(sensed, phase)) places[r] = FingerPlace::plate;
+    if (rubs) places[r] = FingerPlace::plate;
   }
   if (opposes_motion(sensed, moving)) {
     for (const MovingRun& one : moving) places[one.run] = FingerPlace::plate;

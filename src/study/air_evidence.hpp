@@ -20,14 +20,14 @@ struct AirRuns {
   bool presses_on = false;        ///< others are pressed
 };
 
-/// What tells a finger that rests or
-/// rubs on the plate from one that is off it, over all of the moment in which the normal force stays low:
-/// - its height: one that leaves the plate rises while its force stays as it is; one that presses on keeps
+/// Tells a finger that rests or rubs on the plate from one that is off it, over all of the moment in which
+/// the normal force stays low:
+/// - by its height: one that leaves the plate rises while its force stays as it is; one that presses on keeps
 ///   its height, but for what the pad yields by so little;
-/// - its friction: the force along the plate changes while the normal force does not. And in all runs
-/// together, of which there must be four, what is left of the force along the plate
-///   opposes the motion in some one way and in others the other way. (Of runs that all go one way an offset
-///   of the sensor looks alike.)
+/// - by its friction: the force along the plate changes while the normal force does not; and in all runs
+///   together, of which there must be four, what is left of the force along the plate opposes the motion in
+///   some one way and in others the other way. (Of runs that all go one way an offset of the sensor looks
+///   alike.)
 /// @param noise_n  standard deviation of the normal force's noise
 /// @param press_n  how hard the plate is pressed in the trial
 AirRuns runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>& runs, double noise_n,

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <numeric>
 #include <span>
+#include <vector>
 
 #include "study/force_tare.hpp"
 #include "study/sample_noise.hpp"
@@ -59,7 +60,7 @@ struct WindowMotion {
 
 WindowMotion motion_of(const RecordedTrial& trial, Eigen::Index from, Eigen::Index window) {
   constexpr Eigen::Index quarters = 4;
-  const Points& place = trial.tracked_W.cols() > 0 ? trial.tracked_W : trial.position_W;
+  const Points& place = trial.seen_W();
   const Eigen::Index quarter = window / quarters;
   Vec3 first = Vec3::Zero(), before = Vec3::Zero();
   double way_m = 0;
@@ -113,12 +114,16 @@ HumEvidence hum_evidence(const RecordedTrial& trial, Sensed sensed, const HumLin
   const auto add_still = [&](const InSamples& here) {
     found.still += {here.weight * here.ratio.real(), here.weight};
   };
-  for (const Samples& free : windows_without_contact(trial, sensed, line, window))
+  std::vector<bool> is_free(static_cast<std::size_t>(trial.samples()));
+  for (const Samples& free : windows_without_contact(trial, sensed, line, window)) {
     add_still(line_in(whole, line, trial.rate_hz, free));
+    for (const Eigen::Index i : free) is_free[static_cast<std::size_t>(i)] = true;
+  }
   std::vector<double> speeds;
   for (Eigen::Index from = 0; from + window <= trial.samples(); from += window) {
     Samples samples(static_cast<std::size_t>(window));
     std::iota(samples.begin(), samples.end(), from);
+    std::erase_if(samples, [&](Eigen::Index i) { return is_free[static_cast<std::size_t>(i)]; });
     const InSamples here = line_in(whole, line, trial.rate_hz, samples);
     if (!(here.weight > 0)) continue;
     const WindowMotion motion = motion_of(trial, from, window);

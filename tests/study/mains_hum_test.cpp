@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "base/random_stream.hpp"
+#include "study/hum_evidence.hpp"
 #include "study/hum_verdict.hpp"
 #include "study/measurement.hpp"
 #include "support/pad_measurement.hpp"
@@ -127,6 +128,20 @@ TEST(MainsHum, IsAskedForInTheAirBeforeMostTrialsAre) {
   RecordedMeasurement recorded = test::known_measurement(rubs, {}, sensors_with(0.3, 0), 3);
   add_sine(recorded.trials[2], 50, 0.02, 0, recorded.trials[2].samples());
   EXPECT_EQ(taken(judge_hum(recorded.trials, forces, Mains::any), 50), 1);
+}
+
+/// What is weighed as air is no window of the rest: four seconds on the plate, one in the air before and
+/// after.
+TEST(MainsHum, MomentsInTheAirAreWeighedOnce) {
+  const RecordedMeasurement recorded = test::known_measurement(swift_rubs, {}, sensors_with(1, 0.02), 3);
+  for (const RecordedTrial& trial : recorded.trials) {
+    const std::vector<HumLine> lines = hum_lines(trial, forces, Mains::any);
+    ASSERT_EQ(lines.size(), 1U);
+    const HumEvidence evidence = hum_evidence(trial, forces, lines[0]);
+    EXPECT_GT(evidence.still.share(), 0.9);
+    EXPECT_LE(evidence.windows.size(), 22U) << "of 0.2 s";
+    EXPECT_GE(evidence.windows.size(), 5U);
+  }
 }
 
 TEST(MainsHum, FilledGapsAreNoAir) {
