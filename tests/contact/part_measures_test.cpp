@@ -4,7 +4,6 @@
 #include <tbb/global_control.h>
 
 #include <bit>
-#include <chrono>
 #include <numbers>
 
 #include "contact/triangle_tree.hpp"
@@ -176,17 +175,14 @@ TEST(PartMeasures, AreTheSameOnAnyNumberOfThreads) {
   EXPECT_EQ(one.overlap_count, many.overlap_count);
 }
 
-TEST(PartMeasures, OfRealPartsAreSaneAndTakeABoundedTime) {
+TEST(PartMeasures, OfRealPartsAreSaneAndTakeABoundedNumberOfRays) {
   const auto files = test::real_parts();
   if (files.empty()) GTEST_SKIP() << "no real parts here";
   for (const auto& file : files) {
     const auto part = import_part(file.string(), 1e-3, 30 * degree).part;
     if (!part) continue;
     const TriangleTree tree(part);
-    const auto start = std::chrono::steady_clock::now();
     const PartMeasures m = measure_part(*part, tree);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    EXPECT_LT(seconds, 5) << file << ": 0.1 s on an idle machine";
     EXPECT_LE(m.ray_count, 64 * 60000);
     EXPECT_GE(m.thinnest_m, 0) << file;
     EXPECT_LE(m.thinnest_m, m.median_m) << file;

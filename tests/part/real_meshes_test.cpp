@@ -2,7 +2,6 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <map>
 #include <numbers>
 
@@ -218,9 +217,7 @@ TEST(MalformedFiles, EachEndsTouchableOrRefusedWithItsDamageNamed) {
   if (!real_data()) GTEST_SKIP() << "no reference meshes";
   for (const auto& [name, ending] : malformed()) {
     SCOPED_TRACE(name);
-    const auto start = std::chrono::steady_clock::now();
     const ImportedPart imported = import_real("malformed", name);
-    EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(5));
     const Verdict& verdict = imported.verdict;
     EXPECT_EQ(verdict.touchable, ending.touchable) << verdict.error;
     EXPECT_EQ(imported.part != nullptr, ending.touchable);
