@@ -134,14 +134,14 @@ bool Trials::try_what_is_insisted_on(std::vector<Tried>& tried) const {
 /// A press that the part holds, one that keeps up round its tightest rounding, one that does round anything,
 /// and lighter ones, as long as that is for the better: to a lighter touch facets cut in deeper.
 bool Trials::try_presses(std::vector<Tried>& tried) const {
-  constexpr double a_little_less = 0.99;
+  constexpr double a_little_less = 0.99, least_n = 1e-5;  // scenes take a tenth of that
   constexpr int halvings = 3;
   const ContactCase& on = verdict_.cases[i_];
   const double k = a_little_less * on.press.stiffness_n_per_m, radius_m = on.press.finger_radius_m;
   double last_n = on.press.greatest_force_n, last_off = no_tolerance;
   bool keeps = false, is_better = true;
   const auto press = [&](double press_n) {
-    if (keeps || !is_better || !(press_n < a_little_less * last_n)) return;
+    if (keeps || !is_better || !(press_n >= least_n && press_n < a_little_less * last_n)) return;
     last_n = floored(press_n);
     Change change{fmt::format("a greatest_force_n of {}", number_text(last_n)), scene_};
     change.scene.contact.greatest_force_n = last_n;
