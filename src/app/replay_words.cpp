@@ -58,6 +58,25 @@ void tell_failures(const std::vector<BatchJob>& jobs) {
   }
 }
 
+/// Lines that many jobs share: each is told once, and no more than a screen can hold.
+class DistinctLines {
+ public:
+  explicit DistinctLines(std::string_view start) : start_(start) {}
+
+  /// @param lines  outlive this
+  void add(const std::vector<std::string>& lines) {
+    for (const std::string& line : lines) {
+      if (seen_.insert(line).second && seen_.size() <= most_lines) print_err("{}{}\n", start_, line);
+    }
+  }
+  std::size_t left_out() const noexcept { return seen_.size() - std::min(seen_.size(), most_lines); }
+
+ private:
+  static constexpr std::size_t most_lines = 12;  // a set has one for every mesh and every place
+  std::string_view start_;
+  std::set<std::string_view> seen_;
+};
+
 }  // namespace
 
 void tell_doubts(const std::vector<BatchJob>& jobs) {
@@ -93,26 +112,22 @@ void tell_doubts(const std::vector<BatchJob>& jobs) {
 }
 
 void tell_choices(const std::vector<BatchJob>& jobs) {
-  constexpr std::size_t most_lines = 12;  // a set has one for every mesh and every place
-  std::set<std::string_view> told;
+  DistinctLines told("fingerpad: ");
   for (const BatchJob& job : jobs) {
-    for (const auto* lines : {&job.motion_notes, &job.contact_reasons}) {
-      for (const std::string& line : *lines) {
-        if (told.insert(line).second && told.size() <= most_lines) print_err("fingerpad: {}\n", line);
-      }
-    }
+    for (const auto* lines : {&job.motion_notes, &job.contact_reasons}) told.add(*lines);
   }
-  if (told.size() > most_lines)
-    print_err("fingerpad: and {} more such lines; each trace keeps its own\n", told.size() - most_lines);
+  if (told.left_out() > 0)
+    print_err("fingerpad: and {} more such lines; each trace keeps its own\n", told.left_out());
 }
 
 void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
-  std::set<std::string_view> told;
-  for (const BatchJob& job : jobs) {
-    for (const std::string& line : job.warnings) {
-      if (told.insert(line).second) print_err("fingerpad: warning: {}\n", line);
-    }
-  }
+  DistinctLines told("fingerpad: warning: ");
+  for (const BatchJob& job : jobs) told.add(job.warnings);
+  if (told.left_out() > 0)
+    print_err(
+        "fingerpad: warning: and {} more such lines; summary.csv has every job's figures (contact_ticks, "
+        "max_depth_m and so on)\n",
+        told.left_out());
 }
 
 void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {

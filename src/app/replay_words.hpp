@@ -12,10 +12,10 @@ namespace fingerpad {
 void tell_doubts(const std::vector<BatchJob>& jobs);
 
 /// What the program chose where scenes left it open, and how it read their motions: each part's and each
-/// motion's line once, however many jobs have it.
+/// motion's line once, however many jobs have it, the first dozen of them.
 void tell_choices(const std::vector<BatchJob>& jobs);
 
-/// What jobs warn of themselves, each line once.
+/// What jobs warn of themselves, likewise.
 void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs);
 
 /// How many jobs `--resume` made again as another build of the program had made them.

@@ -17,6 +17,7 @@ struct Press {
 
   /// Smaller forces are held to errors of this one [N].
   double least_force_n() const noexcept { return greatest_force_n / 10; }
+  double greatest_depth_m() const noexcept { return greatest_force_n / stiffness_n_per_m; }
 };
 
 /// How far a way to touch is off the smooth surface that a part's facets stand for, by reckoning: where the

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
@@ -22,32 +23,26 @@ bool is_plain_number(const TomlNode& node) {
   return node.is(TomlNode::Type::integer) || node.is(TomlNode::Type::number);
 }
 
-double number_of(const TomlNode& node) {
-  return node.is(TomlNode::Type::integer) ? static_cast<double>(node.integer) : node.number;
-}
-
 const TomlNode& end_of_range(const TomlNode& table, std::string_view name, const std::string& key,
                              const std::string& path) {
   const TomlEntry* entry = find_entry(table, name);
   if (entry == nullptr) throw refuse_range(table, key, path, fmt::format("lacks '{}'", name));
-  if (!is_plain_number(entry->value) || !std::isfinite(number_of(entry->value)))
+  if (!is_plain_number(entry->value) || !std::isfinite(entry->value.number))
     throw refuse_range(entry->value, key, path, fmt::format("has no number for '{}'", name));
   return entry->value;
 }
 
 TomlNode value_node(double value, bool whole, const Place& place) {
   TomlNode node;
-  node.place = place;
-  node.written = number_text(value);
   if (whole && value == std::floor(value) && std::abs(value) < 9e15) {
-    node.type = TomlNode::Type::integer;
-    node.integer = static_cast<std::int64_t>(value);
-    node.written = std::to_string(node.integer);
+    const auto integer = static_cast<std::int64_t>(value);
+    node = toml_integer(integer, std::to_string(integer));
   } else {
-    node.type = TomlNode::Type::number;
-    node.number = value;
-    if (node.written.find_first_of(".e") == std::string::npos) node.written += ".0";
+    std::string written = number_text(value);
+    if (written.find_first_of(".e") == std::string::npos) written += ".0";
+    node = toml_number(value, std::move(written));
   }
+  node.place = place;
   return node;
 }
 
@@ -78,14 +73,14 @@ TomlNode range_values(const TomlNode& table, const std::string& key, const std::
   if (!steps.is(TomlNode::Type::integer) || steps.integer < 2)
     throw refuse_range(steps, key, path, "needs steps of 2 or more, a whole number");
   const bool whole = from.is(TomlNode::Type::integer) && to.is(TomlNode::Type::integer);
-  const double first = number_of(from), span = number_of(to) - first;
+  const double first = from.number, span = to.number - first;
   TomlNode list;
   list.type = TomlNode::Type::array;
   list.place = table.place;
   const auto count = std::min<std::int64_t>(steps.integer, max_jobs + 1);
   for (std::int64_t i = 0; i < count; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(steps.integer - 1);
-    const double exact = i + 1 == steps.integer ? number_of(to) : first + share * span;
+    const double exact = i + 1 == steps.integer ? to.number : first + share * span;
     const double value = parse_number(fmt::format("{:.12g}", exact)).value_or(exact);
     list.items.push_back(value_node(i == 0 || i + 1 == steps.integer ? exact : value, whole, table.place));
   }

@@ -92,6 +92,11 @@ class Line {
   std::vector<std::size_t> starts_;  // of each column; empty where every byte is one
 };
 
+TomlNode placed(TomlNode node, const toml::node& from) {
+  node.place = place_of(from.source());
+  return node;
+}
+
 /// Turns toml++ nodes into ours, with the file at hand to quote numbers as written.
 class Converter {
  public:
@@ -118,14 +123,9 @@ class Converter {
         to.text = from.as_string()->get();
         return to;
       case toml::node_type::integer:
-        to.type = TomlNode::Type::integer;
-        to.integer = from.as_integer()->get();
-        to.number = static_cast<double>(to.integer);
-        break;
+        return placed(toml_integer(from.as_integer()->get(), quoted(from.source())), from);
       case toml::node_type::floating_point:
-        to.type = TomlNode::Type::number;
-        to.number = from.as_floating_point()->get();
-        break;
+        return placed(toml_number(from.as_floating_point()->get(), quoted(from.source())), from);
       case toml::node_type::boolean:
         to.type = TomlNode::Type::boolean;
         to.boolean = from.as_boolean()->get();
@@ -167,6 +167,21 @@ TomlNode toml_text(std::string text) {
   TomlNode node;
   node.type = TomlNode::Type::text;
   node.text = std::move(text);
+  return node;
+}
+
+TomlNode toml_integer(std::int64_t value, std::string written) {
+  TomlNode node = toml_number(static_cast<double>(value), std::move(written));
+  node.type = TomlNode::Type::integer;
+  node.integer = value;
+  return node;
+}
+
+TomlNode toml_number(double value, std::string written) {
+  TomlNode node;
+  node.type = TomlNode::Type::number;
+  node.number = value;
+  node.written = std::move(written);
   return node;
 }
 

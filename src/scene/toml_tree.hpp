@@ -22,7 +22,7 @@ struct TomlNode {
   Type type = Type::table;
   bool boolean = false;
   std::int64_t integer = 0;
-  double number = 0;
+  double number = 0;               ///< of a number, and of an integer
   std::string text;                ///< of a text
   std::vector<TomlNode> items;     ///< of an array
   std::vector<TomlEntry> entries;  ///< of a table, in the order written
@@ -39,6 +39,9 @@ struct TomlEntry {
 };
 
 TomlNode toml_text(std::string text);
+/// @param written  as it stands in the file
+TomlNode toml_integer(std::int64_t value, std::string written);
+TomlNode toml_number(double value, std::string written);
 
 /// The entry of a table by key; nullptr if there is none, or if `table` is no table.
 const TomlEntry* find_entry(const TomlNode& table, std::string_view key) noexcept;

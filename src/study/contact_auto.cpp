@@ -128,8 +128,9 @@ void draw_judged(StudyReport& report, const std::vector<JudgedRow>& rows) {
       rows, "error of the force on 99 % of ticks", "of the force, or of a tenth of the greatest",
       [](const JudgedRow& row) { return std::max(row.error_99[row.chosen], row.trial_99[row.chosen]); });
   errors.levels.push_back({"force_tolerance", 0.03});
-  ChartPanel costs = panel_of(rows, "time of a tick", "of the quickest that keeps the tolerance",
-                              [](const JudgedRow& row) { return row.price_ratio(row.tick_ns, true); });
+  ChartPanel costs =
+      panel_of(rows, "measured time of a tick of the motion", "of the quickest that keeps the promise",
+               [](const JudgedRow& row) { return row.price_ratio(row.tick_ns, true); });
   costs.levels.push_back({"1.2", 1.2});
   chart.panels = {std::move(errors), std::move(costs)};
   report.charts.push_back(std::move(chart));

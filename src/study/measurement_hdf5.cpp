@@ -19,11 +19,7 @@ Vec3 scene_direction(const std::string& scene_text, const std::string& path) {
   const TomlEntry* direction = finger != nullptr ? find_entry(finger->value, "direction") : nullptr;
   Vec3 found = Scene{}.finger.direction;
   if (direction == nullptr || direction->value.items.size() != 3) return found;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const TomlNode& item = direction->value.items[k];
-    found[static_cast<Eigen::Index>(k)] =
-        item.is(TomlNode::Type::integer) ? static_cast<double>(item.integer) : item.number;
-  }
+  for (std::size_t k = 0; k < 3; ++k) found[static_cast<Eigen::Index>(k)] = direction->value.items[k].number;
   return found.normalized();
 }
 

@@ -76,6 +76,7 @@ std::vector<ContactCase> contact_cases(const Scene& scene, std::span<const Surfa
          demand_of(scene, surfaces, surface, measures[i]),
          {surface.properties.stiffness_n_per_m, scene.finger.radius_m, scene.contact.greatest_force_n},
          across_m(*surface.part),
+         scene.contact.mu_tolerance,
          allowed_mean_tilt_rad(scene.contact, surface.properties.mu_dynamic)});
   }
   return cases;

@@ -19,7 +19,8 @@ struct ContactCase {
   std::string file;  ///< the mesh's, without its folder
   ContactDemand contact;
   Press press;
-  double across_m = 0;       ///< of the part
+  double across_m = 0;  ///< of the part
+  double mu_tolerance = 0;
   double mean_tilt_rad = 0;  ///< that the tolerance of friction allows; infinity where there is no friction
 };
 

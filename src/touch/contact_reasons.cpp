@@ -8,18 +8,15 @@
 #include <numbers>
 
 #include "base/number_text.hpp"
+#include "touch/contact_mend.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// What is said instead of the tolerance leaves room for a reckoning that is right to a sixth.
-constexpr double reckoning_margin = 1.2;
-
 /// Of a rounding's radius.
 constexpr double deepest_share = 0.8;
 
-/// Beyond a third of the force reckoning says nothing.
-constexpr double most_kept = 1.0 / 3, nothing_kept = std::numeric_limits<double>::infinity();
+constexpr double nothing_kept = std::numeric_limits<double>::infinity();
 
 /// "2.1 %", "0.05 %"; never less than it is.
 std::string percent_words(double share) {
@@ -30,16 +27,16 @@ std::string percent_words(double share) {
 }
 
 /// Why the method is the chosen one on part i: what forbids another there, or on another part, or its cost.
-std::string method_reason(const ContactVerdict& verdict, std::span<const ContactCase> cases, std::size_t i) {
-  const ContactMethodEntry& chosen = *verdict.chosen.method;
+std::string method_reason(const ContactVerdict& verdict, std::size_t i) {
+  const ContactMethodEntry& chosen = *verdict.chosen().method;
   for (const ContactPair& other : verdict.all) {
     if (other.method == &chosen || other.holds()) continue;
     if (!other.fails[i].empty()) return other.fails[i];
     const auto by = std::find_if(other.fails.begin(), other.fails.end(),
                                  [](const std::string& why) { return !why.empty(); });
-    return cases[static_cast<std::size_t>(by - other.fails.begin())].file + " needs it";
+    return verdict.cases[static_cast<std::size_t>(by - other.fails.begin())].file + " needs it";
   }
-  const std::string holds = chosen.holds_here == nullptr ? "" : chosen.holds_here(cases[i].contact);
+  const std::string holds = chosen.holds_here == nullptr ? "" : chosen.holds_here(verdict.cases[i].contact);
   return holds.empty() ? "a tick costs less than with the others that would do" : holds;
 }
 
@@ -47,23 +44,29 @@ bool is_flat(const ReckonedError& error) {
   return error.force_share < 1e-6;
 }
 
+/// "keep the force to 2.1 %", as far as reckoning goes.
+std::string keeps_words(const ReckonedError& error) {
+  return std::isfinite(kept_force_tolerance(error.force_share))
+             ? "keep the force to " + percent_words(error.force_share)
+             : "do not keep the force";
+}
+
 /// Why the normals are the chosen ones on part i: how far the force is off with them, and with plainer ones.
-std::string normals_reason(const ContactVerdict& verdict, std::span<const ContactCase> cases, std::size_t i) {
-  const ContactPair& chosen = verdict.chosen;
+std::string normals_reason(const ContactVerdict& verdict, std::size_t i, double kept_tolerance) {
+  const ContactPair& chosen = verdict.chosen();
   const ReckonedError& error = chosen.errors[i];
   const ContactPair* refused = nullptr;  // the last before the chosen one with the same method
   for (const ContactPair& other : verdict.all) {
     if (other.normals == chosen.normals) break;
     if (other.method == chosen.method) refused = &other;
   }
-  if (refused == nullptr || is_flat(refused->errors[i]))
-    return is_flat(error) ? "its faces are flat"
-                          : "they keep the force to " + percent_words(error.force_share);
-  const ReckonedError& other = refused->errors[i];
-  const std::string than =
-      fmt::format("they keep the force to {}, {} ones to {}", percent_words(error.force_share),
-                  refused->normals->name, percent_words(other.force_share));
-  const bool needs_here = refused->tolerances(cases, i) > 1 || cases.size() == 1;
+  if (is_flat(error) && (refused == nullptr || is_flat(refused->errors[i]))) return "its faces are flat";
+  // What cannot be promised, or is not the normals' to keep, gets no figure.
+  if (!std::isfinite(kept_tolerance) || !chosen.fails[i].empty()) return "no others do clearly better";
+  if (refused == nullptr || is_flat(refused->errors[i])) return "they " + keeps_words(error);
+  const std::string than = fmt::format("they {}, {} ones {}", keeps_words(error), refused->normals->name,
+                                       keeps_words(refused->errors[i]));
+  const bool needs_here = refused->tolerances(verdict.cases, i) > 1 || verdict.cases.size() == 1;
   return needs_here ? than : than + ", and another part needs them";
 }
 
@@ -79,56 +82,22 @@ std::string facets_words(const ContactCase& on, const ReckonedError& error) {
                      rounded_text(1e3 * part.largest_sag_m, 2), turn);
 }
 
-/// Whether a pair that touches a surface of its own could have been taken, and would keep it.
-bool patches_would(const ContactVerdict& verdict, std::span<const ContactCase> cases) {
-  return std::any_of(verdict.all.begin(), verdict.all.end(), [&](const ContactPair& pair) {
-    return pair.touches_own_surface() && pair.holds() && pair.tolerances(cases) <= 1;
-  });
-}
-
 /// A part so small, or so round, that a pressed finger slips round it; then nothing holds it.
 std::string slips_round(const ContactCase& on) {
-  const double depth_m = on.press.greatest_force_n / on.press.stiffness_n_per_m,
-               inside_m = depth_m - on.press.finger_radius_m, round_m = on.contact.part.median_round_m;
-  const std::string mend = ": a finger slips round it; a smaller greatest_force_n would";
-  if (on.across_m < depth_m)
-    return fmt::format("{}, and it is {} mm across{}", on.contact.press, rounded_text(1e3 * on.across_m, 2),
-                       mend);
-  if (round_m < inside_m)
-    return fmt::format("{}, and it is rounded by {} mm{}", on.contact.press, rounded_text(1e3 * round_m, 2),
-                       mend);
-  return {};
-}
-
-/// Whether all that the chosen method cannot do on a part is to keep up with a ball.
-bool falls_behind(const ContactCase& on, const ReckonedError& error) {
-  return !on.contact.crowded.is_too_much() && error.behind_share > on.contact.force_tolerance;
-}
-
-/// What would help where the chosen method cannot do.
-std::string mend_of_method(const ContactVerdict& verdict, const ContactCase& on, const ReckonedError& error) {
-  if (falls_behind(on, error)) {
-    // No deeper than half of the ball's radius it keeps up round anything.
-    const double most_n = on.press.stiffness_n_per_m * on.press.finger_radius_m / 2;
-    return fmt::format("a greatest_force_n of {}", rounded_text(0.95 * most_n, 2));
-  }
-  return verdict.method_open ? "a coarser mesh there or another finger radius" : "method = \"auto\"";
-}
-
-/// What can be kept in the tolerance's place where the force is off by so much.
-double instead(double error) {
-  const double kept = reckoning_margin * error;
-  return kept > most_kept ? nothing_kept : kept;
+  const bool is_small = on.across_m < on.press.greatest_depth_m();
+  const double size_m = is_small ? on.across_m : on.contact.part.median_round_m;
+  return fmt::format("{}, and it is {}{} mm{}: a finger slips round it", on.contact.press,
+                     is_small ? "" : "rounded by ", rounded_text(1e3 * size_m, 2), is_small ? " across" : "");
 }
 
 std::string instead_words(double kept) {
-  return kept > most_kept ? ", nor anything like it" : fmt::format(", {} can", rounded_text(kept, 2));
+  return std::isfinite(kept) ? fmt::format(", {} can", rounded_text(kept, 2)) : ", nor anything like it";
 }
 
 /// Roundings tighter than this are too tight to be pressed so deep: near their middle the least that facets
 /// are off by turns the force, and beyond it the finger slips off [m].
 double slips_under_m(const ContactCase& on) {
-  return (on.press.greatest_force_n / on.press.stiffness_n_per_m - on.press.finger_radius_m) / deepest_share;
+  return (on.press.greatest_depth_m() - on.press.finger_radius_m) / deepest_share;
 }
 
 /// Whether more than a hundredth of any region is rounded tighter.
@@ -148,55 +117,70 @@ std::string slips_words(double slips_m) {
   return fmt::format(" but where it is rounded by less than {} mm", rounded_text(1e3 * slips_m, 2));
 }
 
-std::string mend_words(const ContactVerdict& verdict, std::span<const ContactCase> cases) {
-  if (!verdict.normals_open && !patches_would(verdict, cases) &&
-      verdict.chosen.normals != normals_table().back())
-    return "a finer mesh, a STEP file or normals = \"auto\" would do better";
-  return "a finer mesh or a STEP file would";
+/// "mu_tolerance 0.1 cannot be kept, 0.35 can"; empty where it is kept.
+std::string friction_words(const ContactVerdict& verdict, std::size_t i) {
+  const ContactCase& on = verdict.cases[i];
+  const double times = verdict.chosen().errors[i].mean_tilt_rad / on.mean_tilt_rad;
+  if (!(times > 1)) return {};
+  return fmt::format("mu_tolerance {} cannot be kept{}", rounded_text(on.mu_tolerance, 3),
+                     instead_words(kept_mu_tolerance(on.mu_tolerance, times)));
 }
 
 }  // namespace
 
-std::string reason_of(const ContactVerdict& verdict, std::span<const ContactCase> cases, std::size_t i) {
-  std::string line = cases[i].file + ": ";
+std::string reason_of(const ContactVerdict& verdict, std::size_t i, double kept_tolerance) {
+  std::string line = verdict.cases[i].file + ": ";
   if (verdict.method_open)
-    line += fmt::format("{}, because {}", verdict.chosen.method->name, method_reason(verdict, cases, i));
+    line += fmt::format("{}, because {}", verdict.chosen().method->name, method_reason(verdict, i));
   if (verdict.method_open && verdict.normals_open) line += "; ";
   if (verdict.normals_open)
-    line += fmt::format("{} normals, because {}", verdict.chosen.normals->name,
-                        normals_reason(verdict, cases, i));
+    line += fmt::format("{} normals, because {}", verdict.chosen().normals->name,
+                        normals_reason(verdict, i, kept_tolerance));
   return line + " (auto)";
 }
 
-ContactLimit limit_of(const ContactVerdict& verdict, std::span<const ContactCase> cases, std::size_t i) {
-  const ContactPair& chosen = verdict.chosen;
-  const ContactCase& on = cases[i];
+ContactLimit limit_of(const ContactVerdict& verdict, std::size_t i, const std::string& mend) {
+  const ContactPair& chosen = verdict.chosen();
+  const ContactCase& on = verdict.cases[i];
   const ReckonedError& error = chosen.errors[i];
   const double tolerance = on.contact.force_tolerance;
   ContactLimit limit{tolerance, {}};
-  const std::string slips = slips_round(on);
-  if (!slips.empty()) {
-    limit.kept_tolerance = nothing_kept;
-    limit.said = fmt::format("force_tolerance {} cannot be kept: {}", rounded_text(tolerance, 3), slips);
-  } else if (!chosen.fails[i].empty()) {
-    const bool lags = falls_behind(on, error);
-    limit.kept_tolerance = lags ? instead(error.force_share + error.behind_share) : nothing_kept;
-    limit.said =
-        fmt::format("force_tolerance {} cannot be kept by {}{}: {}; {} would", rounded_text(tolerance, 3),
-                    chosen.method->name, lags ? instead_words(limit.kept_tolerance) : "", chosen.fails[i],
-                    mend_of_method(verdict, on, error));
-  } else if (error.force_share > tolerance) {
-    const double kept = instead(error.force_share), slips_m = slips_under_m(on);
-    const bool slips_off =
-        slips_m > 0 && kept <= most_kept && is_rounded_tighter(on.contact.part.places, slips_m);
-    limit.kept_tolerance = slips_off ? nothing_kept : kept;
-    limit.said = fmt::format("force_tolerance {} cannot be kept{}{}: {}; {}", rounded_text(tolerance, 3),
-                             instead_words(kept), slips_off ? slips_words(slips_m) : "",
-                             facets_words(on, error), mend_words(verdict, cases));
-  } else if (error.mean_tilt_rad > on.mean_tilt_rad) {
-    limit.said = fmt::format("mu_tolerance cannot be kept: {}; {}", facets_words(on, error),
-                             mend_words(verdict, cases));
+  const std::string cannot = fmt::format("force_tolerance {} cannot be kept", rounded_text(tolerance, 3));
+  bool tells_instead = false;
+  switch (verdict.unkept_on(i)) {
+    case Unkept::nothing:
+      return limit;
+    case Unkept::grip:
+      limit.kept_tolerance = nothing_kept;
+      limit.said = fmt::format("{}: {}", cannot, slips_round(on));
+      break;
+    case Unkept::method: {
+      const bool lags = falls_behind(on, error);
+      limit.kept_tolerance =
+          lags ? kept_force_tolerance(error.force_share + error.behind_share) : nothing_kept;
+      tells_instead = std::isfinite(limit.kept_tolerance);
+      limit.said = fmt::format("{} by {}{}: {}", cannot, chosen.method->name,
+                               lags ? instead_words(limit.kept_tolerance) : "", chosen.fails[i]);
+      break;
+    }
+    case Unkept::force: {
+      const double kept = kept_force_tolerance(error.force_share), slips_m = slips_under_m(on);
+      const bool slips_off =
+          slips_m > 0 && std::isfinite(kept) && is_rounded_tighter(on.contact.part.places, slips_m);
+      limit.kept_tolerance = slips_off ? nothing_kept : kept;
+      tells_instead = std::isfinite(kept);
+      limit.said = fmt::format("{}{}{}: {}", cannot, instead_words(kept),
+                               slips_off ? slips_words(slips_m) : "", facets_words(on, error));
+      break;
+    }
+    case Unkept::friction:
+      limit.said = fmt::format("{}: {}", friction_words(verdict, i), facets_words(on, error));
+      break;
   }
+  limit.said += "; " + mend;
+  // Whoever takes what can be kept of the force is not to find then that mu is not kept either.
+  if (const std::string friction = friction_words(verdict, i); tells_instead && !friction.empty())
+    limit.said += "; " + friction;
   return limit;
 }
 

@@ -110,16 +110,49 @@ TEST(Ranks, WhoseProcessDiesLoseWhatItHadBegunAndTheRestIsDone) {
   expect_resumed_to_the_same_bytes(folder, "plane.toml");
 }
 
+/// What is told where a rank was killed as a whole at one of four jobs.
+void expect_one_lost_with_its_rank(const ShellResult& run, const fs::path& folder) {
+  EXPECT_THAT(run.out, HasSubstr("3 of 4 jobs done, traces and summary.csv in o\n"));
+  EXPECT_THAT(run.err, HasSubstr("that rank was killed; the same command with --resume"));
+  EXPECT_EQ(lost_jobs(folder / "o"), 1);
+}
+
 TEST(Ranks, ThatDieAltogetherDoNotEndTheOthersWhereTheLauncherIsAskedToGoOn) {
   const fs::path folder = folder_with_batch(100000);
   const ShellResult run = test::shell(
       support("kill_rank") + "o 0 rank env " + as_ranks(2, "--enable-recovery") + "replay plane.toml --out o",
       folder);
-  EXPECT_NE(run.exit_code, 99) << "the rank was not killed: " << run.err;
-  EXPECT_THAT(run.out, HasSubstr("3 of 4 jobs done, traces and summary.csv in o\n"));
-  EXPECT_THAT(run.err, HasSubstr("that rank was killed; the same command with --resume"));
-  EXPECT_EQ(lost_jobs(folder / "o"), 1);
+  EXPECT_EQ(run.exit_code, 0) << "such a launcher keeps its ranks' codes to itself: " << run.err;
+  expect_one_lost_with_its_rank(run, folder);
   expect_resumed_to_the_same_bytes(folder, "plane.toml");
+}
+
+TEST(Ranks, ThatDieAltogetherEndTheScriptOnOpenMpisLauncherWithFour) {
+  const fs::path folder = folder_with_batch(100000);
+  const std::string script =
+      "env HWLOC_COMPONENTS=-gl OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
+      "OMPI_MCA_rmaps_base_oversubscribe=1 LAUNCHER=mpirun RANKS=2 FINGERPAD='" +
+      test::program().string() + "' '" + (test::source_dir() / "tools" / "slurm_ranks").string() +
+      "' o plane.toml";
+  const ShellResult run = test::shell(support("kill_rank") + "o 0 rank " + script, folder);
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  expect_one_lost_with_its_rank(run, folder);
+  EXPECT_THAT(run.err, HasSubstr("slurm_ranks: some jobs are not done: the same command again does them"));
+  const ShellResult again = test::shell(script, folder);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);
+  EXPECT_EQ(all_bytes(folder / "o"), all_bytes(folder / "one"));
+}
+
+TEST(Ranks, ThatDieAltogetherEndTheRunOfALauncherThatIsNotAsked) {
+  const fs::path folder = folder_with_batch(100000);
+  const ShellResult run =
+      test::shell(support("kill_rank") + "o 0 rank env " + as_ranks(2) + "replay plane.toml --out o", folder);
+  EXPECT_EQ(run.exit_code, 137) << "128 and the signal: " << run.err;
+  // What was done stays; a run by itself does the rest.
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet --resume", folder).exit_code, 0);
+  ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);
+  EXPECT_EQ(all_bytes(folder / "o"), all_bytes(folder / "one"));
 }
 
 TEST(Ranks, ThatAreAllKilledLeaveNothingThatARunByItselfDoesNotPutRight) {

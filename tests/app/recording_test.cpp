@@ -2,6 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "support/mesh_files.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
@@ -43,6 +45,22 @@ TEST(Recording, ThatNeverTouchesIsAWarningEvenOfAQuietRun) {
         "fingerpad: warning: s: the motion never touches: it comes nearest at t = 1 s, 2000 mm from plane "
         "0; the motion spans 30000 x 0 x 3000 mm: check [motion] unit\n");
   }
+}
+
+TEST(Recording, OfASetThatNeverTouchesIsADozenWarningsAndACount) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "m.csv", "t_s,x_m,y_m,z_m\n0,0,0,5\n1,30,0,2\n");
+  std::string points;
+  for (int i = 1; i <= 40; ++i) points += "[0, 0, " + std::to_string(-i) + "], ";
+  test::write_file(folder, "s.toml",
+                   "[[plane]]\npoint_m = [0,0,0]\nnormal = [0,0,1]\n[motion]\nfile = \"m.csv\"\n"
+                   "rate_hz = 100\n[[set]]\nplane.point_m = [" +
+                       points + "]\n");
+  const auto result = test::fingerpad("replay s.toml --out o --quiet", folder);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 13) << result.err;
+  EXPECT_THAT(result.err, AllOf(HasSubstr("at t = 1 s, 3000 mm from plane 0"),
+                                HasSubstr("fingerpad: warning: and 28 more such lines; summary.csv has")));
 }
 
 TEST(Recording, ThatIsRefusedNamesTheHeadersColumns) {

@@ -227,6 +227,45 @@ TEST(SceneSet, ZippedListsGoSideBySide) {
               HasSubstr("'zip' in [[set]] is true or false"));
 }
 
+/// A set's values as its jobs have them, and as the jobs' own texts say, which must be the same.
+template <class Of>
+std::vector<double> values_in_jobs(const std::string& set, Of of) {
+  const SceneFile file = read_scene_text(plane_scene + "[[set]]\n" + set, "s.toml");
+  std::vector<double> values;
+  for (const SceneJob& job : file.jobs) {
+    EXPECT_EQ(job.error, "");
+    values.push_back(static_cast<double>(of(job.scene)));
+    const SceneFile again = read_scene_text(job.scene.text, "s.toml");
+    EXPECT_EQ(static_cast<double>(of(again.scene)), values.back()) << job.scene.text;
+  }
+  return values;
+}
+
+TEST(SceneSet, AJobHasTheNumberThatItsLabelSays) {
+  const auto damping = [](const Scene& scene) { return scene.planes[0].surface.damping_n_s_per_m; };
+  const auto rate = [](const Scene& scene) { return scene.motion.rate_hz; };
+  const auto seed = [](const Scene& scene) { return scene.seed; };
+  const std::string key = "plane.damping_n_s_per_m = ";
+  EXPECT_THAT(values_in_jobs(key + "{ from = 1, to = 5, steps = 2 }\n", damping), ElementsAre(1, 5));
+  EXPECT_THAT(values_in_jobs(key + "{ from = 1, to = 5, steps = 3 }\n", damping), ElementsAre(1, 3, 5));
+  EXPECT_THAT(values_in_jobs(key + "{ from = 5, to = 1, steps = 5 }\n", damping), ElementsAre(5, 4, 3, 2, 1));
+  EXPECT_THAT(values_in_jobs(key + "{ from = 1, to = 2, steps = 3 }\n", damping), ElementsAre(1, 1.5, 2));
+  EXPECT_THAT(values_in_jobs(key + "{ from = 1.0, to = 5, steps = 2 }\n", damping), ElementsAre(1, 5));
+  EXPECT_THAT(values_in_jobs(key + "{ from = 0.5, to = 1.5, steps = 3 }\n", damping),
+              ElementsAre(0.5, 1, 1.5));
+  EXPECT_THAT(values_in_jobs(key + "{ values = [1, 5, 0.5] }\n", damping), ElementsAre(1, 5, 0.5));
+  EXPECT_THAT(values_in_jobs(key + "[1, 5, 2.5]\n", damping), ElementsAre(1, 5, 2.5));
+  EXPECT_THAT(values_in_jobs(key + "5\n", damping), ElementsAre(5));
+  EXPECT_THAT(values_in_jobs("seed = { from = 1, to = 5, steps = 3 }\n", seed), ElementsAre(1, 3, 5));
+  EXPECT_THAT(values_in_jobs("seed = { values = [4, 2] }\n", seed), ElementsAre(4, 2));
+  EXPECT_THAT(values_in_jobs("seed = [4, 2]\n", seed), ElementsAre(4, 2));
+  const std::string zipped = "zip = true\nseed = { from = 1, to = 3, steps = 3 }\n" + key +
+                             "[3, 1, 2]\nmotion.rate_hz = { from = 500, to = 1500, steps = 3 }\n";
+  EXPECT_THAT(values_in_jobs(zipped, seed), ElementsAre(1, 2, 3));
+  EXPECT_THAT(values_in_jobs(zipped, damping), ElementsAre(3, 1, 2));
+  EXPECT_THAT(values_in_jobs(zipped, rate), ElementsAre(500, 1000, 1500));
+}
+
 TEST(SceneSet, ARangeThatIsNoneIsTold) {
   const auto told = [](const std::string& range) {
     return refusal(plane_scene + "[[set]]\nseed = " + range + "\n");

@@ -1,0 +1,64 @@
+#include "touch/contact_verdict.hpp"
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+#include "scene/scene.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// Where nothing keeps the tolerance, what costs less may be off by so much more than the best.
+constexpr double nearly_best = 1.2;
+
+/// @param pairs  the most complete method's last
+std::size_t best_of(const std::vector<ContactPair>& pairs, std::span<const ContactCase> cases) {
+  const bool any_holds =
+      std::any_of(pairs.begin(), pairs.end(), [](const ContactPair& pair) { return pair.holds(); });
+  // Where none can do, the most complete lets no finger through.
+  const auto may_be_taken = [&](const ContactPair& pair) {
+    return any_holds ? pair.holds() : pair.method == pairs.back().method;
+  };
+  double least = std::numeric_limits<double>::infinity();
+  for (const ContactPair& pair : pairs) {
+    if (may_be_taken(pair)) least = std::min(least, pair.tolerances(cases));
+  }
+  const double allowed = least <= 1 ? 1 : nearly_best * least;
+  std::size_t best = pairs.size();
+  for (std::size_t k = 0; k < pairs.size(); ++k) {
+    if (!may_be_taken(pairs[k]) || pairs[k].tolerances(cases) > allowed) continue;
+    if (best == pairs.size() || pairs[k].cost < pairs[best].cost) best = k;
+  }
+  return best;
+}
+
+}  // namespace
+
+Unkept ContactVerdict::unkept_on(std::size_t i) const {
+  const ContactCase& on = cases[i];
+  const ReckonedError& error = chosen().errors[i];
+  if (on.press.greatest_depth_m() > holds_deep_m(on)) return Unkept::grip;
+  if (!chosen().fails[i].empty()) return Unkept::method;
+  if (error.force_share > on.contact.force_tolerance) return Unkept::force;
+  return error.mean_tilt_rad > on.mean_tilt_rad ? Unkept::friction : Unkept::nothing;
+}
+
+ContactVerdict reckon_verdict(const Scene& scene, std::span<const Surface> surfaces,
+                              std::vector<ContactCase> cases) {
+  ContactVerdict verdict{
+      std::move(cases), {}, 0, scene.contact.method == automatic_method, scene.contact.automatic_normals};
+  verdict.all = contact_pairs(scene, surfaces, verdict.cases);
+  verdict.chosen_at = best_of(verdict.all, verdict.cases);
+  return verdict;
+}
+
+double holds_deep_m(const ContactCase& on) noexcept {
+  return std::min(on.across_m, on.press.finger_radius_m + on.contact.part.median_round_m);
+}
+
+bool falls_behind(const ContactCase& on, const ReckonedError& error) noexcept {
+  return !on.contact.crowded.is_too_much() && error.behind_share > on.contact.force_tolerance;
+}
+
+}  // namespace fingerpad
