@@ -87,12 +87,12 @@ Error missing_column(const CsvHeader& header, std::string_view name, const CsvRe
   const std::string nearest = nearest_word(name, there);
   const bool has_none = is_row_of_numbers(trimmed(header.line));
   const std::string mend = has_none ? "put a line of names above these numbers" : request.mend;
-  return refused(
-      header.place,
-      fmt::format("no column '{}'{}; the first line must name the columns {}, and it names {}{}{}",
-                  printable(name, 60), nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest),
-                  fmt::join(request.required, ","), printable(word_list(there), most_shown_bytes),
-                  mend.empty() ? "" : ": ", mend));
+  return refused(header.place,
+                 fmt::format("no column '{}'{}; the first line must name the columns {}, and it names {}{}{}",
+                             printable(name, 60),
+                             nearest.empty() || has_none ? "" : fmt::format(" (did you mean '{}'?)", nearest),
+                             fmt::join(request.required, ","), printable(word_list(there), most_shown_bytes),
+                             mend.empty() ? "" : ": ", mend));
 }
 
 }  // namespace fingerpad

@@ -88,17 +88,20 @@ TEST(PointerFinger, TouchesNothingHoveringAndNeverPressesTwiceAsHardAsAsked) {
 TEST(PointerFinger, NeverStrikesTwiceAsHardWhereThePointerJumpsOffThePartAndBack) {
   const auto worlds = pointed_worlds();
   int touched = 0;
+  double hardest = 0;
   for (int k = 0; k < path_count / 2; ++k) {
     PointedWorld pointed = worlds[static_cast<std::size_t>(k) % worlds.size()];
     pointed.scene.motion.rate_hz = k % 2 == 0 ? 1000 : 4000;
     const double wanted_n = 0.05 * std::pow(400.0, RandomStream(static_cast<std::uint64_t>(k)).uniform());
     SCOPED_TRACE(fmt::format("path {} over {}, {} N", k, pointed.name, wanted_n));
     const PointerRun run =
-        PointerWalk(pointed, 5000 + static_cast<std::uint64_t>(k), wanted_n, true).run(1.2, 0);
+        PointerWalk(pointed, 5000 + static_cast<std::uint64_t>(k), wanted_n, true).run(2, 0);
     EXPECT_LE(run.most_n, 2 * wanted_n);
+    hardest = std::max(hardest, run.most_n / wanted_n);
     touched += run.touched > 0 ? 1 : 0;
   }
   EXPECT_GT(touched, path_count / 4);
+  fmt::print("{} of {} pressed, with up to {:.3f} of what was asked for\n", touched, path_count / 2, hardest);
 }
 
 /// Presses on (0, 0, top) of a world for a second. @returns the normal forces of its ticks

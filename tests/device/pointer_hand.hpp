@@ -175,7 +175,7 @@ class PointerWalk {
 
   /// The pointer's own way, in a window two parts wide.
   void move() {
-    if (lifts_ && random_.uniform() < 0.1) jump();
+    if (lifts_ && random_.uniform() < 0.04) jump();
     if (at_.x() > 1.1) return;  // it jumped off, and rests there
     if (random_.uniform() < 0.02) pace_ = Eigen::Vector2d(random_.normal(), random_.normal()) * 0.02;
     if (random_.uniform() < 0.01) pace_.setZero();
