@@ -112,34 +112,6 @@ TEST(Compare, TellsWhatChangedByJobAndColumn) {
   EXPECT_EQ(test::fingerpad("compare none none", folder).exit_code, 3);
 }
 
-TEST(Compare, TellsAJobInALineAndItsOtherColumnsInShort) {
-  const fs::path folder = folder_with_set();
-  replay_into(folder, "a --shard 1/5");
-  change_scene(folder, "mu_dynamic = 0.2", "mu_dynamic = 0.1");
-  replay_into(folder, "b --shard 1/5");
-  const auto found = test::fingerpad("compare a b --out all.csv", folder);
-  EXPECT_THAT(found.out,
-              testing::MatchesRegex(
-                  "s-0001.h5 .seed 1.: ffx_n differs by up to 0.1 N at t = [0-9.]+ s, in [0-9]+ of 101 "
-                  "ticks; [^;\n]*mu by 0.1[^;\n]*\n1 of 1 trace changed from a to b\nwrote all.csv .*\n"));
-  const std::string rows = bytes_of(folder / "all.csv");
-  EXPECT_THAT(rows, HasSubstr("\ns-0001.h5 (seed 1),mu,0.1,,"));
-}
-
-TEST(Compare, SaysFirstWhereTheMotionIsAnother) {
-  const fs::path folder = folder_with_set();
-  replay_into(folder, "a --shard 1/5");
-  change_scene(folder, "to_m = [0.02, 0, -0.001]", "to_m = [0.02, 0.001, -0.001]");
-  replay_into(folder, "b --shard 1/5");
-  const auto found = test::fingerpad("compare a b", folder);
-  EXPECT_EQ(found.exit_code, 4);
-  const auto told =
-      found.out.find("s-0001.h5 (seed 1): the motions are not the same: y_m differs by up to 0.00");
-  EXPECT_EQ(told, 0u) << found.out;
-  EXPECT_THAT(found.out.substr(1), HasSubstr("s-0001.h5 (seed 1): f")) << "then what was felt";
-  EXPECT_THAT(found.out, Not(HasSubstr(" y_m by"))) << "that is the motion's";
-}
-
 TEST(Compare, SetsRowsAgainstEachOtherByTheirTime) {
   const fs::path folder = folder_with_set();
   replay_into(folder, "whole --format csv");
