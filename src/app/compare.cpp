@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "app/commands.hpp"
@@ -10,6 +11,7 @@
 #include "base/csv_cell.hpp"
 #include "base/number_text.hpp"
 #include "replay/folder_comparison.hpp"
+#include "replay/trace_comparison.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
@@ -87,11 +89,54 @@ void write_rows(const ChangedJob& job, OutputFile& file) {
                            csv_cell(change.words)));
 }
 
+/// "mu by 0.1": of a column, where another one is told in full.
+std::string short_words(const JobChange& change) {
+  if (std::isinf(change.most)) return change.column + " from a number to none";
+  return fmt::format("{} by {}{}", change.column, rounded_text(change.most, 6),
+                     change.unit == "1" ? "" : fmt::format(" {}", change.unit));
+}
+
+/// The columns of a trace that differ, in a line: the force that differs most in full, a few more in short.
+void tell_columns(const std::string& job, const std::vector<const JobChange*>& columns) {
+  constexpr std::size_t most_in_short = 4;
+  const auto force_n = [](const JobChange* change) { return change->unit == "N" ? change->most : -1; };
+  const JobChange* first = columns.front();
+  for (const JobChange* change : columns) {
+    if (force_n(change) >= std::max(0.0, force_n(first))) first = change;
+  }
+  std::vector<std::string> others;  // forces before what they come from
+  for (const bool of_force : {true, false}) {
+    for (const JobChange* change : columns) {
+      if (change != first && (change->unit == "N") == of_force && others.size() < most_in_short)
+        others.push_back(short_words(*change));
+    }
+  }
+  const std::size_t more = columns.size() - 1 - others.size();
+  print_out("{}: {}{}{}{}\n", job, first->words, others.empty() ? "" : "; ", fmt::join(others, ", "),
+            more == 0 ? "" : fmt::format(" and {} more column{}", more, more == 1 ? "" : "s"));
+}
+
+/// A line for what is said of the job itself, and one for all its columns or figures.
+void tell_changed_job(const ChangedJob& job) {
+  const auto tells_way = [](const JobChange& change) { return is_of_the_way(change.column); };
+  std::vector<const JobChange*> columns;
+  std::vector<std::string> figures;
+  for (const JobChange& change : job.changes) {
+    if (change.column.empty()) {
+      print_out("{}: {}\n", job.job, change.words);
+    } else if (std::isnan(change.at_s)) {
+      figures.push_back(change.words);
+    } else if (!tells_way(change)) {  // else it is said of the job
+      columns.push_back(&change);
+    }
+  }
+  if (!figures.empty()) print_out("{}: {}\n", job.job, fmt::join(figures, "; "));
+  if (!columns.empty()) tell_columns(job.job, columns);
+}
+
 void tell_changes(const CompareOptions& options, const FolderComparison& found, const WorstJobs& worst,
                   const AloneJobs& alone) {
-  for (const ChangedJob& job : worst.jobs()) {
-    for (const JobChange& change : job.changes) print_out("{}: {}\n", job.job, change.words);
-  }
+  for (const ChangedJob& job : worst.jobs()) tell_changed_job(job);
   const std::size_t more = found.differing + found.notes - alone.count() - worst.jobs().size();
   if (more > 0 && !options.quiet)
     print_out("and {} more job{}, whose forces differ by no more; --most N tells more, --out FILE.csv all\n",
@@ -104,6 +149,12 @@ void tell_comparison(const CompareOptions& options, const FolderComparison& foun
   const std::size_t count = traces ? found.traces : found.jobs;
   print_out("{} of {} {}{} changed from {} to {}\n", found.changed, count, traces ? "trace" : "job",
             count == 1 ? "" : "s", options.folder_a, options.folder_b);
+}
+
+/// What is wrong with a tolerance; empty where nothing is. A word that is no number is told elsewhere.
+std::string why_no_tolerance(const std::string& text) {
+  const auto value = parse_number(text);
+  return value && !(*value >= 0) ? fmt::format("is {}; it must be 0 or more", text) : "";
 }
 
 int compare(const CompareOptions& options) {
@@ -143,7 +194,7 @@ void add_compare(CLI::App& program, Action& action) {
   command
       ->add_option("--tolerance", options->tolerance,
                    "What a column may differ by, in its own unit (phases and counts too)")
-      ->check(CLI::NonNegativeNumber)
+      ->check(CLI::Validator(why_no_tolerance, "X"))
       ->capture_default_str();
   command
       ->add_option("--most", options->most,
@@ -153,9 +204,10 @@ void add_compare(CLI::App& program, Action& action) {
   refuse_empty(command->add_option("--out", options->out, "CSV table of all that differs"));
   add_quiet_flag(*command, options->quiet);
   command->footer(
-      "A line for each trace and column that differs, with the greatest difference and its time; rows are "
-      "set against each other by their time. Where a folder holds no trace, a line for each job and "
-      "figure of summary.csv. Jobs of one folder alone are counted. With --quiet --out nothing is printed. "
+      "A line for each trace that differs: by how much its forces do at most, and when, then its other "
+      "columns, and before it where its motion is another; --out has a row for each column. Rows are set "
+      "against each other by their time. Where a folder holds no trace, a line for each job and its figures "
+      "of summary.csv. Jobs of one folder alone are counted. With --quiet --out nothing is printed. "
       "Ends 0 where all are alike, 4 where something changed.");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }

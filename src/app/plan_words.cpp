@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 
 #include "app/standard_streams.hpp"
 #include "base/number_text.hpp"
@@ -50,11 +51,15 @@ double room_for(const std::string& folder) {
 
 }  // namespace
 
-int tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
-  constexpr int jobs_would_fail_code = 4;
+bool tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
   for (const PlannedJob& job : plan.jobs) tell_job(job);
   const auto failing = std::count_if(plan.jobs.begin(), plan.jobs.end(),
                                      [](const PlannedJob& job) { return !job.error.empty(); });
+  if (failing == std::ssize(plan.jobs)) {
+    print_out("{}; nothing was written\n",
+              failing == 1 ? "the job would fail" : fmt::format("all {} jobs would fail", failing));
+    return false;
+  }
   print_out(
       "{} {}, {:.0f} ticks: about {} on {} {}, {} in {} (from {} of {} kinds of jobs tried; nothing was "
       "written)\n",
@@ -64,7 +69,7 @@ int tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
   const double room = room_for(batch.out_dir);
   if (plan.bytes > room)
     print_err("fingerpad: warning: {}: the disk has room for {} only\n", batch.out_dir, size_words(room));
-  return failing > 0 ? jobs_would_fail_code : 0;
+  return failing == 0;
 }
 
 }  // namespace fingerpad

@@ -5,7 +5,7 @@
 namespace fingerpad {
 
 /// Prints a plan: a line a job, then ticks, time and disk, with a warning where the disk has less room.
-/// @returns  the exit code: 4 where some jobs would fail
-int tell_plan(const BatchPlan& plan, const BatchOptions& batch);
+/// @returns  whether no job would fail
+bool tell_plan(const BatchPlan& plan, const BatchOptions& batch);
 
 }  // namespace fingerpad

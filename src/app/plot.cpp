@@ -13,6 +13,7 @@
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
+#include "base/number_text.hpp"
 #include "base/output_place.hpp"
 #include "trace/trace.hpp"
 #include "view/measured_run.hpp"
@@ -32,12 +33,24 @@ Over over_of(const std::string& name) {
   return name == "s" ? Over::travel : name == "angle" ? Over::turn : Over::time;
 }
 
+/// What is earlier than --from and later than --to. Throws Error (usage) where that is all.
+void leave_out(std::vector<TickRecord>& rows, const PlotOptions& options) {
+  if (rows.empty()) return;
+  const double begin_s = rows.front().t_s, end_s = rows.back().t_s;
+  if (options.from_s > end_s || options.to_s < begin_s)
+    throw Error(ErrorKind::usage, options.from_s > end_s ? "--from" : "--to",
+                fmt::format("{} s leaves nothing of {}, which goes from {} to {} s",
+                            options.from_s > end_s ? options.from_s : options.to_s, options.inputs[0],
+                            rounded_text(begin_s, 6), rounded_text(end_s, 6)));
+  std::erase_if(rows,
+                [&](const TickRecord& row) { return row.t_s < options.from_s || row.t_s > options.to_s; });
+}
+
 /// One trace, by itself.
 void plot_alone(const PlotOptions& options) {
   const std::string& path = options.inputs[0];
   ViewInput input = view_of_trace(read_trace(path), path);
-  std::erase_if(input.rows,
-                [&](const TickRecord& row) { return row.t_s < options.from_s || row.t_s > options.to_s; });
+  leave_out(input.rows, options);
   if (options.show == "stick-region") {
     write_chart(stick_region_chart(input), options.out);
   } else if (options.show == "force-displacement") {

@@ -20,6 +20,7 @@
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
+#include "part/unit_hint.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
@@ -94,6 +95,8 @@ int query(const QueryOptions& options) {
   for (const std::string& warning : imported.verdict.warnings) {
     print_err("fingerpad: warning: {}: {}\n", options.mesh, warning);
   }
+  const std::string hint = unit_hint(imported.verdict, how.metres_per_unit);
+  if (!hint.empty()) print_err("fingerpad: {}: {}\n", options.mesh, hint);
   if (options.out == "-") {
     write_answers(tree, points, [](std::string_view text) { write_stream(stdout, text); });
     return 0;

@@ -100,7 +100,9 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   if (options.dry_run) {
     if (!ranks.is_root()) return 0;
     const OutputFolder tried(batch.out_dir);  // gone again: what is planned could be written
-    return tell_plan(plan_batch(jobs, batch), batch);
+    const bool is_alone = jobs.size() == 1 && jobs[0].job.number == 0;
+    const bool would_do = tell_plan(plan_batch(jobs, batch), batch);
+    return would_do ? 0 : is_alone ? static_cast<int>(ErrorKind::refused) : jobs_failed_code;
   }
   const bool silent = options.quiet || !ranks.is_root();
   JobBar bar(jobs_of_shard(jobs.size(), batch).size(),
@@ -123,6 +125,7 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   tell_doubts(jobs);
   tell_warnings_of_jobs(jobs);
   tell_made_again(jobs, batch);
+  if (!options.quiet) tell_why_again(jobs, batch);
   const int lost_code = tell_lost(end.lost);
   if (!options.quiet) tell_end(jobs, !end.lost.empty(), batch);
   const auto is_left = [](const BatchJob& job) { return job.not_begun; };

@@ -9,6 +9,7 @@
 
 #include "app/standard_streams.hpp"
 #include "base/build_identity.hpp"
+#include "base/number_text.hpp"
 #include "replay/batch_files.hpp"
 
 namespace fingerpad {
@@ -77,38 +78,108 @@ class DistinctLines {
   std::set<std::string_view> seen_;
 };
 
+/// The jobs that have some of one figure, and how much they have together.
+struct Trouble {
+  std::vector<const BatchJob*> jobs;
+  double count = 0;
+};
+
+Trouble trouble_of(const std::vector<BatchJob>& jobs, std::string_view figure) {
+  Trouble trouble;
+  for (const BatchJob& job : jobs) {
+    const double count = job.status == "ok" ? Figures::of(job.figures, figure) : 0;
+    if (!(count > 0)) continue;
+    trouble.jobs.push_back(&job);
+    trouble.count += count;
+  }
+  return trouble;
+}
+
+/// "job 3", "3 jobs (3, 6, 9)"; of a scene without a set its name.
+std::string jobs_words(const std::vector<const BatchJob*>& jobs) {
+  if (jobs.size() > 1) return fmt::format("{} jobs ({})", jobs.size(), numbers_of(jobs));
+  return (jobs[0]->job.number > 0 ? "job " : "") + numbers_of(jobs);
+}
+
+void tell_pop_throughs(const std::vector<BatchJob>& jobs) {
+  const Trouble pops = trouble_of(jobs, "pop_throughs");
+  if (pops.jobs.empty()) return;
+  const bool by_proxy = std::any_of(pops.jobs.begin(), pops.jobs.end(),
+                                    [](const BatchJob* job) { return job->contact_method == "proxy"; });
+  print_err(
+      "fingerpad: warning: {} {} in {}: the finger went through a wall, or was pushed out on its far side "
+      "(pop_throughs in summary.csv); {}\n",
+      pops.count, pops.count == 1 ? "pop-through" : "pop-throughs", jobs_words(pops.jobs),
+      by_proxy ? "press less deep there" : "contact.method = \"proxy\" holds it");
+}
+
+void tell_unsettled(const std::vector<BatchJob>& jobs) {
+  const Trouble unsettled = trouble_of(jobs, "unsettled_ticks");
+  if (unsettled.jobs.empty()) return;
+  print_err(
+      "fingerpad: warning: {} unsettled {} in {}: the proxy lags behind there, since a tick's work is "
+      "bounded, and the force is not to be trusted (unsettled_ticks in summary.csv); a smaller depth, a "
+      "slower motion or a higher motion.rate_hz may mend it\n",
+      unsettled.count, unsettled.count == 1 ? "tick" : "ticks", jobs_words(unsettled.jobs));
+}
+
+/// The normal force that a rub laid on a part asks for; 0 where a scene asks for none.
+double asked_n(const Scene& scene) {
+  if (!scene.motion.laid || scene.hand || scene.parts.empty()) return 0;
+  const SurfaceMotion& rub = *scene.motion.laid;
+  return rub.depth_m > 0 ? rub.depth_m * scene.parts[0].surface.stiffness_n_per_m : rub.normal_force_n;
+}
+
+/// Rubs that somewhere press far harder than they are to: in a corner the walls add up to two or three.
+void tell_hard_presses(const std::vector<BatchJob>& jobs) {
+  constexpr double hard_share = 3;
+  std::vector<const BatchJob*> hard;
+  double most_n = 0, most_asked_n = 0;
+  for (const BatchJob& job : jobs) {
+    const double wanted_n = job.status == "ok" ? asked_n(job.job.scene) : 0;
+    if (!(wanted_n > 0)) continue;
+    const double felt_n = Figures::of(job.figures, "max_normal_force_n");
+    if (!(felt_n > hard_share * wanted_n)) continue;
+    hard.push_back(&job);
+    if (felt_n * most_asked_n >= most_n * wanted_n) {
+      most_n = felt_n;
+      most_asked_n = wanted_n;
+    }
+  }
+  if (hard.empty()) return;
+  print_err(
+      "fingerpad: warning: the normal force is up to {} N where {} N is asked for, in {}: several walls or "
+      "edges hold the finger there (max_normal_force_n in summary.csv); another motion.place leaves it out\n",
+      rounded_text(most_n, 3), rounded_text(most_asked_n, 3), jobs_words(hard));
+}
+
 }  // namespace
 
 void tell_doubts(const std::vector<BatchJob>& jobs) {
   tell_failures(jobs);
-  long coarse_jobs = 0;
-  double coarse_teeth = 0, remedied_ticks = 0, inside_starts = 0;
-  for (const BatchJob& job : jobs) {
-    if (job.status != "ok") continue;
-    const double coarse = Figures::of(job.figures, "coarse_teeth");
-    coarse_jobs += coarse > 0 ? 1 : 0;
-    coarse_teeth += coarse;
-    remedied_ticks += Figures::of(job.figures, "remedied_ticks");
-    inside_starts += Figures::of(job.figures, "inside_starts");
-  }
-  if (remedied_ticks > 0) {
+  tell_pop_throughs(jobs);
+  tell_unsettled(jobs);
+  tell_hard_presses(jobs);
+  const Trouble remedied = trouble_of(jobs, "remedied_ticks"), inside = trouble_of(jobs, "inside_starts"),
+                coarse = trouble_of(jobs, "coarse_teeth");
+  if (remedied.count > 0) {
     print_err(
         "fingerpad: warning: the stick spring was too stiff for the loop on {} ticks, and "
         "friction.remedy acted (remedied_ticks in summary.csv)\n",
-        remedied_ticks);
+        remedied.count);
   }
-  if (inside_starts > 0) {
+  if (inside.count > 0) {
     print_err(
         "fingerpad: warning: {} of the motions start inside of a part, or where the finger does not fit; the "
         "proxy was put at the nearest place outside, where there is one (inside_starts in summary.csv)\n",
-        inside_starts);
+        inside.count);
   }
-  if (coarse_jobs == 0) return;
+  if (coarse.count == 0) return;
   print_err(
       "fingerpad: warning: {} stick-slip teeth in {} {} lasted under two ticks, too short for any sampling "
       "to "
       "show (coarse_teeth in summary.csv); raise motion.rate_hz or soften the pad\n",
-      coarse_teeth, coarse_jobs, coarse_jobs == 1 ? "trace" : "traces");
+      coarse.count, coarse.jobs.size(), coarse.jobs.size() == 1 ? "trace" : "traces");
 }
 
 void tell_choices(const std::vector<BatchJob>& jobs) {
@@ -143,6 +214,18 @@ void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batc
         count, jobs.size(), jobs.size() == 1 ? "job" : "jobs",
         fmt::format("{} {}", batch.out_dir, count == 1 ? "was" : "were"), count == 1 ? "it was" : "they were",
         build, short_build_identity());
+}
+
+void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
+  std::map<std::string_view, std::size_t> for_reason;
+  for (const BatchJob& job : jobs) {
+    if (!job.why_again.empty()) ++for_reason[job.why_again];
+  }
+  const bool any_kept = std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.kept; });
+  for (const auto& [reason, count] : for_reason)
+    print_err("fingerpad: {}: {}{} of {} {} made again: {}\n", batch.out_dir,
+              any_kept ? "" : "no trace was kept: ", count, jobs.size(),
+              fmt::format("{} {}", jobs.size() == 1 ? "job" : "jobs", count == 1 ? "was" : "were"), reason);
 }
 
 int tell_lost(const std::vector<Error>& lost) {

@@ -21,6 +21,9 @@ void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs);
 /// How many jobs `--resume` made again as another build of the program had made them.
 void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch);
 
+/// Why `--resume` made traces again that were there, each reason once.
+void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch);
+
 /// The tables that could not be written, and the code for it where the jobs themselves are good.
 int tell_lost(const std::vector<Error>& lost);
 

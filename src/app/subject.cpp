@@ -5,8 +5,8 @@
 
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
-#include "part/unit_hint.hpp"
 #include "scene/scene_file.hpp"
+#include "touch/unit_hints.hpp"
 #include "touch/world.hpp"
 #include "trace/trace.hpp"
 
@@ -38,11 +38,7 @@ void tell_choice(const World& world) {
 }
 
 void tell_unit_hints(const World& world, const Scene& scene) {
-  for (std::size_t i = 0; i < std::min(world.verdicts.size(), scene.parts.size()); ++i) {
-    const Verdict& verdict = world.verdicts[i];
-    const std::string hint = unit_hint(verdict, scene.parts[i].metres_per_unit);
-    if (!hint.empty()) print_err("fingerpad: {}: {}\n", verdict.file, hint);
-  }
+  for (const std::string& line : unit_hints(world, scene)) print_err("fingerpad: {}\n", line);
 }
 
 void tell_warnings(const World& world) {

@@ -12,65 +12,24 @@
 #include "app/headless.hpp"
 #include "app/live_window.hpp"
 #include "app/output_name.hpp"
-#include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/stop_signals.hpp"
-#include "app/subject.hpp"
 #include "app/touch_recording.hpp"
+#include "app/touch_subject.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
 #include "base/kept_thread.hpp"
-#include "base/number_text.hpp"
 #include "device/device_table.hpp"
-#include "scene/scene_file.hpp"
 #include "scene/toml_table.hpp"
-#include "touch/rate_choice.hpp"
 #include "touch/resting_finger.hpp"
 #include "touch/servo_loop.hpp"
+#include "touch/servo_words.hpp"
 
 namespace fingerpad {
 namespace {
 
 /// Of the past that the window's charts may ask for.
 constexpr double servo_history_s = 10;
-
-struct TouchOptions {
-  std::string subject, record;
-  std::string device{device_table().front().name};
-  std::string unit = "mm";
-  std::string size = "1280x800";
-  std::optional<double> rate_hz, seconds;
-  DeviceLink link;
-  bool headless = false, force = false, real_time = false;
-};
-
-/// What is touched, ready to be.
-struct Touched {
-  std::string subject;
-  Scene scene;
-  std::optional<HandSettings> hand;  ///< the scene's, which has none left: a person holds the finger
-  std::shared_ptr<const World> world;
-};
-
-Scene touched_scene(const TouchOptions& options, const std::string& subject) {
-  const SubjectKind kind = subject_kind(subject);
-  if (kind == SubjectKind::trace) {
-    throw Error(ErrorKind::usage, subject,
-                "is a trace, or a table of numbers; touch a scene or a mesh, and view a trace");
-  }
-  Scene scene =
-      kind == SubjectKind::scene ? single_scene(subject) : scene_of_mesh(subject, metres_of(options.unit));
-  if (options.rate_hz) {
-    scene.motion.rate_hz = *options.rate_hz;
-    scene.motion.automatic_rate = false;
-  } else if (const auto rate_hz = find_device(options.device)->rate_hz) {
-    scene.motion.rate_hz = rate_hz(scene);
-  }
-  // Before the hand goes: the loop that it closes is what a person's own is taken for.
-  const std::string reason = settle_live_rate(scene);
-  if (!reason.empty()) print_err("fingerpad: {}: {}\n", scene.name, reason);
-  return scene;
-}
 
 LiveWindowChoice window_choice(const TouchOptions& options, const std::string& subject) {
   return {subject,         options.record,    options.size,
@@ -87,14 +46,6 @@ void refuse_unread(const TouchOptions& options) {
   if (options.link.bind && !device.takes_bind) refuse("--bind", "listens on no address");
 }
 
-void warn_of_unread(const TouchOptions& options, const Scene& scene) {
-  if (find_device(options.device)->reads_settings || scene.device == DeviceSettings{}) return;
-  print_err(
-      "fingerpad: warning: {}: [device] says how a device of its own lies in the world; --device {} does "
-      "not read it\n",
-      scene.name, options.device);
-}
-
 void tell_device(const TouchOptions& options, const std::string& words) {
   if (!words.empty()) print_err("fingerpad: {}: {}\n", options.device, words);
 }
@@ -105,28 +56,15 @@ void tell_signal(const TouchOptions& options) {
             options.device);
 }
 
-void tell_timing(const ServoTiming& timing, double rate_hz) {
-  print_out("{} ticks at {} Hz, {} of them late, the worst by {} ms\n", timing.ticks, rate_hz,
-            timing.late_ticks, rounded_text(1e3 * timing.worst_late_s, 2));
-  print_out("half of the ticks took up to {:.1f} us, 99.9 % up to {:.0f} us, the longest {:.0f} us\n",
-            1e6 * timing.tick_s(0.5), 1e6 * timing.tick_s(0.999), 1e6 * timing.worst_tick_s);
-}
-
-/// Throws Error for what cannot be touched, or not recorded.
-Touched load_touched(const TouchOptions& options, const std::string& subject) {
-  Touched touched{subject, touched_scene(options, subject), {}, {}};
-  Scene& scene = touched.scene;
-  warn_of_unread(options, scene);
-  touched.hand = std::exchange(scene.hand, std::nullopt);
-  if (!options.record.empty()) refuse_unrecordable(options.record, scene, options.force);
-  LoadBar bar(stderr_is_terminal());
-  touched.world = load_world(scene, bar.progress());
-  bar.finish();
-  tell_warnings(*touched.world);
-  tell_unit_hints(*touched.world, scene);
-  tell_choice(*touched.world);
-  scene.contact.normals = settled_contact(scene, *touched.world).normals;  // for the window's own search
-  return touched;
+void tell_touch_end(const TouchOptions& options, const FeltSum& felt, const ServoLoop& servo,
+                    double rate_hz) {
+  const ServoTiming timing = servo.timing();
+  write_stream(stdout, touch_end_words(felt, timing, rate_hz));
+  const RealTime real_time = !options.real_time        ? RealTime::not_asked
+                             : servo.refused().empty() ? RealTime::granted
+                                                       : RealTime::refused;
+  const std::string advice = late_advice(timing, rate_hz, real_time);
+  if (!advice.empty()) print_err("fingerpad: warning: {}\n", advice);
 }
 
 /// @param after_end  ticks between the end of what moves the finger and the loop's
@@ -178,10 +116,12 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
 
   const double dt_s = 1 / scene.motion.rate_hz;
   FingerSample sample;  // the servo's, as is:
+  FeltSum felt;
   long after_end = 0;
   const auto take = [&](double) { return sample = device->advance(dt_s); };
   const auto give = [&](const TickRecord& record) {
     device->feel(record);
+    felt.note(record);
     if (device->has_ended()) ++after_end;
     if (recorder && !device->has_ended()) recorder->push(as_recorded(record, sample, *device));
   };
@@ -205,7 +145,7 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
   servo.stop();
   if (signals.has_come()) tell_signal(options);
   tell_device(options, device->closing_words());
-  tell_timing(servo.timing(), scene.motion.rate_hz);
+  tell_touch_end(options, felt, servo, scene.motion.rate_hz);
   try {
     if (recorder) finish_recording(options, *recorder, servo.timing(), after_end);
   } catch (const Error&) {

@@ -85,12 +85,14 @@ Error missing_column(const CsvHeader& header, std::string_view name, const CsvRe
   for (const std::string_view cell : csv_cells(header.line, header.separator))
     there.push_back(printable(cell, 60));
   const std::string nearest = nearest_word(name, there);
-  return refused(
-      header.place,
-      fmt::format("no column '{}'{}; the first line must name the columns {}, and it names {}{}{}",
-                  printable(name, 60), nearest.empty() ? "" : fmt::format(" (did you mean '{}'?)", nearest),
-                  fmt::join(request.required, ","), printable(word_list(there), most_shown_bytes),
-                  request.mend.empty() ? "" : ": ", request.mend));
+  const bool has_none = is_row_of_numbers(trimmed(header.line));
+  const std::string mend = has_none ? "put a line of names above these numbers" : request.mend;
+  return refused(header.place,
+                 fmt::format("no column '{}'{}; the first line must name the columns {}, and it names {}{}{}",
+                             printable(name, 60),
+                             nearest.empty() || has_none ? "" : fmt::format(" (did you mean '{}'?)", nearest),
+                             fmt::join(request.required, ","), printable(word_list(there), most_shown_bytes),
+                             mend.empty() ? "" : ": ", mend));
 }
 
 }  // namespace fingerpad

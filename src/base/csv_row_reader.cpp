@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <limits>
 
@@ -88,6 +89,19 @@ void refuse_units(const Row& row, const std::vector<Wanted>& wanted) {
                             printable(row.cells[wanted.front().cell], 40), wanted.front().name));
 }
 
+/// What would mend a cell that is no number; empty where nothing is known.
+std::string mend_of(std::string_view cell, char decimal) {
+  const char other = decimal == '.' ? ',' : '.';
+  if (csv_number(cell, other))
+    return fmt::format("; with decimal = \"{0}\" in [motion] (fit: --decimal {0}) it would be one", other);
+  const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
+  const auto end = std::find_if_not(cell.rbegin(), cell.rend(), is_letter).base();
+  const std::string_view number = trimmed(cell.substr(0, static_cast<std::size_t>(end - cell.begin())));
+  if (end == cell.end() || !csv_number(number, decimal)) return {};
+  return fmt::format("; leave '{}' out: cells hold numbers alone",
+                     printable(cell.substr(static_cast<std::size_t>(end - cell.begin())), 20));
+}
+
 double number_in(const Row& row, const Wanted& column, char decimal, bool takes_gaps) {
   if (column.cell >= row.cells.size()) {
     throw refused(row.lines.place(), fmt::format("has {} cells, but column '{}' is number {}",
@@ -103,15 +117,8 @@ double number_in(const Row& row, const Wanted& column, char decimal, bool takes_
                     printable(column.name, 60), printable(cell, 40)));
   const auto value = csv_number(cell, decimal);
   if (!value) {
-    const char other = decimal == '.' ? ',' : '.';
-    throw refused(
-        row.lines.place(),
-        fmt::format(
-            "'{}' in column '{}' is no number{}", printable(cell, 40), printable(column.name, 60),
-            csv_number(cell, other)
-                ? fmt::format("; with decimal = \"{0}\" in [motion] (fit: --decimal {0}) it would be one",
-                              other)
-                : ""));
+    throw refused(row.lines.place(), fmt::format("'{}' in column '{}' is no number{}", printable(cell, 40),
+                                                 printable(column.name, 60), mend_of(cell, decimal)));
   }
   if (!std::isfinite(*value))
     throw refused(row.lines.place(), fmt::format("column '{}' is not finite", printable(column.name, 60)));

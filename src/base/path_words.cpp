@@ -24,21 +24,23 @@ fs::path nearest_there(fs::path path) {
   return path;
 }
 
-std::string missing_words(const fs::path& path) {
+/// @param what  "file", "folder"
+std::string missing_words(const fs::path& path, const char* what) {
   std::error_code ignored;
   if (fs::is_symlink(fs::symlink_status(path, ignored))) {
     return fmt::format("is a link to {}, which is not there", fs::read_symlink(path, ignored).string());
   }
   const fs::path folder = path.parent_path();
-  if (folder.empty() || fs::exists(folder, ignored)) return "there is no such file";
+  if (folder.empty() || fs::exists(folder, ignored)) return fmt::format("there is no such {}", what);
   const fs::path there = nearest_there(folder);
-  return fmt::format("there is no such file: its folder {} is not there{}", folder.string(),
+  return fmt::format("there is no such {}: its folder {} is not there{}", what, folder.string(),
                      there.empty() ? "" : fmt::format(" (only {} is)", there.string()));
 }
 
 std::string not_a_folder_words(const fs::path& path) {
-  const fs::path there = nearest_there(path.parent_path());
   std::error_code ignored;
+  if (fs::exists(path, ignored)) return "is a file, not a folder";
+  const fs::path there = nearest_there(path.parent_path());
   if (fs::is_directory(there, ignored)) return "a link on the way leads through a file, not a folder";
   return fmt::format("{} is a file, not a folder", there.string());
 }
@@ -60,7 +62,7 @@ std::string forbidden_words(const fs::path& path) {
 std::string path_words(const std::string& path, int problem) {
   switch (problem) {
     case ENOENT:
-      return missing_words(path);
+      return missing_words(path, "file");
     case EACCES:
     case EPERM:
       return forbidden_words(path);
@@ -75,6 +77,12 @@ std::string path_words(const std::string& path, int problem) {
     default:
       return std::strerror(problem);
   }
+}
+
+std::string folder_words(const std::string& path, int problem) {
+  const bool ends_in_slash = path.size() > 1 && path.back() == '/';
+  const std::string name = ends_in_slash ? path.substr(0, path.size() - 1) : path;
+  return problem == ENOENT ? missing_words(name, "folder") : path_words(name, problem);
 }
 
 ErrorKind output_fault(int problem) noexcept {

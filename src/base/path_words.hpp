@@ -11,6 +11,9 @@ namespace fingerpad {
 /// @param problem  errno
 std::string path_words(const std::string& path, int problem);
 
+/// As path_words(), of a path that is to be a folder.
+std::string folder_words(const std::string& path, int problem);
+
 /// Whose fault it is that an output cannot be made there: usage where the caller's name leads to no place for
 /// it, else the program's (a full disk, no memory).
 /// @param problem  errno

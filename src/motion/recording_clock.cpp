@@ -65,10 +65,11 @@ RecordingClock recording_clock(std::span<const double> t_s) {
 }
 
 std::string clock_text(const RecordingClock& clock) {
-  const std::string steps = clock.is_even ? fmt::format("{} even steps", clock.steps)
-                                          : fmt::format("median of {} steps, from {} to {} ms", clock.steps,
-                                                        rounded_text(1e3 * clock.shortest_s, 3),
-                                                        rounded_text(1e3 * clock.longest_s, 3));
+  const std::string steps =
+      clock.is_even
+          ? fmt::format("{} even step{}", clock.steps, clock.steps == 1 ? "" : "s")
+          : fmt::format("median of {} steps, from {} to {} ms", clock.steps,
+                        rounded_text(1e3 * clock.shortest_s, 3), rounded_text(1e3 * clock.longest_s, 3));
   return fmt::format("{} Hz ({})", rounded_text(clock.rate_hz, 6), steps);
 }
 

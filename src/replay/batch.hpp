@@ -59,9 +59,10 @@ struct BatchJob {
   std::vector<std::string> motion_notes;        ///< how its motion was read (LoadedMotion)
   std::vector<std::string> warnings;            ///< of its motion, and of what that touches
   double seconds = 0;
-  int exit_code = 0;        ///< of this job alone
-  bool not_begun = false;   ///< the batch was asked to stop before it; without status
-  bool kept = false;        ///< an earlier run's trace was kept (BatchOptions::resume)
+  int exit_code = 0;       ///< of this job alone
+  bool not_begun = false;  ///< the batch was asked to stop before it; without status
+  bool kept = false;       ///< an earlier run's trace was kept (BatchOptions::resume)
+  std::string why_again;   ///< of BatchOptions::resume: why its trace was made again (JobResult); empty: none
   std::string other_build;  ///< of the program, whose trace was made again (JobResult); empty: none
   std::string left_behind;  ///< of a job that failed: an earlier run's trace that is still in its place
 };

@@ -73,7 +73,7 @@ std::vector<std::string> tables_named(const std::string& folder, const std::stri
     if (file == name + ".csv") return {at->path().string()};
     if (file.starts_with(name + "-") && file.ends_with(".csv")) shards.push_back(at->path().string());
   }
-  if (failure) throw refused(folder, "cannot be read: " + path_words(folder, failure.value()));
+  if (failure) throw refused(folder, "cannot be read: " + folder_words(folder, failure.value()));
   std::sort(shards.begin(), shards.end());
   return shards;
 }

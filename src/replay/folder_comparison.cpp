@@ -35,7 +35,7 @@ std::set<std::string> traces_in(const std::string& folder) {
         (path.ends_with(".csv") && (is_csv_trace(path) || is_partial_csv_trace(path))))
       names.insert(at->path().filename().string());
   }
-  if (failure) throw refused(folder, "cannot be read: " + path_words(folder, failure.value()));
+  if (failure) throw refused(folder, "cannot be read: " + folder_words(folder, failure.value()));
   return names;
 }
 

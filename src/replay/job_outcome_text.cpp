@@ -12,16 +12,16 @@ std::string outcome_text(const BatchJob& job, std::size_t index) {
   std::vector<std::uint64_t> figures;
   for (const double figure : job.figures) figures.push_back(std::bit_cast<std::uint64_t>(figure));
   const nlohmann::json outcome = {
-      index,          job.status,         job.exit_code,       job.seconds,
-      figures,        job.contact_method, job.contact_normals, job.contact_reasons,
-      job.kept,       job.left_behind,    job.motion_notes,    job.warnings,
-      job.other_build};
+      index,           job.status,         job.exit_code,       job.seconds,
+      figures,         job.contact_method, job.contact_normals, job.contact_reasons,
+      job.kept,        job.left_behind,    job.motion_notes,    job.warnings,
+      job.other_build, job.why_again};
   return outcome.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void take_outcome(std::vector<BatchJob>& jobs, const std::string& text) {
   const auto outcome = nlohmann::json::parse(text, nullptr, false);
-  constexpr std::size_t fields = 13;
+  constexpr std::size_t fields = 14;
   if (!outcome.is_array() || outcome.size() != fields) return;
   try {
     const auto index = outcome[0].get<std::size_t>();
@@ -39,6 +39,7 @@ void take_outcome(std::vector<BatchJob>& jobs, const std::string& text) {
     told.motion_notes = outcome[10].get<std::vector<std::string>>();
     told.warnings = outcome[11].get<std::vector<std::string>>();
     told.other_build = outcome[12];
+    told.why_again = outcome[13];
     told.job = std::move(jobs[index].job);
     jobs[index] = std::move(told);
   } catch (

@@ -14,6 +14,7 @@
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/printable_text.hpp"
+#include "part/unit_hint.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_job.hpp"
 #include "replay/summary_column.hpp"
@@ -39,6 +40,21 @@ std::optional<std::string> state_of(const std::string& path) {
   const auto identity = file_identity(path);
   if (none || !identity) return std::nullopt;
   return fmt::format("{} {}", *identity, written.time_since_epoch().count());
+}
+
+/// A rub that no place of a part holds may be one on a grain of sand.
+std::vector<std::string> unit_words(const Scene& scene, MeshStore& meshes) {
+  std::vector<std::string> words;
+  if (!scene.motion.laid) return words;  // else it has not failed by the part's size
+  try {
+    for (const PartEntry& part : scene.parts) {
+      const Verdict& verdict = meshes.load(part)->verdict;
+      const std::string hint = unit_hint(verdict, part.metres_per_unit);
+      if (!hint.empty()) words.push_back(fmt::format("{}: {}", verdict.file, hint));
+    }
+  } catch (const Error&) {  // NOLINT(bugprone-empty-catch): what a mesh is refused for is told already
+  }
+  return words;
 }
 
 constexpr std::size_t motion_bytes = std::size_t{256} << 20;
@@ -92,6 +108,7 @@ void JobRunner::run_one(std::size_t index) {
     refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;
     batch_job.kept = result.kept;
+    batch_job.why_again = result.why_again;
     batch_job.other_build = result.other_build;
     batch_job.contact_method = result.contact_method;
     batch_job.contact_normals = result.contact_normals;
@@ -104,6 +121,7 @@ void JobRunner::run_one(std::size_t index) {
     // The output folder was good when the run began: what is wrong with it now is no fault of the call.
     batch_job.exit_code =
         static_cast<int>(error.kind() == ErrorKind::usage ? ErrorKind::fault : error.kind());
+    batch_job.warnings = unit_words(job.scene, meshes_);
   } catch (const std::exception& error) {
     batch_job.status = fmt::format("{}: {}", job.scene.name, error.what());
     batch_job.exit_code = static_cast<int>(ErrorKind::fault);

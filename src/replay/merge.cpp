@@ -52,7 +52,7 @@ void find_shards(const std::string& folder, std::vector<FoundShard>& found) {
     if (std::sscanf(name.c_str(), "summary-%dof%d.csv%n", &shard, &count, &end) != 2) continue;
     if (end == static_cast<int>(name.size())) found.push_back({folder, shard, count});
   }
-  if (failure) throw refused(folder, "cannot be read: " + path_words(folder, failure.value()));
+  if (failure) throw refused(folder, "cannot be read: " + folder_words(folder, failure.value()));
   if (found.size() == before)
     throw refused(folder, "holds no shard of a batch, whose summary would be called summary-1of4.csv");
 }

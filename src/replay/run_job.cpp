@@ -13,6 +13,7 @@
 #include "replay/residual_warnings.hpp"
 #include "replay/run_proof.hpp"
 #include "touch/closed_loop.hpp"
+#include "touch/unit_hints.hpp"
 #include "trace/file_seal.hpp"
 #include "trace/motion_source.hpp"
 
@@ -20,7 +21,7 @@ namespace fingerpad {
 namespace {
 
 bool same_run(const TraceInfo& a, const TraceInfo& b) {
-  return run_digest(a, TraceFormat::hdf5) == run_digest(b, TraceFormat::hdf5);
+  return run_digest(a, TraceFormat::hdf5).whole == run_digest(b, TraceFormat::hdf5).whole;
 }
 
 /// The figures of a whole HDF5 trace of this very run, counted again from its rows.
@@ -142,12 +143,13 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
   JobResult result{{},           info.contact_method, info.contact_normals, info.contact_reasons,
                    motion.notes, motion.warnings};
   warn_of_large_meshes(scene, meshes, result);
+  for (std::string& line : unit_hints(*world, scene)) result.warnings.push_back(std::move(line));
   if (output.path.empty()) {
     result.figures = run(scene, world, path, info, output).figures;
     warn_of_run(scene, *world, path, result);
     return result;
   }
-  const std::string digest = run_digest(info, output.format);
+  const RunDigest digest = run_digest(info, output.format);
   if (output.resume) {
     auto figures = proven_figures(output.path, digest);
     // What a trace says of itself tells the program by its version alone; a proof knows better.
@@ -164,6 +166,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
       return result;
     }
     result.other_build = other_build_of(output.path).value_or("");
+    result.why_again = why_not_kept(output.path, digest);
   }
 
   const RunEnd end = run(scene, world, path, info, output);

@@ -32,6 +32,7 @@ struct JobResult {
   std::vector<std::string> motion_notes;  ///< LoadedMotion::notes
   std::vector<std::string> warnings;      ///< of the motion, and of what it touches
   bool kept = false;                      ///< the trace of an earlier run was kept
+  std::string why_again = {};    ///< why a trace that was there to resume was made again (why_not_kept)
   std::string other_build = {};  ///< whose trace was there to resume, and was made again; empty: none
 };
 

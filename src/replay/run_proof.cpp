@@ -7,6 +7,7 @@
 #include <limits>
 #include <span>
 #include <sstream>
+#include <utility>
 
 #include "base/build_identity.hpp"
 #include "base/checksum.hpp"
@@ -16,6 +17,7 @@
 #include "base/number_text.hpp"
 #include "replay/figures.hpp"
 #include "replay/run_lock.hpp"
+#include "trace/file_seal.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
@@ -62,47 +64,106 @@ std::string proof_text(const std::string& trace_path) {
   }
 }
 
-}  // namespace
+/// As a proof says it, behind the figures.
+std::string kind_line(std::string_view name, std::string_view hash) {
+  return fmt::format("by {} {}", name, hash);
+}
 
-std::string run_digest(const TraceInfo& info, TraceFormat format) {
-  std::string text;
-  const auto add = [&text](std::string_view field) { text += fmt::format("{}:{};", field.size(), field); };
-  const auto add_all = [&add](const std::vector<std::string>& fields) {
-    add(std::to_string(fields.size()));
-    for (const std::string& field : fields) add(field);
-  };
-  add(format == TraceFormat::csv ? "csv" : "h5");
-  add(build_identity());
-  for (const std::string* field :
-       {&info.version, &info.scene_name, &info.scene_text, &info.motion_file, &info.motion_hash,
-        &info.profile_text, &info.contact_method, &info.contact_normals})
-    add(*field);
-  add(std::to_string(info.seed));
-  add(number_text(info.rate_hz));
-  add_all(info.mesh_files);
-  add_all(info.mesh_hashes);
-  add_all(info.contact_reasons);
-  add_all(info.motion_notes);
-  if (!info.columns.empty()) add_all(info.columns);
-  if (info.every != 1) add(fmt::format("every {}", info.every));
-  if (info.deflated) add("deflated");
-  if (!info.changes.empty()) add(scene_changes_text(info.changes));
+std::string hash_text(std::string_view text) {
   return fmt::format("{:016x}", content_hash(std::as_bytes(std::span(text))));
 }
 
-void write_proof(const std::string& trace_path, const std::string& digest,
-                 const std::vector<double>& figures) {
+/// Gathers what decides a run, kind by kind.
+class RunText {
+ public:
+  void begin(std::string_view kind) {
+    end_kind();
+    digest_.kinds.push_back({kind, ""});
+  }
+  void add(std::string_view field) { kind_ += fmt::format("{}:{};", field.size(), field); }
+  void add_all(const std::vector<std::string>& fields) {
+    add(std::to_string(fields.size()));
+    for (const std::string& field : fields) add(field);
+  }
+  RunDigest digest() {
+    end_kind();
+    digest_.whole = hash_text(all_);
+    return std::move(digest_);
+  }
+
+ private:
+  void end_kind() {
+    if (!digest_.kinds.empty()) digest_.kinds.back().hash = hash_text(kind_);
+    all_ += fmt::format("{}:{};", kind_.size(), kind_);
+    kind_.clear();
+  }
+
+  std::string kind_, all_;
+  RunDigest digest_;
+};
+
+/// A CSV trace that is not finished has another name.
+bool is_finished(const std::string& path) {
+  try {
+    return !is_hdf5(path) || check_seal(path) == Seal::whole;
+  } catch (const Error&) {
+    return false;
+  }
+}
+
+/// That one kind of things is another than when a trace was made.
+std::string changed_words(std::string_view kind) {
+  if (kind == "meshes") return "a mesh file has changed since";
+  if (kind == "output") return "the format, --columns, --every or --compress is another now";
+  if (kind == "contact") return "the part is touched by another contact method or other normals now";
+  return fmt::format("the {} has changed since", kind);
+}
+
+}  // namespace
+
+RunDigest run_digest(const TraceInfo& info, TraceFormat format) {
+  RunText run;
+  run.begin("output");
+  run.add(format == TraceFormat::csv ? "csv" : "h5");
+  if (!info.columns.empty()) run.add_all(info.columns);
+  if (info.every != 1) run.add(fmt::format("every {}", info.every));
+  if (info.deflated) run.add("deflated");
+  run.begin("program");
+  run.add(build_identity());
+  run.add(info.version);
+  run.begin("scene");
+  for (const std::string* field : {&info.scene_name, &info.scene_text, &info.motion_file}) run.add(*field);
+  run.add(std::to_string(info.seed));
+  run.add_all(info.mesh_files);
+  run.begin("meshes");
+  run.add_all(info.mesh_hashes);
+  run.begin("motion");
+  run.add(info.motion_hash);
+  run.add_all(info.motion_notes);
+  run.add(number_text(info.rate_hz));
+  if (!info.changes.empty()) run.add(scene_changes_text(info.changes));
+  run.begin("profile");
+  run.add(info.profile_text);
+  run.begin("contact");
+  run.add(info.contact_method);
+  run.add(info.contact_normals);
+  run.add_all(info.contact_reasons);
+  return run.digest();
+}
+
+void write_proof(const std::string& trace_path, const RunDigest& digest, const std::vector<double>& figures) {
   if (const auto trace = fingerprint(trace_path)) write_proof(trace_path, digest, figures, *trace);
 }
 
-void write_proof(const std::string& trace_path, const std::string& digest, const std::vector<double>& figures,
+void write_proof(const std::string& trace_path, const RunDigest& digest, const std::vector<double>& figures,
                  const FileSum& trace) {
   std::error_code ignored;
   if (!fs::is_regular_file(trace_path, ignored)) return;  // of what went into a pipe nothing can be proven
-  std::string text = fmt::format("{}\nrun {}\n{}{}\ntrace {}\n", first_line, digest, build_word,
+  std::string text = fmt::format("{}\nrun {}\n{}{}\ntrace {}\n", first_line, digest.whole, build_word,
                                  short_build_identity(), sum_text(trace));
   for (std::size_t i = 0; i < figures.size(); ++i)
     text += fmt::format("{} {}\n", Figures::names()[i], number_text(figures[i]));
+  for (const auto& [name, hash] : digest.kinds) text += kind_line(name, hash) + '\n';
   const std::string path = proof_path(trace_path);
   // Not the folder above it: where that has just been removed, it must not come back with a proof alone.
   fs::create_directory(fs::path(path).parent_path(), ignored);
@@ -114,11 +175,11 @@ void write_proof(const std::string& trace_path, const std::string& digest, const
   }
 }
 
-std::optional<std::vector<double>> proven_figures(const std::string& trace_path, const std::string& digest) {
+std::optional<std::vector<double>> proven_figures(const std::string& trace_path, const RunDigest& digest) {
   std::istringstream proof(proof_text(trace_path));
   std::string line;
   if (!std::getline(proof, line) || line != first_line) return std::nullopt;
-  if (!std::getline(proof, line) || line != "run " + digest) return std::nullopt;
+  if (!std::getline(proof, line) || line != "run " + digest.whole) return std::nullopt;
   if (!std::getline(proof, line) || !line.starts_with(build_word)) return std::nullopt;
   const auto trace = fingerprint(trace_path);
   if (!trace || !std::getline(proof, line) || line != "trace " + sum_text(*trace)) return std::nullopt;
@@ -132,11 +193,11 @@ std::optional<std::vector<double>> proven_figures(const std::string& trace_path,
   return figures;
 }
 
-bool proves_another_run(const std::string& trace_path, const std::string& digest) {
+bool proves_another_run(const std::string& trace_path, const RunDigest& digest) {
   std::istringstream proof(proof_text(trace_path));
   std::string first, run;
   return std::getline(proof, first) && first == first_line && std::getline(proof, run) &&
-         run.starts_with("run ") && run != "run " + digest;
+         run.starts_with("run ") && run != "run " + digest.whole;
 }
 
 bool has_proof(const std::string& trace_path) {
@@ -154,6 +215,21 @@ std::optional<std::string> other_build_of(const std::string& trace_path) {
   const std::string build = line.substr(build_word.size());
   if (build == short_build_identity()) return std::nullopt;
   return build;
+}
+
+std::string why_not_kept(const std::string& trace_path, const RunDigest& digest) {
+  std::error_code ignored;
+  if (!fs::exists(trace_path, ignored) || other_build_of(trace_path)) return {};
+  const std::string proof = proof_text(trace_path);
+  if (!proof.starts_with(first_line))
+    return is_finished(trace_path) ? "nothing beside it says which run made it" : "it is not whole";
+  if (!proves_another_run(trace_path, digest)) return "it is not, byte for byte, what was written";
+  for (const auto& [name, hash] : digest.kinds) {
+    // What an earlier build did not write down is not told.
+    if (proof.find(fmt::format("\nby {} ", name)) == std::string::npos) continue;
+    if (proof.find('\n' + kind_line(name, hash) + '\n') == std::string::npos) return changed_words(name);
+  }
+  return "it is of another run";
 }
 
 void remove_unfinished(const std::string& trace_path) {

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "base/checksum.hpp"
@@ -10,27 +11,37 @@
 
 namespace fingerpad {
 
-/// Everything that decides a trace's bytes, as 16 hex digits: among it this very program (build_identity),
-/// but not the libraries that it finds on its machine.
-std::string run_digest(const TraceInfo& info, TraceFormat format);
+/// What decides a trace's bytes, by kinds of things, so that it can be told which of them has changed.
+struct RunDigest {
+  /// One kind of them, as 16 hex digits.
+  struct Kind {
+    std::string_view name;
+    std::string hash;
+  };
+  std::string whole;  ///< all of it, as 16 hex digits
+  std::vector<Kind> kinds;
+};
+
+/// Everything that decides a trace's bytes: among it this very program (build_identity), but not the
+/// libraries that it finds on its machine.
+RunDigest run_digest(const TraceInfo& info, TraceFormat format);
 
 /// Keeps beside a finished trace, in the state folder, which run made it, what its bytes are and what the run
 /// came to: a CSV trace tells nothing of its run, and no trace tells all figures. Nothing of it depends on
 /// when or how often the run was started. A proof that cannot be written is none: then the next `--resume`
 /// makes the trace again.
 /// @param trace  the sum of the file as it was written
-void write_proof(const std::string& trace_path, const std::string& digest, const std::vector<double>& figures,
+void write_proof(const std::string& trace_path, const RunDigest& digest, const std::vector<double>& figures,
                  const FileSum& trace);
 /// As above, of a trace that stands there already: its file is read.
-void write_proof(const std::string& trace_path, const std::string& digest,
-                 const std::vector<double>& figures);
+void write_proof(const std::string& trace_path, const RunDigest& digest, const std::vector<double>& figures);
 
 /// The figures of the trace at that path, if its proof says that it is of the run with this digest and the
 /// file is, byte for byte, what that run wrote.
-std::optional<std::vector<double>> proven_figures(const std::string& trace_path, const std::string& digest);
+std::optional<std::vector<double>> proven_figures(const std::string& trace_path, const RunDigest& digest);
 
 /// Whether the proof beside the trace names a run with another digest.
-bool proves_another_run(const std::string& trace_path, const std::string& digest);
+bool proves_another_run(const std::string& trace_path, const RunDigest& digest);
 
 /// Whether a proof stands beside the trace, of whatever run.
 bool has_proof(const std::string& trace_path);
@@ -38,6 +49,11 @@ bool has_proof(const std::string& trace_path);
 /// Which build (short_build_identity) made the trace that the proof beside it is of; nothing where that is
 /// this one, or no proof is there. "an earlier one" where the proof names none.
 std::optional<std::string> other_build_of(const std::string& trace_path);
+
+/// Why the trace that stands at that path is not kept for the run with this digest, in words that go on after
+/// "made again: "; empty where no file is, or where another build made it (other_build_of).
+/// @pre proven_figures() gives nothing
+std::string why_not_kept(const std::string& trace_path, const RunDigest& digest);
 
 /// Removes what a killed run may have left beside a trace that is kept: files that were under way.
 void remove_unfinished(const std::string& trace_path);

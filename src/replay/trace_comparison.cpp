@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 #include "base/number_text.hpp"
@@ -62,7 +63,30 @@ void compare_column(const TraceColumn& column, const Trace& a, const Trace& b,
   changes.push_back(std::move(change));
 }
 
+/// That the finger went another way, by the column that is the farthest apart; nothing where it did not.
+void tell_the_way(const Trace& a, const Trace& b, std::vector<JobChange>& changes) {
+  const JobChange* farthest = nullptr;
+  for (const JobChange& change : changes) {
+    if (is_of_the_way(change.column) && (farthest == nullptr || change.most > farthest->most))
+      farthest = &change;
+  }
+  if (farthest == nullptr) return;
+  const auto has_hand = [](const Trace& trace) {
+    return std::find(trace.absent.begin(), trace.absent.end(), "hx_n") == trace.absent.end();
+  };
+  const char* const what =
+      has_hand(a) && has_hand(b) ? "the hand took the finger another way" : "the motions are not the same";
+  JobChange told = whole_change(fmt::format("{}: {}", what, farthest->words));
+  changes.insert(changes.begin(), std::move(told));
+}
+
 }  // namespace
+
+bool is_of_the_way(std::string_view column) noexcept {
+  constexpr std::string_view of_the_way[] = {"x_m", "y_m", "z_m", "ex_m", "ey_m", "ez_m", "dx",
+                                             "dy",  "dz",  "qw",  "qx",   "qy",   "qz"};
+  return std::find(std::begin(of_the_way), std::end(of_the_way), column) != std::end(of_the_way);
+}
 
 double distance_between(double a, double b) noexcept {
   if (a == b || (std::isnan(a) && std::isnan(b))) return 0;
@@ -89,6 +113,7 @@ std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tole
     if (lacks_a || lacks_b || column.name == "t_s") continue;  // by which they were set side by side
     compare_column(column, a, b, pairs, tolerance, changes);
   }
+  tell_the_way(a, b, changes);
   return changes;
 }
 

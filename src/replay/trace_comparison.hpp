@@ -20,7 +20,11 @@ struct JobChange {
 /// Of the job or the trace itself, not of a column.
 JobChange whole_change(std::string words);
 
-/// What differs between two traces, a change a column: at the times that both have.
+/// Whether a column says where a motion or a hand put the finger, not what was felt there.
+bool is_of_the_way(std::string_view column) noexcept;
+
+/// What differs between two traces, a change a column: at the times that both have. Where the finger went
+/// another way, that is said before, since what was felt is then another touch's.
 /// @param tolerance  what a column may differ by, in its own unit
 std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tolerance);
 

@@ -88,7 +88,7 @@ ExactSet load_exact_set(const std::string& folder) {
     const std::string name = entry->path().filename().string();
     if (name.starts_with("path-") && name.ends_with(".csv")) files.push_back(entry->path());
   }
-  if (error) throw refused(folder, "cannot be listed: " + path_words(folder, error.value()));
+  if (error) throw refused(folder, "cannot be listed: " + folder_words(folder, error.value()));
   if (files.empty()) throw refused(folder, "holds no path-*.csv");
   std::sort(files.begin(), files.end());
   for (const auto& file : files) set.paths.push_back(load_path(file));

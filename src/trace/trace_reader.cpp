@@ -47,6 +47,8 @@ bool is_hdf5(const std::string& path) {
 }
 
 Trace read_trace(const std::string& path, TraceContents contents) {
+  if (path.ends_with(".toml") && !is_hdf5(path) && !why_unreadable(path, trace_file))
+    throw refused(path, "is a scene, not a trace: `fingerpad replay` makes one of it");
   Trace trace = is_hdf5(path) ? read_hdf5_trace(path, contents) : read_csv_trace(path);
   if (contents != TraceContents::some_rows) refuse_missing_columns(trace, path);
   return trace;

@@ -216,7 +216,7 @@ class OverlayPainter {
     const double height = line * per_column + head + foot;
     const double width = std::min(help_column_em * em_ * columns, layout_.window.width - em_);
     const Box box{around.centre().x() - width / 2, around.centre().y() - height / 2, width, height};
-    drawing_.box(box, Colour{255, 255, 255, 0.96});
+    drawing_.box(box, colours::white);  // charts and readings lie beneath
     drawing_.frame(box, {colours::ink, 0.12 * em_});
     paint_help_head(box);
     const double column_width = (width - em_) / columns;

@@ -34,7 +34,8 @@ std::vector<Reading> all_readings(const OverlayFacts& facts) {
       {"normal force", in_contact(row.normal_force_n, 3, "N")},
       {"friction", in_contact(row.friction_W_n.norm(), 3, "N")},
       {"mu", in_contact(row.mu, 3, "")},
-      {"speed", number_with_unit(facts.speed_m_per_s * 1e3, 1, "mm/s")},
+      // In touch along the part, as the chart draws it; else the finger's own, which it does not.
+      {touching ? "speed" : "speed in air", number_with_unit(facts.speed_m_per_s * 1e3, 1, "mm/s")},
       {"finger angle", in_contact(row.inclination_rad * 180 / std::numbers::pi, 1, "deg")},
       {"on", touching ? facts.surface_name : std::string("-")},
   };

@@ -39,17 +39,18 @@ bool PointerTouch::take(const InputEvent& event) {
       beside_panels_ = !hit;
       if (hit) return false;
       held_ = over_ = taken = point_at(event.x_px, event.y_px);
+      turns_view_ = !taken && shown_.scene.holds(event.x_px, event.y_px);
       break;
     case InputEvent::Kind::move:
-      // A panel's own, unless the button is held that was pressed beside it.
-      if (on_panel_ || (hit && !beside_panels_)) return false;
+      // A panel's own, unless the button is held that was pressed beside it; the view's, if beside the part.
+      if (turns_view_ || on_panel_ || (hit && !beside_panels_)) return false;
       over_ = point_at(event.x_px, event.y_px);
       // Off the edge of the part a held finger lifts until the pointer is back.
       if (!over_ && !held_) return false;
       taken = true;
       break;
     case InputEvent::Kind::release:
-      beside_panels_ = false;
+      beside_panels_ = turns_view_ = false;
       if (std::exchange(on_panel_, false)) return false;
       taken = std::exchange(held_, false);
       break;
@@ -132,6 +133,11 @@ bool PointerTouch::pressing() const {
 bool PointerTouch::has_pressed() const {
   const std::lock_guard lock(mutex_);
   return has_pressed_;
+}
+
+bool PointerTouch::turns_view() const {
+  const std::lock_guard lock(mutex_);
+  return turns_view_;
 }
 
 double PointerTouch::press_n() const {

@@ -29,6 +29,8 @@ class PointerTouch {
 
   bool pressing() const;
   bool has_pressed() const;  ///< ever
+  /// The button is held that was pressed beside the part: until it is let go the mouse is the view's.
+  bool turns_view() const;
   double press_n() const;
   Vec3 pressed_W() const;
 
@@ -45,6 +47,7 @@ class PointerTouch {
   PointedScene shown_;
   TouchTarget target_;
   bool held_ = false, over_ = false, latched_ = false, has_pressed_ = false;
+  bool turns_view_ = false;
   bool on_panel_ = false, beside_panels_ = false;  ///< where the button is held that was pressed there
   double told_s_ = 0;
 };

@@ -210,6 +210,7 @@ Chart live_chart(std::span<const TickRecord> rows, const TouchLevels& levels) {
   position.least_y_span = least_way_mm;
   chart.panels.push_back(std::move(position));
   add_panels(chart, rows, series, levels);
+  chart.panels[1].curves[0].name = "speed in touch";
   // The direction of a hand that goes anywhere wanders from frame to frame: magnitudes stay put.
   ChartCurve& friction = chart.panels[2].curves[1];
   friction.name = "friction";

@@ -18,7 +18,8 @@ namespace {
 constexpr double chart_s = 4;  // what the strip charts hold
 constexpr const char* material_panel = "material";
 constexpr const char* stopped_words = "STOPPED: no force until g, and the device, release it";
-constexpr const char* invitation = "hold the left button, or space, to press";
+constexpr const char* invitation = "hold the left button on the part, or space, to press";
+constexpr const char* turning_words = "this turns the view: to press, begin on the part";
 
 class TouchWindow {
  public:
@@ -155,7 +156,12 @@ class TouchWindow {
   }
 
   void invite() {
-    stage_.words().invitation = input_.pointer_leads && !pointer_.has_pressed() ? invitation : "";
+    const bool is_new = input_.pointer_leads && !pointer_.has_pressed();
+    stage_.words().invitation = !is_new ? "" : pointer_.turns_view() ? turning_words : invitation;
+  }
+
+  const char* what_it_does() const {
+    return pointer_.pressing() ? "pressing" : pointer_.turns_view() ? "turning the view" : "hovering";
   }
 
   void follow() {
@@ -166,10 +172,8 @@ class TouchWindow {
     const std::string note = input_.note ? input_.note() : "";
     const char* const held = stage_.charts().zoomed() ? "   charts held: r lets them run on" : "";
     // What must be read comes first: a long name may be cut.
-    const std::string press = input_.pointer_leads
-                                  ? fmt::format("press {:.2f} N ({})", pointer_.press_n(),
-                                                pointer_.pressing() ? "pressing" : "hovering")
-                                  : "";
+    const std::string press =
+        input_.pointer_leads ? fmt::format("press {:.2f} N ({})", pointer_.press_n(), what_it_does()) : "";
     const std::string line = fmt::format("{}{}   h help{}{}", press, held, note.empty() ? "" : "   ", note);
     stage_.words().hint = line.substr(line.find_first_not_of(' '));
   }

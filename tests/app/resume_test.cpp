@@ -81,21 +81,28 @@ TEST_P(Resume, KeepsNothingOldAfterAnyChange) {
   struct Change {
     const char* what;
     std::function<void(const fs::path&)> make;
+    const char* told;
   };
   const std::vector<Change> changes = {
-      {"law", [](const fs::path& f) { write_scene(f, {.law = "coulomb"}); }},
-      {"contact", [](const fs::path& f) { write_scene(f, {.method = "closest-point", .normals = "facet"}); }},
-      {"stiffness", [](const fs::path& f) { write_scene(f, {.stiffness = 700}); }},
-      {"mesh", [](const fs::path& f) { std::ofstream(f / "box.off") << box_off(4); }},
-      {"motion", [](const fs::path& f) { std::ofstream(f / "rub.csv") << rub_csv(0.0007); }},
-      {"profile", [](const fs::path& f) { std::ofstream(f / "pad.toml") << profile_toml(0.0012); }},
+      {"law", [](const fs::path& f) { write_scene(f, {.law = "coulomb"}); }, "the scene has"},
+      {"contact", [](const fs::path& f) { write_scene(f, {.method = "closest-point", .normals = "facet"}); },
+       "the scene has"},
+      {"stiffness", [](const fs::path& f) { write_scene(f, {.stiffness = 700}); }, "the scene has"},
+      {"mesh", [](const fs::path& f) { std::ofstream(f / "box.off") << box_off(4); }, "a mesh file has"},
+      {"motion", [](const fs::path& f) { std::ofstream(f / "rub.csv") << rub_csv(0.0007); },
+       "the motion has"},
+      {"profile", [](const fs::path& f) { std::ofstream(f / "pad.toml") << profile_toml(0.0012); },
+       "the profile has"},
   };
   for (const Change& change : changes) {
     const fs::path folder = folder_with_scene({});
     replay(folder, "--out out" + format);
     const std::string before = bytes_of(folder / "out" / trace);
     change.make(folder);
-    replay(folder, "--out out --resume" + format);
+    EXPECT_THAT(replay(folder, "--out out --resume" + format).err,
+                HasSubstr("fingerpad: out: no trace was kept: 1 of 1 job was made again: " +
+                          std::string(change.told) + " changed since\n"))
+        << change.what;
     replay(folder, "--out fresh" + format);
     EXPECT_NE(bytes_of(folder / "fresh" / trace), before) << change.what << ": shows in the trace";
     EXPECT_TRUE(bytes_of(folder / "fresh" / trace) == bytes_of(folder / "out" / trace)) << change.what;
@@ -111,6 +118,7 @@ TEST_P(Resume, KeepsAFinishedTraceAndItsFigures) {
   const std::string summary = bytes_of(folder / "out" / "summary.csv");
   const ShellResult again = replay(folder, "--out out --resume" + format);
   EXPECT_EQ(again.out, "1 of 1 job done (1 kept from before), traces and summary.csv in out\n");
+  EXPECT_THAT(again.err, Not(HasSubstr("made again")));
   EXPECT_EQ(fs::last_write_time(folder / "out" / trace), made);
   EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
 }
@@ -137,8 +145,12 @@ TEST_P(Resume, MakesATraceAgainThatIsNotWhatWasWritten) {
   const fs::path path = folder / "out" / trace;
   const std::string whole = bytes_of(path);
   const auto expect_whole_again = [&](const char* what) {
-    replay(folder, "--out out --resume" + format);
+    const bool is_there = fs::exists(path);
+    const std::string told = replay(folder, "--out out --resume" + format).err;
     EXPECT_TRUE(bytes_of(path) == whole) << what;
+    EXPECT_EQ(told.find("made again: it is not, byte for byte, what was written\n") != std::string::npos,
+              is_there)
+        << told;
   };
   // An HDF5 trace ends with a seal of 32 bytes; a run may be killed just before it is written.
   fs::resize_file(path, whole.size() - 32);
@@ -184,6 +196,15 @@ TEST(ResumeWithAProofOfAnotherRun, MakesTheTraceAgain) {
   EXPECT_THAT(again.out, Not(HasSubstr("kept")));
   EXPECT_THAT(again.err, Not(HasSubstr("another build"))) << "the scene may have been another";
   EXPECT_EQ(bytes_of(proof), proven);
+}
+
+TEST(ResumeWithOtherColumns, SaysThatTheOptionsAreOthers) {
+  const fs::path folder = folder_with_scene({});
+  replay(folder, "--out out");
+  EXPECT_THAT(
+      replay(folder, "--out out --resume --every 2").err,
+      HasSubstr("1 of 1 job was made again: the format, --columns, --every or --compress is another now"));
+  EXPECT_THAT(replay(folder, "--out out --resume --quiet").err, Not(HasSubstr("made again")));
 }
 
 /// A set of three jobs, of which two traces are there as another build would have left them.

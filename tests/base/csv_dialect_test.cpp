@@ -62,6 +62,21 @@ TEST(CsvDialect, TellsTheDecimalMarkThatWouldDo) {
   EXPECT_THAT(refusal("t;x\n0;a\n1;1\n"), Not(HasSubstr("would be one")));
 }
 
+TEST(CsvDialect, AUnitInACellIsNamed) {
+  EXPECT_THAT(
+      refusal("t,x\n0,10 mm\n"),
+      HasSubstr("t.csv:2: '10 mm' in column 'x' is no number; leave 'mm' out: cells hold numbers alone"));
+  EXPECT_THAT(refusal("t,x\n0,1.5m\n"), HasSubstr("leave 'm' out"));
+  EXPECT_THAT(refusal("t,x\n0,1.2.3\n"), Not(HasSubstr("leave")));
+  EXPECT_THAT(refusal("t,x\n0,1e\n"), HasSubstr("leave 'e' out"));
+}
+
+TEST(CsvDialect, ATableWithoutAHeaderIsToldSo) {
+  EXPECT_THAT(refusal("0,1\n1,2\n"),
+              HasSubstr("t.csv:1: no column 't'; the first line must name the columns t,x, "
+                        "and it names 0, 1: put a line of names above these numbers"));
+}
+
 TEST(CsvDialect, QuotedCellsMayHoldTheSeparator) {
   const CsvColumns table = read("\"t\", \"x\" ,\"a, b\"\n\"1\",\"2\",\"3, 4\"\n");
   EXPECT_THAT(table.columns[0], ElementsAre(1));

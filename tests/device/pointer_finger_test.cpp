@@ -3,9 +3,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include "device/pointed_worlds.hpp"
 #include "device/pointer_hand.hpp"
-#include "scene/scene_file.hpp"
-#include "support/paths.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/touch_swap.hpp"
@@ -13,6 +12,7 @@
 namespace fingerpad::pointer_finger_test {
 namespace {
 
+using test::pointed_worlds;
 using test::PointedWorld;
 using test::PointerRun;
 using test::PointerWalk;
@@ -22,36 +22,6 @@ constexpr int path_count = 18;
 #else
 constexpr int path_count = 200;
 #endif
-
-/// A real part in whatever unit makes it as large as a hand.
-PointedWorld real_part(const std::filesystem::path& mesh) {
-  Scene scene;
-  scene.name = mesh.filename().string();
-  scene.contact.automatic_normals = true;
-  PartEntry& part = scene.parts.emplace_back();
-  part.mesh = scene.name;
-  part.mesh_path = mesh.string();
-  part.metres_per_unit = 1;
-  const double radius_m = PointedWorld(scene.name, scene, load_world(scene)).radius_m;
-  scene.parts.front().metres_per_unit = 0.08 / radius_m;
-  return {scene.name, scene, load_world(scene)};
-}
-
-/// Scenes with a ball and with a plane; parts with thin walls, holes, wings, an open mesh, a slot.
-std::vector<PointedWorld> pointed_worlds() {
-  std::vector<PointedWorld> worlds;
-  for (const char* name : {"bracket", "housing", "dashboard", "laboratory"}) {
-    const auto path = test::source_dir() / "scenes" / (std::string(name) + ".toml");
-    const Scene scene = read_scene_file(path.string()).scene;
-    worlds.emplace_back(name, scene, load_world(scene));
-  }
-  const auto data = test::real_data();
-  if (!data) return worlds;
-  for (const char* name : {"so101_base.stl", "trimesh_plate_holes.stl", "wingnut.obj",
-                           "prius_steering_wheel.obj", "so101_waveshare_plate.stl"})
-    worlds.push_back(real_part(*data / "parts" / name));
-  return worlds;
-}
 
 /// Force asked for on a path: 0.05 to 20 N, as the window lets one choose; every second path hovers.
 double press_of_path_n(int k, std::size_t world_count) {
@@ -81,6 +51,27 @@ TEST(PointerFinger, TouchesNothingHoveringAndNeverPressesTwiceAsHardAsAsked) {
   EXPECT_GT(pressed, 0.75 * pressing);
   fmt::print("{} of {} hover where they were wanted, {} of {} press as hard\n", arrived, hovering, pressed,
              pressing);
+}
+
+// A held button presses only over the part: off it the finger lifts, and where the pointer jumps back it
+// comes down again.
+TEST(PointerFinger, NeverStrikesTwiceAsHardWhereThePointerJumpsOffThePartAndBack) {
+  const auto worlds = pointed_worlds();
+  int touched = 0;
+  double hardest = 0;
+  for (int k = 0; k < path_count / 2; ++k) {
+    PointedWorld pointed = worlds[static_cast<std::size_t>(k) % worlds.size()];
+    pointed.scene.motion.rate_hz = k % 2 == 0 ? 1000 : 4000;
+    const double wanted_n = 0.05 * std::pow(400.0, RandomStream(static_cast<std::uint64_t>(k)).uniform());
+    SCOPED_TRACE(fmt::format("path {} over {}, {} N", k, pointed.name, wanted_n));
+    const PointerRun run =
+        PointerWalk(pointed, 5000 + static_cast<std::uint64_t>(k), wanted_n, true).run(2, 0);
+    EXPECT_LE(run.most_n, 2 * wanted_n);
+    hardest = std::max(hardest, run.most_n / wanted_n);
+    touched += run.touched > 0 ? 1 : 0;
+  }
+  EXPECT_GT(touched, path_count / 4);
+  fmt::print("{} of {} pressed, with up to {:.3f} of what was asked for\n", touched, path_count / 2, hardest);
 }
 
 /// Presses on (0, 0, top) of a world for a second. @returns the normal forces of its ticks

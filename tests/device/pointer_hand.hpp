@@ -98,8 +98,9 @@ struct PointerRun {
 /// the end. A press of 0 N hovers.
 class PointerWalk {
  public:
-  PointerWalk(const PointedWorld& pointed, std::uint64_t seed, double press_n)
-      : pointed_(pointed), random_(seed), press_n_(press_n) {
+  /// @param lifts  off the part the press ends until the pointer is back, as of a button that is held
+  PointerWalk(const PointedWorld& pointed, std::uint64_t seed, double press_n, bool lifts = false)
+      : pointed_(pointed), random_(seed), press_n_(press_n), lifts_(lifts) {
     turn_camera();
   }
 
@@ -164,15 +165,18 @@ class PointerWalk {
     if (!spot_) return;
     FingerSample target;
     target.t_s = t_s;
-    target.p_WQ = spot_->point_W +
-                  spot_->normal_W * (radius_m() + (press_n_ > 0 ? 0 : hover_share * pointed_.radius_m));
-    if (press_n_ > 0) target.push_W_n = -press_n_ * spot_->normal_W;
+    const bool presses = press_n_ > 0 && (spot || !lifts_);
+    target.p_WQ =
+        spot_->point_W + spot_->normal_W * (radius_m() + (presses ? 0 : hover_share * pointed_.radius_m));
+    if (presses) target.push_W_n = -press_n_ * spot_->normal_W;
     finger.look_from(towards_eye_W_);
     finger.set_target(target);
   }
 
   /// The pointer's own way, in a window two parts wide.
   void move() {
+    if (lifts_ && random_.uniform() < 0.04) jump();
+    if (at_.x() > 1.1) return;  // it jumped off, and rests there
     if (random_.uniform() < 0.02) pace_ = Eigen::Vector2d(random_.normal(), random_.normal()) * 0.02;
     if (random_.uniform() < 0.01) pace_.setZero();
     if (random_.uniform() < 0.02)
@@ -180,6 +184,13 @@ class PointerWalk {
     if (random_.uniform() < 0.003) turn_camera();
     at_ += pace_ + 0.001 * Eigen::Vector2d(random_.normal(), random_.normal());
     at_ = at_.cwiseMax(-1.1).cwiseMin(1.1);
+  }
+
+  /// Off the part, and back to where it was.
+  void jump() {
+    const bool is_off = at_.x() > 1.1;
+    if (!is_off) back_x_ = at_.x();
+    at_.x() = is_off ? back_x_ : 1.2;
   }
 
   void note(const TickRecord& row, PointerRun& run) const {
@@ -194,6 +205,8 @@ class PointerWalk {
   const PointedWorld& pointed_;
   RandomStream random_;
   double press_n_;
+  bool lifts_;
+  double back_x_ = 0;  ///< from where the pointer jumped off the part
   Vec3 towards_eye_W_, right_W_, up_W_;
   Eigen::Vector2d at_ = Eigen::Vector2d::Zero(), pace_ = Eigen::Vector2d::Zero();
   std::optional<Spot> spot_;

@@ -172,6 +172,7 @@ TEST(JobOutcome, ComesBackFromItsTextBitForBit) {
   jobs[2].figures = {0.1, -0.0, std::numeric_limits<double>::quiet_NaN()};
   jobs[2].contact_reasons = {"why"};
   jobs[2].other_build = "0123abcd";
+  jobs[2].why_again = "the scene has changed since";
   jobs[2].exit_code = 3;
   const std::string text = outcome_text(jobs[2], 2);
   EXPECT_EQ(text.find('\n'), std::string::npos) << "one record";
@@ -182,10 +183,11 @@ TEST(JobOutcome, ComesBackFromItsTextBitForBit) {
   EXPECT_TRUE(std::isnan(read[2].figures[2]));
   EXPECT_THAT(read[2].contact_reasons, ElementsAre("why"));
   EXPECT_EQ(read[2].other_build, "0123abcd");
+  EXPECT_EQ(read[2].why_again, "the scene has changed since");
   for (const char* nonsense :
-       {"", "[9", "{}", "[2]", "[9,\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[],\"\"]",
-        "[2,7,0,0,[],\"\",\"\",[],false,\"\",[],[],\"\"]", "[2,\"ok\",0,0,[],1,2,3,4,5,6,7,8]",
-        "[\"\",\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[],\"\"]"})
+       {"", "[9", "{}", "[2]", "[9,\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[],\"\",\"\"]",
+        "[2,7,0,0,[],\"\",\"\",[],false,\"\",[],[],\"\",\"\"]", "[2,\"ok\",0,0,[],1,2,3,4,5,6,7,8,9]",
+        "[\"\",\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[],\"\",\"\"]"})
     take_outcome(read, nonsense);
   EXPECT_EQ(read[2].status, jobs[2].status) << "taken as a whole or not at all";
   EXPECT_EQ(read[2].exit_code, 3);

@@ -69,6 +69,23 @@ TEST(PointerTouch, HoversPressesAndLiftsWhereNothingIsUnderIt) {
   EXPECT_EQ(over.told.back().t_s, 5);
 }
 
+TEST(PointerTouch, AButtonPressedBesideThePartIsTheViewsUntilItIsLetGo) {
+  OverFloor over;
+  EXPECT_FALSE(over.take(Kind::press, 150, 30, 1));
+  EXPECT_TRUE(over.pointer.turns_view());
+  EXPECT_FALSE(over.take(Kind::move, 90, 30, 2)) << "over the part it goes on to turn the view";
+  EXPECT_TRUE(over.pointer.turns_view());
+  EXPECT_FALSE(over.pointer.pressing());
+  EXPECT_FALSE(over.take(Kind::release, 90, 30, 3));
+  EXPECT_FALSE(over.pointer.turns_view());
+  EXPECT_TRUE(over.take(Kind::press, 90, 30, 4));
+  EXPECT_FALSE(over.pointer.turns_view());
+  EXPECT_TRUE(over.pointer.pressing());
+  OverFloor beside;
+  EXPECT_FALSE(beside.take(Kind::press, 20, 160, 1)) << "on a panel";
+  EXPECT_FALSE(beside.pointer.turns_view());
+}
+
 TEST(PointerTouch, APanelKeepsWhatIsPressedOnItAndNotWhatWasPressedBesideIt) {
   OverFloor over;
   EXPECT_FALSE(over.take(Kind::press, 20, 160, 1));

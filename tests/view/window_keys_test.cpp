@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <set>
 #include <utility>
 #include <variant>
@@ -9,6 +10,7 @@
 #include "support/shell.hpp"
 #include "view/key_table.hpp"
 #include "view/overlay.hpp"
+#include "view/touch_chart.hpp"
 
 namespace fingerpad::window_keys_test {
 namespace {
@@ -102,6 +104,46 @@ TEST(HelpPage, TellsAMessageWholeBelowAnAlarm) {
     }
     EXPECT_EQ(told, facts.message) << width;
   }
+}
+
+// Charts and readings lie beneath it.
+TEST(HelpPage, LetsNothingShineThrough) {
+  ViewState state;
+  state.help = true;
+  OverlayFacts facts;
+  facts.help = help_lines(by_mouse);
+  const Drawing page = overlay_drawing(facts, state, layout_for(1280, 800, true, false));
+  const auto texts = texts_of(page);
+  const auto title = std::find_if(texts.begin(), texts.end(),
+                                  [](const Drawing::Text& text) { return text.words == "keys and mouse"; });
+  ASSERT_NE(title, texts.end());
+  const Drawing::Area* ground = nullptr;  // the one that the page's first and last words stand on
+  for (const Drawing::Mark& mark : page.marks()) {
+    const auto* const area = std::get_if<Drawing::Area>(&mark);
+    if (area == nullptr || area->points.size() != 4) continue;
+    const auto [low, high] = std::minmax_element(area->points.begin(), area->points.end(),
+                                                 [](const Vec2& a, const Vec2& b) { return a.y() < b.y(); });
+    if (low->y() < texts.back().at.y() && high->y() > title->at.y()) ground = area;
+  }
+  ASSERT_NE(ground, nullptr);
+  EXPECT_EQ(ground->fill.opacity, 1);
+}
+
+TEST(Readings, CallTheSpeedOfAFreeFingerThatOfOneInTheAir) {
+  OverlayFacts facts;
+  const auto says = [&](const char* name) {
+    const auto texts = texts_of(readings_drawing(facts, ViewState{}, layout_for(1280, 800, true, false)));
+    return std::any_of(texts.begin(), texts.end(),
+                       [&](const Drawing::Text& text) { return text.words == name; });
+  };
+  facts.hud = {0, 0, 200, 400};
+  facts.row = TickRecord{};
+  EXPECT_TRUE(says("speed in air"));
+  EXPECT_FALSE(says("speed"));
+  facts.row->phase = Phase::slip;
+  EXPECT_TRUE(says("speed"));
+  EXPECT_FALSE(says("speed in air"));
+  EXPECT_EQ(live_chart(std::vector<TickRecord>(3), {}).panels[1].curves[0].name, "speed in touch");
 }
 
 TEST(KeyTable, StandsInTheReadme) {

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+
+#include "touch/tick_record.hpp"
+#include "touch/time_histogram.hpp"
+
+namespace fingerpad {
+
+/// What a live touch felt, over all of its ticks. Noted on the servo's thread, read when that has ended.
+struct FeltSum {
+  long ticks = 0, touching = 0;
+  // Each the greatest of its own [N].
+  double force_n = 0, normal_force_n = 0, friction_n = 0;
+
+  /// noexcept, allocates nothing.
+  void note(const TickRecord& tick) noexcept;
+};
+
+/// What --realtime came to.
+enum class RealTime { not_asked, granted, refused };
+
+/// What was felt and how the ticks kept their time, in lines.
+std::string touch_end_words(const FeltSum& felt, const ServoTiming& timing, double rate_hz);
+
+/// Where over a hundredth of the ticks began late: whether the ticks themselves or the machine is too slow,
+/// and what would mend it. Else empty.
+///
+/// Rule: the ticks are too slow where a tenth of them takes longer than a tick has. A rate would mend it, of
+/// those that `rate_hz = "auto"` chooses from, at which nine tenths of them take half of a tick at most; of a
+/// machine that is late, at which 99 % of the ticks would not have been.
+std::string late_advice(const ServoTiming& timing, double rate_hz, RealTime real_time);
+
+}  // namespace fingerpad

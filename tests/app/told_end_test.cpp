@@ -1,0 +1,155 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shapes.hpp"
+#include "support/shell.hpp"
+
+// What a person is told unasked: a part in the wrong unit, and what went wrong in runs that are done.
+
+namespace fingerpad::told_end_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::MatchesRegex;
+using testing::Not;
+
+constexpr const char* rub =
+    "[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0.0149]\nto_m = [0.01, 0, 0.0149]\nspeed_m_per_s = 0.1\n";
+constexpr const char* laid =
+    "[motion]\nkind = \"on_surface\"\nsize_m = 0.005\nspeed_m_per_s = 0.1\nnormal_force_n = 1\n";
+
+/// A box of 50 mm as a file in metres.
+fs::path folder_with_box() {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "box.stl", test::binary_stl(test::box_soup({0.05, 0.05, 0.03})));
+  return folder;
+}
+
+std::string box_scene(const std::string& unit, const std::string& motion) {
+  return "name = \"s\"\n[[part]]\nmesh = \"box.stl\"\nunit = \"" + unit + "\"\n" + motion;
+}
+
+TEST(UnlikelyUnit, IsToldByAllThatTouchAPart) {
+  const fs::path folder = folder_with_box();
+  test::write_file(folder, "s.toml", box_scene("mm", rub));
+  test::write_file(folder, "laid.toml", box_scene("mm", laid));
+  test::write_file(folder, "p.csv", "x_m,y_m,z_m\n0,0,0\n");
+  const auto told =
+      HasSubstr("box.stl: is 0.05 mm long; --unit m (in a scene: unit = \"m\") reads it as 50 mm\n");
+  struct Call {
+    const char* arguments;
+    int code;
+  };
+  for (const Call& call :
+       {Call{"replay s.toml --out o", 0}, Call{"replay s.toml --out o --resume", 0},
+        Call{"replay laid.toml --out o2", 3}, Call{"query box.stl p.csv", 0}, Call{"check box.stl", 0},
+        Call{"view box.stl --png v.png", 0}, Call{"view s.toml --png v.png", 0},
+        Call{"touch s.toml --headless --device recorded --seconds 0.1", 0}}) {
+    const auto result = test::fingerpad(call.arguments, folder);
+    EXPECT_EQ(result.exit_code, call.code) << call.arguments << result.err;
+    EXPECT_THAT(result.err, told) << call.arguments;
+  }
+  EXPECT_THAT(test::fingerpad("query box.stl p.csv --unit m", folder).err, Not(HasSubstr("long;")));
+  test::write_file(folder, "s.toml", box_scene("m", rub));
+  EXPECT_THAT(test::fingerpad("replay s.toml --out o", folder).err, Not(HasSubstr("long;")));
+}
+
+TEST(ReplayTells, PopThroughsWithTheirJobsAndWhatHoldsThem) {
+  const fs::path folder = test::scratch_dir();
+  const std::string thin =
+      "replay '" + (test::source_dir() / "scenes/gallery/thin_plate.toml").string() + "' --out ";
+  EXPECT_THAT(
+      test::fingerpad(thin + "all --quiet", folder).err,
+      HasSubstr("fingerpad: warning: 2 pop-throughs in 2 jobs (1, 3): the finger went through a wall, or "
+                "was pushed out on its far side (pop_throughs in summary.csv); contact.method = \"proxy\" "
+                "holds it\n"));
+  EXPECT_THAT(test::fingerpad(thin + "one --shard 1/4", folder).err,
+              HasSubstr("fingerpad: warning: 1 pop-through in job 1: "));
+  EXPECT_THAT(test::fingerpad(thin + "none --shard 2/4", folder).err,
+              AllOf(Not(HasSubstr("pop-through")), Not(HasSubstr("unsettled"))));
+}
+
+// A ball in a finely meshed hollow that just fits it is near more triangles than a tick may look at.
+TEST(ReplayTells, UnsettledTicks) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "hollow.stl", test::binary_stl(test::reversed(test::sphere_soup(0.0072, 5))));
+  test::write_file(folder, "hollow.toml",
+                   "[[part]]\nmesh = \"hollow.stl\"\nunit = \"m\"\n[contact]\nmethod = \"proxy\"\nnormals = "
+                   "\"facet\"\n[finger]\nradius_m = 0.007\n[motion]\nkind = \"circle\"\ncentre_m = [0, 0, "
+                   "0]\nradius_m = 0.0006\nfrequency_hz = 2\nduration_s = 0.25\n");
+  const auto result = test::fingerpad("replay hollow.toml --out o", folder);
+  EXPECT_EQ(result.exit_code, 0) << result.err;
+  EXPECT_THAT(result.err,
+              MatchesRegex("(.|\n)*fingerpad: warning: [0-9]+ unsettled ticks in hollow: the proxy "
+                           "lags behind there(.|\n)*unsettled_ticks in summary.csv(.|\n)*"));
+}
+
+TEST(ReplayTells, ARubThatPressesFarHarderThanAsked) {
+  const auto data = test::real_data();
+  if (!data) GTEST_SKIP() << "no real parts here";
+  const fs::path folder = test::scratch_dir();
+  const auto scene = [&](const char* place) {
+    test::write_file(
+        folder, "arm.toml",
+        "[[part]]\nmesh = \"" + (*data / "parts/so101_under_arm_sim.stl").string() +
+            "\"\nunit = \"m\"\n[contact]\nmethod = \"proxy\"\n[motion]\nkind = \"on_surface\"\nshape = "
+            "\"circle\"\nsize_m = 0.008\nspeed_m_per_s = 0.05\nnormal_force_n = 1\nplace = " +
+            place + "\n");
+    return test::fingerpad("replay arm.toml --out o --format none", folder).err;
+  };
+  EXPECT_THAT(scene("6"),
+              MatchesRegex("(.|\n)*fingerpad: warning: the normal force is up to [0-9.]+ N where 1 N "
+                           "is asked for, in arm: (.|\n)*max_normal_force_n(.|\n)*"));
+  EXPECT_THAT(scene("1"), Not(HasSubstr("is asked for, in")));
+}
+
+TEST(DryRun, OfASceneThatWouldFailEndsAsItsReplay) {
+  const fs::path folder = folder_with_box();
+  test::write_file(folder, "s.toml", box_scene("m", "[motion]\nfile = \"none.csv\"\n"));
+  const auto alone = test::fingerpad("replay s.toml --out o --dry-run", folder);
+  EXPECT_EQ(alone.exit_code, test::fingerpad("replay s.toml --out o", folder).exit_code);
+  EXPECT_EQ(alone.exit_code, 3);
+  EXPECT_THAT(alone.out, HasSubstr("the job would fail; nothing was written\n"));
+  test::write_file(folder, "set.toml",
+                   box_scene("m", rub) + "[[set]]\nmotion = [\"none.csv\", \"neither.csv\"]\n");
+  const auto set = test::fingerpad("replay set.toml --out o --dry-run", folder);
+  EXPECT_EQ(set.exit_code, 4);
+  EXPECT_THAT(set.out, HasSubstr("all 2 jobs would fail; nothing was written\n"));
+}
+
+TEST(WrongValues, AreToldByOptionAndWord) {
+  const fs::path folder = folder_with_box();
+  test::write_file(folder, "s.toml", box_scene("m", rub));
+  ASSERT_EQ(test::fingerpad("replay s.toml --out o --quiet", folder).exit_code, 0);
+  struct Call {
+    const char* arguments;
+    int code;
+    const char* words;
+  };
+  for (const Call& call :
+       {Call{"view o/s.h5 --png a.png --at soon", 2, "error: --at: 'soon' is no number\n"},
+        Call{"compare o o --tolerance -1", 2, "error: --tolerance: is -1; it must be 0 or more\n"},
+        Call{"compare o o --tolerance x", 2, "error: --tolerance: 'x' is no number\n"},
+        Call{"compare o absent", 3, "error: absent: cannot be read: there is no such folder\n"},
+        Call{"compare s.toml o", 3, "error: s.toml: cannot be read: is a file, not a folder\n"},
+        Call{"merge absent/ --out m", 3, "error: absent/: cannot be read: there is no such folder\n"},
+        Call{"plot o/s.h5 --out a.svg --from 7", 2,
+             "error: --from: 7 s leaves nothing of o/s.h5, which goes from 0 "
+             "to 0.1 s\n"},
+        Call{"plot s.toml --out a.svg", 3,
+             "error: s.toml: is a scene, not a trace: `fingerpad replay` makes one"},
+        Call{"export s.toml --out a.csv", 3, "error: s.toml: is a scene, not a trace"}}) {
+    const auto result = test::fingerpad(call.arguments, folder);
+    EXPECT_EQ(result.exit_code, call.code) << call.arguments;
+    EXPECT_THAT(result.err, HasSubstr(call.words));
+  }
+}
+
+}  // namespace
+}  // namespace fingerpad::told_end_test
