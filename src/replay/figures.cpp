@@ -10,6 +10,14 @@ namespace {
 
 /// Fewer ticks than this in a tooth of the sawtooth and no sampling shows it.
 constexpr long ticks_that_show_a_tooth = 2;
+/// What the surfaces' springs hold where a run begins in contact [J]: what they give on the straight way from
+/// the finger out to where its contact is, on which their force falls evenly to nothing. Several walls push
+/// against each other, so that the sum of their normal forces would say more than they can give.
+double stored_j(const TickRecord& record) noexcept {
+  if (record.phase == Phase::free) return 0;
+  return 0.5 * record.depth_m * record.normal_W.dot(record.force_W_n - record.friction_W_n);
+}
+
 /// A contact point that goes more than so many times as far as the finger in a tick has jumped.
 constexpr double jump_ratio = 4;
 
@@ -108,7 +116,7 @@ void Figures::observe(const TickRecord& record) noexcept {
   if (ticks_ > 0) {
     given_j_ += last_force_W_n_.dot(record.p_WQ - last_p_WQ_);
   } else {
-    given_j_ = -0.5 * record.normal_force_n * record.depth_m;
+    given_j_ = -stored_j(record);
   }
   energy_made_j_ = std::max(energy_made_j_, given_j_);
   last_force_W_n_ = record.force_W_n;

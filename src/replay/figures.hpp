@@ -59,7 +59,7 @@ class Figures {
   Vec3 last_p_WQ_ = Vec3::Zero();
   // Passivity observer (Hannaford & Ryu 2002): what the held forces have given to the finger so far, and its
   // most. A loop that began out of contact stores nothing, so whatever it gives on balance it has made; one
-  // whose first tick is in contact begins with what the surface's spring stores at that depth.
+  // whose first tick is in contact begins with what the surfaces' springs store there.
   Vec3 last_force_W_n_ = Vec3::Zero();
   double given_j_ = 0, energy_made_j_ = 0;
   long remedied_ticks_ = 0, inside_starts_ = 0, nonfinite_ticks_ = 0, unsettled_ticks_ = 0;
