@@ -56,5 +56,7 @@ inline constexpr Normals Normals::curved{normals_curved};
 
 /// All kinds of normals, the plainest first.
 std::span<const Normals> normals_table() noexcept;
+/// The kind of a name; nullptr if there is none.
+const Normals* find_normals(std::string_view name) noexcept;
 
 }  // namespace fingerpad
