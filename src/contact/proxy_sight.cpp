@@ -177,7 +177,7 @@ void ProxySight::begin_step(const Vec3& goal_O, double most_m, double bent_m) no
   const double rounding_m =
       ProxyLimits::rounding * m.goal.cwiseAbs().maxCoeff() + world_.plane_rounding_m(place_O_);
   m.slack_m = world_.slack_m() + rounding_m;
-  m.breach_m = world_.tolerance_m() + 2 * rounding_m;
+  m.breach_m = world_.tolerance_m() + ProxyLimits::breach_roundings * rounding_m;
 }
 
 /// The projection onto the walls found so far, as far as it may go. False where they leave nothing.
