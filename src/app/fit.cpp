@@ -86,6 +86,7 @@ std::string said_of(const std::string& path, const std::string& words) {
 }
 
 int fit(const FitOptions& options) {
+  refuse_unfit_name(options.out, "fit", {".toml"});
   refuse_unwritable(options.out);
   refuse_overwriting(options.out, input_paths(options));
   std::optional<OutputFolder> report_folder;

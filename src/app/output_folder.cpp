@@ -40,7 +40,8 @@ OutputFolder::OutputFolder(const std::string& path) {
   fs::create_directories(path, error);
   if (error) {
     remove_empty(missing);
-    throw Error(output_fault(error.value()), path, "cannot be made: " + path_words(path, error.value()));
+    throw Error(output_fault(error.value()), path,
+                "cannot be made: " + unmade_words(path, error.value(), Made::folder));
   }
   try {
     const fs::path trial = fs::path(path) / fmt::format(".fingerpad-{}", getpid());

@@ -5,6 +5,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <filesystem>
 
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
@@ -46,6 +47,15 @@ void refuse_other_endings(const std::string& path, std::string_view who,
                                  [&path](std::string_view ending) { return path.ends_with(ending); });
   if (!known)
     throw Error(ErrorKind::usage, path, fmt::format("{} writes {} files", who, any_of_these(endings)));
+}
+
+void refuse_unfit_name(const std::string& path, std::string_view who,
+                       std::initializer_list<std::string_view> endings) {
+  std::error_code ignored;
+  const auto status = std::filesystem::status(path, ignored);
+  const bool is_stream = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
+  if (path == "-" || is_stream || !std::filesystem::path(path).has_extension()) return;
+  refuse_other_endings(path, who, endings);
 }
 
 void add_quiet_flag(CLI::App& command, bool& quiet) {

@@ -16,6 +16,11 @@ CLI::Option* refuse_empty(CLI::Option* option);
 void refuse_other_endings(const std::string& path, std::string_view who,
                           std::initializer_list<std::string_view> endings);
 
+/// The same for an output that may be a stream: a name with an ending says what it holds; one without, a pipe
+/// or a device does not.
+void refuse_unfit_name(const std::string& path, std::string_view who,
+                       std::initializer_list<std::string_view> endings);
+
 /// Adds `--quiet`, which keeps tell_written() silent.
 void add_quiet_flag(CLI::App& command, bool& quiet);
 

@@ -1,7 +1,6 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <filesystem>
 #include <functional>
 #include <limits>
 
@@ -30,16 +29,6 @@ struct QueryOptions {
   std::string mesh, points, out = "-";
   std::string unit = "mm";
 };
-
-/// A name with an ending says what it holds; one without, a pipe or a device does not.
-void refuse_unfit_name(const std::string& out) {
-  std::error_code ignored;
-  const std::filesystem::path path(out);
-  const auto status = std::filesystem::status(path, ignored);
-  const bool is_stream = std::filesystem::exists(status) && !std::filesystem::is_regular_file(status);
-  if (out == "-" || is_stream || !path.has_extension()) return;
-  refuse_other_endings(out, "query", {".csv"});
-}
 
 constexpr const char* header = "distance_m,px_m,py_m,pz_m,nx,ny,nz,triangle\n";
 
@@ -78,7 +67,7 @@ int query(const QueryOptions& options) {
     throw Error(ErrorKind::usage, options.mesh, "cannot be both the mesh and the points");
   }
   refuse_overwriting(options.out, {options.mesh, options.points});
-  refuse_unfit_name(options.out);
+  refuse_unfit_name(options.out, "query", {".csv"});
   refuse_unwritable(options.out);
   const CsvColumns points =
       read_csv_columns(options.points, {"x_m", "y_m", "z_m"}, {}, TableSource::file_or_stream);

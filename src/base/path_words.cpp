@@ -85,6 +85,22 @@ std::string folder_words(const std::string& path, int problem) {
   return problem == ENOENT ? missing_words(name, "folder") : path_words(name, problem);
 }
 
+std::string unmade_words(const std::string& path, int problem, Made made) {
+  const bool is_folder = made == Made::folder;
+  const fs::path named(path), place = named.has_filename() ? named : named.parent_path();
+  fs::path folder = is_folder ? nearest_there(place.parent_path()) : place.parent_path();
+  if (folder.empty()) folder = ".";
+  std::error_code ignored;
+  const bool is_new = !fs::exists(fs::symlink_status(place, ignored));
+  const bool is_allowed =
+      fs::is_directory(folder, ignored) && faccessat(AT_FDCWD, folder.c_str(), W_OK | X_OK, AT_EACCESS) == 0;
+  // The right to a file may be wanting though its folder's is there: of a file beside it, which is renamed.
+  const bool is_refused = problem == ENOENT || (is_folder && (problem == EACCES || problem == EPERM));
+  if (is_new && is_allowed && is_refused)
+    return fmt::format("the system makes no new {} in {}", is_folder ? "folder" : "file", folder.string());
+  return path_words(is_folder ? place.string() + "/" : path, problem);
+}
+
 ErrorKind output_fault(int problem) noexcept {
   for (const int misnamed :
        {ENOENT, EACCES, EPERM, ELOOP, ENOTDIR, ENAMETOOLONG, EISDIR, EEXIST, EROFS, EINVAL}) {

@@ -14,6 +14,13 @@ std::string path_words(const std::string& path, int problem);
 /// As path_words(), of a path that is to be a folder.
 std::string folder_words(const std::string& path, int problem);
 
+enum class Made { file, folder };
+
+/// The same of what was to be made by that name; a folder with those that lead to it. The system may make
+/// nothing new in a folder that is there (/proc).
+/// @param problem  errno
+std::string unmade_words(const std::string& path, int problem, Made made);
+
 /// Whose fault it is that an output cannot be made there: usage where the caller's name leads to no place for
 /// it, else the program's (a full disk, no memory).
 /// @param problem  errno

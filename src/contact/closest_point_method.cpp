@@ -63,20 +63,19 @@ std::unique_ptr<ContactMethod> brief_closest_point(std::vector<PlacedSurface> su
 }
 
 ContactMethodEntry closest_point_method() noexcept {
-  return {"closest-point",
-          "each tick's nearest surface point; it remembers nothing",
+  return {
+      .name = "closest-point",
+      .summary = "each tick's nearest surface point; it remembers nothing",
+      .holds =
           "holds on closed thick parts; lets go beyond the middle of a wall, and feels one wall at a time",
-          false,
-          false,
-          true,
-          false,
-          closest_point_fails,
-          closest_point_holds,
-          [](std::vector<PlacedSurface> surfaces, double radius_m,
-             Normals normals) -> std::unique_ptr<ContactMethod> {
-            return std::make_unique<ClosestPoint<ClosestMemory>>(std::move(surfaces), radius_m, normals,
-                                                                 ClosestMemory{});
-          }};
+      .touches_own_surface = true,
+      .fails = closest_point_fails,
+      .holds_here = closest_point_holds,
+      .make = [](std::vector<PlacedSurface> surfaces, double radius_m,
+                 Normals normals) -> std::unique_ptr<ContactMethod> {
+        return std::make_unique<ClosestPoint<ClosestMemory>>(std::move(surfaces), radius_m, normals,
+                                                             ClosestMemory{});
+      }};
 }
 
 }  // namespace fingerpad

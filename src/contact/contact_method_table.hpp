@@ -32,18 +32,18 @@ struct ContactMethodEntry {
   std::string_view summary;  ///< what it does, in a line
   std::string_view holds;    ///< what it holds the finger against, and what not, in a line
   /// Whether a finger that begins inside of a part is put at the nearest place outside, which is told.
-  bool starts_outside;
+  bool starts_outside = false;
   /// Whether several walls can hold the finger at once.
-  bool holds_several;
+  bool holds_several = false;
   /// Whether normals with a surface of their own (`curved`) are touched there; else they only shade.
-  bool touches_own_surface;
+  bool touches_own_surface = false;
   /// Whether a finger deep in a rounding is held by a facet for longer than the facet is the nearest.
-  bool lags_on_facets;
+  bool lags_on_facets = false;
   /// Why this method cannot keep a scene's forces on a part, in words that follow "because" where another is
   /// taken; empty where it can. Null: `auto` never takes it.
-  std::string (*fails)(const ContactDemand& demand);
-  /// Why it can, in words that follow "because"; empty where nothing needs to be said.
-  std::string (*holds_here)(const ContactDemand& demand);
+  std::string (*fails)(const ContactDemand& demand) = nullptr;
+  /// Why it can, in words that follow "because"; null, or empty, where nothing needs to be said.
+  std::string (*holds_here)(const ContactDemand& demand) = nullptr;
   /// @param surfaces  all that can be touched, in the world's order; parts with their trees
   std::unique_ptr<ContactMethod> (*make)(std::vector<PlacedSurface> surfaces, double radius_m,
                                          Normals normals);

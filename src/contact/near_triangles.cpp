@@ -91,11 +91,11 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
     std::optional<KeptPoint> kept;
     if (blocker.surface == surface && blocker.triangle >= 0)
       kept = {approach_triangle(tree.part(), blocker.triangle, view.at_P).at.point, world.clearance_m(),
-              2 * world.touching_m()};
+              Limits::missed_touching * world.touching_m()};
     listing.limit = &limit;
     is_whole = tree.each_within(view.at_P, distance_m, kept ? &*kept : nullptr, limit, list, &listing);
     looks.spend(limit.looks());
-    view.is_crowded = !is_whole || limit.packets > Limits::small_packets / 4;
+    view.is_crowded = !is_whole || limit.packets > Limits::few_packets;
   }
   if (!is_whole) {
     count_ = most;
@@ -181,7 +181,7 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
   const std::size_t from = view.first + next;
   const PartWay way(world, surface, view.at_P, z);
   const PartWalls before(world, surface, walls, way.from_P);
-  const double way_m = way.way_P.norm() * longer, clear_m = 2 * world.tolerance_m();
+  const double way_m = way.way_P.norm() * longer, clear_m = Limits::clear_tolerances * world.tolerance_m();
   const double nearer_m = way_m + (way.from_P - view.searched_P).norm() * longer;
   std::size_t worst_at = view.end;
   // In which order Embree finds a few decides what becomes of each.

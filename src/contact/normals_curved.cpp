@@ -48,12 +48,13 @@ double curved_off_rad(const SurfacePlace& /*place*/) noexcept {
 /// No patch strays farther from its triangle than a quarter of the part: a tangent turns off its chord by at
 /// most 30 degrees.
 constinit const NormalsEntry normals_curved{
-    "curved",
-    "a cubic patch over each facet is touched (a proxy stands on the facets: there it only shades)",
-    curved_off_rad,
-    shown,
-    on_patch,
-    0.25,
-    [](const TriangleTree& tree) { tree.prepare_curved(); }};
+    .name = "curved",
+    .summary =
+        "a cubic patch over each facet is touched (a proxy stands on the facets: there it only shades)",
+    .off_rad = curved_off_rad,
+    .shade = shown,
+    .own_surface = on_patch,
+    .strays = 0.25,
+    .prepare = [](const TriangleTree& tree) { tree.prepare_curved(); }};
 
 }  // namespace fingerpad

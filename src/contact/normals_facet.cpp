@@ -12,6 +12,7 @@ double facet_off_rad(const SurfacePlace& place) noexcept {
 
 /// The gradient of the distance to the facets as they are: the facet's own normal over a face; over a convex
 /// edge or vertex the direction from the surface point to the finger.
-constinit const NormalsEntry normals_facet{"facet", "the mesh's own facets", facet_off_rad, nullptr, nullptr};
+constinit const NormalsEntry normals_facet{
+    .name = "facet", .summary = "the mesh's own facets", .off_rad = facet_off_rad};
 
 }  // namespace fingerpad

@@ -21,7 +21,9 @@ double smooth_off_rad(const SurfacePlace& place) noexcept {
 }  // namespace
 
 /// Corner normals interpolated over the triangle.
-constinit const NormalsEntry normals_smooth{"smooth", "corner normals interpolated over each facet",
-                                            smooth_off_rad, interpolated, nullptr};
+constinit const NormalsEntry normals_smooth{.name = "smooth",
+                                            .summary = "corner normals interpolated over each facet",
+                                            .off_rad = smooth_off_rad,
+                                            .shade = interpolated};
 
 }  // namespace fingerpad

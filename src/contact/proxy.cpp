@@ -100,7 +100,7 @@ void Proxy::settle(double& budget_m) noexcept {
     if (step.broken_off) return break_off(step);
     if (advance(step, budget_m)) return;
     // Ways that converge get shorter by more than that.
-    bent_m = k == 0 ? budget_m : step.bent ? step.z.norm() / 2 : bent_m;
+    bent_m = k == 0 ? budget_m : step.bent ? ProxyLimits::next_bend * step.z.norm() : bent_m;
   }
   state_.contact.settled = goal_O == state_.place_O;
 }

@@ -14,6 +14,9 @@ struct ProxyLimits {
   /// A projection may end this far behind a wall: 2^-2 of the tolerance, so that the check after it, which
   /// allows the whole tolerance, never sends the same wall back.
   static constexpr int slack_exponent = -2;
+  /// Where rounding is all that a wall may be missed by, it is breached from so many times that on: a
+  /// projection leaves up to once that behind it.
+  static constexpr double breach_roundings = 2;
   /// A ball that is no more than so many tolerances away from a wall lies on it.
   static constexpr double touching_tolerances = 4;
   /// What rounding does to a step, as a share of its coordinates: two units in the last place.
@@ -66,6 +69,10 @@ struct ProxyLimits {
   /// this they bend about so close to the finger that the way to the second order means little.
   static constexpr double least_left_of_bend = 1.0 / 1024;
 
+  /// Along bent walls a step may be as long as this share of the one before: ways that come to an end get
+  /// shorter by more than that.
+  static constexpr double next_bend = 0.5;
+
   /// Gap between the ball and what holds it, as a share of the scene's extent, that can be seen and felt: of
   /// a part as large as a hand, a micrometre.
   static constexpr double far_wall = 1e-5;
@@ -84,6 +91,9 @@ struct ProxyLimits {
   static constexpr int most_neighbours = 24;
   static constexpr int most_turns = 64;
 
+  /// A triangle whose area is smaller than this share of its sides' squares is no more than its edges: its
+  /// width is then far below any clearance.
+  static constexpr double face_area_share = 1e-13;
   /// Squared sine of the angle under which two walls' planes count as parallel.
   static constexpr double parallel2 = 1e-16;
   /// Three normals of a smaller volume than this span no corner that rounding leaves in place.

@@ -204,8 +204,7 @@ ContactHold ProxyMemory::hold_over(const ProxyWall& wall, double share_m, const 
                                    const Vec3& weights) const noexcept {
   TrianglePoint at;
   at.barycentric = weights;
-  return {wall.surface, wall.triangle, place_O - world_.clearance_m() * wall.normal + world_.p_WO(),
-          shaded_W(world_, wall, at), share_m};
+  return hold_on_facet(world_, wall, share_m, place_O - world_.clearance_m() * wall.normal, at);
 }
 
 void ProxyMemory::remember_fan(const ProxyWall& wall_O) noexcept {

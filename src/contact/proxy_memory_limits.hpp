@@ -9,11 +9,16 @@ struct ProxyMemoryLimits {
   /// Triangles in view that are kept at hand; a vertex with a larger fan asks for more, but for no more than
   /// the second ...
   static constexpr int usual_view = 256, most_usual_view = 1024;
+  /// It asks for two fans, as an edge has at its ends, and a small view besides.
+  static constexpr int fans_in_view = 2, beside_fans = 64;
   /// ... and where a ball fits so well into its surroundings that no view has so few: a bore of its own
   /// radius with 1,440 facets. Of more than these the trees are asked anew with each pass.
   static constexpr int richest_view = 3072;
   /// Up to so many triangles, in so many packets, are looked for first: mostly there are no more.
   static constexpr int small_view = 64, small_packets = 64;
+  /// ... and again where a search that found more came to so few packets: a quarter, so that it does not go
+  /// to and fro between both.
+  static constexpr int few_packets = small_packets / 4;
   /// Packets of triangles that a search may look at; where facets are so slender that all their boxes
   /// overlap it is as many however near one looks.
   static constexpr int most_packets = 2048;
@@ -31,6 +36,8 @@ struct ProxyMemoryLimits {
   static constexpr double first_view = 0.01;
   /// A view that still shows this share of what was asked for serves again.
   static constexpr double serves_again = 0.5;
+  /// A step that ended where its view did is asked for with a view that is so many times as wide.
+  static constexpr double wider_view = 2;
   /// Where the proxy slides on, it looks around from so much of the view's reach ahead.
   static constexpr double lead = 0.4;
   /// For a way over an edge so many times as much as the way is to be in view: hops come in rows.
@@ -49,6 +56,11 @@ struct ProxyMemoryLimits {
   /// bounds it.
   static constexpr int most_flights = 8;
   static constexpr double flight_share = 1 - 1e-9;
+  /// A triangle is passed over that leaves so many tolerances free: a ball that touches misses its clearance
+  /// by one at the most.
+  static constexpr double clear_tolerances = 2;
+  /// A ball that touches keeps its clearance from its blocker but for so many times what counts as touching.
+  static constexpr double missed_touching = 2;
   /// A bound that is used to leave something out is widened by this against rounding.
   static constexpr double rounding = 1e-12;
 };

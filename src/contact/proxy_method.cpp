@@ -40,24 +40,19 @@ class ProxyMethod final : public ContactMethod {
   Contact unplaced_;
 };
 
-std::string nothing(const ContactDemand& /*demand*/) {
-  return {};
-}
-
 }  // namespace
 
 ContactMethodEntry proxy_method() noexcept {
-  return {"proxy",
-          "a ball that follows the finger and stays outside (god-object; Zilles & Salisbury 1995)",
-          "holds thin walls, knife edges, corners, open and badly wound meshes, several surfaces at once",
-          true,
-          true,
-          false,
-          true,
-          proxy_fails,
-          nothing,
-          [](std::vector<PlacedSurface> surfaces, double radius_m,
-             Normals normals) -> std::unique_ptr<ContactMethod> {
+  return {.name = "proxy",
+          .summary = "a ball that follows the finger and stays outside (god-object; Zilles & Salisbury 1995)",
+          .holds =
+              "holds thin walls, knife edges, corners, open and badly wound meshes, several surfaces at once",
+          .starts_outside = true,
+          .holds_several = true,
+          .lags_on_facets = true,
+          .fails = proxy_fails,
+          .make = [](std::vector<PlacedSurface> surfaces, double radius_m,
+                     Normals normals) -> std::unique_ptr<ContactMethod> {
             return std::make_unique<ProxyMethod>(std::move(surfaces), radius_m, normals);
           }};
 }

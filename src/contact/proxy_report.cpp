@@ -138,6 +138,16 @@ void report_underway(const ProxyWorld& world, ProxyState& state) noexcept {
   show(world, contact.direction_W, state);
 }
 
+/// The normal of a wall as Normals says at a point of its triangle.
+Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoint& at) noexcept {
+  if (!world.is_shaded()) return wall.normal;
+  const PlacedSurface& surface = world.surface(wall.surface);
+  const Vec3 normal_P = world.turned_into_part(wall.surface, wall.normal);
+  const double side = side_of(surface.tree->part().facet_normals.col(wall.triangle), normal_P);
+  return world.turned_from_part(
+      wall.surface, side * shaded_normal(*surface.tree, wall.triangle, at, world.normals(), side * normal_P));
+}
+
 }  // namespace
 
 double most_step_m(const ProxyState& state) noexcept {
@@ -157,15 +167,6 @@ ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, 
                             world.slack_m() + world.plane_rounding_m(place_O));
 }
 
-Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoint& at) noexcept {
-  if (!world.is_shaded()) return wall.normal;
-  const PlacedSurface& surface = world.surface(wall.surface);
-  const Vec3 normal_P = world.turned_into_part(wall.surface, wall.normal);
-  const double side = side_of(surface.tree->part().facet_normals.col(wall.triangle), normal_P);
-  return world.turned_from_part(
-      wall.surface, side * shaded_normal(*surface.tree, wall.triangle, at, world.normals(), side * normal_P));
-}
-
 ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
                     const Vec3& place_O) noexcept {
   if (wall.triangle < 0) {
@@ -174,8 +175,12 @@ ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share
     return {wall.surface, wall.triangle, point + world.p_WO(), wall.normal, share_m};
   }
   const TrianglePoint& at = world.approach(wall.surface, wall.triangle, place_O).at;
-  return {wall.surface, wall.triangle, world.from_part(wall.surface, at.point) + world.p_WO(),
-          shaded_W(world, wall, at), share_m};
+  return hold_on_facet(world, wall, share_m, world.from_part(wall.surface, at.point), at);
+}
+
+ContactHold hold_on_facet(const ProxyWorld& world, const ProxyWall& wall, double share_m, const Vec3& point_O,
+                          const TrianglePoint& at) noexcept {
+  return {wall.surface, wall.triangle, point_O + world.p_WO(), shaded_W(world, wall, at), share_m};
 }
 
 void report(const ProxyWorld& world, ProxyState& state) noexcept {

@@ -39,7 +39,10 @@ ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, 
 /// What holds the proxy where the place under it is looked for.
 ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
                     const Vec3& place_O) noexcept;
-/// The normal of a wall as Normals says at a point of its triangle.
-Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoint& at) noexcept;
+/// What a facet's wall holds the proxy by, at a place on the facet.
+/// @param point_O  that place
+/// @param at       its weights of the facet's corners, and on which feature it is
+ContactHold hold_on_facet(const ProxyWorld& world, const ProxyWall& wall, double share_m, const Vec3& point_O,
+                          const TrianglePoint& at) noexcept;
 
 }  // namespace fingerpad

@@ -101,7 +101,6 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
       });
 }
 
-/// Looks for the wall that the way by `z` breaches most. False where the looks were spent before the end.
 bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept {
   for (; round.surface < world_.surface_count(); ++round.surface, round.next = 0) {
     if (world_.is_plane(round.surface)) {
@@ -119,7 +118,6 @@ bool ProxySight::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexce
   return offer_all(z, walls, round) && !round.worst.wall;
 }
 
-/// Looks for the share of the way by `z` to the first touch. False where the looks were spent before the end.
 bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
   for (; round.surface < world_.surface_count(); ++round.surface, round.next = 0) {
     const int i = round.surface;
@@ -144,138 +142,19 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
   return true;
 }
 
-/// Dual active-set method: the wall that blocks the way most is added until none blocks it. All walls have
-/// the start in front of them, so the way to the projection onto them crosses nothing, whenever it is
-/// stopped. Where the looks are spent within, it waits in `making_` for the next tick's.
 ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m) noexcept {
-  begin_step(goal_O, most_m, bent_m);
+  making_.begin(*this, goal_O, most_m, bent_m);
   return go_on_with_step();
 }
 
 /// The same to be made at once or not at all.
 /// @param first  a wall to begin with, seen from the place looked around from
 ProxyStep ProxySight::step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept {
-  begin_step(goal_O, reach_m_, 0);
-  making_.walls[making_.count++] = first;
+  making_.begin(*this, goal_O, reach_m_, 0);
+  making_.add(first);
   const ProxyStep step = go_on_with_step();
   drop_step();
   return step;
-}
-
-void ProxySight::begin_step(const Vec3& goal_O, double most_m, double bent_m) noexcept {
-  Making& m = making_;
-  m.is_underway = m.is_amid_round = false;
-  m.goal = goal_O - place_O_;
-  m.step = {};
-  m.step.goal_O = goal_O;
-  m.most_m = most_m;
-  m.bent_m = bent_m;
-  m.has_let_go = false;
-  m.pass = 0;
-  m.count = 0;
-  // What the projection leaves behind a wall by rounding must not count as a breach.
-  const double rounding_m =
-      ProxyLimits::rounding * m.goal.cwiseAbs().maxCoeff() + world_.plane_rounding_m(place_O_);
-  m.slack_m = world_.slack_m() + rounding_m;
-  m.breach_m = world_.tolerance_m() + 2 * rounding_m;
-}
-
-/// The projection onto the walls found so far, as far as it may go. False where they leave nothing.
-bool ProxySight::project() noexcept {
-  Making& m = making_;
-  looks_.spend(LookCosts::projection);
-  const ProxyProjection p = project_onto_walls(m.goal, std::span(m.walls.data(), m.count), m.slack_m);
-  if (!p.found) return false;
-  m.step.wall_count = p.active_count;
-  m.step.share_m = p.share_m;
-  m.count = static_cast<std::size_t>(p.active_count);
-  // The active ones are named in rising order.
-  for (std::size_t k = 0; k < m.count; ++k)
-    m.step.walls[k] = m.walls[k] = m.walls[static_cast<std::size_t>(p.active[k])];
-  const double length_m = p.z.norm();
-  m.step.truncated = length_m > m.most_m;
-  m.step.z = m.step.truncated ? Vec3(p.z * (m.most_m / length_m)) : p.z;
-  return true;
-}
-
-/// Where that is free, and no farther than was asked for.
-void ProxySight::go_on_along_bend() noexcept {
-  Making& m = making_;
-  if (!(m.bent_m > 0) || m.step.truncated || m.step.wall_count == 0) return;
-  looks_.spend(LookCosts::told * m.step.wall_count);
-  const Vec3 on = way_along_bend(world_, place_O_, m.step);
-  const double on_m = on.norm(), room_m = std::min(m.bent_m, m.most_m) - m.step.z.norm();
-  if (!(on_m > 0 && room_m > 0)) return;
-  const Vec3 z = m.step.z + std::min(1.0, room_m / on_m) * on;
-  if (!((z - m.goal).squaredNorm() < m.goal.squaredNorm())) return;  // no nearer than where it began
-  Round round;
-  round.worst.slack_m = -m.breach_m;
-  if (!offer_all(z, m.step.held_by(), round) || round.worst.wall) return;
-  m.step.z = z;
-  m.step.bent = on_m <= room_m;
-}
-
-/// A wall stands for how the straight way to the goal meets its triangle. Where another wall turns the way
-/// off, the ball may never come there: both together would hold it in thin air, for ever. So where a step
-/// leads nowhere, walls whose triangles the ball is far from are looked for anew, once, beside those that
-/// it is not; where that leads nowhere either, all hold as before. False where there is nothing to let go.
-bool ProxySight::let_go_of_far_walls() noexcept {
-  Making& m = making_;
-  if (m.has_let_go || m.count < 2 || m.step.z.norm() > world_.tolerance_m()) return false;
-  looks_.spend(LookCosts::told * static_cast<long>(m.count));
-  std::size_t touched = 0;
-  for (std::size_t k = 0; k < m.count; ++k) {
-    if (!world_.is_far_from(m.walls[k], place_O_)) m.walls[touched++] = m.walls[k];
-  }
-  if (touched == 0 || touched == m.count) return false;
-  m.held = m.step;
-  m.count = touched;
-  return m.has_let_go = m.is_underway = true;
-}
-
-ProxyStep ProxySight::go_on_with_step() noexcept {
-  Making& m = making_;
-  m.is_underway = true;
-  for (; m.pass < ProxyLimits::most_passes; ++m.pass) {
-    if (!m.is_amid_round) {
-      m.round = {};
-      m.round.worst.slack_m = -m.breach_m;
-      if (!project()) {
-        m.is_underway = false;
-        m.step.stuck = true;
-        m.step.z.setZero();
-        return m.step;
-      }
-    }
-    m.is_amid_round = !offer_all(m.step.z, m.step.held_by(), m.round);
-    if (m.is_amid_round) break;
-    m.is_underway = m.round.worst.wall.has_value();
-    if (!m.is_underway) {
-      if (let_go_of_far_walls()) continue;
-      if (m.has_let_go && m.step.z.norm() <= world_.tolerance_m()) m.step = m.held;
-      go_on_along_bend();
-      return m.step;
-    }
-    m.walls[m.count++] = *m.round.worst.wall;
-  }
-  if (m.pass == ProxyLimits::most_passes) {
-    if (!m.is_amid_round) m.round = {};
-    m.is_amid_round = !sweep_all(m.step.z, m.round);
-    m.is_underway = m.is_amid_round;
-    m.step.stuck = true;
-    if (!m.is_underway) m.step.z *= m.round.free_share;
-  }
-  if (!m.is_underway) return m.step;
-  ProxyStep so_far = m.step;
-  so_far.z.setZero();
-  so_far.stuck = so_far.broken_off = true;
-  if (so_far.wall_count == 0 && m.round.worst.wall) {
-    // Whatever else blocks, this does.
-    so_far.wall_count = 1;
-    so_far.walls[0] = *m.round.worst.wall;
-    so_far.share_m[0] = so_far.walls[0].lack_m(m.goal);
-  }
-  return so_far;
 }
 
 }  // namespace fingerpad

@@ -4,6 +4,7 @@
 
 #include "contact/looks.hpp"
 #include "contact/proxy_state.hpp"
+#include "contact/step_making.hpp"
 #include "contact/worst_wall.hpp"
 
 namespace fingerpad {
@@ -40,7 +41,7 @@ class ProxySight {
 
   /// Whether the last step was broken off: the next one, from the same place, goes on with it, towards the
   /// goal that it was made for.
-  bool is_amid_step() const noexcept { return making_.is_underway; }
+  bool is_amid_step() const noexcept { return making_.is_underway(); }
   /// The step from a place that brings the ball as close to `goal` as it can get without crossing a surface.
   virtual ProxyStep step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
   /// The same from a place above an edge, where `first` is known to hold (seen from there).
@@ -73,20 +74,23 @@ class ProxySight {
   /// Forgets everything, as before the first tick.
   virtual void forget() noexcept { drop_step(); }
 
+  // For a step in the making:
+  const Vec3& place_O() const noexcept { return place_O_; }
+  /// Looks for the wall that the way by `z` from there breaches most; triangles behind the given walls
+  /// cannot. False where the looks were spent before the end.
+  bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, LookRound& round) noexcept;
+  /// Looks for the share of the way by `z` to the first touch. False where the looks were spent before the
+  /// end.
+  bool sweep_all(const Vec3& z, LookRound& round) noexcept;
+
  protected:
-  /// How far a look at every surface has come.
-  struct Round {
-    int surface = 0;
-    std::size_t next = 0;  ///< of its triangles, in the order in which they are looked at
-    WorstWall worst{std::nullopt, 0};
-    double free_share = 1;
-  };
+  using Round = LookRound;
 
   /// @param most_m  the step ends there at the latest; no farther than is looked around
   ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m) noexcept;
   ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
-  ProxyStep go_on_with_step() noexcept;
-  void drop_step() noexcept { making_.is_underway = false; }
+  ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
+  void drop_step() noexcept { making_.drop(); }
   static ProxyStep broken_off_step() noexcept {
     ProxyStep step;
     step.stuck = step.broken_off = true;
@@ -105,30 +109,11 @@ class ProxySight {
   Looks looks_;
 
  private:
-  /// A step in the making: see step_towards.
-  struct Making {
-    bool is_underway = false, is_amid_round = false, has_let_go = false;
-    Vec3 goal = Vec3::Zero();  ///< relative to the place looked around from
-    double slack_m = 0, breach_m = 0, most_m = 0, bent_m = 0;
-    ProxyStep step;
-    ProxyStep held;  ///< what it was before far walls were let go
-    std::array<ProxyWall, 4> walls;
-    std::size_t count = 0;
-    int pass = 0;
-    Round round;
-  };
-
-  void begin_step(const Vec3& goal_O, double most_m, double bent_m) noexcept;
-  bool project() noexcept;
-  void go_on_along_bend() noexcept;
-  bool let_go_of_far_walls() noexcept;
-  bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept;
-  bool sweep_all(const Vec3& z, Round& round) noexcept;
   template <class Visit>
   bool each_within_reach(int surface, const Vec3& at_P, double reach_m, std::size_t& next,
                          const PacketSieve* sieve, Visit visit) noexcept;
 
-  Making making_;
+  StepMaking making_;
 };
 
 }  // namespace fingerpad

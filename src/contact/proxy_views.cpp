@@ -25,7 +25,8 @@ int largest_fan(const Part& part) {
 ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(world), looks), near_(world_) {
   for (int i = 0; i < world_.surface_count(); ++i) {
     if (world_.is_plane(i)) continue;
-    usual_view_ = std::max(usual_view_, 64 + 2 * largest_fan(world_.part(i)));
+    usual_view_ =
+        std::max(usual_view_, Limits::beside_fans + Limits::fans_in_view * largest_fan(world_.part(i)));
   }
   usual_view_ = std::min(usual_view_, Limits::most_usual_view);
   seeds_.assign(static_cast<std::size_t>(world_.surface_count()), -1);
@@ -54,7 +55,7 @@ void ProxyViews::let_go() noexcept {
 
 ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
   if (is_amid_step()) return go_on_with_step();
-  if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= 2;
+  if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= Limits::wider_view;
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (is_blind()) return broken_off_step();
   if (place_O_ == search_place_O_) suit_view();

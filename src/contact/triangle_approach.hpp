@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "contact/closest_point.hpp"
+#include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
 
@@ -37,10 +38,6 @@ TriangleApproach approach_triangle(const TriangleCorners& triangle, const Vec3& 
 /// What share of a triangle lies opposite to each corner, seen from a point's foot: all above 0 over the
 /// face.
 struct FaceShares {
-  /// A triangle whose area is smaller than this share of its sides' squares is no more than its edges: its
-  /// width is then far below any clearance.
-  static constexpr double least_area_share = 1e-13;
-
   double a, b, c;             ///< twice the areas [m^2]
   double area_m2, sides2_m2;  ///< their sum; the sides' squares
 
@@ -54,7 +51,7 @@ struct FaceShares {
   }
 
   bool are_of_face() const noexcept {
-    return a > 0 && b > 0 && c > 0 && area_m2 > least_area_share * sides2_m2;
+    return a > 0 && b > 0 && c > 0 && area_m2 > ProxyLimits::face_area_share * sides2_m2;
   }
 };
 

@@ -42,6 +42,12 @@ const Part& TriangleTree::part() const noexcept {
   return *impl_->packed.part;
 }
 
+void TriangleTree::warm_up() const noexcept {
+  if (impl_->packed.packets.empty()) return;
+  closest(Vec3::Zero(), -1, std::numeric_limits<double>::infinity());
+  first_crossing(Vec3::UnitX() * -impl_->packed.extent_m, Vec3::UnitX() * impl_->packed.extent_m);
+}
+
 void TriangleTree::prepare_curved() const {
   std::call_once(impl_->curved_once, [this] {
     impl_->curved_table = curved_corner_normals(part());

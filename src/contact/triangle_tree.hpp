@@ -172,6 +172,10 @@ class TriangleTree {
 
   const Part& part() const noexcept;
 
+  /// Asks for a point and along a ray, and needs no answer: for a thread that may not wait or allocate later,
+  /// as Embree promises nothing of a thread's first query.
+  void warm_up() const noexcept;
+
   /// Makes a table of the normals that curved patches have at corners (curved_normals.hpp), 72 bytes a
   /// triangle, on all threads; once, whoever asks. It makes `curved` queries about twice as fast and
   /// changes no bit of their answers. Throws std::bad_alloc.

@@ -49,6 +49,11 @@ class ContactArea final : public FrictionLaw {
   StickRule rule_;
 };
 
+/// Without adhesion mu falls as n^(-1/3) from 1 N on.
+double mu_raise(double load_n) {
+  return std::cbrt(load_n);
+}
+
 }  // namespace
 
 double JkrPad::adhesion_load_n() const noexcept {
@@ -65,15 +70,18 @@ double JkrPad::pull_off_n() const noexcept {
 }
 
 LawEntry contact_area_law() noexcept {
-  return {"contact-area", "after Chen et al. 1997: limits that go with the JKR contact area; mu holds at 1 N",
-          contact_area_parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "contact-area",
+          .summary = "after Chen et al. 1997: limits that go with the JKR contact area; mu holds at 1 N",
+          .parameters = contact_area_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             const JkrPad pad{bounded_number(settings, pad_radius), 1, bounded_number(settings, adhesion)};
             return std::make_unique<ContactArea>(within(pad.adhesion_load_n(), 0, huge),
                                                  bounded_number(settings, stiffness_per_newton_parameter),
                                                  stick_rule_of(settings));
           },
-          stick_rule_choices};
+          .choices = stick_rule_choices,
+          .has_static_limit = true,
+          .mu_raise = mu_raise};
 }
 
 }  // namespace fingerpad

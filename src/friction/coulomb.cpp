@@ -37,8 +37,10 @@ class Coulomb final : public FrictionLaw {
 }  // namespace
 
 LawEntry coulomb_law() noexcept {
-  return {"coulomb", "Coulomb 1785, continuous through zero speed; creeps under a push", coulomb_parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "coulomb",
+          .summary = "Coulomb 1785, continuous through zero speed; creeps under a push",
+          .parameters = coulomb_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Coulomb>(bounded_number(settings, creep_speed));
           }};
 }

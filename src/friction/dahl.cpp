@@ -31,8 +31,10 @@ class Dahl final : public FrictionLaw {
 }  // namespace
 
 LawEntry dahl_law() noexcept {
-  return {"dahl", "Dahl 1968: a bristle that yields exponentially; mu_dynamic only", dahl_parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "dahl",
+          .summary = "Dahl 1968: a bristle that yields exponentially; mu_dynamic only",
+          .parameters = dahl_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Dahl>(bounded_number(settings, fixed_stiffness_parameter));
           }};
 }

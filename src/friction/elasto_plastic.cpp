@@ -96,11 +96,14 @@ class ElastoPlastic final : public FrictionLaw {
 }  // namespace
 
 LawEntry elasto_plastic_law() noexcept {
-  return {"elasto-plastic", "Dupont et al. 2002: LuGre that is elastic below a share of its limit",
-          elasto_plastic_parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "elasto-plastic",
+          .summary = "Dupont et al. 2002: LuGre that is elastic below a share of its limit",
+          .parameters = elasto_plastic_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<ElastoPlastic>(StribeckBristle(settings),
                                                    bounded_number(settings, elastic_share));
-          }};
+          },
+          .has_static_limit = true};
 }
 
 }  // namespace fingerpad

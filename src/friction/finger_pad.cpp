@@ -69,20 +69,40 @@ class FingerPad final : public FrictionLaw {
   StickRule rule_;
 };
 
+/// Any mu serves the assumed pad: only the ratio mu/axis is used, and that is the stiffness.
+PadProfile pad_of(const LawSettings& settings, double stiffness_per_m) {
+  return settings.profile.value_or(assumed_profile(0.3, stiffness_per_m));
+}
+
+/// The profile's axes, scaled by mu_s/mu_profile.
+StickAxes pad_axes(const LawSettings& settings, double mu_static, double inclination_rad) {
+  const PadProfile pad = pad_of(settings, settings.number(stiffness_per_newton_parameter));
+  const double scale = mu_static / pad.mu_static;
+  return {scale * pad.lateral_axis_at(inclination_rad), scale * pad.longitudinal_axis_at(inclination_rad)};
+}
+
+/// Along the short axis at 45 degrees.
+double steepest_rise_per_m(const LawSettings& settings) {
+  const PadProfile pad = pad_of(settings, bounded_number(settings, stiffness_per_newton_parameter));
+  return pad.mu_static / std::min(pad.lateral_axis_m, pad.longitudinal_axis_m);
+}
+
 }  // namespace
 
 LawEntry finger_pad_law() noexcept {
-  return {"finger-pad", "the paper's finger pad: stick in an ellipse that shrinks with the finger's angle",
-          finger_pad_parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
-            // Any mu serves the assumed pad: only the ratio mu/axis is used, and that is the stiffness.
-            const PadProfile pad = settings.profile.value_or(
-                assumed_profile(0.3, bounded_number(settings, stiffness_per_newton_parameter)));
+  return {.name = "finger-pad",
+          .summary = "the paper's finger pad: stick in an ellipse that shrinks with the finger's angle",
+          .parameters = finger_pad_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+            const PadProfile pad = pad_of(settings, bounded_number(settings, stiffness_per_newton_parameter));
             return std::make_unique<FingerPad>(pad, bounded_number(settings, cubic_share),
                                                bounded_number(settings, mu_rises_below),
                                                stick_rule_of(settings));
           },
-          stick_rule_choices};
+          .choices = stick_rule_choices,
+          .has_static_limit = true,
+          .stick_axes = pad_axes,
+          .rise_per_m = steepest_rise_per_m};
 }
 
 }  // namespace fingerpad

@@ -30,11 +30,12 @@ class FrictionCone final : public FrictionLaw {
 }  // namespace
 
 LawEntry friction_cone_law() noexcept {
-  return {
-      "friction-cone",
-      "Harwin & Melder 2002: a proxy held within a cone; as stiff as the surface",
-      {},
-      [](const LawSettings&) -> std::unique_ptr<FrictionLaw> { return std::make_unique<FrictionCone>(); }};
+  return {.name = "friction-cone",
+          .summary = "Harwin & Melder 2002: a proxy held within a cone; as stiff as the surface",
+          .make = [](const LawSettings&) -> std::unique_ptr<FrictionLaw> {
+            return std::make_unique<FrictionCone>();
+          },
+          .has_static_limit = true};
 }
 
 }  // namespace fingerpad

@@ -49,10 +49,13 @@ class Karnopp final : public FrictionLaw {
 }  // namespace
 
 LawEntry karnopp_law() noexcept {
-  return {"karnopp", "Karnopp 1985: rigid stick within a band of speed; 0 there without a simulated hand",
-          karnopp_parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "karnopp",
+          .summary = "Karnopp 1985: rigid stick within a band of speed; 0 there without a simulated hand",
+          .parameters = karnopp_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Karnopp>(bounded_number(settings, zero_band));
-          }};
+          },
+          .has_static_limit = true};
 }
 
 }  // namespace fingerpad

@@ -37,8 +37,10 @@ class Kikuuwe final : public FrictionLaw {
 }  // namespace
 
 LawEntry kikuuwe_law() noexcept {
-  return {"kikuuwe", "Kikuuwe et al. 2006: Coulomb friction behind a spring and damper; mu_dynamic only",
-          kikuuwe_parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "kikuuwe",
+          .summary = "Kikuuwe et al. 2006: Coulomb friction behind a spring and damper; mu_dynamic only",
+          .parameters = kikuuwe_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Kikuuwe>(bounded_number(settings, fixed_stiffness_parameter),
                                              bounded_number(settings, stick_damping));
           }};

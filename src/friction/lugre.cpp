@@ -33,10 +33,13 @@ class LuGre final : public FrictionLaw {
 }  // namespace
 
 LawEntry lugre_law() noexcept {
-  return {"lugre", "Canudas de Wit et al. 1995: Dahl's bristle with a Stribeck limit", lugre_parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "lugre",
+          .summary = "Canudas de Wit et al. 1995: Dahl's bristle with a Stribeck limit",
+          .parameters = lugre_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<LuGre>(StribeckBristle(settings));
-          }};
+          },
+          .has_static_limit = true};
 }
 
 }  // namespace fingerpad

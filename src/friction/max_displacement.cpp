@@ -52,9 +52,10 @@ class MaxDisplacement final : public FrictionLaw {
 }  // namespace
 
 LawEntry max_displacement_law() noexcept {
-  return {"max-displacement",
-          "Hayward & Armstrong 2000: a contact that lags by at most z_max; mu_dynamic only",
-          max_displacement_parameters, [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "max-displacement",
+          .summary = "Hayward & Armstrong 2000: a contact that lags by at most z_max; mu_dynamic only",
+          .parameters = max_displacement_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<MaxDisplacement>(bounded_number(settings, max_displacement),
                                                      bounded_number(settings, stick_displacement));
           }};

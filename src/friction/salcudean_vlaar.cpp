@@ -137,13 +137,16 @@ class SalcudeanVlaar final : public FrictionLaw {
 }  // namespace
 
 LawEntry salcudean_vlaar_law() noexcept {
-  return {"salcudean-vlaar", "Salcudean & Vlaar 1997: stick spring, viscous slip", salcudean_vlaar_parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "salcudean-vlaar",
+          .summary = "Salcudean & Vlaar 1997: stick spring, viscous slip",
+          .parameters = salcudean_vlaar_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<SalcudeanVlaar>(std::max(v_min_m_per_s(settings), v_min.min),
                                                     bounded_number(settings, fixed_stiffness_parameter),
                                                     bounded_number(settings, slip_damping), settings.events);
           },
-          rupture_choices};
+          .choices = rupture_choices,
+          .has_static_limit = true};
 }
 
 }  // namespace fingerpad

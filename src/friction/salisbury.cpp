@@ -55,13 +55,15 @@ class Salisbury final : public FrictionLaw {
 }  // namespace
 
 LawEntry salisbury_law() noexcept {
-  return {"salisbury", "Salisbury et al. 1995: a spring whose centre jumps; fixed stiffness",
-          salisbury_parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "salisbury",
+          .summary = "Salisbury et al. 1995: a spring whose centre jumps; fixed stiffness",
+          .parameters = salisbury_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<Salisbury>(bounded_number(settings, fixed_stiffness_parameter),
                                                settings.events);
           },
-          rupture_choices};
+          .choices = rupture_choices,
+          .has_static_limit = true};
 }
 
 }  // namespace fingerpad

@@ -228,7 +228,7 @@ template <typename Spring>
 /// where its force ratio passes mu_s: above v_min into slip along the velocity, below along the spring, and
 /// sticks again at once (Restick::level) or slips on (crossing). Slip gives way to stick where the speed
 /// falls to v_min, with the spring at the force of slip as it was written, so that no force jumps.
-/// @param motion  any; bounded() is applied here
+/// @param motion  any; what is beyond use in it is bounded here (BoundedMotion)
 /// @param state   brought up to date
 template <typename Spring>
 Friction stick_rule(const TangentialMotion& motion, const Spring& spring, const StickRule& rule,

@@ -23,15 +23,24 @@ class StickSlip final : public FrictionLaw {
   StickRule rule_;
 };
 
+StickAxes circle(const LawSettings& settings, double mu_static, double) {
+  const double radius_m = mu_static / settings.number(stiffness_per_newton_parameter);
+  return {radius_m, radius_m};
+}
+
 }  // namespace
 
 LawEntry stick_slip_law() noexcept {
-  return {"stick-slip", "the paper's basic model: stick in a circle, Coulomb slip", stick_slip_parameters,
-          [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
+  return {.name = "stick-slip",
+          .summary = "the paper's basic model: stick in a circle, Coulomb slip",
+          .parameters = stick_slip_parameters,
+          .make = [](const LawSettings& settings) -> std::unique_ptr<FrictionLaw> {
             return std::make_unique<StickSlip>(bounded_number(settings, stiffness_per_newton_parameter),
                                                stick_rule_of(settings));
           },
-          stick_rule_choices};
+          .choices = stick_rule_choices,
+          .has_static_limit = true,
+          .stick_axes = circle};
 }
 
 }  // namespace fingerpad

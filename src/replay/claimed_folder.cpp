@@ -52,7 +52,7 @@ void make_folder(const std::string& folder) {
   std::filesystem::create_directories(folder, failure);
   if (failure)
     throw Error(output_fault(failure.value()), folder,
-                "cannot be made: " + path_words(folder + "/", failure.value()));
+                "cannot be made: " + unmade_words(folder, failure.value(), Made::folder));
 }
 
 /// Said before hours are spent on it, by the first traces that are there; empty where none is another

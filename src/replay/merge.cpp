@@ -191,7 +191,8 @@ MergedShards merge_shards(const std::vector<std::string>& folders, const std::st
   const ShardTable index = indexed ? merged_table(shards, &TableNames::jobs) : ShardTable{};
   fs::create_directories(out, none);
   if (none)
-    throw Error(output_fault(none.value()), out, "cannot be made: " + path_words(out + "/", none.value()));
+    throw Error(output_fault(none.value()), out,
+                "cannot be made: " + unmade_words(out, none.value(), Made::folder));
   const RunLock lock(out, written);
   for (const fs::path& trace : traces) bring_trace(trace, out);
   if (indexed) write_merged(fs::path(out) / names.jobs, index);

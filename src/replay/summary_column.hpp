@@ -7,13 +7,16 @@
 
 namespace fingerpad {
 
-/// One column of `summary.csv`: all that is known of it. The writer, the schema beside the table, the report
-/// and the README go by these rows.
+struct RunTotals;
+
+/// One column of `summary.csv`: all that is known of it. Figures, the writer, the schema beside the table,
+/// the report and the README go by these rows.
 struct SummaryColumn {
   enum class Kind { text, count, number };
   std::string_view name;
   std::string_view unit;  ///< "m", "N", "J", "N/m", "1" (a count or a pure number), "" (a text)
   std::string_view doc;
+  double (*get)(const RunTotals& run) = nullptr;  ///< of a figure: from what a run has come to
   Kind kind = Kind::number;
   bool may_lack = false;  ///< nan where a run has none, and is whole all the same
 };

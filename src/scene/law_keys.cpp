@@ -54,8 +54,8 @@ SceneKey number_row(const LawParameter& parameter) {
   return row;
 }
 
-void take_law(Scene& scene, std::size_t word) {
-  scene.friction.law = law_table()[word].name;
+void take_law(Scene& scene, std::string_view word) {
+  scene.friction.law = word;
 }
 
 void take_restick(Scene& scene, std::size_t word) {

@@ -86,14 +86,9 @@ void apply(const SceneChange& change, Scene& scene) {
     scene.friction.law = change.value;
   } else if (change.key == "contact.method" && find_contact_method(change.value) != nullptr) {
     scene.contact.method = change.value;
-  } else if (change.key == "contact.normals") {
-    for (const Normals normals : normals_table()) {
-      if (normals->name != change.value) continue;
-      scene.contact.normals = normals;
-      scene.contact.automatic_normals = false;
-      return;
-    }
-    throw unknown(change);
+  } else if (change.key == "contact.normals" && find_normals(change.value) != nullptr) {
+    scene.contact.normals = *find_normals(change.value);
+    scene.contact.automatic_normals = false;
   } else {
     throw unknown(change);
   }

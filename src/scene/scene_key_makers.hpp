@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <type_traits>
+
 #include "base/number_text.hpp"
 #include "scene/scene_key.hpp"
 
@@ -95,7 +97,7 @@ inline SceneKey table_key(std::string_view key, std::string otherwise, decltype(
   return row;
 }
 
-/// One of several words; `take` is given its number among them.
+/// One of several words. `take` is given the word where it takes one, else its number among them.
 template <auto take>
 SceneKey choice_key(std::string_view key, std::vector<std::string> words, const std::string& default_word,
                     std::string_view doc) {
@@ -103,7 +105,12 @@ SceneKey choice_key(std::string_view key, std::vector<std::string> words, const 
   row.words = std::move(words);
   row.default_word = default_word;
   row.read = [](const SceneKey& self, const TomlTable& table, Scene& scene) {
-    take(scene, table.choice(self.key, 0, self.words));
+    const std::size_t chosen = table.choice(self.key, 0, self.words);
+    if constexpr (std::is_invocable_v<decltype(take), Scene&, std::string_view>) {
+      take(scene, self.words[chosen]);
+    } else {
+      take(scene, chosen);
+    }
   };
   return row;
 }

@@ -10,7 +10,7 @@
 #include "base/input_file.hpp"
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
-#include "contact/contact_method_table.hpp"
+#include "contact/normals.hpp"
 #include "friction/pad_profile_file.hpp"
 #include "scene/scene_key_makers.hpp"
 
@@ -134,13 +134,14 @@ void read_axes(const SceneKey& row, const TomlTable& hand, Scene& scene) {
   }
 }
 
-void take_method(Scene& scene, std::size_t word) {
-  scene.contact.method = word == 0 ? automatic_method : contact_method_table()[word - 1].name;
+void take_method(Scene& scene, std::string_view word) {
+  scene.contact.method = word;
 }
 
-void take_normals(Scene& scene, std::size_t word) {
-  scene.contact.automatic_normals = word == normals_table().size();
-  if (!scene.contact.automatic_normals) scene.contact.normals = normals_table()[word];
+void take_normals(Scene& scene, std::string_view word) {
+  const Normals* named = find_normals(word);
+  scene.contact.automatic_normals = named == nullptr;
+  if (named != nullptr) scene.contact.normals = *named;
 }
 
 SceneKey unit_key(std::string_view key) {

@@ -25,10 +25,10 @@ void read_vibration(const SceneKey& row, const TomlTable& friction, Scene& scene
 void read_profile_key(const SceneKey& row, const TomlTable& finger, Scene& scene);
 void read_axes(const SceneKey& row, const TomlTable& hand, Scene& scene);
 
-/// @param word  the number of the method's word: 0 is `auto`, then the table's
-void take_method(Scene& scene, std::size_t word);
-/// @param word  that of the normals: the table's, then `auto`
-void take_normals(Scene& scene, std::size_t word);
+/// @param word  a method's name, or `auto`
+void take_method(Scene& scene, std::string_view word);
+/// @param word  the name of normals, or `auto`
+void take_normals(Scene& scene, std::string_view word);
 
 SceneKey unit_key(std::string_view key);
 

@@ -17,7 +17,7 @@ constexpr double hum_window_s = 0.2;
 
 using Samples = std::vector<Eigen::Index>;
 
-/// What of a line is in some samples; of these those count that HannLine counts, which were recorded.
+/// How much of a line is in some samples of a trial. Only samples that HannLine counts are looked at.
 struct InSamples {
   std::complex<double> ratio;  ///< 1: the line as it is in the whole trial
   double weight = 0;           ///< 1 over the variance of the ratio's real part; 0: they tell nothing

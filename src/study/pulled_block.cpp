@@ -14,20 +14,21 @@ constexpr double stick_stiffness_per_m = 500;
 /// A bristle creeps before it yields; only one this stiff does so over a way that the block does not notice.
 constexpr double bristle_n_per_m = 5e5;
 
-/// Without adhesion mu falls as n^(-1/3) from 1 N to the block's load.
-double fall_of_contact_area() {
-  return std::cbrt(PulledBlock{}.normal_n);
+/// What the coefficients are given as for all laws to have the same limits under the block's load.
+double mu_raise(const LawEntry& law) {
+  return law.mu_raise != nullptr ? law.mu_raise(PulledBlock{}.normal_n) : 1;
 }
 
-constexpr const char* laws_with_static_limit[] = {"stick-slip",      "finger-pad",    "salisbury",
-                                                  "salcudean-vlaar", "karnopp",       "lugre",
-                                                  "elasto-plastic",  "friction-cone", "contact-area"};
+bool is_damped_bristle(const LawEntry& law) {
+  return std::any_of(law.parameters.begin(), law.parameters.end(), [](const LawParameter& parameter) {
+    return parameter.key == "bristle_damping_n_s_per_m";
+  });
+}
 
 }  // namespace
 
 bool has_static_limit(const std::string& law) {
-  return std::find(std::begin(laws_with_static_limit), std::end(laws_with_static_limit), law) !=
-         std::end(laws_with_static_limit);
+  return find_law(law)->has_static_limit;
 }
 
 StickSlipCycle rigid_cycle(const PulledBlock& block) {
@@ -58,18 +59,20 @@ StickSlipCycle rigid_cycle(const PulledBlock& block) {
 }
 
 StickSlipCycle reference_cycle(const PulledBlock& block, const std::string& law) {
-  if (law != "salcudean-vlaar") return rigid_cycle(block);
+  const LawSettings settings = block_settings(law);
+  const auto slip_damping = settings.numbers.find("slip_damping_n_s_per_m");
+  if (slip_damping == settings.numbers.end()) return rigid_cycle(block);
   PulledBlock viscous = block;
   viscous.mu_dynamic = 0;
-  viscous.damping_n_s_per_m += block_settings(law).numbers.at("slip_damping_n_s_per_m");
+  viscous.damping_n_s_per_m += slip_damping->second;
   return rigid_cycle(viscous);
 }
 
-LawSettings block_settings(const std::string& law) {
+LawSettings block_settings(const std::string& name) {
+  const LawEntry& law = *find_law(name);
   const std::pair<const char*, double> wanted[] = {
       {"v_min_m_per_s", 0.002},
-      {"stick_stiffness_per_m",
-       law == "contact-area" ? fall_of_contact_area() * stick_stiffness_per_m : stick_stiffness_per_m},
+      {"stick_stiffness_per_m", mu_raise(law) * stick_stiffness_per_m},
       {"stick_stiffness_n_per_m", stick_stiffness_per_m * PulledBlock{}.normal_n},
       {"slip_damping_n_s_per_m", 2},
   };
@@ -79,11 +82,11 @@ LawSettings block_settings(const std::string& law) {
       {"stribeck_speed_m_per_s", 0.001},
   };
   LawSettings settings;
-  for (const LawParameter& parameter : find_law(law)->parameters) {
+  for (const LawParameter& parameter : law.parameters) {
     for (const auto& [key, value] : wanted) {
       if (parameter.key == key) settings.numbers[key] = value;
     }
-    if (law != "lugre" && law != "elasto-plastic") continue;
+    if (!is_damped_bristle(law)) continue;
     for (const auto& [key, value] : bristle) {
       if (parameter.key == key) settings.numbers[key] = value;
     }
@@ -93,10 +96,8 @@ LawSettings block_settings(const std::string& law) {
 
 PulledBlock block_for(const PulledBlock& block, const std::string& law) {
   PulledBlock given = block;
-  if (law == "contact-area") {
-    given.mu_static *= fall_of_contact_area();
-    given.mu_dynamic *= fall_of_contact_area();
-  }
+  given.mu_static *= mu_raise(*find_law(law));
+  given.mu_dynamic *= mu_raise(*find_law(law));
   return given;
 }
 

@@ -17,8 +17,9 @@ bool is_quiet(const StuckFinger& finger, double load_n) {
   bench.scene().friction.settings = finger.settings;
   bench.scene().finger.direction =
       Vec3(0, std::cos(finger.inclination_rad), -std::sin(finger.inclination_rad));
-  // contact-area's coefficients hold at 1 N and fall from there; all laws are to have the same limits here.
-  const double raise = finger.law == "contact-area" ? std::cbrt(load_n) : 1;
+  // All laws are to have the same limits here.
+  const LawEntry& law = *find_law(finger.law);
+  const double raise = law.mu_raise != nullptr ? law.mu_raise(load_n) : 1;
   bench.surface() = {surface_n_per_m, 0, raise * finger.mu_static, raise * finger.mu_dynamic};
   HandSettings& hand =
       bench.hold({.mass_kg = 0.072, .damping_n_s_per_m = 0.5, .stiffness_n_per_m = 20, .encoder_m = 0});

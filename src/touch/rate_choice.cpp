@@ -31,16 +31,14 @@ bool chooses(const LawEntry& law, std::string_view key) {
   return std::find(law.choices.begin(), law.choices.end(), key) != law.choices.end();
 }
 
-/// By how much the coefficient rises a metre in stick. A pad's is that of its short axis at 45 degrees.
+/// By how much the coefficient rises a metre in stick.
 double rise_per_m(const Scene& scene, const LawEntry& law) {
   const LawSettings& settings = scene.friction.settings;
   if (!reads(law, stiffness_per_newton_parameter)) {
     return reads(law, fixed_stiffness_parameter) ? bounded_number(settings, fixed_stiffness_parameter) : 0;
   }
-  const double stiffness_per_m = bounded_number(settings, stiffness_per_newton_parameter);
-  if (law.name != "finger-pad") return stiffness_per_m;
-  const PadProfile pad = settings.profile.value_or(assumed_profile(0.3, stiffness_per_m));
-  return pad.mu_static / std::min(pad.lateral_axis_m, pad.longitudinal_axis_m);
+  return law.rise_per_m != nullptr ? law.rise_per_m(settings)
+                                   : bounded_number(settings, stiffness_per_newton_parameter);
 }
 
 /// A tick in which the finger goes.

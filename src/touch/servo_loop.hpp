@@ -25,7 +25,8 @@ class ServoLoop {
         source_(std::move(source)),
         sink_(std::move(sink)),
         thread_(
-            rate_hz, [this](double t_s) { return tick(t_s); }, history_s, real_time) {}
+            rate_hz, [this](double t_s) { return tick(t_s); }, history_s, real_time,
+            [this] { touch_.warm_up(); }) {}
 
   /// Ends the thread after the tick under way; nothing more reaches the sink.
   void stop() { thread_.stop(); }

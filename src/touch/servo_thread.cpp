@@ -30,11 +30,11 @@ constexpr double spare = 1.25;
 
 }  // namespace
 
-ServoThread::ServoThread(double rate_hz, Tick tick, double history_s, bool real_time)
+ServoThread::ServoThread(double rate_hz, Tick tick, double history_s, bool real_time, WarmUp warm_up)
     : rate_hz_(rate_hz),
       tick_(std::move(tick)),
       history_(std::max<std::size_t>(16, static_cast<std::size_t>(spare * history_s * rate_hz))) {
-  thread_ = std::thread([this, real_time] { run(real_time); });
+  thread_ = std::thread([this, real_time, &warm_up] { run(real_time, warm_up); });
   ready_.wait(false);
 }
 
@@ -82,7 +82,7 @@ void ServoThread::note(double late_s, double tick_s) noexcept {
   ticks_.store(ticks_.load(relaxed) + 1, relaxed);
 }
 
-void ServoThread::run(bool real_time) {
+void ServoThread::run(bool real_time, const WarmUp& warm_up) {
   pthread_setname_np(pthread_self(), thread_name);
   sharpen_timers();
   ask_for_short_turns();
@@ -90,8 +90,9 @@ void ServoThread::run(bool real_time) {
     refused_ = run_thread_first();
     for (std::string& line : lock_memory()) refused_.push_back(std::move(line));
   }
+  if (warm_up) warm_up();
   ready_ = true;
-  ready_.notify_all();
+  ready_.notify_all();  // from here on warm_up may be gone
   loop();
 }
 

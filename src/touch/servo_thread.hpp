@@ -20,13 +20,17 @@ class ServoThread {
   /// The tick at t_s since the start. On the thread; must neither block, allocate nor throw.
   using Tick = std::function<TickRecord(double t_s)>;
 
+  /// What is to be set up on the thread before its first tick; it may allocate, and must not throw.
+  using WarmUp = std::function<void()>;
+
   /// As the system's tools show it (top -H).
   static constexpr const char* thread_name = "fingerpad-servo";
 
-  /// Starts at once.
+  /// Starts at once; the first tick comes when warm_up has ended.
   /// @param history_s  how much of the past recent() can give
   /// @param real_time  asks for what the system keeps for such loops, and goes on without where it refuses
-  ServoThread(double rate_hz, Tick tick, double history_s, bool real_time);
+  /// @param warm_up  may be empty
+  ServoThread(double rate_hz, Tick tick, double history_s, bool real_time, WarmUp warm_up = {});
   ~ServoThread();
   ServoThread(const ServoThread&) = delete;
   ServoThread& operator=(const ServoThread&) = delete;
@@ -43,7 +47,7 @@ class ServoThread {
   ServoTiming timing() const;
 
  private:
-  void run(bool real_time);
+  void run(bool real_time, const WarmUp& warm_up);
   void loop() noexcept;
   void note(double late_s, double tick_s) noexcept;
 

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "contact/contact_method_table.hpp"
+#include "contact/triangle_tree.hpp"
 #include "friction/law_table.hpp"
 #include "part/part.hpp"
 #include "scene/scene.hpp"
@@ -50,6 +51,12 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
   vibration_amplitude_ = vibration.amplitude;
   vibration_normal_amplitude_ = vibration.normal_amplitude;
   vibration_.emplace(vibration.frequency_hz, vibration.bandwidth_hz, dt_s_, RandomStream(scene.seed));
+}
+
+void Touch::warm_up() const noexcept {
+  for (const Surface& surface : world_->surfaces) {
+    if (surface.tree) surface.tree->warm_up();
+  }
 }
 
 void Touch::reset() noexcept {

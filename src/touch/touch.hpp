@@ -32,6 +32,10 @@ class Touch {
   /// free).
   TickRecord tick(const FingerSample& sample) noexcept;
 
+  /// Asks each surface's search tree once, on the thread that will tick, so that its first tick is no first
+  /// time. Changes no answer.
+  void warm_up() const noexcept;
+
   /// Goes on from where another touch of the same surfaces stands, which is of no use afterwards: with its
   /// velocity estimate and last position, its contact method's place where method and normals are the same,
   /// its walls with their frames, their friction where the law is the same (a stick goes on, to its new

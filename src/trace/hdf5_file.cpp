@@ -92,7 +92,7 @@ Handle create_file(const std::string& path) {
   if (file.open()) return file;
   const int failure = last_open_failure();
   if (failure == 0) throw Error(ErrorKind::fault, path, "cannot be created: it is open");
-  throw Error(output_fault(failure), path, "cannot be created: " + path_words(path, failure));
+  throw Error(output_fault(failure), path, "cannot be created: " + unmade_words(path, failure, Made::file));
 }
 
 Handle open_file(const std::string& path) {

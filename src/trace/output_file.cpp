@@ -76,7 +76,8 @@ OutputFile::OutputFile(const std::string& path, Unfinished unfinished)
   }
   if (file_ == nullptr) {
     const int problem = errno;
-    throw Error(output_fault(problem), path_, "cannot be created: " + path_words(path_, problem));
+    throw Error(output_fault(problem), path_,
+                "cannot be created: " + unmade_words(path_, problem, Made::file));
   }
 }
 

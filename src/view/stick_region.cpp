@@ -6,22 +6,15 @@
 
 #include "base/tangent_frame.hpp"
 #include "contact/placed_surface.hpp"
-#include "friction/law_parameters.hpp"
+#include "friction/law_table.hpp"
 
 namespace fingerpad {
 
 std::optional<StickAxes> stick_axes(const FrictionSettings& friction, const SurfaceProperties& surface,
                                     double inclination_rad) {
-  const double stiffness_per_m = friction.settings.number(stiffness_per_newton_parameter);
-  if (friction.law == "stick-slip") {
-    const double radius_m = surface.mu_static / stiffness_per_m;
-    return StickAxes{radius_m, radius_m};
-  }
-  if (friction.law != "finger-pad") return std::nullopt;
-  const PadProfile pad = friction.settings.profile.value_or(assumed_profile(0.3, stiffness_per_m));
-  const double scale = surface.mu_static / pad.mu_static;
-  return StickAxes{scale * pad.lateral_axis_at(inclination_rad),
-                   scale * pad.longitudinal_axis_at(inclination_rad)};
+  const LawEntry* law = find_law(friction.law);
+  if (law == nullptr || law->stick_axes == nullptr) return std::nullopt;
+  return law->stick_axes(friction.settings, surface.mu_static, inclination_rad);
 }
 
 Vec3 finger_direction(const Vec3& scene_direction_W, const TickRecord& row) {

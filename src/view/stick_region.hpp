@@ -3,22 +3,15 @@
 #include <optional>
 #include <vector>
 
+#include "friction/law_table.hpp"
 #include "scene/scene.hpp"
 #include "touch/tick_record.hpp"
 #include "touch/world.hpp"
 
 namespace fingerpad {
 
-/// How far the contact point may be from the stick centre before it slips: half axes of an ellipse [m].
-struct StickAxes {
-  double lateral_m = 0;       ///< across the finger
-  double longitudinal_m = 0;  ///< along the finger
-};
-
-/// The stick region of a scene's law on a surface, at a finger's inclination [rad].
-///
-/// stick-slip: the circle mu_s/k_f. finger-pad: the profile's axes (or the assumed ones), scaled by
-/// mu_s/mu_profile; see DESIGN, "Axes". Nothing for laws that have no region of this kind.
+/// The stick region of a scene's law on a surface, at a finger's inclination [rad]: LawEntry::stick_axes.
+/// Nothing for laws that have no region of this kind.
 std::optional<StickAxes> stick_axes(const FrictionSettings& friction, const SurfaceProperties& surface,
                                     double inclination_rad);
 

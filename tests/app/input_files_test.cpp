@@ -187,6 +187,19 @@ TEST(OutputPlaces, AreToldBeforeTheWork) {
 #endif
 }
 
+TEST(OutputPlaces, InAFolderThatTheSystemFillsAreToldPlainly) {
+  const fs::path folder = folder_with_inputs();
+  for (const char* call : {"replay s.toml --out /proc/none", "replay s.toml --out /proc/none/deeper",
+                           "study friction --out /proc/none", "query box.stl points.csv --out /proc/none"}) {
+    const ShellResult result = run(call, folder);
+    EXPECT_EQ(result.exit_code, 2) << call;
+    // Root is told what the system does, others that they have no right to it: neither that something is
+    // missing.
+    EXPECT_THAT(result.err, AnyOf(HasSubstr("makes no new"), HasSubstr("may not write into"))) << call;
+    EXPECT_THAT(result.err, AllOf(HasSubstr(" /proc"), Not(HasSubstr("there is no such file")))) << call;
+  }
+}
+
 TEST(OutputPlaces, BehindALinkAreWrittenAndTheLinkStays) {
   const fs::path folder = folder_with_inputs();
   const std::string table = run("query box.stl points.csv", folder).out;

@@ -65,6 +65,9 @@ TEST(Outputs, OfAnEndingThatIsNotTheirsAreRefusedWithWhatThereIs) {
               "q.mat: query writes .csv files");
   EXPECT_EQ(test::fingerpad("query box.stl points.csv --out plain", folder).exit_code, 0)
       << "a name without an ending promises nothing";
+  const std::string measured = (test::source_dir() / "scenes/measurements/synthetic_finger.csv").string();
+  expect_told(test::fingerpad("fit " + measured + " --out f.mat", folder), 2,
+              "f.mat: fit writes .toml files");
   expect_told(test::fingerpad("export o/calm.h5 --out e.mat", folder), 2,
               "export writes .csv, .vtp or .vtm files");
 #ifdef FINGERPAD_VIEW
@@ -73,7 +76,7 @@ TEST(Outputs, OfAnEndingThatIsNotTheirsAreRefusedWithWhatThereIs) {
   expect_told(test::fingerpad("touch calm.toml --record r.mat", folder), 2,
               "r.mat: touch --record writes .h5 or .csv files");
 #endif
-  for (const char* name : {"q.mat", "e.mat", "v.jpg", "p.bmp", "r.mat"})
+  for (const char* name : {"q.mat", "f.mat", "e.mat", "v.jpg", "p.bmp", "r.mat"})
     EXPECT_FALSE(fs::exists(folder / name));
 }
 

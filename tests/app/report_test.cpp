@@ -185,6 +185,27 @@ std::vector<json> browsed(const fs::path& folder, const std::string& steps) {
   return answers;
 }
 
+/// A chart's labels go by how wide they are, not by how many letters they have.
+TEST(Report, InABrowserHangsWideLabelsAtASlantAndKeepsAllInsideThePicture) {
+  if (test::shell("command -v chromium", test::scratch_dir()).exit_code != 0)
+    GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = folder_with_set("--format none");
+  page_of(folder);
+  const auto answers = browsed(folder, R"steps(until document.documentElement.dataset.ready === "yes"
+js (location.hash = "charts", 1)
+until document.querySelectorAll("#chart circle").length === 3
+js (window.drawn = letters => { categories = () => [{ name: "x", of: job => letters + report.jobs.indexOf(job) % 3 }]; chosen.across = 0; chosen.colour = 1; drawDots(); const page = document.querySelector("#chart svg").getBoundingClientRect(), labels = [...document.querySelectorAll("#chart text")]; return [labels.some(label => (label.getAttribute("transform") || "").startsWith("rotate(-35")), labels.every(label => { const box = label.getBoundingClientRect(); return box.left >= page.left - 1 && box.bottom <= page.bottom + 1; })]; }, 1)
+js drawn("W".repeat(40))
+js drawn("i".repeat(60))
+js drawn("W".repeat(300))
+)steps");
+  ASSERT_EQ(answers.size(), 6u);
+  EXPECT_EQ(answers[2], json({true, true})) << "40 wide letters";
+  EXPECT_EQ(answers[3], json({false, true})) << "60 narrow ones";
+  EXPECT_EQ(answers[4], json({true, true})) << "far too many";
+  EXPECT_EQ(answers[5], json({{"requests", json::array()}, {"errors", json::array()}}));
+}
+
 TEST(Report, InABrowserIsClickedFilteredAndTurned) {
   if (test::shell("command -v chromium", test::scratch_dir()).exit_code != 0)
     GTEST_SKIP() << "chromium is not installed";

@@ -3,7 +3,7 @@
 
 #include <sstream>
 
-#include "fuzz/scene_words.hpp"
+#include "fuzz/dictionary_words.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
 
@@ -29,12 +29,20 @@ TEST(SceneWords, AreAWellFormedDictionaryOfTheRows) {
     EXPECT_THAT(words, Contains(word));
 }
 
-TEST(SceneWords, AreInNoOtherPlace) {
-  const auto path = test::source_dir() / "tests" / "fuzz" / "dictionaries" / "scene.dict";
-  const auto written = lines_of(test::bytes_of(path));
-  EXPECT_GT(written.size(), 10u);
-  for (const std::string& word : lines_of(test::scene_words()))
-    EXPECT_THAT(written, testing::Not(Contains(word)));
+TEST(TraceWords, AreTheColumnsThatATraceMayHave) {
+  const auto words = lines_of(test::trace_words());
+  for (const char* word : {R"("t_s")", R"("angle_rad")", R"("ruptures")", R"("hz_n")", R"("rfz_n")"})
+    EXPECT_THAT(words, Contains(word));
+}
+
+TEST(DictionaryWords, StandInNoFileBesides) {
+  for (const std::string target : {"scene", "trace_csv"}) {
+    const auto path = test::source_dir() / "tests" / "fuzz" / "dictionaries" / (target + ".dict");
+    const auto written = lines_of(test::bytes_of(path));
+    EXPECT_GT(written.size(), 10u);
+    for (const std::string& word : lines_of(test::dictionary_words(target)))
+      EXPECT_THAT(written, testing::Not(Contains(word))) << target;
+  }
 }
 
 }  // namespace

@@ -1,8 +1,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <memory>
 
 #include "replay/figures.hpp"
+#include "support/finger_runs.hpp"
+#include "support/worlds.hpp"
+#include "touch/touch.hpp"
 
 namespace fingerpad::passivity_test {
 namespace {
@@ -19,6 +24,7 @@ TickRecord tick_at(double z_m, double force_n) {
   record.phase = force_n > 0 ? Phase::stick : Phase::free;
   record.p_WQ = Vec3(0, 0, z_m);
   record.force_W_n = Vec3(0, 0, force_n);
+  record.normal_W = Vec3::UnitZ();
   return record;
 }
 
@@ -48,6 +54,42 @@ TEST(Passivity, WhatAFirstTickInsideStoresIsNotMade) {
     figures.observe(record);
   }
   EXPECT_NEAR(figure(figures, "energy_made_j"), 1e-6, 1e-12);
+}
+
+/// A groove along y of two planes that meet in a right angle at the origin.
+std::shared_ptr<const World> groove(double left_n_per_m, double right_n_per_m) {
+  auto world = std::make_shared<World>();
+  for (const double side : {1.0, -1.0}) {
+    world->surfaces.push_back(test::plane_surface(Vec3::Zero(), Vec3(side, 0, 1).normalized()));
+    world->surfaces.back().properties.stiffness_n_per_m = side > 0 ? left_n_per_m : right_n_per_m;
+  }
+  return world;
+}
+
+/// What a point's forces give that is let go `start` below a groove's bottom, straight up in steps of 1 um.
+double made_from_groove_j(const std::shared_ptr<const World>& world, const Vec3& start) {
+  Scene scene = test::plane_scene("none");
+  scene.contact.method = "proxy";
+  Touch touch(world, scene);
+  Figures figures;
+  const int steps = static_cast<int>(std::lround(start.norm() / 1e-6));
+  for (int k = 0; k <= steps; ++k) {
+    const FingerSample sample{1e-3 * k, start * (1 - static_cast<double>(k) / steps)};
+    const TickRecord record = touch.tick(sample);
+    if (k == 0) {
+      EXPECT_EQ(record.walls, 2);
+      EXPECT_GT(record.normal_force_n, 1.2 * record.force_W_n.norm()) << "the walls push against each other";
+    }
+    figures.observe(record);
+  }
+  return figure(figures, "energy_made_j");
+}
+
+TEST(Passivity, WhatTheWallsOfAGrooveStoreIsNotMadeAndNoMoreThanThat) {
+  // 2 mm deep, k d^2 / 2 = 2 mJ of walls at right angles, and held forces half a step more: a thousandth.
+  EXPECT_NEAR(made_from_groove_j(groove(1000, 1000), Vec3(0, 0, -0.002)), 1e-6, 1e-9);
+  // Walls of two stiffnesses: each is pressed by d / sqrt 2, and both together hold (k1 + k2) d^2 / 4.
+  EXPECT_NEAR(made_from_groove_j(groove(500, 1500), Vec3(0, 0, -0.002)), 1e-6, 1e-9);
 }
 
 TEST(Passivity, CountsTheTicksOnWhichARemedyActed) {

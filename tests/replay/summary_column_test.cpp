@@ -26,6 +26,7 @@ TEST(SummaryColumns, AreAsManyAsARunHasFigures) {
       EXPECT_EQ(column.unit, "N") << column.name;
     }
     EXPECT_FALSE(column.doc.empty()) << column.name;
+    EXPECT_NE(column.get, nullptr) << column.name;
   }
 }
 

@@ -7,6 +7,8 @@
 #include "device/device_table.hpp"
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
+#include "replay/figures.hpp"
+#include "replay/summary_column.hpp"
 #include "scene/scene_file.hpp"
 #include "scene/scene_key.hpp"
 #include "support/mesh_files.hpp"
@@ -79,6 +81,19 @@ TEST(AddedDevice, IsFoundToldAndMade) {
   EXPECT_EQ(find_device(""), nullptr);
 }
 
+TEST(AddedFigure, IsCountedAndStandsInTheTableAndInItsSchema) {
+  Figures figures;
+  TickRecord torn;
+  torn.phase = Phase::slip;
+  torn.ruptures = 1;
+  for (int k = 0; k < 3; ++k) figures.observe(torn);
+  ASSERT_EQ(Figures::names()[1], "teeth");
+  EXPECT_EQ(Figures::of(figures.values(), "teeth"), 2);
+  EXPECT_EQ(Figures::of(figures.values(), "contact_ticks"), 3) << "those behind it stay what they were";
+  EXPECT_THAT(summary_header({}), testing::Contains("teeth"));
+  EXPECT_THAT(summary_schema_text({}), HasSubstr("teeth of stick and slip"));
+}
+
 /// What src/README.md says of adding to the house.
 std::string readme_of_adding() {
   const std::string text = test::bytes_of(test::source_dir() / "src" / "README.md");
@@ -92,7 +107,7 @@ TEST(SourceReadme, NamesTheTablesThatWereAddedToHere) {
   std::istringstream tables(FINGERPAD_TABLES_WITH_ROWS);
   int count = 0;
   for (std::string table; tables >> table; ++count) EXPECT_THAT(adding, HasSubstr("`" + table + "`"));
-  EXPECT_EQ(count, 7);
+  EXPECT_EQ(count, 8);
 }
 
 TEST(SourceReadme, NamesNoFileThatIsNot) {

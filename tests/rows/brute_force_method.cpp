@@ -48,19 +48,13 @@ class BruteForce final : public ContactMethod {
 }  // namespace
 
 ContactMethodEntry brute_force_method() noexcept {
-  return {
-      "brute-force",
-      "looks at every triangle",
-      "what closest-point holds, slowly",
-      false,
-      false,
-      false,
-      false,
-      nullptr,
-      nullptr,
-      [](std::vector<PlacedSurface> surfaces, double radius_m, Normals) -> std::unique_ptr<ContactMethod> {
-        return std::make_unique<BruteForce>(std::move(surfaces), radius_m);
-      }};
+  return {.name = "brute-force",
+          .summary = "looks at every triangle",
+          .holds = "what closest-point holds, slowly",
+          .make = [](std::vector<PlacedSurface> surfaces, double radius_m,
+                     Normals) -> std::unique_ptr<ContactMethod> {
+            return std::make_unique<BruteForce>(std::move(surfaces), radius_m);
+          }};
 }
 
 }  // namespace fingerpad

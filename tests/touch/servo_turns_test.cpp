@@ -59,5 +59,23 @@ TEST(ServoThread, AsksForShortTurnsAndStandsOtherwiseAsWhoBeganIt) {
   EXPECT_EQ(terms.runtime_ns, 100'000u);
 }
 
+TEST(ServoThread, WarmsUpOnItsOwnThreadBeforeItsFirstTickAndBeforeItIsThere) {
+  std::atomic<pid_t> warmed{0}, ticked{0};
+  std::atomic<bool> in_order{false};
+  ServoThread servo(
+      1000,
+      [&](double) {
+        if (ticked == 0) in_order = warmed == gettid();
+        ticked = gettid();
+        ticked.notify_all();
+        return TickRecord();
+      },
+      0.1, false, [&] { warmed = gettid(); });
+  EXPECT_NE(warmed, 0) << "who began it finds it ready";
+  ticked.wait(0);
+  servo.stop();
+  EXPECT_TRUE(in_order);
+}
+
 }  // namespace
 }  // namespace fingerpad::servo_turns_test

@@ -5,7 +5,6 @@
 #include <hdf5.h>
 
 #include <algorithm>
-#include <array>
 #include <csignal>
 #include <numbers>
 #include <thread>
@@ -228,17 +227,15 @@ TEST(TraceWriter, DatasetsStandAtTheRootWithTheirUnits) {
   test::write_trace(path, TraceFormat::hdf5, test::told_rows(10), {}, test::told_info());
   const hid_t file = H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT);
   ASSERT_GE(file, 0);
-  ASSERT_EQ(trace_columns().size(), 50u);
+  EXPECT_GE(trace_columns().size(), 50u);
   for (const TraceColumn& column : trace_columns()) {
     const hid_t dataset = H5Dopen2(file, std::string(column.name).c_str(), H5P_DEFAULT);
     ASSERT_GE(dataset, 0) << column.name;
     const hid_t type = H5Dget_type(dataset);
-    constexpr std::array<std::string_view, 4> whole_numbers{"part", "triangle", "walls", "ruptures"};
-    const bool is_whole = std::ranges::find(whole_numbers, column.name) != whole_numbers.end();
-    const std::size_t bytes = column.name == "phase" ? 1 : is_whole ? 4 : 8;
+    const std::size_t bytes = column.kind == ColumnKind::phase ? 1 : column.kind == ColumnKind::index ? 4 : 8;
     EXPECT_EQ(H5Tget_size(type), bytes) << column.name;
     EXPECT_EQ(H5Aexists(dataset, "unit"), 1) << column.name;
-    EXPECT_EQ(H5Aexists(dataset, "values"), column.name == "phase" ? 1 : 0) << column.name;
+    EXPECT_EQ(H5Aexists(dataset, "values"), column.values.empty() ? 0 : 1) << column.name;
     H5Tclose(type);
     H5Dclose(dataset);
   }

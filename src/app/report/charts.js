@@ -6,6 +6,27 @@ function svg(tag, attributes, ...children) {
   return made;
 }
 
+/** The width of a label in a picture [px]. */
+function textWidth(text) {
+  if (!textWidth.pen) {
+    const label = svg("text", {}), picture = svg("svg", {}, label);
+    document.body.append(picture);
+    const style = getComputedStyle(label);
+    textWidth.pen = document.createElement("canvas").getContext("2d");
+    textWidth.pen.font = `${style.fontWeight} ${style.fontSize} ${style.fontFamily}`;
+    picture.remove();
+  }
+  return textWidth.pen.measureText(text).width;
+}
+
+/** A label, cut to a width [px] where it is wider. */
+function cutTo(width, text) {
+  if (textWidth(text) <= width) return text;
+  const letters = [...text];
+  while (letters.length > 1 && textWidth(letters.join("") + "…") > width) letters.pop();
+  return letters.join("") + "…";
+}
+
 /** Round places of ticks between two values. */
 function axisTicks(low, high, most) {
   const rough = (high - low) / most;
@@ -55,10 +76,7 @@ function drawDots() {
   holder.replaceChildren();
   if (jobs.length === 0) return holder.append(element("p", { class: "note" }, "No job has this figure."));
   const room = Math.max(700, holder.clientWidth || 1100);
-  const left = 92, top = 14, height = 300, longest = Math.max(...names.map(name => name.length));
-  const band = (room - left - 20) / names.length;
-  const slanted = longest * 7 > band;
-  const bottom = slanted ? Math.min(170, 30 + longest * 5) : 46;
+  const top = 14, height = 300;
   const values = jobs.map(job => job.figures[chosen.figure]);
   const scale = value => chosen.log ? Math.log10(value) : value;
   const least = Math.min(...values), most = Math.max(...values);
@@ -66,6 +84,13 @@ function drawDots() {
   const [low, high] = chosen.log ? [powers[0], Math.max(powers[1], powers[0] + 1)] : axisEnds(Math.min(0, least), Math.max(most, Math.min(0, least) + 1e-12), 6);
   const y = value => top + height * (1 - (scale(value) - low) / (high - low));
   const ticks = chosen.log ? axisTicks(low, high, 8).filter(Number.isInteger).map(power => 10 ** power) : axisTicks(low, high, 6);
+  // Names that are wider than their band hang at a slant, cut where they would take more than half of the plot's height.
+  const left = Math.max(92, 38 + Math.max(...ticks.map(tick => textWidth(si(tick, unitOf(column))))));
+  const band = (room - left - 20) / names.length;
+  const whole = names.map(name => name === "" ? "(none)" : name), slanted = Math.max(...whole.map(textWidth)) > band - 8;
+  const degrees = 35, slant = degrees * Math.PI / 180;
+  const labels = slanted ? whole.map(name => cutTo(height / 2 / Math.sin(slant), name)) : whole;
+  const bottom = slanted ? 24 + Math.max(...labels.map(textWidth)) * Math.sin(slant) : 46;
   const picture = svg("svg", { width: room, height: top + height + bottom + 10, role: "img", "aria-label": words(column) + " across " + across.name });
   for (const tick of ticks) {
     picture.append(svg("line", { x1: left, x2: room - 20, y1: y(tick), y2: y(tick), stroke: "#e3e6ea" }));
@@ -75,10 +100,11 @@ function drawDots() {
     words(column) + (unitOf(column) ? " [" + unitOf(column) + "]" : "")));
   names.forEach((name, i) => {
     const x = left + band * (i + 0.5);
-    const shown = name === "" ? "(none)" : name;
-    const short = slanted && shown.length > 28 ? shown.slice(0, 27) + "…" : shown;
-    picture.append(svg("text", slanted ? { x, y: top + height + 16, "text-anchor": "end", transform: `rotate(-35 ${x} ${top + height + 16})` }
-      : { x, y: top + height + 18, "text-anchor": "middle" }, short));
+    // The first ones have less room to their left.
+    const label = slanted ? cutTo((x - 4) / Math.cos(slant), labels[i]) : labels[i];
+    picture.append(svg("text", slanted ? { x, y: top + height + 16, "text-anchor": "end", transform: `rotate(-${degrees} ${x} ${top + height + 16})` }
+      : { x, y: top + height + 18, "text-anchor": "middle" },
+      label, ...(label === whole[i] ? [] : [svg("title", {}, whole[i])])));
     const here = jobs.filter(job => across.of(job) === name);
     const mid = y(middle(here.map(job => job.figures[chosen.figure])));
     here.forEach((job, k) => {

@@ -1,10 +1,11 @@
-#include "fuzz/scene_words.hpp"
+#include "fuzz/dictionary_words.hpp"
 
 #include <fmt/format.h>
 
 #include <set>
 
 #include "scene/scene_key.hpp"
+#include "trace/trace_column.hpp"
 
 namespace fingerpad::test {
 
@@ -21,6 +22,18 @@ std::string scene_words() {
     }
   }
   return fmt::format("{}\n", fmt::join(words, "\n"));
+}
+
+std::string trace_words() {
+  std::string words;
+  for (const TraceColumn& column : trace_columns()) words += fmt::format("\"{}\"\n", column.name);
+  return words;
+}
+
+std::string dictionary_words(std::string_view target) {
+  if (target == "scene") return scene_words();
+  if (target == "trace_csv") return trace_words();
+  return {};
 }
 
 }  // namespace fingerpad::test

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "contact/proxy_state.hpp"
+#include "contact/worst_wall.hpp"
+
+namespace fingerpad {
+
+class ProxySight;
+
+/// How far a look at every surface has come.
+struct LookRound {
+  int surface = 0;
+  std::size_t next = 0;  ///< of its triangles, in the order in which they are looked at
+  WorstWall worst{std::nullopt, 0};
+  double free_share = 1;
+};
+
+/// A proxy's step in the making. Dual active-set method: the wall that blocks the way most is added until
+/// none blocks it. All walls have the start in front of them, so the way to the projection onto them crosses
+/// nothing, whenever it is stopped. Where the looks are spent within, it waits here for the next tick's.
+class StepMaking {
+ public:
+  /// From where the sight looks around.
+  /// @param most_m  the step ends there at the latest
+  void begin(const ProxySight& sight, const Vec3& goal_O, double most_m, double bent_m) noexcept;
+  /// A wall to begin with, seen from there.
+  void add(const ProxyWall& wall) noexcept { walls_[count_++] = wall; }
+  /// To its end, or to where the looks are spent.
+  ProxyStep go_on(ProxySight& sight) noexcept;
+  bool is_underway() const noexcept { return is_underway_; }
+  void drop() noexcept { is_underway_ = false; }
+
+ private:
+  bool project(ProxySight& sight) noexcept;
+  void go_on_along_bend(ProxySight& sight) noexcept;
+  bool let_go_of_far_walls(ProxySight& sight) noexcept;
+  ProxyStep waiting() const noexcept;
+
+  bool is_underway_ = false, is_amid_round_ = false, has_let_go_ = false;
+  Vec3 goal_ = Vec3::Zero();  ///< relative to the place looked around from
+  double slack_m_ = 0, breach_m_ = 0, most_m_ = 0, bent_m_ = 0;
+  ProxyStep step_;
+  ProxyStep held_;  ///< what it was before far walls were let go
+  std::array<ProxyWall, 4> walls_;
+  std::size_t count_ = 0;
+  int pass_ = 0;
+  LookRound round_;
+};
+
+}  // namespace fingerpad
