@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "study/cross_validation.hpp"
+#include "study/fit_told.hpp"
 #include "study/report.hpp"
 
 namespace fingerpad {
@@ -20,8 +21,9 @@ struct FitReport {
 FitReport fit_report(const Measurement& measurement, const ProfileFit& fit, const FitSettings& settings);
 
 /// The report as one HTML page that shows the pictures beside it (SVG) and fetches nothing.
+/// @param told    what was told on the way here: the page tells it too
 /// @param source  where the numbers come from, a sentence
-std::string fit_page(const FitReport& report, const Measurement& measurement, const ProfileFit& fit,
+std::string fit_page(const FitReport& report, const ProfileFit& fit, const FitTold& told,
                      const std::string& source);
 
 }  // namespace fingerpad

@@ -46,6 +46,52 @@ TEST_F(FitReportOfFiles, HoldsNumbersPicturesAndWhatTheFitForetells) {
 #endif
 }
 
+/// A page's text, without tags.
+std::string text_of(std::string page) {
+  page = std::regex_replace(page, std::regex("<[^>]*>"), " ");
+  for (const auto& [coded, plain] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
+    page = std::regex_replace(page, std::regex(coded), plain);
+  return page;
+}
+
+/// What the terminal told that is no number's row and no word of what was written.
+std::vector<std::string> told_lines(const test::ShellResult& fit) {
+  std::vector<std::string> lines;
+  std::istringstream all(fit.out + fit.err);
+  for (std::string line; std::getline(all, line);) {
+    line = std::regex_replace(line, std::regex("^(fingerpad: (warning: )?|no picture of )"), "");
+    const bool is_row = std::regex_search(line, std::regex("^[a-z_0-9]+ +(refused: |[0-9.e-]+ )"));
+    const bool is_written = line.starts_with("wrote ") || line.starts_with("report.html, ");
+    if (!is_row && !is_written) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Whole, with an offset that no tare takes, of two trials, and of one with another's file left out.
+TEST_F(FitReportOfFiles, SaysAllThatTheTerminalSays) {
+  const std::string shipped = (measurements / "synthetic_finger.csv").string();
+  std::ofstream(folder / "off.awk")
+      << "BEGIN { FS = OFS = \",\" } /^[0-9]/ { $5 += 0.08; if ($1 < 0.45 || $1 > 1.6) next } { print }\n";
+  std::ofstream(folder / "two.awk") << "BEGIN { FS = \",\" } /^t_s/ || $12 == 1 || $12 == 2 { print }\n";
+  std::ofstream(folder / "normal_only.csv")
+      << "t_s,x_m,y_m,z_m,fz_n\n0,0,0,0,1\n0.001,0,0,0,1\n0.002,0,0,0,1\n";
+  ASSERT_EQ(test::shell(fmt::format("awk -f off.awk {0} > off.csv && awk -f two.awk {0} > two.csv", shipped),
+                        folder)
+                .exit_code,
+            0);
+  for (const std::string& words :
+       {shipped, std::string("off.csv"), std::string("two.csv"), std::string("two.csv normal_only.csv"),
+        shipped + " --no-tare --delay 7ms --mains off", std::string("two.csv --unit mm")}) {
+    const auto fit = program(fmt::format("fit {} --out finger.toml --report report", words));
+    ASSERT_EQ(fit.exit_code, 0) << words << fit.err;
+    const std::string page = text_of(test::bytes_of(folder / "report/report.html"));
+    const std::vector<std::string> lines = told_lines(fit);
+    EXPECT_GT(lines.size(), 6u) << words;
+    for (const std::string& line : lines) EXPECT_THAT(page, HasSubstr(line)) << words;
+    fs::remove_all(folder / "report");
+  }
+}
+
 double residual_rms_n(const std::string& summary) {
   std::smatch found;
   // Before its bias and lag, and the contact's method and normals.

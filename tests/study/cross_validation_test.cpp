@@ -140,7 +140,7 @@ TEST(FitReport, HasAPictureOfEachOfThePapersFigures) {
   EXPECT_THAT(names, testing::ElementsAre("figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9",
                                           "figure10", "figure11"));
   EXPECT_THAT(report.without_picture, testing::IsEmpty());
-  const std::string page = fit_page(report, measurement, fit, "fitted to <rubs>");
+  const std::string page = fit_page(report, fit, {}, "fitted to <rubs>");
   EXPECT_THAT(page, HasSubstr("fitted to &lt;rubs&gt;"));
   EXPECT_THAT(page, HasSubstr("<img src=\"figure9.svg\""));
   EXPECT_THAT(page, HasSubstr("lateral_axis_m"));
