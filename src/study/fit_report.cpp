@@ -91,7 +91,8 @@ std::string checked_html(const CrossValidation& checked) {
 FitReport fit_report(const Measurement& measurement, const ProfileFit& fit, const FitSettings& settings) {
   FitReport report;
   const StickPicture stick = stick_picture(measurement, fit);
-  for (Chart& chart : fit_figures({measurement, fit, stick})) {
+  const FitPictureSource source{measurement, fit, stick};
+  for (Chart& chart : fit_figures(source)) {
     if (!chart.panels.empty()) {
       report.study.charts.push_back(std::move(chart));
       continue;
@@ -100,7 +101,8 @@ FitReport fit_report(const Measurement& measurement, const ProfileFit& fit, cons
         fmt::format("{}: {}", chart.title, chart.notes.empty() ? "" : chart.notes.front()));
   }
   report.checked = cross_validate(measurement, settings);
-  report.study.tables = {numbers_table(fit), cross_validation_table(report.checked)};
+  report.study.tables = {numbers_table(fit), cross_validation_table(report.checked),
+                         boundaries_table(source)};
   return report;
 }
 

@@ -11,7 +11,8 @@ namespace fingerpad {
 
 /// What `fit --report` shows: the numbers, how they were come by, and pictures.
 struct FitReport {
-  StudyReport study;  ///< numbers.csv, cross_validation.csv and figures 3 to 11; of figures those with panels
+  /// numbers.csv, cross_validation.csv, boundaries.csv and the figures: those with panels.
+  StudyReport study;
   std::vector<std::string> without_picture;  ///< "figure 4: why", of those that the data cannot support
   CrossValidation checked;
 };

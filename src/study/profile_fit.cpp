@@ -113,6 +113,7 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.took_delay =
       !fit.knows_delay && std::any_of(measurement.delays.begin(), measurement.delays.end(),
                                       [](const FileDelay& d) { return d.estimate.refusal.empty(); });
+  fit.v_min_by_step = point.v_min_by_step;
   if (!fit.knows_delay && lateral.samples + longitudinal.samples > 0)
     fit.delay_left_s = (static_cast<double>(lateral.samples) * lateral.shape.delay_s +
                         static_cast<double>(longitudinal.samples) * longitudinal.shape.delay_s) /

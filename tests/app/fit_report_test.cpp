@@ -32,14 +32,14 @@ TEST_F(FitReportOfFiles, HoldsNumbersPicturesAndWhatTheFitForetells) {
                                        (measurements / "synthetic_finger.csv").string()));
   ASSERT_EQ(fit.exit_code, 0) << fit.err;
   EXPECT_THAT(fit.out,
-              AllOf(HasSubstr("on trials that a fit has not seen"), HasSubstr("report.html, 2 tables")));
+              AllOf(HasSubstr("on trials that a fit has not seen"), HasSubstr("report.html, 3 tables")));
   const std::string page = test::bytes_of(folder / "report/report.html");
   EXPECT_THAT(page,
               AllOf(HasSubstr("lateral_axis_m"), HasSubstr("Cross-validation"), HasSubstr("figure11.svg")));
   EXPECT_THAT(test::bytes_of(folder / "report/cross_validation.csv"), HasSubstr("fitted_rms_n"));
 #ifdef FINGERPAD_VIEW
-  for (const char* name :
-       {"figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9", "figure10", "figure11"}) {
+  for (const char* name : {"figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9", "figure10",
+                           "figure11", "stick_and_slip"}) {
     EXPECT_GT(fs::file_size(folder / fmt::format("report/{}.svg", name)), 2000u) << name;
     EXPECT_GT(fs::file_size(folder / fmt::format("report/{}.png", name)), 5000u) << name;
   }
