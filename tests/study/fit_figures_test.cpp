@@ -143,6 +143,14 @@ TEST(FitFigures, AVMinThatAStepTellsIsMarkedWhereItIsPassed) {
   ASSERT_NE(rings, nullptr);
   const double v_min = fitted_number(of.fit, PadNumber::v_min);
   for (const double v : rings->y) EXPECT_NEAR(std::abs(v), v_min, 0.03 * v_min);
+  std::size_t falls = 0;
+  bool was_faster = false;
+  for (const double v : chart.panels[0].curves[0].y) {
+    falls += was_faster && std::abs(v) < v_min ? 1 : 0;
+    was_faster = std::abs(v) > 1.1 * v_min || (was_faster && std::abs(v) >= v_min);
+  }
+  EXPECT_GE(falls, 2U);
+  EXPECT_EQ(rings->x.size(), falls);
 }
 
 TEST(FitFigures, EachBoundaryOfEveryTrialIsTabledWithItsReason) {
@@ -168,16 +176,17 @@ TEST(FitFigures, TheLocalStiffnessThatIsDrawnIsTheOneThatToldThePhases) {
   const MeasuredTrial& trial = of.measurement.trials.front();
   const StickSegments& segments = of.stick.segments.front();
   const std::vector<double> per_m = local_stiffness_per_m(trial, segments);
-  long wrong = 0, told = 0;
+  long wrong = 0, told = 0, soft = 0;
   for (std::size_t i = 0; i < per_m.size(); ++i) {
     if (segments.phase[i] == PadPhase::unknown) continue;
     ++told;
     const bool is_stiff = per_m[i] > segments.border_per_m;
-    // Slip with little friction is taken for stick.
     wrong += segments.phase[i] == PadPhase::slip && (is_stiff || std::isnan(per_m[i])) ? 1 : 0;
+    soft += segments.phase[i] == PadPhase::stick && !is_stiff ? 1 : 0;
   }
   EXPECT_GT(told, 1000);
   EXPECT_EQ(wrong, 0);
+  EXPECT_LT(soft, told / 100);  // slip with little friction is taken for stick
 }
 
 TEST(FitFigures, TheFittedSpringIsBentAsItsCubicShareSays) {
