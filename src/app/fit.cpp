@@ -13,6 +13,7 @@
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 #include "study/few_trials.hpp"
+#include "study/fit_told.hpp"
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_reader.hpp"
 #include "study/profile_text.hpp"
@@ -46,6 +47,14 @@ void tell_fit(const ProfileFit& fit) {
   }
 }
 
+void warn(const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) print_err("fingerpad: warning: {}\n", warning);
+}
+
+void add_lines(const std::vector<std::string>& lines, std::vector<std::string>& to) {
+  to.insert(to.end(), lines.begin(), lines.end());
+}
+
 /// All files that it reads.
 std::vector<std::string> input_paths(const FitOptions& options) {
   std::vector<std::string> paths = options.measurements;
@@ -61,12 +70,20 @@ void refuse_lost_inputs(const FitReport& report, const FitOptions& options) {
   for (const std::string& name : names) refuse_overwriting(options.report + "/" + name, input_paths(options));
 }
 
-void tell_report(const FitOptions& options, const Measurement& measurement, const ProfileFit& found,
-                 const FitSettings& settings, const std::string& source) {
-  const FitReport report = fit_report(measurement, found, settings);
+/// What a report is made of.
+struct ReportSource {
+  const Measurement& measurement;
+  const ProfileFit& found;
+  const FitSettings& settings;
+  const FitTold& told;
+  const std::string& source;
+};
+
+void tell_report(const FitOptions& options, const ReportSource& from) {
+  const FitReport report = fit_report(from.measurement, from.found, from.settings);
   refuse_lost_inputs(report, options);
   const std::string written =
-      write_fit_report(report, fit_page(report, measurement, found, source), options.report);
+      write_fit_report(report, fit_page(report, from.found, from.told, from.source), options.report);
   if (options.quiet) return;
   print_out("{}\n", cross_validation_words(report.checked));
   for (const std::string& figure : report.without_picture) print_out("no picture of {}\n", figure);
@@ -92,21 +109,17 @@ int fit(const FitOptions& options) {
   std::optional<OutputFolder> report_folder;
   if (!options.report.empty()) report_folder.emplace(options.report);
   const MeasurementFormat format = measurement_format(options.reading);
-  RecordedMeasurement recorded = read_measurements(options.measurements, format, options.reading.reader);
-  for (const std::string& note : recorded.notes) print_err("fingerpad: {}\n", note);
-  for (const std::string& warning : recorded.warnings) print_err("fingerpad: warning: {}\n", warning);
-  if (const std::string words = measurement_words(recorded); !words.empty() && !options.quiet)
-    print_err("fingerpad: {}\n", words);
-  for (const std::string& doubt : doubts_of(recorded, format)) print_err("fingerpad: warning: {}\n", doubt);
   const CleaningSettings cleaning = cleaning_settings(options.cleaning);
+  RecordedMeasurement recorded = read_measurements(options.measurements, format, options.reading.reader);
+  FitTold told = told_of_reading(recorded, format);
+  for (const std::string& note : told.reading) print_err("fingerpad: {}\n", note);
+  if (!told.understood.empty() && !options.quiet) print_err("fingerpad: {}\n", told.understood);
+  warn(told.warnings);
   refuse_doubtful(recorded, format, cleaning.delay_s.value_or(0));
+  const std::string force_mend = recorded.force_mend;
   const Measurement measurement = clean(std::move(recorded), cleaning);
-  for (const std::string& name : measurement.untouched)
-    print_err("fingerpad: warning: {}: the finger never presses; the trial is left out\n", name);
-  if (!measurement.trials.empty()) {
-    for (const std::string& reason : measurement.without_force)
-      print_err("fingerpad: warning: {}; the file is left out\n", reason);
-  }
+  warn(left_out_warnings(measurement));
+  add_lines(left_out_warnings(measurement), told.warnings);
   const FitSettings settings{options.seed, blocks_of(options.cleaning)};
   const ProfileFit found = fit_profile(measurement, settings);
   const bool is_without_force = measurement.trials.empty() && !measurement.without_force.empty();
@@ -119,10 +132,7 @@ int fit(const FitOptions& options) {
         options.measurements.front(),
         fmt::format("nothing can be fitted: {}{}{}", measurement.trials.empty() ? "" : "mu_dynamic: ",
                     said_of(options.measurements.front(), slip.refusal),
-                    is_without_force && options.reading.reader.empty()
-                        ? "; where its forces are called otherwise, say --columns "
-                          "fx=NAME,fy=NAME,fz=NAME"
-                        : ""));
+                    is_without_force && !force_mend.empty() ? "; " + force_mend : ""));
   }
   std::string source = fmt::format("fitted to {}, seed {}:", trials_text(found), options.seed);
   for (const std::string& path : options.measurements) source += fmt::format(" {}", path);
@@ -130,12 +140,10 @@ int fit(const FitOptions& options) {
   file.write(profile_text(found, source));
   file.commit();
   if (!options.quiet && options.out != "-") tell_fit(found);
-  if (!found.residual.misfit.empty())
-    print_err("fingerpad: warning: the pad's law does not fit: {}\n", found.residual.misfit);
   tell_written(options.quiet, options.out, trials_text(found));
-  if (const std::string missing = missing_axes_words(found); !missing.empty())
-    print_err("fingerpad: warning: {}\n", missing);
-  if (report_folder) tell_report(options, measurement, found, settings, source);
+  warn(fit_warnings(found));
+  add_lines(fit_warnings(found), told.warnings);
+  if (report_folder) tell_report(options, {measurement, found, settings, told, source});
   return 0;
 }
 

@@ -9,6 +9,7 @@
 #include <iterator>
 
 #include "app/output_name.hpp"
+#include "app/quantity_option.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/unit.hpp"
@@ -31,6 +32,26 @@ std::vector<std::string> names_of(const Table& table) {
   names.reserve(std::size(table));
   for (const auto& row : table) names.emplace_back(row.name);
   return names;
+}
+
+const std::string lengths = "mm, cm, m, in", times = "ms, us, s", hertz = "Hz, kHz";
+
+/// Of a number that the command line has read already.
+std::string fault_of_hertz(const std::string& text) {
+  const double value = parse_number(text).value_or(-1);
+  return value >= 0 && std::isfinite(value) ? "" : fmt::format("{} Hz: a frequency is 0 or more", text);
+}
+
+/// @throws Error (usage)
+double delay_of(const std::string& text) {
+  const auto delay_s = number_with_unit(text, factors_of(Quantity::time));
+  if (!delay_s || !std::isfinite(*delay_s))
+    throw Error(ErrorKind::usage, "--delay",
+                fmt::format("'{}' is no time (7ms, or 0.007 for seconds), nor 'found' nor 'off'", text));
+  if (std::abs(*delay_s) <= 1) return *delay_s;
+  throw Error(ErrorKind::usage, "--delay",
+              fmt::format("'{}' is more than a second, which no delay is{}", text,
+                          parse_number(text) ? fmt::format("; milliseconds are {}ms", text) : ""));
 }
 
 /// @pre the command line has checked that it is there
@@ -141,17 +162,19 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command.add_option("--force-on", options.force_on, "What the recorded forces act on")
       ->check(CLI::IsMember({"finger", "plate"}))
       ->capture_default_str();
-  command
-      .add_option(
+  take_units(
+      command.add_option(
           "--markers", options.markers,
           "BEYOND,BELOW: positions are of two markers, proximal (m1x..) and distal (m2x..); the fingertip "
-          "is so far beyond the distal one, along their line, and so far below [m]")
+          "is so far beyond the distal one, along their line, and so far below [m]"),
+      factors_of(Quantity::length), lengths)
       ->delimiter(',')
       ->expected(2);
-  command
-      .add_option(
+  take_units(
+      command.add_option(
           "--sensor-at", options.sensor_at,
-          "X,Y,Z of a six-axis sensor's axes [m]: with torque the contact point is told from the wrench")
+          "X,Y,Z of a six-axis sensor's axes [m]: with torque the contact point is told from the wrench"),
+      factors_of(Quantity::length), lengths)
       ->delimiter(',')
       ->expected(3);
   refuse_empty(
@@ -162,16 +185,16 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                   "W,X,Y,Z: the sensor's axes to those of positions")
       ->delimiter(',')
       ->expected(4);
-  command
-      .add_option("--plate-height", options.plate_height_m,
-                  "Of the plate along its normal, with --sensor-at [m]")
+  take_units(command.add_option("--plate-height", options.plate_height_m,
+                                "Of the plate along its normal, with --sensor-at [m]"),
+             factors_of(Quantity::length), lengths)
       ->default_str("0");
 }
 
 void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
-  command
-      .add_option("--fill", options.fill_ms,
-                  "Gaps of samples up to this are filled with a line [ms]; 0: none")
+  take_units(command.add_option("--fill", options.fill_ms,
+                                "Gaps of samples up to this are filled with a line [ms]; 0: none"),
+             factors_of(Quantity::time, 1e-3), times)
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command.add_option("--mains", options.mains, "Mains hum to take out of forces: any, 50, 60 or off")
@@ -182,12 +205,14 @@ void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
   command
       .add_option(
           "--delay", options.delay,
-          "By how much force lags position [s], to be taken out; 'found' by cross-correlation, or 'off'")
+          "By how much force lags position (7ms; [s] where it has no unit), to be taken out; 'found' by "
+          "cross-correlation, or 'off'")
       ->capture_default_str();
-  command
-      .add_option("--smoothing", options.smoothing_hz,
-                  "Zero-phase low pass of positions and forces, this frequency being halved [Hz]; 0: none")
-      ->check(CLI::NonNegativeNumber)
+  take_units(command.add_option(
+                 "--smoothing", options.smoothing_hz,
+                 "Zero-phase low pass of positions and forces, this frequency being halved [Hz]; 0: none"),
+             factors_of_hertz(), hertz)
+      ->check(CLI::Validator(fault_of_hertz, ""))
       ->capture_default_str();
   command
       .add_option("--blocks", options.blocks,
@@ -231,12 +256,7 @@ CleaningSettings cleaning_settings(const CleaningOptions& options) {
                                            : Mains::any;
   settings.takes_tare = !options.no_tare;
   settings.takes_delay = options.delay == "found";
-  if (options.delay != "found" && options.delay != "off") {
-    settings.delay_s = parse_number(options.delay);
-    if (!settings.delay_s || !(std::abs(*settings.delay_s) <= 1))
-      throw fit_usage(
-          "--delay", fmt::format("'{}' is neither seconds (at most 1) nor 'found' nor 'off'", options.delay));
-  }
+  if (options.delay != "found" && options.delay != "off") settings.delay_s = delay_of(options.delay);
   settings.smoothing_hz = options.smoothing_hz;
   return settings;
 }

@@ -81,14 +81,20 @@ CsvHeader read_csv_header(TextLines& lines, const CsvRequest& request) {
 
 Error missing_column(const CsvHeader& header, std::string_view name, const CsvRequest& request) {
   constexpr std::size_t most_shown_bytes = 400;
-  std::vector<std::string> there;
-  for (const std::string_view cell : csv_cells(header.line, header.separator))
+  std::vector<std::string> there, unasked;
+  const auto asks_for = [](const std::vector<std::string_view>& names, std::string_view cell) {
+    return std::find(names.begin(), names.end(), cell) != names.end();
+  };
+  for (const std::string_view cell : csv_cells(header.line, header.separator)) {
     there.push_back(printable(cell, 60));
-  const std::string nearest = nearest_word(name, there);
+    if (!asks_for(request.required, cell) && !asks_for(request.optional, cell))
+      unasked.push_back(there.back());
+  }
+  const std::string nearest = nearest_word(name, unasked);  // one that is read already is not meant
   const bool has_none = is_row_of_numbers(trimmed(header.line));
   const std::string mend = has_none ? "put a line of names above these numbers" : request.mend;
   return refused(header.place,
-                 fmt::format("no column '{}'{}; the first line must name the columns {}, and it names {}{}{}",
+                 fmt::format("no column '{}'{}; its header must name the columns {}, and it names {}{}{}",
                              printable(name, 60),
                              nearest.empty() || has_none ? "" : fmt::format(" (did you mean '{}'?)", nearest),
                              fmt::join(request.required, ","), printable(word_list(there), most_shown_bytes),

@@ -143,6 +143,9 @@ CsvRowReader::CsvRowReader(const std::string& path, const CsvRequest& request)
     if (!cell && k < request.required.size()) throw missing_column(header, names[k], request);
     if (cell) wanted_.push_back({std::string(names[k]), *cell, k});
   }
+  for (const std::string_view cell : csv_cells(header.line, header.separator))
+    if (!cell.empty() && std::find(names.begin(), names.end(), cell) == names.end())
+      unread_.push_back(printable(cell, 60));
   numbers_.resize(names.size());
   if (request.takes_units) take_units();
 }

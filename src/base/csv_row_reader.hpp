@@ -30,6 +30,8 @@ class CsvRowReader {
   std::string place() const { return lines_.place(); }                           ///< "table.csv:12"
   char separator() const noexcept { return separator_; }
   const UnitRow& units() const noexcept { return units_; }
+  /// What the header names that is not asked for, for people.
+  const std::vector<std::string>& unread() const noexcept { return unread_; }
 
  private:
   bool next_line(std::string_view& line);
@@ -45,6 +47,7 @@ class CsvRowReader {
   std::size_t header_cells_ = 0, rows_ = 0;
   std::vector<Wanted> wanted_;
   std::vector<bool> present_;
+  std::vector<std::string> unread_;
   std::vector<std::string_view> cells_;  // of the row under way
   std::vector<double> numbers_;
 };

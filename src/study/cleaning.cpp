@@ -115,16 +115,16 @@ std::string tare_text(const std::vector<TrialCleaning>& trials) {
     press_on += trial.presses_on ? 1 : 0;
     most_n = std::max({most_n, trial.tare_begin_n.norm(), trial.tare_end_n.norm()});
   }
-  std::string text = fmt::format("tare: taken off {} of {} trial{}, at most {} N", tared, trials.size(),
-                                 trials.size() == 1 ? "" : "s", rounded_text(most_n, 3));
+  std::string text =
+      fmt::format("tare: taken off {} of {} trial{}", tared, trials.size(), trials.size() == 1 ? "" : "s");
+  if (tared > 0) text += fmt::format(", at most {} N", rounded_text(most_n, 3));
   if (tared == trials.size()) return text;
   text += tared == 0 ? "; none has a moment" : "; the others have no moment";
   text += " that is surely without contact";
   if (press_on > 0)
     text += fmt::format(
-        " (in {} the force is low and still, but height or friction tell that the finger presses on)",
-        press_on);
-  return text;
+        " (in {} of them height or friction tell that the finger presses on where it is lightest)", press_on);
+  return text + ": record a second in the air in each trial, or zero the sensor before it";
 }
 
 /// What was done, in order.
@@ -171,6 +171,7 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
     if (recorded.trials[i].sensor) take_contact_points(recorded.trials[i]);
   }
   measurement.delays = settle_delays(recorded.trials, settings);
+  measurement.looks_for_tare = settings.takes_tare;
   measurement.knows_delay = settings.delay_s || !settings.takes_delay;
   for (RecordedTrial& trial : recorded.trials) {
     if (settings.smoothing_hz > 0) low_pass(trial, settings.smoothing_hz);

@@ -118,10 +118,11 @@ double delay_unsure_s(const std::vector<FileDelay>& delays, const std::string& f
 std::string delay_text(const std::vector<FileDelay>& delays, const CleaningSettings& settings) {
   std::string text = "delay: ";
   if (settings.delay_s) text += fmt::format("{:.3f} ms as given was taken out; ", 1e3 * *settings.delay_s);
-  bool takes_any = false;
+  bool takes_any = false, takes_all = true;
   for (std::size_t i = 0; i < delays.size(); ++i) {
     const FileDelay& delay = delays[i];
     takes_any = takes_any || delay.estimate.refusal.empty();
+    takes_all = takes_all && delay.estimate.refusal.empty();
     if (i > 0) text += "; ";
     if (delay.files.size() > 1) {
       text += fmt::format("{} files together: ", delay.files.size());
@@ -133,7 +134,9 @@ std::string delay_text(const std::vector<FileDelay>& delays, const CleaningSetti
   if (delays.empty()) text += "no trial";
   if (settings.delay_s) return text;
   if (!settings.takes_delay) return text + "; left in (off)";
-  return takes_any ? text + "; taken out" : text;
+  if (delays.empty() || takes_all) return takes_any ? text + "; taken out" : text;
+  return text + fmt::format("; {} taken out: where it is known, give it (--delay 7ms)",
+                            takes_any ? "what is told was" : "none was");
 }
 
 }  // namespace fingerpad

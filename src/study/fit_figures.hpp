@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "base/chart.hpp"
+#include "study/report.hpp"
 #include "study/stick_paths.hpp"
 
 namespace fingerpad {
@@ -30,15 +31,22 @@ Chart normalised_ellipses_figure(const FitPictureSource& source);
 /// Fig. 8: tangential force against displacement in stick, lateral and longitudinal, with the fitted spring.
 Chart force_displacement_figure(const FitPictureSource& source);
 /// Fig. 9: velocity, normal force, tangential force and their ratio where slip gives way to stick, with
-/// v_min; on the ratio, where each phase begins and why.
+/// v_min, mu_s and mu_d. Where v_min is refused, so is the figure.
 Chart phase_change_figure(const FitPictureSource& source);
-/// Fig. 10: position (less its mean over 50 ms, the stroke itself) and force of a slipping fingertip, along
+/// Fig. 10: position (less a parabola over 50 ms, the stroke itself) and force of a slipping fingertip, along
 /// the motion and along the normal.
 Chart slip_oscillation_figure(const FitPictureSource& source);
 /// Fig. 11: power spectral densities of tangential and normal force in slip.
 Chart slip_spectrum_figure(const FitPictureSource& source);
 
-/// All of them, in that order, named figure3 to figure11 (5 and 6 are one).
+/// Where the phases of a trial begin and why, with the local stiffness that parts them, of two seconds of the
+/// trial with most such places.
+Chart phase_boundaries_figure(const FitPictureSource& source);
+
+/// All of them, in that order, named figure3 to figure11 (5 and 6 are one) and stick_and_slip.
 std::vector<Chart> fit_figures(const FitPictureSource& source);
+
+/// Where each phase of every trial begins and why: "boundaries", a row each.
+StudyTable boundaries_table(const FitPictureSource& source);
 
 }  // namespace fingerpad

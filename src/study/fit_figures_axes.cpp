@@ -1,12 +1,13 @@
 // Figures 5 and 6, axes against the finger's angle, and 8, force against displacement.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <map>
 
-#include "study/fit_figures.hpp"
+#include "study/fit_figure_parts.hpp"
 
 namespace fingerpad {
 namespace {
@@ -58,9 +59,10 @@ ChartPanel axis_panel(const FitPictureSource& source, std::size_t axis, double f
   panel.y_from_zero = true;
   add_axis_points(source, axis, panel);
   if (!std::isfinite(slope_per_deg)) return panel;
-  panel.curves.push_back(
-      slope_line(fmt::format("{} = 1 - {:.4g} (angle - 45)", axis == 0 ? "a" : "b", slope_per_deg),
-                 {palette::ink, Dash::solid, Marker::none, 1.3}, slope_per_deg, from_deg, to_deg));
+  panel.curves.push_back(slope_line(fmt::format("{} = 1 {} {:.4g} (angle - 45)", axis == 0 ? "a" : "b",
+                                                slope_per_deg < 0 ? '+' : '-', std::abs(slope_per_deg)),
+                                    {palette::ink, Dash::solid, Marker::none, 1.3}, slope_per_deg, from_deg,
+                                    to_deg));
   if (const auto& both = source.fit.interval[static_cast<std::size_t>(slope)]) {
     for (const double limit : {both->first, both->second})
       panel.curves.push_back(slope_line(limit == both->first ? "95 % of the slope" : "",
@@ -80,15 +82,20 @@ std::map<int, double> shown_angles(const Measurement& measurement) {
   return angles;
 }
 
-void add_pulls(const FitPictureSource& source, Eigen::Index axis, ChartPanel& panel) {
+/// Whether a trial is at its subject's angle of fig. 8.
+bool is_shown(const MeasuredTrial& trial, const std::map<int, double>& angles) {
+  constexpr double alike_deg = 4;
+  return std::abs(trial.inclination_deg - angles.at(trial.subject)) <= alike_deg;
+}
+
+void add_pulls(const FitPictureSource& source, std::size_t axis, ChartPanel& panel) {
   const std::map<int, double> angles = shown_angles(source.measurement);
   std::map<int, ChartCurve> subjects;
   std::map<int, std::size_t> samples;
   for (const StickPath& path : source.stick.paths) {
     const MeasuredTrial& trial = source.measurement.trials[path.trial];
-    constexpr double alike_deg = 4;
     constexpr std::size_t most_samples = 6000;
-    if (std::abs(trial.inclination_deg - angles.at(trial.subject)) > alike_deg) continue;
+    if (!is_shown(trial, angles)) continue;
     if ((samples[trial.subject] += path.force_n.size()) > most_samples) continue;
     const auto number = static_cast<int>(subjects.size());
     auto& curve = subjects
@@ -98,8 +105,8 @@ void add_pulls(const FitPictureSource& source, Eigen::Index axis, ChartPanel& pa
                                                              {}})
                       .first->second;
     for (std::size_t i = 0; i < path.force_n.size(); ++i) {
-      curve.x.push_back(1e3 * path.displacement_m[i][axis]);
-      curve.y.push_back(path.force_n[i][axis]);
+      curve.x.push_back(1e3 * path.displacement_m[i][static_cast<Eigen::Index>(axis)]);
+      curve.y.push_back(path.force_n[i][static_cast<Eigen::Index>(axis)]);
     }
     curve.x.push_back(no_value);
     curve.y.push_back(no_value);
@@ -107,54 +114,101 @@ void add_pulls(const FitPictureSource& source, Eigen::Index axis, ChartPanel& pa
   for (auto& [subject, curve] : subjects) panel.curves.push_back(std::move(curve));
 }
 
-/// The fitted spring at the mean load of what is shown, over what is shown.
-void add_spring(const FitPictureSource& source, Eigen::Index axis, ChartPanel& panel) {
-  double load_n = 0, count = 0, reach_mm = 0;
+/// The load, the reach and the angle of what fig. 8 shows along an axis.
+struct ShownPulls {
+  double load_n = 0, reach_m = 0, angle_deg = 0;
+};
+
+ShownPulls shown_pulls(const FitPictureSource& source, const ChartPanel& panel) {
+  ShownPulls shown;
+  const std::map<int, double> angles = shown_angles(source.measurement);
+  double count = 0;
   for (const MeasuredTrial& trial : source.measurement.trials) {
-    for (const double n : trial.normal_force_n) load_n += n;
+    if (!is_shown(trial, angles)) continue;
+    for (const double n : trial.normal_force_n) shown.load_n += n;
+    shown.angle_deg += angle_deg(trial) * static_cast<double>(trial.normal_force_n.size());
     count += static_cast<double>(trial.normal_force_n.size());
   }
   for (const ChartCurve& curve : panel.curves)
-    for (const double x : curve.x)
-      if (std::isfinite(x)) reach_mm = std::max(reach_mm, std::abs(x));
-  const double mu_static = fitted_number(source.fit, PadNumber::mu_static);
-  const double axis_m = fitted_axes_m(source.fit, 45)[axis];
-  const double slope =
-      std::isfinite(axis_m) ? mu_static / axis_m : fitted_number(source.fit, PadNumber::stick_stiffness);
-  if (!std::isfinite(slope) || !(count > 0)) return;
-  const double force_n = slope * load_n / count * 1e-3 * reach_mm;
-  panel.curves.push_back({fmt::format("fitted at 45 deg and {:.2g} N", load_n / count),
-                          {palette::ink, Dash::dashed, Marker::none, 1.3},
-                          {-reach_mm, reach_mm},
-                          {force_n, -force_n}});
+    for (const double x_mm : curve.x)
+      if (std::isfinite(x_mm)) shown.reach_m = std::max(shown.reach_m, 1e-3 * std::abs(x_mm));
+  shown.load_n /= count;
+  shown.angle_deg /= count;
+  return shown;
+}
+
+/// The fitted spring over what is shown, at its mean load and angle: of the third order, where its cubic
+/// share is told. It ends where stick does.
+void add_spring(const FitPictureSource& source, std::size_t axis, ChartPanel& panel) {
+  const ShownPulls shown = shown_pulls(source, panel);
+  const bool has_direction = source.measurement.trials[source.stick.paths[0].trial].has_direction;
+  const double stiffness = fitted_number(source.fit, PadNumber::stick_stiffness),
+               mu_static = fitted_number(source.fit, PadNumber::mu_static),
+               axis_m = fitted_axes_m(source.fit, shown.angle_deg)[static_cast<Eigen::Index>(axis)];
+  const double cubic = fitted_number(
+      source.fit, axis == 0 ? PadNumber::lateral_cubic_share : PadNumber::longitudinal_cubic_share);
+  const bool has_end = std::isfinite(axis_m) && std::isfinite(mu_static);
+  if (!has_end && (has_direction || !std::isfinite(stiffness))) return;
+  constexpr int points = 40;
+  const double share = has_end && std::isfinite(cubic) ? cubic : 0,
+               end_m = has_end ? axis_m : mu_static / stiffness,
+               reach_m = std::isfinite(end_m) ? std::min(shown.reach_m, end_m) : shown.reach_m;
+  ChartCurve curve{
+      fmt::format("fitted, at {}{:.2g} N",
+                  has_direction ? fmt::format("{:.0f} deg and ", shown.angle_deg) : "", shown.load_n),
+      {palette::ink, Dash::dashed, Marker::none, 1.3},
+      {},
+      {}};
+  for (int k = -points; k <= points; ++k) {
+    const double x_m = reach_m * k / points, rho = x_m / axis_m;
+    const double ratio = has_end ? mu_static * rho * (1 - share + share * rho * rho) : stiffness * x_m;
+    curve.x.push_back(1e3 * x_m);
+    curve.y.push_back(-shown.load_n * ratio);
+  }
+  panel.curves.push_back(std::move(curve));
 }
 
 }  // namespace
 
 Chart normalised_axes_figure(const FitPictureSource& source) {
   const std::string title = "Axes of the stick ellipse against the finger's angle (paper, figs. 5 and 6)";
-  double least_deg = 90, most_deg = 0;
-  for (const MeasuredTrial& trial : source.measurement.trials) {
-    if (!trial.has_direction) continue;
-    least_deg = std::min(least_deg, trial.inclination_deg);
-    most_deg = std::max(most_deg, trial.inclination_deg);
-  }
-  if (least_deg > most_deg)
-    return {"figure5_6", title, {"no finger direction: the finger's angle and axes are not known"}, 1, {}};
+  const MeasuredAngles measured = measured_angles(source.measurement);
+  if (!measured.are_known())
+    return refused_figure("figure5_6", title,
+                          "no finger direction: the finger's angle and axes are not known");
   constexpr double beyond_deg = 5;
   Chart chart{"figure5_6", title, {"each subject weighs the same in the lines, whatever its samples"}, 2, {}};
-  for (const std::size_t axis : {0, 1})
-    chart.panels.push_back(axis_panel(source, axis, least_deg - beyond_deg, most_deg + beyond_deg));
+  const auto refused = [&](std::size_t most_letters) {
+    return refusal_notes(source.fit,
+                         {PadNumber::lateral_axis, PadNumber::longitudinal_axis, PadNumber::lateral_slope,
+                          PadNumber::longitudinal_slope},
+                         most_letters);
+  };
+  for (const std::size_t axis : {0, 1}) {
+    const Vec2 axes_m = fitted_axes_m(source.fit, 45);
+    if (std::isfinite(axes_m[static_cast<Eigen::Index>(axis)]))
+      chart.panels.push_back(
+          axis_panel(source, axis, measured.least_deg - beyond_deg, measured.most_deg + beyond_deg));
+  }
+  if (chart.panels.empty())
+    return refused_figure("figure5_6", title, fmt::format("{}", fmt::join(refused(std::string::npos), "; ")));
+  chart.columns = static_cast<int>(chart.panels.size());
+  for (std::string& note : refused(chart.columns == 1 ? note_of_one_column : note_of_two_columns))
+    chart.notes.push_back(std::move(note));
   return chart;
 }
 
 Chart force_displacement_figure(const FitPictureSource& source) {
   const std::string title = "Force against displacement in stick (paper, fig. 8)";
-  if (source.stick.paths.empty()) return {"figure8", title, {"no stick was found"}, 1, {}};
-  Chart chart{"figure8", title, {"finger at the angle nearest to 45 deg"}, 2, {}};
+  if (source.stick.paths.empty()) return refused_figure("figure8", title, "no stick was found");
+  Chart chart{"figure8", title, {}, 2, {}};
   const bool has_axes = source.measurement.trials[source.stick.paths[0].trial].has_direction;
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    const char* names[2][2] = {{"x", "y"}, {"lateral", "longitudinal"}};
+  if (has_axes) chart.notes.emplace_back("each subject's finger at its angle nearest to 45 deg");
+  for (std::string& note : refusal_notes(
+           source.fit, {PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}, note_of_two_columns))
+    if (has_axes || note.find("longitudinal") == std::string::npos) chart.notes.push_back(std::move(note));
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const char* names[2][2] = {{"tangent axis 1", "tangent axis 2"}, {"lateral", "longitudinal"}};
     ChartPanel panel{names[has_axes ? 1 : 0][axis],
                      "displacement from the stick centre [mm]",
                      "tangential force on the finger [N]",

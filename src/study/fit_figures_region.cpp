@@ -1,5 +1,6 @@
 // Figures of the stick region: 3, 4, 7.
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -7,13 +8,13 @@
 #include <map>
 #include <numbers>
 
-#include "study/fit_figures.hpp"
+#include "study/fit_figure_parts.hpp"
 
 namespace fingerpad {
 namespace {
 
 constexpr double gap = std::numeric_limits<double>::quiet_NaN();
-constexpr int most_subjects = 5;  // that colours tell apart beside the ellipses
+constexpr std::size_t most_panels = 12;
 
 /// How much of a trial's force goes round: the smaller spread of its components over the larger.
 double roundness(const MeasuredTrial& trial) {
@@ -62,10 +63,24 @@ double usual_angle_deg(const Measurement& measurement, int subject) {
   return nearest;
 }
 
-/// How far stick reaches by its bearing: means of the farthest tenth within each of 24 bearings.
+/// The mean of the farthest tenth; not a number of few samples.
+double farthest_tenth(std::vector<double> radii) {
+  constexpr std::size_t fewest = 10;
+  if (radii.size() < fewest) return gap;
+  std::sort(radii.begin(), radii.end());
+  const std::size_t from = radii.size() - radii.size() / 10;
+  double mean = 0;
+  for (std::size_t i = from; i < radii.size(); ++i)
+    mean += radii[i] / static_cast<double>(radii.size() - from);
+  return mean;
+}
+
+/// How far stick reaches by its bearing, of 24. One in which it stays near its centre was not pushed: what is
+/// there is noise beside other bearings.
 ChartCurve averaged_reach(const std::vector<const StickPath*>& paths, std::string name,
                           const CurveStyle& style) {
   constexpr int bearings = 24;
+  constexpr double least_share = 0.3;
   std::vector<std::vector<double>> radii(bearings);
   for (const StickPath* path : paths) {
     for (const Vec2& d : path->displacement_m) {
@@ -73,20 +88,20 @@ ChartCurve averaged_reach(const std::vector<const StickPath*>& paths, std::strin
       radii[static_cast<std::size_t>(std::lround(turn * bearings) % bearings)].push_back(d.norm());
     }
   }
+  std::vector<double> reach_m;
+  reach_m.reserve(bearings);
+  double most_m = 0;
+  for (std::vector<double>& own : radii) {
+    reach_m.push_back(farthest_tenth(std::move(own)));
+    if (reach_m.back() > most_m) most_m = reach_m.back();
+  }
   ChartCurve curve{std::move(name), style, {}, {}};
   for (int k = 0; k <= bearings; ++k) {
-    std::vector<double>& own = radii[static_cast<std::size_t>(k % bearings)];
-    constexpr std::size_t fewest = 10;
-    double mean = gap;
-    if (own.size() >= fewest) {
-      std::sort(own.begin(), own.end());
-      const std::size_t from = own.size() - own.size() / 10;
-      mean = 0;
-      for (std::size_t i = from; i < own.size(); ++i) mean += own[i] / static_cast<double>(own.size() - from);
-    }
+    const double here_m = reach_m[static_cast<std::size_t>(k % bearings)],
+                 shown_mm = here_m > least_share * most_m ? 1e3 * here_m : gap;
     const double angle = 2 * std::numbers::pi * k / bearings;
-    curve.x.push_back(1e3 * mean * std::cos(angle));
-    curve.y.push_back(1e3 * mean * std::sin(angle));
+    curve.x.push_back(shown_mm * std::cos(angle));
+    curve.y.push_back(shown_mm * std::sin(angle));
   }
   return curve;
 }
@@ -107,15 +122,11 @@ ChartCurve raw_paths(const std::vector<const StickPath*>& paths) {
   return raw;
 }
 
-Chart refused_chart(std::string name, std::string title, std::string why) {
-  return {std::move(name), std::move(title), {std::move(why)}, 1, {}};
-}
-
 }  // namespace
 
 Chart force_loop_figure(const FitPictureSource& source) {
   const std::vector<MeasuredTrial>& trials = source.measurement.trials;
-  if (trials.empty()) return refused_chart("figure3", "Force of a fingertip", "no trial has contact");
+  if (trials.empty()) return refused_figure("figure3", "Force of a fingertip", "no trial has contact");
   const auto slips = [&](const MeasuredTrial& one) {
     const auto& phase = source.stick.segments[static_cast<std::size_t>(&one - trials.data())].phase;
     constexpr double mostly = 0.25;
@@ -155,8 +166,15 @@ Chart force_loop_figure(const FitPictureSource& source) {
 
 Chart stick_ellipse_figure(const FitPictureSource& source) {
   const std::string title = "Where the pad sticks (paper, fig. 4)";
-  Chart chart{"figure4", title, {}, 2, {}};
-  for (const int subject : subjects_in(source.measurement)) {
+  Chart chart{
+      "figure4",
+      title,
+      refusal_notes(source.fit, {PadNumber::lateral_axis, PadNumber::longitudinal_axis, PadNumber::mu_static},
+                    note_of_two_columns),
+      2,
+      {}};
+  const std::vector<int> subjects = subjects_in(source.measurement);
+  for (const int subject : subjects) {
     const double angle_deg = usual_angle_deg(source.measurement, subject);
     constexpr double alike_deg = 4;
     std::vector<const StickPath*> paths;
@@ -166,10 +184,16 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
         paths.push_back(&path);
     }
     if (paths.empty()) continue;
-    if (static_cast<int>(chart.panels.size()) == most_subjects + 1) break;
-    ChartPanel panel{fmt::format("subject {}, finger at {:.0f} deg", subject, angle_deg),
-                     "lateral displacement from the stick centre [mm]",
-                     "longitudinal [mm]",
+    if (chart.panels.size() == most_panels) {
+      chart.notes.push_back(fmt::format("the first {} of {} subjects", most_panels, subjects.size()));
+      break;
+    }
+    const MeasuredTrial& first = source.measurement.trials[paths.front()->trial];
+    ChartPanel panel{first.has_direction ? fmt::format("subject {}, finger at {:.0f} deg", subject, angle_deg)
+                                         : fmt::format("subject {}", subject),
+                     first.has_direction ? "lateral displacement from the stick centre [mm]"
+                                         : "displacement from the stick centre, tangent axis 1 [mm]",
+                     first.has_direction ? "longitudinal [mm]" : "tangent axis 2 [mm]",
                      false,
                      false,
                      {}};
@@ -184,7 +208,7 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
                                            1e3 * axes_m.x(), 1e3 * axes_m.y()));
     chart.panels.push_back(std::move(panel));
   }
-  if (chart.panels.empty()) return refused_chart("figure4", title, "no stick was found");
+  if (chart.panels.empty()) return refused_figure("figure4", title, "no stick was found");
   chart.columns = chart.panels.size() == 1 ? 1 : 2;
   return chart;
 }
@@ -192,17 +216,33 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
 Chart normalised_ellipses_figure(const FitPictureSource& source) {
   const std::string title = "The normalised stick ellipse by the finger's angle (paper, fig. 7)";
   const Vec2 at45_m = fitted_axes_m(source.fit, 45);
-  if (!at45_m.allFinite() || !std::isfinite(fitted_number(source.fit, PadNumber::lateral_slope)))
-    return refused_chart("figure7", title, "axes or slopes are refused: see the table of numbers");
-  Chart chart{"figure7", title, {"over the lateral axis at 45 deg"}, 1, {}};
+  if (!at45_m.allFinite() || !std::isfinite(fitted_number(source.fit, PadNumber::lateral_slope)) ||
+      !std::isfinite(fitted_number(source.fit, PadNumber::longitudinal_slope))) {
+    const std::vector<std::string> why =
+        refusal_notes(source.fit,
+                      {PadNumber::lateral_axis, PadNumber::longitudinal_axis, PadNumber::lateral_slope,
+                       PadNumber::longitudinal_slope},
+                      std::string::npos);
+    return refused_figure("figure7", title, fmt::format("{}", fmt::join(why, "; ")));
+  }
+  const MeasuredAngles measured = measured_angles(source.measurement);
+  Chart chart{
+      "figure7",
+      title,
+      {fmt::format("over the lateral axis at 45 deg; measured from {:.0f} to {:.0f} deg, dashed beyond",
+                   measured.least_deg, measured.most_deg)},
+      1,
+      {}};
   ChartPanel panel{"", "lateral [1]", "longitudinal [1]", false, false, {}};
   panel.equal_scales = true;
   int colour = 0;
   for (const double angle_deg : {15.0, 30.0, 45.0, 60.0, 75.0}) {
     const Vec2 axes = fitted_axes_m(source.fit, angle_deg) / at45_m.x();
     if (!(axes.minCoeff() > 0)) continue;
-    panel.curves.push_back(ellipse_curve(fmt::format("{:.0f} deg", angle_deg),
-                                         {colour++, Dash::solid, Marker::none, 1.3}, axes.x(), axes.y()));
+    panel.curves.push_back(
+        ellipse_curve(fmt::format("{:.0f} deg", angle_deg),
+                      {colour++, measured.hold(angle_deg) ? Dash::solid : Dash::dashed, Marker::none, 1.3},
+                      axes.x(), axes.y()));
   }
   chart.panels.push_back(std::move(panel));
   return chart;

@@ -86,22 +86,13 @@ std::string checked_html(const CrossValidation& checked) {
   return out + "</table>\n";
 }
 
-std::vector<std::string> outlier_words(const ProfileFit& fit) {
-  std::vector<std::string> words;
-  for (const OutlierTrial& outlier : fit.outliers) {
-    words.push_back(fmt::format("{}: {} is {:.4g}, usual for the subject is {:.4g}; it counts all the same",
-                                outlier.name, pad_number_keys[static_cast<std::size_t>(outlier.number)],
-                                outlier.value, outlier.usual));
-  }
-  return words;
-}
-
 }  // namespace
 
 FitReport fit_report(const Measurement& measurement, const ProfileFit& fit, const FitSettings& settings) {
   FitReport report;
   const StickPicture stick = stick_picture(measurement, fit);
-  for (Chart& chart : fit_figures({measurement, fit, stick})) {
+  const FitPictureSource source{measurement, fit, stick};
+  for (Chart& chart : fit_figures(source)) {
     if (!chart.panels.empty()) {
       report.study.charts.push_back(std::move(chart));
       continue;
@@ -110,34 +101,31 @@ FitReport fit_report(const Measurement& measurement, const ProfileFit& fit, cons
         fmt::format("{}: {}", chart.title, chart.notes.empty() ? "" : chart.notes.front()));
   }
   report.checked = cross_validate(measurement, settings);
-  report.study.tables = {numbers_table(fit), cross_validation_table(report.checked)};
+  report.study.tables = {numbers_table(fit), cross_validation_table(report.checked),
+                         boundaries_table(source)};
   return report;
 }
 
-std::string fit_page(const FitReport& report, const Measurement& measurement, const ProfileFit& fit,
+std::string fit_page(const FitReport& report, const ProfileFit& fit, const FitTold& told,
                      const std::string& source) {
   std::string page =
       "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>A finger pad's "
       "profile</title>\n"
       "<style>body{font-family:sans-serif;max-width:70em;margin:2em auto;padding:0 1em;color:#22262c}"
       "table{border-collapse:collapse}td,th{border:1px solid #dadee3;padding:.2em .6em;text-align:left}"
-      "img{max-width:100%;display:block;margin:1em 0}</style></head>\n<body>\n<h1>A finger pad's "
-      "profile</h1>\n";
+      "li{overflow-wrap:anywhere}img{max-width:100%;display:block;margin:1em 0}</style></head>\n<body>\n"
+      "<h1>A finger pad's profile</h1>\n";
   page += fmt::format("<p>{}.</p>\n", html(source));
-  if (!fit.residual.misfit.empty())
-    page += fmt::format("<p><strong>The finger-pad law does not fit: {}</strong></p>\n",
-                        html(fit.residual.misfit));
-  if (!fit.residual.untold.empty())
-    page += fmt::format("<p><strong>Whether the finger-pad law fits cannot be told: {}</strong></p>\n",
-                        html(fit.residual.untold));
-  if (const std::string missing = missing_axes_words(fit); !missing.empty())
-    page += fmt::format("<p><strong>{}</strong></p>\n", html(missing));
+  for (const std::string& warning : told.warnings)
+    page += fmt::format("<p><strong>{}</strong></p>\n", html(warning));
   page += numbers_html(fit);
+  page += html_list("What the numbers rest on", fit_remarks(fit));
+  std::vector<std::string> reading = told.reading;
+  if (!told.understood.empty()) reading.push_back(told.understood);
+  page += html_list("What was read", reading);
+  page += html_list("From raw to clean", fit.steps);
+  page += html_list("Outlying trials", outlier_notes(fit));
   page += checked_html(report.checked);
-  page += html_list("From raw to clean", measurement.steps);
-  page += html_list("Files that hold nothing for a fit", measurement.without_force);
-  page += html_list("Trials whose finger never presses", measurement.untouched);
-  page += html_list("Outlying trials", outlier_words(fit));
   page += "<h2>Figures</h2>\n";
   for (const Chart& chart : report.study.charts)
     page += fmt::format("<img src=\"{}.svg\" alt=\"{}\">\n", chart.name, html(chart.title));

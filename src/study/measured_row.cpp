@@ -87,6 +87,19 @@ std::string RowReader::missing_force() const {
   return {};
 }
 
+std::string RowReader::missing_force_mend() const {
+  std::string names;
+  long missing = 0;
+  for (std::size_t k = place_of(MeasuredColumn::fx); k < place_of(MeasuredColumn::fx) + 3; ++k) {
+    if (present_[k]) continue;
+    names += fmt::format("{}{}=NAME", names.empty() ? "" : ",", measurement_columns[k].key);
+    ++missing;
+  }
+  if (missing == 0) return {};
+  return fmt::format("where {} called otherwise, say --columns {}", missing == 1 ? "it is" : "they are",
+                     names);
+}
+
 bool RowReader::has(MeasuredColumn first) const {
   return present_[place_of(first)];
 }

@@ -50,6 +50,8 @@ class RowReader {
 
   /// "column fx_n missing"; empty where the force is there whole.
   std::string missing_force() const;
+  /// What to say where only its name is missing: "where it is called otherwise, say --columns fx=NAME".
+  std::string missing_force_mend() const;
   bool has(MeasuredColumn first) const;
 
   double time_s(std::span<const double> numbers) const;

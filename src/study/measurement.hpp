@@ -66,6 +66,7 @@ struct FileDelay {
 struct Measurement {
   std::vector<MeasuredTrial> trials;       ///< with contact, by file and in the file's order
   std::vector<TrialCleaning> cleanings;    ///< of every trial that was read, in that order
+  bool looks_for_tare = true;              ///< else forces were taken as they are (--no-tare)
   bool knows_delay = false;                ///< it was given, or left in: the fit looks for no rest of it
   std::vector<FileDelay> delays;           ///< by file, those taken together last
   std::vector<std::string> untouched;      ///< names of trials whose finger never presses

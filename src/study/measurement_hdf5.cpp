@@ -58,6 +58,7 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
   const RowReader rows(path, format, file.present);
   if (const std::string missing = rows.missing_force(); !missing.empty()) {
     into.without_force.push_back(fmt::format("{}: {}", path, missing));
+    into.force_mend = rows.missing_force_mend();
     return;
   }
   warn_of_thinned(path, file.every, into);

@@ -4,6 +4,8 @@
 
 #include "base/csv_row_reader.hpp"
 #include "base/error.hpp"
+#include "base/nearest_word.hpp"
+#include "base/printable_text.hpp"
 #include "base/unit_row.hpp"
 #include "study/measured_row.hpp"
 #include "trace/trace.hpp"
@@ -74,7 +76,11 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
     into.notes.push_back(fmt::format("{}: {}", path, words));
   const RowReader rows(path, read_as, present);
   if (const std::string missing = rows.missing_force(); !missing.empty()) {
-    into.without_force.push_back(fmt::format("{}: {}", path, missing));
+    const std::string unread = printable(word_list(table.unread()), 200);
+    into.without_force.push_back(
+        fmt::format("{}: {}{}", path, missing,
+                    unread.empty() ? "" : fmt::format(" (it has, and nothing reads: {})", unread)));
+    into.force_mend = rows.missing_force_mend();
     return;
   }
   warn_of_thinned(path, every_of_csv(path), into);

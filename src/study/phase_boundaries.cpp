@@ -20,6 +20,18 @@ std::string_view reason_text(BoundaryReason reason) noexcept {
   return "";
 }
 
+std::string_view phase_text(PadPhase phase) noexcept {
+  switch (phase) {
+    case PadPhase::unknown:
+      return "not told";
+    case PadPhase::stick:
+      return "stick";
+    case PadPhase::slip:
+      return "slip";
+  }
+  return "";
+}
+
 std::vector<PhaseBoundary> phase_boundaries(const MeasuredTrial& trial, const StickSegments& segments) {
   const auto reason = [&](std::size_t i, PadPhase before, PadPhase after) {
     if (trial.starts_anew[i]) return BoundaryReason::touchdown;

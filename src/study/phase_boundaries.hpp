@@ -19,6 +19,7 @@ enum class BoundaryReason : unsigned char {
 };
 /// In words, for a chart's legend.
 std::string_view reason_text(BoundaryReason reason) noexcept;
+std::string_view phase_text(PadPhase phase) noexcept;
 
 /// Where one phase ends and the next begins.
 struct PhaseBoundary {

@@ -1,5 +1,7 @@
 #include "study/position_delay.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -221,8 +223,8 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
   if (estimate.samples < fewest || !lag) {
     estimate.refusal = estimate.samples < fewest
                            ? "too little stick in which force follows position"
-                           : "no lag within 50 ms explains the forces best; one that is longer is to be "
-                             "given";
+                           : "no lag within 50 ms explains the forces best, and one that is longer is "
+                             "not looked for";
     return estimate;
   }
   estimate.delay_s = *lag * delay_step_s;
@@ -245,8 +247,10 @@ DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t
   if (!(reach > 0) || spread.count < 0.95 * draws) return estimate;
   estimate.interval_s = {estimate.delay_s - reach, estimate.delay_s + reach};
   // Of few trials, the jackknife has those without the one that tells it.
-  if (interval_reach(spread, std::nullopt, blocks, groups) > most_unsure_s)
-    estimate.refusal = "it is not told to within 5 ms";
+  const double drawn_s = interval_reach(spread, std::nullopt, blocks, groups);
+  if (drawn_s > most_unsure_s)
+    estimate.refusal = fmt::format("the trials tell it to -+ {:.0f} ms only, and to {:.0f} ms is needed",
+                                   std::ceil(1e3 * drawn_s), 1e3 * most_unsure_s);
   return estimate;
 }
 

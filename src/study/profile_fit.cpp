@@ -108,7 +108,12 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.offset = sensor_offset(measurement, segments);
   const SpringFit lateral = fit_spring(fit.evidence, once, 0),
                   longitudinal = fit_spring(fit.evidence, once, 1);
+  fit.looks_for_tare = measurement.looks_for_tare;
   fit.knows_delay = measurement.knows_delay;
+  fit.took_delay =
+      !fit.knows_delay && std::any_of(measurement.delays.begin(), measurement.delays.end(),
+                                      [](const FileDelay& d) { return d.estimate.refusal.empty(); });
+  fit.v_min_by_step = point.v_min_by_step;
   if (!fit.knows_delay && lateral.samples + longitudinal.samples > 0)
     fit.delay_left_s = (static_cast<double>(lateral.samples) * lateral.shape.delay_s +
                         static_cast<double>(longitudinal.samples) * longitudinal.shape.delay_s) /

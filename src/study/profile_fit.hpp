@@ -39,9 +39,12 @@ struct ProfileFit {
   std::vector<OutlierTrial> outliers;
   LawResidual residual;
   SensorOffset offset;
-  bool knows_delay = false;  ///< Measurement's
-  double delay_left_s = 0;   ///< of force behind position, that the springs tell beside what was taken out; 0
-                             ///< where the delay is known
+  bool looks_for_tare = true;  ///< Measurement's
+  bool knows_delay = false;    ///< likewise
+  bool took_delay = false;     ///< a delay was found, of one file at least, and taken out
+  double delay_left_s = 0;     ///< of force behind position, that the springs tell beside what was taken out;
+                               ///< 0 where the delay is known
+  bool v_min_by_step = false;  ///< FitPoint's: v_min is a speed at which friction steps, no end of slip
   std::vector<std::string> steps;  ///< Measurement::steps
 };
 

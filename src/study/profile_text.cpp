@@ -91,20 +91,34 @@ std::string missing_axes_words(const ProfileFit& fit) {
                      usable.empty() ? "" : fmt::format(" What a scene can use of it: {}", usable));
 }
 
-std::vector<std::string> fit_notes(const ProfileFit& fit) {
-  std::vector<std::string> notes = fit.steps;
+std::vector<std::string> outlier_notes(const ProfileFit& fit) {
+  std::vector<std::string> notes;
   for (const OutlierTrial& outlier : fit.outliers)
     notes.push_back(fmt::format("outlier: {}: its {} is {}, the usual one {}; counted all the same",
                                 outlier.name, pad_number_keys[static_cast<std::size_t>(outlier.number)],
                                 rounded_text(outlier.value, 4), rounded_text(outlier.usual, 4)));
+  return notes;
+}
+
+std::vector<std::string> fit_notes(const ProfileFit& fit) {
+  std::vector<std::string> notes = fit.steps;
+  for (std::vector<std::string> (*more)(const ProfileFit&) : {outlier_notes, fit_remarks}) {
+    const std::vector<std::string> own = more(fit);
+    notes.insert(notes.end(), own.begin(), own.end());
+  }
+  return notes;
+}
+
+std::vector<std::string> fit_remarks(const ProfileFit& fit) {
+  std::vector<std::string> notes;
   if (fit.offset.off > 0)
     notes.push_back(fmt::format(
         "force's zero: no tare was taken off {} trials, and of {} that rub to and fro {} have an offset, of "
         "{} N on the median and at most {} N along the plate (or friction that differs by direction): "
         "coefficients and springs rest on it, and what it is along the normal is not told. Record a second "
-        "without contact in each trial and do without --no-tare, or zero the sensor",
+        "without contact in each trial{}, or zero the sensor",
         fit.offset.untared, fit.offset.told, fit.offset.off, rounded_text(fit.offset.usual_n, 2),
-        rounded_text(fit.offset.most_n, 2)));
+        rounded_text(fit.offset.most_n, 2), fit.looks_for_tare ? "" : " and do without --no-tare"));
   for (const PadNumber axis : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
     const auto k = static_cast<std::size_t>(axis);
     if (fit.values[k].refusal.empty() && fit.values[k].value > widest_axis_m)
@@ -114,11 +128,11 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
   }
   constexpr double untold_s = 0.5e-3;
   if (std::abs(fit.delay_left_s) > untold_s && fit.residual.misfit.empty())
-    notes.push_back(
-        fmt::format("delay: the springs tell another {} ms beside what was taken out, which bent springs "
-                    "(or a loop) hide "
-                    "from the cross-correlation: it may be off by as much; axes and stiffnesses allow for it",
-                    rounded_text(1e3 * fit.delay_left_s, 2)));
+    notes.push_back(fmt::format(
+        "delay: {}the springs tell {} {} ms{}, which bent springs (or a loop) hide from the "
+        "cross-correlation: it may be off by as much; axes and stiffnesses allow for it",
+        fit.took_delay ? "" : "none was taken out, and ", fit.took_delay ? "another" : "one of",
+        rounded_text(1e3 * fit.delay_left_s, 2), fit.took_delay ? " beside what was taken out" : ""));
   const PadValue &lateral = value_of(fit.values, PadNumber::lateral_axis),
                  &longitudinal = value_of(fit.values, PadNumber::longitudinal_axis);
   if (lateral.refusal.empty() && longitudinal.refusal.empty() &&
@@ -137,7 +151,7 @@ std::vector<std::string> fit_notes(const ProfileFit& fit) {
   for (const std::string& odd : residual.odd_trials)
     notes.push_back("the pad's law fits most trials, but not " + odd + "; it counts all the same");
   if (!residual.misfit.empty()) {
-    if (!fit.knows_delay)
+    if (fit.took_delay)
       notes.push_back(
           "delay: it was told by the springs of the pad's law, which does not fit: it may be 10 ms off, and "
           "the "

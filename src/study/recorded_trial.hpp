@@ -52,9 +52,10 @@ std::string trial_name(const RecordedTrial& trial);
 struct RecordedMeasurement {
   std::vector<RecordedTrial> trials;  ///< by file, and in each file's order
   std::vector<std::string>
-      without_force;                  ///< "FILE: column fx_n missing", of files that hold nothing for a fit
-  std::vector<std::string> notes;     ///< how files were read, for people: "FILE: ..."
-  std::vector<std::string> warnings;  ///< what in them is not as it should be
+      without_force;       ///< "FILE: column fx_n missing", of files that hold nothing for a fit
+  std::string force_mend;  ///< what to say of the last of them, where it has the force by another name
+  std::vector<std::string> notes;               ///< how files were read, for people: "FILE: ..."
+  std::vector<std::string> warnings;            ///< what in them is not as it should be
   std::map<std::string, ToldUnits> told_units;  ///< by file, of those whose tables tell them
 };
 

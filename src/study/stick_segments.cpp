@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "study/rupture_search.hpp"
 #include "study/sample_noise.hpp"
@@ -232,6 +233,15 @@ StickSegments stick_segments(const MeasuredTrial& trial) {
   tell_phases(trial, locals, found);
   take_soft_stick(trial, locals, found);
   return found;
+}
+
+std::vector<double> local_stiffness_per_m(const MeasuredTrial& trial, const StickSegments& segments) {
+  StickSegments found = segments;
+  const std::vector<bool> is_light = light_samples(trial, found);
+  std::vector<double> per_m;
+  for (const LocalStiffness& local : local_stiffnesses(trial, found, WindowSums(trial), is_light))
+    per_m.push_back(local.is_known ? local.per_m : std::numeric_limits<double>::quiet_NaN());
+  return per_m;
 }
 
 }  // namespace fingerpad

@@ -37,4 +37,8 @@ struct StickSegments {
 /// nothing is told. Noise is told from second differences (sample_noise), so that ruptures do not count.
 StickSegments stick_segments(const MeasuredTrial& trial);
 
+/// The local stiffness that told the phase of each sample; not a number where none is told.
+/// @param segments  the trial's
+std::vector<double> local_stiffness_per_m(const MeasuredTrial& trial, const StickSegments& segments);
+
 }  // namespace fingerpad

@@ -76,6 +76,7 @@ std::optional<double> end_of_slip_m(const SlipStop& stop, const Spring& spring_m
 /// How a finger moves at a place of its way.
 struct StopSpeed {
   double speed_m_per_s, slowing_m_per_s;  ///< slowing: from sample to sample; < 0 where it speeds up
+  std::size_t sample;                     ///< nearest to it
 };
 
 /// At a place of the way, by a parabola through the positions around it.
@@ -99,7 +100,9 @@ std::optional<StopSpeed> speed_at_m(const MeasuredTrial& trial, const StickSegme
     t -= (way->at(t) - place_m) / slope;
   }
   if (!(std::abs(t) < static_cast<double>(half))) return std::nullopt;
-  return StopSpeed{way->slope_at(t) * trial.rate_hz, -2 * way->bend_m * trial.rate_hz};
+  const auto nearest = static_cast<long>(middle) + std::lround(t);
+  return StopSpeed{way->slope_at(t) * trial.rate_hz, -2 * way->bend_m * trial.rate_hz,
+                   static_cast<std::size_t>(std::clamp(nearest, 0L, static_cast<long>(count) - 1))};
 }
 
 }  // namespace
@@ -125,7 +128,7 @@ void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, co
     evidence.stop_slowing_m_per_s += speed->slowing_m_per_s;
     evidence.stop_rise += rise_before_stop(segments, ratio, slip, forward, evidence);
     ++evidence.stops;
-    evidence.stop_samples.push_back(slip.to);
+    evidence.stop_samples.push_back(speed->sample);
   }
 }
 

@@ -77,7 +77,7 @@ struct TrialEvidence {
   /// Of the gives, those before which it was pulled so little: stick that began anew; and of these the drops.
   long strokes = 0, stroke_drops = 0;
   double unseen_drop = 0;                 ///< of friction, that noise would hide
-  std::vector<std::size_t> stop_samples;  ///< the first of what follows slip, of each
+  std::vector<std::size_t> stop_samples;  ///< where the spring says that slip ended, of each
   std::vector<double> power;              ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
   /// Sums of products, about the trial's means, of -height, n^w and n^w ln n over means of some samples of

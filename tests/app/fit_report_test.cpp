@@ -32,18 +32,64 @@ TEST_F(FitReportOfFiles, HoldsNumbersPicturesAndWhatTheFitForetells) {
                                        (measurements / "synthetic_finger.csv").string()));
   ASSERT_EQ(fit.exit_code, 0) << fit.err;
   EXPECT_THAT(fit.out,
-              AllOf(HasSubstr("on trials that a fit has not seen"), HasSubstr("report.html, 2 tables")));
+              AllOf(HasSubstr("on trials that a fit has not seen"), HasSubstr("report.html, 3 tables")));
   const std::string page = test::bytes_of(folder / "report/report.html");
   EXPECT_THAT(page,
               AllOf(HasSubstr("lateral_axis_m"), HasSubstr("Cross-validation"), HasSubstr("figure11.svg")));
   EXPECT_THAT(test::bytes_of(folder / "report/cross_validation.csv"), HasSubstr("fitted_rms_n"));
 #ifdef FINGERPAD_VIEW
-  for (const char* name :
-       {"figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9", "figure10", "figure11"}) {
+  for (const char* name : {"figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9", "figure10",
+                           "figure11", "stick_and_slip"}) {
     EXPECT_GT(fs::file_size(folder / fmt::format("report/{}.svg", name)), 2000u) << name;
     EXPECT_GT(fs::file_size(folder / fmt::format("report/{}.png", name)), 5000u) << name;
   }
 #endif
+}
+
+/// A page's text, without tags.
+std::string text_of(std::string page) {
+  page = std::regex_replace(page, std::regex("<[^>]*>"), " ");
+  for (const auto& [coded, plain] : {std::pair("&lt;", "<"), {"&gt;", ">"}, {"&quot;", "\""}, {"&amp;", "&"}})
+    page = std::regex_replace(page, std::regex(coded), plain);
+  return page;
+}
+
+/// What the terminal told that is no number's row and no word of what was written.
+std::vector<std::string> told_lines(const test::ShellResult& fit) {
+  std::vector<std::string> lines;
+  std::istringstream all(fit.out + fit.err);
+  for (std::string line; std::getline(all, line);) {
+    line = std::regex_replace(line, std::regex("^(fingerpad: (warning: )?|no picture of )"), "");
+    const bool is_row = std::regex_search(line, std::regex("^[a-z_0-9]+ +(refused: |[0-9.e-]+ )"));
+    const bool is_written = line.starts_with("wrote ") || line.starts_with("report.html, ");
+    if (!is_row && !is_written) lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Whole, with an offset that no tare takes, of two trials, and of one with another's file left out.
+TEST_F(FitReportOfFiles, SaysAllThatTheTerminalSays) {
+  const std::string shipped = (measurements / "synthetic_finger.csv").string();
+  std::ofstream(folder / "off.awk")
+      << "BEGIN { FS = OFS = \",\" } /^[0-9]/ { $5 += 0.08; if ($1 < 0.45 || $1 > 1.6) next } { print }\n";
+  std::ofstream(folder / "two.awk") << "BEGIN { FS = \",\" } /^t_s/ || $12 == 1 || $12 == 2 { print }\n";
+  std::ofstream(folder / "normal_only.csv")
+      << "t_s,x_m,y_m,z_m,fz_n\n0,0,0,0,1\n0.001,0,0,0,1\n0.002,0,0,0,1\n";
+  ASSERT_EQ(test::shell(fmt::format("awk -f off.awk {0} > off.csv && awk -f two.awk {0} > two.csv", shipped),
+                        folder)
+                .exit_code,
+            0);
+  for (const std::string& words :
+       {shipped, std::string("off.csv"), std::string("two.csv"), std::string("two.csv normal_only.csv"),
+        shipped + " --no-tare --delay 7ms --mains off", std::string("two.csv --unit mm")}) {
+    const auto fit = program(fmt::format("fit {} --out finger.toml --report report", words));
+    ASSERT_EQ(fit.exit_code, 0) << words << fit.err;
+    const std::string page = text_of(test::bytes_of(folder / "report/report.html"));
+    const std::vector<std::string> lines = told_lines(fit);
+    EXPECT_GT(lines.size(), 6u) << words;
+    for (const std::string& line : lines) EXPECT_THAT(page, HasSubstr(line)) << words;
+    fs::remove_all(folder / "report");
+  }
 }
 
 double residual_rms_n(const std::string& summary) {

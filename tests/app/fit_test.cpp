@@ -63,6 +63,43 @@ TEST_F(Fit, SaysWhatItDidToTheSamplesAndLeavesStepsOut) {
   EXPECT_THAT(unknown.err, HasSubstr("'q=Q' is no KEY=NAME"));
 }
 
+TEST_F(Fit, TakesAUnitBehindANumber) {
+  const auto plain = fit(shipped.string() + " --out same.toml --delay 0.0073 --fill 15 --smoothing 80");
+  for (const char* words :
+       {"--delay 7.3ms --fill 15ms --smoothing 80Hz", "--delay '7.3 ms' --fill 0.015s --smoothing '0.08 kHz'",
+        "--delay 7300us --fill 15000us --smoothing 80"}) {
+    const auto other = fit(shipped.string() + " --out same.toml " + words);
+    EXPECT_EQ(other.exit_code, 0) << words << other.err;
+    EXPECT_EQ(other.out, plain.out) << words;
+  }
+  const std::string to_none = shipped.string() + " --out none.toml ";
+  for (const auto& [words, said] : {std::pair("--delay 7",
+                                              "--delay: '7' is more than a second, which no delay is; "
+                                              "milliseconds are 7ms"),
+                                    {"--delay 7mm", "'7mm' is no time (7ms, or 0.007 for seconds)"},
+                                    {"--delay 2s", "'2s' is more than a second, which no delay is\n"},
+                                    {"--fill 20mm", "'20mm' is no number, nor one of ms, us, s"},
+                                    {"--smoothing 50ms", "'50ms' is no number, nor one of Hz, kHz"},
+                                    {"--smoothing -5", "-5 Hz: a frequency is 0 or more"},
+                                    {"--markers 12mm,8s", "'8s' is no number, nor one of mm, cm, m, in"}}) {
+    const auto wrong = fit(to_none + words);
+    EXPECT_EQ(wrong.exit_code, 2) << words;
+    EXPECT_THAT(wrong.err, HasSubstr(said)) << words;
+    EXPECT_THAT(wrong.err, testing::Not(HasSubstr("understood as"))) << words;
+  }
+}
+
+TEST_F(Fit, TakesNoColumnThatItReadsForAMisspeltOne) {
+  ASSERT_EQ(test::shell("sed 's/,fz_n,/,Fz,/' " + shipped.string() + " > other.csv", folder).exit_code, 0);
+  const auto named = fit("other.csv --out none.toml --columns fx=fx_n,fy=fy_n,fz=fz_n");
+  EXPECT_EQ(named.exit_code, 3);
+  EXPECT_THAT(named.err, HasSubstr("no column 'fz_n'; its header must name"));
+  const auto plain = fit("other.csv --out none.toml");
+  EXPECT_EQ(plain.exit_code, 3);
+  EXPECT_THAT(plain.err, HasSubstr("column fz_n missing (it has, and nothing reads: Fz); where it is called "
+                                   "otherwise, say --columns fz=NAME\n"));
+}
+
 TEST_F(Fit, ReadsOtherColumnsAndUnits) {
   // Metres as millimetres, seconds as milliseconds, forces as those on the plate.
   std::ofstream(folder / "convert.awk")
@@ -159,7 +196,7 @@ TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   EXPECT_EQ(normal_only.exit_code, 3);
   EXPECT_THAT(normal_only.err,
               HasSubstr("error: normal_only.csv: nothing can be fitted: column fx_n missing"));
-  EXPECT_THAT(normal_only.err, HasSubstr("say --columns fx=NAME,fy=NAME,fz=NAME"));
+  EXPECT_THAT(normal_only.err, HasSubstr("where they are called otherwise, say --columns fx=NAME,fy=NAME\n"));
   EXPECT_FALSE(fs::exists(folder / "none.toml"));
   const auto both = fit("normal_only.csv " + shipped.string() + " --out both.toml");
   EXPECT_EQ(both.exit_code, 0);

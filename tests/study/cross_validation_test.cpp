@@ -138,9 +138,9 @@ TEST(FitReport, HasAPictureOfEachOfThePapersFigures) {
     }
   }
   EXPECT_THAT(names, testing::ElementsAre("figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9",
-                                          "figure10", "figure11"));
+                                          "figure10", "figure11", "stick_and_slip"));
   EXPECT_THAT(report.without_picture, testing::IsEmpty());
-  const std::string page = fit_page(report, measurement, fit, "fitted to <rubs>");
+  const std::string page = fit_page(report, fit, {}, "fitted to <rubs>");
   EXPECT_THAT(page, HasSubstr("fitted to &lt;rubs&gt;"));
   EXPECT_THAT(page, HasSubstr("<img src=\"figure9.svg\""));
   EXPECT_THAT(page, HasSubstr("lateral_axis_m"));
@@ -177,7 +177,7 @@ TEST(FitReport, WhatTheDataCannotSupportHasAReasonAndNoPicture) {
   const Measurement nothing;
   const FitReport report = fit_report(nothing, fit_profile(nothing, {}), {});
   EXPECT_TRUE(report.study.charts.empty());
-  EXPECT_EQ(report.without_picture.size(), 8u);
+  EXPECT_EQ(report.without_picture.size(), 9u);
   EXPECT_THAT(report.without_picture[1], HasSubstr("no stick was found"));
 }
 

@@ -193,7 +193,13 @@ TEST(ProfileFit, TellsAnOffsetOfTheForceWhereNoTareIsTaken) {
   EXPECT_EQ(off.offset.off, 4U);
   EXPECT_NEAR(off.offset.usual_n, 0.06, 0.005);  // the vibration of slip is a hundredth of a newton
   EXPECT_THAT(fit_notes(off), testing::Contains(HasSubstr("force's zero: no tare was taken off 4 trials")));
-  EXPECT_THAT(fit_notes(off), testing::Contains(HasSubstr("Record a second without contact")));
+  EXPECT_THAT(
+      fit_notes(off),
+      testing::Contains(HasSubstr("Record a second without contact in each trial, or zero the sensor")));
+  CleaningSettings untared;
+  untared.takes_tare = false;
+  EXPECT_THAT(fit_notes(fit_profile(clean(recorded, untared), {})),
+              testing::Contains(HasSubstr("in each trial and do without --no-tare, or zero the sensor")));
   EXPECT_THAT(fit_notes(off), testing::Not(testing::Contains(HasSubstr("), noise and vibration explain"))));
   const ProfileFit none = fitted(rubs, 1);
   EXPECT_EQ(none.offset.told, 4U);

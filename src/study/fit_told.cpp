@@ -1,0 +1,32 @@
+#include "study/fit_told.hpp"
+
+#include "study/measurement_doubts.hpp"
+#include "study/profile_text.hpp"
+
+namespace fingerpad {
+
+FitTold told_of_reading(const RecordedMeasurement& recorded, const MeasurementFormat& format) {
+  FitTold told{recorded.notes, measurement_words(recorded), recorded.warnings};
+  const std::vector<std::string> doubts = doubts_of(recorded, format);
+  told.warnings.insert(told.warnings.end(), doubts.begin(), doubts.end());
+  return told;
+}
+
+std::vector<std::string> left_out_warnings(const Measurement& measurement) {
+  std::vector<std::string> warnings;
+  for (const std::string& name : measurement.untouched)
+    warnings.push_back(name + ": the finger never presses; the trial is left out");
+  if (measurement.trials.empty()) return warnings;  // nothing is left to be fitted, which is told otherwise
+  for (const std::string& reason : measurement.without_force)
+    warnings.push_back(reason + "; the file is left out");
+  return warnings;
+}
+
+std::vector<std::string> fit_warnings(const ProfileFit& fit) {
+  std::vector<std::string> warnings;
+  if (!fit.residual.misfit.empty()) warnings.push_back("the pad's law does not fit: " + fit.residual.misfit);
+  if (std::string missing = missing_axes_words(fit); !missing.empty()) warnings.push_back(std::move(missing));
+  return warnings;
+}
+
+}  // namespace fingerpad

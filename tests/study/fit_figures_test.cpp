@@ -1,0 +1,207 @@
+#include "study/fit_figures.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "study/fit_report.hpp"
+#include "support/pad_measurement.hpp"
+
+namespace fingerpad::fit_figures_test {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+using testing::Not;
+
+/// A fit with what its pictures are made from.
+struct Pictured {
+  Measurement measurement;
+  ProfileFit fit;
+  StickPicture stick;
+  FitPictureSource source{measurement, fit, stick};
+
+  explicit Pictured(const std::vector<test::KnownTrial>& trials, const test::KnownSensors& sensors = {},
+                    const test::KnownFinger& finger = {}, const CleaningSettings& settings = {})
+      : measurement(clean(test::known_measurement(trials, finger, sensors, 1), settings)),
+        fit(fit_profile(measurement, {})),
+        stick(stick_picture(measurement, fit)) {}
+};
+
+const ChartCurve* curve_of(const ChartPanel& panel, const std::string& name) {
+  const auto found = std::find_if(panel.curves.begin(), panel.curves.end(),
+                                  [&](const ChartCurve& curve) { return curve.name == name; });
+  return found == panel.curves.end() ? nullptr : &*found;
+}
+
+std::vector<test::KnownTrial> rubs_of_two() {
+  std::vector<test::KnownTrial> trials;
+  for (const int subject : {1, 2})
+    for (const double bearing_deg : {0.0, 90.0, 0.0}) trials.push_back({subject, 45, bearing_deg});
+  return trials;
+}
+
+/// Windows are as long in time at either rate.
+TEST(FitFigures, RingsStandWhereSlipEndsAtVMin) {
+  for (const double rate_hz : {1000.0, 500.0}) {
+    test::KnownSensors sensors;
+    sensors.rate_hz = rate_hz;
+    const Pictured of(rubs_of_two(), sensors);
+    const double v_min = fitted_number(of.fit, PadNumber::v_min);
+    ASSERT_NEAR(v_min, 0.1, 0.005) << rate_hz;
+    const Chart chart = phase_change_figure(of.source);
+    ASSERT_EQ(chart.panels.size(), 4U);
+    const ChartCurve* rings = curve_of(chart.panels[0], "end of slip");
+    ASSERT_NE(rings, nullptr);
+    EXPECT_GE(rings->x.size(), 2U);
+    // From sample to sample the finger slows by a hundredth of v_min, or two; noise moves it by as much.
+    for (const double v : rings->y) EXPECT_NEAR(std::abs(v), v_min, 0.04 * v_min) << rate_hz;
+    for (const ChartPanel& panel : chart.panels) {
+      const ChartCurve* others = curve_of(panel, "end of slip");
+      ASSERT_NE(others, nullptr) << panel.y_label;
+      EXPECT_EQ(others->x, rings->x) << panel.y_label;
+    }
+    // The ratio begins to rise there: it is slip's, which vibrates by a hundredth.
+    double mean_mu = 0;
+    for (const double mu : curve_of(chart.panels[3], "end of slip")->y)
+      mean_mu += std::abs(mu) / static_cast<double>(rings->y.size());
+    EXPECT_NEAR(mean_mu, 0.2, 0.015) << rate_hz;
+  }
+}
+
+TEST(FitFigures, LevelsStandEitherWayOfTheMotionAndHaveNames) {
+  const Pictured of(rubs_of_two());
+  const Chart chart = phase_change_figure(of.source);
+  const auto names = [](const ChartPanel& panel) {
+    std::vector<std::string> found;
+    for (const ChartLevel& level : panel.levels)
+      if (!level.name.empty()) found.push_back(level.name.substr(0, level.name.find(' ')));
+    return found;
+  };
+  EXPECT_THAT(names(chart.panels[0]), testing::ElementsAre("v_min"));
+  EXPECT_THAT(names(chart.panels[3]), testing::ElementsAre("mu_s", "mu_d"));
+  for (const ChartPanel& panel : {chart.panels[0], chart.panels[3]}) {
+    double sum = 0;
+    for (const ChartLevel& level : panel.levels) sum += level.y;
+    EXPECT_EQ(sum, 0) << panel.y_label;
+  }
+}
+
+TEST(FitFigures, ARefusedVMinIsNotDrawn) {
+  const Pictured two({{1, 45, 0}, {1, 45, 90}});
+  const std::string why = value_of(two.fit.values, PadNumber::v_min).refusal;
+  ASSERT_THAT(why, HasSubstr("2 trials only"));
+  const FitReport report = fit_report(two.measurement, two.fit, {});
+  EXPECT_THAT(report.without_picture,
+              Contains("Slip gives way to stick (paper, fig. 9): v_min_m_per_s refused: " + why));
+  for (const Chart& chart : report.study.charts) EXPECT_NE(chart.name, "figure9");
+  // Where the phases begin is shown all the same, without a word of v_min.
+  const Chart phases = phase_boundaries_figure(two.source);
+  ASSERT_EQ(phases.panels.size(), 3U);
+  for (const ChartPanel& panel : phases.panels) EXPECT_EQ(curve_of(panel, "end of slip"), nullptr);
+}
+
+TEST(FitFigures, APictureSaysWhichOfItsNumbersAreRefused) {
+  const Pictured two({{1, 45, 0}, {1, 45, 90}});
+  const auto notes = [&two](Chart (*figure)(const FitPictureSource&)) {
+    const Chart chart = figure(two.source);
+    EXPECT_FALSE(chart.panels.empty()) << chart.name;
+    std::string all;
+    for (const std::string& note : chart.notes) all += note + " ";
+    return all;
+  };
+  EXPECT_THAT(notes(normalised_axes_figure), HasSubstr("lateral_slope_per_deg"));
+  EXPECT_THAT(notes(slip_spectrum_figure),
+              HasSubstr("vibration_hz, vibration_bandwidth_hz refused: 2 trials"));
+  const Chart spectrum = slip_spectrum_figure(two.source);
+  EXPECT_EQ(spectrum.panels[0].curves.size(), 2U);  // no line where a vibration would be
+  const Pictured whole(rubs_of_two());
+  EXPECT_THAT(slip_spectrum_figure(whole.source).panels[0].curves[2].name, HasSubstr("vibration, 8"));
+  EXPECT_THAT(slip_spectrum_figure(whole.source).notes, testing::IsEmpty());
+}
+
+/// What hides stick makes v_min a speed at which friction steps: no end of slip is marked there.
+TEST(FitFigures, AVMinThatAStepTellsIsMarkedWhereItIsPassed) {
+  test::KnownFinger slippery;
+  slippery.pad = assumed_profile(0.15, 300);
+  slippery.mu_dynamic = 0.12;
+  std::vector<test::KnownTrial> trials;
+  for (const int subject : {1, 2, 3}) {
+    for (const double bearing_deg : {0.0, 90.0}) {
+      for (const double frequency_hz : {0.5, 0.6})
+        trials.push_back({subject, 45, bearing_deg, 0.06, frequency_hz, 5, 2});
+    }
+  }
+  test::KnownSensors sensors;
+  sensors.force_noise_n = 0.003;
+  const Pictured of(trials, sensors, slippery);
+  if (!of.fit.v_min_by_step) GTEST_SKIP() << value_of(of.fit.values, PadNumber::v_min).refusal;
+  const Chart chart = phase_change_figure(of.source);
+  const ChartCurve* rings = curve_of(chart.panels[0], "slows below v_min");
+  ASSERT_NE(rings, nullptr);
+  const double v_min = fitted_number(of.fit, PadNumber::v_min);
+  for (const double v : rings->y) EXPECT_NEAR(std::abs(v), v_min, 0.03 * v_min);
+  std::size_t falls = 0;
+  bool was_faster = false;
+  for (const double v : chart.panels[0].curves[0].y) {
+    falls += was_faster && std::abs(v) < v_min ? 1 : 0;
+    was_faster = std::abs(v) > 1.1 * v_min || (was_faster && std::abs(v) >= v_min);
+  }
+  EXPECT_GE(falls, 2U);
+  EXPECT_EQ(rings->x.size(), falls);
+}
+
+TEST(FitFigures, EachBoundaryOfEveryTrialIsTabledWithItsReason) {
+  const Pictured of(rubs_of_two());
+  const StudyTable table = boundaries_table(of.source);
+  std::size_t boundaries = 0;
+  for (std::size_t k = 0; k < of.measurement.trials.size(); ++k) {
+    const StickSegments& segments = of.stick.segments[k];
+    for (std::size_t i = 1; i < segments.phase.size(); ++i)
+      boundaries += segments.phase[i] != segments.phase[i - 1] || segments.is_rupture[i] ||
+                            of.measurement.trials[k].starts_anew[i]
+                        ? 1
+                        : 0;
+    ++boundaries;  // where contact begins
+  }
+  EXPECT_EQ(table.rows.size(), boundaries);
+  for (const auto& row : table.rows) EXPECT_NE(std::get<std::string>(row[4]), "");
+}
+
+/// What told the phases lies on its side of the border.
+TEST(FitFigures, TheLocalStiffnessThatIsDrawnIsTheOneThatToldThePhases) {
+  const Pictured of(rubs_of_two());
+  const MeasuredTrial& trial = of.measurement.trials.front();
+  const StickSegments& segments = of.stick.segments.front();
+  const std::vector<double> per_m = local_stiffness_per_m(trial, segments);
+  long wrong = 0, told = 0, soft = 0;
+  for (std::size_t i = 0; i < per_m.size(); ++i) {
+    if (segments.phase[i] == PadPhase::unknown) continue;
+    ++told;
+    const bool is_stiff = per_m[i] > segments.border_per_m;
+    wrong += segments.phase[i] == PadPhase::slip && (is_stiff || std::isnan(per_m[i])) ? 1 : 0;
+    soft += segments.phase[i] == PadPhase::stick && !is_stiff ? 1 : 0;
+  }
+  EXPECT_GT(told, 1000);
+  EXPECT_EQ(wrong, 0);
+  EXPECT_LT(soft, told / 100);  // slip with little friction is taken for stick
+}
+
+TEST(FitFigures, TheFittedSpringIsBentAsItsCubicShareSays) {
+  test::KnownFinger bent;
+  bent.cubic_share = 0.5;
+  const Pictured of(rubs_of_two(), {}, bent);
+  const Chart chart = force_displacement_figure(of.source);
+  const ChartCurve& spring = chart.panels[0].curves.back();
+  ASSERT_THAT(spring.name, HasSubstr("fitted, at 45 deg and"));
+  const std::size_t end = spring.x.size() - 1, half = end - end / 4;
+  ASSERT_NEAR(spring.x[half] / spring.x[end], 0.5, 1e-9);
+  const double share = fitted_number(of.fit, PadNumber::lateral_cubic_share);
+  ASSERT_NEAR(share, 0.5, 0.1);
+  EXPECT_LT(spring.y[half] / spring.y[end], 0.42);  // 0.5 of a straight one
+}
+
+}  // namespace
+}  // namespace fingerpad::fit_figures_test
