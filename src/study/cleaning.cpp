@@ -171,11 +171,15 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
     if (recorded.trials[i].sensor) take_contact_points(recorded.trials[i]);
   }
   measurement.delays = settle_delays(recorded.trials, settings);
+  measurement.looks_for_tare = settings.takes_tare;
   measurement.knows_delay = settings.delay_s || !settings.takes_delay;
   for (RecordedTrial& trial : recorded.trials) {
     if (settings.smoothing_hz > 0) low_pass(trial, settings.smoothing_hz);
     MeasuredTrial measured = in_pad_axes(trial);
-    if (!measurement.knows_delay) measured.delay_unsure_s = delay_unsure_s(measurement.delays, trial.file);
+    if (!measurement.knows_delay) {
+      measured.delay_unsure_s = delay_unsure_s(measurement.delays, trial.file);
+      measured.is_delay_told = is_delay_told(measurement.delays, trial.file);
+    }
     trial = RecordedTrial();
     if (measured.position_m.size() < fewest_touching_samples) {
       measurement.untouched.push_back(measured.name);

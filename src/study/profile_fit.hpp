@@ -42,7 +42,8 @@ struct ProfileFit {
   bool knows_delay = false;  ///< Measurement's
   double delay_left_s = 0;   ///< of force behind position, that the springs tell beside what was taken out; 0
                              ///< where the delay is known
-  std::vector<std::string> steps;  ///< Measurement::steps
+  std::vector<std::string> doubts;  ///< why intervals of numbers are wider than their trials differ
+  std::vector<std::string> steps;   ///< Measurement::steps
 };
 
 /// How intervals are made.
