@@ -1,11 +1,18 @@
 #pragma once
 
+#include <array>
 #include <optional>
 
 namespace fingerpad {
 
 /// Which mains hum is looked for in the forces.
 enum class Mains { off, any, hz_50, hz_60 };
+
+struct MainsFrequency {
+  Mains mains;  ///< by which it alone is meant
+  double hz;
+};
+inline constexpr std::array<MainsFrequency, 2> mains_frequencies{{{Mains::hz_50, 50}, {Mains::hz_60, 60}}};
 
 /// The steps from raw samples to clean ones; see clean().
 struct CleaningSettings {

@@ -3,62 +3,97 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "base/number_text.hpp"
+#include "study/delay_estimate.hpp"
 #include "study/pad_axes.hpp"
 #include "study/position_delay.hpp"
 
 namespace fingerpad {
 namespace {
 
+constexpr double longest_delay_s = delay_lags_each_way * delay_step_s;
+constexpr double most_rest_s = 5e-3;  // that a second look may tell beside the first
+
 bool is_of(const FileDelay& delay, const RecordedTrial& trial) {
   return std::find(delay.files.begin(), delay.files.end(), trial.file) != delay.files.end();
 }
 
-/// What each trial says; nothing of those without stick.
-std::vector<DelaySums> delay_sums_of(const std::vector<RecordedTrial>& trials) {
-  std::vector<DelaySums> sums(trials.size());
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    const MeasuredTrial measured = in_pad_axes(trials[i]);
-    if (measured.position_m.size() >= fewest_touching_samples)
-      sums[i] = delay_sums(measured, stick_segments(measured));
+/// Trials as they would be with the delays taken out, and what they say of what is left.
+class MovedTrials {
+ public:
+  explicit MovedTrials(const std::vector<RecordedTrial>& trials)
+      : trials_(trials), by_s_(trials.size(), 0), sums_(trials.size()) {
+    for (std::size_t i = 0; i < trials.size(); ++i) tell(i);
   }
-  return sums;
-}
 
-DelayEstimate estimate_of(const FileDelay& delay, const std::vector<RecordedTrial>& trials,
-                          const std::vector<DelaySums>& sums) {
-  std::vector<DelaySums> own;
-  for (std::size_t i = 0; i < trials.size(); ++i)
-    if (sums[i].samples > 0 && is_of(delay, trials[i])) own.push_back(sums[i]);
-  return estimate_delay(own, 1);
-}
+  /// Moves all trials of a file, or of several, by so much more.
+  void move(const FileDelay& delay, double by_s) {
+    for (std::size_t i = 0; i < trials_.size(); ++i) {
+      if (!is_of(delay, trials_[i])) continue;
+      by_s_[i] += by_s;
+      tell(i);
+    }
+  }
+
+  /// What is left of a file's delay. Of too few trials it is drawn from parts of them how far it may be off.
+  DelayEstimate estimate_of(const FileDelay& delay) const {
+    DelayBlocks blocks;
+    for (std::size_t i = 0; i < trials_.size(); ++i)
+      if (is_of(delay, trials_[i])) blocks.add({sums_[i]});
+    if (blocks.tell_spread()) return estimate_delay(blocks, 1);
+    DelayBlocks parts;
+    parts.are_parts = true;
+    for (std::size_t i = 0; i < trials_.size(); ++i) {
+      if (sums_[i].samples == 0 || !is_of(delay, trials_[i])) continue;
+      const MeasuredTrial measured = measured_trial(i);
+      parts.add(delay_sums_by_part(measured, stick_segments(measured)));
+    }
+    return estimate_delay(parts, 1);
+  }
+
+ private:
+  MeasuredTrial measured_trial(std::size_t i) const {
+    if (by_s_[i] == 0) return in_pad_axes(trials_[i]);
+    RecordedTrial moved = trials_[i];
+    shift_positions(moved, by_s_[i]);
+    return in_pad_axes(moved);
+  }
+
+  /// Nothing of those without stick.
+  void tell(std::size_t i) {
+    const MeasuredTrial measured = measured_trial(i);
+    sums_[i] = DelaySums();
+    if (measured.position_m.size() >= fewest_touching_samples)
+      sums_[i] = delay_sums(measured, stick_segments(measured));
+  }
+
+  const std::vector<RecordedTrial>& trials_;
+  std::vector<double> by_s_;
+  std::vector<DelaySums> sums_;
+};
 
 /// Each file's own estimate, and one for all those that do not tell theirs.
-std::vector<FileDelay> estimates_of_files(const std::vector<RecordedTrial>& trials) {
+std::vector<FileDelay> estimates_of_files(const std::vector<RecordedTrial>& trials,
+                                          const MovedTrials& moved) {
   std::vector<FileDelay> told;
   for (const RecordedTrial& trial : trials) {
     const auto is_known = [&trial](const FileDelay& delay) { return is_of(delay, trial); };
     if (std::none_of(told.begin(), told.end(), is_known)) told.push_back({{trial.file}, {}});
   }
-  const std::vector<DelaySums> sums = delay_sums_of(trials);
   FileDelay others;
   for (FileDelay& delay : told) {
-    delay.estimate = estimate_of(delay, trials, sums);
+    delay.estimate = moved.estimate_of(delay);
     if (delay.estimate.refusal.empty()) continue;
     others.files.push_back(delay.files.front());
     others.estimate = delay.estimate;
   }
   if (others.files.empty()) return told;
   std::erase_if(told, [](const FileDelay& delay) { return !delay.estimate.refusal.empty(); });
-  if (others.files.size() > 1) others.estimate = estimate_of(others, trials, sums);
+  if (others.files.size() > 1) others.estimate = moved.estimate_of(others);
   told.push_back(std::move(others));
   return told;
-}
-
-void move_positions(const FileDelay& delay, double by_s, std::vector<RecordedTrial>& trials) {
-  for (RecordedTrial& trial : trials)
-    if (is_of(delay, trial)) shift_positions(trial, by_s);
 }
 
 /// An estimate of what is left where so much has been taken out, as one of the whole.
@@ -69,6 +104,28 @@ void count_moved(double moved_s, DelayEstimate& estimate) {
   estimate.interval_s->second += moved_s;
 }
 
+/// Stick is told better where the first estimate is out, and with it what is left. What both come to is to be
+/// a delay that sensors have; one that few trials tell, by teeth of stick and slip as like as not, no more
+/// than their filters'.
+void tell_rest(const MovedTrials& moved, FileDelay& delay) {
+  const double first_s = delay.estimate.delay_s;
+  DelayEstimate rest = moved.estimate_of(delay);
+  const double rest_s = rest.delay_s;
+  count_moved(first_s, rest);
+  delay.estimate = rest;
+  if (!rest.refusal.empty()) return;
+  const double most_s = rest.by_parts ? usual_delay_s : longest_delay_s;
+  if (std::abs(rest.delay_s) > most_s) {
+    delay.estimate.refusal =
+        fmt::format("it would be {} ms, longer than {} ms, which {}", rounded_text(1e3 * rest.delay_s, 3),
+                    rounded_text(1e3 * most_s, 3),
+                    rest.by_parts ? "no one or two trials tell for sure" : "is as far as it is looked for");
+  } else if (std::abs(rest_s) > most_rest_s) {
+    delay.estimate.refusal = fmt::format("a first look tells {} ms, and a second one {} ms",
+                                         rounded_text(1e3 * first_s, 3), rounded_text(1e3 * rest.delay_s, 3));
+  }
+}
+
 std::string estimate_text(const DelayEstimate& delay) {
   constexpr double slow_s = 1.5e-3;
   if (!delay.refusal.empty())
@@ -77,6 +134,9 @@ std::string estimate_text(const DelayEstimate& delay) {
   if (!delay.interval_s) return told;
   told += fmt::format(" (95 %: {:.3f} .. {:.3f} ms, {} samples of stick", 1e3 * delay.interval_s->first,
                       1e3 * delay.interval_s->second, delay.samples);
+  if (delay.by_parts)
+    told += fmt::format(" of {} trial{} alone, by whose stretches it may be so far off", delay.trials,
+                        delay.trials == 1 ? "" : "s");
   if (delay.sample_s > slow_s)
     told += fmt::format("; samples that are {} ms apart leave {} ms either way of it open",
                         rounded_text(1e3 * delay.sample_s, 3), rounded_text(1e3 * delay.unsure_s, 2));
@@ -88,31 +148,37 @@ std::string estimate_text(const DelayEstimate& delay) {
 std::vector<FileDelay> settle_delays(std::vector<RecordedTrial>& trials, const CleaningSettings& settings) {
   if (settings.delay_s)
     for (RecordedTrial& trial : trials) shift_positions(trial, *settings.delay_s);
-  std::vector<FileDelay> delays = estimates_of_files(trials);
+  MovedTrials moved(trials);
+  std::vector<FileDelay> delays = estimates_of_files(trials, moved);
   if (settings.delay_s)
     for (FileDelay& delay : delays) count_moved(*settings.delay_s, delay.estimate);
   if (!settings.takes_delay || settings.delay_s) return delays;
-  for (const FileDelay& delay : delays)
-    if (delay.estimate.refusal.empty()) move_positions(delay, delay.estimate.delay_s, trials);
-  const std::vector<DelaySums> sums = delay_sums_of(trials);
   for (FileDelay& delay : delays) {
     if (!delay.estimate.refusal.empty()) continue;
-    DelayEstimate rest = estimate_of(delay, trials, sums);
-    if (!rest.refusal.empty()) continue;  // what was found before is out all the same
-    move_positions(delay, rest.delay_s, trials);
-    count_moved(delay.estimate.delay_s, rest);
-    delay.estimate = rest;
+    moved.move(delay, delay.estimate.delay_s);
+    tell_rest(moved, delay);
+    if (!delay.estimate.refusal.empty()) continue;
+    for (RecordedTrial& trial : trials)
+      if (is_of(delay, trial)) shift_positions(trial, delay.estimate.delay_s);
   }
   return delays;
 }
 
 double delay_unsure_s(const std::vector<FileDelay>& delays, const std::string& file) {
   for (const FileDelay& delay : delays) {
-    const bool is_its = std::find(delay.files.begin(), delay.files.end(), file) != delay.files.end();
+    if (std::find(delay.files.begin(), delay.files.end(), file) == delay.files.end()) continue;
     const auto& interval_s = delay.estimate.interval_s;
-    if (is_its && interval_s) return (interval_s->second - interval_s->first) / 2;
+    if (delay.estimate.refusal.empty()) return interval_s ? (interval_s->second - interval_s->first) / 2 : 0;
+    return usual_delay_s;
   }
   return 0;
+}
+
+bool is_delay_told(const std::vector<FileDelay>& delays, const std::string& file) {
+  return std::none_of(delays.begin(), delays.end(), [&](const FileDelay& delay) {
+    return !delay.estimate.refusal.empty() &&
+           std::find(delay.files.begin(), delay.files.end(), file) != delay.files.end();
+  });
 }
 
 std::string delay_text(const std::vector<FileDelay>& delays, const CleaningSettings& settings) {

@@ -6,11 +6,61 @@
 #include <cmath>
 
 #include "base/number_text.hpp"
+#include "study/file_delays.hpp"
 
 namespace fingerpad {
 
 void refuse_springs(RefusalReason reason, const std::string& words, PadValues& values) {
   for (const PadNumber number : spring_numbers) value_of(values, number).refuse(reason, words);
+}
+
+namespace {
+
+/// What a number is as a finger has it, where it may be 0.
+double usual_size(PadNumber number) {
+  if (number == PadNumber::mu_load_exponent) return 1.0 / 3;
+  return number == PadNumber::lateral_cubic_share || number == PadNumber::longitudinal_cubic_share ? 0.5 : 0;
+}
+
+}  // namespace
+
+void refuse_by_delay(const NumberReaches& moved, ProfileFit& fit) {
+  constexpr double most_moved = 0.2, without_interval = 0.05;
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    const double size = std::max(std::abs(fit.values[k].value), usual_size(static_cast<PadNumber>(k))),
+                 share = moved[k] / size;
+    if (!fit.values[k].refusal.empty() || !(share > (fit.interval[k] ? most_moved : without_interval)))
+      continue;
+    fit.values[k].refuse(
+        RefusalReason::unknown_delay,
+        fmt::format(
+            "it rests on the delay of force behind position, which is not told: one of {} ms, as "
+            "sensors' filters have it, would move it by {:.0f} %: give --delay SECONDS, or record more "
+            "that tells it",
+            rounded_text(1e3 * usual_delay_s, 3), std::min(999.0, 100 * share)));
+    fit.interval[k].reset();
+  }
+}
+
+void tell_teeth(double reach, ProfileFit& fit) {
+  constexpr double hardly = 0.05;
+  const auto k = static_cast<std::size_t>(PadNumber::mu_dynamic);
+  const double value = fit.values[k].value;
+  if (!fit.values[k].refusal.empty() || !(reach > hardly * value)) return;
+  fit.doubts.push_back(fmt::format(
+      "mu_dynamic: what passes for slip may hold teeth of stick and slip that are too short or drop "
+      "too little to be seen, which its interval allows {} for either way: rub faster, or sample "
+      "faster",
+      rounded_text(reach, 2)));
+}
+
+void doubt_misfit(LawResidual& residual) {
+  constexpr double surely_left = 0.15;  // which no delay alone leaves
+  if (residual.misfit.empty() || residual.share > surely_left || 2 * residual.drops < residual.gives) return;
+  residual.untold = residual.misfit +
+                    ": the delay of force behind position, which is not told and so was left in, may be why: "
+                    "give --delay SECONDS";
+  residual.misfit.clear();
 }
 
 void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit) {

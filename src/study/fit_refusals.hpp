@@ -4,11 +4,24 @@
 #include <vector>
 
 #include "study/profile_fit.hpp"
+#include "study/sampling_reach.hpp"
 
 namespace fingerpad {
 
 /// Refuses what rests on stick.
 void refuse_springs(RefusalReason reason, const std::string& words, PadValues& values);
+
+/// Where no delay of force behind position is told, and none was taken out, refuses what one would move by
+/// much.
+/// @param moved  by a delay as sensors have it
+void refuse_by_delay(const NumberReaches& moved, ProfileFit& fit);
+
+/// Says that teeth which may pass for slip make mu_dynamic's interval wide.
+/// @param reach  teeth_reach
+void tell_teeth(double reach, ProfileFit& fit);
+
+/// A law that leaves somewhat too much where no delay was taken out may fit.
+void doubt_misfit(LawResidual& residual);
 
 /// An axis that its interval does not tell to half of it is refused, with what rests on the same.
 /// @param keeps_told_by_few  FitSettings'

@@ -33,7 +33,6 @@ bool has_short_teeth(const std::vector<TrialEvidence>& trials) {
 
 std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                                const std::optional<SpeedStep>& slow_slip, const PadValues& found) {
-  constexpr double most_stops_share = 0.25;
   constexpr double most_rise = 0.25;  // of what a rupture drops; of hidden teeth it is half of that
   const PadValue &mu_static = value_of(found, PadNumber::mu_static),
                  &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
@@ -47,8 +46,7 @@ std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const s
         "faster",
         seen);
   const SeenEnds ends(trials);
-  if (ends.give_way_unseen() &&
-      most_stops_share * static_cast<double>(ends.gives) > static_cast<double>(ends.stops))
+  if (ends.give_way_unseen() && hardly_ends_in_stick(ends.gives, ends.stops))
     return fmt::format(
         "stick gives way without a drop of the force at {} of its {} ends, and slip is seen to end in stick "
         "{} times only: where the finger sticks is not told, or it hardly does",

@@ -7,6 +7,7 @@
 #include <span>
 #include <vector>
 
+#include "study/air_hum.hpp"
 #include "study/force_tare.hpp"
 #include "study/sample_noise.hpp"
 
@@ -85,6 +86,17 @@ std::vector<Samples> windows_without_contact(const RecordedTrial& trial, Sensed 
     take_off({line}, sensed, without);
     free = moments_without_contact(without).samples;
   }
+  if (sensed == &RecordedTrial::force_W &&
+      (free.empty() || 2 * (free.back() - free.front()) < trial.samples())) {
+    // Teeth may stand in it: then what of it is there where hardly anything presses.
+    const AirHum light(trial, sensed, lightest_samples(trial, line.nominal_hz), line.nominal_hz);
+    if (const auto bounded = light.bounded(line, line.hz)) {
+      RecordedTrial without = trial;
+      take_off({*bounded}, sensed, without);
+      Samples more = moments_without_contact(without).samples;
+      if (more.size() > free.size()) free = std::move(more);
+    }
+  }
   std::vector<Samples> windows;
   Eigen::Index begin = -window;
   for (const Eigen::Index i : free) {
@@ -118,6 +130,7 @@ HumEvidence hum_evidence(const RecordedTrial& trial, Sensed sensed, const HumLin
   for (const Samples& free : windows_without_contact(trial, sensed, line, window)) {
     add_still(line_in(whole, line, trial.rate_hz, free));
     for (const Eigen::Index i : free) is_free[static_cast<std::size_t>(i)] = true;
+    found.free.insert(found.free.end(), free.begin(), free.end());
   }
   std::vector<double> speeds;
   for (Eigen::Index from = 0; from + window <= trial.samples(); from += window) {

@@ -32,6 +32,7 @@ struct HumEvidence {
   HumShare still;  ///< while no teeth can be: nothing touches the sensor, or the finger stands still
   std::vector<HumWindow> windows;  ///< of the rest
   double speed_m_per_s = 0;        ///< median of all of the trial's windows
+  std::vector<Eigen::Index> free;  ///< samples of the one trial at which nothing touches the sensor
 
   HumEvidence& operator+=(const HumEvidence& other);
 };

@@ -5,9 +5,12 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <numbers>
+#include <optional>
 #include <utility>
 
 #include "base/number_text.hpp"
+#include "study/air_hum.hpp"
 #include "study/hum_evidence.hpp"
 #include "study/sample_noise.hpp"
 
@@ -32,7 +35,7 @@ bool are_alike(const TrialLine& one, const TrialLine& other, const std::vector<R
 }
 
 /// What a line is taken for, and why.
-enum class HumReason { open, hum, not_while_still, not_steady };
+enum class HumReason { open, hum, not_while_still, not_steady, beside_air };
 
 HumReason judged_while_still(const HumEvidence& evidence) {
   constexpr double least_share = 0.5;
@@ -88,8 +91,8 @@ bool is_in_most(const std::vector<const TrialLine*>& alike, std::size_t showing)
          static_cast<double>(steady) > least_steady * static_cast<double>(windows);
 }
 
-HumReason judged(const TrialLine& found, const std::vector<TrialLine>& lines,
-                 const std::vector<RecordedTrial>& trials, std::size_t showing) {
+HumReason reason_of(const TrialLine& found, const std::vector<TrialLine>& lines,
+                    const std::vector<RecordedTrial>& trials, std::size_t showing) {
   std::vector<const TrialLine*> alike;
   HumEvidence all;
   for (const TrialLine& other : lines) {
@@ -108,6 +111,10 @@ std::string reason_words(HumReason reason, double nominal_hz) {
   if (reason == HumReason::not_while_still)
     return "it is not there where nothing touches the sensor or the finger stands still, and so is teeth of "
            "stick and slip";
+  if (reason == HumReason::beside_air)
+    return "it is what stands there beyond the hum that is seen in the air, which is taken out, and so is "
+           "teeth "
+           "of stick and slip";
   if (reason == HumReason::not_steady)
     return "it does not keep its amplitude and phase as the finger moves on, as teeth of stick and slip do "
            "not";
@@ -121,7 +128,82 @@ std::string reason_words(HumReason reason, double nominal_hz) {
 struct LeftIn {
   std::size_t trials = 0;
   double most = 0, hz = 0;  ///< amplitude, and its frequency
+
+  void add(double amplitude, double line_hz) {
+    ++trials;
+    if (amplitude > most) most = amplitude, hz = line_hz;
+  }
 };
+
+/// What is left of a line, at the trial's middle, where what is hum is taken off.
+double left_of(const HumLine& line, const HumLine& hum, const RecordedTrial& trial) {
+  const double middle = static_cast<double>(trial.samples()) / 2;
+  double most = 0;
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const auto at_middle = [&](const HumLine& of) {
+      return of.phasors[axis] * std::polar(1.0, 2 * std::numbers::pi * of.hz / trial.rate_hz * middle);
+    };
+    if (line.hums[axis]) most = std::max(most, std::abs(at_middle(line) - at_middle(hum)));
+  }
+  return most;
+}
+
+/// Whether an amplitude is more than what stands beside a line.
+bool stands_out(const HumLine& line, double amplitude) {
+  constexpr double deviations = 3.5;  // as a line's own: twelvefold in power
+  return amplitude * amplitude >
+         deviations * deviations * *std::max_element(line.around.begin(), line.around.end());
+}
+
+/// What of each line is hum, where the air tells that the whole of it is not: teeth may stand beside hum, or
+/// hum beneath teeth. Between frequencies that moments in the air do not part, most of the trials decide.
+std::vector<std::optional<HumLine>> bounded_by_air(const std::vector<TrialLine>& lines,
+                                                   const std::vector<RecordedTrial>& trials, Sensed sensed) {
+  constexpr std::size_t fewest = 3;
+  std::vector<std::optional<HumLine>> found;
+  std::vector<double> hums_hz;
+  const auto air_of = [&](const TrialLine& one) {
+    return AirHum(trials[one.trial], sensed, one.evidence.free, one.line.nominal_hz);
+  };
+  for (const TrialLine& one : lines) {
+    const AirHum air = air_of(one);
+    found.push_back(air.is_like(one.line) ? std::nullopt : air.bounded(one.line, one.line.hz));
+    if (air.reach_hz() > 0) hums_hz.push_back(found.back() ? found.back()->hz : one.line.hz);
+  }
+  if (hums_hz.size() < fewest) return found;
+  const double usual_hz = median_of(hums_hz);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    if (!found[k]) continue;
+    const AirHum air = air_of(lines[k]);
+    if (std::abs(found[k]->hz - usual_hz) > air.reach_hz()) found[k] = air.bounded(lines[k].line, usual_hz);
+  }
+  return found;
+}
+
+/// Judges the lines near one frequency of the mains: puts what is hum into the trials' own, and says what is
+/// left in.
+std::map<HumReason, LeftIn> judge_lines(const std::vector<TrialLine>& lines,
+                                        const std::vector<RecordedTrial>& trials, Sensed sensed,
+                                        std::size_t showing, std::vector<std::vector<HumLine>>& hum) {
+  std::map<HumReason, LeftIn> left;
+  const std::vector<std::optional<HumLine>> bounded = bounded_by_air(lines, trials, sensed);
+  for (std::size_t k = 0; k < lines.size(); ++k) {
+    const TrialLine& one = lines[k];
+    if (bounded[k]) {
+      hum[one.trial].push_back(*bounded[k]);
+      const double rest = left_of(one.line, *bounded[k], trials[one.trial]);
+      if (stands_out(one.line, rest)) left[HumReason::beside_air].add(rest, one.line.hz);
+      continue;
+    }
+    const HumReason reason = reason_of(one, lines, trials, showing);
+    if (reason == HumReason::hum) {
+      hum[one.trial].push_back(one.line);
+    } else {
+      left[reason].add(one.line.amplitude(), one.line.hz);
+    }
+  }
+  return left;
+}
 
 }  // namespace
 
@@ -131,7 +213,7 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
   const bool are_forces = sensed == &RecordedTrial::force_W;
   const auto sensing = std::count_if(trials.begin(), trials.end(),
                                      [&](const RecordedTrial& trial) { return (trial.*sensed).cols() > 0; });
-  std::array<std::vector<TrialLine>, mains_hz.size()> found;
+  std::map<double, std::vector<TrialLine>> found;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     for (HumLine& line : hum_lines(trials[i], sensed, mains)) {
       if (mains != Mains::any) {
@@ -139,30 +221,19 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
         continue;
       }
       HumEvidence evidence = hum_evidence(trials[i], sensed, line);
-      found[line.nominal_hz == mains_hz[0] ? 0 : 1].push_back({i, line, evidence});
+      found[line.nominal_hz].push_back({i, line, std::move(evidence)});
     }
   }
-  for (std::size_t k = 0; k < mains_hz.size(); ++k) {
+  for (const auto& [nominal_hz, lines] : found) {
     const auto showing =
         static_cast<std::size_t>(std::count_if(trials.begin(), trials.end(), [&](const RecordedTrial& trial) {
-          return can_show_line(trial, sensed, mains_hz[k]);
+          return can_show_line(trial, sensed, nominal_hz);
         }));
-    std::map<HumReason, LeftIn> left;
-    for (const TrialLine& one : found[k]) {
-      const HumReason reason = judged(one, found[k], trials, showing);
-      if (reason == HumReason::hum) {
-        verdict.lines[one.trial].push_back(one.line);
-        continue;
-      }
-      LeftIn& here = left[reason];
-      ++here.trials;
-      if (one.line.amplitude() > here.most) here.most = one.line.amplitude(), here.hz = one.line.hz;
-    }
-    for (const auto& [reason, here] : left)
+    for (const auto& [reason, here] : judge_lines(lines, trials, sensed, showing, verdict.lines))
       verdict.left_in.push_back(
           fmt::format("a line near {:.0f} Hz is left in {} of {} trials, of at most {} {} at {:.2f} Hz: {}",
-                      mains_hz[k], here.trials, sensing, rounded_text((are_forces ? 1 : 1e3) * here.most, 2),
-                      are_forces ? "N" : "N mm", here.hz, reason_words(reason, mains_hz[k])));
+                      nominal_hz, here.trials, sensing, rounded_text((are_forces ? 1 : 1e3) * here.most, 2),
+                      are_forces ? "N" : "N mm", here.hz, reason_words(reason, nominal_hz)));
   }
   return verdict;
 }

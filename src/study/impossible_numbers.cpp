@@ -25,19 +25,22 @@ constexpr PadNumber sizes[] = {PadNumber::lateral_axis,
 }  // namespace
 
 void refuse_impossible_numbers(PadValues& found) {
-  for (std::size_t k = 0; k < found.size(); ++k) {
-    PadValue& value = found[k];
-    if (!value.refusal.empty()) continue;
-    if (!std::isfinite(value.value))
-      value.refuse(RefusalReason::other,
-                   fmt::format("the measurement gives no finite {}", pad_number_keys[k]));
-  }
+  for (PadValue& value : found)
+    if (!std::isfinite(value.value)) value.refuse(RefusalReason::impossible, "it is no finite number");
   for (const PadNumber number : sizes) {
     PadValue& value = value_of(found, number);
-    if (!(value.value > 0))
-      value.refuse(RefusalReason::other, fmt::format("the measurement gives a {} of {}; it must be above 0",
-                                                     pad_number_keys[static_cast<std::size_t>(number)],
-                                                     rounded_text(value.value, 4)));
+    if (!(value.value > 0)) value.refuse(RefusalReason::impossible, "it must be above 0");
+  }
+}
+
+void tell_impossible_numbers(PadValues& found) {
+  for (std::size_t k = 0; k < found.size(); ++k) {
+    PadValue& value = found[k];
+    if (value.reason != RefusalReason::impossible) continue;
+    value.refusal = std::isfinite(value.value)
+                        ? fmt::format("the measurement gives a {} of {}; it must be above 0",
+                                      pad_number_keys[k], rounded_text(value.value, 4))
+                        : fmt::format("the measurement gives no finite {}", pad_number_keys[k]);
   }
 }
 

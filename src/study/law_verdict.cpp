@@ -6,6 +6,7 @@
 #include <cmath>
 #include <utility>
 
+#include "study/sample_noise.hpp"
 #include "study/trial_evidence.hpp"
 
 namespace fingerpad {
@@ -36,6 +37,21 @@ struct TrialParts {
     return 2 * off > all.signal;
   }
 };
+
+/// Beyond which a trial is odd: more than the law may leave, and further from the usual than the furthest of
+/// so many trials is by chance. Of a few trials the usual is not told.
+double odd_left(const std::vector<ResidualPart>& trials) {
+  constexpr std::size_t fewest = 5;
+  constexpr double beyond_chance = 2, per_deviation = 1 / 0.6745;
+  std::vector<double> lefts, offs;
+  for (const ResidualPart& part : trials)
+    if (part.signal > 0) lefts.push_back(left_beyond(part));
+  if (lefts.size() < fewest) return most_left;
+  const double usual = median_of(lefts);
+  for (const double left : lefts) offs.push_back(std::abs(left - usual));
+  const double furthest = std::sqrt(2 * std::log(static_cast<double>(lefts.size()))) + beyond_chance;
+  return std::max(most_left, usual + furthest * per_deviation * median_of(offs));
+}
 
 std::string off_words(const ResidualPart& part, const char* where) {
   return fmt::format(
@@ -97,8 +113,9 @@ LawResidual law_verdict(const std::vector<TrialResidual>& trials, const std::vec
   const char* where = " and about its ends";
   if (!hidden.is_likely) {
     if (parts.is_off(most_left) && parts.are_most_off(most_left)) found.misfit = off_words(parts.all, where);
+    const double odd = odd_left(parts.each);
     for (std::size_t i = 0; i < parts.each.size(); ++i)
-      if (left_beyond(parts.each[i]) > most_left)
+      if (left_beyond(parts.each[i]) > odd)
         found.odd_trials.push_back(names[i] + ": " + off_words(parts.each[i], where));
   }
   if (trials_give_without_drops(trials) && !hidden.is_stepped)

@@ -51,14 +51,14 @@ std::optional<HumLine> hum_line(const RecordedTrial& trial, Sensed sensed, doubl
   constexpr double stands_out = 12, stands_beside = 4;  // once for sure, on other axes for likely
   const HannLine line(trial, sensed, nominal_hz);
   if (line.is_empty()) return std::nullopt;
-  HumLine found{nominal_hz, strongest_hz(line, nominal_hz), {}, {}};
+  HumLine found{nominal_hz, strongest_hz(line, nominal_hz)};
   found.phasors = line.at(found.hz);
   const double resolution_hz = trial.rate_hz / static_cast<double>(trial.samples());
-  const std::array<double, 3> around = power_around(line, found.hz, resolution_hz);
+  found.around = power_around(line, found.hz, resolution_hz);
   bool is_sure = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
-    found.hums[axis] = std::norm(found.phasors[axis]) > stands_beside * around[axis];
-    is_sure = is_sure || std::norm(found.phasors[axis]) > stands_out * around[axis];
+    found.hums[axis] = std::norm(found.phasors[axis]) > stands_beside * found.around[axis];
+    is_sure = is_sure || std::norm(found.phasors[axis]) > stands_out * found.around[axis];
   }
   return is_sure ? std::optional(found) : std::nullopt;
 }
@@ -80,11 +80,10 @@ bool can_show_line(const RecordedTrial& trial, Sensed sensed, double nominal_hz)
 
 std::vector<HumLine> hum_lines(const RecordedTrial& trial, Sensed sensed, Mains mains) {
   std::vector<HumLine> found;
-  for (const double nominal_hz : mains_hz) {
-    const bool is_asked = mains == Mains::any || (mains == Mains::hz_50 && nominal_hz == 50) ||
-                          (mains == Mains::hz_60 && nominal_hz == 60);
-    if (!is_asked || !can_show_line(trial, sensed, nominal_hz)) continue;
-    if (const auto line = hum_line(trial, sensed, nominal_hz)) found.push_back(*line);
+  for (const MainsFrequency& of : mains_frequencies) {
+    const bool is_asked = mains == Mains::any || mains == of.mains;
+    if (!is_asked || !can_show_line(trial, sensed, of.hz)) continue;
+    if (const auto line = hum_line(trial, sensed, of.hz)) found.push_back(*line);
   }
   return found;
 }
@@ -95,7 +94,7 @@ MainsHum take_off(const std::vector<HumLine>& lines, Sensed sensed, RecordedTria
   for (const HumLine& line : lines) {
     const std::complex<double> turn = std::polar(1.0, 2 * std::numbers::pi * line.hz / trial.rate_hz);
     Phasors whole{};
-    for (int pass = 0; pass < passes; ++pass) {
+    for (int pass = 0; pass < (line.is_of_air ? 1 : passes); ++pass) {
       const Phasors hum = pass == 0 ? line.phasors : HannLine(trial, sensed, line.nominal_hz).at(line.hz);
       for (std::size_t axis = 0; axis < 3; ++axis) {
         if (!line.hums[axis]) continue;

@@ -8,8 +8,6 @@
 
 namespace fingerpad {
 
-inline constexpr std::array<double, 2> mains_hz{50, 60};
-
 /// What was taken off of mains hum.
 struct MainsHum {
   double frequency_hz = 0;  ///< 0: nothing was
@@ -19,8 +17,10 @@ struct MainsHum {
 /// A line that stands out of a trial's spectrum near a frequency of the mains.
 struct HumLine {
   double nominal_hz = 0, hz = 0;
-  std::array<bool, 3> hums{};  ///< the axes it stands on
-  Phasors phasors{};           ///< at sample 0
+  std::array<bool, 3> hums{};      ///< the axes it stands on
+  Phasors phasors{};               ///< at sample 0
+  std::array<double, 3> around{};  ///< mean power of the axes beside it
+  bool is_of_air = false;          ///< told by moments in the air alone: what else is there is none of it
 
   /// The greatest of the axes.
   double amplitude() const;

@@ -26,6 +26,7 @@ struct MeasuredTrial {
   bool has_direction = false;     ///< else the axes are arbitrary
   double inclination_deg = 0;     ///< mean, finger against the plate; 0 without a direction
   double delay_unsure_s = 0;      ///< by which the delay that was taken out may be off: half its interval
+  bool is_delay_told = true;      ///< else none was taken out, and delay_unsure_s is what one may be
 };
 
 /// The finger's angle that a trial is run and drawn at [deg]: 45, where a pad's axes hold, if it says none.
@@ -51,9 +52,11 @@ struct DelayEstimate {
   double delay_s = 0;
   std::optional<std::pair<double, double>> interval_s;  ///< 95 %
   double sample_s = 0;                                  ///< between samples, of the slowest clock
-  double unsure_s = 0;  ///< of the interval, either way: what samples so far apart leave open
-  long samples = 0;     ///< of stick, that it rests on
-  std::string refusal;  ///< empty: the estimate holds
+  double unsure_s = 0;    ///< of the interval, either way: what samples so far apart leave open
+  long samples = 0;       ///< of stick, that it rests on
+  long trials = 0;        ///< likewise
+  bool by_parts = false;  ///< so few that the interval is drawn from parts of them
+  std::string refusal;    ///< empty: the estimate holds
 };
 
 /// The delay of a file, or of several that do not tell theirs one by one.

@@ -207,12 +207,18 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
 
 void doubt_slip(const std::vector<TrialEvidence>& trials, FitPoint& point) {
   point.has_unseen_slip = true;
+  point.load_of_slip = point.evidence.load;
   point.evidence.load.exponent = 0;
   const PadValue log_load =
       subjects_mean(trials, std::vector<int>(trials.size(), 1), &TrialEvidence::rupture_log_load,
                     &TrialEvidence::ruptures, enough_ruptures, "no rupture");
   if (log_load.refusal.empty())
     point.evidence.load.load_n = std::stod(rounded_text(std::exp(log_load.value), 3));
+}
+
+void trust_slip(FitPoint& point) {
+  point.has_unseen_slip = false;
+  point.evidence.load = point.load_of_slip;
 }
 
 FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point) {

@@ -58,11 +58,14 @@ inline constexpr std::array<std::string_view, 20> pad_number_keys{"lateral_axis_
 /// Why a number is refused, where advice depends on it.
 enum class RefusalReason {
   other,
-  not_pushed,    ///< no stick along this axis was seen
-  one_angle,     ///< stick was, at one angle of the finger that is far from 45 degrees
-  hidden_stick,  ///< stick that gives way unseen passes for slip
-  unseen_slip,   ///< the same, and no slip is surely seen: unseen_slip_words
-  vague,         ///< too few trials, or too unlike ones, tell it
+  not_pushed,     ///< no stick along this axis was seen
+  one_angle,      ///< stick was, at one angle of the finger that is far from 45 degrees
+  hidden_stick,   ///< stick that gives way unseen passes for slip
+  unseen_slip,    ///< the same, and no slip is surely seen: unseen_slip_words
+  vague,          ///< too few trials, or too unlike ones, tell it
+  unknown_zero,   ///< the force sensor's zero is not known, and an offset may be there
+  unknown_delay,  ///< the delay of force behind position is not known
+  impossible,     ///< it came out as no number, or as a size that is none
 };
 
 /// A number, how many samples it rests on, and why there is none.
@@ -96,6 +99,7 @@ struct FitPoint {
   double trial_scatter = 0;                ///< of the trials' friction; see load_exponent
   std::optional<SpeedStep> slow_slip;      ///< where slip's friction rises as it slows
   bool has_unseen_slip = false;            ///< what passes for slip may be teeth (unseen_slip_words)
+  LoadLaw load_of_slip;                    ///< what evidence.load is where it is not
   bool v_min_by_step = false;              ///< v_min is the speed at which it does (tells_v_min)
 };
 
@@ -143,6 +147,8 @@ inline constexpr std::array<PadNumber, 12> spring_numbers{PadNumber::lateral_axi
 /// Leaves the coefficients as they were measured where what passes for slip may be teeth: how those change
 /// with the load is no exponent of friction. They hold at the ruptures' load then, where there are any.
 void doubt_slip(const std::vector<TrialEvidence>& trials, FitPoint& point);
+/// Takes that back.
+void trust_slip(FitPoint& point);
 
 /// What the next pass is to be taken about.
 FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point);

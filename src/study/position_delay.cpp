@@ -1,19 +1,12 @@
 #include "study/position_delay.hpp"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <set>
 
-#include "study/block_draws.hpp"
 #include "study/phase_stretch.hpp"
 
 namespace fingerpad {
 namespace {
-
-constexpr std::size_t lags = 2 * std::size_t{delay_lags_each_way} + 1;
 
 /// The part of a trial around i without a gap.
 PhaseStretch unbroken_around(const MeasuredTrial& trial, std::size_t from, std::size_t to,
@@ -100,158 +93,60 @@ void add_stretch(const MeasuredTrial& trial, const StickSegments& segments, Phas
   sums.noise_m2 += (count - 1) * noise_m2;
 }
 
-/// How many of q, q |q|^2 and q |q|^4 a spring has.
-enum class SpringOrder : Eigen::Index { first = 1, third = 2, fifth = 3 };
-
-/// How much of a position's spread a spring explains, times that of q.
-class SpringExplains {
- public:
-  /// @param spring  DelaySums::spring of an axis
-  SpringExplains(const Mat3& spring, SpringOrder order) : qq_(spring(0, 0)) {
-    constexpr double least_own = 1e-3;  // else a term says nothing beside those before it
-    for (Eigen::Index term = 0; term < static_cast<Eigen::Index>(order); ++term) {
-      Vec3 rest = Vec3::Unit(term);
-      for (const OwnTerm& before : terms_)
-        rest -= before.of.dot(spring.col(term)) / before.spread * before.of;
-      const double spread = rest.dot(spring * rest);
-      if (term == 0 || spread > least_own * spring(term, term)) terms_.push_back({rest, spread});
-    }
+DelaySums no_sums(const MeasuredTrial& trial) {
+  DelaySums sums;
+  sums.subject = trial.subject;
+  sums.sample_s = 1 / trial.rate_hz;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    sums.xx[axis].assign(delay_lags, 0);
+    sums.xq[axis].assign(delay_lags, Vec3::Zero());
   }
-  /// @param xq  DelaySums::xq of that axis at a lag
-  double of(const Vec3& xq) const {
-    double explained = 0;
-    for (const OwnTerm& term : terms_) explained += std::pow(term.of.dot(xq), 2) / term.spread;
-    return qq_ * explained;
-  }
+  return sums;
+}
 
- private:
-  /// What a term has that those before it have not.
-  struct OwnTerm {
-    Vec3 of;
-    double spread;
-  };
-  double qq_;
-  std::vector<OwnTerm> terms_;
-};
-
-/// How much of q the springs explain at each lag, and how much there is of it.
-struct ExplainedByLag {
-  std::vector<double> explained;
-  double all = 0;  ///< of the axes that count
-};
-
-ExplainedByLag explained_by_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times,
-                                SpringOrder order) {
-  ExplainedByLag found{std::vector<double>(lags, 0)};
-  for (std::size_t i = 0; i < trials.size(); ++i) {
-    if (times[i] == 0 || trials[i].samples == 0) continue;
-    for (std::size_t axis = 0; axis < 2; ++axis) {
-      const std::vector<double>& xx = trials[i].xx[axis];
-      const std::vector<Vec3>& xq = trials[i].xq[axis];
-      const SpringExplains explains(trials[i].spring[axis], order);
-      // An axis that hardly moves at some lag would seem to explain anything there.
-      if (!(*std::min_element(xx.begin(), xx.end()) > 4 * trials[i].noise_m2)) continue;
-      found.all += times[i] * trials[i].spring[axis](0, 0);
-      for (std::size_t k = 0; k < lags; ++k)
-        if (xq[k][0] < 0) found.explained[k] += times[i] * explains.of(xq[k]) / xx[k];
-    }
+/// What is surely stick.
+std::vector<PhaseStretch> inner_stretches(const StickSegments& segments) {
+  std::vector<PhaseStretch> found;
+  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
+    const PhaseStretch stretch = inner_stretch(whole, segments);
+    if (stretch.from < stretch.to) found.push_back(stretch);
   }
   return found;
-}
-
-/// The lag that explains most, in steps of the grid; nothing where that is at the grid's end.
-std::optional<double> best_lag(const std::vector<DelaySums>& trials, const std::vector<int>& times,
-                               SpringOrder order) {
-  const std::vector<double> explained = explained_by_lag(trials, times, order).explained;
-  const auto k =
-      static_cast<std::size_t>(std::max_element(explained.begin(), explained.end()) - explained.begin());
-  if (k == 0 || k + 1 == explained.size()) return std::nullopt;
-  const double bend = explained[k - 1] - 2 * explained[k] + explained[k + 1];
-  if (!(bend < 0)) return std::nullopt;
-  return static_cast<double>(k) - delay_lags_each_way + 0.5 * (explained[k - 1] - explained[k + 1]) / bend;
-}
-
-/// A higher one where it leaves much less of q: where it is only free, ends of stick bend it, and the delay
-/// with it.
-SpringOrder spring_order_of(const std::vector<DelaySums>& trials) {
-  constexpr double much_less = 0.5;
-  const std::vector<int> once(trials.size(), 1);
-  const auto left = [&](SpringOrder order) {
-    const ExplainedByLag found = explained_by_lag(trials, once, order);
-    return found.all - *std::max_element(found.explained.begin(), found.explained.end());
-  };
-  const double third = left(SpringOrder::third);
-  if (!(third < much_less * left(SpringOrder::first))) return SpringOrder::first;
-  return left(SpringOrder::fifth) < much_less * third ? SpringOrder::fifth : SpringOrder::third;
 }
 
 }  // namespace
 
 DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) {
-  DelaySums sums;
-  sums.subject = trial.subject;
-  sums.sample_s = 1 / trial.rate_hz;
-  for (std::size_t axis = 0; axis < 2; ++axis) {
-    sums.xx[axis].assign(lags, 0);
-    sums.xq[axis].assign(lags, Vec3::Zero());
-  }
-  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
-    const PhaseStretch stretch = inner_stretch(whole, segments);
-    if (stretch.from < stretch.to) add_stretch(trial, segments, stretch, sums);
-  }
+  DelaySums sums = no_sums(trial);
+  for (const PhaseStretch& stretch : inner_stretches(segments)) add_stretch(trial, segments, stretch, sums);
   return sums;
 }
 
-DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t seed) {
-  constexpr long fewest = 200;
-  constexpr int draws = 200;
-  constexpr double most_unsure_s = 5e-3;
-  DelayEstimate estimate;
-  std::vector<int> subject_of;
-  std::set<int> subjects;
-  double blocks = 0;
-  for (const DelaySums& trial : trials) {
-    subject_of.push_back(trial.subject);
-    estimate.samples += trial.samples;
-    if (trial.samples == 0) continue;
-    ++blocks;
-    subjects.insert(trial.subject);
-    estimate.sample_s = std::max(estimate.sample_s, trial.sample_s);
+std::vector<DelaySums> delay_sums_by_part(const MeasuredTrial& trial, const StickSegments& segments) {
+  constexpr std::size_t most_parts = 12;
+  const std::vector<PhaseStretch> stretches = inner_stretches(segments);
+  std::size_t samples = 0, before = 0;
+  for (const PhaseStretch& stretch : stretches) samples += stretch.to - stretch.from;
+  std::vector<DelaySums> parts(most_parts, no_sums(trial));
+  for (const PhaseStretch& stretch : stretches) {
+    add_stretch(trial, segments, stretch, parts[most_parts * before / samples]);
+    before += stretch.to - stretch.from;
   }
-  const SpringOrder order = spring_order_of(trials);
-  const auto lag = best_lag(trials, std::vector<int>(trials.size(), 1), order);
-  if (estimate.samples < fewest || !lag) {
-    estimate.refusal = estimate.samples < fewest
-                           ? "too little stick in which force follows position"
-                           : "no lag within 50 ms explains the forces best, and one that is longer is "
-                             "not looked for";
-    return estimate;
+  std::erase_if(parts, [](const DelaySums& part) { return part.samples == 0; });
+  return parts;
+}
+
+DelaySums& DelaySums::operator+=(const DelaySums& other) {
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    for (std::size_t k = 0; k < delay_lags; ++k) {
+      xx[axis][k] += other.xx[axis][k];
+      xq[axis][k] += other.xq[axis][k];
+    }
+    spring[axis] += other.spring[axis];
   }
-  estimate.delay_s = *lag * delay_step_s;
-  DrawSpread spread;
-  RandomStream random(seed, 1);
-  for (int draw = 0; draw < draws; ++draw) {
-    if (const auto drawn = best_lag(trials, drawn_times(subject_of, Blocks::trials, random), order))
-      spread.add(*drawn * delay_step_s);
-  }
-  LeftOutSpread without;
-  const std::size_t left_out = each_left_out(subject_of, Blocks::trials, [&](const LeftOut& one) {
-    if (const auto lag_left = best_lag(trials, one.times, order)) without.add(one, *lag_left * delay_step_s);
-  });
-  // What ends of stick that count as stick move all trials alike.
-  constexpr double unsure_samples = 0.05;
-  estimate.unsure_s = unsure_samples * std::max(estimate.sample_s, delay_step_s);
-  const auto groups = static_cast<double>(subjects.size());
-  const double drawn = interval_reach(spread, without.deviation(left_out), blocks, groups);
-  const double reach = drawn > 0 ? drawn + estimate.unsure_s : 0;
-  if (!(reach > 0) || spread.count < 0.95 * draws) return estimate;
-  estimate.interval_s = {estimate.delay_s - reach, estimate.delay_s + reach};
-  // Of few trials, the jackknife has those without the one that tells it.
-  const double drawn_s = interval_reach(spread, std::nullopt, blocks, groups);
-  if (drawn_s > most_unsure_s)
-    estimate.refusal = fmt::format("the trials tell it to -+ {:.0f} ms only, and to {:.0f} ms is needed",
-                                   std::ceil(1e3 * drawn_s), 1e3 * most_unsure_s);
-  return estimate;
+  noise_m2 += other.noise_m2;
+  samples += other.samples;
+  return *this;
 }
 
 void shift_positions(RecordedTrial& trial, double delay_s) {

@@ -11,6 +11,7 @@ namespace fingerpad {
 /// samples, which stick is hardly longer than, what a lag explains is no parabola.
 inline constexpr double delay_step_s = 1e-3;
 inline constexpr int delay_lags_each_way = 50;
+inline constexpr std::size_t delay_lags = 2 * std::size_t{delay_lags_each_way} + 1;
 
 /// What a trial says about the delay of force behind position: how well, in stick, the force ratio follows
 /// the position of a moment before, for each lag of the grid. Sums, so that those of several trials add up.
@@ -24,15 +25,14 @@ struct DelaySums {
   std::array<Mat3, 2> spring{Mat3::Zero(), Mat3::Zero()};  ///< products of these three with one another
   double noise_m2 = 0;                                     ///< what noise made of xx, taken off it
   long samples = 0;
+
+  DelaySums& operator+=(const DelaySums& other);
 };
 
 DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments);
-
-/// The lag of the highest cross-correlation: the one at which a spring, of first, third or fifth order and of
-/// its own for each trial and axis, explains most (without the higher orders its bend would pass for a
-/// delay), refined by the parabola through the highest three. Within 50 ms either way. A spring that yields
-/// late (hysteresis) looks like a delay: what they share is taken for delay.
-DelayEstimate estimate_delay(const std::vector<DelaySums>& trials, std::uint64_t seed);
+/// The same in up to a dozen parts, of stretches that follow one another: what a few trials say of how far it
+/// may be off.
+std::vector<DelaySums> delay_sums_by_part(const MeasuredTrial& trial, const StickSegments& segments);
 
 /// Moves a trial's positions by a delay, so that they are those of the forces' moments: whole samples, and
 /// the rest along the velocity, which adds no noise.

@@ -8,8 +8,10 @@
 #include "study/few_trials.hpp"
 #include "study/fit_refusals.hpp"
 #include "study/hidden_stick.hpp"
+#include "study/impossible_numbers.hpp"
 #include "study/sampling_reach.hpp"
 #include "study/unseen_slip.hpp"
+#include "study/zero_doubt.hpp"
 
 namespace fingerpad {
 namespace {
@@ -25,7 +27,7 @@ std::optional<NoInterval> too_few_blocks(const PadValue& value, std::size_t subj
   return are_subjects ? NoInterval::few_subjects : NoInterval::few_a_subject;
 }
 
-void add_intervals(const std::vector<int>& subject_of, const std::vector<TrialEvidence>& delayed,
+void add_intervals(const std::vector<int>& subject_of, const NumberReaches& by_delay,
                    const FitSettings& settings, FitPoint point, ProfileFit& fit) {
   const bool has_slow_slip = point.slow_slip.has_value();
   point.slow_slip.reset();  // whether it is told is settled for all draws
@@ -44,7 +46,7 @@ void add_intervals(const std::vector<int>& subject_of, const std::vector<TrialEv
       if (values[k].refusal.empty()) without[k].add(one, values[k].value);
   });
   const auto subjects = static_cast<double>(fit.subjects);
-  const auto unsure = moved_by_sampling(fit, delayed, point, has_slow_slip);
+  const auto unsure = moved_by_sampling(fit, by_delay, point, has_slow_slip);
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     constexpr double most_missing = 0.05;
     if (!fit.values[k].refusal.empty()) continue;
@@ -97,12 +99,17 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   }
   const std::vector<int> once(fit.evidence.size(), 1);
   fit.values = pad_numbers(fit.evidence, once, point);
-  // The last pass' numbers may be the first that tell it.
-  if (!point.has_unseen_slip && !unseen_slip_words(fit.evidence, fit.values, point).empty()) {
-    doubt_slip(fit.evidence, point);
+  // The last pass' numbers may be the first that tell it, or that tell otherwise.
+  if (point.has_unseen_slip == unseen_slip_words(fit.evidence, fit.values, point).empty()) {
+    if (point.has_unseen_slip) {
+      trust_slip(point);
+    } else {
+      doubt_slip(fit.evidence, point);
+    }
     gather();
     fit.values = pad_numbers(fit.evidence, once, point);
   }
+  tell_impossible_numbers(fit.values);
   fit.mu_load_n = point.evidence.load.load_n;
   fit.outliers = outlier_trials(measurement, fit.evidence);
   fit.offset = sensor_offset(measurement, segments);
@@ -123,7 +130,8 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.steps = measurement.steps;
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
-  const std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
+  std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
+  if (no_slip.empty() && point.has_unseen_slip) no_slip = hardly_seen_slip;
   const LawSpring spring{point.evidence, {lateral.shape, longitudinal.shape}, point.v_min_by_step};
   std::vector<TrialResidual> residuals;
   std::vector<std::string> names;
@@ -134,6 +142,9 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   fit.residual = law_verdict(residuals, names,
                              {point.v_min_by_step || !hidden.empty(), point.v_min_by_step,
                               unseen_drop_share(fit.evidence), no_slip});
+  const bool is_delay_told = std::all_of(measurement.trials.begin(), measurement.trials.end(),
+                                         [](const MeasuredTrial& trial) { return trial.is_delay_told; });
+  if (!is_delay_told) doubt_misfit(fit.residual);
   tell_noise(segments, fit);
   if (fit.evidence.empty()) {
     for (PadValue& value : fit.values)
@@ -144,13 +155,22 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   if (!hidden.empty())
     refuse_springs(no_slip.empty() ? RefusalReason::hidden_stick : RefusalReason::unseen_slip, hidden,
                    fit.values);
-  add_intervals(subject_of, delayed_evidence(measurement, segments, point.evidence, fit.delay_left_s),
-                settings, point, fit);
+  NumberReaches by_delay{};
+  for (const double times : {1.0, -1.0}) {
+    if (times < 0 && is_delay_told) continue;  // of a little either way tells the other
+    const NumberReaches moved = moved_by(
+        delayed_evidence(measurement, segments, point.evidence, fit.delay_left_s, times), fit, point);
+    for (std::size_t k = 0; k < moved.size(); ++k) by_delay[k] = std::max(by_delay[k], moved[k]);
+  }
+  add_intervals(subject_of, by_delay, settings, point, fit);
+  if (!is_delay_told && !settings.keeps_told_by_few) refuse_by_delay(by_delay, fit);
+  tell_teeth(teeth_reach(fit, point), fit);
   refuse_vague_springs(settings.keeps_told_by_few, fit);
   refuse_odd_cubic_shares(fit);
   if (!settings.keeps_told_by_few) {
     refuse_told_by_few(fit);
     if (!no_slip.empty() || point.has_unseen_slip) refuse_unsure_slip(fit);
+    doubt_zero(zero_doubt(fit, !measurement.looks_for_tare), fit);
   }
   return fit;
 }

@@ -45,7 +45,8 @@ struct ProfileFit {
   double delay_left_s = 0;     ///< of force behind position, that the springs tell beside what was taken out;
                                ///< 0 where the delay is known
   bool v_min_by_step = false;  ///< FitPoint's: v_min is a speed at which friction steps, no end of slip
-  std::vector<std::string> steps;  ///< Measurement::steps
+  std::vector<std::string> doubts;  ///< why intervals of numbers are wider than their trials differ
+  std::vector<std::string> steps;   ///< Measurement::steps
 };
 
 /// How intervals are made.

@@ -41,6 +41,7 @@ std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
   if (reason == RefusalReason::vague)
     return fmt::format("add trials whose finger sticks before it slips {} the finger, pushed alike",
                        axis == PadNumber::lateral_axis ? "across" : "along");
+  if (reason == RefusalReason::unknown_delay) return "give the delay of force behind position (--delay)";
   if (reason == RefusalReason::unseen_slip) return "rub faster";
   if (reason == RefusalReason::hidden_stick) return "sample faster";
   if (reason == RefusalReason::one_angle)
@@ -141,6 +142,7 @@ std::vector<std::string> fit_remarks(const ProfileFit& fit) {
         fmt::format("the axes are {} and {} mm, stiffer than the skin of a finger: is the "
                     "positions' unit right?",
                     rounded_text(1e3 * lateral.value, 3), rounded_text(1e3 * longitudinal.value, 3)));
+  notes.insert(notes.end(), fit.doubts.begin(), fit.doubts.end());
   for (const std::string& words : without_interval_words(fit)) notes.push_back(words);
   const LawResidual& residual = fit.residual;
   if (residual.samples == 0 && residual.untold.empty()) return notes;

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "study/unseen_slip.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -24,7 +26,9 @@ HiddenReach hidden_reach(const ProfileFit& fit, const FitPoint& point) {
                drop = mu_static.value - mu_dynamic.value;
   if (mu_static.refusal.empty() && drop < 1.5 * unseen)
     reach.mu_static = 0.3 * (std::max(0.0, unseen - drop) + unseen / 6);
-  if (!point.has_unseen_slip && value(PadNumber::v_min).refusal.empty()) return reach;
+  const bool may_hold_teeth =
+      point.has_unseen_slip || !mu_static.refusal.empty() || slip_may_hold_teeth(fit.evidence, fit.values);
+  if (!may_hold_teeth || (!point.has_unseen_slip && value(PadNumber::v_min).refusal.empty())) return reach;
   double seen = 0, teeth = 0;
   for (const TrialEvidence& trial : fit.evidence) {
     seen += trial.short_drop;
@@ -58,6 +62,29 @@ std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& 
   return way_m / axes / v_min.value * rate_hz;
 }
 
+/// A trial's velocities of a moment later (or earlier), as far as it goes on without a gap.
+std::vector<Vec2> later_velocities(const MeasuredTrial& trial, const StickSegments& segments, double by_s) {
+  const double samples = by_s * trial.rate_hz, whole = std::floor(samples), rest = samples - whole;
+  const std::vector<Vec2>& now = segments.velocity_m_per_s;
+  std::vector<Vec2> later;
+  later.reserve(now.size());
+  std::ptrdiff_t from = 0, to = 0;  // of the run that a sample is of
+  for (std::size_t k = 0; k < now.size(); ++k) {
+    const auto here = static_cast<std::ptrdiff_t>(k);
+    if (here >= to) {
+      from = here;
+      for (to = from + 1; to < static_cast<std::ptrdiff_t>(now.size()); ++to)
+        if (trial.starts_anew[static_cast<std::size_t>(to)]) break;
+    }
+    const auto at = [&](std::ptrdiff_t i) {
+      return now[static_cast<std::size_t>(std::clamp(i, from, to - 1))];
+    };
+    const std::ptrdiff_t moved = here + static_cast<std::ptrdiff_t>(whole);
+    later.emplace_back(at(moved) + rest * (at(moved + 1) - at(moved)));
+  }
+  return later;
+}
+
 }  // namespace
 
 double unseen_drop_share(const std::vector<TrialEvidence>& trials) {
@@ -69,13 +96,18 @@ double unseen_drop_share(const std::vector<TrialEvidence>& trials) {
   return friction > 0 ? drop / friction : 0;
 }
 
+double teeth_reach(const ProfileFit& fit, const FitPoint& point) {
+  return hidden_reach(fit, point).mu_dynamic;
+}
+
 std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
                                             const std::vector<StickSegments>& segments,
-                                            const EvidencePoint& about, double delay_left_s) {
+                                            const EvidencePoint& about, double delay_left_s, double times) {
   std::vector<TrialEvidence> delayed;
+  delayed.reserve(segments.size());
   for (std::size_t i = 0; i < segments.size(); ++i) {
     MeasuredTrial trial = measurement.trials[i];
-    const double by_s = trial.delay_unsure_s + std::abs(delay_left_s);
+    const double by_s = times * (trial.delay_unsure_s + std::abs(delay_left_s));
     const std::vector<double> heights = trial.height_m;
     const auto half = static_cast<std::size_t>(segments[i].half_window);
     for (std::size_t k = 0; k < heights.size(); ++k) {
@@ -87,14 +119,26 @@ std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
         trial.height_m[k] +=
             by_s * trial.rate_hz * (heights[to] - heights[from]) / static_cast<double>(to - from);
     }
-    delayed.push_back(trial_evidence(trial, segments[i], about));
+    StickSegments moved = segments[i];
+    moved.velocity_m_per_s = later_velocities(trial, segments[i], by_s);
+    delayed.push_back(trial_evidence(trial, moved, about));
   }
   return delayed;
 }
 
-std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit,
-                                                             const std::vector<TrialEvidence>& delayed,
-                                                             const FitPoint& point, bool has_slow_slip) {
+NumberReaches moved_by(const std::vector<TrialEvidence>& evidence, const ProfileFit& fit,
+                       const FitPoint& point) {
+  const PadValues values = pad_numbers(evidence, std::vector<int>(evidence.size(), 1), point);
+  NumberReaches moved{};
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    if (fit.values[k].refusal.empty() && values[k].refusal.empty())
+      moved[k] = std::abs(values[k].value - fit.values[k].value);
+  }
+  return moved;
+}
+
+NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_delay, const FitPoint& point,
+                                bool has_slow_slip) {
   constexpr double unsure = 0.1, later = 0.05, beside = 0.025, long_tooth = 6;
   // The end of slip may be seen a tooth late where teeth have few samples.
   const double earlier =
@@ -106,14 +150,8 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
     trial.rupture_ratio += later * (1 + bent) * trial.rupture_rise;
     trial.stop_speed_m_per_s += earlier * trial.stop_slowing_m_per_s;
   }
-  std::array<double, pad_number_keys.size()> moved{};
-  for (const auto* evidence : {&std::as_const(noisier), &delayed}) {
-    const PadValues values = pad_numbers(*evidence, std::vector<int>(evidence->size(), 1), point);
-    for (std::size_t k = 0; k < moved.size(); ++k) {
-      if (fit.values[k].refusal.empty() && values[k].refusal.empty())
-        moved[k] += std::abs(values[k].value - fit.values[k].value);
-    }
-  }
+  NumberReaches moved = moved_by(noisier, fit, point);
+  for (std::size_t k = 0; k < moved.size(); ++k) moved[k] += by_delay[k];
   // Where stick passes for slip before slip is seen to end, it does so within mu_dynamic too.
   if (!value_of(fit.values, PadNumber::v_min).refusal.empty()) {
     double rise = 0;
@@ -125,7 +163,7 @@ std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& f
   }
   if (point.v_min_by_step) {
     const auto k = static_cast<std::size_t>(PadNumber::v_min);
-    moved[k] = SlipBySpeed::bin_width * fit.values[k].value;
+    moved[k] = SlipBySpeed::bin_width * fit.values[k].value + by_delay[k];
   }
   const HiddenReach hidden = hidden_reach(fit, point);
   moved[static_cast<std::size_t>(PadNumber::mu_static)] += hidden.mu_static;

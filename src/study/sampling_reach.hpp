@@ -10,18 +10,28 @@ namespace fingerpad {
 /// The mean share of friction that a rupture may drop unseen.
 double unseen_drop_share(const std::vector<TrialEvidence>& trials);
 
+/// How far mu_dynamic may be off where what passes for slip may hold teeth.
+double teeth_reach(const ProfileFit& fit, const FitPoint& point);
+
 /// What the trials say where the delay is as much more as it may be off: positions of a moment later.
+/// @param times  as much; below 0: earlier
 std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
                                             const std::vector<StickSegments>& segments,
-                                            const EvidencePoint& about, double delay_left_s);
+                                            const EvidencePoint& about, double delay_left_s, double times);
+
+/// How far each number moves.
+using NumberReaches = std::array<double, pad_number_keys.size()>;
+
+/// How far other evidence of the same trials moves what both tell.
+NumberReaches moved_by(const std::vector<TrialEvidence>& evidence, const ProfileFit& fit,
+                       const FitPoint& point);
 
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
 /// lie a twentieth of a sample later than in its middle (of a bent spring by its share more); ends of slip
 /// that pass for stick bend a spring by a thousandth and lengthen it by half of that; slow slip that is left
 /// in mu_dynamic is half a thousandth of it, and twice as much where stick hides in it.
-/// @param delayed  delayed_evidence
-std::array<double, pad_number_keys.size()> moved_by_sampling(const ProfileFit& fit,
-                                                             const std::vector<TrialEvidence>& delayed,
-                                                             const FitPoint& point, bool has_slow_slip);
+/// @param by_delay  how far the delay moves it (delayed_evidence)
+NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_delay, const FitPoint& point,
+                                bool has_slow_slip);
 
 }  // namespace fingerpad

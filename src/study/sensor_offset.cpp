@@ -55,15 +55,17 @@ SensorOffset sensor_offset(const Measurement& measurement, const std::vector<Sti
   for (const TrialCleaning& cleaning : measurement.cleanings)
     if (cleaning.free_samples > 0) tared.insert(cleaning.name);
   SensorOffset found;
-  std::vector<double> offsets_n;
+  std::vector<double> told_n, offsets_n;
   for (std::size_t i = 0; i < segments.size(); ++i) {
     if (tared.contains(measurement.trials[i].name)) continue;
     ++found.untared;
     const auto own = trial_offset(measurement.trials[i], segments[i]);
     if (!own) continue;
     ++found.told;
+    told_n.push_back(own->offset_n);
     if (own->offset_n > told_share * own->friction_n) offsets_n.push_back(own->offset_n);
   }
+  if (!told_n.empty()) found.typical_n = median_of(told_n);
   found.off = offsets_n.size();
   if (found.off == 0) return found;
   found.usual_n = median_of(offsets_n);

@@ -13,6 +13,7 @@ struct SensorOffset {
   std::size_t untared = 0;  ///< trials that no tare was taken off
   std::size_t told = 0;     ///< of these, that rub to and fro, so that it can be told
   std::size_t off = 0;      ///< of these, that are off by more than a twentieth of their friction
+  double typical_n = 0;     ///< median over those that tell it, of its length along the plate
   double usual_n = 0;       ///< median over those that are off, of its length along the plate
   double most_n = 0;
 };

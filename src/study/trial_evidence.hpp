@@ -45,6 +45,11 @@ inline bool gives_without_drops(long gives, long drops) noexcept {
   return gives >= fewest_gives && 2 * drops < gives;
 }
 
+/// Whether slip is seen to end in stick in less than a quarter of the times that stick ends in slip.
+inline bool hardly_ends_in_stick(long gives, long stops) noexcept {
+  return 4 * stops < gives;
+}
+
 /// What one trial says about the pad, as sums: those of several trials add up, so that a bootstrap is quick.
 struct TrialEvidence {
   int subject = 0;

@@ -41,9 +41,11 @@ struct SlipSeen {
   }
 };
 
-/// Whether the teeth that slip would hold are too short to be seen at its speeds.
-bool may_hold_teeth(const SlipSeen& seen, const PadValues& found) {
+}  // namespace
+
+bool slip_may_hold_teeth(const std::vector<TrialEvidence>& trials, const PadValues& found) {
   constexpr double fewest_samples = 5, slow_share = 0.25;
+  const SlipSeen seen(trials);
   const PadValue &mu_static = value_of(found, PadNumber::mu_static),
                  &mu_dynamic = value_of(found, PadNumber::mu_dynamic);
   if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty() || !(seen.pulled > 0)) return true;
@@ -51,23 +53,19 @@ bool may_hold_teeth(const SlipSeen& seen, const PadValues& found) {
   return tooth_m * seen.rate_hz < fewest_samples * seen.speed_m_per_s(slow_share);
 }
 
-}  // namespace
-
 std::string unseen_slip_words(const std::vector<TrialEvidence>& trials, const PadValues& found,
                               const FitPoint& point) {
   constexpr long many_teeth = 4;  // for each time that stick began anew
-  constexpr double hardly_any_stops = 0.25;
   const SlipSeen seen(trials);
   if (seen.gives + seen.teeth < fewest_gives || point.slow_slip) return {};
   if (seen.samples == 0)
     return fmt::format(
         "no slip is seen: stick gives way {} times, and each time holds again at once: rub faster",
         seen.teeth);
-  const bool ends_in_stick =
-      seen.stops > 0 && static_cast<double>(seen.stops) >= hardly_any_stops * static_cast<double>(seen.gives);
+  const bool ends_in_stick = seen.stops > 0 && !hardly_ends_in_stick(seen.gives, seen.stops);
   const bool has_teeth = seen.teeth - seen.drops > many_teeth * seen.strokes,
              shows_drops = seen.strokes > 0 && 2 * seen.drops >= seen.strokes;
-  if (ends_in_stick || (shows_drops && !has_teeth && !may_hold_teeth(seen, found))) return {};
+  if (ends_in_stick || (shows_drops && !has_teeth && !slip_may_hold_teeth(trials, found))) return {};
   return fmt::format(
       "no slip is surely seen: what passes for it, at up to {} m/s, is hardly seen to end in stick, and may "
       "be stick "

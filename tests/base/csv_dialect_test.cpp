@@ -73,7 +73,7 @@ TEST(CsvDialect, AUnitInACellIsNamed) {
 
 TEST(CsvDialect, ATableWithoutAHeaderIsToldSo) {
   EXPECT_THAT(refusal("0,1\n1,2\n"),
-              HasSubstr("t.csv:1: no column 't'; the first line must name the columns t,x, "
+              HasSubstr("t.csv:1: no column 't'; its header must name the columns t,x, "
                         "and it names 0, 1: put a line of names above these numbers"));
 }
 

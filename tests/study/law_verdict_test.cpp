@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "base/random_stream.hpp"
 #include "study/profile_text.hpp"
 #include "support/pad_measurement.hpp"
 
@@ -48,6 +50,22 @@ TEST(LawVerdict, NamesAnOddTrialThoughAllTogetherFit) {
   EXPECT_LT(found.share, 0.06);
   EXPECT_EQ(found.misfit, "");
   EXPECT_THAT(found.odd_trials, ElementsAre(HasSubstr("odd: it leaves 30.0 %")));
+}
+
+TEST(LawVerdict, OfManyTrialsSomeAreFarByChance) {
+  // About 0.048, a hundredth either way; and one that is beyond chance.
+  RandomStream random(1);
+  std::vector<TrialResidual> trials;
+  for (int k = 0; k < 200; ++k) trials.push_back(leaving(std::hypot(0.048 + 0.01 * random.normal(), 0.02)));
+  const auto beyond = std::count_if(trials.begin(), trials.end(), [](const TrialResidual& trial) {
+    return trial.stick.left - trial.stick.expected > 0.06 * 0.06;
+  });
+  EXPECT_GT(beyond, 10);
+  std::vector<std::string> of_all(200, "fits");
+  EXPECT_THAT(law_verdict(trials, of_all, {}).odd_trials, testing::IsEmpty());
+  trials[7] = leaving(0.15);
+  of_all[7] = "odd";
+  EXPECT_THAT(law_verdict(trials, of_all, {}).odd_trials, ElementsAre(HasSubstr("odd: it leaves 15.0 %")));
 }
 
 TEST(LawVerdict, NoTrialIsOddWhereTheLawDoesNotFit) {

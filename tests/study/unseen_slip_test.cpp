@@ -66,6 +66,7 @@ TEST(UnseenSlip, RubsThatAreAllBelowVMinAreNoOtherLaw) {
           << mu_dynamic << " " << rate_hz;
       EXPECT_THAT(fit_notes(fit), Not(Contains(HasSubstr("the pad's law fits: ")))) << mu_dynamic;
       EXPECT_TRUE(holds(fit, PadNumber::mu_dynamic, mu_dynamic)) << mu_dynamic << " " << rate_hz;
+      EXPECT_THAT(fit_notes(fit), Contains(HasSubstr("mu_dynamic: what passes for slip may hold teeth")));
       const PadValue& mu_static = of(fit, PadNumber::mu_static);
       EXPECT_TRUE(!mu_static.refusal.empty() || std::abs(mu_static.value / 0.3 - 1) < 0.02)
           << mu_static.value;
@@ -137,11 +138,35 @@ TEST(UnseenSlip, SlowSlipThatCannotHoldTeethIsSlip) {
       const ProfileFit fit = fitted(rubs(0.06, true), finger, 1000);
       EXPECT_NEAR(of(fit, PadNumber::mu_dynamic).value, 0.25, 0.001) << vibration << " " << mu_static;
       EXPECT_EQ(of(fit, PadNumber::mu_dynamic).refusal, "") << vibration << " " << mu_static;
+      // No slip ends in stick here, and its teeth would be seen: they do not widen it to mu_static and as far
+      // below.
+      EXPECT_TRUE(holds(fit, PadNumber::mu_dynamic, 0.25)) << vibration << " " << mu_static;
+      const auto& interval = fit.interval[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+      EXPECT_LT(interval->second - interval->first, 0.02) << vibration << " " << mu_static;
       EXPECT_EQ(fit.residual.misfit, "") << vibration << " " << mu_static;
       EXPECT_EQ(fit.residual.untold, "") << vibration << " " << mu_static;
       EXPECT_THAT(fit_notes(fit).back(), HasSubstr("the pad's law fits: ")) << vibration << " " << mu_static;
       EXPECT_NE(of(fit, PadNumber::v_min).refusal, "") << of(fit, PadNumber::v_min).value;
     }
+  }
+}
+
+TEST(UnseenSlip, TeethThatSlipWouldHoldAreSeenWhereTheyAreLongEnough) {
+  // Of 0.05 either way of slip's friction and 150 1/m: 0.67 mm, at 1 kHz 11 samples at 0.06 m/s and 3 at 0.2.
+  PadValues found;
+  found[static_cast<std::size_t>(PadNumber::mu_static)] = {0.3, 20, 5, ""};
+  found[static_cast<std::size_t>(PadNumber::mu_dynamic)] = {0.25, 1000, 5, ""};
+  for (const double speed_m_per_s : {0.06, 0.2}) {
+    TrialEvidence trial;
+    trial.rate_hz = 1000;
+    trial.gives = trial.drops = trial.strokes = trial.stroke_drops = 10;
+    trial.slip_samples = 1000;
+    trial.spring[0](spring_straight, spring_straight) = 150;
+    trial.spring[0](spring_position, spring_straight) = 1;
+    for (int k = 0; k < 1000; ++k) trial.slip_by_speed.add(speed_m_per_s, 0.25);
+    const bool may_hold = speed_m_per_s > 0.1;
+    EXPECT_EQ(slip_may_hold_teeth({trial}, found), may_hold) << speed_m_per_s;
+    EXPECT_EQ(unseen_slip_words({trial}, found, {}).empty(), !may_hold) << speed_m_per_s;
   }
 }
 

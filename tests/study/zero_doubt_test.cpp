@@ -1,0 +1,126 @@
+#include "study/zero_doubt.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "study/profile_text.hpp"
+#include "support/pad_measurement.hpp"
+
+namespace fingerpad::zero_doubt_test {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+const std::vector<test::KnownTrial> rubs{{2, 45, 0}, {2, 45, 90}, {2, 45, 45}, {2, 45, 0}, {2, 45, 90}};
+
+/// A fit to rubs without a moment in the air, whose sensor is off.
+ProfileFit fitted(const Vec3& offset_n, const CleaningSettings& settings = {},
+                  const test::KnownFinger& finger = {}) {
+  RecordedMeasurement recorded = test::known_measurement(rubs, finger, {}, 1);
+  for (RecordedTrial& trial : recorded.trials) trial.force_W.colwise() += offset_n;
+  return fit_profile(clean(recorded, settings), {});
+}
+
+const PadValue& of(const ProfileFit& fit, PadNumber number) {
+  return fit.values[static_cast<std::size_t>(number)];
+}
+
+bool holds(const ProfileFit& fit, PadNumber number, double truth) {
+  const auto& interval = fit.interval[static_cast<std::size_t>(number)];
+  return interval && interval->first <= truth && truth <= interval->second;
+}
+
+constexpr PadNumber coefficients[] = {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::stick_stiffness,
+                                      PadNumber::longitudinal_stiffness};
+
+TEST(ZeroDoubt, AnOffsetAlongTheNormalRefusesWhatItMoves) {
+  // Friction of 0.2 is told as 0.31 and as 0.15.
+  for (const double offset_n : {-0.35, 0.35}) {
+    const ProfileFit fit = fitted({0, 0, offset_n});
+    for (const PadNumber number : coefficients)
+      EXPECT_THAT(of(fit, number).refusal,
+                  AllOf(HasSubstr("no moment in the air tells the force's zero in 5 of 5 trials"),
+                        HasSubstr("offset along the normal look alike"),
+                        HasSubstr("record a second without contact"), HasSubstr("--no-tare")))
+          << offset_n;
+    EXPECT_EQ(of(fit, PadNumber::mu_load_exponent).reason, RefusalReason::unknown_zero);
+    // Where a spring ends does not rest on it: what the pull is told too much, the ratio is too.
+    EXPECT_TRUE(holds(fit, PadNumber::lateral_axis, 0.002)) << offset_n;
+    EXPECT_THAT(missing_axes_words(fit), Not(HasSubstr("as mu_dynamic")));
+  }
+}
+
+TEST(ZeroDoubt, TheUsersWordThatItWasZeroedIsTaken) {
+  test::KnownFinger rising;
+  rising.rises_with_less_load = true;
+  CleaningSettings zeroed;
+  zeroed.takes_tare = false;
+  const ProfileFit doubted = fitted({0, 0, 0}, {}, rising), known = fitted({0, 0, 0}, zeroed, rising);
+  EXPECT_EQ(of(doubted, PadNumber::mu_dynamic).reason, RefusalReason::unknown_zero);
+  for (const PadNumber number : coefficients) EXPECT_EQ(of(known, number).refusal, "");
+  EXPECT_TRUE(holds(known, PadNumber::mu_load_exponent, -1.0 / 3));
+}
+
+TEST(ZeroDoubt, FrictionThatHardlyChangesWithTheLoadSpeaksForNoOffset) {
+  const ProfileFit fit = fitted({0, 0, 0});
+  CleaningSettings zeroed;
+  zeroed.takes_tare = false;
+  const ProfileFit known = fitted({0, 0, 0}, zeroed);
+  const auto& own = fit.interval[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+  const auto& without = known.interval[static_cast<std::size_t>(PadNumber::mu_dynamic)];
+  ASSERT_TRUE(own && without);
+  EXPECT_LT(own->second - own->first, 0.02);
+  EXPECT_GT(own->second - own->first, without->second - without->first);
+  EXPECT_TRUE(holds(fit, PadNumber::mu_static, 0.3));
+  EXPECT_TRUE(holds(fit, PadNumber::mu_dynamic, 0.2));
+}
+
+TEST(ZeroDoubt, ASmallOffsetIsInTheIntervals) {
+  for (const double offset_n : {-0.05, 0.05}) {
+    const ProfileFit fit = fitted({0, 0, offset_n});
+    for (const auto& [number, truth] : {std::pair(PadNumber::mu_static, 0.3),
+                                        {PadNumber::mu_dynamic, 0.2},
+                                        {PadNumber::stick_stiffness, 150.0}})
+      EXPECT_TRUE(!of(fit, number).refusal.empty() || holds(fit, number, truth))
+          << offset_n << " " << pad_number_keys[static_cast<std::size_t>(number)];
+  }
+}
+
+/// Where nothing tells how friction changes with the load.
+ProfileFit untold(std::size_t told, double along_n) {
+  ProfileFit fit;
+  for (PadValue& value : fit.values) value.refusal = "not here";
+  fit.trials = fit.offset.untared = 4;
+  fit.offset.told = told;
+  fit.offset.off = along_n > 0.01 ? told : 0;
+  fit.offset.typical_n = along_n;
+  fit.mu_load_n = 1;
+  const auto k = static_cast<std::size_t>(PadNumber::mu_dynamic);
+  fit.values[k] = {0.2, 1000, 4, ""};
+  fit.interval[k] = {0.19, 0.21};
+  doubt_zero(zero_doubt(fit, false), fit);
+  return fit;
+}
+
+TEST(ZeroDoubt, WhatIsOffAlongThePlateTellsWhatMayBeAlongTheNormal) {
+  EXPECT_TRUE(holds(untold(4, 0.003), PadNumber::mu_dynamic, 0.2117));
+  EXPECT_FALSE(holds(untold(4, 0.003), PadNumber::mu_dynamic, 0.2119));
+  EXPECT_THAT(of(untold(4, 0.1), PadNumber::mu_dynamic).refusal, HasSubstr("off by 0.1 N along the plate"));
+  // A tenth of a newton, where that is not told either.
+  EXPECT_TRUE(holds(untold(0, 0), PadNumber::mu_dynamic, 0.229));
+  EXPECT_FALSE(holds(untold(0, 0), PadNumber::mu_dynamic, 0.231));
+}
+
+TEST(ZeroDoubt, AMomentInTheAirLeavesNone) {
+  test::KnownSensors sensors;
+  sensors.air_s = 0.3;
+  sensors.tare_n = 0.2;
+  const ProfileFit fit = fit_profile(clean(test::known_measurement(rubs, {}, sensors, 1), {}), {});
+  EXPECT_TRUE(zero_doubt(fit, false).words.empty());
+  EXPECT_TRUE(holds(fit, PadNumber::mu_dynamic, 0.2));
+}
+
+}  // namespace
+}  // namespace fingerpad::zero_doubt_test
