@@ -57,6 +57,9 @@ struct ProxyLimits {
   /// A start after one that found no place takes so many times less of a tick than that: a ball that is held
   /// in a slot narrower than itself would else cost a whole tick's looks as long as it is there.
   static constexpr long less_after_no_place = 8;
+  /// So does what is left of a start after so many ticks: most end in a few, in a bore that just fits in some
+  /// forty, and where the ball fits nowhere all its pushes may take a second.
+  static constexpr int patient_ticks = 64;
   /// A start that goes round ends: all its pushes would take it less than this share of what it lacks.
   static constexpr double little_way = 1e-3;
   /// Steps, and hops over smooth edges, in a tick. Two or three do; the caps bound what a tick may cost.

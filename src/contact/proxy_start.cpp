@@ -1,5 +1,6 @@
 #include "contact/proxy_start.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
@@ -91,10 +92,11 @@ ProxyStart::End ProxyStart::go_on(const ProxyWorld& world, const Vec3& goal_O, L
     place_O_ = out_O.value_or(goal_O);
     return out_O ? End::placed : End::no_place;
   }
-  if (!has_failed_ || looks.is_unlimited()) return push_on(world, goal_O, looks);
+  const bool takes_long = is_underway_ && ++ticks_ >= ProxyLimits::patient_ticks;
+  if (!(has_failed_ || takes_long) || looks.is_unlimited()) return push_on(world, goal_O, looks);
   // Where there was none, there likely is none yet: what looks for it takes little of a tick.
-  if ((goal_O - goal_O_).norm() > world.clearance_m()) is_underway_ = false;
-  Looks few(looks.left() / ProxyLimits::less_after_no_place);
+  if (has_failed_ && (goal_O - goal_O_).norm() > world.clearance_m()) is_underway_ = false;
+  Looks few(std::max(1L, looks.left() / ProxyLimits::less_after_no_place));
   const End end = push_on(world, goal_O, few);
   looks.spend(few.spent());
   return end;

@@ -18,9 +18,9 @@ class ProxyStart {
  public:
   enum class End { placed, no_place, broken_off };
 
-  /// A start that was broken off is gone on with, from the goal that it began with. After one that found no
-  /// place the next goes on with a share of the looks, until it finds one; and it begins anew where the
-  /// finger has gone on by more than the clearance.
+  /// A start that was broken off is gone on with, from the goal that it began with. One that takes long goes
+  /// on with a share of the looks, and so does the next after one that found no place, until it finds one;
+  /// that begins anew where the finger has gone on by more than the clearance.
   /// @param goal_O  finite
   /// noexcept, allocates nothing. O(triangles) where the goal is behind a surface and the looks have no end.
   End go_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
@@ -44,6 +44,7 @@ class ProxyStart {
   Vec3 place_O_ = Vec3::Zero();
   Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   int pushes_ = 0;
+  int ticks_ = 0;        // that it was gone on with in
   int surface_ = 0;      // to be looked at next ...
   ClosestWalk closest_;  // ... and how far that has come
   WindingWalk winding_;

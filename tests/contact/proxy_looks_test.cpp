@@ -303,5 +303,23 @@ TEST(ProxyLooks, ABallThatFitsNowhereTakesLittleOfATickUntilItIsOut) {
   EXPECT_TRUE(proxy.state().placed) << "it waits for no start from where it was";
 }
 
+TEST(ProxyLooks, AStartThatTakesLongTakesLittleOfATick) {
+  const PlacedSurface ball = surface_of(test::sphere_soup(0.02, 4));
+  constexpr long looks = 100;
+  Proxy proxy = limited_proxy(true, ball, 0.002, Normals::smooth, looks);
+  int ticks = 0;
+  for (long spent = 0; !proxy.state().placed; ++ticks) {
+    ASSERT_LT(ticks, 10000);
+    proxy.move(Vec3(0.001, 0, 0), 1e-3);
+    spent = proxy.looks().spent();
+    // The last look may be at a packet, or at the angles of eight triangles.
+    const long most = ticks < ProxyLimits::patient_ticks ? looks : looks / ProxyLimits::less_after_no_place;
+    if (!proxy.state().placed) {
+      EXPECT_LE(spent, most + LookCosts::angle * 8 + LookCosts::closest) << ticks;
+    }
+  }
+  EXPECT_GT(ticks, 2 * ProxyLimits::patient_ticks);
+}
+
 }  // namespace
 }  // namespace fingerpad::proxy_looks_test
