@@ -31,7 +31,9 @@ struct TriangleTree::Impl {
   std::atomic<const Points*> curved_normals = nullptr;  ///< the table, once it is whole
 
   explicit Impl(std::shared_ptr<const Part> part)
-      : packed(pack(std::move(part))), filter(fastest_packet_filter()), scene(packed), winding(packed) {}
+      : packed(pack(std::move(part))), filter(fastest_packet_filter()), scene(packed), winding(packed) {
+    keep_in_large_pages();
+  }
 
   /// Whether a point is surely farther away than reach_m, or this is no number; `farthest_m` is the point's
   /// largest coordinate. Leaves room for rounding.
@@ -58,6 +60,7 @@ struct TriangleTree::Impl {
   void far_each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
                        void* context) const noexcept;
   SegmentHit far_crossing(const TriangleTree& tree, const Vec3& from, const Vec3& to) const noexcept;
+  void keep_in_large_pages() const noexcept;
 };
 
 }  // namespace fingerpad
