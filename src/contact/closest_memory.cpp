@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "contact/closest_search.hpp"
+#include "contact/let_come.hpp"
 #include "contact/packet_gathering.hpp"
 #include "contact/tree_parts.hpp"
 
@@ -42,6 +44,24 @@ Vec3 forward(const ClosestSearch& search, const Vec3& step, double near_m) noexc
   if (!(near_m > 0)) return way;
   const Vec3 off = (search.q - search.winner.at.point) / near_m;
   return way - way.dot(off) * off;
+}
+
+/// Whether what a path asks of a part besides its triangles is there: normals and neighbours.
+bool is_whole(const Part& part) noexcept {
+  return part.corner_normals.cols() == Eigen::Index{3} * part.triangle_count();
+}
+
+/// Lets the corners of packets come, once they have come themselves. (Inlined: see let_come.hpp.)
+[[gnu::always_inline]] inline void let_corners_come(const PackedPart& packed, const PacketList& list,
+                                                    std::uint64_t soon) noexcept {
+  for (; soon != 0; soon &= soon - 1) {
+    const TrianglePacket& packet =
+        packed.packets[list.packet[static_cast<std::size_t>(std::countr_zero(soon))]];
+    for (const TrianglePacket::Exact& exact : packet.exact) {
+      for (const std::int32_t vertex : exact.vertex)
+        __builtin_prefetch(packed.part->vertices.col(vertex).data(), 0, 2);
+    }
+  }
 }
 
 }  // namespace
@@ -105,6 +125,24 @@ void TriangleTree::Impl::list_packets(const ClosestSearch& search, const Vec3& s
   const double half2 = way.half.squaredNorm();
   list.per_half2 = half2 > 0 ? 1 / half2 : 0;
   memory.served_ = 0;
+  if (is_cold()) memory.soon_ = let_packets_come(list, gathering, near_m * packed.scale);
+}
+
+/// Lets the packets come that will be looked at on the way; returns which these are.
+/// @param gathering  of the list's packets
+/// @param near       how near the closest triangle is, scaled
+std::uint64_t TriangleTree::Impl::let_packets_come(const PacketList& list, const PacketGathering& gathering,
+                                                   double near) const noexcept {
+  constexpr double somewhat_more = 1.01;
+  std::uint64_t soon = 0;
+  for (std::size_t i = 0; i < static_cast<std::size_t>(list.count); ++i) {
+    if (!(gathering.distance2[i] <= near * near * somewhat_more)) continue;
+    soon |= std::uint64_t{1} << i;
+    const auto* bytes = reinterpret_cast<const char*>(&packed.packets[list.packet[i]]);
+    for (std::size_t line = 0; line < sizeof(TrianglePacket); line += 64)
+      __builtin_prefetch(bytes + line, 0, 2);
+  }
+  return soon;
 }
 
 /// Gives the way ahead more room beside it or less, by where the path left that of the last list.
@@ -153,11 +191,12 @@ bool TriangleTree::Impl::search_list(ClosestSearch& search, ClosestMemory& memor
     memory.forget();
     memory.tree_ = number;
   }
-  if (memory.triangle_ >= 0) search.look_at_seed(memory.triangle_);
+  if (memory.slot_ != ClosestMemory::no_slot) search.look_at_slot(memory.slot_);
   if (seed >= 0 && !search.is_beside_winner()) search.look_at_seed(seed);
   const Vec3& q = search.q;
   const Vec3 step = q - memory.last_;
   memory.last_ = q;
+  if (memory.soon_ != 0) let_corners_come(packed, memory.list(), std::exchange(memory.soon_, 0));
   const double rounding_m = distance_rounding * (packed.extent_m + q.cwiseAbs().maxCoeff());
   const auto within_m = [&] { return std::sqrt(search.winner.at.distance2_m2) + rounding_m; };
   const PacketList* list = memory.covering(q, within_m());
@@ -185,10 +224,18 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, ClosestMemory& memory, doub
     return closest(q, -1, reach_m);
   if (impl.out_of_reach(farthest, reach_m)) return {};
   ClosestSearch search(packed, impl.filter, q, reach_m);
+  if (memory.is_new_ && memory.tree_ == impl.number) {
+    const std::uint32_t slot = memory.slot_;
+    let_come_around(*packed.part, packed.packets[slot / packet_width].exact[slot % packet_width].triangle);
+    memory.is_new_ = false;
+  }
   if (!impl.search_list(search, memory, -1, nullptr))
     impl.search_tree(search, std::sqrt(search.winner.at.distance2_m2));
   const ClosestTriangle found = search.answer();
-  memory.triangle_ = found.triangle;
+  const std::uint32_t slot = search.won_in != nullptr ? search.won_slot() : ClosestMemory::no_slot;
+  memory.is_new_ = impl.is_cold() && slot != memory.slot_ && found.triangle >= 0 && is_whole(*packed.part);
+  if (memory.is_new_) let_come(*packed.part, found.triangle, found.at.feature);
+  memory.slot_ = slot;
   return found;
 }
 

@@ -22,7 +22,9 @@ class ClosestMemory {
   /// Forgets everything.
   void forget() noexcept {
     tree_ = 0;
-    triangle_ = -1;
+    slot_ = no_slot;
+    is_new_ = false;
+    soon_ = 0;
     pause_ = 0;
     room_ = first_room;
     share_ = 1;
@@ -37,6 +39,8 @@ class ClosestMemory {
 
   /// How far beside the way packets are listed, in its lengths.
   static constexpr double first_room = 1.0 / 16, least_room = 1.0 / 64, greatest_room = 1;
+
+  static constexpr std::uint32_t no_slot = std::numeric_limits<std::uint32_t>::max();
 
   const PacketList& list() const noexcept { return lists_[newest_]; }
   PacketList& list() noexcept { return lists_[newest_]; }
@@ -54,8 +58,10 @@ class ClosestMemory {
   void learn_room(const Vec3& q) noexcept;
   PathPiece way_ahead(const Vec3& q, const Vec3& heading, double way_m) noexcept;
 
-  std::uint64_t tree_ = 0;  ///< the number of the tree that all this is about
-  int triangle_ = -1;       ///< the last answer; -1 if there is none
+  std::uint64_t tree_ = 0;        ///< the number of the tree that all this is about
+  std::uint32_t slot_ = no_slot;  ///< the last answer's, in the packets
+  bool is_new_ = false;           ///< the answer before was another triangle, and its neighbours may be next
+  std::uint64_t soon_ = 0;        ///< of the newest list: packets whose corners will be read, a bit each
   Vec3 last_ = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< last point asked for
   Vec3 from_ = last_, heading_ = Vec3::Zero();  ///< where a list was made last, and where the path went there
 

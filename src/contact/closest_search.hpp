@@ -108,15 +108,24 @@ struct ClosestSearch : ScaledPoint {
 
   /// Looks at the packet of a triangle that is likely close, and at this triangle first of all.
   void look_at_seed(int triangle) noexcept {
-    const TrianglePacket& packet = packed->packets[packed->packet_of(triangle)];
+    look_at_slot(packed->slot_of[static_cast<std::size_t>(triangle)]);
+  }
+  /// The same of one whose slot is known.
+  void look_at_slot(std::uint32_t slot) noexcept {
+    const TrianglePacket& packet = packed->packets[slot / packet_width];
     looked_at = &packet;
-    const int lane = packed->lane_of(triangle);
+    const int lane = static_cast<int>(slot % packet_width);
     // The filter will want all of it: let it come while the seed is looked at.
     for (std::ptrdiff_t line = 0; line < 640; line += 64) {
       __builtin_prefetch(reinterpret_cast<const char*>(&packet) + line);
     }
     if (look_at(packet, lane)) best = rough(std::sqrt(winner.at.distance2_m2));
     look_at(packet, lanes_within_best(packet) & ~(1U << lane));
+  }
+
+  /// Where the winner stands. @pre there is one
+  std::uint32_t won_slot() const noexcept {
+    return static_cast<std::uint32_t>((won_in - packed->packets.data()) * packet_width + won_lane);
   }
 
   /// Whether a winner is known that is not far away in the size of its packet.

@@ -7,6 +7,7 @@
 #include <span>
 #include <utility>
 
+#include "base/large_pages.hpp"
 #include "contact/packet_grouping.hpp"
 
 namespace fingerpad {
@@ -24,6 +25,8 @@ PackedPart pack(std::shared_ptr<const Part> part) {
   if (packed.extent_m > 0)
     packed.scale = std::ldexp(1.0, std::min(-std::ilogb(packed.extent_m) - 1, largest_power));
   const std::vector<std::int32_t> order = packet_order(*packed.part);
+  packed.packets.reserve((order.size() + packet_width - 1) / packet_width);
+  prefer_large_pages(packed.packets.data(), packed.packets.capacity() * sizeof(TrianglePacket));
   packed.packets.resize((order.size() + packet_width - 1) / packet_width);
   packed.discs.resize(packed.packets.size());
   packed.slot_of.resize(order.size());

@@ -123,7 +123,9 @@ double leave_nearest(PacketGathering& gathering) noexcept {
   std::nth_element(sorted.begin(), first_out, sorted.begin() + static_cast<std::ptrdiff_t>(gathering.count));
   std::size_t kept = 0;
   for (std::size_t i = 0; i < gathering.count; ++i) {
-    if (gathering.distance2[i] < *first_out) gathering.packet[kept++] = gathering.packet[i];
+    if (!(gathering.distance2[i] < *first_out)) continue;
+    gathering.packet[kept] = gathering.packet[i];
+    gathering.distance2[kept++] = gathering.distance2[i];
   }
   gathering.count = kept;
   return *first_out;

@@ -29,7 +29,7 @@ using DiscMeasure = void (*)(const PacketDisc* discs, const PathPiece& way,
 DiscMeasure fastest_disc_measure() noexcept;
 DiscMeasure plain_disc_measure() noexcept;
 
-/// Puts the packets within a distance into a list, or the nearest of them.
+/// Puts the packets within a distance into a list, or the nearest of them, and leaves no others gathered.
 /// @param anchor     near the way, a float in each coordinate
 /// @param within     the distance
 /// @returns  what no packet that is not listed is nearer than. noexcept, allocates nothing.

@@ -14,6 +14,9 @@ namespace fingerpad {
 /// Beyond so many half extents float boxes no longer tell triangles apart: every triangle is looked at.
 inline constexpr double tree_range = 1e4;
 
+/// Of more packets most come from memory: 1.4 MB.
+inline constexpr std::size_t cached_packets = 2048;
+
 /// A number that no tree had before.
 std::uint64_t new_tree_number() noexcept;
 
@@ -31,8 +34,12 @@ struct TriangleTree::Impl {
   std::atomic<const Points*> curved_normals = nullptr;  ///< the table, once it is whole
 
   explicit Impl(std::shared_ptr<const Part> part)
-      : packed(pack(std::move(part))), filter(fastest_packet_filter()), scene(packed), winding(packed) {}
+      : packed(pack(std::move(part))), filter(fastest_packet_filter()), scene(packed), winding(packed) {
+    keep_in_large_pages();
+  }
 
+  /// Whether what a query reads comes from memory, mostly.
+  bool is_cold() const noexcept { return packed.packets.size() > cached_packets; }
   /// Whether a point is surely farther away than reach_m, or this is no number; `farthest_m` is the point's
   /// largest coordinate. Leaves room for rounding.
   bool out_of_reach(double farthest_m, double reach_m) const noexcept {
@@ -54,10 +61,14 @@ struct TriangleTree::Impl {
                    const ClosestMemory* beside) const noexcept;
   void look_through(ClosestSearch& search, const PacketList& list) const noexcept;
   void list_packets(const ClosestSearch& search, const Vec3& step, ClosestMemory& memory) const noexcept;
+  /// For speed alone, where they are read from memory.
+  std::uint64_t let_packets_come(const PacketList& list, const PacketGathering& gathering,
+                                 double near) const noexcept;
   ClosestTriangle far_closest(const Vec3& q, double reach_m) const noexcept;
   void far_each_within(const Vec3& q, double reach_m, void (*visit)(void* context, int triangle),
                        void* context) const noexcept;
   SegmentHit far_crossing(const TriangleTree& tree, const Vec3& from, const Vec3& to) const noexcept;
+  void keep_in_large_pages() const noexcept;
 };
 
 }  // namespace fingerpad

@@ -10,9 +10,6 @@
 namespace fingerpad {
 namespace {
 
-/// Of more packets most come from memory: 1.4 MB.
-constexpr std::size_t cached_packets = 2048;
-
 struct LimitedSearch : WithinSearch {
   SearchLimit* limit;
   void (*visit)(void* context, int triangle);
@@ -193,7 +190,7 @@ std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach
     const TrianglePacket& packet = packed.packets[walk.next++];
     if (&packet == seen || !is_box_near(packet, search.scaled, radius)) continue;
     search.look_at(packet);
-    looks.spend(packed.packets.size() > cached_packets ? LookCosts::closest_cold : LookCosts::closest);
+    looks.spend(impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest);
   }
   if (search.won_in != nullptr) walk.triangle = search.winner.triangle;
   return std::nullopt;
@@ -212,7 +209,10 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, BriefSearch& brief, double 
     const bool listed = impl_->search_list(search, *memory, brief.triangle, brief.beside);
     // The walk is to begin no farther off than without a memory: it may be broken off.
     if (!listed && brief.triangle >= 0) search.look_at_seed(brief.triangle);
-    if (search.won_in != nullptr) brief.triangle = memory->triangle_ = search.winner.triangle;
+    if (search.won_in != nullptr) {
+      brief.triangle = search.winner.triangle;
+      memory->slot_ = search.won_slot();
+    }
     if (listed) return search.answer();
   }
   ClosestWalk walk{brief.triangle, 0};
@@ -221,7 +221,8 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, BriefSearch& brief, double 
   const ClosestTriangle nearest =
       found ? *found : ClosestTriangle{walk.triangle, closest_on_triangle(part(), walk.triangle, q)};
   brief.triangle = nearest.triangle;
-  if (memory != nullptr) memory->triangle_ = nearest.triangle;
+  if (memory != nullptr && nearest.triangle >= 0)
+    memory->slot_ = impl_->packed.slot_of[static_cast<std::size_t>(nearest.triangle)];
   return nearest.at.distance2_m2 <= reach_m * reach_m ? nearest : ClosestTriangle{};
 }
 

@@ -5,6 +5,7 @@
 #include <limits>
 #include <utility>
 
+#include "base/large_pages.hpp"
 #include "contact/curved_normals.hpp"
 #include "contact/tree_parts.hpp"
 #include "contact/within_search.hpp"
@@ -38,6 +39,20 @@ TriangleTree::~TriangleTree() = default;
 TriangleTree::TriangleTree(TriangleTree&&) noexcept = default;
 TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;
 
+/// What a path over a large part reads lies far apart: of its triangles a few numbers in each array.
+void TriangleTree::Impl::keep_in_large_pages() const noexcept {
+  const Part& part = *packed.part;
+  fingerpad::keep_in_large_pages(packed.packets);
+  fingerpad::keep_in_large_pages(packed.discs);
+  fingerpad::keep_in_large_pages(packed.slot_of);
+  for (const Points* points : {&part.vertices, &part.facet_normals, &part.edge_pseudonormals,
+                               &part.vertex_pseudonormals, &part.corner_normals})
+    fingerpad::keep_in_large_pages(*points);
+  for (const IndexTriples* indices : {&part.triangles, &part.welded, &part.neighbours})
+    fingerpad::keep_in_large_pages(*indices);
+  fingerpad::keep_in_large_pages(part.file_triangle);
+}
+
 const Part& TriangleTree::part() const noexcept {
   return *impl_->packed.part;
 }
@@ -51,6 +66,7 @@ void TriangleTree::warm_up() const noexcept {
 void TriangleTree::prepare_curved() const {
   std::call_once(impl_->curved_once, [this] {
     impl_->curved_table = curved_corner_normals(part());
+    keep_in_large_pages(impl_->curved_table);
     impl_->curved_normals.store(&impl_->curved_table, std::memory_order_release);
   });
 }

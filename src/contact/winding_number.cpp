@@ -9,6 +9,8 @@
 #include <limits>
 #include <numbers>
 
+#include "base/large_pages.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -175,6 +177,8 @@ WindingNumber::WindingNumber(const PackedPart& packed) : packet_count_(packed.pa
     clusters = std::move(next);
     add_level(clusters);
   }
+  keep_in_large_pages(fours_);
+  keep_in_large_pages(dipoles_);
 }
 
 /// Adds up the half solid angles of the packets from walk.next on; a cluster that is far away in its own size

@@ -1,6 +1,7 @@
 #include <span>
 #include <vector>
 
+#include "base/large_pages.hpp"
 #include "part/in_parallel.hpp"
 #include "part/normals.hpp"
 
@@ -79,6 +80,7 @@ class Fans {
 
 void fill_corner_normals(Part& part, const CornersAtVertices& corners, const Points& angles) {
   part.corner_normals.resize(3, Eigen::Index(3) * part.triangle_count());
+  prefer_large_pages(part.corner_normals);
   std::vector<char> done(corners.columns.size(), 0);
   in_parallel(part.welded_count, [&](int begin, int end) {
     Fans fans(part, angles, done);

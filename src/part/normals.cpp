@@ -8,6 +8,7 @@
 #include <numbers>
 #include <numeric>
 
+#include "base/large_pages.hpp"
 #include "part/in_parallel.hpp"
 #include "part/index.hpp"
 
@@ -120,6 +121,7 @@ Points facet_normals(const Points& vertices, const IndexTriples& triangles, cons
                      const std::vector<bool>& flat) {
   const int n = static_cast<int>(triangles.cols());
   Points normals(3, n);
+  prefer_large_pages(normals);
   in_parallel(n, [&](int begin, int end) {
     for (int t = begin; t < end; ++t) {
       normals.col(t) = flat[at(t)] ? Vec3::Zero() : Vec3(shape_of(vertices, triangles, t).area.normalized());
@@ -174,6 +176,7 @@ void fill_edge_pseudonormals(Part& part, const EdgeTable& edges, const std::vect
     return own;
   };
   part.edge_pseudonormals.resize(3, Eigen::Index(3) * part.triangle_count());
+  prefer_large_pages(part.edge_pseudonormals);
   const bool all_on_edges = edges.half_edges.size() == at(3 * part.triangle_count());
   if (!all_on_edges) part.edge_pseudonormals.setZero();
   in_parallel(edges.edge_count(), [&](int begin, int end) {

@@ -163,7 +163,7 @@ TEST(ClosestMemory, ReachesThatChangeFromQueryToQueryAreKept) {
 }
 
 TEST(ClosestMemory, OfAnotherTreeIsForgotten) {
-  const auto big = test::torus(100, 60), small = test::torus(24, 12);
+  const auto big = test::torus(150, 90), small = test::torus(24, 12);
   const TriangleTree first(big);
   auto second = std::make_unique<TriangleTree>(small);
   Wander wander(*big, 9);
