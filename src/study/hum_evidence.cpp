@@ -80,15 +80,10 @@ WindowMotion motion_of(const RecordedTrial& trial, Eigen::Index from, Eigen::Ind
 std::vector<Samples> windows_without_contact(const RecordedTrial& trial, Sensed sensed, const HumLine& line,
                                              Eigen::Index window) {
   Samples free = moments_without_contact(trial).samples;
-  if (free.empty() && sensed == &RecordedTrial::force_W) {
-    // With the line in them they may not be as still as such moments are.
-    RecordedTrial without = trial;
-    take_off({line}, sensed, without);
-    free = moments_without_contact(without).samples;
-  }
   if (sensed == &RecordedTrial::force_W &&
       (free.empty() || 2 * (free.back() - free.front()) < trial.samples())) {
-    // Teeth may stand in it: then what of it is there where hardly anything presses.
+    // With hum in them they may not be as still as such moments are, nor with teeth's taken off: what of the
+    // line is there where hardly anything presses is.
     const AirHum light(trial, sensed, lightest_samples(trial, line.nominal_hz), line.nominal_hz);
     if (const auto bounded = light.bounded(line, line.hz)) {
       RecordedTrial without = trial;

@@ -166,7 +166,7 @@ TEST_F(Fit, OneTrialEndsWithWhatItLacksForAScene) {
               HasSubstr("warning: no scene takes this profile: it lacks lateral_axis_m (one finger "
                         "angle only"));
   EXPECT_THAT(steep.err, HasSubstr("add a trial with the finger at about 45 degrees"));
-  EXPECT_THAT(steep.err, HasSubstr("0.3015 as mu_static of a part or plane"));
+  EXPECT_THAT(steep.err, HasSubstr("0.3016 as mu_static of a part or plane"));
   EXPECT_THAT(test::bytes_of(folder / "one.toml"), HasSubstr("# no scene takes this profile"));
   EXPECT_THAT(test::bytes_of(folder / "report/report.html"), HasSubstr("no scene takes this profile"));
   EXPECT_THAT(fit("plain.csv --quiet --out plain.toml").err,
