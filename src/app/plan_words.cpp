@@ -55,7 +55,7 @@ bool tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
   for (const PlannedJob& job : plan.jobs) tell_job(job);
   const auto failing = std::count_if(plan.jobs.begin(), plan.jobs.end(),
                                      [](const PlannedJob& job) { return !job.error.empty(); });
-  if (failing == std::ssize(plan.jobs)) {
+  if (failing > 0 && failing == std::ssize(plan.jobs)) {
     print_out("{}; nothing was written\n",
               failing == 1 ? "the job would fail" : fmt::format("all {} jobs would fail", failing));
     return false;

@@ -201,7 +201,18 @@ void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
         told.left_out());
 }
 
+namespace {
+
+/// Of all jobs those of this shard.
+long meant_jobs(const std::vector<BatchJob>& jobs) {
+  return std::count_if(jobs.begin(), jobs.end(),
+                       [](const BatchJob& job) { return !job.status.empty() || job.not_begun; });
+}
+
+}  // namespace
+
 void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
+  const long meant = meant_jobs(jobs);
   std::map<std::string_view, std::size_t> of_build;
   for (const BatchJob& job : jobs) {
     if (!job.other_build.empty()) ++of_build[job.other_build];
@@ -211,12 +222,13 @@ void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batc
         "fingerpad: warning: {} of {} {} in {} made again: {} of another build of the program ({}; this one "
         "is "
         "{}), and results of two builds are not mixed\n",
-        count, jobs.size(), jobs.size() == 1 ? "job" : "jobs",
+        count, meant, meant == 1 ? "job" : "jobs",
         fmt::format("{} {}", batch.out_dir, count == 1 ? "was" : "were"), count == 1 ? "it was" : "they were",
         build, short_build_identity());
 }
 
 void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
+  const long meant = meant_jobs(jobs);
   std::map<std::string_view, std::size_t> for_reason;
   for (const BatchJob& job : jobs) {
     if (!job.why_again.empty()) ++for_reason[job.why_again];
@@ -224,8 +236,8 @@ void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch
   const bool any_kept = std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.kept; });
   for (const auto& [reason, count] : for_reason)
     print_err("fingerpad: {}: {}{} of {} {} made again: {}\n", batch.out_dir,
-              any_kept ? "" : "no trace was kept: ", count, jobs.size(),
-              fmt::format("{} {}", jobs.size() == 1 ? "job" : "jobs", count == 1 ? "was" : "were"), reason);
+              any_kept ? "" : "no trace was kept: ", count, meant,
+              fmt::format("{} {}", meant == 1 ? "job" : "jobs", count == 1 ? "was" : "were"), reason);
 }
 
 int tell_lost(const std::vector<Error>& lost) {
@@ -235,7 +247,7 @@ int tell_lost(const std::vector<Error>& lost) {
 
 void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const BatchOptions& batch) {
   const auto count = [&jobs](auto which) { return std::count_if(jobs.begin(), jobs.end(), which); };
-  const auto meant = count([](const BatchJob& job) { return !job.status.empty() || job.not_begun; });
+  const long meant = meant_jobs(jobs);
   const auto good = count([](const BatchJob& job) { return job.status == "ok"; });
   const auto kept = count([](const BatchJob& job) { return job.kept; });
   const std::string table = any_table_lost ? "" : table_names(batch.shard, batch.shard_count).summary;

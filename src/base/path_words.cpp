@@ -80,8 +80,8 @@ std::string path_words(const std::string& path, int problem) {
 }
 
 std::string folder_words(const std::string& path, int problem) {
-  const bool ends_in_slash = path.size() > 1 && path.back() == '/';
-  const std::string name = ends_in_slash ? path.substr(0, path.size() - 1) : path;
+  std::string name = path;
+  while (name.size() > 1 && name.back() == '/') name.pop_back();
   return problem == ENOENT ? missing_words(name, "folder") : path_words(name, problem);
 }
 

@@ -14,10 +14,10 @@
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/printable_text.hpp"
-#include "part/unit_hint.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_job.hpp"
 #include "replay/summary_column.hpp"
+#include "touch/unit_hints.hpp"
 
 namespace fingerpad {
 namespace {
@@ -47,12 +47,9 @@ std::vector<std::string> unit_words(const Scene& scene, MeshStore& meshes) {
   std::vector<std::string> words;
   if (!scene.motion.laid) return words;  // else it has not failed by the part's size
   try {
-    for (const PartEntry& part : scene.parts) {
-      const Verdict& verdict = meshes.load(part)->verdict;
-      const std::string hint = unit_hint(verdict, part.metres_per_unit);
-      if (!hint.empty()) words.push_back(fmt::format("{}: {}", verdict.file, hint));
-    }
-  } catch (const Error&) {  // NOLINT(bugprone-empty-catch): what a mesh is refused for is told already
+    for (const PartEntry& part : scene.parts) add_unit_hint(meshes.load(part)->verdict, part, words);
+  } catch (
+      const std::exception&) {  // NOLINT(bugprone-empty-catch): what a mesh is refused for is told already
   }
   return words;
 }

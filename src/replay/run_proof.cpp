@@ -222,7 +222,9 @@ std::string why_not_kept(const std::string& trace_path, const RunDigest& digest)
   if (!fs::exists(trace_path, ignored) || other_build_of(trace_path)) return {};
   const std::string proof = proof_text(trace_path);
   if (!proof.starts_with(first_line))
-    return is_finished(trace_path) ? "nothing beside it says which run made it" : "it is not whole";
+    return !is_finished(trace_path) ? "it is not whole"
+           : is_hdf5(trace_path)    ? "it is of another run, by its own word"
+                                    : "nothing beside it says which run made it";
   if (!proves_another_run(trace_path, digest)) return "it is not, byte for byte, what was written";
   for (const auto& [name, hash] : digest.kinds) {
     // What an earlier build did not write down is not told.

@@ -63,11 +63,15 @@ void compare_column(const TraceColumn& column, const Trace& a, const Trace& b,
   changes.push_back(std::move(change));
 }
 
-/// That the finger went another way, by the column that is the farthest apart; nothing where it did not.
+/// That the finger went another way, by the column that is the farthest apart, a place's before a turn's;
+/// nothing where it did not.
 void tell_the_way(const Trace& a, const Trace& b, std::vector<JobChange>& changes) {
+  const auto is_place = [](const JobChange& change) { return change.column.ends_with("_m"); };
   const JobChange* farthest = nullptr;
   for (const JobChange& change : changes) {
-    if (is_of_the_way(change.column) && (farthest == nullptr || change.most > farthest->most))
+    if (!is_of_the_way(change.column)) continue;
+    if (farthest == nullptr ||
+        std::pair(is_place(change), change.most) > std::pair(is_place(*farthest), farthest->most))
       farthest = &change;
   }
   if (farthest == nullptr) return;

@@ -35,7 +35,7 @@ void refuse_by_delay(const NumberReaches& moved, ProfileFit& fit) {
         RefusalReason::unknown_delay,
         fmt::format(
             "it rests on the delay of force behind position, which is not told: one of {} ms, as "
-            "sensors' filters have it, would move it by {:.0f} %: give --delay SECONDS, or record more "
+            "sensors' filters have it, would move it by {:.0f} %: give --delay 7ms, or record more "
             "that tells it",
             rounded_text(1e3 * usual_delay_s, 3), std::min(999.0, 100 * share)));
     fit.interval[k].reset();
@@ -59,7 +59,7 @@ void doubt_misfit(LawResidual& residual) {
   if (residual.misfit.empty() || residual.share > surely_left || 2 * residual.drops < residual.gives) return;
   residual.untold = residual.misfit +
                     ": the delay of force behind position, which is not told and so was left in, may be why: "
-                    "give --delay SECONDS";
+                    "give --delay 7ms";
   residual.misfit.clear();
 }
 

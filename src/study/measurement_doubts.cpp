@@ -226,7 +226,7 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double de
         "its force drives the finger along its way, and friction holds a finger back: fx and fy have the "
         "wrong sign while the normal force has the right one. --force-on turns all three, --sensor-turned "
         "0,0,0,1 (half a turn about z) fx and fy alone. A force that comes over 50 ms after the position "
-        "looks like it too: then say --delay SECONDS");
+        "looks like it too: then say --delay 7ms");
 }
 
 }  // namespace

@@ -157,7 +157,7 @@ std::vector<std::string> fit_remarks(const ProfileFit& fit) {
       notes.push_back(
           "delay: it was told by the springs of the pad's law, which does not fit: it may be 10 ms off, and "
           "the "
-          "normal law with it; give it (--delay SECONDS) where it is known");
+          "normal law with it; give it (--delay 7ms) where it is known");
     notes.push_back("the pad's law does not fit: " + residual.misfit);
   } else {
     notes.push_back(

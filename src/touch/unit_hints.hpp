@@ -5,8 +5,13 @@
 
 namespace fingerpad {
 
+struct PartEntry;
 struct Scene;
+struct Verdict;
 struct World;
+
+/// A line for a part that was read in an unlikely unit; none for others.
+void add_unit_hint(const Verdict& verdict, const PartEntry& part, std::vector<std::string>& lines);
 
 /// A line for each part that was read in an unlikely unit: "FILE: is 0.1 mm long; ..." (unit_hint).
 std::vector<std::string> unit_hints(const World& world, const Scene& scene);

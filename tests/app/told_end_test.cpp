@@ -123,6 +123,14 @@ TEST(DryRun, OfASceneThatWouldFailEndsAsItsReplay) {
   EXPECT_THAT(set.out, HasSubstr("all 2 jobs would fail; nothing was written\n"));
 }
 
+TEST(DryRun, OfAShardWithoutJobsFailsInNothing) {
+  const fs::path folder = folder_with_box();
+  test::write_file(folder, "s.toml", box_scene("mm", rub));
+  const auto empty = test::fingerpad("replay s.toml --out o --shard 2/2 --dry-run", folder);
+  EXPECT_EQ(empty.exit_code, 0) << empty.out << empty.err;
+  EXPECT_THAT(empty.out, Not(HasSubstr("would fail")));
+}
+
 TEST(WrongValues, AreToldByOptionAndWord) {
   const fs::path folder = folder_with_box();
   test::write_file(folder, "s.toml", box_scene("m", rub));
