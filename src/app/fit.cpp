@@ -122,16 +122,20 @@ int fit(const FitOptions& options) {
   add_lines(left_out_warnings(measurement), told.warnings);
   const FitSettings settings{options.seed, blocks_of(options.cleaning)};
   const ProfileFit found = fit_profile(measurement, settings);
-  const bool is_without_force = measurement.trials.empty() && !measurement.without_force.empty();
+  const bool is_without_force =
+      measurement.trials.empty() && !(measurement.without_force.empty() && measurement.pressed.empty());
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any) {
     // Of what was read, the first number's reason speaks of stick alone; slip is what friction is told by.
     const PadValue& slip = value_of(found.values, PadNumber::mu_dynamic);
+    const std::string press =
+        measurement.pressed.empty() ? "" : value_of(found.values, PadNumber::normal_stiffness).refusal;
     throw refused(
         options.measurements.front(),
-        fmt::format("nothing can be fitted: {}{}{}", measurement.trials.empty() ? "" : "mu_dynamic: ",
+        fmt::format("nothing can be fitted: {}{}{}{}{}", measurement.trials.empty() ? "" : "mu_dynamic: ",
                     said_of(options.measurements.front(), slip.refusal),
+                    press.empty() ? "" : "; normal_stiffness_n_per_m: ", press,
                     is_without_force && !force_mend.empty() ? "; " + force_mend : ""));
   }
   std::string source = fmt::format("fitted to {}, seed {}:", trials_text(found), options.seed);

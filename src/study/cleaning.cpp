@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "base/number_text.hpp"
 #include "motion/low_pass.hpp"
@@ -10,6 +11,7 @@
 #include "study/hum_verdict.hpp"
 #include "study/measurement.hpp"
 #include "study/pad_axes.hpp"
+#include "study/position_delay.hpp"
 #include "study/six_axis_sensor.hpp"
 
 namespace fingerpad {
@@ -140,11 +142,17 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
   steps.push_back(
       fmt::format("missing samples: of {}, {} filled with straight lines (gaps up to {} ms), {} left out",
                   samples, filled, rounded_text(1e3 * settings.longest_fill_s, 3), missing));
+  const std::size_t pressed = measurement.pressed.size();
+  if (pressed > 0)
+    steps.push_back(fmt::format("normal force alone: in {} trial{}, of which mains hum{} left in", pressed,
+                                pressed == 1 ? "" : "s",
+                                settings.delay_s || !settings.takes_delay ? " is" : " and delay are"));
   steps.insert(steps.end(), hum.begin(), hum.end());
   steps.push_back(settings.takes_tare ? tare_text(measurement.cleanings) : "tare: left as it is (off)");
   if (const std::string contact = contact_text(measurement.cleanings); !contact.empty())
     steps.push_back(contact);
-  steps.push_back(delay_text(measurement.delays, settings));
+  if (!measurement.delays.empty() || pressed == 0 || settings.delay_s)
+    steps.push_back(delay_text(measurement.delays, settings));
   steps.push_back(settings.smoothing_hz > 0
                       ? fmt::format("low pass: Butterworth, 2nd order, forth and back, {} Hz halved",
                                     rounded_text(settings.smoothing_hz, 6))
@@ -152,11 +160,47 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
   return steps;
 }
 
+/// Trials of which the normal force alone was measured, on their own: no hum, tare or delay of the others is
+/// told by them.
+void clean_pressed(std::vector<RecordedTrial> trials, const CleaningSettings& settings,
+                   Measurement& measurement) {
+  for (RecordedTrial& trial : trials) {
+    TrialCleaning cleaning;
+    cleaning.name = trial_name(trial);
+    cleaning.samples = static_cast<long>(trial.samples());
+    limit_fills(trial, settings.longest_fill_s, cleaning);
+    if (settings.takes_tare) take_tare(trial, cleaning);
+    measurement.cleanings.push_back(cleaning);
+    if (settings.delay_s) shift_positions(trial, *settings.delay_s);
+    if (settings.smoothing_hz > 0) low_pass(trial, settings.smoothing_hz);
+    MeasuredTrial measured = in_pad_axes(trial);
+    measured.lacks = trial.file + ": " + trial.lacks;
+    measured.is_delay_told = measurement.knows_delay;
+    measured.delay_unsure_s = measurement.knows_delay ? 0 : usual_delay_s;
+    trial = RecordedTrial();
+    if (measured.position_m.size() < fewest_touching_samples) {
+      measurement.untouched.push_back(measured.name);
+    } else {
+      measurement.pressed.push_back(std::move(measured));
+    }
+  }
+}
+
+/// Parts the trials of which the normal force alone was measured from the others.
+std::vector<RecordedTrial> taken_pressed(std::vector<RecordedTrial>& trials) {
+  const auto pressed = std::stable_partition(trials.begin(), trials.end(),
+                                             [](const RecordedTrial& trial) { return trial.lacks.empty(); });
+  std::vector<RecordedTrial> taken(std::make_move_iterator(pressed), std::make_move_iterator(trials.end()));
+  trials.erase(pressed, trials.end());
+  return taken;
+}
+
 }  // namespace
 
 Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings) {
   Measurement measurement;
   measurement.without_force = std::move(recorded.without_force);
+  std::vector<RecordedTrial> pressed = taken_pressed(recorded.trials);
   for (RecordedTrial& trial : recorded.trials) {
     TrialCleaning cleaning;
     cleaning.name = trial_name(trial);
@@ -165,7 +209,9 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
     limit_fills(trial, settings.longest_fill_s, cleaning);
     measurement.cleanings.push_back(cleaning);
   }
-  const std::vector<std::string> hum = remove_hum(recorded.trials, settings.mains, measurement);
+  const bool is_pressed_alone = recorded.trials.empty() && !pressed.empty();
+  std::vector<std::string> hum;
+  if (!is_pressed_alone) hum = remove_hum(recorded.trials, settings.mains, measurement);
   for (std::size_t i = 0; i < recorded.trials.size(); ++i) {
     if (settings.takes_tare) take_tare(recorded.trials[i], measurement.cleanings[i]);
     if (recorded.trials[i].sensor) take_contact_points(recorded.trials[i]);
@@ -187,6 +233,7 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
       measurement.trials.push_back(std::move(measured));
     }
   }
+  clean_pressed(std::move(pressed), settings, measurement);
   measurement.steps = steps_text(measurement, settings, hum);
   return measurement;
 }

@@ -35,6 +35,7 @@ std::vector<int> folds_of(const Measurement& measurement, int& folds) {
 Measurement without_fold(const Measurement& measurement, const std::vector<int>& fold, int left_out) {
   Measurement rest = measurement;  // all that cleaning knows
   rest.trials.clear();
+  rest.pressed.clear();  // they tell nothing of friction, which is what is foretold
   for (std::size_t i = 0; i < measurement.trials.size(); ++i)
     if (fold[i] != left_out) rest.trials.push_back(measurement.trials[i]);
   return rest;
@@ -80,7 +81,9 @@ CrossValidation cross_validate(const Measurement& measurement, const FitSettings
   int folds = 0;
   const std::vector<int> fold = folds_of(measurement, folds);
   if (folds < 2) {
-    checked.refusal = "it takes two trials, one to fit and one to foretell";
+    checked.refusal = measurement.trials.empty() && !measurement.pressed.empty()
+                          ? "no trial has a force along the plate to foretell"
+                          : "it takes two trials, one to fit and one to foretell";
     return checked;
   }
   std::vector<std::optional<HeldOutTrial>> told(measurement.trials.size());

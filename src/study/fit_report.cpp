@@ -92,7 +92,10 @@ FitReport fit_report(const Measurement& measurement, const ProfileFit& fit, cons
   FitReport report;
   const StickPicture stick = stick_picture(measurement, fit);
   const FitPictureSource source{measurement, fit, stick};
-  for (Chart& chart : fit_figures(source)) {
+  // All figures are of friction.
+  const bool has_friction = !measurement.trials.empty() || measurement.pressed.empty();
+  if (!has_friction) report.without_picture = {"figures 3 to 11: " + measurement.pressed.front().lacks};
+  for (Chart& chart : has_friction ? fit_figures(source) : std::vector<Chart>()) {
     if (!chart.panels.empty()) {
       report.study.charts.push_back(std::move(chart));
       continue;

@@ -16,7 +16,8 @@ std::vector<std::string> left_out_warnings(const Measurement& measurement) {
   std::vector<std::string> warnings;
   for (const std::string& name : measurement.untouched)
     warnings.push_back(name + ": the finger never presses; the trial is left out");
-  if (measurement.trials.empty()) return warnings;  // nothing is left to be fitted, which is told otherwise
+  if (measurement.trials.empty() && measurement.pressed.empty())
+    return warnings;  // nothing is left to be fitted, which is told otherwise
   for (const std::string& reason : measurement.without_force)
     warnings.push_back(reason + "; the file is left out");
   return warnings;

@@ -243,6 +243,7 @@ FreeMoments moments_without_contact(const RecordedTrial& trial) {
     else
       air.perhaps.clear();
   }
+  if (!trial.lacks.empty()) air.perhaps.clear();  // no friction would tell that the finger rubs on
   std::vector<StillRun> runs = std::move(air.surely);
   runs.insert(runs.end(), air.perhaps.begin(), air.perhaps.end());
   std::sort(runs.begin(), runs.end(), [](const StillRun& a, const StillRun& b) { return a.from < b.from; });

@@ -62,6 +62,7 @@ RowReader::RowReader(const std::string& path, const MeasurementFormat& format, s
                               header_of(format, place_of(first)), header_of(format, place_of(first) + 1),
                               header_of(format, place_of(first) + 2)));
   }
+  is_force_whole_ = missing_force().empty();
   refuse_unused_place(path);
 }
 
@@ -98,6 +99,10 @@ std::string RowReader::missing_force_mend() const {
   if (missing == 0) return {};
   return fmt::format("where {} called otherwise, say --columns {}", missing == 1 ? "it is" : "they are",
                      names);
+}
+
+bool RowReader::has_normal_force_alone() const {
+  return !is_force_whole_ && present_[place_of(MeasuredColumn::fx) + 2] && !format_.sensor;
 }
 
 bool RowReader::has(MeasuredColumn first) const {
@@ -146,8 +151,9 @@ RecordedRow RowReader::row(std::span<const double> numbers, const RowPlace& plac
   RecordedRow row;
   row.t_s = time_s(numbers);
   row.position_W = format_.metres_per_unit * vector(numbers, MeasuredColumn::x);
-  row.force_W =
-      (format_.force_on_plate ? -1 : 1) * format_.newtons_per_unit * vector(numbers, MeasuredColumn::fx);
+  Vec3 force = vector(numbers, MeasuredColumn::fx);
+  if (!is_force_whole_) force.head<2>().setZero();  // one of the two alone tells no friction either
+  row.force_W = (format_.force_on_plate ? -1 : 1) * format_.newtons_per_unit * force;
   if (has(MeasuredColumn::nx)) row.normal_W = unit(numbers, MeasuredColumn::nx, "normal", place);
   if (has(MeasuredColumn::dx)) row.direction_W = unit(numbers, MeasuredColumn::dx, "finger direction", place);
   if (format_.markers) take_markers(numbers, row);
@@ -158,14 +164,15 @@ RecordedRow RowReader::row(std::span<const double> numbers, const RowPlace& plac
   return row;
 }
 
-TrialCollector::TrialCollector(std::string path, const RowReader& rows, RecordedMeasurement& into)
-    : path_(std::move(path)), rows_(rows), into_(into) {}
+TrialCollector::TrialCollector(std::string path, const RowReader& rows, std::string lacks,
+                               RecordedMeasurement& into)
+    : path_(std::move(path)), rows_(rows), lacks_(std::move(lacks)), into_(into) {}
 
 void TrialCollector::add(std::span<const double> numbers, const RowPlace& place) {
   const int subject = rows_.whole(numbers, MeasuredColumn::subject, place),
             number = rows_.whole(numbers, MeasuredColumn::trial, place);
   if (trial_ && (trial_->subject() != subject || trial_->number() != number)) finish();
-  if (!trial_) trial_.emplace(path_, subject, number, rows_.has(MeasuredColumn::trial));
+  if (!trial_) trial_.emplace(path_, subject, number, rows_.has(MeasuredColumn::trial), lacks_);
   const RecordedRow row = rows_.row(numbers, place);
   if (!std::isfinite(row.t_s)) throw refused(place.text(), "has no time");
   if (trial_->size() > 0 && !(row.t_s > trial_->last_s()))
@@ -177,6 +184,14 @@ void TrialCollector::add(std::span<const double> numbers, const RowPlace& place)
 void TrialCollector::finish() {
   if (trial_) trial_->finish(into_);
   trial_.reset();
+}
+
+void warn_of_normal_force_alone(const std::string& path, const RowReader& rows, std::size_t before,
+                                RecordedMeasurement& into) {
+  if (into.trials.size() == before || into.trials.back().lacks.empty()) return;
+  into.warnings.push_back(
+      fmt::format("{}: {}: its normal force tells the pad's normal law alone, and nothing of friction; {}",
+                  path, into.trials.back().lacks, rows.missing_force_mend()));
 }
 
 void warn_of_thinned(const std::string& path, std::uint64_t every, RecordedMeasurement& into) {

@@ -52,6 +52,8 @@ class RowReader {
   std::string missing_force() const;
   /// What to say where only its name is missing: "where it is called otherwise, say --columns fx=NAME".
   std::string missing_force_mend() const;
+  /// Whether of the force that along z alone is there, in the recording's own axes.
+  bool has_normal_force_alone() const;
   bool has(MeasuredColumn first) const;
 
   double time_s(std::span<const double> numbers) const;
@@ -70,7 +72,13 @@ class RowReader {
 
   const MeasurementFormat& format_;
   std::vector<bool> present_;
+  bool is_force_whole_ = true;
 };
+
+/// Warns of a file that has the normal force alone, where any of its trials was read.
+/// @param before  trials in `into` before it
+void warn_of_normal_force_alone(const std::string& path, const RowReader& rows, std::size_t before,
+                                RecordedMeasurement& into);
 
 /// Warns of a trace whose rows are every so manieth tick: what it has a pad do between them, nobody sees.
 void warn_of_thinned(const std::string& path, std::uint64_t every, RecordedMeasurement& into);
@@ -78,7 +86,8 @@ void warn_of_thinned(const std::string& path, std::uint64_t every, RecordedMeasu
 /// Trials on their way from rows that name subject and trial.
 class TrialCollector {
  public:
-  TrialCollector(std::string path, const RowReader& rows, RecordedMeasurement& into);
+  /// @param lacks  RecordedTrial's
+  TrialCollector(std::string path, const RowReader& rows, std::string lacks, RecordedMeasurement& into);
   /// Throws Error (refused, `place`) where a time does not come after the one before.
   void add(std::span<const double> numbers, const RowPlace& place);
   void finish();
@@ -86,6 +95,7 @@ class TrialCollector {
  private:
   std::string path_;
   const RowReader& rows_;
+  std::string lacks_;
   RecordedMeasurement& into_;
   std::optional<TrialRows> trial_;
 };

@@ -27,6 +27,7 @@ struct MeasuredTrial {
   double inclination_deg = 0;     ///< mean, finger against the plate; 0 without a direction
   double delay_unsure_s = 0;      ///< by which the delay that was taken out may be off: half its interval
   bool is_delay_told = true;      ///< else none was taken out, and delay_unsure_s is what one may be
+  std::string lacks;  ///< "FILE: column fx_n missing": force_ratio is none; empty: it was measured
 };
 
 /// The finger's angle that a trial is run and drawn at [deg]: 45, where a pad's axes hold, if it says none.
@@ -68,7 +69,8 @@ struct FileDelay {
 /// Measurements of one or several subjects, ready for a fit.
 struct Measurement {
   std::vector<MeasuredTrial> trials;       ///< with contact, by file and in the file's order
-  std::vector<TrialCleaning> cleanings;    ///< of every trial that was read, in that order
+  std::vector<MeasuredTrial> pressed;      ///< likewise, of which the normal force alone was measured
+  std::vector<TrialCleaning> cleanings;    ///< of every trial that was read, in that order, the pressed last
   bool looks_for_tare = true;              ///< else forces were taken as they are (--no-tare)
   bool knows_delay = false;                ///< it was given, or left in: the fit looks for no rest of it
   std::vector<FileDelay> delays;           ///< by file, those taken together last
@@ -79,6 +81,7 @@ struct Measurement {
 
 /// Makes a recorded measurement clean. In this order, each step as `settings` has it and told in
 /// Measurement::steps: missing samples, mains hum, tare, delay, low pass, and the turn into the pad's axes.
+/// Where the normal force alone was measured, hum and delay are left in (a delay that is given is taken out).
 /// The recording is used up.
 Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings);
 

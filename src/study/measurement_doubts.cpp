@@ -86,7 +86,8 @@ void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector
 }
 
 void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
-  constexpr double nearest_m = 0.5e-3, farthest_m = 0.5, refused_m = 1, fastest = 1.5;
+  constexpr double farthest_m = 0.5, refused_m = 1, fastest = 1.5;
+  const double nearest_m = trials.front().lacks.empty() ? 0.5e-3 : 0.05e-3;  // what a pad yields
   const double way_m = usual(trials, extent_m), speed = usual(trials, fastest_m_per_s);
   if (!format.says_unit && way_m > refused_m) {
     doubts.push_back(
@@ -215,6 +216,7 @@ void ask_for_signs(FileTrials trials, const MeasurementFormat& format, double de
                   "the sensor stands (--sensor-turned)",
                   rounded_text(press_n, 3), format.force_on_plate ? "--force-on finger" : "--force-on plate",
                   format.force_on_plate ? "finger" : "plate"));
+  if (!trials.front().lacks.empty()) return;  // no friction, whose sign could be wrong
   refuse_mirrored_axis(trials, delay_s);
   const double drives = usual(trials, [delay_s](const RecordedTrial& trial) {
     const SameMoments both = same_moments(trial, delay_s);

@@ -82,8 +82,11 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
   if (motion.force_W_n.cols() == 0) {
     into.without_force.push_back(fmt::format(
         "{}: column fx_n missing{}", path,
-        motion.normal_force_n.empty() ? ""
-                                      : fmt::format(": {} has the normal force alone here", layout.name)));
+        motion.normal_force_n.empty()
+            ? ""
+            : fmt::format(
+                  ": {} has the normal force alone here{}", layout.name,
+                  motion.p_WQ.row(2).isZero(0) ? ", and no height that would tell a normal law" : "")));
     return;
   }
   if (!layout.has_one_frame) {

@@ -56,13 +56,17 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
     }
   }
   const RowReader rows(path, format, file.present);
-  if (const std::string missing = rows.missing_force(); !missing.empty()) {
-    into.without_force.push_back(fmt::format("{}: {}", path, missing));
+  const std::string lacks = rows.missing_force();
+  if (!lacks.empty()) {
     into.force_mend = rows.missing_force_mend();
-    return;
+    if (!rows.has_normal_force_alone()) {
+      into.without_force.push_back(fmt::format("{}: {}", path, lacks));
+      return;
+    }
   }
   warn_of_thinned(path, file.every, into);
-  TrialCollector trials(path, rows, into);
+  const std::size_t before = into.trials.size();
+  TrialCollector trials(path, rows, lacks, into);
   std::vector<double> numbers(names.size());
   for (std::size_t i = 0; i < count; ++i) {
     for (std::size_t k = 0; k < names.size(); ++k)
@@ -70,6 +74,7 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
     trials.add(numbers, {path, static_cast<long>(i + 1)});
   }
   trials.finish();
+  warn_of_normal_force_alone(path, rows, before, into);
 }
 
 }  // namespace fingerpad

@@ -75,22 +75,26 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   if (const std::string words = told_units_words(told); !words.empty())
     into.notes.push_back(fmt::format("{}: {}", path, words));
   const RowReader rows(path, read_as, present);
-  if (const std::string missing = rows.missing_force(); !missing.empty()) {
-    const std::string unread = printable(word_list(table.unread()), 200);
-    into.without_force.push_back(
-        fmt::format("{}: {}{}", path, missing,
-                    unread.empty() ? "" : fmt::format(" (it has, and nothing reads: {})", unread)));
+  std::string missing = rows.missing_force();
+  if (!missing.empty()) {
+    if (const std::string unread = printable(word_list(table.unread()), 200); !unread.empty())
+      missing += fmt::format(" (it has, and nothing reads: {})", unread);
     into.force_mend = rows.missing_force_mend();
-    return;
+    if (!rows.has_normal_force_alone()) {
+      into.without_force.push_back(fmt::format("{}: {}", path, missing));
+      return;
+    }
   }
   warn_of_thinned(path, every_of_csv(path), into);
-  TrialCollector trials(path, rows, into);
+  const std::size_t before = into.trials.size();
+  TrialCollector trials(path, rows, missing, into);
   std::vector<double> numbers(measurement_columns.size());
   while (table.next()) {
     for (std::size_t k = 0; k < asked.size(); ++k) numbers[asked[k]] = table.number(k);
     trials.add(numbers, {path, table.line()});
   }
   trials.finish();
+  warn_of_normal_force_alone(path, rows, before, into);
 }
 
 }  // namespace fingerpad

@@ -65,6 +65,7 @@ enum class RefusalReason {
   vague,          ///< too few trials, or too unlike ones, tell it
   unknown_zero,   ///< the force sensor's zero is not known, and an offset may be there
   unknown_delay,  ///< the delay of force behind position is not known
+  no_friction,    ///< the normal force alone was measured
   impossible,     ///< it came out as no number, or as a size that is none
 };
 

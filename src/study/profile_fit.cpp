@@ -4,11 +4,12 @@
 #include <cmath>
 #include <set>
 
-#include "base/random_stream.hpp"
 #include "study/few_trials.hpp"
+#include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
 #include "study/hidden_stick.hpp"
 #include "study/impossible_numbers.hpp"
+#include "study/normal_law.hpp"
 #include "study/sampling_reach.hpp"
 #include "study/unseen_slip.hpp"
 #include "study/zero_doubt.hpp"
@@ -16,61 +17,22 @@
 namespace fingerpad {
 namespace {
 
-constexpr int bootstrap_draws = 400;
-
-/// Whether there are too few blocks for an interval, whatever they say.
-std::optional<NoInterval> too_few_blocks(const PadValue& value, std::size_t subjects, Blocks blocks) {
-  const bool are_subjects = blocks == Blocks::subjects;
-  const auto blocks_here = are_subjects ? static_cast<double>(subjects) : static_cast<double>(value.trials);
-  if (blocks_here - (are_subjects ? 1 : static_cast<double>(subjects)) >= least_freedom) return std::nullopt;
-  if (value.trials < fewest_trials) return NoInterval::few_trials;
-  return are_subjects ? NoInterval::few_subjects : NoInterval::few_a_subject;
+/// Refuses all that there is no trial for.
+void refuse_untold(const Measurement& measurement, ProfileFit& fit) {
+  const std::string words = !measurement.pressed.empty()        ? measurement.pressed.front().lacks
+                            : measurement.without_force.empty() ? "no trial has contact"
+                                                                : measurement.without_force.front();
+  for (PadValue& value : fit.values) {
+    value.refusal = words;
+    if (!measurement.pressed.empty()) value.reason = RefusalReason::no_friction;
+  }
+  if (measurement.pressed.empty()) return;
+  fit.mu_load_n = 0;
+  fit.residual = LawResidual();
 }
 
-void add_intervals(const std::vector<int>& subject_of, const NumberReaches& by_delay,
-                   const FitSettings& settings, FitPoint point, ProfileFit& fit) {
-  const bool has_slow_slip = point.slow_slip.has_value();
-  point.slow_slip.reset();  // whether it is told is settled for all draws
-  std::array<DrawSpread, pad_number_keys.size()> spreads;
-  RandomStream random(settings.seed);
-  for (int draw = 0; draw < bootstrap_draws; ++draw) {
-    const PadValues values =
-        pad_numbers(fit.evidence, drawn_times(subject_of, settings.blocks, random), point);
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (values[k].refusal.empty()) spreads[k].add(values[k].value);
-  }
-  std::array<LeftOutSpread, pad_number_keys.size()> without;
-  const std::size_t left_out = each_left_out(subject_of, settings.blocks, [&](const LeftOut& one) {
-    const PadValues values = pad_numbers(fit.evidence, one.times, point);
-    for (std::size_t k = 0; k < values.size(); ++k)
-      if (values[k].refusal.empty()) without[k].add(one, values[k].value);
-  });
-  const auto subjects = static_cast<double>(fit.subjects);
-  const auto unsure = moved_by_sampling(fit, by_delay, point, has_slow_slip);
-  for (std::size_t k = 0; k < spreads.size(); ++k) {
-    constexpr double most_missing = 0.05;
-    if (!fit.values[k].refusal.empty()) continue;
-    if (const auto too_few = too_few_blocks(fit.values[k], fit.subjects, settings.blocks)) {
-      fit.no_interval[k] = *too_few;
-    } else {
-      fit.no_interval[k] = spreads[k].count < (1 - most_missing) * bootstrap_draws ? NoInterval::draws_refused
-                                                                                   : NoInterval::no_spread;
-    }
-    if (fit.no_interval[k] == NoInterval::draws_refused) continue;
-    const double drawn = settings.blocks == Blocks::subjects
-                             ? interval_reach(spreads[k], without[k].deviation(left_out), subjects, 1)
-                             : interval_reach(spreads[k], without[k].deviation(left_out),
-                                              static_cast<double>(fit.values[k].trials), subjects);
-    const double reach = drawn + unsure[k];
-    // Draws that all step in the same bin of speed are as sure as that bin is wide.
-    const bool is_step = point.v_min_by_step && k == static_cast<std::size_t>(PadNumber::v_min);
-    if (drawn > 0 || is_step) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
-  }
-}
-
-}  // namespace
-
-ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings) {
+/// The fit to the trials whose forces were measured whole.
+ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
   std::vector<int> subject_of;
   std::vector<StickSegments> segments;
@@ -147,9 +109,7 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
   if (!is_delay_told) doubt_misfit(fit.residual);
   tell_noise(segments, fit);
   if (fit.evidence.empty()) {
-    for (PadValue& value : fit.values)
-      value.refusal =
-          measurement.without_force.empty() ? "no trial has contact" : measurement.without_force.front();
+    refuse_untold(measurement, fit);
     return fit;
   }
   if (!hidden.empty())
@@ -172,6 +132,14 @@ ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settin
     if (!no_slip.empty() || point.has_unseen_slip) refuse_unsure_slip(fit);
     doubt_zero(zero_doubt(fit, !measurement.looks_for_tare), fit);
   }
+  return fit;
+}
+
+}  // namespace
+
+ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings) {
+  ProfileFit fit = whole_fit(measurement, settings);
+  if (!measurement.pressed.empty()) take_normal_law(measurement, settings, fit);
   return fit;
 }
 

@@ -58,7 +58,8 @@ struct FitSettings {
   bool keeps_told_by_few = false;
 };
 
-/// Fits a pad's profile (pad_numbers).
+/// Fits a pad's profile (pad_numbers). Trials of which the normal force alone was measured tell the normal
+/// law beside the others (take_normal_law), and nothing else.
 ///
 /// Interval: a block bootstrap, the trials of each subject drawn with replacement (so it holds for these
 /// subjects, not for those who were not measured; with Blocks::subjects whole subjects are drawn); the

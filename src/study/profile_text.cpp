@@ -34,10 +34,11 @@ std::string numbers_text(const ProfileFit& fit) {
 
 /// What is to be measured so that the axis is told.
 std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
+  const RefusalReason reason = value_of(fit.values, axis).reason;
+  if (reason == RefusalReason::no_friction) return "measure the force along the plate too, as fx_n and fy_n";
   const bool has_direction = std::any_of(fit.evidence.begin(), fit.evidence.end(),
                                          [](const TrialEvidence& trial) { return trial.has_direction; });
   if (!has_direction) return "give the finger's direction in the columns dx, dy, dz";
-  const RefusalReason reason = value_of(fit.values, axis).reason;
   if (reason == RefusalReason::vague)
     return fmt::format("add trials whose finger sticks before it slips {} the finger, pushed alike",
                        axis == PadNumber::lateral_axis ? "across" : "along");

@@ -37,6 +37,9 @@ struct RecordedTrial {
   Points tracked_W;     ///< 3 x n, of what is tracked beside: its height, and its place where nothing presses
   Vec3 normal_W = Vec3::UnitZ();    ///< of the plate, outward, unit: the trial's mean
   Vec3 direction_W = Vec3::Zero();  ///< of the finger, towards the tip, unit: the trial's mean; zero: unknown
+  /// "column fx_n missing", where the force along z alone was measured: force_W has no more. Empty: it is
+  /// whole.
+  std::string lacks;
   double least_angle_deg = 0, most_angle_deg = 0;  ///< finger against plate within the trial
 
   Eigen::Index samples() const noexcept { return position_W.cols(); }

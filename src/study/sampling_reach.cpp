@@ -100,6 +100,18 @@ double teeth_reach(const ProfileFit& fit, const FitPoint& point) {
   return hidden_reach(fit, point).mu_dynamic;
 }
 
+void delay_heights(MeasuredTrial& trial, std::size_t half_window, double by_s) {
+  const std::vector<double> heights = trial.height_m;
+  for (std::size_t k = 0; k < heights.size(); ++k) {
+    std::size_t from = k, to = k;
+    while (k - from < half_window && from > 0 && !trial.starts_anew[from]) --from;
+    while (to - k < half_window && to + 1 < heights.size() && !trial.starts_anew[to + 1]) ++to;
+    if (to > from)
+      trial.height_m[k] +=
+          by_s * trial.rate_hz * (heights[to] - heights[from]) / static_cast<double>(to - from);
+  }
+}
+
 std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
                                             const std::vector<StickSegments>& segments,
                                             const EvidencePoint& about, double delay_left_s, double times) {
@@ -108,17 +120,9 @@ std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
   for (std::size_t i = 0; i < segments.size(); ++i) {
     MeasuredTrial trial = measurement.trials[i];
     const double by_s = times * (trial.delay_unsure_s + std::abs(delay_left_s));
-    const std::vector<double> heights = trial.height_m;
-    const auto half = static_cast<std::size_t>(segments[i].half_window);
-    for (std::size_t k = 0; k < heights.size(); ++k) {
+    for (std::size_t k = 0; k < trial.position_m.size(); ++k)
       trial.position_m[k] += by_s * segments[i].velocity_m_per_s[k];
-      std::size_t from = k, to = k;
-      while (k - from < half && from > 0 && !trial.starts_anew[from]) --from;
-      while (to - k < half && to + 1 < heights.size() && !trial.starts_anew[to + 1]) ++to;
-      if (to > from)
-        trial.height_m[k] +=
-            by_s * trial.rate_hz * (heights[to] - heights[from]) / static_cast<double>(to - from);
-    }
+    delay_heights(trial, static_cast<std::size_t>(segments[i].half_window), by_s);
     StickSegments moved = segments[i];
     moved.velocity_m_per_s = later_velocities(trial, segments[i], by_s);
     delayed.push_back(trial_evidence(trial, moved, about));

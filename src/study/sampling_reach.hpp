@@ -19,6 +19,9 @@ std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
                                             const std::vector<StickSegments>& segments,
                                             const EvidencePoint& about, double delay_left_s, double times);
 
+/// A trial's heights of a moment later, by their slope over so many samples either way.
+void delay_heights(MeasuredTrial& trial, std::size_t half_window, double by_s);
+
 /// How far each number moves.
 using NumberReaches = std::array<double, pad_number_keys.size()>;
 

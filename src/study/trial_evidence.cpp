@@ -106,4 +106,11 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
   return evidence;
 }
 
+TrialEvidence press_evidence(const MeasuredTrial& trial, double exponent) {
+  TrialEvidence evidence;
+  evidence.subject = trial.subject;
+  add_press(trial, exponent, evidence);
+  return evidence;
+}
+
 }  // namespace fingerpad

@@ -122,4 +122,8 @@ struct EvidencePoint {
 TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& segments,
                              const EvidencePoint& about);
 
+/// What its presses alone say, of a trial that may tell no friction.
+/// @param exponent  EvidencePoint::press_exponent
+TrialEvidence press_evidence(const MeasuredTrial& trial, double exponent);
+
 }  // namespace fingerpad

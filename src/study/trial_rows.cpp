@@ -35,8 +35,12 @@ void keep(std::vector<Vec3>& values, std::size_t rows, const Vec3& value) {
 
 }  // namespace
 
-TrialRows::TrialRows(std::string file, int subject, int number, bool is_numbered)
-    : file_(std::move(file)), subject_(subject), number_(number), is_numbered_(is_numbered) {}
+TrialRows::TrialRows(std::string file, int subject, int number, bool is_numbered, std::string lacks)
+    : file_(std::move(file)),
+      subject_(subject),
+      number_(number),
+      is_numbered_(is_numbered),
+      lacks_(std::move(lacks)) {}
 
 void TrialRows::add(const RecordedRow& row) {
   keep(normal_, t_s_.size(), row.normal_W);
@@ -50,7 +54,14 @@ void TrialRows::add(const RecordedRow& row) {
   tracked_.push_back(row.wrench->tracked_W);
 }
 
+void TrialRows::leave_out(const std::string& words, RecordedMeasurement& into) const {
+  std::string reason = fmt::format("{}: {}{}", file_, lacks_, words);
+  if (into.without_force.empty() || into.without_force.back() != reason)
+    into.without_force.push_back(std::move(reason));
+}
+
 void TrialRows::finish(RecordedMeasurement& into) const {
+  if (t_s_.size() < fewest_rows && !lacks_.empty()) return leave_out("", into);
   if (t_s_.size() < fewest_rows)
     throw refused(
         file_, fmt::format("trial {} of subject {} has {} rows, too few to be measured; it takes {}", number_,
@@ -163,6 +174,10 @@ void TrialRows::finish_piece(std::size_t begin, std::size_t end, RecordedMeasure
   }
   if (normal.norm() > 0) trial.normal_W = normal.normalized();
   if (direction.norm() > 0) trial.direction_W = direction.normalized();
+  constexpr double along_z = 0.99995;  // within a hundredth, which is what friction would be of the force
+  if (!lacks_.empty() && !(std::abs(trial.normal_W.z()) > along_z))
+    return leave_out(", and the plate's normal is not along fz, so that its force is not known", into);
+  trial.lacks = lacks_;
   into.trials.push_back(std::move(trial));
 }
 

@@ -31,7 +31,8 @@ class TrialRows {
   /// @param is_numbered  the recording says where trials begin; else a long one is cut into pieces of 20 s,
   /// so
   ///                     that intervals have blocks to draw
-  TrialRows(std::string file, int subject, int number, bool is_numbered);
+  /// @param lacks        RecordedTrial's
+  TrialRows(std::string file, int subject, int number, bool is_numbered, std::string lacks = {});
 
   int subject() const noexcept { return subject_; }
   int number() const noexcept { return number_; }
@@ -43,17 +44,21 @@ class TrialRows {
   /// Puts the trial at even steps into `into`, as several where samples are missing for over a second. Each
   /// sample is the nearest row within half a step, whose position and force belong together, or where there
   /// is none a gap's straight line. Throws Error (refused) where it has fewer than 16 rows.
+  /// Of a normal force alone, a trial that tells nothing is told in `without_force` instead: of so few rows,
+  /// or with a plate whose normal is not along that force.
   void finish(RecordedMeasurement& into) const;
 
  private:
   /// Whether all that tells the row's sample is there: its torque too, where there is a sensor of it.
   bool is_recorded(std::size_t row) const;
   void finish_piece(std::size_t begin, std::size_t end, RecordedMeasurement& into) const;
+  void leave_out(const std::string& words, RecordedMeasurement& into) const;
   void add_pose(std::size_t row, RecordedTrial& trial, Vec3& normal, Vec3& direction) const;
 
   std::string file_;
   int subject_, number_;
   bool is_numbered_;
+  std::string lacks_;
   std::vector<double> t_s_;
   std::vector<Vec3> position_, force_, torque_, tracked_;  // the last two where there is a sensor
   std::optional<ContactSensor> sensor_;

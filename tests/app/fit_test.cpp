@@ -1,6 +1,8 @@
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 
@@ -11,7 +13,10 @@ namespace fingerpad::fit_test {
 namespace {
 namespace fs = std::filesystem;
 
+using testing::AllOf;
+using testing::ContainsRegex;
 using testing::HasSubstr;
+using testing::Not;
 
 const fs::path shipped = test::source_dir() / "scenes/measurements/synthetic_finger.csv";
 
@@ -187,6 +192,55 @@ TEST_F(Fit, OverwritesNoneOfItsInputs) {
     for (const char* name : {"a.csv", "r/numbers.csv"})
       EXPECT_EQ(test::bytes_of(folder / name), before) << words;
   }
+}
+
+/// A press and release again and again, whose normal force alone is told, in columns of a table.
+std::string pressed_table(double yields_m) {
+  std::string table = "t_s,x_m,y_m,z_m,fz_n,trial\n";
+  for (int trial = 0; trial < 4; ++trial) {
+    for (int i = 0; i < 3000; ++i) {
+      const double t = 1e-3 * i, load_n = 1 + 0.6 * std::sin((4 + 0.2 * trial) * t);
+      table += fmt::format("{:.3f},{:.6f},0,{:.7f},{:.4f},{}\n", t, 0.01 * t, -yields_m * std::sqrt(load_n),
+                           load_n, trial);
+    }
+  }
+  return table;
+}
+
+TEST_F(Fit, GivesTheNormalLawOfANormalForceAlone) {
+  std::ofstream(folder / "pressed.csv") << pressed_table(1.5e-3);
+  const auto pressed = fit("pressed.csv --out pressed.toml --report pressed");
+  EXPECT_EQ(pressed.exit_code, 0) << pressed.err;
+  EXPECT_THAT(pressed.out, ContainsRegex("normal_exponent +(2|1\\.99|2\\.0)"));
+  EXPECT_THAT(pressed.out,
+              HasSubstr("mu_static                      refused: pressed.csv: column fx_n missing"));
+  EXPECT_THAT(pressed.out, HasSubstr("wrote pressed.toml (4 trials of 1 subject)"));
+  EXPECT_THAT(pressed.err,
+              HasSubstr("pressed.csv: column fx_n missing: its normal force tells the pad's normal "
+                        "law alone, and nothing of friction; where they are called otherwise, say "
+                        "--columns fx=NAME,fy=NAME"));
+  EXPECT_THAT(pressed.out + pressed.err, Not(HasSubstr("law does not fit")));
+  const std::string profile = test::bytes_of(folder / "pressed.toml"),
+                    page = test::bytes_of(folder / "pressed/report.html");
+  EXPECT_THAT(profile, HasSubstr("\nnormal_stiffness_n_per_m = "));
+  EXPECT_THAT(profile, HasSubstr("v_min_m_per_s = \"pressed.csv: column fx_n missing\""));
+  EXPECT_THAT(profile, HasSubstr("To have it, measure the force along the plate too, as fx_n and fy_n"));
+  EXPECT_THAT(page, HasSubstr("normal law alone, and nothing of friction"));
+  EXPECT_THAT(page,
+              HasSubstr("<td>mu_dynamic</td><td colspan=\"4\">refused: pressed.csv: column fx_n missing"));
+  EXPECT_THAT(page, HasSubstr("<li>figures 3 to 11: pressed.csv: column fx_n missing</li>"));
+  const auto both = fit(shipped.string() + " pressed.csv --out both.toml --report both");
+  EXPECT_EQ(both.exit_code, 0) << both.err;
+  EXPECT_THAT(both.err, HasSubstr("nothing of friction"));
+  EXPECT_THAT(both.out,
+              AllOf(ContainsRegex("normal_exponent .* 10 trials"), ContainsRegex("mu_dynamic .* 6 trials")));
+  EXPECT_THAT(test::bytes_of(folder / "both/report.html"), HasSubstr("nothing of friction"));
+  std::ofstream(folder / "rail.csv") << pressed_table(0);
+  const auto rail = fit("rail.csv --out none.toml");
+  EXPECT_EQ(rail.exit_code, 3);
+  EXPECT_THAT(rail.err, HasSubstr("error: rail.csv: nothing can be fitted: column fx_n missing; "
+                                  "normal_stiffness_n_per_m: no press is found"));
+  EXPECT_FALSE(fs::exists(folder / "none.toml"));
 }
 
 TEST_F(Fit, RefusesWhatHoldsNothingForIt) {

@@ -516,10 +516,14 @@ TEST(ProfileFit, SlipThatDoesNotVibrateHasNoVibration) {
   EXPECT_THAT(refusal(1, 2), HasSubstr("no slip lasts for a window of its spectrum"));
 }
 
-TEST(ProfileFit, NormalForceAloneIsRefusedByTheMissingColumn) {
-  const std::string table = without_columns(test::measured_table({{1, 45, 0}}, 1), {"fx_n", "fy_n"});
-  const ProfileFit fit = fitted_file(written("normal_only.csv", table));
-  for (const PadValue& value : fit.values) EXPECT_THAT(value.refusal, HasSubstr("column fx_n missing"));
+TEST(ProfileFit, WithoutANormalForceAllIsRefusedByTheMissingColumn) {
+  const std::string table = test::measured_table({{1, 45, 0}}, 1);
+  for (const std::vector<std::string>& missing :
+       {std::vector<std::string>{"fz_n"}, std::vector<std::string>{"fx_n", "fy_n", "fz_n"}}) {
+    const ProfileFit fit = fitted_file(written("no_normal.csv", without_columns(table, missing)));
+    for (const PadValue& value : fit.values)
+      EXPECT_THAT(value.refusal, HasSubstr("column " + missing.front() + " missing"));
+  }
 }
 
 }  // namespace

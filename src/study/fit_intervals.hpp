@@ -1,0 +1,16 @@
+#pragma once
+
+#include <vector>
+
+#include "study/profile_fit.hpp"
+#include "study/sampling_reach.hpp"
+
+namespace fingerpad {
+
+/// Gives each number of a fit that is told its interval, as fit_profile says, or why it has none.
+/// @param subject_of  of each trial of fit.evidence
+/// @param by_delay    how far the delay moves each
+void add_intervals(const std::vector<int>& subject_of, const NumberReaches& by_delay,
+                   const FitSettings& settings, FitPoint point, ProfileFit& fit);
+
+}  // namespace fingerpad
