@@ -73,7 +73,8 @@ void take_offset(double offset_n, double load_n, ZeroDoubt& doubt) {
 
 ZeroDoubt zero_doubt(const ProfileFit& fit, bool knows_zero) {
   constexpr double untold_exponent = 0.1;  // that one without an interval is given to be off
-  constexpr double along_normal = 3, usual_n = 0.1;
+  // Along the plate an offset shows in strokes to and fro; along the normal, under one load, in nothing.
+  constexpr double along_normal = 3, usual_n = 0.2;
   ZeroDoubt doubt;
   if (knows_zero || fit.offset.untared == 0 || fit.trials == 0 || !(fit.mu_load_n > 0)) return doubt;
   doubt.untared_share = static_cast<double>(fit.offset.untared) / static_cast<double>(fit.trials);
@@ -84,9 +85,9 @@ ZeroDoubt zero_doubt(const ProfileFit& fit, bool knows_zero) {
               fit.interval[k].value_or(
                   std::pair(exponent.value - untold_exponent, exponent.value + untold_exponent)),
               doubt);
-  } else if (fit.offset.told > 0) {
-    doubt.is_likely = doubt.is_seen = fit.offset.off > 0;
-    take_offset(along_normal * fit.offset.typical_n, fit.mu_load_n, doubt);
+  } else if (fit.offset.off > 0) {
+    doubt.is_likely = doubt.is_seen = true;
+    take_offset(std::max(along_normal * fit.offset.typical_n, usual_n), fit.mu_load_n, doubt);
     doubt.words = fmt::format(
         "the force is off by {} N along the plate, and by what along the normal nothing tells (nor how "
         "friction changes with the load)",

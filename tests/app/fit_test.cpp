@@ -181,15 +181,15 @@ TEST_F(Fit, OneTrialEndsWithWhatItLacksForAScene) {
 
 TEST_F(Fit, OverwritesNoneOfItsInputs) {
   fs::create_directory(folder / "r");
-  for (const char* name : {"a.csv", "r/numbers.csv"}) fs::copy_file(shipped, folder / name);
+  for (const char* name : {"a", "r/numbers.csv"}) fs::copy_file(shipped, folder / name);
   const std::string before = test::bytes_of(shipped);
-  for (const std::string& words : {std::string("a.csv --out a.csv"), shipped.string() + " a.csv --out a.csv",
-                                   shipped.string() + " --positions a.csv --out ./a.csv",
+  for (const std::string& words : {std::string("a --out a"), shipped.string() + " a --out a",
+                                   shipped.string() + " --positions a --out ./a",
                                    std::string("r/numbers.csv --out b.toml --report r")}) {
     const auto result = fit(words);
     EXPECT_EQ(result.exit_code, 3) << words;
     EXPECT_THAT(result.err, HasSubstr("an input of this command")) << words;
-    for (const char* name : {"a.csv", "r/numbers.csv"})
+    for (const char* name : {"a", "r/numbers.csv"})
       EXPECT_EQ(test::bytes_of(folder / name), before) << words;
   }
 }
