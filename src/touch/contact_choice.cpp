@@ -13,8 +13,8 @@
 namespace fingerpad {
 namespace {
 
-/// What mends each part that is not kept. It is looked for on the first part of each kind, and told of all that
-/// it mends alike.
+/// What mends each part that is not kept. It is looked for on the first part of each kind, and told of all
+/// that it mends alike.
 std::vector<std::string> mends_of(const Scene& scene, ContactReckoning& reckoning,
                                   const ContactVerdict& verdict) {
   std::vector<std::string> mends(verdict.cases.size());

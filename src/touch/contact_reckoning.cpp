@@ -11,9 +11,8 @@ ContactReckoning::ContactReckoning(std::span<const Surface> surfaces, std::span<
     : surfaces_(surfaces), measures_(measures) {
   same_as_.reserve(measures.size());
   for (std::size_t i = 0; i < measures.size(); ++i) {
-    const auto same = std::find_if(surfaces.begin(), surfaces.end(), [&](const Surface& surface) {
-      return surface.part == surfaces[i].part;
-    });
+    const auto same = std::find_if(surfaces.begin(), surfaces.end(),
+                                   [&](const Surface& surface) { return surface.part == surfaces[i].part; });
     same_as_.push_back(static_cast<std::size_t>(same - surfaces.begin()));
   }
 }
