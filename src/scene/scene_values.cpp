@@ -139,9 +139,8 @@ void take_method(Scene& scene, std::string_view word) {
 }
 
 void take_normals(Scene& scene, std::string_view word) {
-  const Normals* named = find_normals(word);
-  scene.contact.automatic_normals = named == nullptr;
-  if (named != nullptr) scene.contact.normals = *named;
+  scene.contact.automatic_normals = word == automatic_method;
+  if (const Normals* named = find_normals(word); named != nullptr) scene.contact.normals = *named;
 }
 
 SceneKey unit_key(std::string_view key) {

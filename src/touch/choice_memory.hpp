@@ -10,7 +10,7 @@
 namespace fingerpad {
 
 /// Choices of contact that were made, by all that choose_contact() looks at: the jobs of a set touch a part
-/// in few ways, and a choice takes milliseconds. Thread-safe.
+/// in few ways, and a choice takes hundredths of a second a part and more. Thread-safe.
 class ChoiceMemory {
  public:
   std::optional<ContactChoice> find(const std::string& key) const;

@@ -17,12 +17,11 @@ namespace fingerpad {
 namespace {
 
 /// The greatest press is told as "10 N at 1000 N/m presses 10 mm deep".
-ContactDemand demand_of(const Scene& scene, std::span<const Surface> surfaces, const Surface& surface,
-                        const PartMeasures& part) {
+ContactDemand demand_of(const Scene& scene, const Surface& surface, const PartMeasures& part,
+                        const Nearby& nearby) {
   const double force_n = scene.contact.greatest_force_n, radius_m = scene.finger.radius_m;
   const double stiffness_n_per_m = surface.properties.stiffness_n_per_m,
                depth_m = force_n / stiffness_n_per_m;
-  const WorldBox box = world_box(surface);
   ContactDemand demand{part};
   demand.finger_radius_m = radius_m;
   demand.force_tolerance = scene.contact.force_tolerance;
@@ -31,10 +30,8 @@ ContactDemand demand_of(const Scene& scene, std::span<const Surface> surfaces, c
       "{} N at {} N/m presses {}{} mm deep", rounded_text(force_n, 3), rounded_text(stiffness_n_per_m, 4),
       radius_m > 0 ? fmt::format("a {} mm finger ", rounded_text(1e3 * radius_m, 3)) : "",
       rounded_text(1e3 * depth_m, 3));
-  demand.crowded = most_crowded_hollow(*surface.tree, part.places, radius_m);
-  demand.has_neighbour = std::any_of(surfaces.begin(), surfaces.end(), [&](const Surface& other) {
-    return &other != &surface && comes_within(other, box, 2 * radius_m);
-  });
+  demand.crowded = nearby.crowded;
+  demand.has_neighbour = nearby.has_neighbour;
   return demand;
 }
 
@@ -66,18 +63,33 @@ double across_m(const Part& part) noexcept {
   return 2 * std::max(std::min(half.x(), half.y()), std::min(std::max(half.x(), half.y()), half.z()));
 }
 
+bool has_neighbour(std::span<const Surface> surfaces, const Surface& surface, double finger_radius_m) {
+  const WorldBox box = world_box(surface);
+  return std::any_of(surfaces.begin(), surfaces.end(), [&](const Surface& other) {
+    return &other != &surface && comes_within(other, box, 2 * finger_radius_m);
+  });
+}
+
+ContactCase contact_case(const Scene& scene, const Surface& surface, const PartMeasures& measures,
+                         const Nearby& nearby) {
+  return {std::filesystem::path(surface.mesh).filename().string(),
+          demand_of(scene, surface, measures, nearby),
+          {surface.properties.stiffness_n_per_m, scene.finger.radius_m, scene.contact.greatest_force_n},
+          across_m(*surface.part),
+          scene.contact.mu_tolerance,
+          allowed_mean_tilt_rad(scene.contact, surface.properties.mu_dynamic)};
+}
+
 std::vector<ContactCase> contact_cases(const Scene& scene, std::span<const Surface> surfaces,
                                        std::span<const PartMeasures> measures) {
   std::vector<ContactCase> cases;
+  cases.reserve(measures.size());
+  const double radius_m = scene.finger.radius_m;
   for (std::size_t i = 0; i < measures.size(); ++i) {
     const Surface& surface = surfaces[i];
-    cases.push_back(
-        {std::filesystem::path(surface.mesh).filename().string(),
-         demand_of(scene, surfaces, surface, measures[i]),
-         {surface.properties.stiffness_n_per_m, scene.finger.radius_m, scene.contact.greatest_force_n},
-         across_m(*surface.part),
-         scene.contact.mu_tolerance,
-         allowed_mean_tilt_rad(scene.contact, surface.properties.mu_dynamic)});
+    cases.push_back(contact_case(scene, surface, measures[i],
+                                 {most_crowded_hollow(*surface.tree, measures[i].places, radius_m),
+                                  has_neighbour(surfaces, surface, radius_m)}));
   }
   return cases;
 }
@@ -98,7 +110,7 @@ double ContactPair::tolerances(std::span<const ContactCase> cases) const {
 }
 
 std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surface> surfaces,
-                                       std::span<const ContactCase> cases) {
+                                       std::span<const ContactCase> cases, ErrorMemory& errors) {
   std::vector<ContactPair> pairs;
   for (const ContactMethodEntry& method : contact_method_table()) {
     for (const Normals normals : normals_table()) {
@@ -108,9 +120,8 @@ std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surfa
           contact_cost(method.name, normals->name, triangles_of(surfaces), scene.finger.radius_m > 0);
       ContactPair pair{&method, normals, cost.value_or(std::numeric_limits<double>::infinity())};
       for (const ContactCase& one : cases) {
-        pair.errors.push_back(normals->off_rad == nullptr
-                                  ? ReckonedError()
-                                  : reckoned_error(one.contact.part.places, one.press, method, normals));
+        pair.errors.push_back(normals->off_rad == nullptr ? ReckonedError()
+                                                          : errors.error(one, method, normals));
         pair.fails.push_back(method.fails == nullptr ? "" : method.fails(one.contact));
         const ReckonedError& error = pair.errors.back();
         if (pair.fails.back().empty() && error.behind_share > one.contact.force_tolerance)

@@ -7,6 +7,7 @@
 #include "contact/contact_method_table.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/reckoned_error.hpp"
+#include "touch/error_memory.hpp"
 
 namespace fingerpad {
 
@@ -22,10 +23,24 @@ struct ContactCase {
   double across_m = 0;  ///< of the part
   double mu_tolerance = 0;
   double mean_tilt_rad = 0;  ///< that the tolerance of friction allows; infinity where there is no friction
+  int finer = 1;             ///< it is reckoned as if its facets were so many times smaller
+};
+
+/// What a finger of some size meets of a part's surroundings.
+struct Nearby {
+  CrowdedHollow crowded{};
+  bool has_neighbour = false;
 };
 
 /// The second of a part's three extents: a plate is as wide as its shorter side, a rod as it is thick [m].
 double across_m(const Part& part) noexcept;
+
+/// Whether another surface stands nearer to this one than a finger is wide.
+bool has_neighbour(std::span<const Surface> surfaces, const Surface& surface, double finger_radius_m);
+
+/// @param measures  of the surface's part; they outlive the case
+ContactCase contact_case(const Scene& scene, const Surface& surface, const PartMeasures& measures,
+                         const Nearby& nearby);
 
 /// @param surfaces  parts first
 /// @param measures  one for each part, which outlives the cases
@@ -49,7 +64,8 @@ struct ContactPair {
 };
 
 /// Every pair that `auto` may take for a scene: those it leaves open, with all errors reckoned.
+/// @param errors  those that were reckoned before, and from now on these
 std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surface> surfaces,
-                                       std::span<const ContactCase> cases);
+                                       std::span<const ContactCase> cases, ErrorMemory& errors);
 
 }  // namespace fingerpad

@@ -11,6 +11,34 @@
 #include "touch/world.hpp"
 
 namespace fingerpad {
+namespace {
+
+/// What mends each part that is not kept. It is looked for on the first part of each kind, and told of all
+/// that it mends alike.
+std::vector<std::string> mends_of(const Scene& scene, ContactReckoning& reckoning,
+                                  const ContactVerdict& verdict) {
+  std::vector<std::string> mends(verdict.cases.size());
+  std::vector<std::size_t> looked_at;
+  for (std::size_t i = 0; i < mends.size(); ++i) {
+    const Unkept unkept = verdict.unkept_on(i);
+    if (unkept == Unkept::nothing) continue;
+    const auto alike = std::find_if(looked_at.begin(), looked_at.end(),
+                                    [&](std::size_t j) { return is_mended_alike(verdict, i, j); });
+    const auto of_kind = std::find_if(looked_at.begin(), looked_at.end(),
+                                      [&](std::size_t j) { return verdict.unkept_on(j) == unkept; });
+    if (alike != looked_at.end()) {
+      mends[i] = mends[*alike];
+    } else if (of_kind != looked_at.end()) {
+      mends[i] = fmt::format("what would is only looked for on {}", verdict.cases[*of_kind].file);
+    } else {
+      mends[i] = mend_of(scene, reckoning, verdict, i);
+      looked_at.push_back(i);
+    }
+  }
+  return mends;
+}
+
+}  // namespace
 
 bool leaves_a_choice(const ContactSettings& contact) noexcept {
   return contact.method == automatic_method || contact.automatic_normals;
@@ -24,20 +52,21 @@ ContactChoice choose_contact(const Scene& scene, std::span<const Surface> surfac
   if (asked.method != automatic_method) choice.method = asked.method;
   if (!leaves_a_choice(asked) || measures.empty()) return choice;
 
-  const ContactVerdict verdict = reckon_verdict(scene, surfaces, contact_cases(scene, surfaces, measures));
+  ContactReckoning reckoning(surfaces, measures);
+  const ContactVerdict verdict = reckoning.on_all(scene);
   if (verdict.all.empty()) return choice;  // a method that no table has: Touch refuses it
   choice.method = verdict.chosen().method->name;
   choice.normals = verdict.chosen().normals;
+  const std::vector<std::string> mends = mends_of(scene, reckoning, verdict);
   for (std::size_t i = 0; i < verdict.cases.size(); ++i) {
-    const bool is_kept = verdict.unkept_on(i) == Unkept::nothing;
-    const std::string mend = is_kept ? "" : mend_of(scene, surfaces, measures, verdict, i);
-    choice.limits.push_back(limit_of(verdict, i, mend));
+    choice.limits.push_back(limit_of(verdict, i, mends[i]));
     choice.reasons.push_back(reason_of(verdict, i, choice.limits[i].kept_tolerance));
   }
   for (std::size_t i = 0; i < verdict.cases.size(); ++i) {
     if (!choice.limits[i].said.empty())
       choice.reasons.push_back(fmt::format("{}: {} (auto)", verdict.cases[i].file, choice.limits[i].said));
   }
+  choice.reckoned = reckoning.reckoned();
   return choice;
 }
 

@@ -30,6 +30,7 @@ struct ContactChoice {
                                      ///< "FILE: proxy, because WHY (auto)"; then a line for each limit that
                                      ///< says something: "FILE: force_tolerance 0.03 cannot ... (auto)"
   std::vector<ContactLimit> limits;  ///< one for each part, likewise
+  long reckoned = 0;                 ///< errors of a part under a press, which is what a choice costs
 };
 
 /// How far a finger is taken to go on before the next tick can answer: this speed over the rate.

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <vector>
 
 #include "base/number_text.hpp"
@@ -16,10 +15,7 @@ namespace fingerpad {
 namespace {
 
 constexpr double no_tolerance = std::numeric_limits<double>::infinity();
-/// What is said instead of a tolerance leaves room for a reckoning that is right to a sixth.
-constexpr double reckoning_margin = 1.2;
-/// Beyond a third of the force reckoning says nothing, and an error of mu as large as mu is no tolerance.
-constexpr double most_force_kept = 1.0 / 3, most_mu_kept = 1;
+constexpr int most_times_finer = 64;
 
 double rounded(double x) {
   return parse_number(rounded_text(x, 2)).value_or(x);
@@ -56,10 +52,10 @@ struct Tried {
 /// The changes that are tried for one part of a scene.
 class Trials {
  public:
-  Trials(const Scene& scene, std::span<const Surface> surfaces, std::span<const PartMeasures> measures,
-         const ContactVerdict& verdict, std::size_t i)
-      : scene_(scene), surfaces_(surfaces), measures_(measures), verdict_(verdict), i_(i) {}
+  Trials(const Scene& scene, ContactReckoning& reckoning, const ContactVerdict& verdict, std::size_t i)
+      : scene_(scene), reckoning_(reckoning), verdict_(verdict), i_(i) {}
 
+  /// On the part alone where it is not even kept there, else on the whole scene.
   Left left_by(const Change& change) const;
   /// What might mend it, by itself or with more: first what the scene insists on, then its numbers; up to the
   /// first that keeps it.
@@ -77,37 +73,27 @@ class Trials {
   bool try_radii(std::vector<Tried>& tried) const;
 
   const Scene& scene_;
-  std::span<const Surface> surfaces_;
-  std::span<const PartMeasures> measures_;
+  ContactReckoning& reckoning_;
   const ContactVerdict& verdict_;
   std::size_t i_;
 };
 
-std::vector<PartMeasures> made_finer(std::span<const PartMeasures> measures, int times) {
-  std::vector<PartMeasures> finer(measures.begin(), measures.end());
-  for (PartMeasures& part : finer) {
-    for (SurfacePlace& place : part.places) {
-      place.sag_m /= times * times;
-      for (double* number : {&place.facet_rad, &place.smooth_rad, &place.patch_rad, &place.width_m})
-        *number /= times;
-    }
-  }
-  return finer;
-}
-
-Left Trials::left_by(const Change& change) const {
-  const std::vector<PartMeasures> finer = made_finer(measures_, change.finer);
-  std::vector<ContactCase> cases = contact_cases(change.scene, surfaces_, finer);
-  for (ContactCase& one : cases) one.contact.crowded.facets *= change.finer * change.finer;
-  const ContactVerdict verdict = reckon_verdict(change.scene, surfaces_, std::move(cases));
-  const ContactCase& on = verdict.cases[i_];
-  const ReckonedError& error = verdict.chosen().errors[i_];
-  Left left{verdict.unkept_on(i_), no_tolerance, error.mean_tilt_rad / on.mean_tilt_rad,
-            verdict.chosen().tolerances(verdict.cases, i_)};
+/// What a verdict leaves unkept on its i-th case.
+Left left_on(const ContactVerdict& verdict, std::size_t i) {
+  const ContactCase& on = verdict.cases[i];
+  const ReckonedError& error = verdict.chosen().errors[i];
+  Left left{verdict.unkept_on(i), no_tolerance, error.mean_tilt_rad / on.mean_tilt_rad,
+            verdict.chosen().tolerances(verdict.cases, i)};
   if (left.unkept == Unkept::force) left.force_error = error.force_share;
   if (left.unkept == Unkept::method && falls_behind(on, error))
     left.force_error = error.force_share + error.behind_share;
   return left;
+}
+
+Left Trials::left_by(const Change& change) const {
+  const Left alone = left_on(reckoning_.on_one(change.scene, i_, change.finer), 0);
+  if (alone.unkept != Unkept::nothing || reckoning_.part_count() == 1) return alone;
+  return left_on(reckoning_.on_all(change.scene, change.finer), i_);
 }
 
 bool Trials::try_one(Change change, std::vector<Tried>& tried) const {
@@ -182,8 +168,7 @@ std::vector<Tried> Trials::try_all() const {
 
 int Trials::finer_facets(const Tried& beside) const {
   if (!beside.left.is_facets_alone()) return 0;
-  constexpr int most_times = 64;
-  for (int times = 2; times <= most_times; times *= 2) {
+  for (int times = 2; times <= most_times_finer; times *= 2) {
     // No error falls faster than with the square; the chosen pair's may be a fifth above the least.
     if (1.2 * times * times < beside.left.tolerances) continue;
     if (left_by({"", beside.change.scene, times}).unkept == Unkept::nothing) return times;
@@ -193,7 +178,7 @@ int Trials::finer_facets(const Tried& beside) const {
 
 std::string Trials::tolerances(const Tried& beside) const {
   Change looser = beside.change;
-  Left left = beside.left;
+  Left left = left_on(reckoning_.on_all(looser.scene, looser.finer), i_);
   ContactSettings& asked = looser.scene.contact;
   std::vector<std::string> words;
   if (left.force_error < no_tolerance) {
@@ -236,19 +221,22 @@ std::string better_words(const std::vector<Tried>& tried, const Left& as_it_is) 
 }
 
 /// What is still wrong where no change and no two keep it.
-std::string not_enough_words(const std::vector<Tried>& tried) {
+std::string not_enough_words(const std::vector<Tried>& tried, const Left& as_it_is) {
   for (const Tried& one : tried) {
     if (one.left.is_facets_alone())
-      return one.change.words + " would not be enough: facets are too coarse for it, finer ones too";
+      return fmt::format("{} would not be enough: facets are too coarse for it, {} times smaller ones too",
+                         one.change.words, most_times_finer);
   }
-  return "nothing that was tried would";
+  if (!tried.empty()) return "nothing that was tried would";
+  return as_it_is.is_facets_alone() ? fmt::format("facets {} times smaller would not", most_times_finer)
+                                    : "nothing is known that would";
 }
 
 }  // namespace
 
-std::string mend_of(const Scene& scene, std::span<const Surface> surfaces,
-                    std::span<const PartMeasures> measures, const ContactVerdict& verdict, std::size_t i) {
-  const Trials trials(scene, surfaces, measures, verdict, i);
+std::string mend_of(const Scene& scene, ContactReckoning& reckoning, const ContactVerdict& verdict,
+                    std::size_t i) {
+  const Trials trials(scene, reckoning, verdict, i);
   const std::vector<Tried> tried = trials.try_all();
   if (!tried.empty() && tried.back().left.unkept == Unkept::nothing)
     return tried.back().change.words + " would";
@@ -257,17 +245,14 @@ std::string mend_of(const Scene& scene, std::span<const Surface> surfaces,
     return fmt::format("{} would (facets {} times smaller){}", finer_mesh, times,
                        better_words(tried, as_it_is));
   const std::string both = mend_by_two(trials, tried);
-  return !both.empty() ? both : not_enough_words(tried);
+  return !both.empty() ? both : not_enough_words(tried, as_it_is);
 }
 
-double kept_force_tolerance(double error) noexcept {
-  const double kept = reckoning_margin * error;
-  return kept > most_force_kept ? no_tolerance : kept;
-}
-
-double kept_mu_tolerance(double mu_tolerance, double times) noexcept {
-  const double kept = reckoning_margin * mu_tolerance * times;
-  return kept > most_mu_kept ? no_tolerance : kept;
+bool is_mended_alike(const ContactVerdict& verdict, std::size_t i, std::size_t j) noexcept {
+  const ContactCase &one = verdict.cases[i], &other = verdict.cases[j];
+  return &one.contact.part == &other.contact.part && one.mean_tilt_rad == other.mean_tilt_rad &&
+         one.press.stiffness_n_per_m == other.press.stiffness_n_per_m &&
+         one.contact.has_neighbour == other.contact.has_neighbour;
 }
 
 }  // namespace fingerpad

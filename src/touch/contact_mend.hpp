@@ -1,9 +1,8 @@
 #pragma once
 
-#include <span>
 #include <string>
 
-#include "touch/contact_verdict.hpp"
+#include "touch/contact_reckoning.hpp"
 
 namespace fingerpad {
 
@@ -12,16 +11,13 @@ namespace fingerpad {
 /// (facets 4 times smaller)".
 ///
 /// Only what was tried is said to do so, and what was not enough is told as that: the choice is reckoned anew
-/// with each change, first with one alone, then with what that leaves unkept. Of facets n times smaller it is
-/// reckoned that they turn by an n-th and cut in by an n^2-th, that patches fit n times as well, and that a
-/// ball in a hollow is near n^2 as many.
-std::string mend_of(const Scene& scene, std::span<const Surface> surfaces,
-                    std::span<const PartMeasures> measures, const ContactVerdict& verdict, std::size_t i);
+/// with each change, first with one alone, then with what that leaves unkept. What keeps the part taken alone
+/// is then tried on the whole scene, where one way to touch must do for all parts.
+/// @param reckoning  that the verdict on the scene came from
+std::string mend_of(const Scene& scene, ContactReckoning& reckoning, const ContactVerdict& verdict,
+                    std::size_t i);
 
-/// What can be kept in the place of force_tolerance where the reckoned error is so large; infinity: nothing.
-double kept_force_tolerance(double error) noexcept;
-
-/// The same of a tolerance of friction that is missed so many times; infinity: nothing.
-double kept_mu_tolerance(double mu_tolerance, double times) noexcept;
+/// Whether the same mends parts i and j: they are of one shape, and the scene asks the same of both.
+bool is_mended_alike(const ContactVerdict& verdict, std::size_t i, std::size_t j) noexcept;
 
 }  // namespace fingerpad

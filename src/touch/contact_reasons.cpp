@@ -8,7 +8,6 @@
 #include <numbers>
 
 #include "base/number_text.hpp"
-#include "touch/contact_mend.hpp"
 
 namespace fingerpad {
 namespace {

@@ -9,6 +9,12 @@
 namespace fingerpad {
 namespace {
 
+constexpr double nothing_is_kept = std::numeric_limits<double>::infinity();
+
+/// What is said instead of a tolerance leaves room for a reckoning that is right to a sixth.
+constexpr double reckoning_margin = 1.2;
+/// Beyond a third of the force reckoning says nothing, and an error of mu as large as mu is no tolerance.
+constexpr double most_force_kept = 1.0 / 3, most_mu_kept = 1;
 /// Where nothing keeps the tolerance, what costs less may be off by so much more than the best.
 constexpr double nearly_best = 1.2;
 
@@ -45,10 +51,10 @@ Unkept ContactVerdict::unkept_on(std::size_t i) const {
 }
 
 ContactVerdict reckon_verdict(const Scene& scene, std::span<const Surface> surfaces,
-                              std::vector<ContactCase> cases) {
+                              std::vector<ContactCase> cases, ErrorMemory& errors) {
   ContactVerdict verdict{
       std::move(cases), {}, 0, scene.contact.method == automatic_method, scene.contact.automatic_normals};
-  verdict.all = contact_pairs(scene, surfaces, verdict.cases);
+  verdict.all = contact_pairs(scene, surfaces, verdict.cases, errors);
   verdict.chosen_at = best_of(verdict.all, verdict.cases);
   return verdict;
 }
@@ -59,6 +65,16 @@ double holds_deep_m(const ContactCase& on) noexcept {
 
 bool falls_behind(const ContactCase& on, const ReckonedError& error) noexcept {
   return !on.contact.crowded.is_too_much() && error.behind_share > on.contact.force_tolerance;
+}
+
+double kept_force_tolerance(double error) noexcept {
+  const double kept = reckoning_margin * error;
+  return kept > most_force_kept ? nothing_is_kept : kept;
+}
+
+double kept_mu_tolerance(double mu_tolerance, double times) noexcept {
+  const double kept = reckoning_margin * mu_tolerance * times;
+  return kept > most_mu_kept ? nothing_is_kept : kept;
 }
 
 }  // namespace fingerpad

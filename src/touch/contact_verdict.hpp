@@ -33,7 +33,7 @@ struct ContactVerdict {
 /// as can be. None (`all` is empty) where the scene names a method that no table has.
 /// @param cases  of the scene (contact_cases); their measures outlive the verdict
 ContactVerdict reckon_verdict(const Scene& scene, std::span<const Surface> surfaces,
-                              std::vector<ContactCase> cases);
+                              std::vector<ContactCase> cases, ErrorMemory& errors);
 
 /// How deep a part holds a finger that is pressed into it, before it slips round the part or its roundings
 /// [m].
@@ -41,5 +41,11 @@ double holds_deep_m(const ContactCase& on) noexcept;
 
 /// Whether all that a method cannot do on a part is to keep up with a ball.
 bool falls_behind(const ContactCase& on, const ReckonedError& error) noexcept;
+
+/// What can be kept in the place of force_tolerance where the reckoned error is so large; infinity: nothing.
+double kept_force_tolerance(double error) noexcept;
+
+/// The same of a tolerance of friction that is missed so many times; infinity: nothing.
+double kept_mu_tolerance(double mu_tolerance, double times) noexcept;
 
 }  // namespace fingerpad

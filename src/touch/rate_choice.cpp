@@ -34,11 +34,11 @@ bool chooses(const LawEntry& law, std::string_view key) {
 /// By how much the coefficient rises a metre in stick.
 double rise_per_m(const Scene& scene, const LawEntry& law) {
   const LawSettings& settings = scene.friction.settings;
-  if (!reads(law, stiffness_per_newton_parameter)) {
-    return reads(law, fixed_stiffness_parameter) ? bounded_number(settings, fixed_stiffness_parameter) : 0;
+  if (law.rise_per_m != nullptr) return law.rise_per_m(settings);
+  for (const LawParameter& stiffness : {stiffness_per_newton_parameter, fixed_stiffness_parameter}) {
+    if (reads(law, stiffness)) return bounded_number(settings, stiffness);
   }
-  return law.rise_per_m != nullptr ? law.rise_per_m(settings)
-                                   : bounded_number(settings, stiffness_per_newton_parameter);
+  return 0;
 }
 
 /// A tick in which the finger goes.
@@ -186,7 +186,7 @@ std::string unstable_because(const Scene& scene, double rate_hz) {
   }
   const LawEntry* law = find_law(scene.friction.law);
   if (law == nullptr || scene.friction.settings.remedy != Remedy::none) return {};
-  const bool scales = reads(*law, stiffness_per_newton_parameter);
+  const bool scales = law->rise_per_m != nullptr || reads(*law, stiffness_per_newton_parameter);
   const double load_n = scales ? scene.contact.greatest_force_n : 1;
   const double stick_n_per_m = rise_per_m(scene, *law) * load_n;
   wall.wall_damping_n_s_per_m = 0;

@@ -129,5 +129,30 @@ TEST(ContactTolerance, SaysThatTheNormalsOfASceneCannotKeepIt) {
   EXPECT_THAT(choice.limits.at(0).said, HasSubstr("or normals = \"auto\" would do better"));
 }
 
+/// A row of so many balls of few facets, a ball wide apart.
+std::vector<Surface> row_of_balls(std::size_t count) {
+  std::vector<Surface> row(count, surfaces_of(test::sphere_soup(0.05, 4))[0]);
+  for (std::size_t i = 0; i < count; ++i) row[i].p_WP = Vec3(0.2 * static_cast<double>(i), 0, 0);
+  return row;
+}
+
+TEST(ContactTolerance, AdviceOnManyPartsCostsLittleMoreThanOnOne) {
+  Scene scene;
+  scene.contact.automatic_normals = true;
+  scene.finger.radius_m = 0.007;
+  const ContactChoice one = choice_for(scene, row_of_balls(1)), eight = choice_for(scene, row_of_balls(8));
+  ASSERT_THAT(one.limits.at(0).said, HasSubstr("would"));
+  // Of one shape under one press, they are reckoned as one, and told the same.
+  EXPECT_EQ(eight.reckoned, one.reckoned);
+  for (const ContactLimit& limit : eight.limits) EXPECT_EQ(limit.said, one.limits[0].said);
+  // Each of another stiffness: advice is looked for on the first.
+  std::vector<Surface> differ = row_of_balls(8);
+  for (std::size_t i = 0; i < differ.size(); ++i)
+    differ[i].properties.stiffness_n_per_m += 10 * static_cast<double>(i);
+  const ContactChoice others = choice_for(scene, differ);
+  EXPECT_LE(others.reckoned, 3 * 8 * one.reckoned);
+  EXPECT_THAT(others.limits.at(7).said, HasSubstr("what would is only looked for on part.stl"));
+}
+
 }  // namespace
 }  // namespace fingerpad::contact_tolerance_test
