@@ -197,7 +197,7 @@ std::string Trials::tolerances(const Tried& beside) const {
   return fmt::format("{}", fmt::join(words, " and "));
 }
 
-constexpr const char* finer_mesh = "a finer mesh or a STEP file";
+constexpr const char* finer_mesh = "a finer mesh";
 
 /// By one change and what that leaves unkept; empty where none does.
 std::string mend_by_two(const Trials& trials, const std::vector<Tried>& tried) {

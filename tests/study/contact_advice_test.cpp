@@ -161,7 +161,7 @@ TEST(ContactAdvice, AMeshThatIsSoMuchFinerKeepsIt) {
                       std::make_shared<const Part>(make_part(surface.mesh(at_level), crease_rad)));
     };
     const Scene scene = open_scene(0);
-    const auto times = number_after(measured(level).said_of(scene), "STEP file would \\(facets ");
+    const auto times = number_after(measured(level).said_of(scene), "finer mesh would \\(facets ");
     if (!times) continue;
     ++finer_meshes;
     const int of_level = surface.name == "sphere" ? level + static_cast<int>(std::lround(std::log2(*times)))
