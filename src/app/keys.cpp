@@ -47,12 +47,17 @@ int tell_keys(const std::vector<std::string>& asked) {
     if (std::any_of(keys.begin(), keys.end(), [&](const TellableKey& key) { return is_of(key.name, word); }))
       continue;
     std::vector<std::string> names;
-    names.reserve(keys.size());
-    for (const TellableKey& key : keys) names.push_back(key.name);
+    names.reserve(3 * keys.size());
+    for (const TellableKey& key : keys) {
+      names.push_back(key.name);
+      names.emplace_back(key.key->key);
+      names.push_back(key.name.substr(0, key.name.find('.')));  // its table
+    }
     const std::string nearest = nearest_word(word, names);
-    throw Error(ErrorKind::usage, "",
-                fmt::format("a scene has no key '{}'{}", word,
-                            nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+    const std::string mend = word == "set"     ? ": [[set]] takes any of the keys that `fingerpad keys` lists"
+                             : nearest.empty() ? ""
+                                               : fmt::format("; did you mean '{}'?", nearest);
+    throw Error(ErrorKind::usage, "", fmt::format("a scene has no key '{}'{}", word, mend));
   }
   for (const TellableKey& key : keys) {
     const bool wanted = std::any_of(asked.begin(), asked.end(),

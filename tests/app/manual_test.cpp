@@ -81,6 +81,10 @@ TEST(Keys, AreToldWithDefaultAndMeaning) {
   EXPECT_EQ(law.exit_code, 0) << law.err;
   EXPECT_THAT(law.out, AllOf(HasSubstr("friction.law = \"finger-pad\""), HasSubstr("part.mu_static = 0.3"),
                              Not(HasSubstr("mu_dynamic"))));
+  for (const auto& [word, told] : {std::pair("frictoin", "did you mean 'friction'?"),
+                                   {"mu_statik", "did you mean 'mu_static'?"},
+                                   {"set", "[[set]] takes any of the keys"}})
+    EXPECT_THAT(test::fingerpad(std::string("keys ") + word, folder).err, testing::HasSubstr(told));
   const auto wrong = test::fingerpad("keys part.mu_statik", folder);
   EXPECT_EQ(wrong.exit_code, 2);
   EXPECT_THAT(wrong.err, HasSubstr("did you mean 'part.mu_static'?"));
