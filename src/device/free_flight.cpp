@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace fingerpad {
 namespace {
@@ -121,8 +122,10 @@ void FreeFlight::choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& 
   // Where the finger has no room at the goal it rests beside it.
   const double lacks_m = held_up ? std::max(0.0, soft_m_ - around_.at(goal_W_, soft_m_).free_m) : 0.0;
   const bool near_enough = held_up && (given_up || left_m < soft_m_ + 3 * lacks_m);
-  rests_ = way_ == Way::straight && (left_m < 0.5 * soft_m_ || near_enough);
-  if (held_up && !rests_) take(Way::up);
+  const bool rested = std::exchange(rests_, way_ == Way::straight && (left_m < 0.5 * soft_m_ || near_enough));
+  // The clock of one that rested has run on: when its goal sets out, by however little at first, it begins
+  // anew. Else a finger that hovers and is pressed would be taken for one to whose goal nothing leads.
+  if (held_up && !rests_) take(rested ? Way::straight : Way::up);
 }
 
 void FreeFlight::give_up() noexcept {
@@ -172,7 +175,6 @@ const Vec3& FreeFlight::advance(const Vec3& goal_W, const Vec3& towards_eye_W, d
   Follower straight = follower_;
   const Vec3 straight_W = straight.advance(goal_W, dt_s) - from_W;
   clearance_ = around_.at(from_W, 2 * soft_m_ + std::max(straight_W.norm(), speed_m_per_s_ * dt_s));
-  rests_ = false;
   Vec3 step_W = next_step(goal_W, straight_W, towards_eye_W, dt_s);
   // Softly away from what is nearer than it need be.
   const double close_m = soft_m_ - clearance_.free_m;
