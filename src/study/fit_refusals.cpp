@@ -33,11 +33,10 @@ void refuse_by_delay(const NumberReaches& moved, ProfileFit& fit) {
       continue;
     fit.values[k].refuse(
         RefusalReason::unknown_delay,
-        fmt::format(
-            "it rests on the delay of force behind position, which is not told: one of {} ms, as "
-            "sensors' filters have it, would move it by {:.0f} %: give --delay 7ms, or record more "
-            "that tells it",
-            rounded_text(1e3 * usual_delay_s, 3), std::min(999.0, 100 * share)));
+        fmt::format("it rests on the delay of force behind position, which is not told: one of {} ms, as "
+                    "sensors' filters have it, would move it by {:.0f} %: give --delay 7ms, or record more "
+                    "that tells it",
+                    rounded_text(1e3 * usual_delay_s, 3), std::min(999.0, 100 * share)));
     fit.interval[k].reset();
   }
 }

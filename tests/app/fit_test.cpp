@@ -189,8 +189,7 @@ TEST_F(Fit, OverwritesNoneOfItsInputs) {
     const auto result = fit(words);
     EXPECT_EQ(result.exit_code, 3) << words;
     EXPECT_THAT(result.err, HasSubstr("an input of this command")) << words;
-    for (const char* name : {"a", "r/numbers.csv"})
-      EXPECT_EQ(test::bytes_of(folder / name), before) << words;
+    for (const char* name : {"a", "r/numbers.csv"}) EXPECT_EQ(test::bytes_of(folder / name), before) << words;
   }
 }
 

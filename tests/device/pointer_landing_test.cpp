@@ -1,6 +1,8 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
+
 #include "device/pointed_worlds.hpp"
 #include "touch/parts_ball.hpp"
 #include "touch/resting_finger.hpp"
