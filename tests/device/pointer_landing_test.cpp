@@ -1,6 +1,7 @@
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <gtest/gtest.h>
+
+#include <Eigen/Geometry>
 
 #include "device/pointed_worlds.hpp"
 #include "touch/parts_ball.hpp"
