@@ -250,7 +250,8 @@ std::optional<double> Stage::time_at(double x_px, double y_px) const {
 
 PointedScene Stage::pointed() const {
   PointedScene pointed = view_.pointed();
-  pointed.panels = panels_.boxes(panel_layout());
+  // The help page takes the mouse wherever it is.
+  pointed.panels = state_.help ? std::vector<Box>{layout_.window} : panels_.boxes(panel_layout());
   return pointed;
 }
 

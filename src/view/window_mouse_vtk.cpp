@@ -7,7 +7,7 @@
 namespace fingerpad {
 
 WindowMouse::Outcome WindowMouse::take(unsigned long event, int x, int y, bool taken) {
-  if (on_panels(event, x, y)) return {true, true};
+  if (on_page(event) || on_panels(event, x, y)) return {true, true};
   ChartBoard& charts = stage_.charts();
   bool moved_on_charts = false;
   switch (event) {
@@ -51,6 +51,15 @@ void WindowMouse::on_panel(const PanelHit& hit) {
     return;
   }
   parts_.click(hit);
+}
+
+/// While the help page is open the mouse does nothing but close it, by a press anywhere. A button that is
+/// held since before is let go as ever.
+bool WindowMouse::on_page(unsigned long event) {
+  bool& open = stage_.state().help;
+  if (event == vtkCommand::LeftButtonReleaseEvent) return std::exchange(closed_page_, false);
+  if (event == vtkCommand::LeftButtonPressEvent) return closed_page_ = std::exchange(open, false);
+  return open || closed_page_;
 }
 
 /// What the mouse does on a panel goes no further; a button pressed beside it is not its.

@@ -6,7 +6,7 @@
 
 namespace fingerpad {
 
-/// Whose an event of the mouse is: a panel's, a chart's, the window's own, or the camera's.
+/// Whose an event of the mouse is: the help page's, a panel's, a chart's, the window's own, or the camera's.
 class WindowMouse {
  public:
   /// All are kept by reference.
@@ -22,6 +22,7 @@ class WindowMouse {
   Outcome take(unsigned long event, int x, int y, bool taken);
 
  private:
+  bool on_page(unsigned long event);
   bool on_panels(unsigned long event, int x, int y);
   void on_panel(const PanelHit& hit);
   bool wheel(int x, int y, int steps);
@@ -30,6 +31,7 @@ class WindowMouse {
   const WindowHandlers& handlers_;
   PartsPanel& parts_;
   bool on_panel_ = false, beside_panels_ = false;  ///< where the button is held that was pressed there
+  bool closed_page_ = false;                       ///< by the button that is held
 };
 
 }  // namespace fingerpad
