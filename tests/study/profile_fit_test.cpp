@@ -366,13 +366,18 @@ TEST(ProfileFit, TellsASpringsLoop) {
 TEST(ProfileFit, AnotherLawIsToldByItsResiduals) {
   test::KnownFinger finger;
   finger.law = "lugre";
-  const ProfileFit fit =
+  ProfileFit fit =
       fitted({{1, 45, 0}, {1, 45, 90}, {2, 45, 0}, {2, 45, 90}, {1, 45, 45, 0.003, 1}}, 1, finger);
   EXPECT_THAT(fit.residual.misfit, HasSubstr("stick gives way without a drop of the force"));
   EXPECT_GT(fit.residual.share, 1.5 * fit.residual.expected);
   EXPECT_THAT(fit_notes(fit).back(), HasSubstr("the pad's law does not fit"));
-  EXPECT_THAT(fit_notes(fit),
-              testing::Contains(HasSubstr("delay: it was told by the springs of the pad's law")));
+  // No one lag explains such springs: none is taken out. One that had been would be doubted.
+  const auto doubts_delay =
+      testing::Contains(HasSubstr("delay: it was told by the springs of the pad's law"));
+  EXPECT_FALSE(fit.took_delay);
+  EXPECT_THAT(fit_notes(fit), testing::Not(doubts_delay));
+  fit.took_delay = true;
+  EXPECT_THAT(fit_notes(fit), doubts_delay);
 }
 
 TEST(ProfileFit, AxesThatNoFingerHasAreAskedAbout) {
