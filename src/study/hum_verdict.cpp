@@ -224,7 +224,8 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
       found[line.nominal_hz].push_back({i, line, std::move(evidence)});
     }
   }
-  for (const auto& [nominal_hz, lines] : found) {
+  for (const auto& [nominal, lines] : found) {
+    const double nominal_hz = nominal;
     const auto showing =
         static_cast<std::size_t>(std::count_if(trials.begin(), trials.end(), [&](const RecordedTrial& trial) {
           return can_show_line(trial, sensed, nominal_hz);
