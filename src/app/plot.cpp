@@ -33,12 +33,12 @@ Over over_of(const std::string& name) {
   return name == "s" ? Over::travel : name == "angle" ? Over::turn : Over::time;
 }
 
-/// What is earlier than --from and later than --to. Throws Error (usage) where that is all.
+/// What is earlier than --from and later than --to. Throws Error (refused) where that is all.
 void leave_out(std::vector<TickRecord>& rows, const PlotOptions& options) {
   if (rows.empty()) return;
   const double begin_s = rows.front().t_s, end_s = rows.back().t_s;
   if (options.from_s > end_s || options.to_s < begin_s)
-    throw Error(ErrorKind::usage, options.from_s > end_s ? "--from" : "--to",
+    throw Error(ErrorKind::refused, options.from_s > end_s ? "--from" : "--to",
                 fmt::format("{} s leaves nothing of {}, which goes from {} to {} s",
                             options.from_s > end_s ? options.from_s : options.to_s, options.inputs[0],
                             rounded_text(begin_s, 6), rounded_text(end_s, 6)));

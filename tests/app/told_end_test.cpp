@@ -147,7 +147,7 @@ TEST(WrongValues, AreToldByOptionAndWord) {
         Call{"compare o absent", 3, "error: absent: cannot be read: there is no such folder\n"},
         Call{"compare s.toml o", 3, "error: s.toml: cannot be read: is a file, not a folder\n"},
         Call{"merge absent/ --out m", 3, "error: absent/: cannot be read: there is no such folder\n"},
-        Call{"plot o/s.h5 --out a.svg --from 7", 2,
+        Call{"plot o/s.h5 --out a.svg --from 7", 3,
              "error: --from: 7 s leaves nothing of o/s.h5, which goes from 0 "
              "to 0.1 s\n"},
         Call{"plot s.toml --out a.svg", 3,

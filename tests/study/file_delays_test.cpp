@@ -137,7 +137,7 @@ TEST(FileDelays, WhatOneWouldMoveByMuchIsRefused) {
   EXPECT_THAT(
       fit.values[v_min].refusal,
       AllOf(HasSubstr("it rests on the delay of force behind position, which is not told: one of 25 ms"),
-            HasSubstr("would move it by 30 %: give --delay SECONDS")));
+            HasSubstr("would move it by 30 %: give --delay 7ms")));
   EXPECT_FALSE(fit.interval[v_min]);
   EXPECT_EQ(fit.values[axis].refusal, "");
   EXPECT_EQ(fit.values[load].refusal, "") << "of a number that may be 0 its size tells nothing";

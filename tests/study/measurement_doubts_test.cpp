@@ -116,7 +116,7 @@ TEST(MeasurementDoubts, AForceThatComesLateIsNoWrongSignWhereTheDelayIsKnown) {
   sensors.delay_s = 0.25;
   const RecordedMeasurement recorded =
       test::known_measurement({{1, 45, 0, 5e-3, 1}, {1, 45, 90, 5e-3, 1}}, {}, sensors, 1);
-  EXPECT_THAT(test::why_not([&] { refuse_doubtful(recorded, {}, 0); }), HasSubstr("say --delay SECONDS"));
+  EXPECT_THAT(test::why_not([&] { refuse_doubtful(recorded, {}, 0); }), HasSubstr("say --delay 7ms"));
   EXPECT_NO_THROW(refuse_doubtful(recorded, {}, 0.25));
 }
 
