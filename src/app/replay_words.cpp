@@ -153,6 +153,12 @@ void tell_hard_presses(const std::vector<BatchJob>& jobs) {
       rounded_text(most_n, 3), rounded_text(most_asked_n, 3), jobs_words(hard));
 }
 
+/// Of all jobs those of this shard.
+long meant_jobs(const std::vector<BatchJob>& jobs) {
+  return std::count_if(jobs.begin(), jobs.end(),
+                       [](const BatchJob& job) { return !job.status.empty() || job.not_begun; });
+}
+
 }  // namespace
 
 void tell_doubts(const std::vector<BatchJob>& jobs) {
@@ -200,16 +206,6 @@ void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
         "max_depth_m and so on)\n",
         told.left_out());
 }
-
-namespace {
-
-/// Of all jobs those of this shard.
-long meant_jobs(const std::vector<BatchJob>& jobs) {
-  return std::count_if(jobs.begin(), jobs.end(),
-                       [](const BatchJob& job) { return !job.status.empty() || job.not_begun; });
-}
-
-}  // namespace
 
 void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
   const long meant = meant_jobs(jobs);

@@ -12,8 +12,9 @@ namespace fingerpad {
 ///
 /// Friction that hardly changes with the load is taken to be so, and no offset beyond that to be there.
 /// Else either may be behind it, as far as fingers have exponents of -1/3 to 0. Where nothing tells how
-/// friction changes, the offset is taken to be up to three times as large as that along the plate (of two of
-/// its components one is seen), and where that is not told either, a tenth of a newton.
+/// friction changes, the offset is taken to be up to three times as large as one along the plate (of two of
+/// its components one is seen), and up to two tenths of a newton at the least, as a sensor's channel that is
+/// right says nothing of another's zero.
 struct ZeroDoubt {
   double untared_share = 0;    ///< of the trials, that no tare was taken off
   double least = 1, most = 1;  ///< what coefficients may have to be multiplied by
