@@ -164,7 +164,7 @@ ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, 
   for (ProxyWall& wall : skinless) wall.least_m -= world.skin_m();
   if (walls.size() == 1) return held_by_one(world, skinless[0].lack_m(goal));
   return project_onto_walls(goal, std::span(skinless.data(), walls.size()),
-                            world.slack_m() + world.plane_rounding_m(place_O));
+                            world.slack_m() + world.plane_rounding_m(place_O, goal_O));
 }
 
 ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,

@@ -19,7 +19,7 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
   std::size_t count = 0;
   Vec3 place_O = goal_O;
   for (int pass = 0; pass < ProxyLimits::most_passes; ++pass) {
-    const double slack_m = world.plane_rounding_m(place_O);
+    const double slack_m = world.plane_rounding_m(place_O, goal_O);
     double worst_m = ProxyLimits::breach_roundings * slack_m;
     int worst = -1;
     for (int i = 0; i < world.surface_count(); ++i) {

@@ -31,9 +31,10 @@ ProxyWorld::ProxyWorld(std::vector<PlacedSurface> surfaces, double radius_m, Nor
   touching_m_ = ProxyLimits::touching_tolerances * tolerance_m_;
 }
 
-double ProxyWorld::plane_rounding_m(const Vec3& place_O) const noexcept {
+double ProxyWorld::plane_rounding_m(const Vec3& place_O, const Vec3& goal_O) const noexcept {
   if (extent_m_ > 0) return 0;
-  return ProxyLimits::plane_rounding * (place_O.cwiseAbs().maxCoeff() + planes_m_ + radius_m_);
+  const double farther_m = std::max(place_O.cwiseAbs().maxCoeff(), goal_O.cwiseAbs().maxCoeff());
+  return ProxyLimits::plane_rounding * (farther_m + planes_m_ + radius_m_);
 }
 
 Vec3 ProxyWorld::in_part(int i, const Vec3& place_O) const noexcept {

@@ -38,9 +38,10 @@ class ProxyWorld {
   double tolerance_m() const noexcept { return tolerance_m_; }
   /// By how much a projection may miss a wall [m].
   double slack_m() const noexcept { return slack_m_; }
-  /// Among planes alone, what rounding leaves of a place's distance from them [m]; 0 with parts, whose
-  /// tolerance is far larger.
-  double plane_rounding_m(const Vec3& place_O) const noexcept;
+  /// Among planes alone, what rounding leaves of a place's distance from them [m]: of the finger's too, from
+  /// which places are reckoned, since it may stay behind where the planes meet in O itself. 0 with parts,
+  /// whose tolerance is far larger.
+  double plane_rounding_m(const Vec3& place_O, const Vec3& goal_O) const noexcept;
   /// A ball that is no more than this away from a wall lies on it [m].
   double touching_m() const noexcept { return touching_m_; }
 

@@ -19,8 +19,8 @@ void StepMaking::begin(const ProxySight& sight, const Vec3& goal_O, double most_
   pass_ = 0;
   count_ = 0;
   // What the projection leaves behind a wall by rounding must not count as a breach.
-  const double rounding_m =
-      ProxyLimits::rounding * goal_.cwiseAbs().maxCoeff() + sight.world().plane_rounding_m(sight.place_O());
+  const double rounding_m = ProxyLimits::rounding * goal_.cwiseAbs().maxCoeff() +
+                            sight.world().plane_rounding_m(sight.place_O(), goal_O);
   slack_m_ = sight.world().slack_m() + rounding_m;
   breach_m_ = sight.world().tolerance_m() + ProxyLimits::breach_roundings * rounding_m;
 }

@@ -53,6 +53,31 @@ TEST_P(ProxyAmongPlanes, ABallThatStartsInAVOfTwoPlanesIsPlacedAndFeelsBothAllAl
   }
 }
 
+// Where both planes are named by a point of the edge between them, the edge is at 0 to the proxy.
+TEST_P(ProxyAmongPlanes, APointThatStartsBehindBothIsPutOntoTheEdgeThatBothAreNamedBy) {
+  RandomStream random(11);
+  for (const double half_angle_rad : {0.1, 0.451, M_PI / 4, 1.1}) {
+    const double c = std::cos(half_angle_rad), s = std::sin(half_angle_rad);
+    for (int trial = 0; trial < 60; ++trial) {
+      const Mat3 turn =
+          Eigen::AngleAxisd(3 * random.uniform(), random_vector(random).normalized()).toRotationMatrix();
+      Proxy proxy = make_proxy(
+          {plane_of(Vec3::Zero(), turn * Vec3(c, 0, s)), plane_of(Vec3::Zero(), turn * Vec3(-c, 0, s))}, 0,
+          Normals::smooth);
+      // Nearer to the edge than to what either plane leaves alone.
+      const double aside_m = 0.9 * 0.002 * (2 * random.uniform() - 1) * c / s;
+      for (int k = 0; k < 20; ++k) {
+        const Vec3 p_WQ = turn * Vec3(aside_m, 1e-5 * k, -0.002);
+        const ProxyContact& contact = proxy.move(p_WQ, 1e-3);
+        SCOPED_TRACE(testing::Message() << half_angle_rad << " trial " << trial << " tick " << k);
+        ASSERT_TRUE(contact.placed && contact.touching && contact.settled);
+        ASSERT_EQ(contact.hold_count, 2);
+        ASSERT_LT((contact.proxy_W - turn * Vec3(0, 1e-5 * k, 0)).norm(), 1e-15 + 1e-13 * p_WQ.norm());
+      }
+    }
+  }
+}
+
 TEST_P(ProxyAmongPlanes, AStartOnOneSideOfTheVFeelsThatSideAlone) {
   Proxy proxy = make_proxy(v_of_planes(M_PI / 4, Vec3::Zero()), 0.001, Normals::smooth);
   const ProxyContact& contact = proxy.move(Vec3(-0.02, 0, 0.02), 1e-3);
