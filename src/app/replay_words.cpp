@@ -224,16 +224,22 @@ void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batc
 }
 
 void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
+  constexpr std::size_t most_reasons = 5;
   const long meant = meant_jobs(jobs);
   std::map<std::string_view, std::size_t> for_reason;
   for (const BatchJob& job : jobs) {
     if (!job.why_again.empty()) ++for_reason[job.why_again];
   }
   const bool any_kept = std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.kept; });
-  for (const auto& [reason, count] : for_reason)
+  std::size_t told = 0;
+  for (const auto& [reason, count] : for_reason) {
+    if (++told > most_reasons) break;
     print_err("fingerpad: {}: {}{} of {} {} made again: {}\n", batch.out_dir,
               any_kept ? "" : "no trace was kept: ", count, meant,
               fmt::format("{} {}", meant == 1 ? "job" : "jobs", count == 1 ? "was" : "were"), reason);
+  }
+  if (for_reason.size() > most_reasons)
+    print_err("fingerpad: {}: and {} more such reasons\n", batch.out_dir, for_reason.size() - most_reasons);
 }
 
 int tell_lost(const std::vector<Error>& lost) {

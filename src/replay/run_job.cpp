@@ -166,7 +166,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
       return result;
     }
     result.other_build = other_build_of(output.path).value_or("");
-    result.why_again = why_not_kept(output.path, digest);
+    result.why_again = why_not_kept(output.path, digest, info.scene_text);
   }
 
   const RunEnd end = run(scene, world, path, info, output);

@@ -17,7 +17,9 @@
 #include "base/number_text.hpp"
 #include "replay/figures.hpp"
 #include "replay/run_lock.hpp"
+#include "scene/scene_differences.hpp"
 #include "trace/file_seal.hpp"
+#include "trace/hdf5_columns.hpp"
 #include "trace/output_file.hpp"
 
 namespace fingerpad {
@@ -119,6 +121,21 @@ std::string changed_words(std::string_view kind) {
   return fmt::format("the {} has changed since", kind);
 }
 
+/// What has changed in the scene that an HDF5 trace keeps, as words to put behind others; empty where that
+/// cannot be told, or is too much to be read.
+std::string changed_in_scene(const std::string& trace_path, const std::string& scene_text) {
+  constexpr std::size_t longest = 100;
+  try {
+    if (!is_hdf5(trace_path)) return {};
+    const std::string kept_text = read_hdf5_columns(trace_path, {}).scene_text;
+    const std::vector<std::string> words = scene_differences({kept_text, scene_text});
+    if (words[0].empty() || words[0].size() > longest || words[1].size() > longest) return {};
+    return fmt::format(": {}; now {}", words[0], words[1]);
+  } catch (const Error&) {
+    return {};
+  }
+}
+
 }  // namespace
 
 RunDigest run_digest(const TraceInfo& info, TraceFormat format) {
@@ -217,7 +234,8 @@ std::optional<std::string> other_build_of(const std::string& trace_path) {
   return build;
 }
 
-std::string why_not_kept(const std::string& trace_path, const RunDigest& digest) {
+std::string why_not_kept(const std::string& trace_path, const RunDigest& digest,
+                         const std::string& scene_text) {
   std::error_code ignored;
   if (!fs::exists(trace_path, ignored) || other_build_of(trace_path)) return {};
   const std::string proof = proof_text(trace_path);
@@ -229,7 +247,8 @@ std::string why_not_kept(const std::string& trace_path, const RunDigest& digest)
   for (const auto& [name, hash] : digest.kinds) {
     // What an earlier build did not write down is not told.
     if (proof.find(fmt::format("\nby {} ", name)) == std::string::npos) continue;
-    if (proof.find('\n' + kind_line(name, hash) + '\n') == std::string::npos) return changed_words(name);
+    if (proof.find('\n' + kind_line(name, hash) + '\n') != std::string::npos) continue;
+    return changed_words(name) + (name == "scene" ? changed_in_scene(trace_path, scene_text) : "");
   }
   return "it is of another run";
 }

@@ -51,9 +51,12 @@ bool has_proof(const std::string& trace_path);
 std::optional<std::string> other_build_of(const std::string& trace_path);
 
 /// Why the trace that stands at that path is not kept for the run with this digest, in words that go on after
-/// "made again: "; empty where no file is, or where another build made it (other_build_of).
+/// "made again: "; empty where no file is, or where another build made it (other_build_of). Of an HDF5 trace,
+/// which keeps its scene, what the scene was and is now.
+/// @param scene_text  the run's, as its trace would keep it
 /// @pre proven_figures() gives nothing
-std::string why_not_kept(const std::string& trace_path, const RunDigest& digest);
+std::string why_not_kept(const std::string& trace_path, const RunDigest& digest,
+                         const std::string& scene_text);
 
 /// Removes what a killed run may have left beside a trace that is kept: files that were under way.
 void remove_unfinished(const std::string& trace_path);

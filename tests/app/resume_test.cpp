@@ -82,12 +82,15 @@ TEST_P(Resume, KeepsNothingOldAfterAnyChange) {
     const char* what;
     std::function<void(const fs::path&)> make;
     const char* told;
+    const char* of_hdf5 = "";  // which keeps its scene
   };
   const std::vector<Change> changes = {
-      {"law", [](const fs::path& f) { write_scene(f, {.law = "coulomb"}); }, "the scene has"},
+      {"law", [](const fs::path& f) { write_scene(f, {.law = "coulomb"}); }, "the scene has",
+       ": law finger-pad; now law coulomb"},
       {"contact", [](const fs::path& f) { write_scene(f, {.method = "closest-point", .normals = "facet"}); },
-       "the scene has"},
-      {"stiffness", [](const fs::path& f) { write_scene(f, {.stiffness = 700}); }, "the scene has"},
+       "the scene has", ": method proxy, normals smooth; now method closest-point, normals facet"},
+      {"stiffness", [](const fs::path& f) { write_scene(f, {.stiffness = 700}); }, "the scene has",
+       ": stiffness_n_per_m 1000; now stiffness_n_per_m 700"},
       {"mesh", [](const fs::path& f) { std::ofstream(f / "box.off") << box_off(4); }, "a mesh file has"},
       {"motion", [](const fs::path& f) { std::ofstream(f / "rub.csv") << rub_csv(0.0007); },
        "the motion has"},
@@ -101,7 +104,8 @@ TEST_P(Resume, KeepsNothingOldAfterAnyChange) {
     change.make(folder);
     EXPECT_THAT(replay(folder, "--out out --resume" + format).err,
                 HasSubstr("fingerpad: out: no trace was kept: 1 of 1 job was made again: " +
-                          std::string(change.told) + " changed since\n"))
+                          std::string(change.told) + " changed since" +
+                          (GetParam() == std::string("h5") ? change.of_hdf5 : "") + "\n"))
         << change.what;
     replay(folder, "--out fresh" + format);
     EXPECT_NE(bytes_of(folder / "fresh" / trace), before) << change.what << ": shows in the trace";
@@ -205,6 +209,21 @@ TEST(ResumeWithOtherColumns, SaysThatTheOptionsAreOthers) {
       replay(folder, "--out out --resume --every 2").err,
       HasSubstr("1 of 1 job was made again: the format, --columns, --every or --compress is another now"));
   EXPECT_THAT(replay(folder, "--out out --resume --quiet").err, Not(HasSubstr("made again")));
+}
+
+TEST(ResumeOfASetThatHasBecomeLonger, TellsAFewOfManyReasons) {
+  const fs::path folder = folder_with_scene({});
+  const auto add_set = [&](const std::string& seeds) {
+    write_scene(folder, {});
+    std::ofstream(folder / "s.toml", std::ios::app) << "[[set]]\nseed = [" + seeds + "]\n";
+  };
+  add_set("1, 2, 3, 4, 5, 6, 7");
+  replay(folder, "--out out");
+  add_set("2, 3, 4, 5, 6, 7, 8");
+  const std::string told = replay(folder, "--out out --resume").err;
+  EXPECT_THAT(told,
+              HasSubstr("1 of 7 jobs was made again: the scene has changed since: seed 1; now seed 2\n"));
+  EXPECT_THAT(told, HasSubstr("now seed 6\nfingerpad: out: and 2 more such reasons\n"));
 }
 
 /// A set of three jobs, of which two traces are there as another build would have left them.
