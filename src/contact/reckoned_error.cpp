@@ -62,7 +62,7 @@ double hollow_factor(const Way& way, double curvature_per_m, const Centre& centr
 /// Across the force [rad].
 double tilt_rad(const Way& way, const SurfacePlace& place, const Centre& centre) noexcept {
   const double u = centre.height_m() * place.curvature_per_m;
-  // A point gets over smooth edges all the same, where its normals are not the facets'.
+  // A point on plain facets does not get round at all.
   if (way.shows_facets && centre.radius_m == 0 && falls_behind(way, place.curvature_per_m, centre))
     return whole_force;
   double off = 0;
@@ -126,8 +126,7 @@ ReckonedError error_in(std::span<const SurfacePlace> region, const Press& press,
     shares.push_back({std::hypot(press.stiffness_n_per_m * sag_m(way, place) / force_n, tilt), weight});
     tilts += weight * tilt;
     weights += weight;
-    if (centre.radius_m > 0 && falls_behind(way, place.curvature_per_m, centre))
-      behind.push_back({place.curvature_per_m, weight});
+    if (falls_behind(way, place.curvature_per_m, centre)) behind.push_back({place.curvature_per_m, weight});
   }
   if (!(weights > 0)) return {};
   const double tightest_per_m = quantile_99(behind, weights);

@@ -26,7 +26,7 @@ struct ReckonedError {
   double force_share = 0;    ///< of the force, or of Press::least_force_n, on 99 % of the finger's way in a
                              ///< region (SurfacePlace), at the force at which that is the largest
   double mean_tilt_rad = 0;  ///< of the force's direction, over a region's places, under the greatest force
-  /// Of the force: by how much a ball's proxy falls behind where the ball goes round a quarter of a rounding
+  /// Of the force: by how much the proxy falls behind where the finger goes round a quarter of a rounding
   /// faster than a proxy may follow, on more than a hundredth of the way in a region; and the rounding.
   double behind_share = 0, behind_m = 0;
 };
