@@ -166,6 +166,23 @@ TEST_P(ProxyOfEitherKind, StaysOnTheSideOfAnOpenSheetWhereItCameFrom) {
   }
 }
 
+// The inside of a ring is hollow to both sides of each column of its vertices and rounded along it: held by
+// two facets, the ball comes over their edges from behind the planes of the next.
+TEST_P(ProxyOfEitherKind, GoesRoundTheInsideOfARingAlongAColumnOfItsVertices) {
+  constexpr double tube_m = 0.005, deep_m = 0.001;
+  Proxy proxy = make_proxy({surface_of(test::torus_soup(0.02, tube_m, 192, 96))}, 0, Normals::smooth);
+  for (int k = 0; k < walk_ticks; ++k) {
+    const double inwards_m = tube_m - deep_m, angle = std::numbers::pi / 2 + 5e-6 * k / inwards_m;
+    const ProxyContact& contact =
+        proxy.move(Vec3(0.02 + inwards_m * std::cos(angle), 0, inwards_m * std::sin(angle)), dt_s);
+    ASSERT_TRUE(contact.touching) << "tick " << k;
+    ASSERT_NEAR(contact.depth_m, deep_m, 0.01 * deep_m) << "tick " << k;
+    for (int h = 0; h < contact.hold_count; ++h)
+      ASSERT_GT(contact.holds[static_cast<std::size_t>(h)].normal_W.dot(contact.normal_W), 0.9)
+          << "tick " << k;
+  }
+}
+
 TEST_P(ProxyOfEitherKind, StartsAtTheNearestPlaceOutside) {
   Proxy proxy = make_proxy({surface_of(test::box_soup(Vec3(0.1, 0.1, 0.02)))}, 0.001, Normals::smooth);
   const ProxyContact& c = proxy.move(Vec3(0.01, 0.02, 0.004), dt_s);

@@ -141,7 +141,8 @@ TEST(ReckonedError, TellsByHowMuchAProxyFallsBehindInARounding) {
   EXPECT_EQ(error({1000, 0.007, 5.9}, "proxy").behind_share, 0);
   EXPECT_EQ(error({1000, 0.007, 10}, "closest-point").behind_share, 0);
   // A point that goes round a tube of 5 mm, as measured on rings of 9,216 and 36,864 facets: 2 mm deep it
-  // keeps up, 3 mm deep it is left behind on the coarser one, 3.5 mm deep on both.
+  // keeps up, 3 mm deep it is left behind on the coarser one, 4 mm deep on both where it follows their
+  // vertices.
   EXPECT_EQ(error({1000, 0, 2}, "proxy").behind_share, 0);
   EXPECT_GT(error({1000, 0, 3}, "proxy").behind_share, 0.3);
   EXPECT_GT(error({1000, 0, 4}, "proxy").behind_share, 0.9);
