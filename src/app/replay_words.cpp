@@ -231,15 +231,18 @@ void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch
     if (!job.why_again.empty()) ++for_reason[job.why_again];
   }
   const bool any_kept = std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.kept; });
-  std::size_t told = 0;
+  std::size_t told = 0, other_jobs = 0;
   for (const auto& [reason, count] : for_reason) {
-    if (++told > most_reasons) break;
+    if (++told > most_reasons) {
+      other_jobs += count;
+      continue;
+    }
     print_err("fingerpad: {}: {}{} of {} {} made again: {}\n", batch.out_dir,
               any_kept ? "" : "no trace was kept: ", count, meant,
               fmt::format("{} {}", meant == 1 ? "job" : "jobs", count == 1 ? "was" : "were"), reason);
   }
-  if (for_reason.size() > most_reasons)
-    print_err("fingerpad: {}: and {} more such reasons\n", batch.out_dir, for_reason.size() - most_reasons);
+  if (other_jobs > 0)
+    print_err("fingerpad: {}: and {} more of them for other reasons\n", batch.out_dir, other_jobs);
 }
 
 int tell_lost(const std::vector<Error>& lost) {

@@ -58,13 +58,13 @@ TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, co
 
   const FacetSide facet = facet_side(f, from, to, clearance_m, tolerance_m);
   if (facet.side == 0 || facet.slack_m <= sweep.end_slack_m) return sweep;
-  const Vec3 facet_normal = facet.side * f.normal;
-  // Over an edge the ball comes from behind the next facet's plane, which it is not to stay behind.
-  if (facet.slack_m < -tolerance_m && facet_normal.dot(sweep.normal) < 0) return sweep;
-  sweep.normal = facet_normal;
-  sweep.offset_m = facet.side * f.normal.dot(f.a) + clearance_m;
   sweep.end_slack_m = facet.slack_m;
   sweep.blocked = facet.slack_m < -tolerance_m;
+  const Vec3 facet_normal = facet.side * f.normal;
+  // Over an edge the ball comes from behind the next facet's plane, which it is not to stay behind.
+  if (facet_normal.dot(sweep.normal) < 0) return sweep;
+  sweep.normal = facet_normal;
+  sweep.offset_m = facet.side * f.normal.dot(f.a) + clearance_m;
   return sweep;
 }
 

@@ -10,7 +10,7 @@ struct TriangleSweep {
   Vec3 normal = Vec3::UnitZ();  ///< where blocked: unit; every place q with normal . q >= offset_m keeps the
                                 ///< clearance, and the way's start is one
   double offset_m = 0;
-  double end_slack_m = 0;  ///< normal . to - offset_m
+  double end_slack_m = 0;  ///< normal . to - offset_m, or FacetSide::slack_m where that is more
   double reached = 1;      ///< share of the way that is free
   int steps = 0;           ///< of Newton's method
 };
@@ -36,7 +36,7 @@ FacetSide facet_side(const TriangleCorners& triangle, const Vec3& from, const Ve
 /// The distance to a triangle is a convex function of the way, so Newton's method from the start never
 /// passes the place of first touch, and each of its tangents is the half space that the triangle leaves
 /// free: either one shows the rest of the way free, or the steps end at the touch. There the tangent half
-/// space is the wall, or the facet's own where that holds the ball back less.
+/// space is the wall, or the facet's own where that holds the ball back less and the ball touches that side.
 /// @param tolerance_m  by how much the clearance may be missed, > 0
 /// @pre from has the clearance, to within a few tolerances. noexcept, allocates nothing.
 TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,

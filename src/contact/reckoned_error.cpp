@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "contact/contact_method_table.hpp"
+#include "contact/proxy_limits.hpp"
 #include "contact/surface_places.hpp"
 
 namespace fingerpad {
@@ -49,6 +50,12 @@ double times_as_far(double curvature_per_m, const Centre& centre) noexcept {
 /// Whether that is farther than it may.
 bool falls_behind(const Way& way, double curvature_per_m, const Centre& centre) noexcept {
   return way.lags && curvature_per_m > 0 && times_as_far(curvature_per_m, centre) > keeps_up;
+}
+
+/// Whether the proxy waits at this place's edges: a point hops over those that are too flat to be felt
+/// (Proxy::is_felt()), as often as it takes.
+bool waits_at_edges(const SurfacePlace& place, const Centre& centre) noexcept {
+  return centre.radius_m > 0 || 2 * place.facet_rad > ProxyLimits::unfelt_share;
 }
 
 /// By how much more a place's tilts turn the force on a ball in a hollow that it nearly fits.
@@ -126,7 +133,8 @@ ReckonedError error_in(std::span<const SurfacePlace> region, const Press& press,
     shares.push_back({std::hypot(press.stiffness_n_per_m * sag_m(way, place) / force_n, tilt), weight});
     tilts += weight * tilt;
     weights += weight;
-    if (falls_behind(way, place.curvature_per_m, centre)) behind.push_back({place.curvature_per_m, weight});
+    if (waits_at_edges(place, centre) && falls_behind(way, place.curvature_per_m, centre))
+      behind.push_back({place.curvature_per_m, weight});
   }
   if (!(weights > 0)) return {};
   const double tightest_per_m = quantile_99(behind, weights);

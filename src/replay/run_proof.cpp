@@ -121,15 +121,23 @@ std::string changed_words(std::string_view kind) {
   return fmt::format("the {} has changed since", kind);
 }
 
+/// Whether the proof is of the file as it stands there.
+bool proves_file(const std::string& proof, const std::string& trace_path) {
+  const auto trace = fingerprint(trace_path);
+  return trace && proof.find("\ntrace " + sum_text(*trace) + '\n') != std::string::npos;
+}
+
 /// What has changed in the scene that an HDF5 trace keeps, as words to put behind others; empty where that
-/// cannot be told, or is too much to be read.
-std::string changed_in_scene(const std::string& trace_path, const std::string& scene_text) {
+/// cannot be told (of another file than the proof's, too), is too much to be read, or does not show in words:
+/// a comment, a file's folder.
+std::string changed_in_scene(const std::string& trace_path, const std::string& proof,
+                             const std::string& scene_text) {
   constexpr std::size_t longest = 100;
   try {
-    if (!is_hdf5(trace_path)) return {};
+    if (!is_hdf5(trace_path) || !proves_file(proof, trace_path)) return {};
     const std::string kept_text = read_hdf5_columns(trace_path, {}).scene_text;
     const std::vector<std::string> words = scene_differences({kept_text, scene_text});
-    if (words[0].empty() || words[0].size() > longest || words[1].size() > longest) return {};
+    if (words[0] == words[1] || words[0].size() > longest || words[1].size() > longest) return {};
     return fmt::format(": {}; now {}", words[0], words[1]);
   } catch (const Error&) {
     return {};
@@ -248,7 +256,7 @@ std::string why_not_kept(const std::string& trace_path, const RunDigest& digest,
     // What an earlier build did not write down is not told.
     if (proof.find(fmt::format("\nby {} ", name)) == std::string::npos) continue;
     if (proof.find('\n' + kind_line(name, hash) + '\n') != std::string::npos) continue;
-    return changed_words(name) + (name == "scene" ? changed_in_scene(trace_path, scene_text) : "");
+    return changed_words(name) + (name == "scene" ? changed_in_scene(trace_path, proof, scene_text) : "");
   }
   return "it is of another run";
 }

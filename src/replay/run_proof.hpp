@@ -52,7 +52,8 @@ std::optional<std::string> other_build_of(const std::string& trace_path);
 
 /// Why the trace that stands at that path is not kept for the run with this digest, in words that go on after
 /// "made again: "; empty where no file is, or where another build made it (other_build_of). Of an HDF5 trace,
-/// which keeps its scene, what the scene was and is now.
+/// which keeps its scene, what the scene was and is now, in so far as scene_differences() tells it in few
+/// words.
 /// @param scene_text  the run's, as its trace would keep it
 /// @pre proven_figures() gives nothing
 std::string why_not_kept(const std::string& trace_path, const RunDigest& digest,

@@ -4,14 +4,20 @@
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "scene/toml_tree.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// Every value of a scene by its dotted key; the second of an array of tables is "part 2".
-using FlatScene = std::map<std::string, std::string>;
+/// A scene without its tables.
+struct FlatScene {
+  std::map<std::string, std::string>
+      values;                    ///< by dotted keys; the second of an array of tables is "part 2"
+  std::set<std::string> listed;  ///< those tables of arrays: "part", "part 2"
+};
 
 bool holds_tables(const TomlNode& node) {
   return node.is(TomlNode::Type::array) && !node.items.empty() &&
@@ -26,11 +32,13 @@ void flatten(const TomlNode& table, const std::string& prefix, FlatScene& flat) 
       flatten(entry.value, key + ".", flat);
     } else if (holds_tables(entry.value)) {
       for (std::size_t i = 0; i < entry.value.items.size(); ++i) {
-        flatten(entry.value.items[i], key + (i > 0 ? " " + std::to_string(i + 1) : "") + ".", flat);
+        const std::string table = key + (i > 0 ? " " + std::to_string(i + 1) : "");
+        flat.listed.insert(table);
+        flatten(entry.value.items[i], table + ".", flat);
       }
     } else {
       const bool is_text = entry.value.is(TomlNode::Type::text);
-      flat[key] = is_text ? entry.value.text : write_toml_value(entry.value);
+      flat.values[key] = is_text ? entry.value.text : write_toml_value(entry.value);
     }
   }
 }
@@ -58,8 +66,14 @@ std::map<std::string, std::string> labels_of(const std::vector<std::string>& key
 }
 
 std::optional<std::string> value_of(const FlatScene& scene, const std::string& key) {
-  const auto found = scene.find(key);
-  return found != scene.end() ? std::optional(found->second) : std::nullopt;
+  const auto found = scene.values.find(key);
+  return found != scene.values.end() ? std::optional(found->second) : std::nullopt;
+}
+
+/// The table of an array that a key is of, where this scene has none such though others do; else empty.
+std::string table_left_out(const FlatScene& scene, const FlatScene& all, const std::string& key) {
+  const std::string table = key.substr(0, key.find('.'));
+  return all.listed.contains(table) && !scene.listed.contains(table) ? table : "";
 }
 
 }  // namespace
@@ -70,10 +84,11 @@ std::vector<std::string> scene_differences(const std::vector<std::string>& scene
   for (const std::string& text : scene_texts) {
     scenes.emplace_back();
     flatten(parse_toml(text, "the scene"), "", scenes.back());
-    all.insert(scenes.back().begin(), scenes.back().end());
+    all.values.insert(scenes.back().values.begin(), scenes.back().values.end());
+    all.listed.insert(scenes.back().listed.begin(), scenes.back().listed.end());
   }
   std::vector<std::string> keys;
-  for (const auto& entry : all) {
+  for (const auto& entry : all.values) {
     const auto differs = [&](const FlatScene& scene) { return value_of(scene, entry.first) != entry.second; };
     if (std::any_of(scenes.begin(), scenes.end(), differs)) keys.push_back(entry.first);
   }
@@ -81,9 +96,13 @@ std::vector<std::string> scene_differences(const std::vector<std::string>& scene
   std::vector<std::string> words;
   for (const FlatScene& scene : scenes) {
     words.emplace_back();
+    std::string last_left_out;
     for (const std::string& key : keys) {
+      const std::string left_out = table_left_out(scene, all, key);
+      if (!left_out.empty() && std::exchange(last_left_out, left_out) == left_out) continue;
       if (!words.back().empty()) words.back() += ", ";
-      words.back() += words_for(key, labels.at(key), value_of(scene, key));
+      words.back() +=
+          left_out.empty() ? words_for(key, labels.at(key), value_of(scene, key)) : "no " + left_out;
     }
   }
   return words;

@@ -137,10 +137,8 @@ bool Trials::try_presses(std::vector<Tried>& tried) const {
     if (left.is_facets_alone()) last_off = left.tolerances;
   };
   press(k * holds_deep_m(on));
-  if (radius_m > 0) {
-    press(k * (verdict_.chosen().errors[i_].behind_m + radius_m) / 2);
-    press(k * radius_m / 2);
-  }
+  press(k * (verdict_.chosen().errors[i_].behind_m + radius_m) / 2);
+  press(k * radius_m / 2);
   for (int halved = 0; halved < halvings; ++halved) press(last_n / 2);
   return keeps;
 }

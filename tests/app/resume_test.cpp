@@ -223,7 +223,7 @@ TEST(ResumeOfASetThatHasBecomeLonger, TellsAFewOfManyReasons) {
   const std::string told = replay(folder, "--out out --resume").err;
   EXPECT_THAT(told,
               HasSubstr("1 of 7 jobs was made again: the scene has changed since: seed 1; now seed 2\n"));
-  EXPECT_THAT(told, HasSubstr("now seed 6\nfingerpad: out: and 2 more such reasons\n"));
+  EXPECT_THAT(told, HasSubstr("now seed 6\nfingerpad: out: and 2 more of them for other reasons\n"));
 }
 
 /// A set of three jobs, of which two traces are there as another build would have left them.

@@ -29,5 +29,13 @@ TEST(SceneDifferences, TellKeysThatEndAlikeApart) {
             (Words{"part 2.mu_static 0.2, part.mu_static 0.1", "part 2.mu_static 0.4, part.mu_static 0.3"}));
 }
 
+TEST(SceneDifferences, NameATableThatOthersHaveMoreOfOnce) {
+  const std::string one = "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n";
+  EXPECT_EQ(scene_differences({one + "[[plane]]\npoint_m = [1, 0, 0]\nnormal = [1, 0, 0]\n", one}),
+            (Words{"normal [1, 0, 0], point_m [1, 0, 0]", "no plane 2"}));
+  EXPECT_EQ(scene_differences({one, "[[part]]\nmesh = \"a.stl\"\n"}),
+            (Words{"no part, normal [0, 0, 1], point_m [0, 0, 0]", "a.stl, no plane"}));
+}
+
 }  // namespace
 }  // namespace fingerpad::scene_differences_test
