@@ -23,9 +23,11 @@ constexpr int subdivisions = 8;  // 524,288: over a second
 #endif
 
 /// A folder with a mesh that takes longer than half a second, one that does not, and a point to ask them for.
-fs::path folder_with_meshes() {
+/// @param finer  by how often each triangle of the first is parted in four, where a load must last much
+/// longer
+fs::path folder_with_meshes(int finer = 0) {
   const fs::path folder = test::scratch_dir();
-  test::write_file(folder, "ball.ply", test::binary_ply(test::sphere_soup(50, subdivisions)));
+  test::write_file(folder, "ball.ply", test::binary_ply(test::sphere_soup(50, subdivisions + finer)));
   test::write_file(folder, "box.ply", test::binary_ply(test::box_soup({9, 9, 9})));
   std::ofstream(folder / "points.csv") << "x_m,y_m,z_m\n0,0,0.06\n";
   return folder;
@@ -113,7 +115,7 @@ TEST(JobBar, ShowsHowFarALongJobIs) {
 }
 
 TEST(LoadBar, ThatCtrlCEndsLeavesAWholeLine) {
-  const fs::path folder = folder_with_meshes();
+  const fs::path folder = folder_with_meshes(1);  // a bar comes after half a second, and then Ctrl-C is typed
   const std::string seen =
       interrupted_on_a_terminal("% ball.ply", "query ball.ply points.csv --out out.csv", folder);
   EXPECT_THAT(seen, testing::EndsWith("\nfingerpad: stopped by Ctrl-C\r\n")) << seen;
