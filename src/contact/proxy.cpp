@@ -2,14 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <utility>
 
 #include "contact/proxy_report.hpp"
 
 namespace fingerpad {
 
-constexpr double unbounded = std::numeric_limits<double>::infinity();
+double ProxyLeash::share_of(const Vec3& place_O, const Vec3& z) const noexcept {
+  const Vec3 from = place_O - centre_O;
+  if (!((from + z).squaredNorm() > length_m * length_m)) return 1;
+  // |from + t z| = length, from within it.
+  const double a = z.squaredNorm(), b = from.dot(z), c = from.squaredNorm() - length_m * length_m;
+  return c < 0 ? std::clamp((std::sqrt(b * b - a * c) - b) / a, 0.0, 1.0) : 0;
+}
 
 Proxy::Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals, Looks looks)
     : Proxy(std::make_unique<ProxySight>(ProxyWorld(std::move(surfaces), radius_m, normals), looks)) {}
@@ -46,9 +51,10 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
   if (!state_.placed) start(goal_O);
   if (!state_.placed) return state_.contact;
   state_.finger_m = (goal_O - state_.goal_O).norm();
+  const ProxyLeash leash = leash_to(goal_O);
   state_.goal_O = goal_O;
   // What was broken off is gone on with; all else is declined, so that no two ticks end at the same step.
-  if (steps_first || !sight_->carry(state_)) follow(budget_m(), steps_first);
+  if (steps_first || !sight_->carry(state_)) follow(leash, steps_first);
   return state_.contact;
 }
 
@@ -63,30 +69,40 @@ void Proxy::start(const Vec3& goal_O) noexcept {
   state_.goal_O = goal_O;
 }
 
-/// How far the proxy may go in this tick, see move().
-double Proxy::budget_m() const noexcept {
-  if (!state_.contact.touching) return unbounded;
-  const double depth_m = (state_.goal_O - state_.place_O).norm();
-  return std::max(ProxyLimits::proxy_per_finger * state_.finger_m, depth_m * state_.rest_share);
+/// Where the proxy may go in this tick, see move().
+/// @pre finger_m and rest_share are this tick's, goal_O the last one's
+ProxyLeash Proxy::leash_to(const Vec3& goal_O) const noexcept {
+  if (!state_.contact.touching) return {};
+  const Vec3 push = state_.place_O - state_.goal_O;
+  // What is shown of it has no skin, and may change by as much more.
+  const double follows_m = ProxyLimits::proxy_per_finger * state_.finger_m - 2 * world().skin_m();
+  const double proxy_m = std::max(follows_m, push.norm() * state_.rest_share);
+  return {goal_O + push, state_.finger_m + proxy_m, proxy_m};
 }
 
-void Proxy::follow(double budget_m, bool steps_first) noexcept {
-  // Over smooth edges first: what a hop gains is the facets', not the finger's, and costs no budget. What
+void Proxy::follow(ProxyLeash leash, bool steps_first) noexcept {
+  // Over smooth edges first: what a hop gains is the facets', not the finger's, and does not count. What
   // the proxy slides after it does. One hop that is felt is enough for a tick.
-  Way way = steps_first ? Way::blocked : hop();
-  if (way == Way::blocked && !steps_first) way = roll(budget_m);
-  if (!has_come_to_rest(way)) settle(budget_m);
+  const auto hop_uncounted = [&] {
+    const Vec3 before_O = state_.place_O;
+    const Way way = hop();
+    leash.centre_O += state_.place_O - before_O;
+    return way;
+  };
+  Way way = steps_first ? Way::blocked : hop_uncounted();
+  if (way == Way::blocked && !steps_first) way = roll(leash);
+  if (!has_come_to_rest(way)) settle(leash);
   for (int k = 0; k < ProxyLimits::most_hops && state_.contact.settled && !is_felt(); ++k) {
     sight_->note_rest(state_);
-    way = hop();
+    way = hop_uncounted();
     if (way == Way::blocked) break;
-    if (!has_come_to_rest(way)) settle(budget_m);
+    if (!has_come_to_rest(way)) settle(leash);
   }
   if (!sight_->slide(state_)) report(world(), state_);
 }
 
-/// Steps until the proxy is as close to the finger as it gets, or the budget is spent.
-void Proxy::settle(double& budget_m) noexcept {
+/// Steps until the proxy is as close to the finger as it gets, or as its leash lets it.
+void Proxy::settle(const ProxyLeash& leash) noexcept {
   const Vec3& goal_O = state_.goal_O;
   sight_->let_go();
   double bent_m = 0;  // the first step mostly ends it
@@ -96,11 +112,11 @@ void Proxy::settle(double& budget_m) noexcept {
       break;
     }
     if (sight_->looks().are_spent()) return break_off({});
-    const ProxyStep step = sight_->step(state_.place_O, goal_O, {budget_m, bent_m});
+    const ProxyStep step = sight_->step(state_.place_O, goal_O, {leash.step_m, bent_m});
     if (step.broken_off) return break_off(step);
-    if (advance(step, budget_m)) return;
+    if (advance(step, leash)) return;
     // Ways that converge get shorter by more than that.
-    bent_m = k == 0 ? budget_m : step.bent ? ProxyLimits::next_bend * step.z.norm() : bent_m;
+    bent_m = k == 0 ? leash.step_m : step.bent ? ProxyLimits::next_bend * step.z.norm() : bent_m;
   }
   state_.contact.settled = goal_O == state_.place_O;
 }
@@ -114,17 +130,16 @@ void Proxy::break_off(const ProxyStep& step) noexcept {
   state_.hold = step;
 }
 
-/// Goes the step as far as the budget lets it; true where the proxy has come to its end for this tick.
-bool Proxy::advance(const ProxyStep& step, double& budget_m) noexcept {
-  const double length_m = step.z.norm();
+/// Goes the step as far as the leash lets it; true where the proxy has come to its end for this tick.
+bool Proxy::advance(const ProxyStep& step, const ProxyLeash& leash) noexcept {
+  const double share = leash.share_of(state_.place_O, step.z), length_m = step.z.norm();
   state_.hold_place_O = state_.place_O;
   state_.hold = step;
-  state_.contact.settled = !(length_m > budget_m);
+  state_.contact.settled = !(share < 1);
   if (!state_.contact.settled) {
-    state_.place_O += step.z * (budget_m / length_m);
+    state_.place_O += step.z * share;
     return true;
   }
-  budget_m -= length_m;
   state_.place_O += step.z;
   if (step.truncated) return false;
   const bool is_last = step.goal_O == state_.goal_O;
@@ -157,7 +172,7 @@ Proxy::Way Proxy::hop() noexcept {
   if (state_.lags) return Way::blocked;
   const auto walls = sight_->nearer_neighbour(state_);
   if (!walls) return Way::blocked;
-  const Way way = go_over(walls->here, walls->there, unbounded);
+  const Way way = go_over(walls->here, walls->there, {});
   state_.hopped |= way != Way::blocked;
   return way;
 }
@@ -172,7 +187,7 @@ bool Proxy::is_felt() const noexcept {
 
 /// Goes on around the one triangle that holds the proxy, to where the finger is now. Blocked where another
 /// way of holding it has to be looked for.
-Proxy::Way Proxy::roll(double budget_m) noexcept {
+Proxy::Way Proxy::roll(const ProxyLeash& leash) noexcept {
   const ProxyStep& hold = state_.hold;
   const Vec3& place_O = state_.place_O;
   if (hold.wall_count != 1 || hold.walls[0].triangle < 0 || hold.stuck || !state_.contact.settled)
@@ -182,13 +197,13 @@ Proxy::Way Proxy::roll(double budget_m) noexcept {
   if (std::abs(here.least_m) > world().touching_m()) return Way::blocked;
   const ProxyWall there = world().tangent_wall(surface, triangle, state_.goal_O, place_O);
   if (!(here.normal.dot(there.normal) > ProxyLimits::least_roll_cosine)) return Way::blocked;
-  return go_over(here, there, budget_m);
+  return go_over(here, there, leash);
 }
 
 /// Goes from one wall to another, by way of where the ball lies on both. Blocked where something is in the
-/// way, nothing is gained, or the way is longer than the budget.
+/// way, nothing is gained, or the leash is too short.
 /// @param here, there  seen from the proxy's place
-Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, double budget_m) noexcept {
+Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const ProxyLeash& leash) noexcept {
   sight_->looks().spend(LookCosts::hop);
   const Vec3& goal_O = state_.goal_O;
   const Vec3 place_O = state_.place_O, goal = goal_O - place_O;
@@ -198,7 +213,8 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, double 
   if (!over) return Way::blocked;
   const double way_m = over->norm(), rest_m = (far - *over).norm();
   // Over an edge that is near, not where the planes meet at all.
-  if (way_m > ProxyLimits::longest_way_over * far.norm() || way_m + rest_m > budget_m) return Way::blocked;
+  if (way_m > ProxyLimits::longest_way_over * far.norm() || leash.share_of(place_O, far) < 1)
+    return Way::blocked;
   if (!sight_->is_way_free(place_O, *over, far, here)) {
     state_.contact.broken_off |= sight_->looks().are_spent();
     return Way::blocked;
@@ -215,6 +231,7 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, double 
   }
   const Vec3 new_place_O = edge_O + step.z;
   if (!((goal_O - new_place_O).norm() < gone_m)) return Way::blocked;
+  if (leash.share_of(place_O, new_place_O - place_O) < 1) return Way::blocked;
   sight_->let_go();
   state_.contact.settled = true;
   state_.place_O = new_place_O;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "contact/contact_method.hpp"
@@ -8,6 +9,17 @@
 #include "contact/proxy_start.hpp"
 
 namespace fingerpad {
+
+/// Where a proxy may go in a tick: within a length of where it would be, had it gone as the finger did. So
+/// the push changes by no more than that.
+struct ProxyLeash {
+  Vec3 centre_O = Vec3::Zero();
+  double length_m = std::numeric_limits<double>::infinity();
+  double step_m = std::numeric_limits<double>::infinity();  ///< what one step looks for walls at the most
+
+  /// How much of a way by `z` the leash allows, from a place within it: 0 to 1.
+  double share_of(const Vec3& place_O, const Vec3& z) const noexcept;
+};
 
 /// A god-object (Zilles & Salisbury 1995; for a ball Ruspini, Kolarov & Khatib 1997): a ball of the finger's
 /// radius that goes where the finger goes but never crosses a surface, and holds out on the side where it
@@ -25,8 +37,8 @@ namespace fingerpad {
 /// greatest of the walls' own angles of the way, however sharp the corner (a sum of shaded normals, in which
 /// large shares nearly cancel, does not), and a wall whose share vanishes has no say any more.
 ///
-/// Bounded steps: with `facet` the push (depth_m along normal_W) changes in a tick by at most the finger's
-/// motion and the proxy's, which is twice as much or a share of the depth: see move(). With shaded normals it
+/// Bounded steps: with `facet` the push (depth_m along normal_W) changes in a tick by at most three times the
+/// finger's motion, or by that and a share of the depth: see move(). With shaded normals it
 /// changes by no more: a turn that jumps, as walls come and go, follows as fast as this leaves room for, and
 /// until then is at most as wide as it was. A hop over a smooth edge adds 7 % of the depth, which nobody
 /// feels; one that would add more is shown over as many ticks as that takes, and the next hop waits for it.
@@ -56,11 +68,13 @@ class Proxy {
   /// Takes the proxy after the finger.
   ///
   /// The first move after a reset puts it there, or, where the ball would not fit, at the nearest place that
-  /// is outside of all surfaces. In contact the steps of a tick go at most twice as far as the finger went
-  /// (or, where the finger rests, by the share dt/0.5 s of the depth), so that a finger pressed in deep that
-  /// slips off an edge is let go within a motion and not within a tick. A hop over a smooth edge does not
-  /// count towards this, since there the facets give way and not the shape; the steps after it do. A slide
-  /// along walls that hold the proxy already does not count either: it goes no farther than the finger.
+  /// is outside of all surfaces. In contact the steps of a tick change the way from the finger to the proxy
+  /// by at most three times as much as the finger went (or, where it hardly moves, by the share dt/0.5 s of
+  /// the depth besides), so that a finger pressed in deep that slips off an edge is let go within a motion
+  /// and not within a tick. Round a rounding the proxy keeps up while it has at most four times as far to go
+  /// as the finger, which is as deep as three quarters of the rounding's radius and the ball's together. A
+  /// hop over a smooth edge does not count towards this, since there the facets give way and not the shape;
+  /// the steps after it do.
   /// @param p_WQ  finite
   /// noexcept, allocates nothing.
   const ProxyContact& move(const Vec3& p_WQ, double dt_s) noexcept;
@@ -84,17 +98,17 @@ class Proxy {
 
   const ProxyWorld& world() const noexcept { return sight_->world(); }
   void start(const Vec3& goal_O) noexcept;
-  double budget_m() const noexcept;
-  void follow(double budget_m, bool steps_first) noexcept;
-  void settle(double& budget_m) noexcept;
+  ProxyLeash leash_to(const Vec3& goal_O) const noexcept;
+  void follow(ProxyLeash leash, bool steps_first) noexcept;
+  void settle(const ProxyLeash& leash) noexcept;
   void break_off(const ProxyStep& step) noexcept;
-  bool advance(const ProxyStep& step, double& budget_m) noexcept;
+  bool advance(const ProxyStep& step, const ProxyLeash& leash) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;
   bool has_come_to_rest(Way way) const noexcept;
   Way hop() noexcept;
   bool is_felt() const noexcept;
-  Way roll(double budget_m) noexcept;
-  Way go_over(const ProxyWall& here, const ProxyWall& there, double budget_m) noexcept;
+  Way roll(const ProxyLeash& leash) noexcept;
+  Way go_over(const ProxyWall& here, const ProxyWall& there, const ProxyLeash& leash) noexcept;
 
   std::unique_ptr<ProxySight> sight_;
   ProxyStart start_;

@@ -14,8 +14,7 @@ namespace {
 
 constexpr int force_steps = 6;  ///< from the least to the greatest force
 constexpr double whole_force = 2;
-/// A proxy goes at most so many times as far as the finger (ProxyLimits::proxy_per_finger).
-constexpr double keeps_up = 2;
+constexpr double keeps_up = ProxyLimits::rounds_per_finger;
 /// Of all places: a region of fewer is not judged.
 constexpr double least_region_share = 1.0 / 2000;
 /// Of a facet's sag, from one to the next: of the one that is nearest, and of several that hold a proxy.
@@ -52,10 +51,10 @@ bool falls_behind(const Way& way, double curvature_per_m, const Centre& centre) 
   return way.lags && curvature_per_m > 0 && times_as_far(curvature_per_m, centre) > keeps_up;
 }
 
-/// Whether the proxy waits at this place's edges: a point hops over those that are too flat to be felt
-/// (Proxy::is_felt()), as often as it takes.
-bool waits_at_edges(const SurfacePlace& place, const Centre& centre) noexcept {
-  return centre.radius_m > 0 || 2 * place.facet_rad > ProxyLimits::unfelt_share;
+/// The error that this makes over a quarter turn, of the force: the proxy stands behind on its circle.
+double behind_share(double times_as_far) noexcept {
+  const double behind_rad = std::numbers::pi / 2 * (1 - keeps_up / times_as_far);
+  return times_as_far / (times_as_far - 1) * 2 * std::sin(behind_rad / 2);
 }
 
 /// By how much more a place's tilts turn the force on a ball in a hollow that it nearly fits.
@@ -133,15 +132,14 @@ ReckonedError error_in(std::span<const SurfacePlace> region, const Press& press,
     shares.push_back({std::hypot(press.stiffness_n_per_m * sag_m(way, place) / force_n, tilt), weight});
     tilts += weight * tilt;
     weights += weight;
-    if (waits_at_edges(place, centre) && falls_behind(way, place.curvature_per_m, centre))
-      behind.push_back({place.curvature_per_m, weight});
+    if (falls_behind(way, place.curvature_per_m, centre)) behind.push_back({place.curvature_per_m, weight});
   }
   if (!(weights > 0)) return {};
   const double tightest_per_m = quantile_99(behind, weights);
   ReckonedError error{quantile_99(shares, weights), tilts / weights};
   if (!(tightest_per_m > 0)) return error;
   error.behind_m = 1 / tightest_per_m;
-  error.behind_share = std::numbers::pi / 2 * (1 - keeps_up / times_as_far(tightest_per_m, centre));
+  error.behind_share = behind_share(times_as_far(tightest_per_m, centre));
   return error;
 }
 

@@ -49,9 +49,10 @@ struct RegionError {
 ///                     Facets' own normals know no foot: they are off by t, less where the finger rolls over
 ///                     the edges between them (t / (1 + u), u > 0), and more under a proxy inside a rounding,
 ///                     which leaves a facet when the finger is past what lies straight under it:
-///                     t / (1 + u), u < 0, up to half the radius deep. Deeper it falls behind by more than a
-///                     facet (study contact: 0.7 of the force at 4/5 of a fillet's radius), which counts as
-///                     the whole force.
+///                     t / (1 + u), u < 0, up to three quarters of the radius deep
+///                     (ProxyLimits::rounds_deep). Deeper it falls behind by more than a facet (study
+///                     contact: 0.7 of the force at 4/5 of a fillet's radius), which counts as the whole
+///                     force.
 ///
 /// A ball in a hollow, R = -1/c: its centre's place among facets whose sags differ by d is that of the
 /// nearest of all that turn by up to sqrt(2 d / (R - radius)), which outdoes the facet's own turn t where d

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/number_text.hpp"
+#include "contact/proxy_limits.hpp"
 #include "scene/scene.hpp"
 
 namespace fingerpad {
@@ -137,8 +138,8 @@ bool Trials::try_presses(std::vector<Tried>& tried) const {
     if (left.is_facets_alone()) last_off = left.tolerances;
   };
   press(k * holds_deep_m(on));
-  press(k * (verdict_.chosen().errors[i_].behind_m + radius_m) / 2);
-  press(k * radius_m / 2);
+  press(k * ProxyLimits::rounds_deep * (verdict_.chosen().errors[i_].behind_m + radius_m));
+  press(k * ProxyLimits::rounds_deep * radius_m);
   for (int halved = 0; halved < halvings; ++halved) press(last_n / 2);
   return keeps;
 }

@@ -183,6 +183,36 @@ TEST_P(ProxyOfEitherKind, GoesRoundTheInsideOfARingAlongAColumnOfItsVertices) {
   }
 }
 
+// Near to a rounding's axis the proxy has to go several times as far as the finger.
+TEST_P(ProxyOfEitherKind, GoesRoundATubeWithAFingerThatIsAlmostThreeQuartersDeep) {
+  constexpr double tube_m = 0.005, pace_m = 1e-4;
+  const PlacedSurface ring = surface_of(test::torus_soup(0.02, tube_m, 192, 96));
+  for (const double radius_m : {0.0, 0.002}) {
+    for (const Normals normals : {Normals::facet, Normals::smooth}) {
+      SCOPED_TRACE(testing::Message() << radius_m << " " << normals->name);
+      const double deep_m = 0.7 * (tube_m + radius_m), from_axis_m = tube_m + radius_m - deep_m;
+      const Vec3 across(std::cos(0.01), std::sin(0.01), 0);  // a fifth of a facet beside its vertices
+      const auto way_out = [&across](double angle) -> Vec3 {
+        return std::cos(angle) * across + std::sin(angle) * Vec3::UnitZ();
+      };
+      Proxy proxy = make_proxy({ring}, radius_m, normals);
+      for (int k = 0; k <= 200; ++k)
+        proxy.move(0.02 * across + (from_axis_m + 0.01 - 0.01 * k / 200) * way_out(0), dt_s);
+      Vec3 last_push = deep_m * way_out(0);
+      for (double angle = 0; angle < 2; angle += pace_m / from_axis_m) {
+        const ProxyContact& contact = proxy.move(0.02 * across + from_axis_m * way_out(angle), dt_s);
+        ASSERT_NEAR(contact.depth_m, deep_m, 0.03 * deep_m) << angle;
+        ASSERT_GT(contact.normal_W.dot(way_out(angle)), std::cos(0.2)) << angle;
+        const Vec3 push = contact.depth_m * contact.normal_W;
+        if (normals == Normals::facet) {
+          ASSERT_LE((push - last_push).norm(), 3 * pace_m + 1e-9) << angle;
+        }
+        last_push = push;
+      }
+    }
+  }
+}
+
 TEST_P(ProxyOfEitherKind, StartsAtTheNearestPlaceOutside) {
   Proxy proxy = make_proxy({surface_of(test::box_soup(Vec3(0.1, 0.1, 0.02)))}, 0.001, Normals::smooth);
   const ProxyContact& c = proxy.move(Vec3(0.01, 0.02, 0.004), dt_s);
