@@ -65,7 +65,7 @@ TEST(SurfaceKind, InWhichOrderTheyAreNamedIsOfNoMomentToAProxy) {
   const PlacedSurface box = surface_of(test::box_soup(Vec3(0.04, 0.03, 0.02))),
                       ring =
                           surface_of(test::moved(test::torus_soup(0.02, 0.006, 24, 12), Vec3(0, 0, 0.012))),
-                      floor = plane_of(Vec3(0, 0, -0.005), Vec3::UnitZ()),
+                      floor = plane_of(Vec3(0, 0, 0.013), Vec3::UnitZ()),
                       wall = plane_of(Vec3(0.015, 0, 0), Vec3(-0.8, 0, 0.6));
   const ProxyWorld named({floor, box, wall, ring}, 0.002, Normals::smooth);
   EXPECT_EQ(std::vector<int>(named.parts().begin(), named.parts().end()), (std::vector<int>{1, 3}));
