@@ -10,6 +10,7 @@
 #include "app/standard_streams.hpp"
 #include "base/build_identity.hpp"
 #include "base/number_text.hpp"
+#include "contact/contact_method_table.hpp"
 #include "replay/batch_files.hpp"
 
 namespace fingerpad {
@@ -104,13 +105,14 @@ std::string jobs_words(const std::vector<const BatchJob*>& jobs) {
 void tell_pop_throughs(const std::vector<BatchJob>& jobs) {
   const Trouble pops = trouble_of(jobs, "pop_throughs");
   if (pops.jobs.empty()) return;
-  const bool by_proxy = std::any_of(pops.jobs.begin(), pops.jobs.end(),
-                                    [](const BatchJob* job) { return job->contact_method == "proxy"; });
+  const std::string_view firmest = contact_method_table().back().name;
+  const bool by_firmest = std::any_of(pops.jobs.begin(), pops.jobs.end(),
+                                      [&](const BatchJob* job) { return job->contact_method == firmest; });
   print_err(
       "fingerpad: warning: {} {} in {}: the finger went through a wall, or was pushed out on its far side "
       "(pop_throughs in summary.csv); {}\n",
       pops.count, pops.count == 1 ? "pop-through" : "pop-throughs", jobs_words(pops.jobs),
-      by_proxy ? "press less deep there" : "contact.method = \"proxy\" holds it");
+      by_firmest ? "press less deep there" : fmt::format("contact.method = \"{}\" holds it", firmest));
 }
 
 void tell_unsettled(const std::vector<BatchJob>& jobs) {

@@ -27,9 +27,7 @@ void ask_for(const Number* column) noexcept {
 
 NearTriangles::NearTriangles(const ProxyWorld& world) {
   long triangles = 0;
-  for (int i = 0; i < world.surface_count(); ++i) {
-    if (!world.is_plane(i)) triangles += world.part(i).triangle_count();
-  }
+  for (const int i : world.parts()) triangles += world.part(i).triangle_count();
   near_.reserve(static_cast<std::size_t>(std::min<long>(Limits::richest_view, triangles)));
   bounds_.reserve(near_.capacity());
   least_gaps_m_.reserve(near_.capacity());
@@ -42,10 +40,9 @@ bool NearTriangles::search(const ProxyWorld& world, const Vec3& place_O, double 
   clear();
   bool is_whole = true;
   const double distance_m = world.clearance_m() + reach_m;
-  for (int i = 0; i < world.surface_count(); ++i) {
+  for (const int i : world.parts()) {
     PartView& view = views_[static_cast<std::size_t>(i)];
     view.first = view.end = near_.size();
-    if (world.is_plane(i)) continue;
     view.at_P = view.searched_P = world.in_part(i, place_O);
     view.within_reach = is_box_within(world.part(i), view.at_P, distance_m);
     if (view.within_reach && is_whole) is_whole = search_part(world, i, distance_m, most, blocker, looks);
@@ -140,7 +137,7 @@ void NearTriangles::swap(std::size_t a, std::size_t b) noexcept {
 }
 
 void NearTriangles::look_from(const ProxyWorld& world, const Vec3& place_O) noexcept {
-  for (int i = 0; i < world.surface_count(); ++i) {
+  for (const int i : world.parts()) {
     PartView& view = views_[static_cast<std::size_t>(i)];
     if (view.within_reach) view.at_P = world.in_part(i, place_O);
   }
@@ -214,7 +211,8 @@ bool NearTriangles::offer(const ProxyWorld& world, int surface, const Vec3& z,
 double NearTriangles::room_m(const ProxyWorld& world, std::span<const ProxyWall> walls, const Vec3& centre_O,
                              double most_m, Looks& looks) noexcept {
   double room_m = most_m;
-  for (int i = 0; i < world.surface_count() && room_m > 0; ++i) {
+  for (const int i : world.parts()) {
+    if (!(room_m > 0)) break;
     const PartView& view = views_[static_cast<std::size_t>(i)];
     if (!view.within_reach) continue;
     const Vec3 at_P = world.in_part(i, centre_O);

@@ -102,13 +102,10 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
 }
 
 bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept {
-  for (; round.surface < world_.surface_count(); ++round.surface, round.next = 0) {
-    if (world_.is_plane(round.surface)) {
-      round.worst.offer_plane(world_.plane_wall(round.surface, place_O_), z);
-    } else if (!offer_part(round.surface, z, walls, round)) {
-      return false;
-    }
+  for (; round.part < world_.parts().size(); ++round.part, round.next = 0) {
+    if (!offer_part(world_.parts()[round.part], z, walls, round)) return false;
   }
+  for (const int i : world_.planes()) round.worst.offer_plane(world_.plane_wall(i, place_O_), z);
   return true;
 }
 
@@ -119,16 +116,9 @@ bool ProxySight::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexce
 }
 
 bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
-  for (; round.surface < world_.surface_count(); ++round.surface, round.next = 0) {
-    const int i = round.surface;
-    double& share = round.free_share;
-    if (world_.is_plane(i)) {
-      const ProxyWall wall = world_.plane_wall(i, place_O_);
-      const double along = wall.normal.dot(z);
-      if (along < wall.least_m)
-        share = std::min(share, along < 0 ? std::max(0.0, wall.least_m / along) : 0.0);
-      continue;
-    }
+  double& share = round.free_share;
+  for (; round.part < world_.parts().size(); ++round.part, round.next = 0) {
+    const int i = world_.parts()[round.part];
     const PartWay way(world_, i, world_.in_part(i, place_O_), z);
     const bool is_whole = each_within_reach(
         i, way.from_P, reach_m_, round.next, nullptr, [&](const TriangleCorners& corners, int) {
@@ -138,6 +128,11 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
           looks_.spend(LookCosts::sweep + LookCosts::told + LookCosts::sweep_step * sweep.steps);
         });
     if (!is_whole) return false;
+  }
+  for (const int i : world_.planes()) {
+    const ProxyWall wall = world_.plane_wall(i, place_O_);
+    const double along = wall.normal.dot(z);
+    if (along < wall.least_m) share = std::min(share, along < 0 ? std::max(0.0, wall.least_m / along) : 0.0);
   }
   return true;
 }

@@ -22,7 +22,7 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
     const double slack_m = world.plane_rounding_m(place_O, goal_O);
     double worst_m = ProxyLimits::breach_roundings * slack_m;
     int worst = -1;
-    for (int i = 0; i < world.surface_count(); ++i) {
+    for (const int i : world.planes()) {
       const double lack_m = world.plane_wall(i, place_O).least_m;
       if (!(lack_m > worst_m)) continue;
       worst_m = lack_m;
@@ -42,15 +42,10 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
 }  // namespace
 
 /// False where it was broken off.
-bool ProxyStart::lack_at(const ProxyWorld& world, int surface, Looks& looks, Lack& lack) noexcept {
-  if (world.is_plane(surface)) {
-    const ProxyWall wall = world.plane_wall(surface, place_O_);
-    lack = {wall.least_m, wall.normal};
-    return true;
-  }
-  const PlacedSurface& s = world.surface(surface);
+bool ProxyStart::lack_of_part(const ProxyWorld& world, int part_number, Looks& looks, Lack& lack) noexcept {
+  const PlacedSurface& s = world.surface(part_number);
   const Part& part = s.tree->part();
-  const Vec3 q_P = world.in_part(surface, place_O_);
+  const Vec3 q_P = world.in_part(part_number, place_O_);
   lack = {-1, Vec3::UnitZ()};
   if ((q_P.cwiseAbs() - part.half_extent).maxCoeff() > world.clearance_m()) return true;
   // What lies deep inside is pushed out, however far it is to the surface.
@@ -72,16 +67,25 @@ bool ProxyStart::lack_at(const ProxyWorld& world, int surface, Looks& looks, Lac
   return true;
 }
 
+/// Keeps what is nearest, where that is nearer than the clearance.
+void ProxyStart::note(const Lack& lack) noexcept {
+  if (!(lack.lack_m > worst_.lack_m)) return;
+  worst_ = lack;
+  lacks_ = true;
+}
+
 /// Looks for what is nearest in the place's way. False where it was broken off.
 bool ProxyStart::find_worst(const ProxyWorld& world, Looks& looks) noexcept {
-  for (; surface_ < world.surface_count(); ++surface_) {
+  for (; part_ < world.parts().size(); ++part_) {
     Lack lack;
-    if (!lack_at(world, surface_, looks, lack)) return false;
+    if (!lack_of_part(world, world.parts()[part_], looks, lack)) return false;
     closest_ = {};
     winding_ = {};
-    if (!(lack.lack_m > worst_.lack_m)) continue;
-    worst_ = lack;
-    lacks_ = true;
+    note(lack);
+  }
+  for (const int plane : world.planes()) {
+    const ProxyWall wall = world.plane_wall(plane, place_O_);
+    note({wall.least_m, wall.normal});
   }
   return true;
 }
@@ -122,7 +126,7 @@ ProxyStart::End ProxyStart::push_on(const ProxyWorld& world, const Vec3& goal_O,
     place_O_ += worst_.lack_m * worst_.outwards_W;
     if (is_going_round()) break;
     if ((pushes_ & (pushes_ - 1)) == 0) passed_O_ = place_O_;
-    surface_ = 0;
+    part_ = 0;
     worst_ = {world.tolerance_m(), Vec3::UnitZ()};
     lacks_ = false;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 
 #include "contact/looks.hpp"
@@ -36,7 +37,8 @@ class ProxyStart {
   End push_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
   bool is_going_round() const noexcept;
   bool find_worst(const ProxyWorld& world, Looks& looks) noexcept;
-  bool lack_at(const ProxyWorld& world, int surface, Looks& looks, Lack& lack) noexcept;
+  bool lack_of_part(const ProxyWorld& world, int part, Looks& looks, Lack& lack) noexcept;
+  void note(const Lack& lack) noexcept;
 
   bool is_underway_ = false;
   bool has_failed_ = false;  // the last one to end found no place
@@ -44,9 +46,9 @@ class ProxyStart {
   Vec3 place_O_ = Vec3::Zero();
   Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   int pushes_ = 0;
-  int ticks_ = 0;        // that it was gone on with in
-  int surface_ = 0;      // to be looked at next ...
-  ClosestWalk closest_;  // ... and how far that has come
+  int ticks_ = 0;         // that it was gone on with in
+  std::size_t part_ = 0;  // of the world's parts, to be looked at next ...
+  ClosestWalk closest_;   // ... and how far that has come
   WindingWalk winding_;
   Lack worst_;
   bool lacks_ = false;  // a surface is nearer than the clearance: worst_

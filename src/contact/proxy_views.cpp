@@ -23,8 +23,7 @@ int largest_fan(const Part& part) {
 }  // namespace
 
 ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(world), looks), near_(world_) {
-  for (int i = 0; i < world_.surface_count(); ++i) {
-    if (world_.is_plane(i)) continue;
+  for (const int i : world_.parts()) {
     usual_view_ =
         std::max(usual_view_, Limits::beside_fans + Limits::fans_in_view * largest_fan(world_.part(i)));
   }
@@ -199,11 +198,7 @@ double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3
 
 double ProxyViews::room_m(const Vec3& place_O, double least_m, double enough_m) noexcept {
   double room_m = enough_m;
-  for (int i = 0; i < world_.surface_count(); ++i) {
-    if (world_.is_plane(i)) {
-      room_m = std::min(room_m, -world_.plane_wall(i, place_O).least_m);
-      continue;
-    }
+  for (const int i : world_.parts()) {
     const TriangleTree& tree = *world_.surface(i).tree;
     const Vec3 q_P = world_.in_part(i, place_O);
     const double to_box_m = (q_P.cwiseAbs() - tree.part().half_extent).cwiseMax(0.0).norm() * narrower;
@@ -224,15 +219,15 @@ double ProxyViews::room_m(const Vec3& place_O, double least_m, double enough_m) 
     seed = closest->triangle;
     room_m = std::min(room_m, std::sqrt(closest->at.distance2_m2) - world_.clearance_m());
   }
+  for (const int i : world_.planes()) room_m = std::min(room_m, -world_.plane_wall(i, place_O).least_m);
   return room_m;
 }
 
 /// Whether a place keeps the clearance from every plane but one.
 bool ProxyViews::is_clear_of_planes(const Vec3& place_O, int but) const noexcept {
-  for (int i = 0; i < world_.surface_count(); ++i) {
-    if (i != but && world_.is_plane(i) && world_.plane_wall(i, place_O).least_m > 0) return false;
-  }
-  return true;
+  const std::span<const int> planes = world_.planes();
+  return std::none_of(planes.begin(), planes.end(),
+                      [&](int i) { return i != but && world_.plane_wall(i, place_O).least_m > 0; });
 }
 
 }  // namespace fingerpad

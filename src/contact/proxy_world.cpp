@@ -11,19 +11,19 @@ namespace fingerpad {
 
 ProxyWorld::ProxyWorld(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
     : surfaces_(std::move(surfaces)), radius_m_(radius_m), normals_(normals) {
-  int first = -1;
   for (int i = 0; i < surface_count(); ++i) {
-    const PlacedSurface& s = surface(i);
-    is_upright_.push_back(s.R_WP == Mat3::Identity());
-    middle_O_.push_back(is_plane(i) ? s.plane_point_W : Vec3(s.R_WP * part(i).centre_P + s.p_WP));
-    if (first < 0 && !is_plane(i)) first = i;
+    (surface(i).is_plane() ? planes_ : parts_).push_back(i);
+    is_upright_.push_back(surface(i).R_WP == Mat3::Identity());
+    middle_O_.push_back(surface(i).kind().middle_W(surface(i)));
   }
-  if (!middle_O_.empty()) p_WO_ = middle_O_[static_cast<std::size_t>(std::max(first, 0))];
-  for (int i = 0; i < surface_count(); ++i) {
-    Vec3& middle_O = middle_O_[static_cast<std::size_t>(i)];
+  if (!middle_O_.empty()) p_WO_ = middle_O_[parts_.empty() ? 0 : static_cast<std::size_t>(parts_.front())];
+  for (Vec3& middle_O : middle_O_) {
     middle_O -= p_WO_;
-    planes_m_ = std::max(planes_m_, middle_O.cwiseAbs().maxCoeff());
-    if (!is_plane(i)) extent_m_ = std::max(extent_m_, middle_O.norm() + part(i).half_extent.norm());
+    middles_m_ = std::max(middles_m_, middle_O.cwiseAbs().maxCoeff());
+  }
+  for (const int i : parts_) {
+    const double to_middle_m = middle_O_[static_cast<std::size_t>(i)].norm();
+    extent_m_ = std::max(extent_m_, to_middle_m + part(i).half_extent.norm());
   }
   skin_m_ = std::ldexp(extent_m_, ProxyLimits::skin_exponent);
   tolerance_m_ = std::ldexp(skin_m_, ProxyLimits::tolerance_exponent);
@@ -34,7 +34,7 @@ ProxyWorld::ProxyWorld(std::vector<PlacedSurface> surfaces, double radius_m, Nor
 double ProxyWorld::plane_rounding_m(const Vec3& place_O, const Vec3& goal_O) const noexcept {
   if (extent_m_ > 0) return 0;
   const double farther_m = std::max(place_O.cwiseAbs().maxCoeff(), goal_O.cwiseAbs().maxCoeff());
-  return ProxyLimits::plane_rounding * (farther_m + planes_m_ + radius_m_);
+  return ProxyLimits::plane_rounding * (farther_m + middles_m_ + radius_m_);
 }
 
 Vec3 ProxyWorld::in_part(int i, const Vec3& place_O) const noexcept {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <span>
 #include <vector>
 
 #include "contact/placed_surface.hpp"
@@ -21,7 +22,10 @@ class ProxyWorld {
 
   int surface_count() const noexcept { return static_cast<int>(surfaces_.size()); }
   const PlacedSurface& surface(int i) const noexcept { return surfaces_[static_cast<std::size_t>(i)]; }
-  bool is_plane(int i) const noexcept { return !surface(i).tree; }
+  /// The numbers of those that are parts, and of those that are planes: a part is searched, and may have to
+  /// wait for the next tick's looks; a plane is always there and costs none. Parts are asked first.
+  std::span<const int> parts() const noexcept { return parts_; }
+  std::span<const int> planes() const noexcept { return planes_; }
   const Part& part(int i) const noexcept { return surface(i).tree->part(); }
   Normals normals() const noexcept { return normals_; }
   /// Whether facets stand for a smooth surface, with normals of its own.
@@ -82,10 +86,11 @@ class ProxyWorld {
   bool is_upright(int surface) const noexcept { return is_upright_[static_cast<std::size_t>(surface)] != 0; }
 
   std::vector<PlacedSurface> surfaces_;
+  std::vector<int> parts_, planes_;
   double radius_m_;
   Normals normals_;
   Vec3 p_WO_ = Vec3::Zero();
-  double extent_m_ = 0, planes_m_ = 0, skin_m_ = 0, tolerance_m_ = 0, slack_m_ = 0, touching_m_ = 0;
+  double extent_m_ = 0, middles_m_ = 0, skin_m_ = 0, tolerance_m_ = 0, slack_m_ = 0, touching_m_ = 0;
   std::vector<Vec3> middle_O_;    // per surface: the part's centre, or the plane's point
   std::vector<char> is_upright_;  // per surface: it is not turned
   mutable std::array<Told, 4> told_;

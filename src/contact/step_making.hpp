@@ -12,7 +12,7 @@ class ProxySight;
 
 /// How far a look at every surface has come.
 struct LookRound {
-  int surface = 0;
+  std::size_t part = 0;  ///< of the world's parts, the planes after all of them
   std::size_t next = 0;  ///< of its triangles, in the order in which they are looked at
   WorstWall worst{std::nullopt, 0};
   double free_share = 1;

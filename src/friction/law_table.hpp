@@ -22,6 +22,8 @@ struct LawEntry {
   std::span<const LawParameter> parameters{};
   std::unique_ptr<FrictionLaw> (*make)(const LawSettings&);
   std::span<const std::string_view> choices{};  ///< keys of `[friction]` with words that it reads: "restick"
+  /// It holds the finger back; else it gives no force at all, and there is none to be shown or measured.
+  bool rubs = true;
   /// It holds up to mu_static and slides at less: a pulled block sticks and slips.
   bool has_static_limit = false;
   /// The region within which it sticks, on a surface of this mu_static, at a finger's inclination; null: it

@@ -15,10 +15,10 @@ class None final : public FrictionLaw {
 }  // namespace
 
 LawEntry none_law() noexcept {
-  return {
-      .name = "none",
-      .summary = "no friction",
-      .make = [](const LawSettings&) -> std::unique_ptr<FrictionLaw> { return std::make_unique<None>(); }};
+  return {.name = "none",
+          .summary = "no friction",
+          .make = [](const LawSettings&) -> std::unique_ptr<FrictionLaw> { return std::make_unique<None>(); },
+          .rubs = false};
 }
 
 }  // namespace fingerpad

@@ -21,6 +21,9 @@ struct PadProfile {
   double longitudinal_axis_at(double inclination_rad) const noexcept;
 };
 
+/// An axis at an inclination, from what it is at 45 degrees.
+double pad_axis_at(double axis45_m, double slope_per_deg, double inclination_deg) noexcept;
+
 /// The assumed pad when a scene names none: a = mu_static / stick_stiffness, b = 0.8 a, slopes 0.01 per
 /// degree.
 PadProfile assumed_profile(double mu_static, double stick_stiffness_per_m);

@@ -2,21 +2,13 @@
 
 #include <fmt/format.h>
 
-#include <chrono>
-#include <deque>
 #include <filesystem>
-#include <mutex>
-#include <span>
-#include <thread>
 
-#include "base/content_hash.hpp"
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/claimed_folder.hpp"
-#include "replay/job_board.hpp"
-#include "replay/job_outcome_text.hpp"
-#include "replay/job_runner.hpp"
 #include "replay/rank_log.hpp"
+#include "replay/rank_work.hpp"
 #include "replay/summary.hpp"
 #include "replay/watched_rank.hpp"
 
@@ -24,177 +16,6 @@ namespace fingerpad {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string board_path(const BatchOptions& options) {
-  return ranks_folder(options) + "/board";
-}
-
-/// Tells batches apart by their jobs' names and values.
-std::uint64_t hash_of_jobs(const std::vector<BatchJob>& jobs) {
-  std::uint64_t hash = content_hash({});
-  const auto add = [&hash](const std::string& text) {
-    hash = content_hash(std::as_bytes(std::span(text)), hash);
-    hash = content_hash(std::as_bytes(std::span("\n")), hash);
-  };
-  for (const BatchJob& job : jobs) {
-    add(job.job.scene.name);
-    add(std::to_string(job.job.number));
-    for (const auto& [key, value] : job.job.set_keys) add(fmt::format("{}={}", key, value));
-  }
-  return hash;
-}
-
-void make_board(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
-  std::error_code failure;
-  fs::create_directory(ranks_folder(options), failure);
-  JobBoard::create(board_path(options), order_by_cost(jobs, jobs_of_shard(jobs.size(), options)),
-                   hash_of_jobs(jobs));
-}
-
-/// This rank's part in it.
-class RankWork {
- public:
-  RankWork(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks, RankLog& log,
-           WatchedRank& watched)
-      : jobs_(jobs),
-        options_(options),
-        ranks_(ranks),
-        log_(log),
-        watched_(watched),
-        board_(board_path(options), hash_of_jobs(jobs)),
-        runner_(jobs, options) {
-    // What a process that died had taken for this rank.
-    const std::vector<std::size_t> taken = read_rank_story(ranks_folder(options), ranks.rank).not_begun;
-    take(taken);
-  }
-
-  void run(const std::function<void(const BatchJob&)>& on_done) {
-    runner_.run([this](std::size_t) { return next(); },
-                [&](std::size_t job) {
-                  ended(job);
-                  on_done(jobs_[job]);
-                });
-    runner_.hold(std::nullopt);
-  }
-
-  /// Leaves, unless no other is left.
-  /// @returns whether this is the last, who stays to the end
-  bool is_last() {
-    using std::chrono::steady_clock;
-    constexpr std::chrono::milliseconds between_looks{50};
-    for (const auto end = steady_clock::now() + options_.patience;;) {
-      {
-        const JobBoard::Hold hold(board_);
-        int living = 0, missing = 0;
-        for (int rank = 0; rank < ranks_.count; ++rank) {
-          const RankState state =
-              rank == ranks_.rank ? RankState::gone : rank_state(ranks_folder(options_), rank);
-          living += state == RankState::living ? 1 : 0;
-          missing += state == RankState::not_come ? 1 : 0;
-        }
-        if (!log_.is_in_place()) return true;  // the folder is removed: nobody finds the others, each tells
-        if (living > 0) {
-          watched_.has_left();
-          log_.leave();
-          return false;
-        }
-        const bool impatient = steady_clock::now() > end || stops();
-        if (missing > 0 && impatient && options_.on_unfinished)
-          options_.on_unfinished(fmt::format("{}: {} of {} ranks {}", options_.out_dir, missing, ranks_.count,
-                                             stops() ? "had not come yet when it was told to stop"
-                                                     : "never came; do all machines see this folder?"));
-        if (missing == 0 || impatient) return true;
-      }
-      std::this_thread::sleep_for(between_looks);
-    }
-  }
-
-  /// Whether nobody finds the ranks' files any more.
-  bool is_removed() const noexcept { return !log_.is_in_place(); }
-
-  /// Where it is removed: what others did is not known.
-  void lose_all() {
-    for (const std::size_t job : board_.jobs()) {
-      if (!jobs_[job].status.empty()) continue;
-      jobs_[job].status = fmt::format(
-          "{}: was removed while ranks were at work, and how this job ended with it", options_.out_dir);
-      jobs_[job].exit_code = static_cast<int>(ErrorKind::fault);
-    }
-  }
-
-  /// Puts together what all ranks tell; then does itself what was taken by one that is gone.
-  void end(const std::function<void(const BatchJob&)>& on_done) {
-    collect();
-    std::vector<std::size_t> left;
-    for (const std::size_t job : board_.jobs()) {
-      if (jobs_[job].status.empty()) left.push_back(job);
-    }
-    if (left.empty() || stops()) return;
-    take(left);
-    run(on_done);
-    collect();
-  }
-
- private:
-  bool stops() const { return options_.should_stop && options_.should_stop(); }
-
-  void take(const std::vector<std::size_t>& jobs) {
-    runner_.expect(jobs);
-    if (!jobs.empty()) runner_.hold(jobs.back());
-    ours_.insert(ours_.end(), jobs.begin(), jobs.end());
-  }
-
-  std::optional<std::size_t> next() {
-    const std::lock_guard lock(mutex_);
-    if (stops()) return std::nullopt;
-    if (ours_.empty()) {
-      const std::vector<std::size_t> claimed = board_.claim(ranks_.count, done_since_);
-      done_since_ = 0;
-      log_.took(claimed);
-      take(claimed);
-      if (options_.on_elsewhere) options_.on_elsewhere(board_.done_count() - done_);
-    }
-    if (ours_.empty()) return std::nullopt;
-    const std::size_t job = ours_.front();
-    ours_.pop_front();
-    log_.begins(job);
-    watched_.begins_job();
-    return job;
-  }
-
-  void ended(std::size_t job) {
-    const std::lock_guard lock(mutex_);
-    log_.ended(job, outcome_text(jobs_[job], job));
-    ++done_since_;
-    ++done_;
-  }
-
-  void collect() {
-    std::vector<RankStory> stories;
-    for (int rank = 0; rank < ranks_.count; ++rank) {
-      stories.push_back(read_rank_story(ranks_folder(options_), rank));
-      for (const std::string& outcome : stories.back().outcomes) take_outcome(jobs_, outcome);
-    }
-    for (const RankStory& story : stories) {
-      for (const RankStory::Lost& lost : story.lost) {
-        if (lost.job >= jobs_.size() || !jobs_[lost.job].status.empty()) continue;
-        jobs_[lost.job].status = lost.reason;
-        jobs_[lost.job].exit_code = static_cast<int>(ErrorKind::fault);
-      }
-    }
-  }
-
-  std::vector<BatchJob>& jobs_;
-  const BatchOptions& options_;
-  const Ranks& ranks_;
-  RankLog& log_;
-  WatchedRank& watched_;
-  JobBoard board_;
-  JobRunner runner_;
-  std::mutex mutex_;
-  std::deque<std::size_t> ours_;  ///< taken, not begun
-  std::size_t done_ = 0, done_since_ = 0;
-};
 
 /// The run, and the ranks of it that have not come by its end: of those alone it has ended without them.
 std::string run_and_missing(const BatchOptions& options, const Ranks& ranks) {
@@ -222,7 +43,7 @@ std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions&
 /// The log of a rank that comes, while nobody looks who is there. The board is closed again, so that a child
 /// that dies with it held does not leave it held here.
 RankLog log_of_own(const std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks) {
-  const JobBoard board(board_path(options), hash_of_jobs(jobs));
+  const JobBoard board = board_of(jobs, options);
   const JobBoard::Hold hold(board);
   return RankLog(ranks_folder(options), ranks.rank);
 }

@@ -9,7 +9,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/unit.hpp"
-#include "friction/pad_profile_file.hpp"
+#include "scene/pad_profile_file.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/scene_set.hpp"
 #include "scene/toml_table.hpp"

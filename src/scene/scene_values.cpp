@@ -11,7 +11,7 @@
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
 #include "contact/normals.hpp"
-#include "friction/pad_profile_file.hpp"
+#include "scene/pad_profile_file.hpp"
 #include "scene/scene_key_makers.hpp"
 
 namespace fingerpad {

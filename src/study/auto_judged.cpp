@@ -177,8 +177,7 @@ JudgedRow judged(const JudgedCase& one, int turns) {
   row.promised = row.tolerance = one.scene.contact.force_tolerance;
   row.is_exact = static_cast<bool>(one.exact_force_n);
   for (const ContactLimit& limit : choice.limits) row.promised = std::max(row.promised, limit.kept_tolerance);
-  for (const Surface& surface : one.world->surfaces)
-    row.triangles += surface.part ? surface.part->triangle_count() : 0;
+  row.triangles = triangles_of(one.world->surfaces);
   const JudgedReference reference = judged_reference(one);
   const Promised promised = promised_of(one, reference);
   for (std::size_t v = 0; v < contact_variants().size(); ++v) {

@@ -3,6 +3,7 @@
 #include "base/random_stream.hpp"
 #include "study/contact_parts.hpp"
 #include "study/contact_runs.hpp"
+#include "study/shape_meshes.hpp"
 
 namespace fingerpad {
 namespace {

@@ -38,17 +38,4 @@ std::vector<ExactSurface> exact_surfaces();
 /// the hollow and on the knob.
 std::vector<ExactSurface> small_exact_surfaces();
 
-/// A ball of facets about the origin, an octahedron split in four `subdivisions` times: 8 * 4^subdivisions
-/// triangles, vertices on the sphere, wound outwards.
-TriangleSoup ball_mesh(double radius_m, int subdivisions);
-
-/// A profile turned about z, with a point of the axis at each end.
-/// @param profile  radius and height of each ring, from the top to the bottom
-TriangleSoup revolved_mesh(const std::vector<Vec2>& profile, int around, double top_m, double bottom_m);
-
-/// A plate of 12 triangles, 60 x 40 mm, its top in z = 0, and a hollow ball, outer radius 30 mm, whose
-/// topmost point is the origin; walls of this thickness.
-TriangleSoup plate_mesh(double thickness_m);
-TriangleSoup hollow_ball_mesh(double thickness_m);
-
 }  // namespace fingerpad

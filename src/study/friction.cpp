@@ -22,7 +22,7 @@ using ErrorsByLaw = std::map<std::string, std::vector<double>, std::less<>>;
 std::vector<std::string> law_names() {
   std::vector<std::string> names;
   for (const LawEntry& law : law_table()) {
-    if (law.name != "none") names.emplace_back(law.name);
+    if (law.rubs) names.emplace_back(law.name);
   }
   return names;
 }

@@ -58,12 +58,19 @@ double rounding_per_m(const Part& part, int t) {
   return most_per_m;
 }
 
+/// What holds the finger, where that is one part alone.
+const Surface* only_part(const JudgedCase& judged, const TickRecord& record) {
+  if (record.walls != 1) return nullptr;
+  const Surface& surface = judged.world->surfaces[static_cast<std::size_t>(record.surface)];
+  return surface.is_plane() ? nullptr : &surface;
+}
+
 /// Whether a finger has been pressed so near the middle of the rounding that it stands on that it slips
 /// round.
 bool slips_round(const JudgedCase& judged, const TickRecord& record) {
-  if (record.walls != 1) return false;
-  const Surface& surface = judged.world->surfaces[static_cast<std::size_t>(record.surface)];
-  if (surface.is_plane()) return false;
+  const Surface* const held_by = only_part(judged, record);
+  if (held_by == nullptr) return false;
+  const Surface& surface = *held_by;
   const Vec3 foot_P = in_part(surface, record.contact_W), q = in_part(surface, record.p_WQ);
   const double under_m = (foot_P - q).dot(surface.R_WP.transpose() * record.normal_W);
   if (under_m <= 0) return false;
@@ -95,12 +102,12 @@ Vec3 force_over_facets(const JudgedCase& judged, const TickRecord& record) {
 Vec3 complete_force(const JudgedCase& judged, const TickRecord& record) {
   const Vec3 raw_W_n = record.force_W_n - record.friction_W_n;
   if (record.walls == 0) return force_over_facets(judged, record);
-  if (record.walls != 1) return raw_W_n;
-  const Surface& surface = judged.world->surfaces[static_cast<std::size_t>(record.surface)];
-  if (surface.is_plane()) return raw_W_n;
+  const Surface* const surface = only_part(judged, record);
+  if (surface == nullptr) return raw_W_n;
   Vec3 force_W_n;
-  return patch_force(surface, in_part(surface, record.contact_W), surface.R_WP.transpose() * record.normal_W,
-                     in_part(surface, record.p_WQ), judged.scene.finger.radius_m, force_W_n)
+  return patch_force(*surface, in_part(*surface, record.contact_W),
+                     surface->R_WP.transpose() * record.normal_W, in_part(*surface, record.p_WQ),
+                     judged.scene.finger.radius_m, force_W_n)
              ? force_W_n
              : raw_W_n;
 }

@@ -31,7 +31,7 @@ std::string_view events_word(Events events) noexcept {
 }
 
 std::vector<TouchChoice> touch_choices(const Scene& scene, const World& world) {
-  const bool planes_only = method_in(world, "") == "plane";
+  const bool planes_only = is_of_planes(world);
   std::vector<TouchChoice> choices;
   for (const ContactMethodEntry& method : contact_method_table()) {
     for (const Normals normals : normals_table()) {

@@ -41,12 +41,6 @@ double allowed_mean_tilt_rad(const ContactSettings& contact, double mu) {
   return mu > 0 ? contact.mu_tolerance * mu : std::numeric_limits<double>::infinity();
 }
 
-int triangles_of(std::span<const Surface> surfaces) {
-  int sum = 0;
-  for (const Surface& surface : surfaces) sum += surface.part ? surface.part->triangle_count() : 0;
-  return sum;
-}
-
 bool is_open(const Scene& scene, const ContactMethodEntry& method) {
   return scene.contact.method == automatic_method ? method.fails != nullptr
                                                   : scene.contact.method == method.name;

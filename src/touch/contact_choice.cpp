@@ -79,9 +79,7 @@ ContactChoice settled_contact(const Scene& scene, const World& world) {
 }
 
 std::string_view method_in(const World& world, std::string_view method) noexcept {
-  const bool planes_only = std::all_of(world.surfaces.begin(), world.surfaces.end(),
-                                       [](const Surface& surface) { return surface.is_plane(); });
-  return planes_only ? "plane" : method;
+  return is_of_planes(world) ? plane_kind.name : method;
 }
 
 }  // namespace fingerpad

@@ -198,10 +198,11 @@ std::string unstable_because(const Scene& scene, double rate_hz) {
 
 RateChoice choose_rate(const Scene& scene, const FingerPath* path) {
   const Teeth teeth = teeth_of(scene);
+  const LawEntry* const law = find_law(scene.friction.law);
   const double tolerance = scene.contact.mu_tolerance;
   std::string lower;  // why the rate below would not do
   for (const double rate_hz : automatic_rates_hz) {
-    const bool rubs = scene.friction.law != "none";
+    const bool rubs = law == nullptr || law->rubs;
     const ShownFriction shown = rubs ? shown_friction(teeth, path, rate_hz) : ShownFriction();
     std::string broken = unstable_because(scene, rate_hz);
     if (broken.empty()) broken = friction_hidden_because(shown, tolerance, rate_hz);

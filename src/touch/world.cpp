@@ -1,8 +1,28 @@
 #include "touch/world.hpp"
 
+#include <algorithm>
+#include <filesystem>
+
+#include "part/part.hpp"
 #include "touch/mesh_store.hpp"
 
 namespace fingerpad {
+
+std::string shown_name(const Surface& surface) {
+  return surface.is_plane() ? std::string(surface.kind().name)
+                            : std::filesystem::path(surface.mesh).filename().string();
+}
+
+bool is_of_planes(const World& world) noexcept {
+  return std::all_of(world.surfaces.begin(), world.surfaces.end(),
+                     [](const Surface& surface) { return surface.is_plane(); });
+}
+
+int triangles_of(std::span<const Surface> surfaces) {
+  int sum = 0;
+  for (const Surface& surface : surfaces) sum += surface.part ? surface.part->triangle_count() : 0;
+  return sum;
+}
 
 std::vector<PlacedSurface> placed_surfaces(const World& world) {
   return {world.surfaces.begin(), world.surfaces.end()};

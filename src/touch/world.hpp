@@ -30,6 +30,15 @@ struct World {
       contact;  ///< as load_world chose it for its scene; none in worlds made by hand
 };
 
+/// "bracket.stl", its mesh without the folders; "plane".
+std::string shown_name(const Surface& surface);
+
+/// Whether only planes can be touched: every contact method, with any normals, finds the same there.
+bool is_of_planes(const World& world) noexcept;
+
+/// That of all parts together.
+int triangles_of(std::span<const Surface> surfaces);
+
 /// Where everything in a world stands, in its order: what a contact method is made for.
 std::vector<PlacedSurface> placed_surfaces(const World& world);
 

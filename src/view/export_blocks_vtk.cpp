@@ -166,8 +166,7 @@ std::vector<std::string> export_blocks(const Trace& trace, const std::string& tr
   vtkNew<vtkMultiBlockDataSet> blocks;
   std::vector<std::string> names{"path", "contact points"};
   for (const Surface& surface : parts.surfaces) {
-    const std::string mesh = std::filesystem::path(surface.mesh).filename().string();
-    const std::string name = unique_name(surface.part ? mesh : "plane", names);
+    const std::string name = unique_name(shown_name(surface), names);
     add_block(blocks, surface.part ? part_block(surface) : plane_block(surface, trace.rows), name);
   }
   add_block(blocks, path_block(trace), names[0]);

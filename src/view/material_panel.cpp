@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
@@ -47,24 +46,19 @@ std::string next_name(const Table& table, const std::string& now, int steps, Nam
 MaterialPanel::MaterialPanel(TouchSwap& swap, const World& world, bool has_motors)
     : swap_(swap), world_(world), has_motors_(has_motors) {}
 
-bool MaterialPanel::is_plane_world() const {
-  return std::all_of(world_.surfaces.begin(), world_.surfaces.end(),
-                     [](const Surface& surface) { return surface.is_plane(); });
-}
-
 std::vector<std::string> MaterialPanel::values(const Scene& scene) const {
   const SurfaceProperties& surface = surface_properties(scene, surface_);
   const Surface& touched = world_.surfaces[static_cast<std::size_t>(surface_)];
   const ContactChoice contact = settled_contact(scene, world_);
-  const bool planes = is_plane_world();
-  return {touched.part ? std::filesystem::path(touched.mesh).filename().string() : "plane",
+  const bool planes = is_of_planes(world_);
+  return {shown_name(touched),
           number_text(surface.mu_static),
           number_text(surface.mu_dynamic),
           number_text(surface.stiffness_n_per_m) + " N/m",
           number_text(surface.damping_n_s_per_m) + " N s/m",
           scene.friction.law,
           planes ? "-" : std::string(contact.normals->name),
-          planes ? "plane" : contact.method};
+          std::string(method_in(world_, contact.method))};
 }
 
 SidePanel MaterialPanel::panel() const {
@@ -144,7 +138,7 @@ std::string MaterialPanel::step(int row, int steps) {
     return {};
   }
   if (swap_.is_scheduled()) return "the recording that is followed changes the material itself";
-  if ((row == normals || row == method) && is_plane_world()) return "a plane needs no method";
+  if ((row == normals || row == method) && is_of_planes(world_)) return "a plane needs no method";
   const Scene scene = swap_.scene();
   SceneChange change;
   change.value = stepped(row, steps, scene, change.key);

@@ -30,7 +30,6 @@ class MaterialPanel {
   std::vector<std::string> values(const Scene& scene) const;
   std::string unstable_words(const Scene& scene) const;
   std::string stepped(int row, int steps, const Scene& scene, std::string& key) const;
-  bool is_plane_world() const;
 
   TouchSwap& swap_;
   const World& world_;

@@ -9,6 +9,7 @@
 
 #include "view/axis.hpp"
 #include "view/colours.hpp"
+#include "view/overlay_help.hpp"
 #include "view/overlay_hud.hpp"
 #include "view/overlay_notice.hpp"
 #include "view/overlay_places.hpp"
@@ -51,7 +52,7 @@ class OverlayPainter {
     paint_title();
     if (!state_.help) paint_words();
     if (layout_.timeline.height > 0) paint_timeline();
-    if (state_.help) paint_help();
+    if (state_.help) paint_help(drawing_, facts_, help_room(), em_);
     if (!facts_.alarm.empty()) paint_alarm();
   }
 
@@ -168,80 +169,6 @@ class OverlayPainter {
     room.height -= alarm_box().height;
     return room;
   }
-
-  /// The page's head, in which is told what has just been done: the page lies where that is told else.
-  void paint_help_head(const Box& page) {
-    const double height = 2.4 * em_, line = 1.1 * em_, middle = page.top() - height / 2;
-    if (facts_.message.empty()) {
-      drawing_.text({page.centre().x(), middle}, "keys and mouse",
-                    {.size = 1.2 * em_, .across = Across::centre, .upright = Upright::middle, .bold = true});
-      return;
-    }
-    drawing_.box({page.left, page.top() - height, page.width, height}, colours::ink);
-    std::vector<std::string> lines = wrapped(facts_.message, em_, page.width - em_, true);
-    for (; lines.size() > 2; lines.pop_back()) lines[1] += "...";
-    double y = middle + line * (static_cast<double>(lines.size()) - 1) / 2;
-    for (const std::string& words : lines) {
-      drawing_.text({page.centre().x(), y}, fitted(words, em_, true, page.width - em_),
-                    {.size = em_,
-                     .colour = colours::white,
-                     .across = Across::centre,
-                     .upright = Upright::middle,
-                     .bold = true});
-      y -= line;
-    }
-  }
-
-  /// How the help page's lines lie in its room.
-  struct HelpLines {
-    double size, line, columns;  ///< letters and lines [px]
-  };
-
-  HelpLines help_lines(double height) const {
-    constexpr double line_em = 1.6, least_line_em = 1.1, least_size = 0.7;
-    const auto rows = static_cast<double>(facts_.help.size());
-    const double line = line_em * em_, columns = std::ceil(rows / std::max(1.0, std::floor(height / line)));
-    // Rather close to each other, and a little smaller, than cut: two columns may be too narrow.
-    const double size = std::min(em_, height / rows / least_line_em);
-    const bool is_narrow = help_column_em * em_ * columns > layout_.window.width;
-    if (is_narrow && size >= least_size * em_) return {size, std::min(line, height / rows), 1};
-    return {em_, line, columns};
-  }
-
-  void paint_help() {
-    const Box around = help_room();
-    const double head = 3.2 * em_, foot = 0.6 * em_;
-    const auto [size, line, columns] = help_lines(around.height - head - foot - 0.4 * em_);
-    const double per_column = std::ceil(static_cast<double>(facts_.help.size()) / columns);
-    const double height = line * per_column + head + foot;
-    const double width = std::min(help_column_em * em_ * columns, layout_.window.width - em_);
-    const Box box{around.centre().x() - width / 2, around.centre().y() - height / 2, width, height};
-    drawing_.box(box, colours::white);  // charts and readings lie beneath
-    drawing_.frame(box, {colours::ink, 0.12 * em_});
-    paint_help_head(box);
-    const double column_width = (width - em_) / columns;
-    for (std::size_t i = 0; i < facts_.help.size(); ++i) {
-      const std::string& entry = facts_.help[i];
-      const double column = std::floor(static_cast<double>(i) / per_column);
-      const double left = box.left + em_ + column * column_width;
-      const double y =
-          box.top() - head + line / 2 - line * (static_cast<double>(i + 1) - column * per_column);
-      paint_help_entry({left, y}, entry, size, column_width);
-    }
-  }
-
-  /// "key: what it does".
-  void paint_help_entry(const Vec2& at, const std::string& entry, double size, double width) {
-    const std::size_t colon = entry.find(": ");
-    const double does = 11 * size, gap = 0.4 * size;
-    drawing_.text(at, fitted(entry.substr(0, colon), size, true, does - gap),
-                  {.size = size, .upright = Upright::middle, .bold = true});
-    if (colon == std::string::npos) return;
-    drawing_.text({at.x() + does, at.y()}, fitted(entry.substr(colon + 2), size, false, width - does - gap),
-                  {.size = size, .upright = Upright::middle});
-  }
-
-  static constexpr double help_column_em = 34;
 
   Drawing& drawing_;
   const OverlayFacts& facts_;

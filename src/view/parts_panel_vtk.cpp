@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <string>
 #include <utility>
 
@@ -35,11 +34,8 @@ void PartsPanel::show() {
   constexpr std::size_t most_rows = 24;  // that a window has room for
   const std::size_t count = world_->surfaces.size();
   for (std::size_t i = 0; i < std::min(count, most_rows); ++i) {
-    const Surface& surface = world_->surfaces[i];
-    const std::string name =
-        surface.part ? std::filesystem::path(surface.mesh).filename().string() : std::string("plane");
-    panel.rows.push_back(
-        {PanelRow::Kind::check, fmt::format("{}  {}", i, name), "", props_.is_shown(i), false});
+    panel.rows.push_back({PanelRow::Kind::check, fmt::format("{}  {}", i, shown_name(world_->surfaces[i])),
+                          "", props_.is_shown(i), false});
   }
   panel.rows.push_back({PanelRow::Kind::note,
                         count > most_rows ? fmt::format("and {} more, not listed", count - most_rows)

@@ -113,15 +113,14 @@ void add_plane(const Surface& plane, const Ball& about, SmallShape& shape) {
 }  // namespace
 
 SmallShape small_shape(std::span<const Surface> surfaces, int most_triangles, const Ball& about) {
-  double all = 0;
-  for (const Surface& surface : surfaces) all += surface.part ? surface.part->triangle_count() : 0;
+  const int all = triangles_of(surfaces);
   SmallShape shape;
   for (const Surface& surface : surfaces) {
     if (!surface.part) {
       add_plane(surface, about, shape);
       continue;
     }
-    const double share = surface.part->triangle_count() / std::max(all, 1.0);
+    const double share = surface.part->triangle_count() / std::max<double>(all, 1);
     add_part(surface, std::max(12, static_cast<int>(share * most_triangles)), shape);
   }
   return shape;

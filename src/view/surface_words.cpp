@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "base/number_text.hpp"
 #include "part/part.hpp"
 #include "touch/world.hpp"
@@ -12,9 +10,7 @@ namespace fingerpad {
 
 std::string surface_name(const World& world, int index, std::size_t longest) {
   if (index < 0 || static_cast<std::size_t>(index) >= world.surfaces.size()) return "-";
-  const Surface& surface = world.surfaces[static_cast<std::size_t>(index)];
-  std::string name =
-      surface.part ? std::filesystem::path(surface.mesh).filename().string() : std::string("plane");
+  std::string name = shown_name(world.surfaces[static_cast<std::size_t>(index)]);
   if (name.size() > longest) name = name.substr(0, longest - 3) + "...";
   return name.empty() ? fmt::format("part {}", index) : name;
 }

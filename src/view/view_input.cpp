@@ -60,7 +60,7 @@ std::string subtitle_of(const ViewInput& input, const std::string& beside) {
   if (input.world && !input.world->surfaces.empty()) {
     const Surface& first = input.world->surfaces.front();
     const std::filesystem::path mesh = std::filesystem::path(first.mesh).filename();
-    std::string name = first.part ? mesh.string() : "plane";
+    std::string name = shown_name(first);
     const std::size_t more = input.world->surfaces.size() - 1;
     if (more > 0) name += fmt::format(" and {} more", more);
     const bool named = first.part && more == 0 &&

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <vector>
 
+#include "support/plane_contact.hpp"
+
 namespace fingerpad::law_table_test {
 namespace {
 
@@ -42,6 +44,16 @@ TEST(LawTable, AKeyMeansTheSameInEveryLaw) {
         }
       }
     }
+  }
+}
+
+TEST(LawTable, SaysOfTheLawsThatHoldNoFingerBackThatTheyDoNot) {
+  for (const LawEntry& entry : law_table()) {
+    const auto law = entry.make({});
+    test::PlaneContact contact{*law, test::pressed(1, 1000)};
+    double most_n = 0;
+    for (int k = 0; k < 1000; ++k) most_n = std::max(most_n, contact.move_to({1e-4 * k, 0}).force_n.norm());
+    EXPECT_EQ(most_n > 0, entry.rubs) << entry.name;
   }
 }
 

@@ -3,11 +3,11 @@
 
 #include "base/error.hpp"
 #include "friction/pad_profile.hpp"
-#include "friction/pad_profile_file.hpp"
 #include "fuzz/entries.hpp"
 #include "fuzz/input_file.hpp"
 #include "fuzz/promise.hpp"
 #include "motion/recording.hpp"
+#include "scene/pad_profile_file.hpp"
 #include "scene/scene_file.hpp"
 #include "trace/trace.hpp"
 

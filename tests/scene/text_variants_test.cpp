@@ -5,7 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "friction/pad_profile.hpp"
-#include "friction/pad_profile_file.hpp"
+#include "scene/pad_profile_file.hpp"
 #include "scene_text.hpp"
 #include "support/paths.hpp"
 

@@ -7,6 +7,7 @@
 
 #include "contact/surface_point.hpp"
 #include "study/contact_runs.hpp"
+#include "study/shape_meshes.hpp"
 
 namespace fingerpad::contact_test {
 namespace {

@@ -1,0 +1,112 @@
+#include "trace/motion_reading.hpp"
+
+#include "base/number_text.hpp"
+#include "base/printable_text.hpp"
+#include "base/unit.hpp"
+#include "motion/field_format.hpp"
+#include "trace/motion_of_trace.hpp"
+#include "trace/trace.hpp"
+
+namespace fingerpad {
+namespace {
+
+/// "t = 'time', x = 'X'; cells parted by ';', decimal ','; positions in mm, times in ms"; empty for the
+/// program's own form.
+std::string reading_text(const RecordingFormat& format) {
+  std::vector<std::string> said;
+  std::string columns;
+  for (std::size_t k = 0; k < recording_columns.size(); ++k) {
+    if (format.headers[k].empty()) continue;
+    columns += fmt::format("{}{} is '{}'", columns.empty() ? "" : ", ", recording_columns[k].key,
+                           printable(format.headers[k], 60));
+  }
+  if (!columns.empty()) said.push_back(columns);
+  if (format.dialect.separator != ',')
+    said.push_back(fmt::format("cells parted by {}", separator_words(format.dialect.separator)));
+  if (format.dialect.decimal != '.') said.push_back(fmt::format("decimal mark '{}'", format.dialect.decimal));
+  for (const LengthUnit& unit : length_units) {
+    if (unit.metres == format.metres_per_unit && unit.metres != 1)
+      said.push_back(fmt::format("positions in {}", unit.name));
+  }
+  for (const TimeUnit& unit : time_units) {
+    if (unit.seconds == format.seconds_per_unit && unit.seconds != 1)
+      said.push_back(fmt::format("times in {}", unit.name));
+  }
+  for (const ForceUnit& unit : force_units) {
+    if (unit.newtons == format.newtons_per_unit && unit.newtons != 1)
+      said.push_back(fmt::format("forces in {}", unit.name));
+  }
+  return fmt::format("{}", fmt::join(said, "; "));
+}
+
+void warn_of_thinned(MotionReading& reading, std::uint64_t every) {
+  if (every <= 1) return;
+  reading.warn(fmt::format(
+      "is a trace with 1 row in {} ticks (replay --every): between its rows the finger goes straight, so "
+      "this is not the motion of its run, nor will the forces be; replay its scene without --every",
+      every));
+}
+
+}  // namespace
+
+void read_file(MotionReading& reading) {
+  const MotionSettings& settings = reading.settings;
+  const bool reads_force = settings.format.reads_normal_force;
+  const bool hdf5 = is_hdf5(settings.file_path);
+  if (hdf5 || (settings.table_key.empty() && is_csv_trace(settings.file_path))) {
+    if (!settings.table_key.empty()) {
+      throw refused(reading.scene.path,
+                    fmt::format("'{}' in [motion] says how a table of text is to be read, and {} is a trace "
+                                "(HDF5), which says itself what it holds: leave the key out",
+                                settings.table_key, settings.file));
+    }
+    Trace trace = read_trace(settings.file_path, TraceContents::rows);
+    reading.motion = motion_of_trace(trace, settings.file_path, reads_force);
+    warn_of_thinned(reading, trace.info.every);
+    reading.changes = std::move(trace.info.changes);
+    if (!reading.changes.empty())
+      reading.note(fmt::format("with the {} changes of the scene that were made while it was touched",
+                               reading.changes.size()));
+    return;
+  }
+  FieldRecording recording = read_field_recording(settings.file_path, settings.format);
+  warn_of_thinned(reading, every_of_csv(settings.file_path));
+  reading.motion = std::move(recording.motion);
+  if (!reads_force) reading.motion.normal_force_n.clear();
+  if (reads_force && reading.motion.normal_force_n.empty())
+    throw refused(settings.file_path, "holds no normal force, which normal_force = \"measured\" asks for");
+  const std::string how = reading_text(recording.read_as);
+  if (!how.empty()) reading.note(how);
+  for (const std::string& note : recording.notes) reading.note(note);
+  for (const std::string& warning : recording.warnings) reading.warn(warning);
+}
+
+bool is_refined(const MotionSettings& settings) {
+  return settings.encoder_m > 0 || settings.smoothing_hz > 0;
+}
+
+void refine(MotionReading& reading) {
+  const MotionSettings& settings = reading.settings;
+  const double rate_hz = reading.clock.rate_hz;
+  if (rate_hz == 0) return;
+  if (settings.smoothing_hz >= rate_hz / 2) {
+    throw refused(reading.scene.path,
+                  fmt::format("'smoothing_hz' in [motion] is {}; it must be below half of the {} of {}",
+                              number_text(settings.smoothing_hz), clock_text(reading.clock), settings.file));
+  }
+  reading.motion = in_file(settings, [&] { return evenly_sampled(reading.motion, reading.clock); });
+  if (settings.encoder_m > 0) {
+    estimate_velocity(reading.motion, settings.encoder_m, rate_hz);
+    reading.note(fmt::format("velocity by the adaptive window over positions rounded to {} mm, at {} Hz",
+                             rounded_text(1e3 * settings.encoder_m, 6), rounded_text(rate_hz, 6)));
+  }
+  if (!(settings.smoothing_hz > 0)) return;
+  const Smoothing smoothing = smooth(reading.motion, settings.smoothing_hz, rate_hz);
+  reading.note(
+      fmt::format("smoothed without delay (Butterworth, 2nd order, forth and back at {} Hz; {} "
+                  "Hz is halved): positions moved by {} mm RMS, at most {} mm",
+                  rounded_text(rate_hz, 6), rounded_text(settings.smoothing_hz, 6),
+                  rounded_text(1e3 * smoothing.rms_m, 3), rounded_text(1e3 * smoothing.most_m, 3)));
+}
+
+}  // namespace fingerpad

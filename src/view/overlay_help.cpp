@@ -1,0 +1,86 @@
+#include "view/overlay_help.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "view/colours.hpp"
+#include "view/overlay_words.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr double help_column_em = 34;
+
+/// The page's head, in which is told what has just been done: the page lies where that is told else.
+void paint_help_head(Drawing& drawing, const OverlayFacts& facts, const Box& page, double em) {
+  const double height = 2.4 * em, line = 1.1 * em, middle = page.top() - height / 2;
+  if (facts.message.empty()) {
+    drawing.text({page.centre().x(), middle}, "keys and mouse",
+                 {.size = 1.2 * em, .across = Across::centre, .upright = Upright::middle, .bold = true});
+    return;
+  }
+  drawing.box({page.left, page.top() - height, page.width, height}, colours::ink);
+  std::vector<std::string> lines = wrapped(facts.message, em, page.width - em, true);
+  for (; lines.size() > 2; lines.pop_back()) lines[1] += "...";
+  double y = middle + line * (static_cast<double>(lines.size()) - 1) / 2;
+  for (const std::string& words : lines) {
+    drawing.text({page.centre().x(), y}, fitted(words, em, true, page.width - em),
+                 {.size = em,
+                  .colour = colours::white,
+                  .across = Across::centre,
+                  .upright = Upright::middle,
+                  .bold = true});
+    y -= line;
+  }
+}
+
+/// How the help page's lines lie in its room.
+struct HelpLines {
+  double size, line, columns;  ///< letters and lines [px]
+};
+
+HelpLines help_lines(const OverlayFacts& facts, const Box& room, double height, double em) {
+  constexpr double line_em = 1.6, least_line_em = 1.1, least_size = 0.7;
+  const auto rows = static_cast<double>(facts.help.size());
+  const double line = line_em * em, columns = std::ceil(rows / std::max(1.0, std::floor(height / line)));
+  // Rather close to each other, and a little smaller, than cut: two columns may be too narrow.
+  const double size = std::min(em, height / rows / least_line_em);
+  const bool is_narrow = help_column_em * em * columns > room.width;
+  if (is_narrow && size >= least_size * em) return {size, std::min(line, height / rows), 1};
+  return {em, line, columns};
+}
+
+/// "key: what it does".
+void paint_help_entry(Drawing& drawing, const Vec2& at, const std::string& entry, double size, double width) {
+  const std::size_t colon = entry.find(": ");
+  const double does = 11 * size, gap = 0.4 * size;
+  drawing.text(at, fitted(entry.substr(0, colon), size, true, does - gap),
+               {.size = size, .upright = Upright::middle, .bold = true});
+  if (colon == std::string::npos) return;
+  drawing.text({at.x() + does, at.y()}, fitted(entry.substr(colon + 2), size, false, width - does - gap),
+               {.size = size, .upright = Upright::middle});
+}
+
+}  // namespace
+
+void paint_help(Drawing& drawing, const OverlayFacts& facts, const Box& room, double em) {
+  const double head = 3.2 * em, foot = 0.6 * em;
+  const auto [size, line, columns] = help_lines(facts, room, room.height - head - foot - 0.4 * em, em);
+  const double per_column = std::ceil(static_cast<double>(facts.help.size()) / columns);
+  const double height = line * per_column + head + foot;
+  const double width = std::min(help_column_em * em * columns, room.width - em);
+  const Box box{room.centre().x() - width / 2, room.centre().y() - height / 2, width, height};
+  drawing.box(box, colours::white);  // charts and readings lie beneath
+  drawing.frame(box, {colours::ink, 0.12 * em});
+  paint_help_head(drawing, facts, box, em);
+  const double column_width = (width - em) / columns;
+  for (std::size_t i = 0; i < facts.help.size(); ++i) {
+    const std::string& entry = facts.help[i];
+    const double column = std::floor(static_cast<double>(i) / per_column);
+    const double left = box.left + em + column * column_width;
+    const double y = box.top() - head + line / 2 - line * (static_cast<double>(i + 1) - column * per_column);
+    paint_help_entry(drawing, {left, y}, entry, size, column_width);
+  }
+}
+
+}  // namespace fingerpad

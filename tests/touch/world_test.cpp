@@ -1,0 +1,30 @@
+#include "touch/world.hpp"
+
+#include <gtest/gtest.h>
+
+#include "support/shapes.hpp"
+#include "support/worlds.hpp"
+
+namespace fingerpad::world_test {
+namespace {
+
+TEST(World, NamesItsSurfacesAsPeopleAreTold) {
+  Surface part = test::world_of(test::box_soup(Vec3(1, 1, 1)))->surfaces.front();
+  part.mesh = "some/where/bracket.stl";
+  EXPECT_EQ(shown_name(part), "bracket.stl");
+  EXPECT_EQ(shown_name(test::plane_world()->surfaces.front()), "plane");
+}
+
+TEST(World, IsOfPlanesOnlyWhereNoPartIsAmongThem) {
+  World world = *test::plane_world();
+  world.surfaces.emplace_back();
+  EXPECT_TRUE(is_of_planes(world));
+  EXPECT_EQ(triangles_of(world.surfaces), 0);
+  world.surfaces.push_back(test::world_of(test::box_soup(Vec3(1, 1, 1)))->surfaces.front());
+  world.surfaces.push_back(world.surfaces.back());
+  EXPECT_FALSE(is_of_planes(world));
+  EXPECT_EQ(triangles_of(world.surfaces), 24);
+}
+
+}  // namespace
+}  // namespace fingerpad::world_test
