@@ -257,9 +257,9 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
   std::unique_ptr<RunLock> claim;
   try {
     claim = claimed_folder(jobs, options, ranks, [&] {
-      write_job_index(jobs, options);
-      make_board(jobs, options);
-    });
+              write_job_index(jobs, options);
+              make_board(jobs, options);
+            }).lock;
   } catch (const StoppedBeforeTheFirst&) {
     mark_not_begun(jobs, jobs_of_shard(jobs.size(), options));
     return {};
