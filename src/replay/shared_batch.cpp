@@ -6,17 +6,15 @@
 #include <deque>
 #include <filesystem>
 #include <mutex>
-#include <span>
 #include <thread>
 
-#include "base/content_hash.hpp"
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/claimed_folder.hpp"
-#include "replay/job_board.hpp"
 #include "replay/job_outcome_text.hpp"
 #include "replay/job_runner.hpp"
 #include "replay/rank_log.hpp"
+#include "replay/ranks_board.hpp"
 #include "replay/summary.hpp"
 #include "replay/watched_rank.hpp"
 
@@ -24,32 +22,6 @@ namespace fingerpad {
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string board_path(const BatchOptions& options) {
-  return ranks_folder(options) + "/board";
-}
-
-/// Tells batches apart by their jobs' names and values.
-std::uint64_t hash_of_jobs(const std::vector<BatchJob>& jobs) {
-  std::uint64_t hash = content_hash({});
-  const auto add = [&hash](const std::string& text) {
-    hash = content_hash(std::as_bytes(std::span(text)), hash);
-    hash = content_hash(std::as_bytes(std::span("\n")), hash);
-  };
-  for (const BatchJob& job : jobs) {
-    add(job.job.scene.name);
-    add(std::to_string(job.job.number));
-    for (const auto& [key, value] : job.job.set_keys) add(fmt::format("{}={}", key, value));
-  }
-  return hash;
-}
-
-void make_board(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
-  std::error_code failure;
-  fs::create_directory(ranks_folder(options), failure);
-  JobBoard::create(board_path(options), order_by_cost(jobs, jobs_of_shard(jobs.size(), options)),
-                   hash_of_jobs(jobs));
-}
 
 /// This rank's part in it.
 class RankWork {
@@ -61,7 +33,7 @@ class RankWork {
         ranks_(ranks),
         log_(log),
         watched_(watched),
-        board_(board_path(options), hash_of_jobs(jobs)),
+        board_(ranks_board(jobs, options)),
         runner_(jobs, options) {
     // What a process that died had taken for this rank.
     const std::vector<std::size_t> taken = read_rank_story(ranks_folder(options), ranks.rank).not_begun;
@@ -222,7 +194,7 @@ std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions&
 /// The log of a rank that comes, while nobody looks who is there. The board is closed again, so that a child
 /// that dies with it held does not leave it held here.
 RankLog log_of_own(const std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks) {
-  const JobBoard board(board_path(options), hash_of_jobs(jobs));
+  const JobBoard board = ranks_board(jobs, options);
   const JobBoard::Hold hold(board);
   return RankLog(ranks_folder(options), ranks.rank);
 }
@@ -231,7 +203,8 @@ RankLog log_of_own(const std::vector<BatchJob>& jobs, const BatchOptions& option
 BatchEnd take_part(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                    const std::function<void(const BatchJob&)>& on_done, RunLock& claim) {
   RankLog log = log_of_own(jobs, options, ranks);
-  WatchedRank watched(log, ranks);  // from here on in a child process
+  WatchedRank watched(log, ranks,
+                      [&] { tell_of_killed_rank(jobs, options, ranks); });  // from here on in a child process
   RankWork work(jobs, options, ranks, log, watched);
   work.run(on_done);
   if (!work.is_last()) return {false, {}};
@@ -258,7 +231,7 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
   try {
     claim = claimed_folder(jobs, options, ranks, [&] {
               write_job_index(jobs, options);
-              make_board(jobs, options);
+              make_ranks_board(jobs, options);
             }).lock;
   } catch (const StoppedBeforeTheFirst&) {
     mark_not_begun(jobs, jobs_of_shard(jobs.size(), options));
@@ -269,7 +242,7 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
     return take_part(jobs, options, ranks, on_done, *claim);
   } catch (const Error& error) {
     std::error_code none;
-    if (fs::exists(board_path(options), none)) throw;
+    if (has_ranks_board(options)) throw;
     const TableNames names = table_names(options.shard, options.shard_count);
     if (claim->is_older_than((fs::path(options.out_dir) / names.summary).string()))
       return {false, {}};  // the same, and it saw them leave
