@@ -144,6 +144,15 @@ void tell_changes(const CompareOptions& options, const FolderComparison& found, 
   alone.tell();
 }
 
+/// Which traces were not read to the end of their runs.
+void tell_early_ends(const std::vector<std::string>& early_ends) {
+  constexpr std::size_t most_told = 12;
+  const std::size_t told = std::min(early_ends.size(), most_told);
+  for (std::size_t i = 0; i < told; ++i) print_err("fingerpad: warning: {}\n", early_ends[i]);
+  if (early_ends.size() > told)
+    print_err("fingerpad: warning: and {} more traces end early\n", early_ends.size() - told);
+}
+
 void tell_comparison(const CompareOptions& options, const FolderComparison& found) {
   const bool traces = found.traces > 0;
   const std::size_t count = traces ? found.traces : found.jobs;
@@ -177,6 +186,7 @@ int compare(const CompareOptions& options) {
         }
       });
   if (file) file->commit();
+  tell_early_ends(found.early_ends);
   if (!file || !options.quiet) tell_changes(options, found, worst, alone);  // else the table has them all
   if (!options.quiet) tell_comparison(options, found);
   if (file) tell_written(options.quiet, options.out, "a row for each job and column that differs");
@@ -206,7 +216,8 @@ void add_compare(CLI::App& program, Action& action) {
   command->footer(
       "A line for each trace that differs: by how much its forces do at most, and when, then its other "
       "columns, and before it where its motion is another; --out has a row for each column. Rows are set "
-      "against each other by their time. Where a folder holds no trace, a line for each job and its figures "
+      "against each other by their time, those of an HDF5 trace "
+      "against those of a CSV one too. Where a folder holds no trace, a line for each job and its figures "
       "of summary.csv. Jobs of one folder alone are counted. With --quiet --out nothing is printed. "
       "Ends 0 where all are alike, 4 where something changed.");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });

@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
+#include "app/told_trace.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
@@ -30,7 +31,7 @@ int export_with_parts(const ExportOptions& options) {
 #ifdef FINGERPAD_VIEW
   refuse_overwriting(options.out, {options.trace});
   refuse_unwritable(options.out);
-  const Trace trace = read_trace(options.trace);
+  const Trace trace = read_told_trace(options.trace, TraceContents::all);
   for (const std::string& words : export_blocks(trace, options.trace, options.out)) {
     print_err("fingerpad: warning: {}\n", words);
   }
@@ -48,7 +49,7 @@ int export_trace(const ExportOptions& options) {
   const bool csv = !options.out.ends_with(".vtp");
   refuse_overwriting(options.out, {options.trace});
   refuse_unwritable(options.out);
-  const Trace trace = read_trace(options.trace, csv ? TraceContents::some_rows : TraceContents::all);
+  const Trace trace = read_told_trace(options.trace, csv ? TraceContents::some_rows : TraceContents::all);
   csv ? export_csv(trace, options.out) : export_vtp(trace, options.out);
   tell_written(options.quiet, options.out,
                fmt::format("{} ticks as {}", trace.rows.size(), csv ? "CSV" : "VTP, for ParaView"));

@@ -11,6 +11,7 @@
 #include "app/output_name.hpp"
 #include "app/pad_charts.hpp"
 #include "app/standard_streams.hpp"
+#include "app/told_trace.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/number_text.hpp"
@@ -49,7 +50,7 @@ void leave_out(std::vector<TickRecord>& rows, const PlotOptions& options) {
 /// One trace, by itself.
 void plot_alone(const PlotOptions& options) {
   const std::string& path = options.inputs[0];
-  ViewInput input = view_of_trace(read_trace(path), path);
+  ViewInput input = view_of_trace(read_told_trace(path, TraceContents::all), path);
   leave_out(input.rows, options);
   if (options.show == "stick-region") {
     write_chart(stick_region_chart(input), options.out);
@@ -64,6 +65,7 @@ void plot_alone(const PlotOptions& options) {
 
 /// Runs over one another, and what each has beyond the first.
 void plot_runs(const PlotOptions& options, std::vector<ComparedRun> runs) {
+  for (const ComparedRun& run : runs) tell_early_end(run.path, run.ends_early);
   const Over over = over_of(options.over);
   const Comparison comparison = compare_runs(std::move(runs), options.columns, over);
   write_comparison(comparison, over, options.out, options.width);

@@ -65,7 +65,7 @@ int processors() noexcept {
 }
 
 int exit_code(const std::vector<BatchJob>& jobs) {
-  if (jobs.size() == 1 && jobs[0].job.number == 0) return jobs[0].exit_code;
+  if (is_lone_scene(jobs)) return jobs[0].exit_code;
   const bool any_failed =
       std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.exit_code != 0; });
   return any_failed ? jobs_failed_code : 0;
@@ -100,9 +100,8 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   if (options.dry_run) {
     if (!ranks.is_root()) return 0;
     const OutputFolder tried(batch.out_dir);  // gone again: what is planned could be written
-    const bool is_alone = jobs.size() == 1 && jobs[0].job.number == 0;
     const bool would_do = tell_plan(plan_batch(jobs, batch), batch);
-    return would_do ? 0 : is_alone ? static_cast<int>(ErrorKind::refused) : jobs_failed_code;
+    return would_do ? 0 : is_lone_scene(jobs) ? static_cast<int>(ErrorKind::refused) : jobs_failed_code;
   }
   const bool silent = options.quiet || !ranks.is_root();
   JobBar bar(jobs_of_shard(jobs.size(), batch).size(),
@@ -124,10 +123,9 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   if (!options.quiet) tell_choices(jobs);
   tell_doubts(jobs);
   tell_warnings_of_jobs(jobs);
-  tell_made_again(jobs, batch);
-  if (!options.quiet) tell_why_again(jobs, batch);
+  tell_made_again(jobs, batch, options.quiet);
   const int lost_code = tell_lost(end.lost);
-  if (!options.quiet) tell_end(jobs, !end.lost.empty(), batch);
+  if (!options.quiet) tell_end(jobs, !end.lost.empty() || leaves_folder_alone(jobs), batch);
   const auto is_left = [](const BatchJob& job) { return job.not_begun; };
   if (std::any_of(jobs.begin(), jobs.end(), is_left)) {
     tell_stopped(jobs, batch);
@@ -252,8 +250,9 @@ void add_replay(CLI::App& program, Action& action) {
       "jobs.csv says which file of a set is of which mesh, motion and values. SIGINT and SIGTERM finish the "
       "jobs "
       "that have begun, and --resume does the rest.\n"
-      "Under mpirun or srun the ranks share the jobs; one that dies loses those that it had begun. Ends 4 if "
-      "some "
+      "Under mpirun or srun the ranks share the jobs; one that dies loses those that it had begun. Open MPI "
+      "ends "
+      "all ranks with one that is killed as a whole, unless told `mpirun --enable-recovery`. Ends 4 if some "
       "jobs of a batch failed; the others are done all the same.\n" +
       laws_text() + contact_help_text() +
       "\nA scene file, each key with its default (mesh, file, profile and set: with an example):\n\n" +

@@ -6,12 +6,13 @@
 #include <map>
 #include <set>
 #include <string_view>
+#include <utility>
 
 #include "app/standard_streams.hpp"
-#include "base/build_identity.hpp"
 #include "base/number_text.hpp"
 #include "contact/contact_method_table.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/hard_press.hpp"
 
 namespace fingerpad {
 namespace {
@@ -125,34 +126,21 @@ void tell_unsettled(const std::vector<BatchJob>& jobs) {
       unsettled.count, unsettled.count == 1 ? "tick" : "ticks", jobs_words(unsettled.jobs));
 }
 
-/// The normal force that a rub laid on a part asks for; 0 where a scene asks for none.
-double asked_n(const Scene& scene) {
-  if (!scene.motion.laid || scene.hand || scene.parts.empty()) return 0;
-  const SurfaceMotion& rub = *scene.motion.laid;
-  return rub.depth_m > 0 ? rub.depth_m * scene.parts[0].surface.stiffness_n_per_m : rub.normal_force_n;
-}
-
-/// Rubs that somewhere press far harder than they are to: in a corner the walls add up to two or three.
+/// Rubs that somewhere press far harder than they are to.
 void tell_hard_presses(const std::vector<BatchJob>& jobs) {
-  constexpr double hard_share = 3;
   std::vector<const BatchJob*> hard;
-  double most_n = 0, most_asked_n = 0;
+  HardPress most{0, 1};
   for (const BatchJob& job : jobs) {
-    const double wanted_n = job.status == "ok" ? asked_n(job.job.scene) : 0;
-    if (!(wanted_n > 0)) continue;
-    const double felt_n = Figures::of(job.figures, "max_normal_force_n");
-    if (!(felt_n > hard_share * wanted_n)) continue;
+    const auto press = job.status == "ok" ? hard_press(job.job.scene, job.figures) : std::nullopt;
+    if (!press) continue;
     hard.push_back(&job);
-    if (felt_n * most_asked_n >= most_n * wanted_n) {
-      most_n = felt_n;
-      most_asked_n = wanted_n;
-    }
+    if (press->felt_n * most.asked_n >= most.felt_n * press->asked_n) most = *press;
   }
   if (hard.empty()) return;
   print_err(
       "fingerpad: warning: the normal force is up to {} N where {} N is asked for, in {}: several walls or "
       "edges hold the finger there (max_normal_force_n in summary.csv); another motion.place leaves it out\n",
-      rounded_text(most_n, 3), rounded_text(most_asked_n, 3), jobs_words(hard));
+      rounded_text(most.felt_n, 3), rounded_text(most.asked_n, 3), jobs_words(hard));
 }
 
 /// Of all jobs those of this shard.
@@ -209,28 +197,15 @@ void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs) {
         told.left_out());
 }
 
-void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
-  const long meant = meant_jobs(jobs);
-  std::map<std::string_view, std::size_t> of_build;
-  for (const BatchJob& job : jobs) {
-    if (!job.other_build.empty()) ++of_build[job.other_build];
-  }
-  for (const auto& [build, count] : of_build)
-    print_err(
-        "fingerpad: warning: {} of {} {} in {} made again: {} of another build of the program ({}; this one "
-        "is "
-        "{}), and results of two builds are not mixed\n",
-        count, meant, meant == 1 ? "job" : "jobs",
-        fmt::format("{} {}", batch.out_dir, count == 1 ? "was" : "were"), count == 1 ? "it was" : "they were",
-        build, short_build_identity());
-}
-
-void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
+void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch, bool quiet) {
   constexpr std::size_t most_reasons = 5;
   const long meant = meant_jobs(jobs);
-  std::map<std::string_view, std::size_t> for_reason;
+  // By whether another build's traces were there, which comes first and is a warning; then by the reason.
+  std::map<std::pair<bool, std::string_view>, std::size_t> for_reason;
   for (const BatchJob& job : jobs) {
-    if (!job.why_again.empty()) ++for_reason[job.why_again];
+    const MadeAgain& again = job.made_again;
+    if (!again.why.empty() && (again.of_other_build || !quiet))
+      ++for_reason[{!again.of_other_build, again.why}];
   }
   const bool any_kept = std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.kept; });
   std::size_t told = 0, other_jobs = 0;
@@ -239,9 +214,10 @@ void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch
       other_jobs += count;
       continue;
     }
-    print_err("fingerpad: {}: {}{} of {} {} made again: {}\n", batch.out_dir,
-              any_kept ? "" : "no trace was kept: ", count, meant,
-              fmt::format("{} {}", meant == 1 ? "job" : "jobs", count == 1 ? "was" : "were"), reason);
+    print_err("fingerpad: {}{}: {}{} of {} {} made again: {}\n",
+              reason.first ? "" : "warning: ", batch.out_dir, any_kept ? "" : "no trace was kept: ", count,
+              meant, fmt::format("{} {}", meant == 1 ? "job" : "jobs", count == 1 ? "was" : "were"),
+              reason.second);
   }
   if (other_jobs > 0)
     print_err("fingerpad: {}: and {} more of them for other reasons\n", batch.out_dir, other_jobs);

@@ -18,16 +18,15 @@ void tell_choices(const std::vector<BatchJob>& jobs);
 /// What jobs warn of themselves, likewise.
 void tell_warnings_of_jobs(const std::vector<BatchJob>& jobs);
 
-/// How many jobs `--resume` made again as another build of the program had made them.
-void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch);
-
 /// Why `--resume` made traces again that were there, each reason once.
-void tell_why_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch);
+/// @param quiet  nothing but that another build of the program had made them, which is a warning
+void tell_made_again(const std::vector<BatchJob>& jobs, const BatchOptions& batch, bool quiet);
 
 /// The tables that could not be written, and the code for it where the jobs themselves are good.
 int tell_lost(const std::vector<Error>& lost);
 
 /// The closing line.
+/// @param any_table_lost  the summary is not there
 void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const BatchOptions& batch);
 
 /// How far a batch came that was asked to stop, and how the rest is done.

@@ -140,6 +140,7 @@ ReportRuns::ShownShape ReportRuns::shape_of(const std::string& trace_path, const
 
 nlohmann::ordered_json ReportRuns::run(const std::string& trace_path) {
   Trace trace = read_trace(trace_path, TraceContents::rows);
+  const std::string ends_early = early_end_words(trace);
   const std::string key = shape_key(trace.info, trace_path);
   ViewInput rows;
   rows.rows = std::move(trace.rows);
@@ -160,7 +161,7 @@ nlohmann::ordered_json ReportRuns::run(const std::string& trace_path) {
   json["look"] = {{"eye", {look.towards_eye_W.x(), look.towards_eye_W.y(), look.towards_eye_W.z()}},
                   {"up", {look.up_W.x(), look.up_W.y(), look.up_W.z()}}};
   if (!shown.notice.empty()) json["notice"] = shown.notice;
-  if (!trace.complete) json["notice"] = "The recording was cut short: this is what there is of it.";
+  if (!ends_early.empty()) json["notice"] = fmt::format("The trace {}.", ends_early);
   json["path"] = path_json(path, extent.max_force_n, words, bytes);
   json["series"] = series_json(small_series(rows.rows, budget_.samples), words, bytes);
   json["data"] = base64(words + bytes);

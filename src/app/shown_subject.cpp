@@ -8,6 +8,7 @@
 
 #include "app/standard_streams.hpp"
 #include "app/subject.hpp"
+#include "app/told_trace.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "replay/batch_files.hpp"
@@ -90,7 +91,7 @@ ViewInput load_subject(const std::string& path, double metres_per_unit, LoadBar&
     case SubjectKind::scene:
       return scene_subject(path, bar);
     case SubjectKind::trace:
-      return view_of_trace(read_trace(path), path);
+      return view_of_trace(read_told_trace(path, TraceContents::all), path);
     case SubjectKind::mesh:
       break;
   }

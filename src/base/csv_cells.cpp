@@ -17,12 +17,15 @@ bool parts(char c, char separator) noexcept {
   return separator == ' ' ? is_blank(c) : c == separator;
 }
 
-/// Where the cell ends that begins at `line`'s beginning. A quote counts where a cell begins with it.
+/// Where the cell ends that begins at `line`'s beginning. A quote counts where a cell begins with it; within
+/// such a cell two of them are one of its text.
 std::size_t cell_end(std::string_view line, char separator) noexcept {
   std::size_t at = 0;
   while (at < line.size() && is_blank(line[at]) && !parts(line[at], separator)) ++at;
   if (at < line.size() && line[at] == '"') {
-    const std::size_t closing = line.find('"', at + 1);
+    std::size_t closing = line.find('"', at + 1);
+    while (closing != std::string_view::npos && line.substr(closing + 1).starts_with('"'))
+      closing = line.find('"', closing + 2);
     if (closing != std::string_view::npos) at = closing + 1;
   }
   if (separator != ' ') return std::min(line.find(separator, at), line.size());

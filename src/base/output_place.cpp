@@ -34,7 +34,34 @@ void refuse_folder(const std::string& path, const std::string& folder) {
   }
 }
 
+/// What is to be made for a folder to be there, innermost first.
+std::vector<std::filesystem::path> missing_folders(std::filesystem::path path) {
+  if (!path.has_filename()) path = path.parent_path();  // "out/"
+  std::vector<std::filesystem::path> missing;
+  std::error_code ignored;
+  while (!path.empty() && !std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) {
+    missing.push_back(path);
+    path = path.parent_path();
+  }
+  return missing;
+}
+
 }  // namespace
+
+std::vector<std::filesystem::path> make_folder(const std::string& path) {
+  std::vector<std::filesystem::path> missing = missing_folders(path);
+  std::error_code failure;
+  std::filesystem::create_directories(path, failure);
+  if (!failure) return missing;
+  remove_empty(missing);
+  throw Error(output_fault(failure.value()), path,
+              "cannot be made: " + unmade_words(path, failure.value(), Made::folder));
+}
+
+void remove_empty(const std::vector<std::filesystem::path>& folders) noexcept {
+  for (const std::filesystem::path& folder : folders)
+    rmdir(folder.c_str());  // fails where something is in it
+}
 
 void refuse_unwritable(const std::string& path) {
   if (path == "-") return;

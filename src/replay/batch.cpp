@@ -6,6 +6,7 @@
 #include <set>
 
 #include "base/error.hpp"
+#include "base/output_place.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/claimed_folder.hpp"
 #include "replay/job_queue.hpp"
@@ -54,7 +55,7 @@ BatchEnd run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, con
                    const std::function<void(const BatchJob&)>& on_done) {
   if (ranks.are_many()) return run_shared_batch(jobs, options, ranks, on_done);
   BatchEnd end;
-  const auto claim = claimed_folder(jobs, options, ranks, [&] {
+  ClaimedFolder folder = claimed_folder(jobs, options, ranks, [&] {
     end.lost = write_job_index(jobs, options);  // before the jobs: then a killed run has said which is which
   });
   const std::vector<std::size_t> ours = jobs_of_shard(jobs.size(), options);
@@ -68,6 +69,10 @@ BatchEnd run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, con
   runner.run(next, [&](std::size_t job) { on_done(jobs[job]); });
   mark_not_begun(jobs, ours);
   for (const Error& error : write_summary(jobs, options)) end.lost.push_back(error);
+  if (leaves_folder_alone(jobs)) {
+    folder.lock.reset();
+    remove_empty(folder.made);
+  }
   return end;
 }
 

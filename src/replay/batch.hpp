@@ -9,6 +9,7 @@
 #include "base/error.hpp"
 #include "replay/figures.hpp"
 #include "replay/ranks.hpp"
+#include "replay/run_proof.hpp"
 #include "scene/scene_file.hpp"
 #include "trace/trace_choice.hpp"
 #include "trace/trace_writer.hpp"
@@ -58,13 +59,14 @@ struct BatchJob {
   std::vector<std::string> contact_reasons;     ///< of what its scene left open
   std::vector<std::string> motion_notes;        ///< how its motion was read (LoadedMotion)
   std::vector<std::string> warnings;            ///< of its motion, and of what that touches
+  std::vector<std::string> kept_warnings;       ///< those that the summary keeps (JobResult)
   double seconds = 0;
-  int exit_code = 0;       ///< of this job alone
-  bool not_begun = false;  ///< the batch was asked to stop before it; without status
-  bool kept = false;       ///< an earlier run's trace was kept (BatchOptions::resume)
-  std::string why_again;   ///< of BatchOptions::resume: why its trace was made again (JobResult); empty: none
-  std::string other_build;  ///< of the program, whose trace was made again (JobResult); empty: none
-  std::string left_behind;  ///< of a job that failed: an earlier run's trace that is still in its place
+  int exit_code = 0;           ///< of this job alone
+  bool not_begun = false;      ///< the batch was asked to stop before it; without status
+  bool kept = false;           ///< an earlier run's trace was kept (BatchOptions::resume)
+  MadeAgain made_again;        ///< of BatchOptions::resume: why its trace was made again, if it was
+  bool wrote_nothing = false;  ///< it failed before there was anything of its trace
+  std::string left_behind;     ///< of a job that failed: an earlier run's trace that is still in its place
 };
 
 /// Every job of the given scene files. Of several, those that cannot be loaded become failed jobs.

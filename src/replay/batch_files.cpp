@@ -111,6 +111,15 @@ bool has_index(const std::vector<BatchJob>& jobs) noexcept {
   return std::any_of(jobs.begin(), jobs.end(), [](const BatchJob& job) { return job.job.number > 0; });
 }
 
+bool is_lone_scene(const std::vector<BatchJob>& jobs) noexcept {
+  return jobs.size() == 1 && jobs[0].job.number == 0;
+}
+
+bool leaves_folder_alone(const std::vector<BatchJob>& jobs) noexcept {
+  return is_lone_scene(jobs) && jobs[0].wrote_nothing &&
+         jobs[0].exit_code == static_cast<int>(ErrorKind::refused);
+}
+
 bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept {
   return i % static_cast<std::size_t>(options.shard_count) == static_cast<std::size_t>(options.shard - 1);
 }
@@ -152,13 +161,13 @@ std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const B
   return names;
 }
 
-std::string keep_other_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
+void keep_other_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   const fs::path folder(options.out_dir);
   const TableNames tables = table_names(options.shard, options.shard_count);
   std::error_code none;
-  if (!fs::is_regular_file(folder / tables.summary, none)) return "";
+  if (!fs::is_regular_file(folder / tables.summary, none)) return;
   const std::string apart = scene_apart((folder / tables.summary).string(), jobs);
-  if (apart.empty()) return "";
+  if (apart.empty()) return;
   int number = 1;
   while (fs::exists(folder / kept_name(tables.summary, number), none)) ++number;
   for (const std::string& table : {tables.summary, tables.timing, tables.jobs}) {
@@ -169,8 +178,10 @@ std::string keep_other_summary(const std::vector<BatchJob>& jobs, const BatchOpt
                   fmt::format("is of {} and cannot be kept as {}: {}", apart, kept_name(table, number),
                               path_words((folder / table).string(), failure.value())));
   }
-  return fmt::format("{}: was of {}, which is not in this batch, and is kept as {}",
-                     (folder / tables.summary).string(), apart, kept_name(tables.summary, number));
+  if (options.on_kept)
+    options.on_kept(fmt::format("{}: was of {}, which is not in this batch, and is kept as {}",
+                                (folder / tables.summary).string(), apart,
+                                kept_name(tables.summary, number)));
 }
 
 void refuse_collisions(const std::vector<BatchJob>& jobs, const BatchOptions& options) {

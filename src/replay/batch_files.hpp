@@ -20,6 +20,12 @@ TableNames table_names(int shard, int shard_count);
 /// Whether a batch has jobs that are numbered, and so an index of them.
 bool has_index(const std::vector<BatchJob>& jobs) noexcept;
 
+/// Whether the batch is one scene without a set: that is no batch to its caller.
+bool is_lone_scene(const std::vector<BatchJob>& jobs) noexcept;
+
+/// Whether it is one that was refused before it wrote anything of its trace: its folder stays as it was.
+bool leaves_folder_alone(const std::vector<BatchJob>& jobs) noexcept;
+
 /// Whether this call runs job i (from 0) of its batch.
 bool is_of_shard(std::size_t i, const BatchOptions& options) noexcept;
 
@@ -41,8 +47,7 @@ void refuse_collisions(const std::vector<BatchJob>& jobs, const BatchOptions& op
 
 /// Gives the tables of this shard that are there another name where the summary has a row of a scene that is
 /// not in the batch, or is no summary at all: it would be lost. What the batch's own scenes left there is
-/// replaced.
-/// @returns what was kept, in words; empty: nothing. Throws Error where the names cannot be changed.
-std::string keep_other_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
+/// replaced. What was kept is told (BatchOptions::on_kept). Throws Error where the names cannot be changed.
+void keep_other_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
 
 }  // namespace fingerpad

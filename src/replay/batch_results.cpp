@@ -104,6 +104,7 @@ JobOutcome result_of(const Row& row, const std::vector<std::string>& keys) {
   job.status = cell_of(row, "status");
   job.contact_method = cell_of(row, "contact_method");
   job.contact_normals = cell_of(row, "contact_normals");
+  job.warnings = cell_of(row, "warnings");
   for (const SummaryColumn& column : summary_figure_columns()) {
     job.figures.push_back(parse_number(cell_of(row, column.name)).value_or(TickRecord::nan));
   }
@@ -181,6 +182,7 @@ std::string trouble_words(const JobOutcome& job, const std::vector<double>& bad)
   if (job.done()) {
     for (std::string& doubt : residual_doubts(job.figures)) words.push_back(std::move(doubt));
   }
+  if (!job.warnings.empty()) words.push_back(job.warnings);
   return fmt::format("{}", fmt::join(words, ", "));
 }
 

@@ -15,7 +15,8 @@ struct JobOutcome {
   std::string status;                                       ///< `ok`, or why it failed
   std::vector<double> figures;  ///< as summary_figure_columns(); nan where the table has no number
   std::string contact_method, contact_normals;
-  std::string trace;  ///< path; empty where the folder holds none
+  std::string warnings;  ///< as the summary keeps them
+  std::string trace;     ///< path; empty where the folder holds none
 
   bool done() const { return status == "ok"; }
 };
@@ -41,7 +42,7 @@ bool has_summary(const std::string& folder);
 /// the greatest normal force.
 struct JobTrouble {
   std::size_t job = 0;  ///< index into BatchResults::jobs
-  std::string words;    ///< "2 pop-throughs", or empty where nothing is wrong
+  std::string words;    ///< "2 pop-throughs", and its warnings; empty where nothing is wrong
 };
 
 /// All jobs, the worst first; equally bad ones in the order of the batch.

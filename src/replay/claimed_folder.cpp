@@ -7,9 +7,8 @@
 #include <filesystem>
 #include <thread>
 
-#include "base/build_identity.hpp"
 #include "base/error.hpp"
-#include "base/path_words.hpp"
+#include "base/output_place.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/run_proof.hpp"
 #include "replay/stale_traces.hpp"
@@ -47,14 +46,6 @@ void wait_for_root(const BatchOptions& options, const Ranks& ranks) {
   }
 }
 
-void make_folder(const std::string& folder) {
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    throw Error(output_fault(failure.value()), folder,
-                "cannot be made: " + unmade_words(folder, failure.value(), Made::folder));
-}
-
 /// Said before hours are spent on it, by the first traces that are there; empty where none is another
 /// build's.
 std::string words_of_other_build(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
@@ -64,10 +55,8 @@ std::string words_of_other_build(const std::vector<BatchJob>& jobs, const BatchO
     const std::string path =
         fmt::format("{}/{}", options.out_dir, trace_name(jobs[ours[k]].job, options.format));
     if (const auto build = other_build_of(path))
-      return fmt::format(
-          "{}: holds traces of another build of the program ({}; this one is {}), and results of two builds "
-          "are not mixed: they are made again",
-          options.out_dir, *build, short_build_identity());
+      return fmt::format("{}: holds traces of {}: they are made again", options.out_dir,
+                         other_build_words(*build));
   }
   return "";
 }
@@ -78,22 +67,23 @@ std::string ranks_folder(const BatchOptions& options) {
   return fmt::format("{}/{}/ranks-{}of{}", options.out_dir, state_folder, options.shard, options.shard_count);
 }
 
-std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
-                                        const Ranks& ranks, const std::function<void()>& when_first) {
+ClaimedFolder claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
+                             const Ranks& ranks, const std::function<void()>& when_first) {
   if (!ranks.is_root()) wait_for_root(options, ranks);
   // Nobody waits for it, and another run may be at work here by now.
   if (ranks.are_many() && launcher_is_gone(ranks))
     throw Error(ErrorKind::fault, options.out_dir,
                 fmt::format("rank {} writes nothing there: what started it is gone", ranks.rank));
-  if (!RunLock::is_registered(options.out_dir, ranks.run) && has_ended(options, ranks)) return nullptr;
+  if (!RunLock::is_registered(options.out_dir, ranks.run) && has_ended(options, ranks)) return {};
   // Of its run nobody has come: who works there is another run, or has just ended, and its tables stay.
   if (!ranks.is_root() && !RunLock::is_registered(options.out_dir, ranks.run) && options.should_stop &&
       options.should_stop())
     throw StoppedBeforeTheFirst();
+  ClaimedFolder folder;
   const bool others_came = ranks.are_many() && RunLock::is_registered(options.out_dir, ranks.run);
   if (!others_came) {
     refuse_collisions(jobs, options);
-    make_folder(options.out_dir);
+    folder.made = make_folder(options.out_dir);
   }
   const auto as_first = [&](const RunLock& lock) {
     if (has_ended(options, ranks)) throw RunHasEnded();  // between two looks
@@ -103,8 +93,8 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
         options.on_unfinished(
             fmt::format("{}: {} ended before it was done; this run takes its place", options.out_dir, run));
     }
-    const std::string kept = keep_other_summary(jobs, options);
-    if (options.on_kept && !kept.empty()) options.on_kept(kept);
+    // A lone scene may yet be refused, and leaves the folder as it was then: write_summary keeps it.
+    if (!is_lone_scene(jobs)) keep_other_summary(jobs, options);
     if (options.on_kept && options.resume) {
       const std::string words = words_of_other_build(jobs, options);
       if (!words.empty()) options.on_kept(words);
@@ -118,10 +108,12 @@ std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const
     when_first();
   };
   try {
-    return std::make_unique<RunLock>(options.out_dir, output_names(jobs, options), ranks.run, as_first);
+    folder.lock =
+        std::make_unique<RunLock>(options.out_dir, output_names(jobs, options), ranks.run, as_first);
   } catch (const RunHasEnded&) {
-    return nullptr;
+    return {};
   }
+  return folder;
 }
 
 }  // namespace fingerpad

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <exception>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -20,13 +21,19 @@ struct StoppedBeforeTheFirst : std::exception {
 /// Where the ranks of a shard tell one another: other shards may be at work in the same output folder.
 std::string ranks_folder(const BatchOptions& options);
 
+struct ClaimedFolder {
+  /// Holds the run's place in it; none for a rank that comes when the others of its run have done all and
+  /// left.
+  std::unique_ptr<RunLock> lock;
+  std::vector<std::filesystem::path> made;  ///< for it, by this process, innermost first
+};
+
 /// The output folder of a batch, made where it is not there and registered for this run. What must be done
 /// once before anything is written is done by the process that comes first, which of ranks is commonly the
 /// root: looking for collisions, removing what the ranks of a killed run have left, keeping a summary of
-/// other scenes, and `when_first`.
-/// @returns what holds the run's place in the folder; none for a rank that comes when the others of its run
-/// have done all and left. Throws Error as run_batch().
-std::unique_ptr<RunLock> claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
-                                        const Ranks& ranks, const std::function<void()>& when_first);
+/// other scenes (but for a lone scene's), and `when_first`.
+/// Throws Error as run_batch().
+ClaimedFolder claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptions& options,
+                             const Ranks& ranks, const std::function<void()>& when_first);
 
 }  // namespace fingerpad

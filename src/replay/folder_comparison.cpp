@@ -5,15 +5,17 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <set>
+#include <utility>
 
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
-#include "base/path_words.hpp"
 #include "replay/batch_results.hpp"
 #include "replay/summary_column.hpp"
 #include "replay/trace_comparison.hpp"
+#include "replay/trace_pairs.hpp"
 #include "trace/job_index.hpp"
 #include "trace/trace.hpp"
 
@@ -22,32 +24,15 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// The traces in a folder, by name.
-std::set<std::string> traces_in(const std::string& folder) {
-  std::set<std::string> names;
-  std::error_code failure;
-  for (fs::directory_iterator at(folder, failure); !failure && at != fs::directory_iterator();
-       at.increment(failure)) {
-    std::error_code none;
-    if (!at->is_regular_file(none)) continue;
-    const std::string path = at->path().string();
-    if (path.ends_with(".h5") ||
-        (path.ends_with(".csv") && (is_csv_trace(path) || is_partial_csv_trace(path))))
-      names.insert(at->path().filename().string());
-  }
-  if (failure) throw refused(folder, "cannot be read: " + folder_words(folder, failure.value()));
-  return names;
-}
-
 using JobWords = std::map<std::string, std::string>;
 
 /// "s-0003.h5 (plate.stl, mu_static 0.3)", and what it is in the other folder where that is another job.
-std::string name_of_job(const JobWords& in_a, const JobWords& in_b, const std::string& name) {
-  const auto words_in = [&](const JobWords& index) {
-    const auto known = index.find(name);
+std::string name_of_job(const JobWords& in_a, const JobWords& in_b, const TracePair& pair) {
+  const auto words_in = [](const JobWords& index, const std::string& file) {
+    const auto known = index.find(file);
     return known == index.end() ? std::string() : known->second;
   };
-  const std::string was = words_in(in_a), is = words_in(in_b);
+  const std::string &name = pair.name(), was = words_in(in_a, pair.a), is = words_in(in_b, pair.b);
   if (was.empty() && is.empty()) return name;
   if (was.empty() || is.empty() || was == is) return fmt::format("{} ({})", name, was.empty() ? is : was);
   return fmt::format("{} ({}; now {})", name, was, is);
@@ -200,45 +185,75 @@ void compare_outcomes(const Outcomes& in_a, const Outcomes& in_b, bool has_trace
   tell_absent_figures(in_a, in_b, found);
 }
 
+/// Without traces on both sides it takes both summaries.
+void refuse_nothing_to_compare(const std::string& folder, const std::set<std::string>& traces,
+                               const Outcomes& outcomes, const std::string& other, const Outcomes& of_other) {
+  if (!traces.empty() || (!outcomes.empty() && !of_other.empty())) return;
+  if (outcomes.empty()) throw refused(folder, "holds no traces, and no summary of jobs: nothing to compare");
+  throw refused(folder, fmt::format("holds no traces, and {} no summary of jobs to compare by", other));
+}
+
+/// Where the folders hold the traces of the same jobs in unlike formats.
+void tell_formats(const std::string& folder_a, const std::string& folder_b,
+                  const std::vector<TracePair>& pairs, Changes& found) {
+  const auto count = std::count_if(pairs.begin(), pairs.end(), std::mem_fn(&TracePair::are_of_two_formats));
+  if (count == 0) return;
+  const auto first = std::find_if(pairs.begin(), pairs.end(), std::mem_fn(&TracePair::are_of_two_formats));
+  const bool is_hdf5 = first->a.ends_with(".h5");
+  found.note(folder_a,
+             {whole_change(fmt::format("{} {} {} here and {} in {}: the numbers in them are compared", count,
+                                       count == 1 ? "trace is" : "traces are", is_hdf5 ? "HDF5" : "CSV",
+                                       is_hdf5 ? "CSV" : "HDF5", folder_b))});
+}
+
+/// What differs between two traces of a job.
+std::vector<JobChange> changes_of(const std::string& a, const std::string& b, bool are_of_two_formats,
+                                  double tolerance, FolderComparison& comparison) {
+  const Trace in_a = read_trace(a, TraceContents::some_rows), in_b = read_trace(b, TraceContents::some_rows);
+  for (const auto& [path, trace] : {std::pair(&a, &in_a), std::pair(&b, &in_b)}) {
+    const std::string words = early_end_words(*trace);
+    if (!words.empty()) comparison.early_ends.push_back(fmt::format("{}: {}", *path, words));
+  }
+  return trace_changes(in_a, in_b, tolerance, are_of_two_formats);
+}
+
 }  // namespace
 
 FolderComparison compare_folders(const std::string& folder_a, const std::string& folder_b, double tolerance,
                                  const std::function<void(ChangedJob&&)>& on_changed) {
   const std::set<std::string> in_a = traces_in(folder_a), in_b = traces_in(folder_b);
-  std::set<std::string> all = in_a;
-  all.insert(in_b.begin(), in_b.end());
   const Outcomes outcomes_a = outcomes_in(folder_a), outcomes_b = outcomes_in(folder_b);
-  if (all.empty() && (outcomes_a.empty() || outcomes_b.empty()))
-    throw refused(outcomes_a.empty() ? folder_a : folder_b,
-                  "holds neither traces nor a summary to compare with the other folder's");
+  refuse_nothing_to_compare(folder_a, in_a, outcomes_a, folder_b, outcomes_b);
+  refuse_nothing_to_compare(folder_b, in_b, outcomes_b, folder_a, outcomes_a);
+  std::vector<TracePair> pairs = trace_pairs(in_a, in_b);
   FolderComparison comparison;
   Changes found(comparison, on_changed);
-  if (in_a.empty() != in_b.empty() && !outcomes_a.empty() && !outcomes_b.empty()) {
+  if (in_a.empty() != in_b.empty()) {
     found.note("summary.csv",
                {whole_change(fmt::format("the other folder has no traces, as of --format none: "
                                          "those of {} are not compared",
                                          in_a.empty() ? folder_b : folder_a))});
-    all.clear();
+    pairs.clear();
   }
-  comparison.traces = all.size();
+  tell_formats(folder_a, folder_b, pairs, found);
+  comparison.traces = pairs.size();
   const auto jobs_a = jobs_in_folder(folder_a), jobs_b = jobs_in_folder(folder_b);
-  for (const std::string& name : all) {
-    const bool is_in_a = in_a.contains(name);
-    if (!is_in_a || !in_b.contains(name)) {
+  for (const TracePair& pair : pairs) {
+    if (pair.a.empty() || pair.b.empty()) {
       ++comparison.changed;
-      const bool told = is_in_a ? ended_otherwise(name, outcomes_a, outcomes_b)
-                                : ended_otherwise(name, outcomes_b, outcomes_a);
-      if (!told) found.tell_alone(name_of_job(jobs_a, jobs_b, name), is_in_a ? folder_a : folder_b);
+      const bool is_in_a = pair.b.empty();
+      const bool told = is_in_a ? ended_otherwise(pair.a, outcomes_a, outcomes_b)
+                                : ended_otherwise(pair.b, outcomes_b, outcomes_a);
+      if (!told) found.tell_alone(name_of_job(jobs_a, jobs_b, pair), is_in_a ? folder_a : folder_b);
       continue;
     }
-    const std::string a = (fs::path(folder_a) / name).string(), b = (fs::path(folder_b) / name).string();
+    const std::string a = (fs::path(folder_a) / pair.a).string(), b = (fs::path(folder_b) / pair.b).string();
     if (file_hash(a) == file_hash(b)) continue;
-    std::vector<JobChange> changes = trace_changes(read_trace(a, TraceContents::some_rows),
-                                                   read_trace(b, TraceContents::some_rows), tolerance);
+    std::vector<JobChange> changes = changes_of(a, b, pair.are_of_two_formats(), tolerance, comparison);
     comparison.changed += changes.empty() ? 0 : 1;
-    found.tell(name_of_job(jobs_a, jobs_b, name), std::move(changes), false);
+    found.tell(name_of_job(jobs_a, jobs_b, pair), std::move(changes), false);
   }
-  compare_outcomes(outcomes_a, outcomes_b, !all.empty(), tolerance, comparison, found);
+  compare_outcomes(outcomes_a, outcomes_b, !pairs.empty(), tolerance, comparison, found);
   return comparison;
 }
 

@@ -11,17 +11,28 @@ std::string outcome_text(const BatchJob& job, std::size_t index) {
   // Figures as bits: JSON has no numbers that are not finite.
   std::vector<std::uint64_t> figures;
   for (const double figure : job.figures) figures.push_back(std::bit_cast<std::uint64_t>(figure));
-  const nlohmann::json outcome = {
-      index,           job.status,         job.exit_code,       job.seconds,
-      figures,         job.contact_method, job.contact_normals, job.contact_reasons,
-      job.kept,        job.left_behind,    job.motion_notes,    job.warnings,
-      job.other_build, job.why_again};
+  const nlohmann::json outcome = {index,
+                                  job.status,
+                                  job.exit_code,
+                                  job.seconds,
+                                  figures,
+                                  job.contact_method,
+                                  job.contact_normals,
+                                  job.contact_reasons,
+                                  job.kept,
+                                  job.left_behind,
+                                  job.motion_notes,
+                                  job.warnings,
+                                  job.kept_warnings,
+                                  job.made_again.why,
+                                  job.made_again.of_other_build,
+                                  job.wrote_nothing};
   return outcome.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 
 void take_outcome(std::vector<BatchJob>& jobs, const std::string& text) {
   const auto outcome = nlohmann::json::parse(text, nullptr, false);
-  constexpr std::size_t fields = 14;
+  constexpr std::size_t fields = 16;
   if (!outcome.is_array() || outcome.size() != fields) return;
   try {
     const auto index = outcome[0].get<std::size_t>();
@@ -38,8 +49,10 @@ void take_outcome(std::vector<BatchJob>& jobs, const std::string& text) {
     told.left_behind = outcome[9];
     told.motion_notes = outcome[10].get<std::vector<std::string>>();
     told.warnings = outcome[11].get<std::vector<std::string>>();
-    told.other_build = outcome[12];
-    told.why_again = outcome[13];
+    told.kept_warnings = outcome[12].get<std::vector<std::string>>();
+    told.made_again.why = outcome[13];
+    told.made_again.of_other_build = outcome[14];
+    told.wrote_nothing = outcome[15];
     told.job = std::move(jobs[index].job);
     jobs[index] = std::move(told);
   } catch (

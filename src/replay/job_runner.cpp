@@ -95,6 +95,7 @@ void JobRunner::run_one(std::size_t index) {
       options_.traces ? (std::filesystem::path(options_.out_dir) / trace_name(job, options_.format)).string()
                       : "";
   const auto before = options_.traces ? state_of(path) : std::nullopt;
+  const auto unfinished_before = options_.traces ? state_of(path + ".part") : std::nullopt;
   // It is under way from now on, however long its mesh takes to load.
   if (options_.on_ticks) options_.on_ticks(batch_job, 0);
   try {
@@ -105,25 +106,30 @@ void JobRunner::run_one(std::size_t index) {
     refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;
     batch_job.kept = result.kept;
-    batch_job.why_again = result.why_again;
-    batch_job.other_build = result.other_build;
+    batch_job.made_again = result.made_again;
     batch_job.contact_method = result.contact_method;
     batch_job.contact_normals = result.contact_normals;
     batch_job.contact_reasons = result.contact_reasons;
     batch_job.motion_notes = result.motion_notes;
     batch_job.warnings = result.warnings;
+    batch_job.kept_warnings = result.kept_warnings;
     batch_job.status = "ok";
   } catch (const Error& error) {
     batch_job.status = printable(error.what());  // between ranks it is JSON, which is UTF-8
     // The output folder was good when the run began: what is wrong with it now is no fault of the call.
     batch_job.exit_code =
         static_cast<int>(error.kind() == ErrorKind::usage ? ErrorKind::fault : error.kind());
-    batch_job.warnings = unit_words(job.scene, meshes_);
+    batch_job.warnings = batch_job.kept_warnings = unit_words(job.scene, meshes_);
   } catch (const std::exception& error) {
     batch_job.status = fmt::format("{}: {}", job.scene.name, error.what());
     batch_job.exit_code = static_cast<int>(ErrorKind::fault);
   }
-  if (batch_job.status != "ok" && before && state_of(path) == before) batch_job.left_behind = path;
+  if (batch_job.status != "ok") {
+    const bool is_as_before = !options_.traces || state_of(path) == before;
+    if (is_as_before && before) batch_job.left_behind = path;
+    batch_job.wrote_nothing =
+        is_as_before && (!options_.traces || state_of(path + ".part") == unfinished_before);
+  }
   batch_job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 

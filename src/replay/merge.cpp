@@ -9,6 +9,7 @@
 
 #include "base/csv_cells.hpp"
 #include "base/error.hpp"
+#include "base/output_place.hpp"
 #include "base/path_words.hpp"
 #include "base/text_lines.hpp"
 #include "replay/batch_files.hpp"
@@ -189,10 +190,7 @@ MergedShards merge_shards(const std::vector<std::string>& folders, const std::st
   std::error_code none;
   const bool indexed = fs::exists(table_of(shards[0], &TableNames::jobs), none);
   const ShardTable index = indexed ? merged_table(shards, &TableNames::jobs) : ShardTable{};
-  fs::create_directories(out, none);
-  if (none)
-    throw Error(output_fault(none.value()), out,
-                "cannot be made: " + unmade_words(out, none.value(), Made::folder));
+  make_folder(out);
   const RunLock lock(out, written);
   for (const fs::path& trace : traces) bring_trace(trace, out);
   if (indexed) write_merged(fs::path(out) / names.jobs, index);

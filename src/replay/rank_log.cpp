@@ -66,6 +66,7 @@ class StoryReader {
   }
 
   RankStory end() {
+    story_.ends_at_a_job = !begun_.empty();
     lose("that rank was killed");
     story_.not_begun.assign(taken_.begin(), taken_.end());
     return std::move(story_);

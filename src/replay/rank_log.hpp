@@ -50,6 +50,7 @@ struct RankStory {
   std::vector<std::size_t> not_begun;  ///< that it took
   std::vector<std::string> outcomes;   ///< outcome_text()s
   std::vector<Lost> lost;              ///< begun, and nobody knows how they ended
+  bool ends_at_a_job = false;          ///< it is at one, or was killed at it
 };
 
 /// Of a rank that has not come: nothing.

@@ -3,52 +3,15 @@
 #include <fmt/format.h>
 
 #include <chrono>
-#include <filesystem>
-#include <span>
 #include <thread>
 
-#include "base/content_hash.hpp"
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/claimed_folder.hpp"
-#include "replay/job_order.hpp"
 #include "replay/job_outcome_text.hpp"
+#include "replay/ranks_board.hpp"
 
 namespace fingerpad {
-namespace {
-
-/// Tells batches apart by their jobs' names and values.
-std::uint64_t hash_of_jobs(const std::vector<BatchJob>& jobs) {
-  std::uint64_t hash = content_hash({});
-  const auto add = [&hash](const std::string& text) {
-    hash = content_hash(std::as_bytes(std::span(text)), hash);
-    hash = content_hash(std::as_bytes(std::span("\n")), hash);
-  };
-  for (const BatchJob& job : jobs) {
-    add(job.job.scene.name);
-    add(std::to_string(job.job.number));
-    for (const auto& [key, value] : job.job.set_keys) add(fmt::format("{}={}", key, value));
-  }
-  return hash;
-}
-
-}  // namespace
-
-std::string board_path(const BatchOptions& options) {
-  return ranks_folder(options) + "/board";
-}
-
-void make_board(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
-  std::error_code failure;
-  std::filesystem::create_directory(ranks_folder(options), failure);
-  JobBoard::create(board_path(options), order_by_cost(jobs, jobs_of_shard(jobs.size(), options)),
-                   hash_of_jobs(jobs));
-}
-
-JobBoard board_of(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
-  return JobBoard(board_path(options), hash_of_jobs(jobs));
-}
-
 RankWork::RankWork(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks, RankLog& log,
                    WatchedRank& watched)
     : jobs_(jobs),
@@ -56,7 +19,7 @@ RankWork::RankWork(std::vector<BatchJob>& jobs, const BatchOptions& options, con
       ranks_(ranks),
       log_(log),
       watched_(watched),
-      board_(board_of(jobs, options)),
+      board_(ranks_board(jobs, options)),
       runner_(jobs, options) {
   // What a process that died had taken for this rank.
   const std::vector<std::size_t> taken = read_rank_story(ranks_folder(options), ranks.rank).not_begun;

@@ -15,13 +15,6 @@
 
 namespace fingerpad {
 
-/// Where the board of a shared batch lies.
-std::string board_path(const BatchOptions& options);
-/// Lays it, for the jobs of this shard.
-void make_board(const std::vector<BatchJob>& jobs, const BatchOptions& options);
-/// The board that was laid for these jobs. Throws Error where it was laid for others.
-JobBoard board_of(const std::vector<BatchJob>& jobs, const BatchOptions& options);
-
 /// One rank's part in a shared batch: it takes jobs from the board, does them, logs what becomes of each, and
 /// at the end puts together what all have logged.
 class RankWork {

@@ -5,10 +5,12 @@
 #include <algorithm>
 #include <filesystem>
 #include <optional>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/number_text.hpp"
+#include "replay/hard_press.hpp"
 #include "replay/never_touches.hpp"
 #include "replay/residual_warnings.hpp"
 #include "replay/run_proof.hpp"
@@ -97,22 +99,33 @@ RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const 
   return {figures.values(), writer ? writer->finish() : FileSum()};
 }
 
+/// What is told, and kept in the summary.
+void warn(JobResult& result, std::string words) {
+  result.kept_warnings.push_back(words);
+  result.warnings.push_back(std::move(words));
+}
+
 /// A recording whose unit was forgotten touches nothing, or presses far deeper than a finger can.
 void warn_of_odd_depth(const Scene& scene, const World& world, const FingerPath& path, JobResult& result) {
   constexpr double deepest_m = 0.1, mm_per_m = 1e3;
   const double depth_m = Figures::of(result.figures, "max_depth_m");
   if (!scene.motion.file.empty() && depth_m > deepest_m)
-    result.warnings.push_back(fmt::format(
-        "{}: the finger is pressed {} mm deep, which no finger is: check [motion] unit{}", scene.name,
-        rounded_text(mm_per_m * depth_m, 4), scene.parts.empty() ? "" : " and [[part]] unit"));
+    warn(result,
+         fmt::format("{}: the finger is pressed {} mm deep, which no finger is: check [motion] unit{}",
+                     scene.name, rounded_text(mm_per_m * depth_m, 4),
+                     scene.parts.empty() ? "" : " and [[part]] unit"));
   if (Figures::of(result.figures, "contact_ticks") > 0) return;
   const std::string words = never_touches(world, path, scene.finger.radius_m);
-  if (!words.empty()) result.warnings.push_back(fmt::format("{}: {}", scene.name, words));
+  if (!words.empty()) warn(result, fmt::format("{}: {}", scene.name, words));
 }
 
 /// What a finished run's figures tell of its recording.
 void warn_of_run(const Scene& scene, const World& world, const FingerPath& path, JobResult& result) {
   warn_of_odd_depth(scene, world, path, result);
+  if (const auto press = hard_press(scene, result.figures))  // told once for the batch
+    result.kept_warnings.push_back(fmt::format("the normal force is up to {} N where {} N is asked for",
+                                               rounded_text(press->felt_n, 3),
+                                               rounded_text(press->asked_n, 3)));
   for (const std::string& words : residual_warnings(result.figures))
     result.warnings.push_back(fmt::format("{}: {}", scene.name, words));
 }
@@ -141,9 +154,9 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
   info.changes = motion.changes;
   choose(output.choice, info);
   JobResult result{{},           info.contact_method, info.contact_normals, info.contact_reasons,
-                   motion.notes, motion.warnings};
+                   motion.notes, motion.warnings,     motion.warnings};
   warn_of_large_meshes(scene, meshes, result);
-  for (std::string& line : unit_hints(*world, scene)) result.warnings.push_back(std::move(line));
+  for (std::string& line : unit_hints(*world, scene)) warn(result, std::move(line));
   if (output.path.empty()) {
     result.figures = run(scene, world, path, info, output).figures;
     warn_of_run(scene, *world, path, result);
@@ -165,8 +178,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
       warn_of_run(scene, *world, path, result);
       return result;
     }
-    result.other_build = other_build_of(output.path).value_or("");
-    result.why_again = why_not_kept(output.path, digest, info.scene_text);
+    result.made_again = why_not_kept(output.path, digest, info.scene_text);
   }
 
   const RunEnd end = run(scene, world, path, info, output);

@@ -6,6 +6,7 @@
 
 #include "replay/figures.hpp"
 #include "replay/motion_store.hpp"
+#include "replay/run_proof.hpp"
 #include "scene/scene.hpp"
 #include "touch/mesh_store.hpp"
 #include "trace/trace_choice.hpp"
@@ -31,9 +32,11 @@ struct JobResult {
   std::vector<std::string> contact_reasons;
   std::vector<std::string> motion_notes;  ///< LoadedMotion::notes
   std::vector<std::string> warnings;      ///< of the motion, and of what it touches
-  bool kept = false;                      ///< the trace of an earlier run was kept
-  std::string why_again = {};    ///< why a trace that was there to resume was made again (why_not_kept)
-  std::string other_build = {};  ///< whose trace was there to resume, and was made again; empty: none
+  /// What the summary keeps of them, and of a press that is too hard: what its figures do not tell, and what
+  /// the machine and the options have no part in.
+  std::vector<std::string> kept_warnings;
+  bool kept = false;          ///< the trace of an earlier run was kept
+  MadeAgain made_again = {};  ///< why a trace that was there to resume was made again, if it was
 };
 
 /// Follows a scene's motion through its world, tick by tick, and writes the trace.

@@ -5,13 +5,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <limits>
-#include <span>
 #include <sstream>
 #include <utility>
 
 #include "base/build_identity.hpp"
 #include "base/checksum.hpp"
-#include "base/content_hash.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/number_text.hpp"
@@ -71,39 +69,6 @@ std::string kind_line(std::string_view name, std::string_view hash) {
   return fmt::format("by {} {}", name, hash);
 }
 
-std::string hash_text(std::string_view text) {
-  return fmt::format("{:016x}", content_hash(std::as_bytes(std::span(text))));
-}
-
-/// Gathers what decides a run, kind by kind.
-class RunText {
- public:
-  void begin(std::string_view kind) {
-    end_kind();
-    digest_.kinds.push_back({kind, ""});
-  }
-  void add(std::string_view field) { kind_ += fmt::format("{}:{};", field.size(), field); }
-  void add_all(const std::vector<std::string>& fields) {
-    add(std::to_string(fields.size()));
-    for (const std::string& field : fields) add(field);
-  }
-  RunDigest digest() {
-    end_kind();
-    digest_.whole = hash_text(all_);
-    return std::move(digest_);
-  }
-
- private:
-  void end_kind() {
-    if (!digest_.kinds.empty()) digest_.kinds.back().hash = hash_text(kind_);
-    all_ += fmt::format("{}:{};", kind_.size(), kind_);
-    kind_.clear();
-  }
-
-  std::string kind_, all_;
-  RunDigest digest_;
-};
-
 /// A CSV trace that is not finished has another name.
 bool is_finished(const std::string& path) {
   try {
@@ -111,14 +76,6 @@ bool is_finished(const std::string& path) {
   } catch (const Error&) {
     return false;
   }
-}
-
-/// That one kind of things is another than when a trace was made.
-std::string changed_words(std::string_view kind) {
-  if (kind == "meshes") return "a mesh file has changed since";
-  if (kind == "output") return "the format, --columns, --every or --compress is another now";
-  if (kind == "contact") return "the part is touched by another contact method or other normals now";
-  return fmt::format("the {} has changed since", kind);
 }
 
 /// Whether the proof is of the file as it stands there.
@@ -137,6 +94,7 @@ std::string changed_in_scene(const std::string& trace_path, const std::string& p
     if (!is_hdf5(trace_path) || !proves_file(proof, trace_path)) return {};
     const std::string kept_text = read_hdf5_columns(trace_path, {}).scene_text;
     const std::vector<std::string> words = scene_differences({kept_text, scene_text});
+    if (words[0].empty() && words[1].empty()) return ", though none of its keys has another value";
     if (words[0] == words[1] || words[0].size() > longest || words[1].size() > longest) return {};
     return fmt::format(": {}; now {}", words[0], words[1]);
   } catch (const Error&) {
@@ -145,36 +103,6 @@ std::string changed_in_scene(const std::string& trace_path, const std::string& p
 }
 
 }  // namespace
-
-RunDigest run_digest(const TraceInfo& info, TraceFormat format) {
-  RunText run;
-  run.begin("output");
-  run.add(format == TraceFormat::csv ? "csv" : "h5");
-  if (!info.columns.empty()) run.add_all(info.columns);
-  if (info.every != 1) run.add(fmt::format("every {}", info.every));
-  if (info.deflated) run.add("deflated");
-  run.begin("program");
-  run.add(build_identity());
-  run.add(info.version);
-  run.begin("scene");
-  for (const std::string* field : {&info.scene_name, &info.scene_text, &info.motion_file}) run.add(*field);
-  run.add(std::to_string(info.seed));
-  run.add_all(info.mesh_files);
-  run.begin("meshes");
-  run.add_all(info.mesh_hashes);
-  run.begin("motion");
-  run.add(info.motion_hash);
-  run.add_all(info.motion_notes);
-  run.add(number_text(info.rate_hz));
-  if (!info.changes.empty()) run.add(scene_changes_text(info.changes));
-  run.begin("profile");
-  run.add(info.profile_text);
-  run.begin("contact");
-  run.add(info.contact_method);
-  run.add(info.contact_normals);
-  run.add_all(info.contact_reasons);
-  return run.digest();
-}
 
 void write_proof(const std::string& trace_path, const RunDigest& digest, const std::vector<double>& figures) {
   if (const auto trace = fingerprint(trace_path)) write_proof(trace_path, digest, figures, *trace);
@@ -242,23 +170,31 @@ std::optional<std::string> other_build_of(const std::string& trace_path) {
   return build;
 }
 
-std::string why_not_kept(const std::string& trace_path, const RunDigest& digest,
-                         const std::string& scene_text) {
+std::string other_build_words(const std::string& build) {
+  return fmt::format(
+      "another build of the program ({}; this one is {}), and results of two builds are not mixed", build,
+      short_build_identity());
+}
+
+MadeAgain why_not_kept(const std::string& trace_path, const RunDigest& digest,
+                       const std::string& scene_text) {
   std::error_code ignored;
-  if (!fs::exists(trace_path, ignored) || other_build_of(trace_path)) return {};
+  if (!fs::exists(trace_path, ignored)) return {};
+  if (const auto build = other_build_of(trace_path)) return {"it was of " + other_build_words(*build), true};
   const std::string proof = proof_text(trace_path);
   if (!proof.starts_with(first_line))
-    return !is_finished(trace_path) ? "it is not whole"
-           : is_hdf5(trace_path)    ? "it is of another run, by its own word"
-                                    : "nothing beside it says which run made it";
-  if (!proves_another_run(trace_path, digest)) return "it is not, byte for byte, what was written";
+    return {!is_finished(trace_path) ? "it is not whole"
+            : is_hdf5(trace_path)    ? "it is of another run, by its own word"
+                                     : "nothing beside it says which run made it"};
+  if (!proves_another_run(trace_path, digest)) return {"it is not, byte for byte, what was written"};
   for (const auto& [name, hash] : digest.kinds) {
     // What an earlier build did not write down is not told.
     if (proof.find(fmt::format("\nby {} ", name)) == std::string::npos) continue;
     if (proof.find('\n' + kind_line(name, hash) + '\n') != std::string::npos) continue;
-    return changed_words(name) + (name == "scene" ? changed_in_scene(trace_path, proof, scene_text) : "");
+    const std::string in_scene = name == "scene" ? changed_in_scene(trace_path, proof, scene_text) : "";
+    return {changed_words(name) + in_scene};
   }
-  return "it is of another run";
+  return {"it is of another run"};
 }
 
 void remove_unfinished(const std::string& trace_path) {

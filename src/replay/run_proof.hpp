@@ -6,25 +6,9 @@
 #include <vector>
 
 #include "base/checksum.hpp"
-#include "trace/trace.hpp"
-#include "trace/trace_writer.hpp"
+#include "replay/run_digest.hpp"
 
 namespace fingerpad {
-
-/// What decides a trace's bytes, by kinds of things, so that it can be told which of them has changed.
-struct RunDigest {
-  /// One kind of them, as 16 hex digits.
-  struct Kind {
-    std::string_view name;
-    std::string hash;
-  };
-  std::string whole;  ///< all of it, as 16 hex digits
-  std::vector<Kind> kinds;
-};
-
-/// Everything that decides a trace's bytes: among it this very program (build_identity), but not the
-/// libraries that it finds on its machine.
-RunDigest run_digest(const TraceInfo& info, TraceFormat format);
 
 /// Keeps beside a finished trace, in the state folder, which run made it, what its bytes are and what the run
 /// came to: a CSV trace tells nothing of its run, and no trace tells all figures. Nothing of it depends on
@@ -50,14 +34,20 @@ bool has_proof(const std::string& trace_path);
 /// this one, or no proof is there. "an earlier one" where the proof names none.
 std::optional<std::string> other_build_of(const std::string& trace_path);
 
-/// Why the trace that stands at that path is not kept for the run with this digest, in words that go on after
-/// "made again: "; empty where no file is, or where another build made it (other_build_of). Of an HDF5 trace,
-/// which keeps its scene, what the scene was and is now, in so far as scene_differences() tells it in few
-/// words.
+/// "another build of the program (12ab; this one is 34cd), and results of two builds are not mixed".
+std::string other_build_words(const std::string& build);
+
+/// Why a trace that stands there is made again, in words that go on after "made again: ".
+struct MadeAgain {
+  std::string why;              ///< empty: it was not, or no file was there
+  bool of_other_build = false;  ///< because another build of the program had made it
+};
+
+/// Of the trace at that path, for the run with this digest. Of an HDF5 trace, which keeps its scene, what the
+/// scene was and is now, in so far as scene_differences() tells it in few words.
 /// @param scene_text  the run's, as its trace would keep it
 /// @pre proven_figures() gives nothing
-std::string why_not_kept(const std::string& trace_path, const RunDigest& digest,
-                         const std::string& scene_text);
+MadeAgain why_not_kept(const std::string& trace_path, const RunDigest& digest, const std::string& scene_text);
 
 /// Removes what a killed run may have left beside a trace that is kept: files that were under way.
 void remove_unfinished(const std::string& trace_path);

@@ -9,6 +9,7 @@
 #include "replay/claimed_folder.hpp"
 #include "replay/rank_log.hpp"
 #include "replay/rank_work.hpp"
+#include "replay/ranks_board.hpp"
 #include "replay/summary.hpp"
 #include "replay/watched_rank.hpp"
 
@@ -43,7 +44,7 @@ std::vector<Error> write_tables(std::vector<BatchJob>& jobs, const BatchOptions&
 /// The log of a rank that comes, while nobody looks who is there. The board is closed again, so that a child
 /// that dies with it held does not leave it held here.
 RankLog log_of_own(const std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks) {
-  const JobBoard board = board_of(jobs, options);
+  const JobBoard board = ranks_board(jobs, options);
   const JobBoard::Hold hold(board);
   return RankLog(ranks_folder(options), ranks.rank);
 }
@@ -52,7 +53,8 @@ RankLog log_of_own(const std::vector<BatchJob>& jobs, const BatchOptions& option
 BatchEnd take_part(std::vector<BatchJob>& jobs, const BatchOptions& options, const Ranks& ranks,
                    const std::function<void(const BatchJob&)>& on_done, RunLock& claim) {
   RankLog log = log_of_own(jobs, options, ranks);
-  WatchedRank watched(log, ranks);  // from here on in a child process
+  WatchedRank watched(log, ranks,
+                      [&] { tell_of_killed_rank(jobs, options, ranks); });  // from here on in a child process
   RankWork work(jobs, options, ranks, log, watched);
   work.run(on_done);
   if (!work.is_last()) return {false, {}};
@@ -78,9 +80,9 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
   std::unique_ptr<RunLock> claim;
   try {
     claim = claimed_folder(jobs, options, ranks, [&] {
-      write_job_index(jobs, options);
-      make_board(jobs, options);
-    });
+              write_job_index(jobs, options);
+              make_ranks_board(jobs, options);
+            }).lock;
   } catch (const StoppedBeforeTheFirst&) {
     mark_not_begun(jobs, jobs_of_shard(jobs.size(), options));
     return {};
@@ -89,8 +91,7 @@ BatchEnd run_shared_batch(std::vector<BatchJob>& jobs, const BatchOptions& optio
   try {
     return take_part(jobs, options, ranks, on_done, *claim);
   } catch (const Error& error) {
-    std::error_code none;
-    if (fs::exists(board_path(options), none)) throw;
+    if (has_ranks_board(options)) throw;
     const TableNames names = table_names(options.shard, options.shard_count);
     if (claim->is_older_than((fs::path(options.out_dir) / names.summary).string()))
       return {false, {}};  // the same, and it saw them leave

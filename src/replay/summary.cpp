@@ -36,6 +36,9 @@ std::string set_value(const BatchJob& job, const std::string& key) {
   return "";
 }
 
+/// Between the warnings of one job.
+constexpr std::string_view warnings_apart = " / ";
+
 std::string summary_text(const std::vector<BatchJob>& jobs) {
   const auto keys = set_keys(jobs);
   std::string text;
@@ -49,7 +52,8 @@ std::string summary_text(const std::vector<BatchJob>& jobs) {
     for (std::size_t i = 0; i < Figures::names().size(); ++i) {
       text += "," + number_text(job.status == "ok" ? job.figures[i] : TickRecord::nan);
     }
-    text += fmt::format(",{},{}\n", job.contact_method, job.contact_normals);
+    text += fmt::format(",{},{},{}\n", job.contact_method, job.contact_normals,
+                        csv_cell(fmt::format("{}", fmt::join(job.kept_warnings, warnings_apart))));
   }
   return text;
 }
@@ -106,6 +110,14 @@ std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchO
   const TableNames names = table_names(options.shard, options.shard_count);
   const std::filesystem::path folder(options.out_dir);
   std::vector<Error> lost;
+  if (is_lone_scene(jobs)) {
+    if (leaves_folder_alone(jobs)) return lost;
+    try {
+      keep_other_summary(jobs, options);
+    } catch (const Error& error) {
+      return {error};
+    }
+  }
   write_table(folder / names.summary, summary_text(jobs), lost);
   write_table(folder / names.schema, summary_schema_text(set_keys(jobs)), lost);
   write_table(folder / names.timing, timing_text(jobs, run), lost);

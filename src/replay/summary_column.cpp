@@ -96,6 +96,11 @@ constexpr SummaryColumn figure_columns[] = {
 constexpr SummaryColumn contact_columns[] = {
     {"contact_method", "", "the contact method that served", nullptr, Kind::text},
     {"contact_normals", "", "the normals that served", nullptr, Kind::text},
+    {"warnings", "",
+     "what was told of the job that no figure says: an unlikely unit of its mesh, a press of over three "
+     "times "
+     "the force asked for, a motion that never touches or whose clock is odd; parted by ` / `, mostly empty",
+     nullptr, Kind::text},
 };
 
 constexpr std::string_view set_key_doc = "a key of the set, as the scene has it";

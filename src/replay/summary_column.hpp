@@ -27,7 +27,7 @@ std::span<const SummaryColumn> summary_job_columns() noexcept;
 const SummaryColumn& summary_status_column() noexcept;
 /// What a run comes to, in the order of Figures::values(); nan for a job that failed.
 std::span<const SummaryColumn> summary_figure_columns() noexcept;
-/// After the figures.
+/// After the figures; what the job warns of is the last.
 std::span<const SummaryColumn> summary_contact_columns() noexcept;
 
 /// The header of `summary.csv` for a batch with these set keys.

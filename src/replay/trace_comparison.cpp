@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <limits>
 
 #include "base/number_text.hpp"
@@ -87,9 +86,9 @@ void tell_the_way(const Trace& a, const Trace& b, std::vector<JobChange>& change
 }  // namespace
 
 bool is_of_the_way(std::string_view column) noexcept {
-  constexpr std::string_view of_the_way[] = {"x_m", "y_m", "z_m", "ex_m", "ey_m", "ez_m", "dx",
-                                             "dy",  "dz",  "qw",  "qx",   "qy",   "qz"};
-  return std::find(std::begin(of_the_way), std::end(of_the_way), column) != std::end(of_the_way);
+  const auto columns = trace_columns();
+  return std::any_of(columns.begin(), columns.end(),
+                     [column](const TraceColumn& row) { return row.of_the_way && row.name == column; });
 }
 
 double distance_between(double a, double b) noexcept {
@@ -102,7 +101,8 @@ JobChange whole_change(std::string words) {
   return {"", std::move(words), TickRecord::nan, "", TickRecord::nan};
 }
 
-std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tolerance) {
+std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tolerance,
+                                     bool are_of_two_formats) {
   std::vector<JobChange> changes;
   const std::vector<RowPair> pairs = rows_at_common_times(a, b);
   const std::size_t most_rows = std::max(a.rows.size(), b.rows.size());
@@ -110,6 +110,7 @@ std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tole
     changes.push_back(whole_change(fmt::format("{} ticks, then {}; {} times are in both, and compared",
                                                a.rows.size(), b.rows.size(), pairs.size())));
   for (const TraceColumn& column : trace_columns()) {
+    if (are_of_two_formats && column.of == ColumnOf::hdf5) continue;
     const bool lacks_a = lacks(a, column), lacks_b = lacks(b, column);
     if (lacks_a != lacks_b)
       changes.push_back(whole_change(fmt::format("{} is in the {} trace alone, and not compared", column.name,

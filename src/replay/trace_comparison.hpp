@@ -25,8 +25,10 @@ bool is_of_the_way(std::string_view column) noexcept;
 
 /// What differs between two traces, a change a column: at the times that both have. Where the finger went
 /// another way, that is said before, since what was felt is then another touch's.
-/// @param tolerance  what a column may differ by, in its own unit
-std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tolerance);
+/// @param tolerance           what a column may differ by, in its own unit
+/// @param are_of_two_formats  columns that HDF5 alone has are passed over
+std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tolerance,
+                                     bool are_of_two_formats);
 
 /// 0 for equal numbers and two that are none; infinite where only one is none.
 double distance_between(double a, double b) noexcept;

@@ -42,7 +42,7 @@ struct ChildEnd {
   bool asked = false;
 };
 
-ChildEnd watch_over(pid_t child, pid_t launcher) {
+ChildEnd watch_over(pid_t child, pid_t launcher, const std::function<void()>& on_asked) {
   const sigset_t set = watched_signals();
   for (ChildEnd end;;) {
     const pid_t ended = waitpid(child, &end.status, WNOHANG);
@@ -55,6 +55,7 @@ ChildEnd watch_over(pid_t child, pid_t launcher) {
     const int signal = sigtimedwait(&set, nullptr, &patience);
     if (signal == SIGINT || signal == SIGTERM) {
       kill(child, signal);
+      if (!end.asked && on_asked) on_asked();
       end.asked = true;
     } else if (!end.asked && getppid() != launcher) {
       kill(child, SIGTERM);
@@ -65,7 +66,7 @@ ChildEnd watch_over(pid_t child, pid_t launcher) {
 
 }  // namespace
 
-WatchedRank::WatchedRank(RankLog& log, const Ranks& ranks) {
+WatchedRank::WatchedRank(RankLog& log, const Ranks& ranks, const std::function<void()>& on_asked) {
   void* const memory = mmap(nullptr, sizeof(Told), PROT_READ | PROT_WRITE, MAP_SHARED | MAP_ANONYMOUS, -1, 0);
   if (memory == MAP_FAILED) throw Error(ErrorKind::fault, "", "no memory is left for a rank");
   told_ = new (memory) Told;
@@ -86,7 +87,7 @@ WatchedRank::WatchedRank(RankLog& log, const Ranks& ranks) {
       sigprocmask(SIG_SETMASK, &before, nullptr);
       return;
     }
-    const ChildEnd end = watch_over(child, ranks.launcher);
+    const ChildEnd end = watch_over(child, ranks.launcher, on_asked);
     if (WIFEXITED(end.status)) _exit(WEXITSTATUS(end.status));
     log.died(WTERMSIG(end.status));
     if (told_->left || end.asked) _exit(static_cast<int>(ErrorKind::fault));

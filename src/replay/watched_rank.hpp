@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "replay/rank_log.hpp"
 #include "replay/ranks.hpp"
 
@@ -13,7 +15,8 @@ namespace fingerpad {
 /// are threads.
 class WatchedRank {
  public:
-  WatchedRank(RankLog& log, const Ranks& ranks);
+  /// @param on_asked  called in the one that watches, where a signal has asked it to stop. May be empty
+  WatchedRank(RankLog& log, const Ranks& ranks, const std::function<void()>& on_asked = {});
 
   /// A child that is ended before it has begun another job is replaced a few times only.
   void begins_job() noexcept;

@@ -1,6 +1,7 @@
 #include "scene/scene_differences.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -12,16 +13,33 @@
 namespace fingerpad {
 namespace {
 
+/// A key's value, which the same number is however it is written.
+struct FlatValue {
+  std::string shown;    ///< as written
+  std::string meaning;  ///< equal where the values are
+
+  bool operator==(const FlatValue& other) const { return meaning == other.meaning; }
+};
+
 /// A scene without its tables.
 struct FlatScene {
-  std::map<std::string, std::string>
-      values;                    ///< by dotted keys; the second of an array of tables is "part 2"
-  std::set<std::string> listed;  ///< those tables of arrays: "part", "part 2"
+  std::map<std::string, FlatValue> values;  ///< by dotted keys; the second of an array of tables is "part 2"
+  std::set<std::string> listed;             ///< those tables of arrays: "part", "part 2"
 };
 
 bool holds_tables(const TomlNode& node) {
   return node.is(TomlNode::Type::array) && !node.items.empty() &&
          node.items.front().is(TomlNode::Type::table);
+}
+
+/// The value with 1000 and 1000.0 as one: whole numbers that a double holds, as such.
+TomlNode with_doubles(TomlNode value) {
+  constexpr std::int64_t most = std::int64_t{1} << 53;
+  if (value.is(TomlNode::Type::integer) && value.integer <= most && value.integer >= -most)
+    value.type = TomlNode::Type::number;
+  for (TomlNode& item : value.items) item = with_doubles(std::move(item));
+  for (TomlEntry& entry : value.entries) entry.value = with_doubles(std::move(entry.value));
+  return value;
 }
 
 void flatten(const TomlNode& table, const std::string& prefix, FlatScene& flat) {
@@ -38,7 +56,8 @@ void flatten(const TomlNode& table, const std::string& prefix, FlatScene& flat) 
       }
     } else {
       const bool is_text = entry.value.is(TomlNode::Type::text);
-      flat.values[key] = is_text ? entry.value.text : write_toml_value(entry.value);
+      flat.values[key] = {is_text ? entry.value.text : write_toml_value(entry.value),
+                          write_toml_value(with_doubles(entry.value))};
     }
   }
 }
@@ -49,10 +68,10 @@ bool names_file(const std::string& key) {
 
 /// "mu_static 0.3"; a file by its name alone.
 std::string words_for(const std::string& key, const std::string& label,
-                      const std::optional<std::string>& value) {
+                      const std::optional<FlatValue>& value) {
   if (!value) return label + " as by default";
-  if (names_file(key)) return std::filesystem::path(*value).filename().string();
-  return label + " " + *value;
+  if (names_file(key)) return std::filesystem::path(value->shown).filename().string();
+  return label + " " + value->shown;
 }
 
 /// The last part of each key, or the whole of it where two end alike.
@@ -65,7 +84,7 @@ std::map<std::string, std::string> labels_of(const std::vector<std::string>& key
   return labels;
 }
 
-std::optional<std::string> value_of(const FlatScene& scene, const std::string& key) {
+std::optional<FlatValue> value_of(const FlatScene& scene, const std::string& key) {
   const auto found = scene.values.find(key);
   return found != scene.values.end() ? std::optional(found->second) : std::nullopt;
 }

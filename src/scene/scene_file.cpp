@@ -81,6 +81,7 @@ void read_jobs(SceneFile& file, TomlNode root, const std::string& path, UnreadKe
   file.is_set = true;
   const std::vector<SetEntry> entries = read_set(*find_entry(root, "set"), path);
   std::erase_if(root.entries, [](const TomlEntry& entry) { return entry.key == "set"; });
+  refuse_keys_without_table(root, entries, path);
   const auto gives_mesh = [](const SetEntry& entry) {
     return std::any_of(entry.axes.begin(), entry.axes.end(),
                        [](const SetAxis& axis) { return axis.target == "part.mesh"; });

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <iterator>
 #include <tuple>
 
 #include "base/error.hpp"
@@ -103,9 +104,10 @@ SetAxis read_axis(const Leaf& leaf, const std::string& path) {
                     "of a scene, such as 'friction.law'",
                     leaf.key, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
   }
-  SetAxis axis{leaf.key, *target, {}};
+  SetAxis axis{leaf.key, *target, leaf.place, {}};
   const bool is_range = is_set_range(*leaf.value);
-  const TomlNode value = is_range ? range_values(*leaf.value, leaf.key, path) : *leaf.value;
+  const TomlNode value =
+      is_range ? range_values(*leaf.value, leaf.key, is_whole_key(*target), path) : *leaf.value;
   const auto is_list = [](const TomlNode& item) { return item.is(TomlNode::Type::array); };
   const bool list = is_list(value) && (is_range || !is_vector_key(*target) || value.items.empty() ||
                                        std::any_of(value.items.begin(), value.items.end(), is_list));
@@ -199,7 +201,43 @@ bool is_of_a_file(const TomlEntry& entry) {
   return entry.key == "file" || (row != nullptr && row->beside == "file");
 }
 
+/// The tables that there may be several of: a set's keys are of the first.
+constexpr std::string_view tables_of_several[] = {"part", "plane"};
+
+std::string_view table_of(const SetAxis& axis) {
+  return std::string_view(axis.target).substr(0, axis.target.find('.'));
+}
+
+/// Whether the entry gives all that a new table of this name needs.
+bool makes_table(const SetEntry& entry, std::string_view table) {
+  const auto gives = [&](const SceneKey& key) {
+    return std::any_of(entry.axes.begin(), entry.axes.end(), [&](const SetAxis& axis) {
+      return axis.target == fmt::format("{}.{}", table, key.key);
+    });
+  };
+  const std::vector<SceneKey>& keys = scene_table(table).keys;
+  return std::all_of(keys.begin(), keys.end(), [&](const SceneKey& key) {
+    const bool is_mesh = table == "part" && key.key == "mesh";  // which a set may give in its place
+    return !(key.required || is_mesh) || gives(key);
+  });
+}
+
 }  // namespace
+
+void refuse_keys_without_table(const TomlNode& root, const std::vector<SetEntry>& entries,
+                               const std::string& path) {
+  for (const std::string_view table : tables_of_several) {
+    if (find_entry(root, table) != nullptr) continue;
+    for (const SetEntry& entry : entries) {
+      const auto key = std::find_if(entry.axes.begin(), entry.axes.end(),
+                                    [&](const SetAxis& axis) { return table_of(axis) == table; });
+      if (key == entry.axes.end() || makes_table(entry, table)) continue;
+      throw refused(
+          place_text(path, key->place),
+          fmt::format("'{}' in [[set]] is of the first [[{}]], and the scene has none", key->key, table));
+    }
+  }
+}
 
 std::vector<SetEntry> read_set(const TomlEntry& set, const std::string& path) {
   const auto refuse = [&](const TomlNode& value) {
@@ -220,7 +258,8 @@ void put_value(TomlNode& root, const std::string& target, const TomlNode& value)
   std::string rest = target;
   for (std::size_t dot = rest.find('.'); dot != std::string::npos; dot = rest.find('.')) {
     const std::string key = rest.substr(0, dot);
-    const bool array = table == &root && (key == "part" || key == "plane");
+    const bool array = table == &root && std::find(std::begin(tables_of_several), std::end(tables_of_several),
+                                                   key) != std::end(tables_of_several);
     table = &table_at(*table, key, array);
     rest.erase(0, dot + 1);
   }

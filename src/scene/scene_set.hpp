@@ -22,6 +22,7 @@ inline constexpr std::size_t max_jobs = 100000;
 struct SetAxis {
   std::string key;               ///< as written, dotted
   std::string target;            ///< full dotted name in the scene
+  Place place;                   ///< of the key
   std::vector<SetValue> values;  ///< no more than max_jobs + 1: that many are too many whatever they are
 };
 
@@ -42,6 +43,12 @@ std::vector<std::size_t> choice_of_job(const SetEntry& entry, std::size_t job);
 /// `file:line:column`) for keys that no scene has, keys given twice, lists without values, globs that
 /// match nothing, and lists of several lengths where they go side by side.
 std::vector<SetEntry> read_set(const TomlEntry& set, const std::string& path);
+
+/// Throws Error (refused, at the key) where an entry has a key of the first [[part]] or [[plane]], the scene
+/// has none, and the entry does not give what such a table needs (`mesh`; `point_m` and `normal`).
+/// @param root  the scene without its set
+void refuse_keys_without_table(const TomlNode& root, const std::vector<SetEntry>& entries,
+                               const std::string& path);
 
 /// Puts a value at a full dotted name. `part.` and `plane.` name the first one; tables that are missing are
 /// made; a motion file drives out the keys of a scripted motion and the other way round.

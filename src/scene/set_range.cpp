@@ -46,6 +46,17 @@ TomlNode value_node(double value, bool whole, const Place& place) {
   return node;
 }
 
+/// Of a key that takes whole numbers alone. What is no number is for the key itself to refuse.
+void refuse_fractions(const TomlNode& list, const TomlNode& table, const std::string& key,
+                      const std::string& path) {
+  for (const TomlNode& item : list.items) {
+    if (!item.is(TomlNode::Type::number)) continue;
+    throw refused(
+        place_text(path, table.place),
+        fmt::format("'{}' in [[set]] takes whole numbers, and {} is none of them", key, item.written));
+  }
+}
+
 }  // namespace
 
 bool is_set_range(const TomlNode& table) noexcept {
@@ -55,7 +66,8 @@ bool is_set_range(const TomlNode& table) noexcept {
   });
 }
 
-TomlNode range_values(const TomlNode& table, const std::string& key, const std::string& path) {
+TomlNode range_values(const TomlNode& table, const std::string& key, bool wants_wholes,
+                      const std::string& path) {
   for (const TomlEntry& entry : table.entries) {
     const bool known =
         entry.key == "from" || entry.key == "to" || entry.key == "steps" || entry.key == "values";
@@ -65,6 +77,7 @@ TomlNode range_values(const TomlNode& table, const std::string& key, const std::
     if (table.entries.size() > 1) throw refuse_range(table, key, path, "has values and a range");
     if (!values->value.is(TomlNode::Type::array))
       throw refuse_range(values->value, key, path, "has values that are no list");
+    if (wants_wholes) refuse_fractions(values->value, table, key, path);
     return values->value;
   }
   const TomlNode& from = end_of_range(table, "from", key, path);
@@ -72,7 +85,7 @@ TomlNode range_values(const TomlNode& table, const std::string& key, const std::
   const TomlNode& steps = end_of_range(table, "steps", key, path);
   if (!steps.is(TomlNode::Type::integer) || steps.integer < 2)
     throw refuse_range(steps, key, path, "needs steps of 2 or more, a whole number");
-  const bool whole = from.is(TomlNode::Type::integer) && to.is(TomlNode::Type::integer);
+  const bool whole = wants_wholes || (from.is(TomlNode::Type::integer) && to.is(TomlNode::Type::integer));
   const double first = from.number, span = to.number - first;
   TomlNode list;
   list.type = TomlNode::Type::array;
@@ -84,6 +97,8 @@ TomlNode range_values(const TomlNode& table, const std::string& key, const std::
     const double value = parse_number(fmt::format("{:.12g}", exact)).value_or(exact);
     list.items.push_back(value_node(i == 0 || i + 1 == steps.integer ? exact : value, whole, table.place));
   }
+  const bool are_too_many = list.items.size() > max_jobs;  // which is told of the set
+  if (wants_wholes && !are_too_many) refuse_fractions(list, table, key, path);
   return list;
 }
 

@@ -14,8 +14,10 @@ bool is_set_range(const TomlNode& table) noexcept;
 /// The values of `{ from = 0.2, to = 0.4, steps = 5 }`, ends included and evenly apart, each rounded to 12
 /// digits so that it reads as it is meant; or the list of `{ values = [...] }`. Of whole numbers come whole
 /// ones where they fall so. Throws Error (refused, at its place) for anything else.
-/// @param key  as written, for messages
-/// @returns    an array
-TomlNode range_values(const TomlNode& table, const std::string& key, const std::string& path);
+/// @param key           as written, for messages
+/// @param wants_wholes  the key takes whole numbers alone: fractions are refused
+/// @returns             an array
+TomlNode range_values(const TomlNode& table, const std::string& key, bool wants_wholes,
+                      const std::string& path);
 
 }  // namespace fingerpad

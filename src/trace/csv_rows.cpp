@@ -9,6 +9,7 @@
 #include <fstream>
 #include <iterator>
 #include <system_error>
+#include <utility>
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
@@ -137,6 +138,11 @@ std::uint64_t read_every(const TextLines& lines, std::string_view cell, std::uin
   return every;
 }
 
+void mark_cut(Trace& trace, std::string how) {
+  trace.complete = false;
+  trace.cut = std::move(how);
+}
+
 }  // namespace
 
 std::string csv_header(std::span<const TraceColumn> columns, std::uint64_t every) {
@@ -207,14 +213,14 @@ Trace read_csv_trace(const std::string& path) {
     if (places[k] != cell_count) tell_of(trace_columns()[k], trace.info);
   }
   trace.info.changes = read_scene_changes(read_change_file(path), change_file_name(path));
-  trace.complete = !path.ends_with(".part");
+  if (path.ends_with(".part")) mark_cut(trace, "is of a recording that was cut short");
+  if (!lines.ended()) mark_cut(trace, fmt::format("ends within its header (line {})", lines.number()));
   std::vector<std::string_view> cells;
   while (lines.next(line)) {
-    if (!lines.ended() && !trace.complete) break;  // the row that was under way
     if (is_blank(line)) continue;
-    // A recording that was cut short may have been given another name since.
-    if (!lines.ended() && csv_cells(line, ',').size() < cell_count) {
-      trace.complete = false;
+    // The row that was under way, whatever name the recording has been given since.
+    if (!lines.ended()) {
+      mark_cut(trace, fmt::format("ends within a row (line {})", lines.number()));
       break;
     }
     split_csv(line, ',', cells);

@@ -63,6 +63,7 @@ void read_file(MotionReading& reading) {
     Trace trace = read_trace(settings.file_path, TraceContents::rows);
     reading.motion = motion_of_trace(trace, settings.file_path, reads_force);
     warn_of_thinned(reading, trace.info.every);
+    if (const std::string words = early_end_words(trace); !words.empty()) reading.warn(words);
     reading.changes = std::move(trace.info.changes);
     if (!reading.changes.empty())
       reading.note(fmt::format("with the {} changes of the scene that were made while it was touched",

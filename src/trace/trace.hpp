@@ -51,6 +51,7 @@ struct Trace {
   TraceInfo info;  ///< empty texts where the file has none (CSV)
   std::vector<TickRecord> rows;
   bool complete = true;  ///< false: the recording was cut short (its last flush is the end)
+  std::string cut = {};  ///< of one that is not complete: how, "ends within a row (line 12)"
   /// The surfaces as embedded in the file, in their order; without trees. Empty for CSV, and where a part was
   /// too large to be embedded: then only its mesh file has its shape.
   std::shared_ptr<const World> world;
@@ -67,12 +68,16 @@ enum class TraceContents { all, rows, some_rows };
 
 /// Reads a trace, HDF5 or CSV, by content. Throws Error (refused) for a file that is neither, lacks a column,
 /// or whose columns differ in length by more than an unfinished flush explains (then the shortest counts). A
-/// CSV named `*.part` is one that was cut short.
+/// CSV named `*.part` is one that was cut short, and so is one whose last row has no line end: that row is
+/// passed over, for its last number may lack digits.
 ///
 /// Traces may come from anyone: an HDF5 file is read by a child process (fork), where HDF5 may crash, and one
 /// that keeps anything outside of itself (external storage, links, virtual datasets) is refused.
 Trace read_trace(const std::string& path);
 Trace read_trace(const std::string& path, TraceContents contents);
+
+/// "ends within a row (line 12); read up to t = 0.01 s", behind the trace's name; empty of a complete one.
+std::string early_end_words(const Trace& trace);
 
 /// True if the file starts like an HDF5 file.
 bool is_hdf5(const std::string& path);

@@ -47,6 +47,7 @@ struct TraceColumn {
   void (*gather)(std::span<const TickRecord> rows, std::byte* out) noexcept;
   std::string_view values{};  ///< what its numbers stand for, an attribute in HDF5; empty: what `unit` says
   ColumnOf of = ColumnOf::every_trace;
+  bool of_the_way = false;  ///< it says where a motion or a hand put the finger, not what was felt there
 };
 
 /// All columns there are, in file order: t_s .. triangle first.

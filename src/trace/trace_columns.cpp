@@ -62,6 +62,11 @@ constexpr TraceColumn only(ColumnOf of, TraceColumn column) {
   return column;
 }
 
+constexpr TraceColumn of_the_way(TraceColumn column) {
+  column.of_the_way = true;
+  return column;
+}
+
 constexpr std::string_view
     finger = "the finger",
     touched = "contact point and outward normal; nan while free", whole = "whole force on the finger",
@@ -110,9 +115,9 @@ using Kind = ColumnKind;
 std::span<const TraceColumn> trace_columns() noexcept {
   static constexpr TraceColumn table[] = {
       column<&R::t_s>("t_s", "s", "time", Kind::place),
-      column<&R::p_WQ, 0>("x_m", "m", finger, Kind::place),
-      column<&R::p_WQ, 1>("y_m", "m", finger, Kind::place),
-      column<&R::p_WQ, 2>("z_m", "m", finger, Kind::place),
+      of_the_way(column<&R::p_WQ, 0>("x_m", "m", finger, Kind::place)),
+      of_the_way(column<&R::p_WQ, 1>("y_m", "m", finger, Kind::place)),
+      of_the_way(column<&R::p_WQ, 2>("z_m", "m", finger, Kind::place)),
       column<&R::phase>("phase", "1", "`free`, `stick`, `slip` (0, 1, 2 in HDF5)", Kind::phase,
                         "0 free, 1 stick, 2 slip"),
       column<&R::depth_m>("depth_m", "m", "radius less signed distance, where positive"),
@@ -143,22 +148,22 @@ std::span<const TraceColumn> trace_columns() noexcept {
       only(ColumnOf::hdf5,
            column<&R::ruptures>("ruptures", "1", "in HDF5 alone: how often stick gave way within the tick",
                                 Kind::index)),
-      only(ColumnOf::hands, column<&R::encoded_W, 0>("ex_m", "m", encoded)),
-      only(ColumnOf::hands, column<&R::encoded_W, 1>("ey_m", "m", encoded)),
-      only(ColumnOf::hands, column<&R::encoded_W, 2>("ez_m", "m", encoded)),
+      only(ColumnOf::hands, of_the_way(column<&R::encoded_W, 0>("ex_m", "m", encoded))),
+      only(ColumnOf::hands, of_the_way(column<&R::encoded_W, 1>("ey_m", "m", encoded))),
+      only(ColumnOf::hands, of_the_way(column<&R::encoded_W, 2>("ez_m", "m", encoded))),
       only(ColumnOf::hands, column<&R::push_W_n, 0>("hx_n", "N", pushed)),
       only(ColumnOf::hands, column<&R::push_W_n, 1>("hy_n", "N", pushed)),
       only(ColumnOf::hands, column<&R::push_W_n, 2>("hz_n", "N", pushed)),
       only(ColumnOf::estimated, column<&R::velocity_W, 0>("vx_m_per_s", "m/s", seen)),
       only(ColumnOf::estimated, column<&R::velocity_W, 1>("vy_m_per_s", "m/s", seen)),
       only(ColumnOf::estimated, column<&R::velocity_W, 2>("vz_m_per_s", "m/s", seen)),
-      only(ColumnOf::turning, column<&R::direction_W, 0>("dx", "1", pointed)),
-      only(ColumnOf::turning, column<&R::direction_W, 1>("dy", "1", pointed)),
-      only(ColumnOf::turning, column<&R::direction_W, 2>("dz", "1", pointed)),
-      only(ColumnOf::attitudes, column<&R::attitude, 0>("qw", "1", turned)),
-      only(ColumnOf::attitudes, column<&R::attitude, 1>("qx", "1", turned)),
-      only(ColumnOf::attitudes, column<&R::attitude, 2>("qy", "1", turned)),
-      only(ColumnOf::attitudes, column<&R::attitude, 3>("qz", "1", turned)),
+      only(ColumnOf::turning, of_the_way(column<&R::direction_W, 0>("dx", "1", pointed))),
+      only(ColumnOf::turning, of_the_way(column<&R::direction_W, 1>("dy", "1", pointed))),
+      only(ColumnOf::turning, of_the_way(column<&R::direction_W, 2>("dz", "1", pointed))),
+      only(ColumnOf::attitudes, of_the_way(column<&R::attitude, 0>("qw", "1", turned))),
+      only(ColumnOf::attitudes, of_the_way(column<&R::attitude, 1>("qx", "1", turned))),
+      only(ColumnOf::attitudes, of_the_way(column<&R::attitude, 2>("qy", "1", turned))),
+      only(ColumnOf::attitudes, of_the_way(column<&R::attitude, 3>("qz", "1", turned))),
       only(ColumnOf::sent, column<&R::sent_W_n, 0>("sx_n", "N", sent)),
       only(ColumnOf::sent, column<&R::sent_W_n, 1>("sy_n", "N", sent)),
       only(ColumnOf::sent, column<&R::sent_W_n, 2>("sz_n", "N", sent)),

@@ -1,8 +1,11 @@
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <limits>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/number_text.hpp"
 #include "base/path_words.hpp"
 #include "trace/csv_rows.hpp"
 #include "trace/file_seal.hpp"
@@ -56,6 +59,12 @@ Trace read_trace(const std::string& path, TraceContents contents) {
 
 Trace read_trace(const std::string& path) {
   return read_trace(path, TraceContents::all);
+}
+
+std::string early_end_words(const Trace& trace) {
+  if (trace.complete) return "";
+  if (trace.rows.empty()) return trace.cut + "; no row of it is whole";
+  return fmt::format("{}; read up to t = {} s", trace.cut, number_text(trace.rows.back().t_s));
 }
 
 }  // namespace fingerpad

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <set>
+#include <utility>
 
 #include "base/csv_columns.hpp"
 #include "base/error.hpp"
@@ -99,6 +100,7 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   if (over != Over::time) refuse_missing_columns(trace, path);
   const bool lacks_ticks = ticks_a_row(trace) > 1;
   const std::uint64_t every = trace.info.every;
+  std::string ends_early = early_end_words(trace);
   std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
   const std::string title = scene_title(trace.info, path);
   const std::string scene = trace.info.scene_name.empty() ? title : trace.info.scene_name;
@@ -107,6 +109,7 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   run.t_s = abscissa(trace.rows, Over::time);
   run.lacks_ticks = lacks_ticks;
   run.every = every;
+  run.ends_early = std::move(ends_early);
   for (const TraceColumn& column : trace_columns(trace.info)) {
     if (!is_comparable(column)) continue;
     ComparedColumn values{std::string(column.name), std::string(column.unit), {}};

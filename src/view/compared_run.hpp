@@ -31,6 +31,7 @@ struct ComparedRun {
   bool x_by_fewer = false;       ///< its way is told as a trace of fewer ticks tells it
   bool lacks_ticks = false;      ///< of its ticks some were left out, as far as its trace tells
   std::uint64_t every = 1;       ///< its rows are every so manieth tick, as its trace says
+  std::string ends_early = {};   ///< early_end_words() of its trace
 };
 
 /// Reads a trace, or a table with a column t_s and others named as a trace's (fx_n, fn_n, x_m). Over

@@ -1,6 +1,7 @@
 #include "view/measured_run.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "base/error.hpp"
 #include "trace/trace.hpp"
@@ -15,12 +16,14 @@ std::vector<ComparedRun> read_measured_and_model(const std::string& path, Over o
     throw refused(path,
                   "has no rfx_n, rfy_n, rfz_n: its motion named no measured force; name one in [motion], as "
                   "in columns = { fx = \"fx_n\", fy = \"fy_n\", fz = \"fz_n\" }, and replay it");
+  std::string ends_early = early_end_words(trace);
   std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
   const std::string title = scene_title(trace.info, path);
   ComparedRun measured{"measured", title, title, path, "", false, abscissa(trace.rows, over), {}};
   refuse_standstill(measured.x, over, path);
   ComparedRun model = measured;
   model.name = "model";
+  measured.ends_early = std::move(ends_early);  // once of the trace that both are of
   const char* names[] = {"fx_n", "fy_n", "fz_n"};
   for (int axis = 0; axis < 3; ++axis) {
     ComparedColumn of_measured{names[axis], "N", {}}, of_model{names[axis], "N", {}};

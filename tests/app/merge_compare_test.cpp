@@ -108,8 +108,43 @@ TEST(Compare, TellsWhatChangedByJobAndColumn) {
   fs::remove(folder / "a" / "s-0005.h5");
   const auto tolerated = test::fingerpad("compare a c --tolerance 2", folder);
   EXPECT_EQ(tolerated.exit_code, 0) << tolerated.out;
+}
+
+TEST(Compare, OfAFolderThatHoldsNothingToCompareIsRefused) {
+  const fs::path folder = folder_with_set();
+  replay_into(folder, "a");
   fs::create_directory(folder / "none");
-  EXPECT_EQ(test::fingerpad("compare none none", folder).exit_code, 3);
+  for (const char* folders : {"none none", "none a", "a none"}) {
+    const auto refused = test::fingerpad(std::string("compare ") + folders, folder);
+    EXPECT_EQ(refused.exit_code, 3) << folders;
+    EXPECT_THAT(refused.err, HasSubstr("none: holds no traces, and no summary of jobs")) << folders;
+  }
+  replay_into(folder, "b --format none");
+  fs::remove(folder / "a" / "summary.csv");
+  EXPECT_THAT(test::fingerpad("compare a b", folder).err,
+              HasSubstr("b: holds no traces, and a no summary of jobs to compare by"));
+}
+
+TEST(Compare, SetsHdf5TracesAgainstThoseOfCsvAndSaysSo) {
+  const fs::path folder = folder_with_set();
+  replay_into(folder, "a");
+  replay_into(folder, "b --format csv");
+  const auto alike = test::fingerpad("compare a b", folder);
+  EXPECT_EQ(alike.exit_code, 0) << alike.out;
+  EXPECT_EQ(alike.out,
+            "a: 5 traces are HDF5 here and CSV in b: the numbers in them are compared\n"
+            "0 of 5 traces changed from a to b\n");
+  change_scene(folder, "mu_dynamic = 0.2", "mu_dynamic = 0.1");
+  replay_into(folder, "c --format csv --shard 1/5");
+  const auto changed = test::fingerpad("compare c a", folder);
+  EXPECT_EQ(changed.exit_code, 4);
+  EXPECT_THAT(changed.out, HasSubstr("c: 1 trace is CSV here and HDF5 in a"));
+  EXPECT_THAT(changed.out, HasSubstr("s-0001.csv (seed 1): ffx_n differs by up to 0.1 N at t = "));
+  EXPECT_THAT(changed.out, HasSubstr("4 jobs are in a alone: s-0002.h5"));
+  // Of a job that has both, those of one format.
+  replay_into(folder, "a --format csv");
+  EXPECT_THAT(test::fingerpad("compare a b", folder).out,
+              testing::AllOf(Not(HasSubstr("here and")), HasSubstr("5 jobs are in a alone: s-0001.h5")));
 }
 
 TEST(Compare, SetsRowsAgainstEachOtherByTheirTime) {
@@ -210,7 +245,7 @@ TEST(Compare, TellsAColumnThatOneSideLacksAsAbsent) {
   fs::create_directory(folder / "b");
   // Without residual_bias_n and residual_lag_s, as an older program's.
   write_other_columns(folder / "a/summary.csv", folder / "b/summary.csv",
-                      "{ $(NF-3) = $(NF-1); $(NF-2) = $NF; NF -= 2; print }");
+                      "{ $(NF-4) = $(NF-2); $(NF-3) = $(NF-1); $(NF-2) = $NF; NF -= 2; print }");
   const auto older = test::fingerpad("compare b a", folder);
   EXPECT_EQ(older.exit_code, 0) << "no job differs";
   EXPECT_EQ(older.out,

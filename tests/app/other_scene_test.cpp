@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 
 #include "support/paths.hpp"
@@ -41,6 +42,42 @@ TEST(ASecondReplay, KeepsTheSummaryOfAnotherScene) {
   EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
   EXPECT_EQ(test::fingerpad("replay b.toml --quiet --out out --shard 1/2", folder).err, "")
       << "a shard has a summary of its own";
+}
+
+/// Every entry of a folder; files with their bytes and the moment of their last change.
+std::vector<std::string> state_of(const fs::path& folder) {
+  std::vector<std::string> state;
+  for (const fs::directory_entry& entry : fs::recursive_directory_iterator(folder)) {
+    state.push_back(entry.path().string());
+    if (entry.is_regular_file())
+      state.back() +=
+          std::to_string(fs::last_write_time(entry).time_since_epoch().count()) + bytes_of(entry.path());
+  }
+  std::sort(state.begin(), state.end());
+  return state;
+}
+
+TEST(ASecondReplay, OfALoneSceneThatIsRefusedLeavesTheFolderAsItWas) {
+  const fs::path folder = folder_with_scenes();
+  std::ofstream(folder / "torn.stl") << "solid torn\nfacet";
+  const std::string motion = bytes_of(folder / "a.toml").substr(bytes_of(folder / "a.toml").find("[motion]"));
+  std::ofstream(folder / "mesh.toml") << "[[part]]\nmesh = \"torn.stl\"\n" << motion;
+  std::ofstream(folder / "motion.toml")
+      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nfile = \"none.csv\"\n";
+  ASSERT_EQ(test::fingerpad("replay a.toml --quiet --out out", folder).exit_code, 0);
+  const auto before = state_of(folder / "out");
+  for (const std::string scene : {"mesh.toml", "motion.toml", "none.toml"}) {
+    const auto refused = test::fingerpad("replay " + scene + " --out out", folder);
+    EXPECT_EQ(refused.exit_code, 3) << refused.err;
+    EXPECT_THAT(refused.err, testing::Not(HasSubstr("kept")));
+    EXPECT_THAT(refused.out, testing::AnyOf("", "0 of 1 job done, nothing in out\n"));
+    EXPECT_TRUE(state_of(folder / "out") == before) << scene;
+    EXPECT_EQ(test::fingerpad("replay " + scene + " --out new/er", folder).exit_code, 3);
+    EXPECT_FALSE(fs::exists(folder / "new")) << scene;
+  }
+  // A batch tells of each of its jobs.
+  EXPECT_EQ(test::fingerpad("replay mesh.toml motion.toml --quiet --out out", folder).exit_code, 4);
+  EXPECT_TRUE(fs::exists(folder / "out" / "summary.kept-1.csv"));
 }
 
 TEST(ASecondReplay, KeepsATableOfAnotherProgram) {

@@ -119,6 +119,10 @@ TEST(Ranks, ThatDieAltogetherEndTheRunOfALauncherThatIsNotAsked) {
   const ShellResult run =
       test::shell(support("kill_rank") + "o 0 rank env " + as_ranks(2) + "replay plane.toml --out o", folder);
   EXPECT_EQ(run.exit_code, 137) << "128 and the signal: " << run.err;
+  EXPECT_THAT(run.err,
+              HasSubstr("fingerpad: warning: o: rank 0 was killed, and what started the ranks ends the "
+                        "others for that; the same command with --resume does the rest. Open MPI lets "
+                        "the others go on where it is told `mpirun --enable-recovery`\n"));
   // What was done stays; a run by itself does the rest.
   ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet --resume", folder).exit_code, 0);
   ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);

@@ -211,6 +211,17 @@ TEST(ResumeWithOtherColumns, SaysThatTheOptionsAreOthers) {
   EXPECT_THAT(replay(folder, "--out out --resume --quiet").err, Not(HasSubstr("made again")));
 }
 
+TEST(ResumeWithANumberWrittenOtherwise, SaysThatNoKeyHasAnotherValue) {
+  const fs::path folder = folder_with_scene({});
+  replay(folder, "--out out");
+  std::string text = bytes_of(folder / "s.toml");
+  text.replace(text.find("= 1000\n"), 7, "= 1000.0\n");
+  std::ofstream(folder / "s.toml") << text;
+  EXPECT_THAT(
+      replay(folder, "--out out --resume").err,
+      HasSubstr("made again: the scene has changed since, though none of its keys has another value\n"));
+}
+
 TEST(ResumeOfASetThatHasBecomeLonger, TellsAFewOfManyReasons) {
   const fs::path folder = folder_with_scene({});
   const auto add_set = [&](const std::string& seeds) {
@@ -246,9 +257,10 @@ TEST(ResumeAfterAnotherBuild, SaysWhichBuildAndHowManyJobsAreMadeAgain) {
   EXPECT_THAT(again.err,
               HasSubstr("fingerpad: out: holds traces of another build of the program (0123456789ab; "
                         "this one is "));
-  EXPECT_THAT(again.err,
-              HasSubstr("fingerpad: warning: 2 of 3 jobs in out were made again: they were of another "
-                        "build of the program (0123456789ab; this one is "));
+  EXPECT_THAT(
+      again.err,
+      HasSubstr("fingerpad: warning: out: 2 of 3 jobs were made again: it was of another build of the "
+                "program (0123456789ab; this one is "));
   EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
   EXPECT_THAT(replay(folder, "--out out --resume").err, Not(HasSubstr("build")))
       << "all are this build's again";

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -85,6 +86,7 @@ TEST(ContactChoice, IsKeptInTheJobTheTraceAndTheSummary) {
   std::istringstream summary(text_of(folder / "out" / "summary.csv"));
   std::vector<std::string> ends;
   for (std::string line; std::getline(summary, line);) {
+    line.erase(std::min(line.find(",\""), line.rfind(',')));  // its warnings
     const std::size_t second = line.rfind(',', line.rfind(',') - 1);
     ends.push_back(line.substr(second + 1));
   }

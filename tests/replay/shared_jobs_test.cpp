@@ -171,8 +171,9 @@ TEST(JobOutcome, ComesBackFromItsTextBitForBit) {
   jobs[2].status = "caf\xC3\xA9 \"x\"\n;";
   jobs[2].figures = {0.1, -0.0, std::numeric_limits<double>::quiet_NaN()};
   jobs[2].contact_reasons = {"why"};
-  jobs[2].other_build = "0123abcd";
-  jobs[2].why_again = "the scene has changed since";
+  jobs[2].kept_warnings = {"a.stl: is 1 mm long"};
+  jobs[2].made_again = {"the scene has changed since", true};
+  jobs[2].wrote_nothing = true;
   jobs[2].exit_code = 3;
   const std::string text = outcome_text(jobs[2], 2);
   EXPECT_EQ(text.find('\n'), std::string::npos) << "one record";
@@ -182,12 +183,15 @@ TEST(JobOutcome, ComesBackFromItsTextBitForBit) {
   EXPECT_EQ(std::signbit(read[2].figures[1]), true);
   EXPECT_TRUE(std::isnan(read[2].figures[2]));
   EXPECT_THAT(read[2].contact_reasons, ElementsAre("why"));
-  EXPECT_EQ(read[2].other_build, "0123abcd");
-  EXPECT_EQ(read[2].why_again, "the scene has changed since");
+  EXPECT_THAT(read[2].kept_warnings, ElementsAre("a.stl: is 1 mm long"));
+  EXPECT_EQ(read[2].made_again.why, "the scene has changed since");
+  EXPECT_TRUE(read[2].made_again.of_other_build);
+  EXPECT_TRUE(read[2].wrote_nothing);
   for (const char* nonsense :
-       {"", "[9", "{}", "[2]", "[9,\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[],\"\",\"\"]",
-        "[2,7,0,0,[],\"\",\"\",[],false,\"\",[],[],\"\",\"\"]", "[2,\"ok\",0,0,[],1,2,3,4,5,6,7,8,9]",
-        "[\"\",\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[],\"\",\"\"]"})
+       {"", "[9", "{}", "[2]", "[9,\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[],[],\"\",false,false]",
+        "[2,7,0,0,[],\"\",\"\",[],false,\"\",[],[],[],\"\",false,false]",
+        "[2,\"ok\",0,0,[],1,2,3,4,5,6,7,8,9,10,11]",
+        "[\"\",\"ok\",0,0,[],\"\",\"\",[],false,\"\",[],[],[],\"\",false,false]"})
     take_outcome(read, nonsense);
   EXPECT_EQ(read[2].status, jobs[2].status) << "taken as a whole or not at all";
   EXPECT_EQ(read[2].exit_code, 3);

@@ -50,11 +50,11 @@ TEST(SummaryColumns, AreTheFieldsOfTheSchema) {
 TEST(BatchResults, AreReadAsTheyWereWritten) {
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "summary.csv")
-      << "scene,job,mesh,status,ticks,pop_throughs,max_normal_force_n,energy_made_j,max_depth_m\n"
-         "s,1,\"a,\"\"b\"\".stl\",ok,10,0,1,0.0001,0.01\n"
-         "s,2,c.stl,ok,10,2,1,0,0.01\n"
-         "s,3,d.stl,\"d.stl: is, empty\",nan,nan,nan,nan,nan\n"
-         "s,4,e.stl,ok,10,0,1,0.0003,0.01\n";
+      << "scene,job,mesh,status,ticks,pop_throughs,max_normal_force_n,energy_made_j,max_depth_m,warnings\n"
+         "s,1,\"a,\"\"b\"\".stl\",ok,10,0,1,0.0001,0.01,\n"
+         "s,2,c.stl,ok,10,2,1,0,0.01,\"c.stl: unit = \"\"m\"\", or 1 mm\"\n"
+         "s,3,d.stl,\"d.stl: is, empty\",nan,nan,nan,nan,nan,\n"
+         "s,4,e.stl,ok,10,0,1,0.0003,0.01,\n";
   std::ofstream(folder / "jobs.csv")
       << "number,file,scene,mesh,motion\n1,s-0001.h5,s,\"a,\"\"b\"\".stl\",m.csv\n"
          "2,../elsewhere.h5,s,c.stl,m.csv\n";
@@ -73,7 +73,7 @@ TEST(BatchResults, AreReadAsTheyWereWritten) {
   for (const JobTrouble& trouble : order) jobs.push_back(trouble.job + 1);
   EXPECT_EQ(jobs, (std::vector<std::size_t>{3, 2, 4, 1}));
   EXPECT_EQ(order[0].words, "failed");
-  EXPECT_EQ(order[1].words, "2 pop-throughs");
+  EXPECT_EQ(order[1].words, "2 pop-throughs, c.stl: unit = \"m\", or 1 mm");
   EXPECT_EQ(order[2].words, "made 0.0003 J of energy");
   EXPECT_EQ(order[3].words, "") << "0.1 mJ is a hundredth of 1 N times 1 cm, and no more";
 }

@@ -17,6 +17,17 @@ TEST(SceneDifferences, NameOnlyWhatDiffers) {
   EXPECT_EQ(scene_differences({scene("0.3", "a"), scene("0.3", "a")}), (Words{"", ""}));
 }
 
+TEST(SceneDifferences, AreNoneInHowANumberIsWritten) {
+  const std::string plane = "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\n";
+  const std::string same = "[[plane]]\npoint_m = [0.0, 0e3, 0]\nnormal = [0, 0, 1.0]\n[motion]\n";
+  EXPECT_EQ(scene_differences({plane + "rate_hz = 1000\n", same + "rate_hz = 1000.0\n"}), (Words{"", ""}));
+  EXPECT_EQ(scene_differences({plane + "rate_hz = 1000\n", same + "rate_hz = 1e4\n"}),
+            (Words{"rate_hz 1000", "rate_hz 10000.0"}));
+  EXPECT_EQ(scene_differences({"seed = 9007199254740993\n", "seed = 9007199254740992\n"}),
+            (Words{"seed 9007199254740993", "seed 9007199254740992"}))
+      << "which are one double";
+}
+
 TEST(SceneDifferences, CallFilesByTheirNamesAndTellDefaults) {
   EXPECT_EQ(scene_differences({"[[part]]\nmesh = \"x/a.stl\"\n[friction]\nlaw = \"dahl\"\n",
                                "[[part]]\nmesh = \"y/b.stl\"\n"}),

@@ -205,6 +205,33 @@ TEST(SceneSet, ASetMayGiveTheMeshThatThePartLacks) {
               StartsWith("s.toml:1:1: [[part]] needs"));
 }
 
+TEST(SceneSet, AKeyOfATableThatTheSceneHasNotIsRefusedOnceWithWhatIsWrong) {
+  EXPECT_EQ(refusal(plane_scene + "[[set]]\nseed = [1, 2]\npart.mu_static = [0.3, 0.4]\n"),
+            "s.toml:" + std::to_string(1 + std::count(plane_scene.begin(), plane_scene.end(), '\n') + 2) +
+                ":6: 'part.mu_static' in [[set]] is of the first [[part]], and the scene has none");
+  EXPECT_THAT(refusal("[[part]]\nmesh = \"a\"\n[[set]]\nplane.point_m = [0, 0, 1]\n"),
+              HasSubstr("'plane.point_m' in [[set]] is of the first [[plane]], and the scene has none"));
+  // What makes the table by itself does.
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nmesh = [\"a\", \"b\"]\npart.mu_static = 0.4\n"),
+              ElementsAre("a 0.4", "b 0.4"));
+  EXPECT_EQ(jobs_of("[[part]]\nmesh = \"a\"\n[[set]]\nplane.point_m = [0, 0, 1]\nplane.normal = [0, 0, 1]\n")
+                .size(),
+            1u);
+}
+
+TEST(SceneSet, ARangeOfAKeyThatTakesWholeNumbersGivesThese) {
+  const auto told = [](const std::string& range) {
+    return refusal(plane_scene + "[[set]]\nseed = " + range + "\n");
+  };
+  EXPECT_THAT(told("{ from = 1, to = 4, steps = 3 }"),
+              HasSubstr("'seed' in [[set]] takes whole numbers, and 2.5 is none of them"));
+  EXPECT_THAT(told("{ values = [1, 2.5] }"), HasSubstr("takes whole numbers, and 2.5 is none"));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nhand.delay_ticks = { from = 0, to = 1, steps = 3 }\n"),
+              HasSubstr("'hand.delay_ticks' in [[set]] takes whole numbers, and 0.5 is none of them"));
+  EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nseed = { from = 1.0, to = 3.0, steps = 3 }\n"),
+              ElementsAre("1", "2", "3"));
+}
+
 TEST(SceneSet, ARangeIsItsEvenValuesAndAListMayBeNamedSo) {
   EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nplane.mu_static = { from = 0.2, to = 0.5, steps = 4 }\n"),
               ElementsAre("0.2", "0.3", "0.4", "0.5"));

@@ -26,7 +26,12 @@ TEST(TraceTextVariants, AreReadExactlyRightOrRefused) {
   for (const test::TextVariant& variant : test::text_variants()) {
     SCOPED_TRACE(variant.name);
     try {
-      EXPECT_TRUE(test::same_rows(read_trace(written("t.csv", variant.of(text))).rows, rows));
+      const Trace trace = read_trace(written("t.csv", variant.of(text)));
+      // The row that lacks its line end is none, and that is told.
+      std::vector<TickRecord> whole = rows;
+      if (!trace.complete) whole.pop_back();
+      EXPECT_TRUE(test::same_rows(trace.rows, whole));
+      EXPECT_EQ(trace.complete, std::string(variant.name) != "no last end");
     } catch (const Error& error) {
       const std::string name = variant.name;
       EXPECT_EQ(error.kind(), ErrorKind::refused);

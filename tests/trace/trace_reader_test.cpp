@@ -85,6 +85,7 @@ TEST(TraceReader, InATraceCutShortTheShortestColumnCounts) {
   const Trace trace = read_trace(path.string());
   EXPECT_FALSE(trace.complete);
   EXPECT_EQ(trace.rows.size(), 60u);
+  EXPECT_EQ(early_end_words(trace), "is of a recording that was cut short; read up to t = 0.059 s");
 }
 
 TEST(TraceReader, RefusesAbsurdLengthsBeforeTakingMemory) {
@@ -136,16 +137,23 @@ TEST(TraceReader, OfACsvCutShortTheLastRowIsLeftOutWhateverItsName) {
   const auto folder = test::scratch_dir();
   test::write_trace(folder / "t.csv", TraceFormat::csv, some_rows(3));
   const std::string whole = test::bytes_of(folder / "t.csv");
-  for (const char* name : {"kept.csv", "t2.csv.part"}) {
-    write_text(folder / name, whole.substr(0, whole.rfind(',')));
-    const Trace trace = read_trace((folder / name).string());
-    EXPECT_EQ(trace.rows.size(), 2u) << name;
-    EXPECT_FALSE(trace.complete) << name;
+  // Where all cells are there the last number may still lack digits.
+  for (const std::size_t end : {whole.rfind(','), whole.size() - 1}) {
+    for (const char* name : {"kept.csv", "t2.csv.part"}) {
+      write_text(folder / name, whole.substr(0, end));
+      const Trace trace = read_trace((folder / name).string());
+      EXPECT_EQ(trace.rows.size(), 2u) << name;
+      EXPECT_FALSE(trace.complete) << name;
+      EXPECT_EQ(early_end_words(trace), "ends within a row (line 4); read up to t = 0.001 s") << name;
+    }
   }
-  // A table that somebody saved without a last line's end is whole.
-  write_text(folder / "saved.csv", whole.substr(0, whole.size() - 1));
-  EXPECT_EQ(read_trace((folder / "saved.csv").string()).rows.size(), 3u);
-  EXPECT_TRUE(read_trace((folder / "saved.csv").string()).complete);
+  write_text(folder / "header.csv", whole.substr(0, whole.find('\n')));
+  EXPECT_EQ(early_end_words(read_trace((folder / "header.csv").string())),
+            "ends within its header (line 1); no row of it is whole");
+  write_text(folder / "t.csv.part", whole);
+  EXPECT_EQ(early_end_words(read_trace((folder / "t.csv.part").string())),
+            "is of a recording that was cut short; read up to t = 0.002 s");
+  EXPECT_EQ(early_end_words(read_trace((folder / "t.csv").string())), "");
 }
 
 TEST(TraceReader, CsvColumnsMayStandInAnyOrderAmongOthers) {

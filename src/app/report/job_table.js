@@ -15,9 +15,10 @@ function escapedBreakable(text) {
   return span.innerHTML;
 }
 
-/** "failed: why", or what the figures tell. */
+/** What the figures and warnings tell; of a failed job with the reason: "failed: why". Files by their names. */
 function troubleOf(job) {
-  return job.status === "ok" ? job.trouble : "failed: " + job.status.replace(/(\/[^\/\s:]+)+\//, "");
+  const words = job.status === "ok" ? job.trouble : "failed: " + job.status + job.trouble.slice("failed".length);
+  return words.replace(/(\/[^\/\s:]+)+\//g, "");
 }
 
 /** Whether a part has several motions; where each has its own, its name tells nothing. */
