@@ -37,7 +37,7 @@ double as_normal_stiffness(double told, double times, const ProfileFit& fit) {
   return told * std::pow(times, 1 - 1 / exponent) * std::pow(fit.mu_load_n, 1 / exponent - 1 / told_exponent);
 }
 
-constexpr double wide_loads = 0.1;  // what these two miss of loads that change by two thirds either way
+constexpr double wide_loads = 0.2;  // what these two miss of loads that change by two thirds either way
 
 constexpr RestsOnZero rest_on_zero[] = {
     {PadNumber::mu_static, as_coefficient},

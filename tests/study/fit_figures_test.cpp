@@ -130,29 +130,30 @@ std::string all_notes(const Chart& chart) {
 
 TEST(FitFigures, WhatTheLevelsOverOneTrialAreOfIsSaid) {
   const Pictured two(rubs_of_two()), one({{2, 45, 0}, {2, 45, 90}, {2, 45, 45}});
-  EXPECT_THAT(all_notes(phase_change_figure(two.source)),
-              testing::ContainsRegex("v_min, mu_s, mu_d: the profile's \\(at 1 N\\), of all 2 subjects; the "
-                                     "strips: subject [12]'s alone"));
+  EXPECT_THAT(
+      all_notes(phase_change_figure(two.source)),
+      testing::ContainsRegex("v_min, mu_s, mu_d: the profile's \\(at 1.03 N\\), of all 2 subjects; the "
+                             "strips: subject [12]'s alone"));
   EXPECT_THAT(all_notes(phase_change_figure(one.source)),
-              HasSubstr("v_min, mu_s, mu_d: the profile's (at 1 N), of all trials"));
+              HasSubstr("v_min, mu_s, mu_d: the profile's (at 1.03 N), of all trials"));
 }
 
 /// Rubs of one subject, at each angle across the finger, along it or both.
 TEST(FitFigures, AnAngleIsDrawnAtWhichTheFingerWasPushedAlongTheAxis) {
-  const Pictured far({{2, 45, 90}, {2, 45, 90}, {2, 60, 0}, {2, 60, 90}, {2, 60, 0}, {2, 45, 90}});
+  const Pictured far({{2, 45, 90}, {2, 45, 90}, {2, 53, 0}, {2, 53, 90}, {2, 53, 0}, {2, 45, 90}});
   const Chart ellipse = stick_ellipse_figure(far.source);
   ASSERT_EQ(ellipse.panels.size(), 1U);
-  EXPECT_EQ(ellipse.panels[0].title, "subject 2, finger at 60 deg");
+  EXPECT_EQ(ellipse.panels[0].title, "subject 2, finger at 53 deg");
   EXPECT_EQ(ellipse.panels[0].curves.size(), 3U);
   const Chart pulls = force_displacement_figure(far.source);
   ASSERT_EQ(pulls.panels.size(), 2U);
-  EXPECT_THAT(pulls.panels[0].curves.back().name, HasSubstr("fitted, at 60 deg"));
+  EXPECT_THAT(pulls.panels[0].curves.back().name, HasSubstr("fitted, at 53 deg"));
   EXPECT_THAT(pulls.panels[1].curves.back().name, HasSubstr("fitted, at 45 deg"));
   EXPECT_THAT(all_notes(ellipse) + all_notes(pulls), Not(HasSubstr("is not pushed")));
 }
 
 TEST(FitFigures, AnAxisThatNoTrialWasPushedAlongIsSaidToBeSo) {
-  const Pictured parted({{2, 45, 90}, {2, 45, 90}, {2, 60, 0}, {2, 60, 0}, {2, 45, 90}, {2, 60, 0}});
+  const Pictured parted({{2, 45, 90}, {2, 45, 90}, {2, 53, 0}, {2, 53, 0}, {2, 45, 90}, {2, 53, 0}});
   EXPECT_THAT(
       all_notes(stick_ellipse_figure(parted.source)),
       HasSubstr("subject 2 is not pushed across the finger at 45 deg: its ellipse's lateral axis is that "
