@@ -25,13 +25,19 @@ ChartCurve slope_line(std::string name, const CurveStyle& style, double slope_pe
           {1 - slope_per_deg * (from_deg - 45), 1 - slope_per_deg * (to_deg - 45)}};
 }
 
+/// Which of the measurement's subjects one is: its colour and mark are the same in every panel.
+std::size_t place_of(const FitPictureSource& source, int subject) {
+  const std::vector<int> subjects = subjects_in(source.measurement);
+  return static_cast<std::size_t>(std::find(subjects.begin(), subjects.end(), subject) - subjects.begin());
+}
+
 /// Points of each subject with a mark of its own.
 void add_axis_points(const FitPictureSource& source, std::size_t axis, ChartPanel& panel) {
   std::map<int, ChartCurve> subjects;
   for (const TrialAxes& axes : source.stick.axes) {
     const MeasuredTrial& trial = source.measurement.trials[axes.trial];
     if (!std::isfinite(axes.axis_m[axis])) continue;
-    const auto number = subjects.size();
+    const std::size_t number = place_of(source, trial.subject);
     auto& curve = subjects
                       .try_emplace(trial.subject,
                                    ChartCurve{fmt::format("subject {}", trial.subject),
@@ -98,7 +104,7 @@ void add_pulls(const FitPictureSource& source, std::size_t axis, ChartPanel& pan
     constexpr std::size_t most_samples = 6000;
     if (!is_shown(source, path.trial, axis, angles)) continue;
     if ((samples[trial.subject] += path.force_n.size()) > most_samples) continue;
-    const auto number = static_cast<int>(subjects.size());
+    const auto number = static_cast<int>(place_of(source, trial.subject));
     auto& curve = subjects
                       .try_emplace(trial.subject, ChartCurve{fmt::format("subject {}", trial.subject),
                                                              {number, Dash::solid, Marker::none, 0.7},

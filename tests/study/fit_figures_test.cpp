@@ -165,6 +165,13 @@ TEST(FitFigures, AnAxisThatNoTrialWasPushedAlongIsSaidToBeSo) {
   EXPECT_THAT(all_notes(pulls), HasSubstr("subject 1 is not pushed across the finger"));
   EXPECT_EQ(curve_of(pulls.panels[0], "subject 1"), nullptr);
   EXPECT_NE(curve_of(pulls.panels[1], "subject 1"), nullptr);
+  const Chart axes = normalised_axes_figure(along.source);
+  for (const Chart* chart : {&pulls, &axes}) {
+    const ChartCurve *lateral = curve_of(chart->panels[0], "subject 2"),
+                     *longitudinal = curve_of(chart->panels[1], "subject 2");
+    ASSERT_TRUE(lateral != nullptr && longitudinal != nullptr) << chart->name;
+    EXPECT_EQ(lateral->style.colour, longitudinal->style.colour) << chart->name;
+  }
   const Pictured none({{2, 45, 90}, {2, 45, 90}, {2, 45, 90}});
   ASSERT_EQ(force_displacement_figure(none.source).panels.size(), 1U);
   EXPECT_EQ(force_displacement_figure(none.source).panels[0].title, "longitudinal");
