@@ -22,13 +22,25 @@ struct Row {
   const std::vector<std::string_view>& cells;
 };
 
+/// Whether all cells are numbers, without a decimal point in any.
+bool hold_no_point(const std::vector<std::string_view>& cells) {
+  return std::all_of(cells.begin(), cells.end(), [](std::string_view cell) {
+    return cell.empty() || (csv_number(cell, '.') && cell.find('.') == std::string_view::npos);
+  });
+}
+
 /// A row of more cells than the header names is some other row: a form feed that ends rows, a comma that is
 /// a decimal mark. Blank ones at its end are a trailing separator.
-void refuse_extra_cells(const Row& row, std::size_t header_cells) {
+void refuse_extra_cells(const Row& row, std::size_t header_cells, char separator) {
   for (std::size_t i = header_cells; i < row.cells.size(); ++i) {
     if (row.cells[i].empty()) continue;
     throw refused(row.lines.place(),
-                  fmt::format("has {} cells, but the header has {}", row.cells.size(), header_cells));
+                  fmt::format("has {} cells, but the header has {}{}", row.cells.size(), header_cells,
+                              separator == ',' && hold_no_point(row.cells)
+                                  ? ": are its commas decimal marks, too? Those cannot be told from commas "
+                                    "between cells: write decimal points, or part the cells by ; and say "
+                                    "decimal = \",\" in [motion] (fit: --decimal ,)"
+                                  : ""));
   }
 }
 
@@ -176,7 +188,7 @@ void CsvRowReader::take(std::string_view line) {
   const Row row{lines_, cells_};
   if (rows_ == 0 && wanted_.front().cell < cells_.size() && is_row_of_units(cells_, wanted_, decimal_))
     refuse_units(row, wanted_);
-  refuse_extra_cells(row, header_cells_);
+  refuse_extra_cells(row, header_cells_, separator_);
   for (const Wanted& column : wanted_) numbers_[column.index] = number_in(row, column, decimal_, takes_gaps_);
   ++rows_;
 }

@@ -92,6 +92,18 @@ struct LowPhase {
   bool operator==(const LowPhase&) const = default;
 };
 
+/// Whether the force falls to a low phase within one sample, or rises from it.
+bool falls_at_once(const TrialSenses& sensed, const LowPhase& phase) {
+  constexpr double most_of_it = 0.5;
+  const auto steps = [&](Eigen::Index pressed, Eigen::Index low) {
+    return sensed.normal_n[static_cast<std::size_t>(pressed)] -
+               sensed.normal_n[static_cast<std::size_t>(low)] >
+           most_of_it * sensed.press_n;
+  };
+  return (phase.begins_pressed && steps(phase.from - 1, phase.from)) ||
+         (phase.ends_pressed && steps(phase.to, phase.to - 1));
+}
+
 /// Whether the force along the plate changes while the normal force does not: as friction does, and no
 /// sensor's offset, which drifts straight. By means over 50 ms, from which hum is gone.
 bool rubs_within(const TrialSenses& sensed, const LowPhase& phase) {
@@ -205,7 +217,7 @@ AirRuns runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>&
   std::vector<MovingRun> moving;
   std::optional<LowPhase> last;
   FingerPlace by_height = FingerPlace::unknown;
-  bool rubs = false;
+  bool rubs = false, keeps_height_at_once = false;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     const LowPhase phase(sensed, runs[r]);
     if (!last || *last != phase) {  // of whose still parts one after the other comes
@@ -214,7 +226,10 @@ AirRuns runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>&
       last = phase;
     }
     places.push_back(by_height);
-    if (by_height == FingerPlace::plate) continue;
+    if (by_height == FingerPlace::plate) {
+      keeps_height_at_once = keeps_height_at_once || (!rubs && falls_at_once(sensed, phase));
+      continue;
+    }
     if (const auto one = moved_along(sensed, runs[r], r)) moving.push_back(*one);
     if (rubs) places[r] = FingerPlace::plate;
   }
@@ -222,6 +237,7 @@ AirRuns runs_in_the_air(const RecordedTrial& trial, const std::vector<StillRun>&
     for (const MovingRun& one : moving) places[one.run] = FingerPlace::plate;
   }
   AirRuns found;
+  found.falls_at_once = keeps_height_at_once;
   for (std::size_t r = 0; r < runs.size(); ++r) {
     if (places[r] == FingerPlace::air) found.surely.push_back(runs[r]);
     if (places[r] == FingerPlace::unknown) found.perhaps.push_back(runs[r]);

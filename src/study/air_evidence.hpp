@@ -18,6 +18,9 @@ struct AirRuns {
   std::vector<StillRun> surely;   ///< told by height
   std::vector<StillRun> perhaps;  ///< nothing tells
   bool presses_on = false;        ///< others are pressed
+  /// Of these, one is where the force has fallen, or rises, within one sample: of a finger that was lifted so
+  /// fast and then keeps its height, what its height tells looks alike.
+  bool falls_at_once = false;
 };
 
 /// Tells a finger that rests or rubs on the plate from one that is off it, over all of the moment in which

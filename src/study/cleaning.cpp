@@ -110,11 +110,12 @@ std::string contact_text(const std::vector<TrialCleaning>& trials) {
 
 /// What was taken off for the sensor's zero, and why from no more.
 std::string tare_text(const std::vector<TrialCleaning>& trials) {
-  std::size_t tared = 0, press_on = 0;
+  std::size_t tared = 0, press_on = 0, at_once = 0;
   double most_n = 0;
   for (const TrialCleaning& trial : trials) {
     tared += trial.free_samples > 0 ? 1 : 0;
     press_on += trial.presses_on ? 1 : 0;
+    at_once += trial.falls_at_once ? 1 : 0;
     most_n = std::max({most_n, trial.tare_begin_n.norm(), trial.tare_end_n.norm()});
   }
   std::string text =
@@ -126,6 +127,11 @@ std::string tare_text(const std::vector<TrialCleaning>& trials) {
   if (press_on > 0)
     text += fmt::format(
         " (in {} of them height or friction tell that the finger presses on where it is lightest)", press_on);
+  if (at_once > 0)
+    text += fmt::format(
+        "; in {} of them the force falls or rises there within one sample: a finger that is lifted so fast "
+        "and then keeps its height looks like one that presses on",
+        at_once);
   return text + ": record a second in the air in each trial, or zero the sensor before it";
 }
 

@@ -85,12 +85,13 @@ void refuse_odd_axes(ProfileFit& fit) {
 void refuse_told_by_few(ProfileFit& fit) {
   const PadValue& v_min = value_of(fit.values, PadNumber::v_min);
   if (v_min.refusal.empty() && !has_interval(fit, PadNumber::v_min) && v_min.trials < fewest_trials)
-    refuse_number(
-        PadNumber::v_min,
-        fmt::format("slip is seen to end in {} trial{} only, too few to say how far it may be off: record "
-                    "until it does in {} or more",
-                    v_min.trials, v_min.trials == 1 ? "" : "s", fewest_trials),
-        fit);
+    refuse_number(PadNumber::v_min,
+                  fmt::format("{} in {} trial{} only, too few to say how far it may be off: record "
+                              "until it does in {} or more",
+                              fit.v_min_by_step ? "friction is seen to step as the finger slows"
+                                                : "slip is seen to end",
+                              v_min.trials, v_min.trials == 1 ? "" : "s", fewest_trials),
+                  fit);
   if (const std::string words = no_vibration_words(fit); !words.empty()) {
     for (const PadNumber number : {PadNumber::vibration, PadNumber::vibration_bandwidth})
       refuse_number(number, words, fit);

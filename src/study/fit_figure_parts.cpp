@@ -33,6 +33,40 @@ MeasuredAngles measured_angles(const Measurement& measurement) {
   return angles;
 }
 
+bool is_pushed(const FitPictureSource& source, std::size_t trial, std::size_t axis) {
+  return !source.measurement.trials[trial].has_direction ||
+         std::isfinite(source.stick.axes[trial].axis_m[axis]);
+}
+
+std::optional<double> shown_angle_deg(const FitPictureSource& source, int subject,
+                                      std::initializer_list<std::size_t> axes) {
+  const std::vector<MeasuredTrial>& trials = source.measurement.trials;
+  const auto pushes_at = [&](double angle_deg, std::size_t axis) {
+    for (std::size_t k = 0; k < trials.size(); ++k)
+      if (trials[k].subject == subject && std::abs(trials[k].inclination_deg - angle_deg) < alike_deg &&
+          is_pushed(source, k, axis))
+        return true;
+    return false;
+  };
+  std::optional<double> nearest;
+  for (const MeasuredTrial& trial : trials) {
+    const double own_deg = trial.inclination_deg;
+    if (trial.subject != subject || (nearest && !(std::abs(own_deg - 45) < std::abs(*nearest - 45))))
+      continue;
+    if (std::all_of(axes.begin(), axes.end(), [&](std::size_t axis) { return pushes_at(own_deg, axis); }))
+      nearest = own_deg;
+  }
+  return nearest;
+}
+
+std::vector<int> subjects_in(const Measurement& measurement) {
+  std::vector<int> subjects;
+  for (const MeasuredTrial& trial : measurement.trials)
+    if (std::find(subjects.begin(), subjects.end(), trial.subject) == subjects.end())
+      subjects.push_back(trial.subject);
+  return subjects;
+}
+
 Vec2 main_way(const StickSegments& segments, const TrialSpan& span) {
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (std::size_t i = span.from; i < span.to; ++i)
@@ -57,6 +91,10 @@ ChartPanel strip(const std::string& y_label, std::string short_label, int colour
 
 Chart refused_figure(std::string name, std::string title, std::string why) {
   return {std::move(name), std::move(title), {std::move(why)}, 1, {}};
+}
+
+void add_note(const std::string& words, std::size_t most_letters, Chart& chart) {
+  add_wrapped(words, most_letters, chart.notes);
 }
 
 std::vector<std::string> refusal_notes(const ProfileFit& fit, std::initializer_list<PadNumber> numbers,

@@ -2,6 +2,7 @@
 
 #include <initializer_list>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,22 @@ struct MeasuredAngles {
 };
 MeasuredAngles measured_angles(const Measurement& measurement);
 
+/// Angles of the finger that a figure takes for one.
+inline constexpr double alike_deg = 4;
+
+/// How a trial is pushed along an axis, lateral and longitudinal: "across the finger".
+inline constexpr const char* push_words[] = {"across the finger", "along the finger"};
+
+/// Whether a trial's stick was pushed along an axis; of one without a direction nothing is known, and it was.
+bool is_pushed(const FitPictureSource& source, std::size_t trial, std::size_t axis);
+
+/// The angle of a subject's finger, of those nearest to 45 degrees the first, at which trials were pushed
+/// along each of these axes; nothing where there is none.
+std::optional<double> shown_angle_deg(const FitPictureSource& source, int subject,
+                                      std::initializer_list<std::size_t> axes);
+
+std::vector<int> subjects_in(const Measurement& measurement);
+
 /// The direction of most motion in a span, unit.
 Vec2 main_way(const StickSegments& segments, const TrialSpan& span);
 
@@ -54,6 +71,9 @@ Chart refused_figure(std::string name, std::string title, std::string why);
 
 /// How many letters of a note a figure has room for, by its columns; one of strips has a page's width.
 inline constexpr std::size_t note_of_one_column = 90, note_of_two_columns = 170, note_of_strips = 118;
+
+/// Adds words to a figure's notes, in lines of at most so many letters.
+void add_note(const std::string& words, std::size_t most_letters, Chart& chart);
 
 /// Which of these numbers are refused, and why, in lines of at most so many letters; empty where none is.
 std::vector<std::string> refusal_notes(const ProfileFit& fit, std::initializer_list<PadNumber> numbers,

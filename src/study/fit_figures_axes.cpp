@@ -25,13 +25,19 @@ ChartCurve slope_line(std::string name, const CurveStyle& style, double slope_pe
           {1 - slope_per_deg * (from_deg - 45), 1 - slope_per_deg * (to_deg - 45)}};
 }
 
+/// Which of the measurement's subjects one is: its colour and mark are the same in every panel.
+std::size_t place_of(const FitPictureSource& source, int subject) {
+  const std::vector<int> subjects = subjects_in(source.measurement);
+  return static_cast<std::size_t>(std::find(subjects.begin(), subjects.end(), subject) - subjects.begin());
+}
+
 /// Points of each subject with a mark of its own.
 void add_axis_points(const FitPictureSource& source, std::size_t axis, ChartPanel& panel) {
   std::map<int, ChartCurve> subjects;
   for (const TrialAxes& axes : source.stick.axes) {
     const MeasuredTrial& trial = source.measurement.trials[axes.trial];
     if (!std::isfinite(axes.axis_m[axis])) continue;
-    const auto number = subjects.size();
+    const std::size_t number = place_of(source, trial.subject);
     auto& curve = subjects
                       .try_emplace(trial.subject,
                                    ChartCurve{fmt::format("subject {}", trial.subject),
@@ -72,32 +78,33 @@ ChartPanel axis_panel(const FitPictureSource& source, std::size_t axis, double f
   return panel;
 }
 
-/// The trials that fig. 8 shows: a subject's at the angle nearest to 45 degrees.
-std::map<int, double> shown_angles(const Measurement& measurement) {
+/// The angle that fig. 8 shows of each subject that was pushed along an axis: the one nearest to 45 degrees.
+std::map<int, double> shown_angles(const FitPictureSource& source, std::size_t axis) {
   std::map<int, double> angles;
-  for (const MeasuredTrial& trial : measurement.trials) {
-    double& angle = angles.try_emplace(trial.subject, trial.inclination_deg).first->second;
-    if (std::abs(trial.inclination_deg - 45) < std::abs(angle - 45)) angle = trial.inclination_deg;
-  }
+  for (const int subject : subjects_in(source.measurement))
+    if (const auto angle = shown_angle_deg(source, subject, {axis})) angles[subject] = *angle;
   return angles;
 }
 
-/// Whether a trial is at its subject's angle of fig. 8.
-bool is_shown(const MeasuredTrial& trial, const std::map<int, double>& angles) {
-  constexpr double alike_deg = 4;
-  return std::abs(trial.inclination_deg - angles.at(trial.subject)) <= alike_deg;
+/// Whether a trial is one of those that fig. 8 shows of an axis.
+bool is_shown(const FitPictureSource& source, std::size_t trial, std::size_t axis,
+              const std::map<int, double>& angles) {
+  const MeasuredTrial& own = source.measurement.trials[trial];
+  const auto angle = angles.find(own.subject);
+  return angle != angles.end() && std::abs(own.inclination_deg - angle->second) <= alike_deg &&
+         is_pushed(source, trial, axis);
 }
 
 void add_pulls(const FitPictureSource& source, std::size_t axis, ChartPanel& panel) {
-  const std::map<int, double> angles = shown_angles(source.measurement);
+  const std::map<int, double> angles = shown_angles(source, axis);
   std::map<int, ChartCurve> subjects;
   std::map<int, std::size_t> samples;
   for (const StickPath& path : source.stick.paths) {
     const MeasuredTrial& trial = source.measurement.trials[path.trial];
     constexpr std::size_t most_samples = 6000;
-    if (!is_shown(trial, angles)) continue;
+    if (!is_shown(source, path.trial, axis, angles)) continue;
     if ((samples[trial.subject] += path.force_n.size()) > most_samples) continue;
-    const auto number = static_cast<int>(subjects.size());
+    const auto number = static_cast<int>(place_of(source, trial.subject));
     auto& curve = subjects
                       .try_emplace(trial.subject, ChartCurve{fmt::format("subject {}", trial.subject),
                                                              {number, Dash::solid, Marker::none, 0.7},
@@ -119,12 +126,13 @@ struct ShownPulls {
   double load_n = 0, reach_m = 0, angle_deg = 0;
 };
 
-ShownPulls shown_pulls(const FitPictureSource& source, const ChartPanel& panel) {
+ShownPulls shown_pulls(const FitPictureSource& source, std::size_t axis, const ChartPanel& panel) {
   ShownPulls shown;
-  const std::map<int, double> angles = shown_angles(source.measurement);
+  const std::map<int, double> angles = shown_angles(source, axis);
   double count = 0;
-  for (const MeasuredTrial& trial : source.measurement.trials) {
-    if (!is_shown(trial, angles)) continue;
+  for (std::size_t k = 0; k < source.measurement.trials.size(); ++k) {
+    const MeasuredTrial& trial = source.measurement.trials[k];
+    if (!is_shown(source, k, axis, angles)) continue;
     for (const double n : trial.normal_force_n) shown.load_n += n;
     shown.angle_deg += angle_deg(trial) * static_cast<double>(trial.normal_force_n.size());
     count += static_cast<double>(trial.normal_force_n.size());
@@ -140,7 +148,7 @@ ShownPulls shown_pulls(const FitPictureSource& source, const ChartPanel& panel) 
 /// The fitted spring over what is shown, at its mean load and angle: of the third order, where its cubic
 /// share is told. It ends where stick does.
 void add_spring(const FitPictureSource& source, std::size_t axis, ChartPanel& panel) {
-  const ShownPulls shown = shown_pulls(source, panel);
+  const ShownPulls shown = shown_pulls(source, axis, panel);
   const bool has_direction = source.measurement.trials[source.stick.paths[0].trial].has_direction;
   const double stiffness = fitted_number(source.fit, PadNumber::stick_stiffness),
                mu_static = fitted_number(source.fit, PadNumber::mu_static),
@@ -203,7 +211,12 @@ Chart force_displacement_figure(const FitPictureSource& source) {
   if (source.stick.paths.empty()) return refused_figure("figure8", title, "no stick was found");
   Chart chart{"figure8", title, {}, 2, {}};
   const bool has_axes = source.measurement.trials[source.stick.paths[0].trial].has_direction;
-  if (has_axes) chart.notes.emplace_back("each subject's finger at its angle nearest to 45 deg");
+  const std::vector<int> subjects = subjects_in(source.measurement);
+  if (has_axes)
+    chart.notes.push_back(
+        fmt::format("each subject's finger at the angle nearest to 45 deg at which it was pushed along the "
+                    "axis{}",
+                    subjects.size() > 1 ? "; fitted: the profile's spring, of all subjects" : ""));
   for (std::string& note : refusal_notes(
            source.fit, {PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}, note_of_two_columns))
     if (has_axes || note.find("longitudinal") == std::string::npos) chart.notes.push_back(std::move(note));
@@ -216,9 +229,16 @@ Chart force_displacement_figure(const FitPictureSource& source) {
                      false,
                      {}};
     add_pulls(source, axis, panel);
+    for (const int subject : subjects)
+      if (!shown_angle_deg(source, subject, {axis}))
+        add_note(fmt::format("subject {} is not pushed {}", subject, push_words[axis]), note_of_two_columns,
+                 chart);
+    if (panel.curves.empty()) continue;
     add_spring(source, axis, panel);
     chart.panels.push_back(std::move(panel));
   }
+  if (chart.panels.empty()) return refused_figure("figure8", title, "no trial is pushed along an axis");
+  chart.columns = static_cast<int>(chart.panels.size());
   return chart;
 }
 

@@ -131,6 +131,23 @@ ChartBand phase_strip(const MeasuredTrial& trial, const StickSegments& segments,
   return band;
 }
 
+/// Of what the levels are that fig. 9 draws over one trial.
+std::string levels_note(const FitPictureSource& source, const MeasuredTrial& trial) {
+  std::string names = "v_min";
+  bool has_mu = false;
+  for (const auto& [number, name] :
+       {std::pair(PadNumber::mu_static, ", mu_s"), std::pair(PadNumber::mu_dynamic, ", mu_d")}) {
+    if (!value_of(source.fit.values, number).refusal.empty()) continue;
+    names += name;
+    has_mu = true;
+  }
+  const std::size_t subjects = subjects_in(source.measurement).size();
+  return fmt::format(
+      "{}: the profile's{}, of {}", names, has_mu ? fmt::format(" (at {:.3g} N)", source.fit.mu_load_n) : "",
+      subjects > 1 ? fmt::format("all {} subjects; the strips: subject {}'s alone", subjects, trial.subject)
+                   : "all trials");
+}
+
 /// What of the local stiffness is of interest: its border lies in the middle of it.
 ChartPanel stiffness_strip(const MeasuredTrial& trial, const StickSegments& segments, const TrialSpan& span) {
   const std::vector<double> per_m = local_stiffness_per_m(trial, segments);
@@ -174,6 +191,7 @@ Chart phase_change_figure(const FitPictureSource& source) {
   for (ChartPanel& panel : chart.panels)
     add_rings(moments[span.trial], source.fit.v_min_by_step ? "slows below v_min" : "end of slip", span,
               panel);
+  add_note(levels_note(source, trial), note_of_strips, chart);
   for (std::string& note :
        refusal_notes(source.fit, {PadNumber::mu_static, PadNumber::mu_dynamic}, note_of_strips))
     chart.notes.push_back(std::move(note));

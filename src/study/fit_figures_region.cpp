@@ -46,14 +46,6 @@ ChartCurve ellipse_curve(std::string name, const CurveStyle& style, double a, do
   return curve;
 }
 
-std::vector<int> subjects_in(const Measurement& measurement) {
-  std::vector<int> subjects;
-  for (const MeasuredTrial& trial : measurement.trials)
-    if (std::find(subjects.begin(), subjects.end(), trial.subject) == subjects.end())
-      subjects.push_back(trial.subject);
-  return subjects;
-}
-
 /// A subject's trials whose finger lay nearest to 45 degrees, to a few degrees.
 double usual_angle_deg(const Measurement& measurement, int subject) {
   double nearest = std::numeric_limits<double>::infinity();
@@ -104,6 +96,31 @@ ChartCurve averaged_reach(const std::vector<const StickPath*>& paths, std::strin
     curve.y.push_back(shown_mm * std::sin(angle));
   }
   return curve;
+}
+
+/// Along which axes a subject's stick is pushed at the angle that is shown of it, and which it lacks.
+std::vector<std::string> lacking_notes(const FitPictureSource& source, int subject, double angle_deg,
+                                       const Vec2& axes_m) {
+  constexpr const char* axis_names[] = {"lateral", "longitudinal"};
+  std::vector<std::string> notes;
+  for (const std::size_t axis : {0, 1}) {
+    const std::vector<MeasuredTrial>& trials = source.measurement.trials;
+    bool is_here = false, is_elsewhere = false;
+    for (std::size_t k = 0; k < trials.size(); ++k) {
+      if (trials[k].subject != subject || !is_pushed(source, k, axis)) continue;
+      (std::abs(trials[k].inclination_deg - angle_deg) < alike_deg ? is_here : is_elsewhere) = true;
+    }
+    if (is_here) continue;
+    if (is_elsewhere && axes_m.allFinite()) {
+      notes.push_back(fmt::format(
+          "subject {} is not pushed {} at {:.0f} deg: its ellipse's {} axis is that of other angles", subject,
+          push_words[axis], angle_deg, axis_names[axis]));
+    } else {
+      notes.push_back(fmt::format("subject {} is not pushed {}{}: no ellipse", subject, push_words[axis],
+                                  is_elsewhere ? fmt::format(" at {:.0f} deg", angle_deg) : ""));
+    }
+  }
+  return notes;
 }
 
 ChartCurve raw_paths(const std::vector<const StickPath*>& paths) {
@@ -175,8 +192,8 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
       {}};
   const std::vector<int> subjects = subjects_in(source.measurement);
   for (const int subject : subjects) {
-    const double angle_deg = usual_angle_deg(source.measurement, subject);
-    constexpr double alike_deg = 4;
+    const double angle_deg =
+        shown_angle_deg(source, subject, {0, 1}).value_or(usual_angle_deg(source.measurement, subject));
     std::vector<const StickPath*> paths;
     for (const StickPath& path : source.stick.paths) {
       const MeasuredTrial& trial = source.measurement.trials[path.trial];
@@ -206,6 +223,8 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
       panel.curves.push_back(ellipse_curve("fitted to this subject",
                                            {palette::vermillion, Dash::dashed, Marker::none, 1.3},
                                            1e3 * axes_m.x(), 1e3 * axes_m.y()));
+    for (const std::string& note : lacking_notes(source, subject, angle_deg, axes_m))
+      add_note(note, note_of_two_columns, chart);
     chart.panels.push_back(std::move(panel));
   }
   if (chart.panels.empty()) return refused_figure("figure4", title, "no stick was found");

@@ -41,7 +41,8 @@ void add_intervals(const std::vector<int>& subject_of, const NumberReaches& by_d
   for (std::size_t k = 0; k < spreads.size(); ++k) {
     constexpr double most_missing = 0.05;
     if (!fit.values[k].refusal.empty()) continue;
-    if (const auto too_few = too_few_blocks(fit.values[k], fit.subjects, settings.blocks)) {
+    const auto too_few = too_few_blocks(fit.values[k], fit.subjects, settings.blocks);
+    if (too_few) {
       fit.no_interval[k] = *too_few;
     } else {
       fit.no_interval[k] = spreads[k].count < (1 - most_missing) * bootstrap_draws ? NoInterval::draws_refused
@@ -53,8 +54,9 @@ void add_intervals(const std::vector<int>& subject_of, const NumberReaches& by_d
                              : interval_reach(spreads[k], without[k].deviation(left_out),
                                               static_cast<double>(fit.values[k].trials), subjects);
     const double reach = drawn + unsure[k];
-    // Draws that all step in the same bin of speed are as sure as that bin is wide.
-    const bool is_step = point.v_min_by_step && k == static_cast<std::size_t>(PadNumber::v_min);
+    // Draws that all step in the same bin of speed are as sure as that bin is wide, if there are any to
+    // differ.
+    const bool is_step = !too_few && point.v_min_by_step && k == static_cast<std::size_t>(PadNumber::v_min);
     if (drawn > 0 || is_step) fit.interval[k] = {fit.values[k].value - reach, fit.values[k].value + reach};
   }
 }

@@ -247,13 +247,14 @@ FreeMoments moments_without_contact(const RecordedTrial& trial) {
   std::vector<StillRun> runs = std::move(air.surely);
   runs.insert(runs.end(), air.perhaps.begin(), air.perhaps.end());
   std::sort(runs.begin(), runs.end(), [](const StillRun& a, const StillRun& b) { return a.from < b.from; });
-  return {samples_of(runs), air.presses_on && runs.empty()};
+  return {samples_of(runs), air.presses_on && runs.empty(), air.falls_at_once && runs.empty()};
 }
 
 void take_tare(RecordedTrial& trial, TrialCleaning& cleaning) {
   const FreeMoments moments = moments_without_contact(trial);
   const Samples& free = moments.samples;
   cleaning.presses_on = moments.presses_on;
+  cleaning.falls_at_once = moments.falls_at_once;
   if (free.empty()) return;
   const Tare tare(trial.force_W, free);
   for (Eigen::Index i = 0; i < trial.samples(); ++i) trial.force_W.col(i) -= tare.at(i);

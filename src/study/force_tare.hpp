@@ -10,6 +10,7 @@ namespace fingerpad {
 struct FreeMoments {
   std::vector<Eigen::Index> samples;  ///< in order; none where none is sure
   bool presses_on = false;            ///< none is, as the finger is on the plate even where it presses least
+  bool falls_at_once = false;         ///< AirRuns'
 };
 
 /// Samples are without contact where the normal force is at its lowest for 50 ms and as still as its noise,

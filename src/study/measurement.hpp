@@ -41,6 +41,7 @@ struct TrialCleaning {
   long samples = 0, filled = 0, missing = 0;
   long free_samples = 0;       ///< without contact, that the tare rests on; 0: no tare was taken
   bool presses_on = false;     ///< where it presses least, by its height or friction: so no tare was taken
+  bool falls_at_once = false;  ///< and there its force falls within one sample, as if it were lifted
   Vec3 tare_begin_n{0, 0, 0};  ///< taken off at the trial's begin, in W
   Vec3 tare_end_n{0, 0, 0};    ///< and at its end; straight in between
   double hum_hz = 0;           ///< of the mains hum taken off; 0: none was found

@@ -31,6 +31,30 @@ void refuse_untold(const Measurement& measurement, ProfileFit& fit) {
   fit.residual = LawResidual();
 }
 
+/// What of a delay the springs tell beside what was taken out; 0 where there are none.
+double delay_left_s(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
+  double sum_s = 0, samples = 0;
+  for (const int axis : {0, 1}) {
+    const SpringFit spring = fit_spring(trials, times, axis);
+    sum_s += static_cast<double>(spring.samples) * spring.shape.delay_s;
+    samples += static_cast<double>(spring.samples);
+  }
+  return samples > 0 ? sum_s / samples : 0;
+}
+
+/// Whether that is more than chance, by the fits to all trials but some.
+bool tells_delay_left(double left_s, const std::vector<TrialEvidence>& trials,
+                      const std::vector<int>& subject_of) {
+  constexpr double deviations = 2;
+  if (static_cast<long>(trials.size()) < fewest_trials) return false;
+  LeftOutSpread without;
+  const std::size_t left_out = each_left_out(subject_of, Blocks::trials, [&](const LeftOut& one) {
+    without.add(one, delay_left_s(trials, one.times));
+  });
+  const double deviation_s = without.deviation(left_out).value_or(0);
+  return deviation_s > 0 && std::abs(left_s) > deviations * deviation_s;
+}
+
 /// The fit to the trials whose forces were measured whole.
 ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
@@ -83,10 +107,10 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
       !fit.knows_delay && std::any_of(measurement.delays.begin(), measurement.delays.end(),
                                       [](const FileDelay& d) { return d.estimate.refusal.empty(); });
   fit.v_min_by_step = point.v_min_by_step;
-  if (!fit.knows_delay && lateral.samples + longitudinal.samples > 0)
-    fit.delay_left_s = (static_cast<double>(lateral.samples) * lateral.shape.delay_s +
-                        static_cast<double>(longitudinal.samples) * longitudinal.shape.delay_s) /
-                       static_cast<double>(lateral.samples + longitudinal.samples);
+  if (!fit.knows_delay) {
+    fit.delay_left_s = delay_left_s(fit.evidence, once);
+    fit.tells_delay_left = tells_delay_left(fit.delay_left_s, fit.evidence, subject_of);
+  }
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;

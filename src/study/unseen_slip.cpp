@@ -57,11 +57,15 @@ std::string unseen_slip_words(const std::vector<TrialEvidence>& trials, const Pa
                               const FitPoint& point) {
   constexpr long many_teeth = 4;  // for each time that stick began anew
   const SlipSeen seen(trials);
-  if (seen.gives + seen.teeth < fewest_gives || point.slow_slip) return {};
-  if (seen.samples == 0)
+  if (seen.gives + seen.teeth == 0 || point.slow_slip) return {};
+  // A few ends of stick tell no share of drops or of stops among them.
+  if (seen.gives + seen.teeth < fewest_gives) {
+    if (seen.samples == 0 || seen.stops > 0 || !slip_may_hold_teeth(trials, found)) return {};
+  } else if (seen.samples == 0) {
     return fmt::format(
         "no slip is seen: stick gives way {} times, and each time holds again at once: rub faster",
         seen.teeth);
+  }
   const bool ends_in_stick = seen.stops > 0 && !hardly_ends_in_stick(seen.gives, seen.stops);
   const bool has_teeth = seen.teeth - seen.drops > many_teeth * seen.strokes,
              shows_drops = seen.strokes > 0 && 2 * seen.drops >= seen.strokes;

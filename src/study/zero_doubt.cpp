@@ -17,6 +17,7 @@ constexpr double most_moved = 0.2, told_share = 0.02;
 struct RestsOnZero {
   PadNumber number;
   double (*with)(double told, double times, const ProfileFit& fit);
+  double beyond = 0;  ///< by what share of that it may move further
 };
 
 double as_coefficient(double told, double times, const ProfileFit& /*fit*/) {
@@ -28,10 +29,15 @@ double as_normal_exponent(double told, double times, const ProfileFit& /*fit*/) 
   return 1 / (1 + (1 / told - 1) / times);
 }
 
+/// Of two laws that have one slope and one bend at the usual load, N of n + o: at 1 N they differ by as many
+/// times as (N/times)^(w-1) / N^(w'-1).
 double as_normal_stiffness(double told, double times, const ProfileFit& fit) {
-  const double exponent = value_of(fit.values, PadNumber::normal_exponent).value;
-  return told * std::pow(times, 1 - 1 / as_normal_exponent(exponent, times, fit));
+  const double told_exponent = value_of(fit.values, PadNumber::normal_exponent).value,
+               exponent = as_normal_exponent(told_exponent, times, fit);
+  return told * std::pow(times, 1 - 1 / exponent) * std::pow(fit.mu_load_n, 1 / exponent - 1 / told_exponent);
 }
+
+constexpr double wide_loads = 0.2;  // what these two miss of loads that change by two thirds either way
 
 constexpr RestsOnZero rest_on_zero[] = {
     {PadNumber::mu_static, as_coefficient},
@@ -40,8 +46,8 @@ constexpr RestsOnZero rest_on_zero[] = {
     {PadNumber::longitudinal_stiffness, as_coefficient},
     {PadNumber::lateral_hysteresis_area, as_coefficient},
     {PadNumber::longitudinal_hysteresis_area, as_coefficient},
-    {PadNumber::normal_stiffness, as_normal_stiffness},
-    {PadNumber::normal_exponent, as_normal_exponent},
+    {PadNumber::normal_stiffness, as_normal_stiffness, wide_loads},
+    {PadNumber::normal_exponent, as_normal_exponent, wide_loads},
 };
 
 constexpr const char* remedy =
@@ -61,12 +67,13 @@ void take_load(const PadValue& exponent, const std::pair<double, double>& interv
       rounded_text(exponent.value, 2));
 }
 
-/// What an offset of so many newtons along the normal does.
+/// What an offset of so many newtons along the normal does, either way of it.
+/// @param load_n  as it is told, with the offset in it
 void take_offset(double offset_n, double load_n, ZeroDoubt& doubt) {
   constexpr double most_share = 0.9;
   const double share = std::min(most_share, offset_n / load_n);
-  doubt.least = 1 - share;
-  doubt.most = 1 + share;
+  doubt.least = 1 / (1 + share);
+  doubt.most = 1 / (1 - share);
 }
 
 }  // namespace
@@ -109,7 +116,10 @@ void doubt_zero(const ZeroDoubt& doubt, ProfileFit& fit) {
     const auto k = static_cast<std::size_t>(rests.number);
     const double value = told.values[k].value;
     if (!told.values[k].refusal.empty()) continue;
-    const double one = rests.with(value, doubt.least, told), other = rests.with(value, doubt.most, told);
+    const auto with = [&](double times) {
+      return value + (1 + rests.beyond) * (rests.with(value, times, told) - value);
+    };
+    const double one = with(doubt.least), other = with(doubt.most);
     const double below = std::min({one, other, value}), above = std::max({one, other, value});
     const bool speaks = doubt.is_seen || (doubt.is_likely && !fit.interval[k]);
     if (speaks && above - below > most_moved * std::abs(value)) {

@@ -198,6 +198,9 @@ TEST(CsvColumns, OfRowsThatRunTogetherAreRefused) {
     return std::string("read");
   };
   EXPECT_THAT(refusal("x_m,note\n1,a\f2,b\n"), HasSubstr("t.csv:2: has 3 cells, but the header has 2"));
+  EXPECT_THAT(refusal("x_m,y_m\n0,001,-3,5\n"),
+              HasSubstr("t.csv:2: has 4 cells, but the header has 2: are its commas decimal marks, too?"));
+  EXPECT_THAT(refusal("x_m,y_m\n0.1,2,3\n"), testing::EndsWith("t.csv:2: has 3 cells, but the header has 2"));
   EXPECT_THAT(refusal("x_m\n1\f\n"), HasSubstr("is no number"));
   EXPECT_THAT(refusal("x_m,note\n1,a,,\n"), HasSubstr("read")) << "blank cells at the end are a habit";
   EXPECT_THAT(refusal(std::string("\0x_m\n1\n", 7)), HasSubstr("zero byte"));

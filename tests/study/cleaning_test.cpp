@@ -152,11 +152,12 @@ struct SteppingLoad {
   double rate_hz = 1000, light_n = 0.3;
   bool has_height = true, rubs = true;
   double lifted_m = 0;  ///< above the plate in place of pressing lightly
+  double ramp_s = 0.06;
 };
 
 RecordedTrial stepping(const SteppingLoad& load, std::uint64_t seed) {
-  constexpr double noise_n = 2e-3, noise_m = 2e-6, step_s = 0.4, ramp_s = 0.06, mu = 0.25,
-                   depth_at_1_n_m = 1.5e-3, press_n = 1.5;
+  constexpr double noise_n = 2e-3, noise_m = 2e-6, step_s = 0.4, mu = 0.25, depth_at_1_n_m = 1.5e-3,
+                   press_n = 1.5;
   constexpr double turn_s = 0.53;  // of the rub, so that light moments fall on both ways
   RandomStream random(seed);
   RecordedTrial trial;
@@ -167,7 +168,8 @@ RecordedTrial stepping(const SteppingLoad& load, std::uint64_t seed) {
   trial.origin.assign(static_cast<std::size_t>(n), SampleOrigin::recorded);
   for (Eigen::Index i = 0; i < n; ++i) {
     const double t = static_cast<double>(i) / load.rate_hz, turns = std::fmod(t / step_s, 2);
-    const double in_step_s = step_s * std::fmod(turns, 1), up = std::min(1.0, in_step_s / ramp_s);
+    const double in_step_s = step_s * std::fmod(turns, 1),
+                 up = load.ramp_s > 0 ? std::min(1.0, in_step_s / load.ramp_s) : 1;
     const double share = turns < 1 ? up : 1 - up;
     const double low_m = load.lifted_m > 0 ? load.lifted_m : -depth_at_1_n_m * std::sqrt(load.light_n);
     const double height_m = low_m + share * (-depth_at_1_n_m * std::sqrt(press_n) - low_m);
@@ -209,6 +211,27 @@ TEST(Cleaning, AFingerThatIsLiftedByHalfAMillimetreIsOffThePlate) {
       EXPECT_NEAR(cleaning.tare_begin_n.z(), 0.05, 2e-3);
     }
   }
+}
+
+TEST(Cleaning, AFingerThatIsLiftedWithinOneSampleIsSaidToLookLikeOneThatPressesOn) {
+  for (const double ramp_s : {0.0, 0.06}) {
+    for (const double lifted_m : {0.0, 2e-3}) {
+      SteppingLoad at_once{1000, 0.1, true, false};
+      at_once.lifted_m = lifted_m;
+      at_once.ramp_s = ramp_s;
+      RecordedTrial trial = stepping(at_once, 5);
+      TrialCleaning cleaning;
+      take_tare(trial, cleaning);
+      const bool is_tared = lifted_m > 0 && ramp_s > 0;
+      EXPECT_EQ(cleaning.free_samples > 0, is_tared) << ramp_s << " " << lifted_m;
+      EXPECT_EQ(cleaning.falls_at_once, ramp_s == 0) << ramp_s << " " << lifted_m;
+    }
+  }
+  SteppingLoad at_once{1000, 0, true, false, 2e-3, 0};
+  RecordedMeasurement recorded;
+  recorded.trials.push_back(stepping(at_once, 5));
+  EXPECT_THAT(clean(std::move(recorded), {}).steps,
+              Contains(HasSubstr("in 1 of them the force falls or rises there within one sample")));
 }
 
 /// A second in the air at its begin, in which the sensor drifts by more than its noise; then loads that swing

@@ -39,6 +39,33 @@ TEST(FewTrials, VMinAndVibrationOfTwoAreRefused) {
     EXPECT_EQ(of(three, number).refusal, "");
 }
 
+TEST(FewTrials, AVMinThatAStepOfOneTrialTellsIsRefused) {
+  ProfileFit fit;
+  for (PadValue& value : fit.values) value.refusal = "not here";
+  fit.v_min_by_step = true;
+  PadValue& v_min = fit.values[static_cast<std::size_t>(PadNumber::v_min)];
+  v_min = {0.1, 200, 1, ""};
+  refuse_told_by_few(fit);
+  EXPECT_THAT(v_min.refusal,
+              HasSubstr("friction is seen to step as the finger slows in 1 trial only, too few"));
+  // One rub at 250 Hz, whose teeth are too short: its step alone says no more of how far it may be off.
+  test::KnownFinger finger;
+  finger.mu_dynamic = 0.25;
+  finger.pad.v_min_m_per_s = 0.05;
+  test::KnownSensors slow;
+  slow.rate_hz = 250;
+  CleaningSettings given;
+  given.delay_s = 0;
+  int steps = 0;
+  for (std::uint64_t seed = 1; seed <= 8; ++seed) {
+    const ProfileFit one = fit_profile(
+        clean(test::known_measurement({{2, 45, 0, 0.06, 0.5, 4}}, finger, slow, seed), given), {});
+    steps += one.v_min_by_step ? 1 : 0;
+    EXPECT_NE(of(one, PadNumber::v_min).refusal, "") << seed << " " << of(one, PadNumber::v_min).value;
+  }
+  EXPECT_GT(steps, 2);
+}
+
 TEST(FewTrials, AVibrationWhoseWidthMayBeNoneIsRefused) {
   test::KnownFinger hardly;
   hardly.vibration = 0.01;  // beneath the noise

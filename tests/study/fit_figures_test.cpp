@@ -122,6 +122,61 @@ TEST(FitFigures, APictureSaysWhichOfItsNumbersAreRefused) {
   EXPECT_THAT(slip_spectrum_figure(whole.source).notes, testing::IsEmpty());
 }
 
+std::string all_notes(const Chart& chart) {
+  std::string all;
+  for (const std::string& note : chart.notes) all += note + " ";
+  return all;
+}
+
+TEST(FitFigures, WhatTheLevelsOverOneTrialAreOfIsSaid) {
+  const Pictured two(rubs_of_two()), one({{2, 45, 0}, {2, 45, 90}, {2, 45, 45}});
+  EXPECT_THAT(
+      all_notes(phase_change_figure(two.source)),
+      testing::ContainsRegex("v_min, mu_s, mu_d: the profile's \\(at 1.03 N\\), of all 2 subjects; the "
+                             "strips: subject [12]'s alone"));
+  EXPECT_THAT(all_notes(phase_change_figure(one.source)),
+              HasSubstr("v_min, mu_s, mu_d: the profile's (at 1.03 N), of all trials"));
+}
+
+/// Rubs of one subject, at each angle across the finger, along it or both.
+TEST(FitFigures, AnAngleIsDrawnAtWhichTheFingerWasPushedAlongTheAxis) {
+  const Pictured far({{2, 45, 90}, {2, 45, 90}, {2, 53, 0}, {2, 53, 90}, {2, 53, 0}, {2, 45, 90}});
+  const Chart ellipse = stick_ellipse_figure(far.source);
+  ASSERT_EQ(ellipse.panels.size(), 1U);
+  EXPECT_EQ(ellipse.panels[0].title, "subject 2, finger at 53 deg");
+  EXPECT_EQ(ellipse.panels[0].curves.size(), 3U);
+  const Chart pulls = force_displacement_figure(far.source);
+  ASSERT_EQ(pulls.panels.size(), 2U);
+  EXPECT_THAT(pulls.panels[0].curves.back().name, HasSubstr("fitted, at 53 deg"));
+  EXPECT_THAT(pulls.panels[1].curves.back().name, HasSubstr("fitted, at 45 deg"));
+  EXPECT_THAT(all_notes(ellipse) + all_notes(pulls), Not(HasSubstr("is not pushed")));
+}
+
+TEST(FitFigures, AnAxisThatNoTrialWasPushedAlongIsSaidToBeSo) {
+  const Pictured parted({{2, 45, 90}, {2, 45, 90}, {2, 53, 0}, {2, 53, 0}, {2, 45, 90}, {2, 53, 0}});
+  EXPECT_THAT(
+      all_notes(stick_ellipse_figure(parted.source)),
+      HasSubstr("subject 2 is not pushed across the finger at 45 deg: its ellipse's lateral axis is that "
+                "of other angles"));
+  const Pictured along({{1, 45, 90}, {1, 45, 90}, {1, 45, 90}, {2, 45, 0}, {2, 45, 90}, {2, 45, 0}});
+  EXPECT_THAT(all_notes(stick_ellipse_figure(along.source)),
+              HasSubstr("subject 1 is not pushed across the finger: no ellipse"));
+  const Chart pulls = force_displacement_figure(along.source);
+  EXPECT_THAT(all_notes(pulls), HasSubstr("subject 1 is not pushed across the finger"));
+  EXPECT_EQ(curve_of(pulls.panels[0], "subject 1"), nullptr);
+  EXPECT_NE(curve_of(pulls.panels[1], "subject 1"), nullptr);
+  const Chart axes = normalised_axes_figure(along.source);
+  for (const Chart* chart : {&pulls, &axes}) {
+    const ChartCurve *lateral = curve_of(chart->panels[0], "subject 2"),
+                     *longitudinal = curve_of(chart->panels[1], "subject 2");
+    ASSERT_TRUE(lateral != nullptr && longitudinal != nullptr) << chart->name;
+    EXPECT_EQ(lateral->style.colour, longitudinal->style.colour) << chart->name;
+  }
+  const Pictured none({{2, 45, 90}, {2, 45, 90}, {2, 45, 90}});
+  ASSERT_EQ(force_displacement_figure(none.source).panels.size(), 1U);
+  EXPECT_EQ(force_displacement_figure(none.source).panels[0].title, "longitudinal");
+}
+
 /// What hides stick makes v_min a speed at which friction steps: no end of slip is marked there.
 TEST(FitFigures, AVMinThatAStepTellsIsMarkedWhereItIsPassed) {
   test::KnownFinger slippery;

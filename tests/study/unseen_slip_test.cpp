@@ -170,6 +170,22 @@ TEST(UnseenSlip, TeethThatSlipWouldHoldAreSeenWhereTheyAreLongEnough) {
   }
 }
 
+/// One rub forth and back gives way two or three times, and never is slip seen to end in stick.
+TEST(UnseenSlip, OfOneRubSlipIsTakenForSlipWhereTeethWouldBeSeen) {
+  std::vector<test::KnownTrial> one = rubs(0.06, true);
+  one.resize(1);
+  one[0].inclination_deg = 45;
+  for (const double v_min_m_per_s : {0.012, 0.1}) {
+    // Teeth of 0.4 mm, of which a sample at 250 Hz is more than half.
+    const ProfileFit slow = fitted(one, finger_of(0.27, v_min_m_per_s), 250);
+    EXPECT_THAT(of(slow, PadNumber::mu_dynamic).refusal, HasSubstr("no slip is surely seen"))
+        << v_min_m_per_s;
+  }
+  const ProfileFit fast = fitted(one, finger_of(0.25, 0.012), 1000);
+  EXPECT_EQ(of(fast, PadNumber::mu_dynamic).refusal, "");
+  EXPECT_NEAR(of(fast, PadNumber::mu_dynamic).value, 0.25, 0.001);
+}
+
 TEST(UnseenSlip, EndsOfSlipThatAreSeenOnceInAWhileTellNoVMin) {
   TrialEvidence trial;
   trial.subject = 1;

@@ -244,6 +244,14 @@ RecordedMeasurement known_measurement(const std::vector<KnownTrial>& trials, con
   return measurement;
 }
 
+RecordedMeasurement of_normal_force_alone(RecordedMeasurement measurement) {
+  for (RecordedTrial& trial : measurement.trials) {
+    trial.force_W.topRows(2).setZero();
+    trial.lacks = "column fx_n missing";
+  }
+  return measurement;
+}
+
 std::string measured_table(const std::vector<KnownTrial>& trials, std::uint64_t seed,
                            const KnownFinger& finger, const KnownSensors& sensors) {
   std::string text = "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,dx,dy,dz,subject,trial\n";

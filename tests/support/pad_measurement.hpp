@@ -65,6 +65,9 @@ std::vector<KnownTrial> known_trials();
 /// The finger of one of the subjects of known_trials, whose pad is larger or smaller than `finger`'s.
 KnownFinger of_subject(KnownFinger finger, int subject);
 
+/// What a reader yields of a measurement in whose tables fx_n and fy_n are missing.
+RecordedMeasurement of_normal_force_alone(RecordedMeasurement measurement);
+
 /// A measurement as a reader yields it.
 RecordedMeasurement known_measurement(const std::vector<KnownTrial>& trials, const KnownFinger& finger,
                                       const KnownSensors& sensors, std::uint64_t seed);

@@ -9,6 +9,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <thread>
+#include <utility>
 #include <vector>
 
 #include "support/pad_measurement.hpp"
@@ -32,17 +33,30 @@ struct Tallies {
   int sets = 0, misfits = 0, delays_held = 0;
 };
 
+/// What a set is measured with, and told of it.
+struct Watched {
+  test::KnownSensors sensors;
+  bool normal_force_alone = false;
+  CleaningSettings settings;
+};
+
 /// What one set's fit says, as a tally of one.
-Tallies tally_one(int seed, const test::KnownFinger& finger, const test::KnownSensors& sensors) {
+Tallies tally_one(int seed, const test::KnownFinger& finger, const Watched& watched) {
   Tallies tallies;
-  const Measurement measurement = clean(
-      test::known_measurement(test::known_trials(), finger, sensors, static_cast<std::uint64_t>(seed)), {});
+  RecordedMeasurement recorded = test::known_measurement(test::known_trials(), finger, watched.sensors,
+                                                         static_cast<std::uint64_t>(seed));
+  if (watched.normal_force_alone) recorded = test::of_normal_force_alone(std::move(recorded));
+  const Measurement measurement = clean(std::move(recorded), watched.settings);
   const ProfileFit fit = fit_profile(measurement, {});
   const auto truth = test::known_numbers(finger, fit.mu_load_n);
   tallies.sets = 1;
   tallies.misfits = fit.residual.misfit.empty() ? 0 : 1;
-  const auto& delay = measurement.delays.front().estimate.interval_s;
-  tallies.delays_held = delay && delay->first <= sensors.delay_s && sensors.delay_s <= delay->second ? 1 : 0;
+  const double delay_s = watched.sensors.delay_s;
+  for (const FileDelay& delay : measurement.delays) {
+    const auto& interval_s = delay.estimate.interval_s;
+    tallies.delays_held +=
+        interval_s && interval_s->first <= delay_s && delay_s <= interval_s->second ? 1 : 0;
+  }
   for (std::size_t k = 0; k < numbers; ++k) {
     if (!fit.interval[k]) continue;
     const auto [low, high] = *fit.interval[k];
@@ -53,7 +67,7 @@ Tallies tally_one(int seed, const test::KnownFinger& finger, const test::KnownSe
 }
 
 /// The sets are shared by the processors, and added in their order.
-Tallies tally(int sets, int first_seed, const test::KnownFinger& finger, const test::KnownSensors& sensors) {
+Tallies tally(int sets, int first_seed, const test::KnownFinger& finger, const Watched& watched) {
   std::vector<Tallies> each(static_cast<std::size_t>(sets));
   std::atomic<int> next{0};
   {
@@ -61,7 +75,7 @@ Tallies tally(int sets, int first_seed, const test::KnownFinger& finger, const t
     for (unsigned k = 0; k < std::max(1U, std::thread::hardware_concurrency()); ++k)
       workers.emplace_back([&] {
         for (int set = next++; set < sets; set = next++)
-          each[static_cast<std::size_t>(set)] = tally_one(first_seed + set, finger, sensors);
+          each[static_cast<std::size_t>(set)] = tally_one(first_seed + set, finger, watched);
       });
   }
   Tallies sum;
@@ -91,7 +105,7 @@ const Tally& of_number(const Tallies& tallies, PadNumber number) {
 /// What a bent spring comes to: both axes' cubic shares, as a mean, and what it moves else.
 std::string bent_text(int sets, int first_seed, test::KnownFinger finger, double share) {
   finger.cubic_share = share;
-  const Tallies bent = tally(sets, first_seed, finger, test::bad_sensors());
+  const Tallies bent = tally(sets, first_seed, finger, {test::bad_sensors(), false, {}});
   const double found = share + (of_number(bent, PadNumber::lateral_cubic_share).mean_error() +
                                 of_number(bent, PadNumber::longitudinal_cubic_share).mean_error()) /
                                    2;
@@ -105,7 +119,7 @@ std::string bent_text(int sets, int first_seed, test::KnownFinger finger, double
 std::string noise_text(int sets, int first_seed, const test::KnownFinger& finger, double noise_n) {
   test::KnownSensors sensors = test::bad_sensors();
   sensors.force_noise_n = noise_n;
-  const Tallies noisy = tally(sets, first_seed, finger, sensors);
+  const Tallies noisy = tally(sets, first_seed, finger, {sensors, false, {}});
   const auto truth = test::known_numbers(finger, 1);
   std::string text = fmt::format("with {:.0f} mN of noise", 1e3 * noise_n);
   for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::mu_load_exponent}) {
@@ -117,6 +131,29 @@ std::string noise_text(int sets, int first_seed, const test::KnownFinger& finger
   }
   if (of_number(noisy, PadNumber::mu_dynamic).given == 0) return text.substr(0, text.size() - 1);
   return text + fmt::format(" and the law said not to fit in {}", noisy.misfits);
+}
+
+/// What the normal force alone comes to.
+std::string normal_text(int sets, int first_seed, const test::KnownFinger& finger) {
+  const auto truth = test::known_numbers(finger, 1);
+  std::string text = "Of the normal force alone";
+  for (const bool is_given : {true, false}) {
+    Watched alone{test::bad_sensors(), true, {}};
+    if (is_given) alone.settings.delay_s = alone.sensors.delay_s;
+    const Tallies found = tally(sets, first_seed, finger, alone);
+    text += is_given ? ", where the delay is given," : "; where it is not,";
+    for (const PadNumber number : {PadNumber::normal_stiffness, PadNumber::normal_exponent}) {
+      const auto k = static_cast<std::size_t>(number);
+      const Tally& of = found.of[k];
+      text += fmt::format("{} the interval of `{}` holds the truth in {}",
+                          number == PadNumber::normal_stiffness ? "" : " and", pad_number_keys[k], of.held);
+      if (of.given < sets) text += fmt::format(" of {} (refused in {})", of.given, sets - of.given);
+      if (of.given > 0)
+        text += fmt::format(" ({} off, {} wide)", share_text(of.mean_error(), truth[k]),
+                            share_text(of.mean_width(), truth[k]));
+    }
+  }
+  return text + ".";
 }
 
 /// How many of a table's counts are below ninety in a hundred, and which.
@@ -141,7 +178,7 @@ void print_tables(int sets, int first_seed) {
   test::KnownFinger alike, scattered;
   alike.rises_with_less_load = scattered.rises_with_less_load = true;
   scattered.scatter = 0.03;
-  const test::KnownSensors bad = test::bad_sensors();
+  const Watched bad{test::bad_sensors(), false, {}};
   const Tallies one = tally(sets, first_seed, scattered, bad), other = tally(sets, first_seed, alike, bad);
   const auto truth = test::known_numbers(scattered, 1);
   fmt::print(
@@ -167,6 +204,7 @@ void print_tables(int sets, int first_seed) {
   for (const double share : {0.3, 0.5}) fmt::print("{};\n", bent_text(few, first_seed, alike, share));
   fmt::print("{};\n", noise_text(few, first_seed, alike, 0.01));
   fmt::print("{}.\n", noise_text(few, first_seed, alike, 0.03));
+  fmt::print("{}\n", normal_text(sets, first_seed, scattered));
 }
 
 }  // namespace
