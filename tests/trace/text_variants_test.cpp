@@ -27,11 +27,13 @@ TEST(TraceTextVariants, AreReadExactlyRightOrRefused) {
     SCOPED_TRACE(variant.name);
     try {
       const Trace trace = read_trace(written("t.csv", variant.of(text)));
-      // The row that lacks its line end is none, and that is told.
+      // A row that lacks its line end is none, and that is told.
+      const bool lacks_row = std::string(variant.name) == "no last end";
       std::vector<TickRecord> whole = rows;
-      if (!trace.complete) whole.pop_back();
+      if (lacks_row) whole.pop_back();
       EXPECT_TRUE(test::same_rows(trace.rows, whole));
-      EXPECT_EQ(trace.complete, std::string(variant.name) != "no last end");
+      EXPECT_TRUE(trace.complete || !variant.must_read || lacks_row);
+      EXPECT_FALSE(trace.complete && lacks_row);
     } catch (const Error& error) {
       const std::string name = variant.name;
       EXPECT_EQ(error.kind(), ErrorKind::refused);
