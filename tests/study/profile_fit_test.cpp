@@ -7,7 +7,7 @@
 #include <fstream>
 #include <limits>
 
-#include "friction/pad_profile_file.hpp"
+#include "scene/pad_profile_file.hpp"
 #include "study/impossible_numbers.hpp"
 #include "study/measurement_reader.hpp"
 #include "support/effort.hpp"
