@@ -15,8 +15,8 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double stiffness_n_per_m = 1000;  // of every gallery part: the default
-/// |dF| <= k (|dg| + |dp|), and a proxy in contact goes at most twice as far as the finger. The share above
-/// is rounding of forces over motions of 10 um.
+/// A proxy's push changes by at most three times as much as the finger goes. The share above is rounding of
+/// forces over motions of 10 um.
 constexpr double most_steps = 3 * (1 + 1e-6);
 
 struct GalleryRun {

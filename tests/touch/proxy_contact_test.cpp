@@ -133,7 +133,7 @@ TEST(ProxyContact, OverARightAngledEdgeTheForceChangesByNoMoreThanTheMotionExpla
         for (const Vec3& p : line(Vec3(0.005, 0.001, z), Vec3(0.035, 0.003, z), ticks))
           positions.push_back(p);
         const auto rows = run(world, scene, positions);
-        // |dF| <= k (|dg| + |dp|), and in contact the proxy goes at most twice as far as the finger.
+        // In contact the push changes by at most three times as much as the finger goes.
         EXPECT_LE(worst_step(rows, 1000), 3 + 1e-6) << radius_m << " " << depth_m << " " << ticks;
         EXPECT_EQ(rows.back().phase, Phase::free);
       }
