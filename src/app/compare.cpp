@@ -3,12 +3,16 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
+#include <fstream>
 #include <optional>
+#include <string_view>
 
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "base/csv_cell.hpp"
+#include "base/file_identity.hpp"
 #include "base/number_text.hpp"
 #include "replay/folder_comparison.hpp"
 #include "replay/trace_comparison.hpp"
@@ -166,13 +170,31 @@ std::string why_no_tolerance(const std::string& text) {
   return value && !(*value >= 0) ? fmt::format("is {}; it must be 0 or more", text) : "";
 }
 
+constexpr std::string_view table_header = "job,column,most,unit,at_s,what\n";
+
+/// Of what stands in the two folders only a table of an earlier comparison may be written over.
+void refuse_overwriting_folders(const CompareOptions& options) {
+  std::vector<std::string> inputs;
+  for (const std::string& folder : {options.folder_a, options.folder_b}) {
+    std::error_code none;  // a folder that cannot be read is told by compare_folders
+    for (const auto& entry : std::filesystem::directory_iterator(folder, none)) {
+      if (!entry.is_regular_file(none)) continue;
+      std::string first(table_header.size(), '\0');
+      std::ifstream(entry.path()).read(first.data(), static_cast<std::streamsize>(first.size()));
+      if (first != table_header) inputs.push_back(entry.path().string());
+    }
+  }
+  refuse_overwriting(options.out, inputs);
+}
+
 int compare(const CompareOptions& options) {
   constexpr int changed_code = 4;
   if (!options.out.empty()) refuse_other_endings(options.out, "compare", {".csv"});
   std::optional<OutputFile> file;
   if (!options.out.empty()) {
+    refuse_overwriting_folders(options);
     file.emplace(options.out);
-    file->write("job,column,most,unit,at_s,what\n");
+    file->write(std::string(table_header));
   }
   WorstJobs worst(options.most);
   AloneJobs alone;

@@ -13,7 +13,7 @@ struct Part;
 /// One thing to be touched, where it stands in the world: a part in its pose, or a plane. The functions below
 /// answer for either kind; who asks them need not tell the kinds apart.
 struct PlacedSurface {
-  std::shared_ptr<const Part> part;          ///< none: a plane
+  std::shared_ptr<const Part> part;          ///< none, nor a tree: a plane
   std::shared_ptr<const TriangleTree> tree;  ///< over the part; none where it is only to be looked at
   Vec3 p_WP = Vec3::Zero();
   Mat3 R_WP = Mat3::Identity();

@@ -75,9 +75,9 @@ ProxyLeash Proxy::leash_to(const Vec3& goal_O) const noexcept {
   if (!state_.contact.touching) return {};
   const Vec3 push = state_.place_O - state_.goal_O;
   // What is shown of it has no skin, and may change by as much more.
-  const double follows_m = ProxyLimits::proxy_per_finger * state_.finger_m - 2 * world().skin_m();
-  const double proxy_m = std::max(follows_m, push.norm() * state_.rest_share);
-  return {goal_O + push, state_.finger_m + proxy_m, proxy_m};
+  const double most_m = most_step_m(state_, push.norm()) - 2 * world().skin_m();
+  const double length_m = std::max(most_m, state_.finger_m + push.norm() * state_.rest_share);
+  return {goal_O + push, length_m, std::max(length_m - state_.finger_m, state_.finger_m)};
 }
 
 void Proxy::follow(ProxyLeash leash, bool steps_first) noexcept {

@@ -15,7 +15,7 @@ namespace fingerpad {
 struct ProxyLeash {
   Vec3 centre_O = Vec3::Zero();
   double length_m = std::numeric_limits<double>::infinity();
-  double step_m = std::numeric_limits<double>::infinity();  ///< what one step looks for walls at the most
+  double step_m = std::numeric_limits<double>::infinity();  ///< the longest single step
 
   /// How much of a way by `z` the leash allows, from a place within it: 0 to 1.
   double share_of(const Vec3& place_O, const Vec3& z) const noexcept;
@@ -37,8 +37,8 @@ struct ProxyLeash {
 /// greatest of the walls' own angles of the way, however sharp the corner (a sum of shaded normals, in which
 /// large shares nearly cancel, does not), and a wall whose share vanishes has no say any more.
 ///
-/// Bounded steps: with `facet` the push (depth_m along normal_W) changes in a tick by at most three times the
-/// finger's motion, or by that and a share of the depth: see move(). With shaded normals it
+/// Bounded steps: with `facet` the push (depth_m along normal_W) changes in a tick by at most the finger's
+/// motion and twice that, or a share of the depth where this is more: see move(). With shaded normals it
 /// changes by no more: a turn that jumps, as walls come and go, follows as fast as this leaves room for, and
 /// until then is at most as wide as it was. A hop over a smooth edge adds 7 % of the depth, which nobody
 /// feels; one that would add more is shown over as many ticks as that takes, and the next hop waits for it.
@@ -69,12 +69,12 @@ class Proxy {
   ///
   /// The first move after a reset puts it there, or, where the ball would not fit, at the nearest place that
   /// is outside of all surfaces. In contact the steps of a tick change the way from the finger to the proxy
-  /// by at most three times as much as the finger went (or, where it hardly moves, by the share dt/0.5 s of
-  /// the depth besides), so that a finger pressed in deep that slips off an edge is let go within a motion
-  /// and not within a tick. Round a rounding the proxy keeps up while it has at most four times as far to go
-  /// as the finger, which is as deep as three quarters of the rounding's radius and the ball's together. A
-  /// hop over a smooth edge does not count towards this, since there the facets give way and not the shape;
-  /// the steps after it do.
+  /// by at most three times as much as the finger went (or, where that is more, by as much as it went and the
+  /// share dt/0.5 s of the depth), so that a finger pressed in deep that slips off an edge is let go within a
+  /// motion and not within a tick. Round a rounding the proxy keeps up while it has at most four times as far
+  /// to go as the finger, which is as deep as three quarters of the rounding's radius and the ball's
+  /// together. A hop over a smooth edge does not count towards this, since there the facets give way and not
+  /// the shape; the steps after it do.
   /// @param p_WQ  finite
   /// noexcept, allocates nothing.
   const ProxyContact& move(const Vec3& p_WQ, double dt_s) noexcept;

@@ -33,13 +33,12 @@ struct ProxyLimits {
   /// In contact the push changes by the finger's motion and at most so many times as much: twice, so that the
   /// proxy catches up ...
   static constexpr double proxy_per_finger = 2;
-  /// Round a rounding the push turns with the proxy, so that this keeps up while it has to go at most so many
-  /// times as far as the finger ...
-  static constexpr double rounds_per_finger = 2 + proxy_per_finger;
-  /// ... which is as deep as this share of the rounding's radius and the ball's together.
-  static constexpr double rounds_deep = 1 - 1 / rounds_per_finger;
   /// ... or, where the finger rests, lets the depth go in this time [s]: a motion and not a blow.
   static constexpr double release_s = 0.5;
+  /// Round a rounding the push turns with the proxy, so that this keeps up while it has to go at most so many
+  /// times as far as the finger: as deep as the second, a share of the rounding's radius and the ball's
+  /// together.
+  static constexpr double rounds_per_finger = 2 + proxy_per_finger, rounds_deep = 1 - 1 / rounds_per_finger;
 
   /// A change of the push by less than this share of it is not felt: fingers tell 6 to 7 % apart.
   static constexpr double unfelt_share = 0.07;

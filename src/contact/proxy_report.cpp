@@ -150,9 +150,8 @@ Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoin
 
 }  // namespace
 
-double most_step_m(const ProxyState& state) noexcept {
-  return state.finger_m + std::max(ProxyLimits::proxy_per_finger * state.finger_m,
-                                   state.last_push_W.norm() * state.rest_share);
+double most_step_m(const ProxyState& state, double last_m) noexcept {
+  return state.finger_m + std::max(ProxyLimits::proxy_per_finger * state.finger_m, last_m * state.rest_share);
 }
 
 ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,

@@ -12,9 +12,9 @@ struct PlacedSurface;
 struct WorldBox;
 struct WorldPoint;
 
-/// What a part in its pose and a plane answer each in their own way: a row each, each in a file of its own
-/// (placed_part.cpp, placed_plane.cpp). The functions of placed_surface.hpp say what is asked; whoever calls
-/// those need not tell the kinds apart.
+/// What a part in its pose and a plane answer each in their own way, each in a file of its own
+/// (placed_part.cpp, placed_plane.cpp). There are these two. The functions of placed_surface.hpp say what is
+/// asked; whoever calls those need not tell the kinds apart.
 struct SurfaceKind {
   template <class Hint>
   using Nearest = WorldPoint (*)(const PlacedSurface& surface, const Vec3& p_WQ, Normals normals, Hint hint,

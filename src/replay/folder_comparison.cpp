@@ -165,7 +165,7 @@ void compare_outcomes(const Outcomes& in_a, const Outcomes& in_b, bool has_trace
     if (a == nullptr || b == nullptr) {
       const JobOutcome& job = a == nullptr ? *b : *a;
       // A summary that is not there says nothing of its jobs; a trace that is alone has been told.
-      if (in_a.empty() || in_b.empty() || !job.trace.empty()) continue;
+      if (in_a.empty() || in_b.empty() || (has_traces && !job.trace.empty())) continue;
       comparison.changed += has_traces ? 0 : 1;
       found.tell_alone(words_of(job), fmt::format("the {} summary", a == nullptr ? "second" : "first"));
       continue;

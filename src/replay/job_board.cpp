@@ -139,6 +139,11 @@ JobBoard::Hold::Hold(const JobBoard& board) : file_(board.file_.number()) {
                   std::generic_category().message(problem)));
 }
 
+std::unique_ptr<JobBoard::Hold> JobBoard::Hold::at_once(const JobBoard& board) {
+  const int file = board.file_.number();
+  return std::unique_ptr<Hold>(try_lock(file, LOCK_EX) == Locking::got ? new Hold(file) : nullptr);
+}
+
 JobBoard::Hold::~Hold() {
   unlock(file_);
 }

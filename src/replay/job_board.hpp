@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -39,11 +40,15 @@ class JobBoard {
    public:
     /// Waits for it. Throws Error (fault) where the file cannot be locked.
     explicit Hold(const JobBoard& board);
+    /// Without waiting; none where another holds it.
+    static std::unique_ptr<Hold> at_once(const JobBoard& board);
     ~Hold();
     Hold(const Hold&) = delete;
     Hold& operator=(const Hold&) = delete;
 
    private:
+    explicit Hold(int file) noexcept : file_(file) {}
+
     int file_;
   };
 

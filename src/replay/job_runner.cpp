@@ -96,6 +96,7 @@ void JobRunner::run_one(std::size_t index) {
                       : "";
   const auto before = options_.traces ? state_of(path) : std::nullopt;
   const auto unfinished_before = options_.traces ? state_of(path + ".part") : std::nullopt;
+  bool has_run = false;
   // It is under way from now on, however long its mesh takes to load.
   if (options_.on_ticks) options_.on_ticks(batch_job, 0);
   try {
@@ -103,6 +104,7 @@ void JobRunner::run_one(std::size_t index) {
     JobOutput output{path, options_.format, options_.choice, options_.version, options_.resume, {}};
     if (options_.on_ticks) output.on_ticks = [&](double share) { options_.on_ticks(batch_job, share); };
     const JobResult result = run_job(job.scene, meshes_, motions_, output);
+    has_run = true;
     refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;
     batch_job.kept = result.kept;
@@ -128,7 +130,7 @@ void JobRunner::run_one(std::size_t index) {
     const bool is_as_before = !options_.traces || state_of(path) == before;
     if (is_as_before && before) batch_job.left_behind = path;
     batch_job.wrote_nothing =
-        is_as_before && (!options_.traces || state_of(path + ".part") == unfinished_before);
+        !has_run && is_as_before && (!options_.traces || state_of(path + ".part") == unfinished_before);
   }
   batch_job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

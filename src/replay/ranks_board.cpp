@@ -76,8 +76,8 @@ void tell_of_killed_rank(const std::vector<BatchJob>& jobs, const BatchOptions& 
     const JobBoard board = ranks_board(jobs, options);
     for (const auto end = steady_clock::now() + patience; !killed && steady_clock::now() < end;) {
       {
-        const JobBoard::Hold hold(board);
-        killed = killed_rank(ranks_folder(options), ranks);
+        const auto hold = JobBoard::Hold::at_once(board);
+        if (hold) killed = killed_rank(ranks_folder(options), ranks);
       }
       if (!killed) std::this_thread::sleep_for(between_looks);
     }
@@ -86,9 +86,11 @@ void tell_of_killed_rank(const std::vector<BatchJob>& jobs, const BatchOptions& 
   }
   if (!killed || !options.on_unfinished) return;
   options.on_unfinished(fmt::format(
-      "{}: rank {} was killed, and what started the ranks ends the others for that; the same command with "
-      "--resume does the rest. Open MPI lets the others go on where it is told `mpirun --enable-recovery`",
-      options.out_dir, *killed));
+      "{}: rank {} was killed: where nobody asked for the end, what started the ranks ends the others for "
+      "that; {}. Open MPI lets the others go on where it is told `mpirun --enable-recovery`",
+      options.out_dir, *killed,
+      options.traces ? "the same command with --resume does the rest"
+                     : "without traces the same command does all again"));
 }
 
 }  // namespace fingerpad

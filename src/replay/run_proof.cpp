@@ -180,7 +180,8 @@ MadeAgain why_not_kept(const std::string& trace_path, const RunDigest& digest,
                        const std::string& scene_text) {
   std::error_code ignored;
   if (!fs::exists(trace_path, ignored)) return {};
-  if (const auto build = other_build_of(trace_path)) return {"it was of " + other_build_words(*build), true};
+  if (const auto build = other_build_of(trace_path))
+    return {"it was made by " + other_build_words(*build), true};
   const std::string proof = proof_text(trace_path);
   if (!proof.starts_with(first_line))
     return {!is_finished(trace_path) ? "it is not whole"

@@ -111,7 +111,7 @@ std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchO
   const std::filesystem::path folder(options.out_dir);
   std::vector<Error> lost;
   if (is_lone_scene(jobs)) {
-    if (leaves_folder_alone(jobs)) return lost;
+    if (run.empty() && leaves_folder_alone(jobs)) return lost;  // a rank that comes late looks for its run
     try {
       keep_other_summary(jobs, options);
     } catch (const Error& error) {

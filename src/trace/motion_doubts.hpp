@@ -4,7 +4,7 @@
 
 namespace fingerpad {
 
-// What a file that was read is not as it should be in. Its clock is known.
+// What is odd in a file that was read. Its clock is known.
 
 /// Refuses a rate of its own that no ticks and no resampling go at.
 void refuse_wild_rate(const MotionReading& reading, double least_hz);

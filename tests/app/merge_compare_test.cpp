@@ -239,6 +239,34 @@ TEST(Compare, GoesByTheSummariesWhereOneFolderHasNoTraces) {
             "0 of 5 jobs changed from a to b\n");
 }
 
+TEST(Compare, CountsAJobThatTheFolderWithoutTracesLacks) {
+  const fs::path folder = folder_with_set();
+  replay_into(folder, "a");
+  replay_into(folder, "b --format none");
+  ASSERT_EQ(test::shell("head -n -1 b/summary.csv >cut && mv cut b/summary.csv", folder).exit_code, 0);
+  for (const std::string& pair : {std::string("a b"), std::string("b a")}) {
+    const auto found = test::fingerpad("compare " + pair, folder);
+    EXPECT_EQ(found.exit_code, 4) << found.out;
+    EXPECT_THAT(found.out, HasSubstr("summary alone"));
+    EXPECT_THAT(found.out, HasSubstr("1 of 5 jobs changed"));
+  }
+}
+
+TEST(Compare, WritesOverNothingThatItReadsButOverItsOwnTable) {
+  const fs::path folder = folder_with_set();
+  replay_into(folder, "a");
+  replay_into(folder, "b --format csv");
+  const std::string before = test::bytes_of(folder / "b/summary.csv");
+  for (const std::string out : {"b/summary.csv", "a/../b/summary.csv", "a/jobs.csv"}) {
+    const auto refused = test::fingerpad("compare a b --out " + out, folder);
+    EXPECT_EQ(refused.exit_code, 3) << out;
+    EXPECT_THAT(refused.err, HasSubstr("would be overwritten"));
+  }
+  EXPECT_EQ(test::bytes_of(folder / "b/summary.csv"), before);
+  for (int k = 0; k < 2; ++k)
+    EXPECT_EQ(test::fingerpad("compare a b --out b/table.csv", folder).exit_code, 0);
+}
+
 TEST(Compare, TellsAColumnThatOneSideLacksAsAbsent) {
   const fs::path folder = folder_with_set();
   replay_into(folder, "a --format none");

@@ -14,7 +14,7 @@
 
 namespace fingerpad::test {
 
-/// Eight rubs over two parts and a plane, in three scenes, one with a mesh that cannot be read.
+/// Eight rubs over two parts and a plane, in two scenes, one with a mesh that cannot be read.
 inline std::filesystem::path folder_with_batch(int rate_hz = 1000) {
   const std::filesystem::path folder = scratch_dir();
   const std::string rub =

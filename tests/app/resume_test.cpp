@@ -259,7 +259,7 @@ TEST(ResumeAfterAnotherBuild, SaysWhichBuildAndHowManyJobsAreMadeAgain) {
                         "this one is "));
   EXPECT_THAT(
       again.err,
-      HasSubstr("fingerpad: warning: out: 2 of 3 jobs were made again: it was of another build of the "
+      HasSubstr("fingerpad: warning: out: 2 of 3 jobs were made again: it was made by another build of the "
                 "program (0123456789ab; this one is "));
   EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
   EXPECT_THAT(replay(folder, "--out out --resume").err, Not(HasSubstr("build")))

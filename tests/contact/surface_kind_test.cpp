@@ -43,8 +43,9 @@ TEST(SurfaceKind, OfEitherSortAnswersTheSameWhateverASearchStartsFrom) {
         ASSERT_EQ(other.triangle, seeded.triangle);
       }
       ASSERT_EQ(seeded.triangle < 0, surface == &plane);
-      const double least_m = seeded.signed_distance_m;
-      ASSERT_FALSE(nearest_point(*surface, p_W, Normals::smooth, -1, least_m - 1e-6).found && least_m > 1e-6);
+      const Vec3 above_W = seeded.point_W + 0.002 * seeded.normal_W;
+      ASSERT_TRUE(nearest_point(*surface, above_W, Normals::smooth, -1, 0.002 + 1e-6).found);
+      ASSERT_FALSE(nearest_point(*surface, above_W, Normals::smooth, -1, 0.002 - 1e-6).found);
     }
   }
 }

@@ -109,8 +109,10 @@ TEST_F(NormalLaw, IsToldByTheNormalForceAlone) {
     EXPECT_TRUE(measurement.trials.empty());
     EXPECT_TRUE(measurement.without_force.empty());
     ASSERT_EQ(measurement.pressed.size(), 12u);
-    for (const MeasuredTrial& trial : measurement.pressed)
+    for (const MeasuredTrial& trial : measurement.pressed) {
+      ASSERT_FALSE(trial.force_ratio.empty());
       EXPECT_THAT(trial.force_ratio, Each(Vec2(0, 0))) << "one of the two tells no friction";
+    }
     const ProfileFit fit = fit_profile(measurement, {});
     expect_normal_law_alone(fit, 12);
     EXPECT_EQ(fit.subjects, 2u);

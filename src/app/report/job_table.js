@@ -15,10 +15,10 @@ function escapedBreakable(text) {
   return span.innerHTML;
 }
 
-/** What the figures and warnings tell; of a failed job with the reason: "failed: why". Files by their names. */
+/** What the figures and warnings tell; of a failed job with the reason: "failed: why". Without the folders of whole paths. */
 function troubleOf(job) {
   const words = job.status === "ok" ? job.trouble : "failed: " + job.status + job.trouble.slice("failed".length);
-  return words.replace(/(\/[^\/\s:]+)+\//g, "");
+  return words.replace(/(^|[\s'"(])(\/[^\/\s:]+)+\//g, "$1");
 }
 
 /** Whether a part has several motions; where each has its own, its name tells nothing. */
