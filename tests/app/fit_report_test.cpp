@@ -94,8 +94,8 @@ TEST_F(FitReportOfFiles, SaysAllThatTheTerminalSays) {
 
 double residual_rms_n(const std::string& summary) {
   std::smatch found;
-  // Before its bias and lag, and the contact's method and normals.
-  const std::regex row(R"(,([0-9.e+-]+),[^,]+,[^,]+,[a-z-]+,[a-z]+\n$)");
+  // Before its bias and lag, the contact's method and normals, and what was told of the job.
+  const std::regex row(R"re(,([0-9.e+-]+),[^,]+,[^,]+,[a-z-]+,[a-z]+,("[^"]*"|[^,"]*)\n$)re");
   return std::regex_search(summary, found, row) ? std::stod(found[1]) : -1;
 }
 
