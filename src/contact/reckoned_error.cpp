@@ -100,14 +100,15 @@ struct Weighed {
   double share = 0, weight = 0;
 };
 
-/// The least share that all but a hundredth of the weight is not above. Orders them.
+/// The least share that all but a hundredth of the weight is not above. Orders them, the largest alone.
 double quantile_99(std::span<Weighed> shares, double weight) {
-  std::sort(shares.begin(), shares.end(),
-            [](const Weighed& a, const Weighed& b) { return a.share > b.share; });
+  const auto is_less = [](const Weighed& a, const Weighed& b) { return a.share < b.share; };
+  std::make_heap(shares.begin(), shares.end(), is_less);
   double sum = 0;
-  for (const Weighed& one : shares) {
-    sum += one.weight;
-    if (sum > 0.01 * weight) return one.share;
+  for (auto end = shares.end(); end != shares.begin(); --end) {
+    sum += shares.front().weight;
+    if (sum > 0.01 * weight) return shares.front().share;
+    std::pop_heap(shares.begin(), end, is_less);
   }
   return 0;
 }
@@ -129,7 +130,8 @@ ReckonedError error_in(std::span<const SurfacePlace> region, const Press& press,
     const double weight = way_there(place, centre);
     if (!(weight > 0)) continue;
     const double tilt = tilt_rad(way, place, centre);
-    shares.push_back({std::hypot(press.stiffness_n_per_m * sag_m(way, place) / force_n, tilt), weight});
+    const double along = sag_m(way, place) / centre.depth_m;
+    shares.push_back({std::sqrt(along * along + tilt * tilt), weight});
     tilts += weight * tilt;
     weights += weight;
     if (falls_behind(way, place.curvature_per_m, centre)) behind.push_back({place.curvature_per_m, weight});
