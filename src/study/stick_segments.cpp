@@ -38,13 +38,27 @@ struct SampleWindow {
   std::size_t from, to;
 };
 
-SampleWindow window_around(std::size_t i, const std::vector<bool>& begins_run, int half_window) {
-  const auto half = static_cast<std::size_t>(half_window);
-  SampleWindow window{i, i + 1};
-  while (window.from > 0 && i - window.from < half && !begins_run[window.from]) --window.from;
-  while (window.to < begins_run.size() && window.to - i <= half && !begins_run[window.to]) ++window.to;
-  return window;
-}
+/// The windows around all samples, which end where their run does.
+class SampleWindows {
+ public:
+  /// @param begins_run  of each sample
+  explicit SampleWindows(const std::vector<bool>& begins_run) : run_(begins_run.size()) {
+    for (std::size_t from = 0, to = 0; from < run_.size(); from = to) {
+      to = from + 1;
+      while (to < run_.size() && !begins_run[to]) ++to;
+      std::fill(run_.begin() + static_cast<std::ptrdiff_t>(from),
+                run_.begin() + static_cast<std::ptrdiff_t>(to), SampleWindow{from, to});
+    }
+  }
+
+  SampleWindow around(std::size_t i, int half_window) const {
+    const auto half = static_cast<std::size_t>(half_window);
+    return {std::max(run_[i].from, i - std::min(i, half)), std::min(run_[i].to, i + half + 1)};
+  }
+
+ private:
+  std::vector<SampleWindow> run_;  ///< that each sample is in
+};
 
 /// Slope of the positions; ruptures do not part them.
 Vec2 local_velocity(const MeasuredTrial& trial, const SampleWindow& w) {
@@ -136,9 +150,10 @@ std::vector<bool> light_samples(const MeasuredTrial& trial, StickSegments& found
   found.is_too_noisy = noisy_n > found.usual_normal_n;
   if (found.is_too_noisy) return std::vector<bool>(trial.normal_force_n.size(), true);
   std::vector<bool> is_light(trial.normal_force_n.size());
+  const SampleWindows windows(trial.starts_anew);
   for (std::size_t i = 0; i < is_light.size(); ++i) {
     // A mean, so that noise does not part samples that are pressed alike.
-    const SampleWindow w = window_around(i, trial.starts_anew, found.half_window);
+    const SampleWindow w = windows.around(i, found.half_window);
     double sum_n = 0;
     for (std::size_t j = w.from; j < w.to; ++j) sum_n += trial.normal_force_n[j];
     is_light[i] = sum_n < limit_n * static_cast<double>(w.to - w.from);
@@ -153,13 +168,14 @@ std::vector<LocalStiffness> local_stiffnesses(const MeasuredTrial& trial, const 
   constexpr int widest = 16;  // times the half window
   constexpr double deviations = 4;
   std::vector<LocalStiffness> locals(is_light.size());
+  const SampleWindows windows(found.begins_run);
   for (std::size_t i = 0; i < locals.size(); ++i) {
     if (is_light[i]) continue;
     const double least_m =
         found.border_per_m > 0 ? deviations * ratio_noise_at(trial, found, i) / found.border_per_m : 0;
     for (int widened = 1; widened <= widest && !locals[i].is_known; widened *= 2)
-      locals[i] = sums.stiffness(window_around(i, found.begins_run, widened * found.half_window),
-                                 found.position_noise_m, least_m * least_m);
+      locals[i] = sums.stiffness(windows.around(i, widened * found.half_window), found.position_noise_m,
+                                 least_m * least_m);
   }
   return locals;
 }
@@ -210,9 +226,9 @@ StickSegments stick_segments(const MeasuredTrial& trial) {
   found.position_noise_m = noise_of_both(trial.position_m);
   const std::size_t samples = trial.position_m.size();
   found.velocity_m_per_s.reserve(samples);
+  const SampleWindows windows(trial.starts_anew);
   for (std::size_t i = 0; i < samples; ++i)
-    found.velocity_m_per_s.push_back(
-        local_velocity(trial, window_around(i, trial.starts_anew, found.half_window)));
+    found.velocity_m_per_s.push_back(local_velocity(trial, windows.around(i, found.half_window)));
   found.ratio_noise =
       std::min(noise_of_both(trial.force_ratio), noise_across(trial.force_ratio, found.velocity_m_per_s));
   find_ruptures(trial, found);
