@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <span>
+#include <string_view>
 
 #include "base/number_text.hpp"
 #include "motion/low_pass.hpp"
@@ -45,15 +47,16 @@ void low_pass(RecordedTrial& trial, double cutoff_hz) {
 
 /// What was done about hum, and what looks like it and was left in.
 /// @param taken  of each trial that senses what may hum
+/// @param of_what  of the trials
 std::string hum_text(const std::vector<MainsHum>& taken, const std::vector<std::string>& left_in,
-                     bool of_forces) {
+                     bool of_forces, std::string_view of_what) {
   long humming = 0;
   MainsHum most;
   for (const MainsHum& hum : taken) {
     humming += hum.frequency_hz > 0 ? 1 : 0;
     if (hum.amplitude > most.amplitude) most = hum;
   }
-  std::string text = of_forces ? "mains hum: " : "mains hum of torques: ";
+  std::string text = fmt::format("mains hum{}: ", of_forces ? of_what : " of torques");
   if (humming > 0) {
     text += fmt::format(
         "taken out of {} of {} trials, at most {} at {:.2f} Hz", humming, taken.size(),
@@ -67,9 +70,11 @@ std::string hum_text(const std::vector<MainsHum>& taken, const std::vector<std::
 }
 
 /// Takes mains hum out of all trials. Torques may hum where forces do not.
+/// @param cleanings  of the trials
 std::vector<std::string> remove_hum(std::vector<RecordedTrial>& trials, Mains mains,
-                                    Measurement& measurement) {
-  if (mains == Mains::off) return {"mains hum: left in (off)"};
+                                    std::span<TrialCleaning> cleanings, std::string_view of_what = "") {
+  if (trials.empty()) return {};
+  if (mains == Mains::off) return {fmt::format("mains hum{}: left in (off)", of_what)};
   std::vector<std::string> steps;
   for (const Sensed sensed : {&RecordedTrial::force_W, &RecordedTrial::torque_W_n_m}) {
     const bool are_forces = sensed == &RecordedTrial::force_W;
@@ -83,10 +88,10 @@ std::vector<std::string> remove_hum(std::vector<RecordedTrial>& trials, Mains ma
       if ((trials[i].*sensed).cols() == 0) continue;
       taken.push_back(take_off(verdict.lines[i], sensed, trials[i]));
       if (!are_forces) continue;
-      measurement.cleanings[i].hum_hz = taken.back().frequency_hz;
-      measurement.cleanings[i].hum_n = taken.back().amplitude;
+      cleanings[i].hum_hz = taken.back().frequency_hz;
+      cleanings[i].hum_n = taken.back().amplitude;
     }
-    steps.push_back(hum_text(taken, verdict.left_in, are_forces));
+    steps.push_back(hum_text(taken, verdict.left_in, are_forces, of_what));
   }
   return steps;
 }
@@ -150,9 +155,8 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
                   samples, filled, rounded_text(1e3 * settings.longest_fill_s, 3), missing));
   const std::size_t pressed = measurement.pressed.size();
   if (pressed > 0)
-    steps.push_back(fmt::format("normal force alone: in {} trial{}, of which mains hum{} left in", pressed,
-                                pressed == 1 ? "" : "s",
-                                settings.delay_s || !settings.takes_delay ? " is" : " and delay are"));
+    steps.push_back(fmt::format("normal force alone: in {} trial{}{}", pressed, pressed == 1 ? "" : "s",
+                                measurement.knows_delay ? "" : ", of which the delay is left in"));
   steps.insert(steps.end(), hum.begin(), hum.end());
   steps.push_back(settings.takes_tare ? tare_text(measurement.cleanings) : "tare: left as it is (off)");
   if (const std::string contact = contact_text(measurement.cleanings); !contact.empty())
@@ -166,17 +170,32 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
   return steps;
 }
 
-/// Trials of which the normal force alone was measured, on their own: no hum, tare or delay of the others is
-/// told by them.
-void clean_pressed(std::vector<RecordedTrial> trials, const CleaningSettings& settings,
-                   Measurement& measurement) {
+/// How trials come, with what is missing filled where that may be.
+std::vector<TrialCleaning> begin_cleaning(std::vector<RecordedTrial>& trials,
+                                          const CleaningSettings& settings) {
+  std::vector<TrialCleaning> cleanings;
+  cleanings.reserve(trials.size());
   for (RecordedTrial& trial : trials) {
     TrialCleaning cleaning;
     cleaning.name = trial_name(trial);
     cleaning.samples = static_cast<long>(trial.samples());
+    cleaning.tells_contact = trial.sensor.has_value() && trial.lacks.empty();
     limit_fills(trial, settings.longest_fill_s, cleaning);
-    if (settings.takes_tare) take_tare(trial, cleaning);
-    measurement.cleanings.push_back(cleaning);
+    cleanings.push_back(cleaning);
+  }
+  return cleanings;
+}
+
+/// Trials of which the normal force alone was measured, on their own: no hum, tare or delay of the others is
+/// told by them.
+std::vector<std::string> clean_pressed(std::vector<RecordedTrial> trials, const CleaningSettings& settings,
+                                       Measurement& measurement) {
+  std::vector<TrialCleaning> cleanings = begin_cleaning(trials, settings);
+  const std::string_view of_what = measurement.cleanings.empty() ? "" : " of the normal force alone";
+  std::vector<std::string> hum = remove_hum(trials, settings.mains, cleanings, of_what);
+  for (std::size_t i = 0; i < trials.size(); ++i) {
+    RecordedTrial& trial = trials[i];
+    if (settings.takes_tare) take_tare(trial, cleanings[i]);
     if (settings.delay_s) shift_positions(trial, *settings.delay_s);
     if (settings.smoothing_hz > 0) low_pass(trial, settings.smoothing_hz);
     MeasuredTrial measured = in_pad_axes(trial);
@@ -190,6 +209,8 @@ void clean_pressed(std::vector<RecordedTrial> trials, const CleaningSettings& se
       measurement.pressed.push_back(std::move(measured));
     }
   }
+  measurement.cleanings.insert(measurement.cleanings.end(), cleanings.begin(), cleanings.end());
+  return hum;
 }
 
 /// Parts the trials of which the normal force alone was measured from the others.
@@ -207,17 +228,8 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
   Measurement measurement;
   measurement.without_force = std::move(recorded.without_force);
   std::vector<RecordedTrial> pressed = taken_pressed(recorded.trials);
-  for (RecordedTrial& trial : recorded.trials) {
-    TrialCleaning cleaning;
-    cleaning.name = trial_name(trial);
-    cleaning.samples = static_cast<long>(trial.samples());
-    cleaning.tells_contact = trial.sensor.has_value();
-    limit_fills(trial, settings.longest_fill_s, cleaning);
-    measurement.cleanings.push_back(cleaning);
-  }
-  const bool is_pressed_alone = recorded.trials.empty() && !pressed.empty();
-  std::vector<std::string> hum;
-  if (!is_pressed_alone) hum = remove_hum(recorded.trials, settings.mains, measurement);
+  measurement.cleanings = begin_cleaning(recorded.trials, settings);
+  std::vector<std::string> hum = remove_hum(recorded.trials, settings.mains, measurement.cleanings);
   for (std::size_t i = 0; i < recorded.trials.size(); ++i) {
     if (settings.takes_tare) take_tare(recorded.trials[i], measurement.cleanings[i]);
     if (recorded.trials[i].sensor) take_contact_points(recorded.trials[i]);
@@ -239,7 +251,8 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
       measurement.trials.push_back(std::move(measured));
     }
   }
-  clean_pressed(std::move(pressed), settings, measurement);
+  const std::vector<std::string> hum_of_pressed = clean_pressed(std::move(pressed), settings, measurement);
+  hum.insert(hum.end(), hum_of_pressed.begin(), hum_of_pressed.end());
   measurement.steps = steps_text(measurement, settings, hum);
   return measurement;
 }
