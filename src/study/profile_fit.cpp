@@ -11,6 +11,7 @@
 #include "study/impossible_numbers.hpp"
 #include "study/normal_law.hpp"
 #include "study/sampling_reach.hpp"
+#include "study/stretch_reach.hpp"
 #include "study/unseen_slip.hpp"
 #include "study/zero_doubt.hpp"
 
@@ -152,6 +153,8 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   refuse_vague_springs(settings.keeps_told_by_few, fit);
   refuse_odd_cubic_shares(fit);
   if (!settings.keeps_told_by_few) {
+    if (is_bare_spring(fit))
+      refuse_unsteady_springs(reach_by_stretches(measurement, segments, fit, point), fit);
     refuse_told_by_few(fit);
     if (!no_slip.empty() || point.has_unseen_slip) refuse_unsure_slip(fit);
     doubt_zero(zero_doubt(fit, !measurement.looks_for_tare), fit);
