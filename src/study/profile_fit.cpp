@@ -43,10 +43,11 @@ double delay_left_s(const std::vector<TrialEvidence>& trials, const std::vector<
   return samples > 0 ? sum_s / samples : 0;
 }
 
-/// Whether that is more than chance, by the fits to all trials but some.
+/// Whether that is worth a word, and more than chance by the fits to all trials but some.
 bool tells_delay_left(double left_s, const std::vector<TrialEvidence>& trials,
                       const std::vector<int>& subject_of) {
-  constexpr double deviations = 2;
+  constexpr double deviations = 2, least_told_s = 0.5e-3;
+  if (!(std::abs(left_s) > least_told_s)) return false;
   if (static_cast<long>(trials.size()) < fewest_trials) return false;
   LeftOutSpread without;
   const std::size_t left_out = each_left_out(subject_of, Blocks::trials, [&](const LeftOut& one) {
