@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <iterator>
 #include <string_view>
 
@@ -80,7 +81,52 @@ void refuse_odd_axes(ProfileFit& fit) {
   }
 }
 
+/// What a number's reach is taken as a share of: where it may be 0, a bend of a half and a loop half as wide
+/// as the axis is long.
+double usual_size(const ProfileFit& fit, std::size_t number) {
+  const auto key = static_cast<std::size_t>(spring_numbers[number]),
+             axis = static_cast<std::size_t>(spring_numbers[number % 2]);
+  switch (spring_numbers[number]) {
+    case PadNumber::lateral_cubic_share:
+    case PadNumber::longitudinal_cubic_share:
+      return 0.5;
+    case PadNumber::lateral_hysteresis_area:
+    case PadNumber::longitudinal_hysteresis_area:
+      return 2 * fit.values[axis].value * value_of(fit.values, PadNumber::mu_static).value;
+    default:
+      return std::abs(fit.values[key].value);
+  }
+}
+
+std::string unsteady_words(long trials, double share) {
+  return fmt::format(
+      "{} trial{} tell{} it, and by chance within {} it may be off by {}: record {} or more, "
+      "with more stick, or sample faster",
+      trials, trials == 1 ? "" : "s", trials == 1 ? "s" : "", trials == 1 ? "it" : "them",
+      share < 1 ? fmt::format("{:.0f} %", 100 * share) : "more than itself", fewest_trials);
+}
+
 }  // namespace
+
+bool is_bare_spring(const ProfileFit& fit) {
+  return std::any_of(spring_numbers.begin(), spring_numbers.end(), [&fit](PadNumber number) {
+    return value_of(fit.values, number).refusal.empty() && !has_interval(fit, number);
+  });
+}
+
+void refuse_unsteady_springs(const NumberReaches& reach, ProfileFit& fit) {
+  constexpr double most_off = 0.2;
+  for (std::size_t n = 0; n < spring_numbers.size(); ++n) {
+    const PadValue& value = value_of(fit.values, spring_numbers[n]);
+    if (!value.refusal.empty() || has_interval(fit, spring_numbers[n])) continue;
+    const double share = reach[static_cast<std::size_t>(spring_numbers[n])] / usual_size(fit, n);
+    if (share <= most_off) continue;
+    const std::string words = unsteady_words(value.trials, share);
+    const bool is_axis = n < 2;
+    for (std::size_t of = n; of < spring_numbers.size(); of += 2)
+      if (is_axis || of == n) refuse_number(spring_numbers[of], words, fit);
+  }
+}
 
 void refuse_told_by_few(ProfileFit& fit) {
   const PadValue& v_min = value_of(fit.values, PadNumber::v_min);

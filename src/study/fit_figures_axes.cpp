@@ -8,6 +8,7 @@
 #include <map>
 
 #include "study/fit_figure_parts.hpp"
+#include "study/stick_bearings.hpp"
 
 namespace fingerpad {
 namespace {
@@ -121,6 +122,15 @@ void add_pulls(const FitPictureSource& source, std::size_t axis, ChartPanel& pan
   for (auto& [subject, curve] : subjects) panel.curves.push_back(std::move(curve));
 }
 
+/// Along which lines that was pushed which fig. 8 shows of an axis.
+PushedLines shown_lines(const FitPictureSource& source, std::size_t axis) {
+  const std::map<int, double> angles = shown_angles(source, axis);
+  std::vector<const StickPath*> shown;
+  for (const StickPath& path : source.stick.paths)
+    if (is_shown(source, path.trial, axis, angles)) shown.push_back(&path);
+  return pushed_lines(shown);
+}
+
 /// The load, the reach and the angle of what fig. 8 shows along an axis.
 struct ShownPulls {
   double load_n = 0, reach_m = 0, angle_deg = 0;
@@ -212,10 +222,10 @@ Chart force_displacement_figure(const FitPictureSource& source) {
   Chart chart{"figure8", title, {}, 2, {}};
   const bool has_axes = source.measurement.trials[source.stick.paths[0].trial].has_direction;
   const std::vector<int> subjects = subjects_in(source.measurement);
+  std::string bearings;
   if (has_axes)
     chart.notes.push_back(
-        fmt::format("each subject's finger at the angle nearest to 45 deg at which it was pushed along the "
-                    "axis{}",
+        fmt::format("each subject's finger at the angle to the plate nearest to 45 deg of its pushes{}",
                     subjects.size() > 1 ? "; fitted: the profile's spring, of all subjects" : ""));
   for (std::string& note : refusal_notes(
            source.fit, {PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}, note_of_two_columns))
@@ -235,9 +245,15 @@ Chart force_displacement_figure(const FitPictureSource& source) {
                  chart);
     if (panel.curves.empty()) continue;
     add_spring(source, axis, panel);
+    if (has_axes)
+      bearings += fmt::format("{} {} {}", bearings.empty() ? "" : ";", panel.title,
+                              shown_lines(source, axis).words());
     chart.panels.push_back(std::move(panel));
   }
   if (chart.panels.empty()) return refused_figure("figure8", title, "no trial is pushed along an axis");
+  if (has_axes)
+    chart.notes.insert(chart.notes.begin() + 1,
+                       fmt::format("pushes (0 deg: across the finger, 90 deg: along it):{}", bearings));
   chart.columns = static_cast<int>(chart.panels.size());
   return chart;
 }

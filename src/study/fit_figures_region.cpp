@@ -9,6 +9,7 @@
 #include <numbers>
 
 #include "study/fit_figure_parts.hpp"
+#include "study/stick_bearings.hpp"
 
 namespace fingerpad {
 namespace {
@@ -55,45 +56,13 @@ double usual_angle_deg(const Measurement& measurement, int subject) {
   return nearest;
 }
 
-/// The mean of the farthest tenth; not a number of few samples.
-double farthest_tenth(std::vector<double> radii) {
-  constexpr std::size_t fewest = 10;
-  if (radii.size() < fewest) return gap;
-  std::sort(radii.begin(), radii.end());
-  const std::size_t from = radii.size() - radii.size() / 10;
-  double mean = 0;
-  for (std::size_t i = from; i < radii.size(); ++i)
-    mean += radii[i] / static_cast<double>(radii.size() - from);
-  return mean;
-}
-
-/// How far stick reaches by its bearing, of 24. One in which it stays near its centre was not pushed: what is
-/// there is noise beside other bearings.
+/// How far stick reaches by its bearing: points alone, as nothing is known of what lies between them.
 ChartCurve averaged_reach(const std::vector<const StickPath*>& paths, std::string name,
                           const CurveStyle& style) {
-  constexpr int bearings = 24;
-  constexpr double least_share = 0.3;
-  std::vector<std::vector<double>> radii(bearings);
-  for (const StickPath* path : paths) {
-    for (const Vec2& d : path->displacement_m) {
-      const double turn = std::atan2(d.y(), d.x()) / (2 * std::numbers::pi) + 1;
-      radii[static_cast<std::size_t>(std::lround(turn * bearings) % bearings)].push_back(d.norm());
-    }
-  }
-  std::vector<double> reach_m;
-  reach_m.reserve(bearings);
-  double most_m = 0;
-  for (std::vector<double>& own : radii) {
-    reach_m.push_back(farthest_tenth(std::move(own)));
-    if (reach_m.back() > most_m) most_m = reach_m.back();
-  }
   ChartCurve curve{std::move(name), style, {}, {}};
-  for (int k = 0; k <= bearings; ++k) {
-    const double here_m = reach_m[static_cast<std::size_t>(k % bearings)],
-                 shown_mm = here_m > least_share * most_m ? 1e3 * here_m : gap;
-    const double angle = 2 * std::numbers::pi * k / bearings;
-    curve.x.push_back(shown_mm * std::cos(angle));
-    curve.y.push_back(shown_mm * std::sin(angle));
+  for (const Vec2& reach_m : farthest_by_bearing_m(paths)) {
+    curve.x.push_back(1e3 * reach_m.x());
+    curve.y.push_back(1e3 * reach_m.y());
   }
   return curve;
 }
@@ -121,6 +90,15 @@ std::vector<std::string> lacking_notes(const FitPictureSource& source, int subje
     }
   }
   return notes;
+}
+
+/// Why no ellipse is drawn where both axes are told, but not by how far stick reaches.
+std::string untold_ellipse_note(int subject, const PushedLines& lines) {
+  return fmt::format(
+      "subject {}: no ellipse, as pushes {} (0 deg: across the finger, 90 deg: along it) show how far it "
+      "sticks there alone; which way their force points tells the profile's axes. Push across the finger and "
+      "along it",
+      subject, lines.words());
 }
 
 ChartCurve raw_paths(const std::vector<const StickPath*>& paths) {
@@ -183,13 +161,10 @@ Chart force_loop_figure(const FitPictureSource& source) {
 
 Chart stick_ellipse_figure(const FitPictureSource& source) {
   const std::string title = "Where the pad sticks (paper, fig. 4)";
-  Chart chart{
-      "figure4",
-      title,
+  Chart chart{"figure4", title, {}, 2, {}};
+  std::vector<std::string> notes =
       refusal_notes(source.fit, {PadNumber::lateral_axis, PadNumber::longitudinal_axis, PadNumber::mu_static},
-                    note_of_two_columns),
-      2,
-      {}};
+                    std::string::npos);
   const std::vector<int> subjects = subjects_in(source.measurement);
   for (const int subject : subjects) {
     const double angle_deg =
@@ -202,7 +177,7 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
     }
     if (paths.empty()) continue;
     if (chart.panels.size() == most_panels) {
-      chart.notes.push_back(fmt::format("the first {} of {} subjects", most_panels, subjects.size()));
+      notes.push_back(fmt::format("the first {} of {} subjects", most_panels, subjects.size()));
       break;
     }
     const MeasuredTrial& first = source.measurement.trials[paths.front()->trial];
@@ -217,18 +192,23 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
     panel.equal_scales = true;
     panel.curves.push_back(raw_paths(paths));
     panel.curves.push_back(
-        averaged_reach(paths, "farthest tenth, by bearing", {palette::blue, Dash::solid, Marker::disc, 1}));
+        averaged_reach(paths, "farthest tenth, by bearing", {palette::blue, Dash::none, Marker::disc, 1}));
     const Vec2 axes_m = subject_axes_m(source.measurement, source.fit, source.stick.axes, subject, angle_deg);
-    if (axes_m.allFinite())
+    const std::vector<std::string> lacking = lacking_notes(source, subject, angle_deg, axes_m);
+    const PushedLines lines = pushed_lines(paths);
+    const bool tells = lines.tell_ellipse() || !lacking.empty();
+    if (axes_m.allFinite() && !tells) notes.push_back(untold_ellipse_note(subject, lines));
+    if (axes_m.allFinite() && tells)
       panel.curves.push_back(ellipse_curve("fitted to this subject",
                                            {palette::vermillion, Dash::dashed, Marker::none, 1.3},
                                            1e3 * axes_m.x(), 1e3 * axes_m.y()));
-    for (const std::string& note : lacking_notes(source, subject, angle_deg, axes_m))
-      add_note(note, note_of_two_columns, chart);
+    notes.insert(notes.end(), lacking.begin(), lacking.end());
     chart.panels.push_back(std::move(panel));
   }
   if (chart.panels.empty()) return refused_figure("figure4", title, "no stick was found");
   chart.columns = chart.panels.size() == 1 ? 1 : 2;
+  for (const std::string& note : notes)
+    add_note(note, chart.columns == 1 ? note_of_one_column : note_of_two_columns, chart);
   return chart;
 }
 

@@ -11,6 +11,7 @@
 #include "study/impossible_numbers.hpp"
 #include "study/normal_law.hpp"
 #include "study/sampling_reach.hpp"
+#include "study/stretch_reach.hpp"
 #include "study/unseen_slip.hpp"
 #include "study/zero_doubt.hpp"
 
@@ -42,10 +43,11 @@ double delay_left_s(const std::vector<TrialEvidence>& trials, const std::vector<
   return samples > 0 ? sum_s / samples : 0;
 }
 
-/// Whether that is more than chance, by the fits to all trials but some.
+/// Whether that is worth a word, and more than chance by the fits to all trials but some.
 bool tells_delay_left(double left_s, const std::vector<TrialEvidence>& trials,
                       const std::vector<int>& subject_of) {
-  constexpr double deviations = 2;
+  constexpr double deviations = 2, least_told_s = 0.5e-3;
+  if (!(std::abs(left_s) > least_told_s)) return false;
   if (static_cast<long>(trials.size()) < fewest_trials) return false;
   LeftOutSpread without;
   const std::size_t left_out = each_left_out(subject_of, Blocks::trials, [&](const LeftOut& one) {
@@ -152,6 +154,8 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   refuse_vague_springs(settings.keeps_told_by_few, fit);
   refuse_odd_cubic_shares(fit);
   if (!settings.keeps_told_by_few) {
+    if (is_bare_spring(fit))
+      refuse_unsteady_springs(reach_by_stretches(measurement, segments, fit, point), fit);
     refuse_told_by_few(fit);
     if (!no_slip.empty() || point.has_unseen_slip) refuse_unsure_slip(fit);
     doubt_zero(zero_doubt(fit, !measurement.looks_for_tare), fit);

@@ -44,7 +44,7 @@ struct ProfileFit {
   bool took_delay = false;     ///< a delay was found, of one file at least, and taken out
   double delay_left_s = 0;     ///< of force behind position, that the springs tell beside what was taken out;
                                ///< 0 where the delay is known
-  bool tells_delay_left = false;    ///< that is beyond what trials differ by
+  bool tells_delay_left = false;    ///< that is over 0.5 ms, and beyond what trials differ by
   bool v_min_by_step = false;       ///< FitPoint's: v_min is a speed at which friction steps, no end of slip
   std::vector<std::string> doubts;  ///< why intervals of numbers are wider than their trials differ
   std::vector<std::string> steps;   ///< Measurement::steps

@@ -128,8 +128,7 @@ std::vector<std::string> fit_remarks(const ProfileFit& fit) {
           "{} is {} mm, further than the skin of a finger gives way: is the positions' unit right?",
           pad_number_keys[k], rounded_text(1e3 * fit.values[k].value, 3)));
   }
-  constexpr double untold_s = 0.5e-3;
-  if (fit.tells_delay_left && std::abs(fit.delay_left_s) > untold_s && fit.residual.misfit.empty())
+  if (fit.tells_delay_left && fit.residual.misfit.empty())
     notes.push_back(fmt::format(
         "delay: {}the springs tell {} {} ms{}, which bent springs (or a loop) hide from the "
         "cross-correlation: it may be off by as much; axes and stiffnesses allow for it",

@@ -18,7 +18,8 @@ struct PushedTrial {
   const SpringSums* sums;
   int subject;
   double from45_deg;
-  double weight;  ///< within its subject: what it moved along the axis, which is the inverse of its variance
+  double samples;  ///< of stick
+  double weight;   ///< within its subject: what it moved along the axis, which is the inverse of its variance
   double compliance_m = 0;  ///< its own A
   double on_line_m = 0;     ///< of its subject's line
 };
@@ -39,7 +40,8 @@ std::vector<PushedTrial> pushed_trials(const std::vector<TrialEvidence>& trials,
       continue;
     fit.samples += times[i] * trial.stick_samples;
     fit.trials += times[i];
-    pushed.push_back({&sums, trial.subject, trial.inclination_deg - 45, times[i] * ratio2});
+    pushed.push_back({&sums, trial.subject, trial.inclination_deg - 45,
+                      static_cast<double>(trial.stick_samples), times[i] * ratio2});
     weights[trial.subject] += pushed.back().weight;
   }
   for (PushedTrial& trial : pushed) trial.weight /= weights[trial.subject];
@@ -94,6 +96,7 @@ SubjectLines settle_lines(std::vector<PushedTrial>& trials, const SpringShape& s
 /// The sums of all trials as those of one whose A is 1, each subject with the same weight.
 struct PooledSums {
   SpringSums whole = SpringSums::Zero();
+  double turns = 0;  ///< variance of v/|v| along the axis about each stretch's mean, 1 at the most
   /// What each term has that its own trial's spring_ratio has not. Each trial has an A of its own; did one
   /// for all explain their positions, those that stick further, of more friction, would seem stiffer far out,
   /// and all springs bent.
@@ -108,6 +111,7 @@ PooledSums pooled_sums(const std::vector<PushedTrial>& trials) {
     scale << 1 / trial.on_line_m, 1, 1, 1 / trial.on_line_m, 1 / trial.on_line_m, 1;
     const SpringSums scaled = scale.asDiagonal() * *trial.sums * scale.asDiagonal();
     const double ratio2 = scaled(spring_ratio, spring_ratio);
+    pooled.turns += trial.weight * (*trial.sums)(spring_direction, spring_direction) / trial.samples;
     pooled.whole += trial.weight / ratio2 * scaled;
     pooled.beside_ratio +=
         trial.weight / ratio2 * (scaled - scaled.col(spring_ratio) * scaled.row(spring_ratio) / ratio2);
@@ -116,13 +120,15 @@ PooledSums pooled_sums(const std::vector<PushedTrial>& trials) {
 }
 
 /// Regression of the position on the terms beside the ratio; those that say nothing beside the ones before
-/// them are 0.
+/// them are 0. So is the loop's where no stretch of stick turns round: rounding alone moves v/|v| then.
 SpringTerms regression(const PooledSums& pooled) {
   constexpr double least_own = 1e-3;  // of a term's spread, that the terms before it do not have
+  constexpr double least_turns = 1e-4;
   const SpringSums& m = pooled.beside_ratio;
   std::vector<Eigen::Index> used;
   Eigen::VectorXd solved;
   for (const Eigen::Index term : {spring_speed, spring_direction, spring_cubic}) {
+    if (term == spring_direction && !(pooled.turns > least_turns)) continue;
     std::vector<Eigen::Index> tried = used;
     tried.push_back(term);
     const auto n = static_cast<Eigen::Index>(tried.size());

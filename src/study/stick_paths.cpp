@@ -24,14 +24,17 @@ double mu_of_axes(const ProfileFit& fit) {
   return std::isfinite(fitted) ? fitted : 0.3;
 }
 
-/// Displacement for a unit of force ratio, lateral and longitudinal.
+/// Displacement for a unit of force ratio, lateral and longitudinal, each of its own axis where it is told.
 Vec2 compliance_m(const ProfileFit& fit, const Vec2& own_axes_m, double inclination_deg) {
   const double mu_static = mu_of_axes(fit);
-  if (own_axes_m.allFinite()) return own_axes_m / mu_static;
-  const Vec2 axes_m = fitted_axes_m(fit, inclination_deg);
-  if (axes_m.allFinite()) return axes_m / mu_static;
   const double stiffness = fitted_number(fit, PadNumber::stick_stiffness);
-  return Vec2::Constant(std::isfinite(stiffness) ? 1 / stiffness : 0);
+  const Vec2 axes_m = fitted_axes_m(fit, inclination_deg);
+  Vec2 compliance = Vec2::Constant(std::isfinite(stiffness) ? 1 / stiffness : 0);
+  for (Eigen::Index axis = 0; axis < 2; ++axis) {
+    const double axis_m = std::isfinite(own_axes_m[axis]) ? own_axes_m[axis] : axes_m[axis];
+    if (std::isfinite(axis_m)) compliance[axis] = axis_m / mu_static;
+  }
+  return compliance;
 }
 
 StickPath path_of(const Measurement& measurement, std::size_t k, const PhaseStretch& stretch,

@@ -28,8 +28,8 @@ struct StickPicture {
 };
 
 /// Finds each stretch of stick and its centre: the place at which the subject's own spring would bear no
-/// force, the mean of x + A q with A the subject's axes over mu_s (where it has none the fitted ones, and
-/// without those 1/k_f both ways).
+/// force, the mean of x + A q with A each of the subject's axes over mu_s (where it has none the fitted one,
+/// and without that 1/k_f).
 StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit);
 
 /// The fitted axes at an inclination [m], lateral and longitudinal; nan where the fit gives none.

@@ -121,7 +121,8 @@ void doubt_zero(const ZeroDoubt& doubt, ProfileFit& fit) {
     };
     const double one = with(doubt.least), other = with(doubt.most);
     const double below = std::min({one, other, value}), above = std::max({one, other, value});
-    const bool speaks = doubt.is_seen || (doubt.is_likely && !fit.interval[k]);
+    const bool is_bare = !fit.interval[k];
+    const bool speaks = doubt.is_seen || (is_bare && (doubt.is_likely || rests.beyond > 0));
     if (speaks && above - below > most_moved * std::abs(value)) {
       fit.values[k].refuse(
           RefusalReason::unknown_zero,

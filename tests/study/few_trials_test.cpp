@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "study/cross_validation.hpp"
 #include "study/profile_text.hpp"
 #include "support/pad_measurement.hpp"
@@ -37,6 +39,54 @@ TEST(FewTrials, VMinAndVibrationOfTwoAreRefused) {
   EXPECT_NE(profile_text(two, "x").find("# too few trials for an interval"), std::string::npos);
   for (const PadNumber number : {PadNumber::v_min, PadNumber::vibration, PadNumber::vibration_bandwidth})
     EXPECT_EQ(of(three, number).refusal, "");
+}
+
+/// Some ninety samples of stick an axis, of two trials.
+TEST(FewTrials, SpringsThatTheirOwnStickDoesNotTellAreRefused) {
+  test::KnownSensors slow;
+  slow.rate_hz = 250;
+  const auto truth = test::known_numbers({}, 1);
+  int given = 0, far_off = 0, refused = 0;
+  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+    const ProfileFit fit = fit_profile(
+        clean(test::known_measurement({{2, 25, 0}, {2, 25, 90}, {2, 65, 0}, {2, 65, 90}}, {}, slow, seed),
+              {}),
+        {});
+    for (const PadNumber number : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
+      const PadValue& axis = of(fit, number);
+      if (!axis.refusal.empty()) {
+        EXPECT_THAT(axis.refusal, HasSubstr("2 trials tell it, and by chance within them it may be off by"));
+        EXPECT_FALSE(of(fit, number == PadNumber::lateral_axis ? PadNumber::stick_stiffness
+                                                               : PadNumber::longitudinal_stiffness)
+                         .refusal.empty());
+        ++refused;
+        continue;
+      }
+      const double size = truth[static_cast<std::size_t>(number)];
+      far_off += std::abs(axis.value - size) > 0.2 * size ? 1 : 0;
+      ++given;
+    }
+  }
+  EXPECT_GT(refused, 20);
+  EXPECT_LE(far_off, 2) << "of " << given;  // 95 % of 40 that may be off by a fifth; 12 of 40 else
+  const ProfileFit fast = fit_profile(measured({{2, 25, 0}, {2, 25, 90}, {2, 65, 0}, {2, 65, 90}}), {});
+  EXPECT_EQ(of(fast, PadNumber::longitudinal_axis).refusal, "");
+}
+
+TEST(FewTrials, ALoopIsNotToldWhereStickIsNotPushedToAndFro) {
+  test::KnownSensors slow;
+  slow.rate_hz = 250;
+  for (std::uint64_t seed = 1; seed <= 3; ++seed) {
+    const ProfileFit fit = fit_profile(
+        clean(test::known_measurement({{2, 45, 0}, {2, 45, 0}, {2, 45, 0}, {2, 45, 0}}, {}, slow, seed), {}),
+        {});
+    const PadValue& loop = of(fit, PadNumber::lateral_hysteresis_area);
+    if (loop.refusal.empty()) {
+      EXPECT_NEAR(loop.value, 0, 3e-4) << seed;  // a tenth of the reach; 0.3 m else
+    } else {
+      EXPECT_THAT(loop.refusal, HasSubstr("not pushed to and fro")) << seed;
+    }
+  }
 }
 
 TEST(FewTrials, AVMinThatAStepOfOneTrialTellsIsRefused) {

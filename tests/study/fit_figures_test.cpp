@@ -177,6 +177,51 @@ TEST(FitFigures, AnAxisThatNoTrialWasPushedAlongIsSaidToBeSo) {
   EXPECT_EQ(force_displacement_figure(none.source).panels[0].title, "longitudinal");
 }
 
+/// By the law's forces both axes are told of one line, but how far stick reaches is seen along it alone.
+TEST(FitFigures, AnEllipseIsDrawnOnlyThroughBearingsThatTellItsAxes) {
+  const auto ellipse = [](double bearing_deg, double other_deg) {
+    const Pictured of({{2, 45, bearing_deg}, {2, 45, bearing_deg}, {2, 45, other_deg}});
+    EXPECT_TRUE(std::isfinite(fitted_number(of.fit, PadNumber::longitudinal_axis)));
+    Chart chart = stick_ellipse_figure(of.source);
+    const bool is_drawn = curve_of(chart.panels.at(0), "fitted to this subject") != nullptr;
+    EXPECT_EQ(is_drawn, all_notes(chart).empty()) << all_notes(chart);
+    return std::pair(is_drawn, std::move(chart));
+  };
+  const auto [one_is_drawn, one] = ellipse(45, 45);
+  EXPECT_FALSE(one_is_drawn);
+  EXPECT_THAT(all_notes(one), HasSubstr("subject 2: no ellipse, as pushes at 45 deg (0 deg: across the"));
+  const ChartCurve* reach = curve_of(one.panels[0], "farthest tenth, by bearing");
+  ASSERT_NE(reach, nullptr);
+  EXPECT_EQ(reach->style.dash, Dash::none);
+  EXPECT_EQ(reach->x.size(), 2U);  // there and back
+  const auto [either_side_is_drawn, either_side] = ellipse(45, 135);
+  EXPECT_FALSE(either_side_is_drawn);
+  EXPECT_THAT(all_notes(either_side), HasSubstr("as pushes at 45 and 135 deg"));
+  EXPECT_TRUE(ellipse(0, 90).first);
+  EXPECT_TRUE(ellipse(15, 60).first);
+}
+
+TEST(FitFigures, TheBearingsOfThePushesOverTheirForceAreTold) {
+  const Pictured slanted({{2, 45, 45}, {2, 45, 45}, {2, 45, 45}});
+  EXPECT_THAT(all_notes(force_displacement_figure(slanted.source)),
+              HasSubstr("pushes (0 deg: across the finger, 90 deg: along it): lateral at 45 deg; "
+                        "longitudinal at 45 deg"));
+  const Pictured both({{2, 45, 0}, {2, 45, 90}, {2, 45, 30}});
+  EXPECT_THAT(all_notes(force_displacement_figure(both.source)),
+              HasSubstr("lateral at 0 and 30 deg; longitudinal at 30 and 90 deg"));
+}
+
+/// Its stick centre rests on the axis that is told, not on one of all subjects.
+TEST(FitFigures, StickOfAFingerThatIsPushedAlongOneAxisLiesAboutItsOwnCentre) {
+  const Pictured of({{2, 45, 30}, {2, 45, 30}, {2, 45, 30}, {1, 45, 0}, {1, 45, 0}, {1, 45, 0}, {3, 45, 90}});
+  const Chart chart = stick_ellipse_figure(of.source);
+  ASSERT_EQ(chart.panels[1].title, "subject 1, finger at 45 deg");
+  const ChartCurve* reach = curve_of(chart.panels[1], "farthest tenth, by bearing");
+  ASSERT_NE(reach, nullptr);
+  ASSERT_EQ(reach->x.size(), 2U) << "noise near the centre is no reach";
+  for (const double x_mm : reach->x) EXPECT_NEAR(std::abs(x_mm), 1.6, 0.08);  // about two subjects': 1.9
+}
+
 /// What hides stick makes v_min a speed at which friction steps: no end of slip is marked there.
 TEST(FitFigures, AVMinThatAStepTellsIsMarkedWhereItIsPassed) {
   test::KnownFinger slippery;

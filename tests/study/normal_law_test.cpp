@@ -13,6 +13,7 @@
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_reader.hpp"
 #include "study/profile_text.hpp"
+#include "study/trial_rows.hpp"
 #include "support/pad_measurement.hpp"
 #include "support/paths.hpp"
 #include "trace/hdf5_file.hpp"
@@ -100,6 +101,33 @@ void expect_normal_law_alone(const ProfileFit& fit, std::size_t trials) {
   }
   EXPECT_NEAR(of(fit, PadNumber::normal_exponent).value, true_exponent, 0.03);
   EXPECT_NEAR(of(fit, PadNumber::normal_stiffness).value, true_stiffness_n_per_m, 30);
+}
+
+/// One trial has no interval that could allow for a wrong zero, and no friction that would speak of it.
+TEST_F(NormalLaw, OfOneTrialWhoseZeroIsNotToldIsRefused) {
+  test::KnownTrial press{2, 45, 0, 0.06, 0.6, 3, 1};
+  press.ramp_s = 0.5;
+  test::KnownSensors sensors;
+  sensors.air_s = 0.4;
+  RandomStream random(4);
+  RecordedMeasurement recorded;
+  TrialRows rows("press", 1, 1, true);
+  for (const test::KnownRow& row : test::measured_rows({}, sensors, press, random)) {
+    if (row.t_s < 0.55 || row.t_s > 3.25) continue;  // in the air, or nearly
+    rows.add({row.t_s, row.position_W, row.force_W + Vec3(0, 0, 0.3), Vec3::UnitZ(), row.direction_W});
+  }
+  rows.finish(recorded);
+  const auto fit_of = [&recorded](const CleaningSettings& settings) {
+    return fit_profile(clean(test::of_normal_force_alone(recorded), settings), {});
+  };
+  CleaningSettings given;
+  given.delay_s = 0;
+  const ProfileFit one = fit_of(given);
+  for (const PadNumber number : {PadNumber::normal_stiffness, PadNumber::normal_exponent})
+    EXPECT_THAT(of(one, number).refusal,
+                HasSubstr("no moment in the air tells the force's zero in 1 of 1 trials, and"));
+  given.takes_tare = false;  // the user says that the sensor was zeroed
+  EXPECT_EQ(of(fit_of(given), PadNumber::normal_exponent).refusal, "");
 }
 
 TEST_F(NormalLaw, IsToldByTheNormalForceAlone) {
