@@ -11,6 +11,7 @@
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
+#include "base/count_words.hpp"
 #include "base/csv_cell.hpp"
 #include "base/file_identity.hpp"
 #include "base/number_text.hpp"
@@ -154,7 +155,8 @@ void tell_early_ends(const std::vector<std::string>& early_ends) {
   const std::size_t told = std::min(early_ends.size(), most_told);
   for (std::size_t i = 0; i < told; ++i) print_err("fingerpad: warning: {}\n", early_ends[i]);
   if (early_ends.size() > told)
-    print_err("fingerpad: warning: and {} more traces end early\n", early_ends.size() - told);
+    print_err("fingerpad: warning: and {} with an early end\n",
+              count_words(early_ends.size() - told, "more trace"));
 }
 
 void tell_comparison(const CompareOptions& options, const FolderComparison& found) {
@@ -209,6 +211,7 @@ int compare(const CompareOptions& options) {
       });
   if (file) file->commit();
   tell_early_ends(found.early_ends);
+  for (const std::string& words : found.damaged) print_err("fingerpad: error: {}\n", words);
   if (!file || !options.quiet) tell_changes(options, found, worst, alone);  // else the table has them all
   if (!options.quiet) tell_comparison(options, found);
   if (file) tell_written(options.quiet, options.out, "a row for each job and column that differs");

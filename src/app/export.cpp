@@ -6,6 +6,7 @@
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
 #include "app/told_trace.hpp"
+#include "base/count_words.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
@@ -36,7 +37,7 @@ int export_with_parts(const ExportOptions& options) {
     print_err("fingerpad: warning: {}\n", words);
   }
   tell_written(options.quiet, options.out,
-               fmt::format("{} ticks with their parts, for ParaView", trace.rows.size()));
+               count_words(trace.rows.size(), "tick") + " with their parts, for ParaView");
   return 0;
 #else
   throw Error(ErrorKind::usage, options.out, "this program was built without VTK, which writes .vtm files");
@@ -52,7 +53,7 @@ int export_trace(const ExportOptions& options) {
   const Trace trace = read_told_trace(options.trace, csv ? TraceContents::some_rows : TraceContents::all);
   csv ? export_csv(trace, options.out) : export_vtp(trace, options.out);
   tell_written(options.quiet, options.out,
-               fmt::format("{} ticks as {}", trace.rows.size(), csv ? "CSV" : "VTP, for ParaView"));
+               count_words(trace.rows.size(), "tick") + (csv ? " as CSV" : " as VTP, for ParaView"));
   return 0;
 }
 

@@ -244,10 +244,8 @@ void tell_end(const std::vector<BatchJob>& jobs, bool any_table_lost, const Batc
 void tell_stopped(const std::vector<BatchJob>& jobs, const BatchOptions& batch) {
   const auto count = [&jobs](auto which) { return std::count_if(jobs.begin(), jobs.end(), which); };
   const auto left = count([](const BatchJob& job) { return job.not_begun; });
-  const std::string then = batch.traces ? "the same command with --resume does the rest in " + batch.out_dir
-                                        : "no traces were kept, so that the same command does all again";
-  print_err("fingerpad: warning: stopped before {} {}; {}\n", left,
-            left == 1 ? "job was begun" : "jobs were begun", then);
+  print_err("fingerpad: warning: stopped before {} {}; {} in {}\n", left,
+            left == 1 ? "job was begun" : "jobs were begun", mend_of_unfinished(batch), batch.out_dir);
 }
 
 }  // namespace fingerpad

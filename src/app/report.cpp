@@ -48,6 +48,15 @@ std::string missing_run(const JobOutcome& job, std::size_t rank, std::size_t det
   return "";
 }
 
+/// Puts a damaged trace among its job's troubles, and tells it.
+/// @param damage  which file, and what is wrong with it
+void flag(nlohmann::ordered_json& row, const std::string& trouble, const std::string& damage) {
+  const auto before = row["trouble"].get<std::string>();
+  row["trouble"] = before.empty() ? trouble : before + ", " + trouble;
+  row["damage"] = damage;
+  print_err("fingerpad: warning: {}; `fingerpad replay --resume` makes it again\n", damage);
+}
+
 /// Adds the runs of the worst jobs. @returns how many
 std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
                      const std::vector<JobTrouble>& order, nlohmann::ordered_json& results) {
@@ -68,9 +77,12 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
       try {
         row["run"] = runs->run(job.trace);
         ++drawn;
+        if (row["run"].contains("cut"))
+          flag(row, "trace cut short", job.trace + ": " + row["run"]["cut"].get<std::string>());
       } catch (const Error& error) {
         if (error.kind() != ErrorKind::refused) throw;
         note = fmt::format("Its trace cannot be read: {}", error.what());
+        flag(row, "trace cannot be read", error.what());
       }
     }
     if (!note.empty()) row["note"] = note;

@@ -161,7 +161,10 @@ nlohmann::ordered_json ReportRuns::run(const std::string& trace_path) {
   json["look"] = {{"eye", {look.towards_eye_W.x(), look.towards_eye_W.y(), look.towards_eye_W.z()}},
                   {"up", {look.up_W.x(), look.up_W.y(), look.up_W.z()}}};
   if (!shown.notice.empty()) json["notice"] = shown.notice;
-  if (!ends_early.empty()) json["notice"] = fmt::format("The trace {}.", ends_early);
+  if (!ends_early.empty()) {
+    json["notice"] = fmt::format("The trace {}.", ends_early);
+    json["cut"] = ends_early;
+  }
   json["path"] = path_json(path, extent.max_force_n, words, bytes);
   json["series"] = series_json(small_series(rows.rows, budget_.samples), words, bytes);
   json["data"] = base64(words + bytes);

@@ -10,6 +10,7 @@ void tell_early_end(const std::string& path, const std::string& words) {
 
 Trace read_told_trace(const std::string& path, TraceContents contents) {
   Trace trace = read_trace(path, contents);
+  refuse_no_rows(trace, path);
   tell_early_end(path, early_end_words(trace));
   return trace;
 }

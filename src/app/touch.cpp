@@ -112,6 +112,7 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
   swap.schedule(device->scene_changes());
   const auto recorder =
       kept.run([&] { return start_recording(options.record, scene, *world, *device, swap); });
+  for (const std::string& words : device->warnings()) print_err("fingerpad: warning: {}\n", words);
   tell_device(options, device->opening_words());
 
   const double dt_s = 1 / scene.motion.rate_hz;

@@ -44,6 +44,7 @@ CsvColumns read_csv_columns(const std::string& path, const CsvRequest& request) 
       if (table.present[k]) table.columns[k].push_back(reader.number(k));
     table.lines.push_back(reader.line());
   }
+  table.cut = reader.cut();
   return table;
 }
 

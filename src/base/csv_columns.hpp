@@ -22,6 +22,7 @@ struct CsvColumns {
   std::vector<long> lines;                   ///< per row: its line in the file, from 1
   UnitRow units;                             ///< below the header, where the request takes one
   char separator = ',';                      ///< that the file has
+  std::string cut;  ///< that its last row was left out, where the request wants it so; for people
 };
 
 /// What is said of another mark than a comma where only commas are read.
@@ -51,6 +52,9 @@ struct CsvRequest {
   bool takes_gaps = false;   ///< a cell that is empty or nan is not a number, instead of refused
   bool takes_units = false;  ///< a line of units below the header is read, instead of refused
   std::string_view mark_mend = commas_mend;  ///< see csv_column
+  /// How people say the decimal mark, {} in its place: "--decimal {}"; empty: they cannot.
+  std::string_view decimal_key = {};
+  bool leaves_out_cut_row = false;  ///< a last row without a line end; see CsvColumns::cut
 };
 
 /// Reads named columns of a CSV file whose first line is a header; other columns, blank lines and lines that

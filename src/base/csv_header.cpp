@@ -23,6 +23,11 @@ bool names_all(std::string_view line, char separator, const std::vector<std::str
   });
 }
 
+bool names_any(std::string_view line, char separator, const std::vector<std::string_view>& names) {
+  const auto cells = csv_cells(line, separator);
+  return std::find_first_of(cells.begin(), cells.end(), names.begin(), names.end()) != cells.end();
+}
+
 /// The mark under which the header names what is required; where none does, the one that parts it most,
 /// under which what is missing can be told.
 char separator_of(const CsvHeader& header, const CsvRequest& request) {
@@ -37,6 +42,11 @@ char separator_of(const CsvHeader& header, const CsvRequest& request) {
     most_cells = std::max(cells, most_cells);
   }
   if (fit.size() == 1) return fit.front();
+  if (fit.empty() && request.dialect.decimal == ',' && names_any(header.line, ',', request.required)) {
+    throw refused(header.place,
+                  "its cells are parted by ',', which cannot be the decimal mark as well: leave the decimal "
+                  "mark out where its numbers have points, else part its cells by ;");
+  }
   if (fit.size() > 1) {
     throw refused(header.place, fmt::format("its cells may be parted by {} or by {}: say separator",
                                             separator_words(fit[0]), separator_words(fit[1])));

@@ -6,6 +6,7 @@
 #include <cctype>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 #include "base/csv_header.hpp"
 #include "base/error.hpp"
@@ -20,7 +21,13 @@ using Wanted = CsvRowReader::Wanted;
 struct Row {
   const TextLines& lines;  ///< that it is the last read of
   const std::vector<std::string_view>& cells;
+  std::string_view decimal_key;  ///< CsvRequest's
 };
+
+/// How the caller's user would say a decimal mark.
+std::string said_decimal(std::string_view decimal_key, char mark) {
+  return fmt::format(fmt::runtime(decimal_key), mark);
+}
 
 /// Whether all cells are numbers, without a decimal point in any.
 bool hold_no_point(const std::vector<std::string_view>& cells) {
@@ -34,13 +41,16 @@ bool hold_no_point(const std::vector<std::string_view>& cells) {
 void refuse_extra_cells(const Row& row, std::size_t header_cells, char separator) {
   for (std::size_t i = header_cells; i < row.cells.size(); ++i) {
     if (row.cells[i].empty()) continue;
+    std::string mend;
+    if (separator == ',' && hold_no_point(row.cells)) {
+      mend =
+          ": are its commas decimal marks, too? Those cannot be told from commas between cells: write "
+          "decimal points";
+      if (!row.decimal_key.empty())
+        mend += ", or part the cells by ; and say " + said_decimal(row.decimal_key, ',');
+    }
     throw refused(row.lines.place(),
-                  fmt::format("has {} cells, but the header has {}{}", row.cells.size(), header_cells,
-                              separator == ',' && hold_no_point(row.cells)
-                                  ? ": are its commas decimal marks, too? Those cannot be told from commas "
-                                    "between cells: write decimal points, or part the cells by ; and say "
-                                    "decimal = \",\" in [motion] (fit: --decimal ,)"
-                                  : ""));
+                  fmt::format("has {} cells, but the header has {}{}", row.cells.size(), header_cells, mend));
   }
 }
 
@@ -102,10 +112,11 @@ void refuse_units(const Row& row, const std::vector<Wanted>& wanted) {
 }
 
 /// What would mend a cell that is no number; empty where nothing is known.
-std::string mend_of(std::string_view cell, char decimal) {
+std::string mend_of(std::string_view cell, char decimal, std::string_view decimal_key) {
   const char other = decimal == '.' ? ',' : '.';
   if (csv_number(cell, other))
-    return fmt::format("; with decimal = \"{0}\" in [motion] (fit: --decimal {0}) it would be one", other);
+    return decimal_key.empty() ? fmt::format("; its decimal mark must be {}", decimal)
+                               : fmt::format("; with {} it would be one", said_decimal(decimal_key, other));
   const auto is_letter = [](char c) { return std::isalpha(static_cast<unsigned char>(c)) != 0; };
   const auto end = std::find_if_not(cell.rbegin(), cell.rend(), is_letter).base();
   const std::string_view number = trimmed(cell.substr(0, static_cast<std::size_t>(end - cell.begin())));
@@ -129,8 +140,9 @@ double number_in(const Row& row, const Wanted& column, char decimal, bool takes_
                     printable(column.name, 60), printable(cell, 40)));
   const auto value = csv_number(cell, decimal);
   if (!value) {
-    throw refused(row.lines.place(), fmt::format("'{}' in column '{}' is no number{}", printable(cell, 40),
-                                                 printable(column.name, 60), mend_of(cell, decimal)));
+    throw refused(row.lines.place(),
+                  fmt::format("'{}' in column '{}' is no number{}", printable(cell, 40),
+                              printable(column.name, 60), mend_of(cell, decimal, row.decimal_key)));
   }
   if (!std::isfinite(*value))
     throw refused(row.lines.place(), fmt::format("column '{}' is not finite", printable(column.name, 60)));
@@ -142,8 +154,14 @@ double number_in(const Row& row, const Wanted& column, char decimal, bool takes_
 CsvRowReader::CsvRowReader(const std::string& path, const CsvRequest& request)
     : lines_(path, {"a table", std::uint64_t{2} << 30, request.source == TableSource::file_or_stream}),
       decimal_(request.dialect.decimal),
-      takes_gaps_(request.takes_gaps) {
+      decimal_key_(request.decimal_key),
+      takes_gaps_(request.takes_gaps),
+      leaves_out_cut_row_(request.leaves_out_cut_row) {
   const CsvHeader header = read_csv_header(lines_, request);
+  if (leaves_out_cut_row_ && !lines_.ended() && header.first_row.empty())
+    throw refused(lines_.where(),
+                  fmt::format("ends within its header (line {}): no row of it is left; make it again",
+                              lines_.number()));
   separator_ = header.separator;
   first_row_ = header.first_row;
   header_cells_ = csv_cells(header.line, header.separator).size();
@@ -177,7 +195,7 @@ void CsvRowReader::take_units() {
     first_row_ = line;
     return;
   }
-  refuse_uneven_units({lines_, cells_}, wanted_, header_cells_);
+  refuse_uneven_units({lines_, cells_, decimal_key_}, wanted_, header_cells_);
   units_.words.resize(numbers_.size());
   for (const Wanted& column : wanted_) units_.words[column.index] = bare_unit(cells_[column.cell]);
   units_.place = lines_.place();
@@ -185,7 +203,7 @@ void CsvRowReader::take_units() {
 
 void CsvRowReader::take(std::string_view line) {
   split_csv(line, separator_, cells_);
-  const Row row{lines_, cells_};
+  const Row row{lines_, cells_, decimal_key_};
   if (rows_ == 0 && wanted_.front().cell < cells_.size() && is_row_of_units(cells_, wanted_, decimal_))
     refuse_units(row, wanted_);
   refuse_extra_cells(row, header_cells_, separator_);
@@ -195,13 +213,14 @@ void CsvRowReader::take(std::string_view line) {
 
 bool CsvRowReader::next() {
   constexpr std::size_t most_rows = 50'000'000;
-  if (!first_row_.empty()) {
-    take(first_row_);
-    first_row_.clear();
-    return true;
+  const std::string first = std::exchange(first_row_, {});  // the last that was read, if any
+  std::string_view line = first;
+  if (first.empty() && !next_line(line)) return false;
+  if (leaves_out_cut_row_ && !lines_.ended()) {
+    cut_ = fmt::format("ends within a row (line {}), which is left out: its last number may lack digits",
+                       lines_.number());
+    return false;
   }
-  std::string_view line;
-  if (!next_line(line)) return false;
   if (rows_ == most_rows)
     throw refused(lines_.place(), fmt::format("more than {} rows are not read", most_rows));
   take(line);

@@ -30,6 +30,7 @@ class CsvRowReader {
   std::string place() const { return lines_.place(); }                           ///< "table.csv:12"
   char separator() const noexcept { return separator_; }
   const UnitRow& units() const noexcept { return units_; }
+  const std::string& cut() const noexcept { return cut_; }  ///< CsvColumns::cut, after the last row
   /// What the header names that is not asked for, for people.
   const std::vector<std::string>& unread() const noexcept { return unread_; }
 
@@ -40,7 +41,9 @@ class CsvRowReader {
 
   TextLines lines_;
   char decimal_;
-  bool takes_gaps_;
+  std::string_view decimal_key_;
+  bool takes_gaps_, leaves_out_cut_row_;
+  std::string cut_;
   char separator_ = ',';
   std::string first_row_;  // that was read to look at it
   UnitRow units_;

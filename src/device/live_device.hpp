@@ -66,6 +66,9 @@ class LiveDevice {
   virtual std::string opening_words() const { return {}; }
   virtual std::string closing_words() { return {}; }
 
+  /// What is odd in what it will do, each to be told as a warning before the touch.
+  virtual std::vector<std::string> warnings() const { return {}; }
+
   /// What the tick at the finger of the last advance() gave. Same thread, same rules.
   virtual void feel(const TickRecord& /*tick*/) noexcept {}
 

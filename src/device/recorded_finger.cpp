@@ -18,7 +18,9 @@ double rate_of_motion_hz(const Scene& scene) {
 RecordedFinger::RecordedFinger(const DeviceSetup& setup) : RecordedFinger(setup, load_motion(setup.scene)) {}
 
 RecordedFinger::RecordedFinger(const DeviceSetup& setup, const LoadedMotion& motion)
-    : path_(motion.path.with_rate(setup.scene.motion.rate_hz)), changes_(motion.changes) {
+    : path_(motion.path.with_rate(setup.scene.motion.rate_hz)),
+      changes_(motion.changes),
+      warnings_(motion.warnings) {
   const std::string& file = setup.scene.motion.file;
   words_ = fmt::format("{}, {} s, {} ticks", file.empty() ? "a scripted motion" : file,
                        rounded_text(path_.end_s() - path_.start_s(), 4), path_.tick_count());

@@ -22,11 +22,13 @@ class RecordedFinger final : public LiveDevice {
   bool has_ended() const noexcept override { return ended_.load(std::memory_order_relaxed); }
   std::vector<SceneChange> scene_changes() const override { return changes_; }
   std::string opening_words() const override { return words_; }
+  std::vector<std::string> warnings() const override { return warnings_; }
 
  private:
   FingerPath path_;
   std::vector<SceneChange> changes_;
   std::string words_;
+  std::vector<std::string> warnings_;  // of its motion
   long next_ = 0;
   std::atomic<bool> ended_{false};
 };

@@ -118,6 +118,8 @@ Recording read_table(const std::string& path, RecordingFormat& format) {
                      "say which of them stands for what, as in [motion] columns = { t = \"time\" }"};
   request.takes_units = true;
   request.mark_mend = separator_mend;
+  request.decimal_key = "decimal = \"{}\" in [motion]";
+  request.leaves_out_cut_row = format.ends_each_row;
   std::vector<std::size_t> required, optional;
   for (std::size_t k = 0; k < recording_columns.size(); ++k) {
     if (is_required(format, k)) {
@@ -130,6 +132,7 @@ Recording read_table(const std::string& path, RecordingFormat& format) {
   }
   CsvColumns table = read_csv_columns(path, request);
   format.dialect.separator = table.separator;
+  format.cut = table.cut;
   required.insert(required.end(), optional.begin(), optional.end());
   take_units(request, table.units, required, format);
   Recording recording{path, std::vector<std::vector<double>>(recording_columns.size()), table.lines};

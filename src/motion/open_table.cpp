@@ -90,6 +90,7 @@ ClockedValues clocked_columns(const std::string& path, const RecordingFormat& fo
   request.dialect = format.dialect;
   request.takes_units = true;
   request.mark_mend = separator_mend;
+  request.decimal_key = "decimal = \"{0}\" in [motion] (fit: --decimal {0})";
   for (const std::string_view key : keys) request.required.push_back(named_column(format, key));
   const CsvColumns table = read_csv_columns(path, request);
   if (table.lines.empty()) throw refused(path, "has a header but no rows");

@@ -41,6 +41,8 @@ struct RecordingFormat {
   CsvDialect dialect = {found_separator, '.'};
   bool reads_normal_force = false;  ///< the column fn must be there; else it is passed over, if not named
 
+  bool ends_each_row = false;  ///< its writer does: a last row without a line end was cut short
+  std::string cut;             ///< of FieldRecording::read_as: CsvColumns::cut
   std::string name;            ///< of a row of field_formats(); empty: a table of the program's own kind
   std::string positions_path;  ///< positions with a clock of their own; empty: in the file itself
   bool says_unit = false, says_time_unit = false;  ///< else a named format's own units hold

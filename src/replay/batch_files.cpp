@@ -136,6 +136,11 @@ void mark_not_begun(std::vector<BatchJob>& jobs, const std::vector<std::size_t>&
   for (const std::size_t i : ours) jobs[i].not_begun = jobs[i].status.empty();
 }
 
+std::string mend_of_unfinished(const BatchOptions& options) {
+  return options.traces ? "the same command with --resume does the rest"
+                        : "without traces the same command does all again";
+}
+
 std::vector<std::string> input_files(const Scene& scene) {
   std::vector<std::string> files;
   const auto add = [&files](const std::string& path) {

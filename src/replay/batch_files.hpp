@@ -35,6 +35,10 @@ std::vector<std::size_t> jobs_of_shard(std::size_t job_count, const BatchOptions
 /// Marks those of these jobs that have no status: the batch was asked to stop before them.
 void mark_not_begun(std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours);
 
+/// How what is left of a batch is done: "the same command with --resume does the rest", where there are
+/// traces that it could keep.
+std::string mend_of_unfinished(const BatchOptions& options);
+
 /// The files that a scene's run reads: the scene itself, meshes, motion and profile.
 std::vector<std::string> input_files(const Scene& scene);
 

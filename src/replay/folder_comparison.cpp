@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <optional>
 #include <set>
 #include <utility>
 
@@ -196,32 +197,51 @@ void refuse_nothing_to_compare(const std::string& folder, const std::set<std::st
 /// Where the folders hold the traces of the same jobs in unlike formats.
 void tell_formats(const std::string& folder_a, const std::string& folder_b,
                   const std::vector<TracePair>& pairs, Changes& found) {
-  const auto count = std::count_if(pairs.begin(), pairs.end(), std::mem_fn(&TracePair::are_of_two_formats));
-  if (count == 0) return;
-  const auto first = std::find_if(pairs.begin(), pairs.end(), std::mem_fn(&TracePair::are_of_two_formats));
-  const bool is_hdf5 = first->a.ends_with(".h5");
-  found.note(folder_a,
-             {whole_change(fmt::format("{} {} {} here and {} in {}: the numbers in them are compared", count,
-                                       count == 1 ? "trace is" : "traces are", is_hdf5 ? "HDF5" : "CSV",
-                                       is_hdf5 ? "CSV" : "HDF5", folder_b))});
+  for (const bool is_hdf5 : {true, false}) {
+    const auto count = std::count_if(pairs.begin(), pairs.end(), [is_hdf5](const TracePair& pair) {
+      return pair.are_of_two_formats() && pair.a.ends_with(".h5") == is_hdf5;
+    });
+    if (count == 0) continue;
+    found.note(folder_a,
+               {whole_change(fmt::format("{} {} {} here and {} in {}: the numbers in them are compared",
+                                         count, count == 1 ? "trace is" : "traces are",
+                                         is_hdf5 ? "HDF5" : "CSV", is_hdf5 ? "CSV" : "HDF5", folder_b))});
+  }
+}
+
+/// A trace as compare takes it; where it cannot be read, that is what is told of its job.
+std::optional<Trace> read_or_tell(const std::string& path, std::vector<JobChange>& changes,
+                                  FolderComparison& comparison) {
+  try {
+    return read_trace(path, TraceContents::some_rows);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::refused) throw;
+    changes.push_back(whole_change(fmt::format("cannot be compared: {}", error.what())));
+    comparison.damaged.emplace_back(error.what());
+    return std::nullopt;
+  }
 }
 
 /// What differs between two traces of a job.
 std::vector<JobChange> changes_of(const std::string& a, const std::string& b, bool are_of_two_formats,
                                   double tolerance, FolderComparison& comparison) {
-  const Trace in_a = read_trace(a, TraceContents::some_rows), in_b = read_trace(b, TraceContents::some_rows);
+  std::vector<JobChange> unread;
+  const auto in_a = read_or_tell(a, unread, comparison), in_b = read_or_tell(b, unread, comparison);
+  if (!unread.empty()) return unread;
   for (const auto& [path, trace] : {std::pair(&a, &in_a), std::pair(&b, &in_b)}) {
-    const std::string words = early_end_words(*trace);
+    const std::string words = early_end_words(**trace);
     if (!words.empty()) comparison.early_ends.push_back(fmt::format("{}: {}", *path, words));
   }
-  return trace_changes(in_a, in_b, tolerance, are_of_two_formats);
+  return trace_changes(*in_a, *in_b, tolerance, are_of_two_formats);
 }
 
 }  // namespace
 
 FolderComparison compare_folders(const std::string& folder_a, const std::string& folder_b, double tolerance,
                                  const std::function<void(ChangedJob&&)>& on_changed) {
-  const std::set<std::string> in_a = traces_in(folder_a), in_b = traces_in(folder_b);
+  std::set<std::string> in_a = traces_in(folder_a), in_b = traces_in(folder_b);
+  add_damaged(folder_a, in_b, in_a);
+  add_damaged(folder_b, in_a, in_b);
   const Outcomes outcomes_a = outcomes_in(folder_a), outcomes_b = outcomes_in(folder_b);
   refuse_nothing_to_compare(folder_a, in_a, outcomes_a, folder_b, outcomes_b);
   refuse_nothing_to_compare(folder_b, in_b, outcomes_b, folder_a, outcomes_a);

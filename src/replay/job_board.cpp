@@ -134,8 +134,8 @@ JobBoard::Hold::Hold(const JobBoard& board) : file_(board.file_.number()) {
   const int problem = errno;
   throw Error(
       ErrorKind::fault, board.path_,
-      fmt::format("cannot be locked ({}), by which ranks share a batch; the same command with --resume "
-                  "goes on, and without ranks --shard K/N does a share",
+      fmt::format("cannot be locked ({}), by which ranks share a batch; start it again, with --resume "
+                  "where it writes traces, or without ranks, where --shard K/N does a share",
                   std::generic_category().message(problem)));
 }
 

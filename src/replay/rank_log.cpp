@@ -93,9 +93,7 @@ class StoryReader {
 
   void lose(const std::string& how) {
     for (const std::size_t job : begun_)
-      story_.lost.push_back(
-          {job, fmt::format("lost with rank {} on {}: {}; the same command with --resume runs it again",
-                            rank_, host_, how)});
+      story_.lost.push_back({job, fmt::format("lost with rank {} on {}: {}", rank_, host_, how)});
     begun_.clear();
   }
 

@@ -126,7 +126,7 @@ void RankWork::collect() {
   for (const RankStory& story : stories) {
     for (const RankStory::Lost& lost : story.lost) {
       if (lost.job >= jobs_.size() || !jobs_[lost.job].status.empty()) continue;
-      jobs_[lost.job].status = lost.reason;
+      jobs_[lost.job].status = fmt::format("{}; {}", lost.reason, mend_of_unfinished(options_));
       jobs_[lost.job].exit_code = static_cast<int>(ErrorKind::fault);
     }
   }

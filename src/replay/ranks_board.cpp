@@ -88,9 +88,7 @@ void tell_of_killed_rank(const std::vector<BatchJob>& jobs, const BatchOptions& 
   options.on_unfinished(fmt::format(
       "{}: rank {} was killed: where nobody asked for the end, what started the ranks ends the others for "
       "that; {}. Open MPI lets the others go on where it is told `mpirun --enable-recovery`",
-      options.out_dir, *killed,
-      options.traces ? "the same command with --resume does the rest"
-                     : "without traces the same command does all again"));
+      options.out_dir, *killed, mend_of_unfinished(options)));
 }
 
 }  // namespace fingerpad

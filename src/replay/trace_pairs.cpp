@@ -42,6 +42,16 @@ std::set<std::string> traces_in(const std::string& folder) {
   return names;
 }
 
+void add_damaged(const std::string& folder, const std::set<std::string>& of_other,
+                 std::set<std::string>& own) {
+  for (const std::string& name : of_other) {
+    std::error_code none;
+    if (counterpart(name, of_other, own).empty() &&
+        std::filesystem::is_regular_file(std::filesystem::path(folder) / name, none))
+      own.insert(name);
+  }
+}
+
 std::vector<TracePair> trace_pairs(const std::set<std::string>& in_a, const std::set<std::string>& in_b) {
   std::map<std::string, TracePair> by_name;
   for (const std::string& name : in_a) by_name[name] = {name, counterpart(name, in_a, in_b)};

@@ -17,6 +17,11 @@ struct TracePair {
 /// The names of the traces in a folder. Throws Error (refused) where it cannot be read.
 std::set<std::string> traces_in(const std::string& folder);
 
+/// Adds the files of a folder that have the name of a trace in the other one and are none themselves: empty,
+/// or cut within the header.
+void add_damaged(const std::string& folder, const std::set<std::string>& of_other,
+                 std::set<std::string>& own);
+
 /// The traces of two folders set side by side by their names, in that order: those of one name; and where
 /// each folder has a job in one format alone, and these are not the same, those.
 std::vector<TracePair> trace_pairs(const std::set<std::string>& in_a, const std::set<std::string>& in_b);

@@ -97,10 +97,10 @@ bool is_vector_key(std::string_view dotted_key) {
   return row != nullptr && row->type == KeyType::vector;
 }
 
-bool is_whole_key(std::string_view dotted_key) {
+const SceneKey* find_whole_key(std::string_view dotted_key) {
   const SceneKey* row =
       dotted_key == plain_set_key ? find_scene_key(scene_table(""), dotted_key) : find_dotted_key(dotted_key);
-  return row != nullptr && row->type == KeyType::whole;
+  return row != nullptr && row->type == KeyType::whole ? row : nullptr;
 }
 
 }  // namespace fingerpad

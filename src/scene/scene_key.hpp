@@ -82,8 +82,8 @@ std::vector<std::string> set_keys();
 /// True where the key's value is a list of three numbers ("finger.direction").
 bool is_vector_key(std::string_view dotted_key);
 
-/// True where the key's value is a whole number ("seed", "motion.place").
-bool is_whole_key(std::string_view dotted_key);
+/// The key whose value is a whole number ("seed", "motion.place"); null for any other.
+const SceneKey* find_whole_key(std::string_view dotted_key);
 
 /// A scene file with every key, its default or an example and what it is: what the README and `--help` show.
 /// Numbers of laws other than the default one are left to the table of laws.

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <limits>
 #include <tuple>
 
 #include "base/error.hpp"
@@ -94,6 +95,22 @@ void add_value(SetAxis& axis, const TomlNode& value, const std::string& path) {
   }
 }
 
+/// Of a key that takes whole numbers alone: once, not job by job. What is no number is for the key itself to
+/// refuse, and too many jobs are told of the set.
+void refuse_fractions(const SetAxis& axis, const std::string& path) {
+  const SceneKey* row = find_whole_key(axis.target);
+  if (row == nullptr || axis.values.size() > max_jobs) return;
+  const bool is_open = row->most_whole == std::numeric_limits<std::int64_t>::max();
+  const std::string end = is_open ? "on" : fmt::format("to {}", row->most_whole);
+  for (const SetValue& value : axis.values) {
+    if (!value.value.is(TomlNode::Type::number)) continue;
+    throw refused(
+        place_text(path, value.value.place),
+        fmt::format("'{}' in [[set]] takes whole numbers, and {} is none of them; give such from {} {}",
+                    axis.key, value.written, row->least_whole, end));
+  }
+}
+
 SetAxis read_axis(const Leaf& leaf, const std::string& path) {
   const auto target = set_key_target(leaf.key);
   if (!target) {
@@ -107,15 +124,12 @@ SetAxis read_axis(const Leaf& leaf, const std::string& path) {
   SetAxis axis{leaf.key, *target, leaf.place, {}};
   const bool is_range = is_set_range(*leaf.value);
   const TomlNode value =
-      is_range ? range_values(*leaf.value, leaf.key, is_whole_key(*target), path) : *leaf.value;
+      is_range ? range_values(*leaf.value, leaf.key, find_whole_key(*target) != nullptr, path) : *leaf.value;
   const auto is_list = [](const TomlNode& item) { return item.is(TomlNode::Type::array); };
   const bool list = is_list(value) && (is_range || !is_vector_key(*target) || value.items.empty() ||
                                        std::any_of(value.items.begin(), value.items.end(), is_list));
-  if (!list) {
-    add_value(axis, value, path);
-    return axis;
-  }
-  for (const TomlNode& item : value.items) {
+  if (!list) add_value(axis, value, path);
+  for (const TomlNode& item : list ? value.items : std::vector<TomlNode>{}) {
     if (axis.values.size() > max_jobs) break;
     add_value(axis, item, path);
   }
@@ -124,6 +138,7 @@ SetAxis read_axis(const Leaf& leaf, const std::string& path) {
         place_text(path, leaf.place),
         fmt::format("'{}' in [[set]] has an empty list, so that the set would have no jobs", leaf.key));
   }
+  refuse_fractions(axis, path);
   return axis;
 }
 

@@ -46,17 +46,6 @@ TomlNode value_node(double value, bool whole, const Place& place) {
   return node;
 }
 
-/// Of a key that takes whole numbers alone. What is no number is for the key itself to refuse.
-void refuse_fractions(const TomlNode& list, const TomlNode& table, const std::string& key,
-                      const std::string& path) {
-  for (const TomlNode& item : list.items) {
-    if (!item.is(TomlNode::Type::number)) continue;
-    throw refused(
-        place_text(path, table.place),
-        fmt::format("'{}' in [[set]] takes whole numbers, and {} is none of them", key, item.written));
-  }
-}
-
 }  // namespace
 
 bool is_set_range(const TomlNode& table) noexcept {
@@ -77,7 +66,6 @@ TomlNode range_values(const TomlNode& table, const std::string& key, bool wants_
     if (table.entries.size() > 1) throw refuse_range(table, key, path, "has values and a range");
     if (!values->value.is(TomlNode::Type::array))
       throw refuse_range(values->value, key, path, "has values that are no list");
-    if (wants_wholes) refuse_fractions(values->value, table, key, path);
     return values->value;
   }
   const TomlNode& from = end_of_range(table, "from", key, path);
@@ -97,8 +85,6 @@ TomlNode range_values(const TomlNode& table, const std::string& key, bool wants_
     const double value = parse_number(fmt::format("{:.12g}", exact)).value_or(exact);
     list.items.push_back(value_node(i == 0 || i + 1 == steps.integer ? exact : value, whole, table.place));
   }
-  const bool are_too_many = list.items.size() > max_jobs;  // which is told of the set
-  if (wants_wholes && !are_too_many) refuse_fractions(list, table, key, path);
   return list;
 }
 

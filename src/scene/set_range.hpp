@@ -15,7 +15,7 @@ bool is_set_range(const TomlNode& table) noexcept;
 /// digits so that it reads as it is meant; or the list of `{ values = [...] }`. Of whole numbers come whole
 /// ones where they fall so. Throws Error (refused, at its place) for anything else.
 /// @param key           as written, for messages
-/// @param wants_wholes  the key takes whole numbers alone: fractions are refused
+/// @param wants_wholes  the key takes whole numbers alone
 /// @returns             an array
 TomlNode range_values(const TomlNode& table, const std::string& key, bool wants_wholes,
                       const std::string& path);

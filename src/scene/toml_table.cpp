@@ -93,6 +93,8 @@ std::int64_t TomlTable::whole(std::string_view key, std::int64_t fallback, std::
                               std::int64_t max) const {
   const TomlNode* found = value(key);
   if (found == nullptr) return fallback;
+  if (found->is(TomlNode::Type::number))
+    throw error(key, fmt::format("{} must be a whole number, and {} is none", name(key), found->written));
   const std::int64_t number =
       typed(key, *found, found->is(TomlNode::Type::integer), "a whole number").integer;
   if (number < min || number > max) {

@@ -62,6 +62,8 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   request.dialect = format.dialect;
   request.takes_gaps = request.takes_units = true;
   request.mark_mend = separator_mend;
+  request.decimal_key = "--decimal {}";
+  request.leaves_out_cut_row = true;
   request.mend =
       "a measurement has t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n; where yours is called otherwise, say "
       "--columns t=NAME,x=NAME";
@@ -93,6 +95,7 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
     for (std::size_t k = 0; k < asked.size(); ++k) numbers[asked[k]] = table.number(k);
     trials.add(numbers, {path, table.line()});
   }
+  if (!table.cut().empty()) into.warnings.push_back(fmt::format("{}: {}", path, table.cut()));
   trials.finish();
   warn_of_normal_force_alone(path, rows, before, into);
 }

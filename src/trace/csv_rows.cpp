@@ -16,6 +16,7 @@
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "base/text_lines.hpp"
+#include "motion/recording_format.hpp"
 #include "trace/change_log.hpp"
 #include "trace/trace_column.hpp"
 
@@ -138,9 +139,27 @@ std::uint64_t read_every(const TextLines& lines, std::string_view cell, std::uin
   return every;
 }
 
-void mark_cut(Trace& trace, std::string how) {
+void mark_cut(Trace& trace, const std::string& how) {
   trace.complete = false;
-  trace.cut = std::move(how);
+  trace.cut += (trace.cut.empty() ? "" : ", and ") + how;
+}
+
+/// A trace of which no row can be left: its header was being written. A line of other words is none.
+void refuse_cut_header(const TextLines& lines, std::string_view header) {
+  auto names = csv_cells(header, ',');
+  names.pop_back();  // which may lack letters
+  if (lines.ended() || !is_partial(names)) return;
+  throw refused(
+      lines.where(),
+      fmt::format("ends within its header (line {}): no row of it is left; make it again", lines.number()));
+}
+
+/// Those made while it was touched, but for one whose line has no end.
+void read_changes(const std::string& path, Trace& trace) {
+  const std::string text = read_change_file(path), file = change_file_name(path);
+  trace.info.changes = read_scene_changes(text, file);
+  if (!text.empty() && text.back() != '\n')
+    mark_cut(trace, fmt::format("lacks a change, for {} ends within a row", file));
 }
 
 }  // namespace
@@ -180,6 +199,16 @@ bool is_partial_csv_trace(const std::string& path) {
   return is_partial({names.begin(), names.end()}) && !has_every_column(names);
 }
 
+bool is_own_csv_trace(const std::string& path) {
+  const std::vector<std::string> names = header_names(path);
+  const auto is_of_a_recording = [](const std::string& name) {
+    return std::ranges::any_of(recording_columns,
+                               [&name](const RecordingColumn& column) { return column.header == name; });
+  };
+  return has_every_column(names) ||
+         (is_partial({names.begin(), names.end()}) && !std::ranges::all_of(names, is_of_a_recording));
+}
+
 std::uint64_t every_of_csv(const std::string& path) {
   std::string_view text;
   const std::string first = first_text(path);
@@ -205,6 +234,7 @@ Trace read_csv_trace(const std::string& path) {
     throw refused(lines.where(),
                   "is an HDF5 trace, which cannot be read from a stream: name the file itself");
   }
+  refuse_cut_header(lines, line);
   Trace trace;
   const auto places = find_columns(lines.place(), line, trace);
   const std::size_t cell_count = csv_cells(line, ',').size();
@@ -212,9 +242,8 @@ Trace read_csv_trace(const std::string& path) {
   for (std::size_t k = 0; k < places.size(); ++k) {
     if (places[k] != cell_count) tell_of(trace_columns()[k], trace.info);
   }
-  trace.info.changes = read_scene_changes(read_change_file(path), change_file_name(path));
   if (path.ends_with(".part")) mark_cut(trace, "is of a recording that was cut short");
-  if (!lines.ended()) mark_cut(trace, fmt::format("ends within its header (line {})", lines.number()));
+  read_changes(path, trace);
   std::vector<std::string_view> cells;
   while (lines.next(line)) {
     if (is_blank(line)) continue;

@@ -70,7 +70,10 @@ void read_file(MotionReading& reading) {
                                reading.changes.size()));
     return;
   }
-  FieldRecording recording = read_field_recording(settings.file_path, settings.format);
+  RecordingFormat format = settings.format;
+  format.ends_each_row = is_own_csv_trace(settings.file_path);
+  FieldRecording recording = read_field_recording(settings.file_path, format);
+  if (!recording.read_as.cut.empty()) reading.warn(recording.read_as.cut);
   warn_of_thinned(reading, every_of_csv(settings.file_path));
   reading.motion = std::move(recording.motion);
   if (!reads_force) reading.motion.normal_force_n.clear();

@@ -79,6 +79,9 @@ Trace read_trace(const std::string& path, TraceContents contents);
 /// "ends within a row (line 12); read up to t = 0.01 s", behind the trace's name; empty of a complete one.
 std::string early_end_words(const Trace& trace);
 
+/// Throws Error (refused) for a trace that has no row, with why where that is known.
+void refuse_no_rows(const Trace& trace, const std::string& path);
+
 /// True if the file starts like an HDF5 file.
 bool is_hdf5(const std::string& path);
 
@@ -88,6 +91,10 @@ std::uint64_t every_of_csv(const std::string& path);
 
 /// True if it is a file of text whose first line names columns of a trace alone, t_s first, though not all.
 bool is_partial_csv_trace(const std::string& path);
+
+/// True if it is a file of text whose first line tells that this program wrote it as a trace, whole or of
+/// some columns: one of these is none that a recording of another's may have.
+bool is_own_csv_trace(const std::string& path);
 
 /// True if it is a file of text whose first line names all columns of a trace. False for a stream, which can
 /// be read once.

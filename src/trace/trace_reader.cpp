@@ -67,4 +67,10 @@ std::string early_end_words(const Trace& trace) {
   return fmt::format("{}; read up to t = {} s", trace.cut, number_text(trace.rows.back().t_s));
 }
 
+void refuse_no_rows(const Trace& trace, const std::string& path) {
+  if (!trace.rows.empty()) return;
+  throw refused(path, trace.complete ? "holds no row, and so nothing to show: was its run one of no ticks?"
+                                     : trace.cut + "; no row of it is left, and so nothing to show");
+}
+
 }  // namespace fingerpad

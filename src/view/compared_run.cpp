@@ -97,6 +97,7 @@ void tell_by_some(ComparedRun& run, const std::vector<TickRecord>& rows,
 ComparedRun of_trace(const std::string& path, Over over, double from_s, double to_s,
                      const std::vector<double>& fewer_t_s) {
   Trace trace = read_trace(path, TraceContents::some_rows);
+  refuse_no_rows(trace, path);
   if (over != Over::time) refuse_missing_columns(trace, path);
   const bool lacks_ticks = ticks_a_row(trace) > 1;
   const std::uint64_t every = trace.info.every;
@@ -136,12 +137,16 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
     request.optional.push_back(column.name);
     units.emplace_back(column.unit);
   }
+  request.leaves_out_cut_row = true;
   const CsvColumns table = read_csv_columns(path, request);
   if (over != Over::time)
     throw refused(path,
                   "does not tell what the finger touched (px_m to nz): only whole traces are drawn over "
                   "travel or turn, no measurements, and none that replay --columns wrote");
   const std::vector<double>& times = table.columns[0];
+  if (times.empty())
+    throw refused(path, table.cut.empty() ? "has a header but no rows: nothing to draw"
+                                          : table.cut + "; no row of it is left");
   for (std::size_t i = 1; i < times.size(); ++i) {
     if (times[i] >= times[i - 1]) continue;
     throw refused(fmt::format("{}:{}", path, table.lines[i]), "its time goes back; sort the table by t_s");
@@ -161,6 +166,7 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
   }
   if (run.columns.empty())
     throw refused(path, "is no trace, and none of its columns has a trace's name (fx_n, fn_n, x_m)");
+  run.ends_early = table.cut;
   run.every = every_of_csv(path);
   run.lacks_ticks = run.every > 1;
   return run;
@@ -179,7 +185,9 @@ bool all_differ(const std::vector<std::string>& words) {
 bool is_measured_table(const std::string& path) {
   if (holds_trace(path)) return false;
   try {
-    read_csv_columns(path, {{"t_s"}, {}, {found_separator, '.'}});
+    CsvRequest request{{"t_s"}, {}, {found_separator, '.'}};
+    request.leaves_out_cut_row = true;
+    read_csv_columns(path, request);
     return true;
   } catch (const Error&) {
     return false;

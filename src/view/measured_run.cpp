@@ -16,6 +16,7 @@ std::vector<ComparedRun> read_measured_and_model(const std::string& path, Over o
     throw refused(path,
                   "has no rfx_n, rfy_n, rfz_n: its motion named no measured force; name one in [motion], as "
                   "in columns = { fx = \"fx_n\", fy = \"fy_n\", fz = \"fz_n\" }, and replay it");
+  refuse_no_rows(trace, path);
   std::string ends_early = early_end_words(trace);
   std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
   const std::string title = scene_title(trace.info, path);

@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "support/calm_scene.hpp"
 #include "support/mesh_files.hpp"
 #include "support/paths.hpp"
 #include "support/shell.hpp"
@@ -70,6 +71,69 @@ TEST_F(CutTrace, IsFollowedWithAWarningAndARecordingOfOnesOwnNeedsNoLastLineEnd)
   test::write_file(folder, "mine.toml", std::string(floor_and) + "file = \"mine.csv\"\nrate_hz = 1000\n");
   EXPECT_THAT(told("replay mine.toml --out mine --format csv"), Not(HasSubstr("ends")));
   EXPECT_THAT(bytes_of(folder / "mine/s.csv"), HasSubstr("\n0.1,0.01,0,-0.0012,")) << "its last row";
+}
+
+TEST_F(CutTrace, IsTouchedAgainWithAWarning) {
+  test::write_file(folder, "again.toml", std::string(floor_and) + "file = \"cut/s.csv\"\n");
+  EXPECT_THAT(told("touch again.toml --device recorded --headless --seconds 0.01"),
+              HasSubstr("fingerpad: warning: cut/s.csv" + words));
+}
+
+/// The words of a table whose last row, on this line, has no end.
+std::string left_out(const std::string& file, int line) {
+  return "fingerpad: warning: " + file + ": ends within a row (line " + std::to_string(line) +
+         "), which is left out: its last number may lack digits\n";
+}
+
+TEST_F(CutTrace, OfSomeColumnsIsFollowedWithoutItsCutRow) {
+  ASSERT_EQ(
+      test::fingerpad("replay s.toml --quiet --format csv --columns x_m,y_m,z_m,depth_m --out some", folder)
+          .exit_code,
+      0);
+  const std::string text = bytes_of(folder / "some/s.csv");
+  test::write_file(folder, "some.csv", text.substr(0, text.size() - 2));
+  test::write_file(folder, "again.toml", std::string(floor_and) + "file = \"some.csv\"\n");
+  EXPECT_THAT(told("replay again.toml --out again --format csv"), HasSubstr(left_out("some.csv", 102)));
+  EXPECT_EQ(test::lines_of(bytes_of(folder / "again/s.csv")), 101) << "the header and 100 ticks";
+  test::write_file(folder, "some.csv", text);
+  EXPECT_THAT(told("replay again.toml --out again --format csv"), Not(HasSubstr("left out")));
+  EXPECT_EQ(test::lines_of(bytes_of(folder / "again/s.csv")), 102);
+}
+
+TEST_F(CutTrace, WhoseChangesAreCutSaysSo) {
+  test::write_file(folder / "cut", "s.csv", bytes_of(folder / "whole/s.csv"));
+  test::write_file(folder / "cut", "s.changes.csv",
+                   "t_s,key,value\n0.01,plane.mu_static,0.4\n0.02,plane.mu_st");
+  EXPECT_EQ(
+      told("export cut/s.csv --out e.csv"),
+      "fingerpad: warning: cut/s.csv: lacks a change, for cut/s.changes.csv ends within a row; read up to t "
+      "= 0.1 s\n");
+}
+
+/// A file whose header is cut, and one that has no rows, with what is said of each.
+const std::pair<const char*, const char*> without_rows[] = {
+    {"header.csv", ": ends within its header (line 1): no row of it is left; make it again\n"},
+    {"none.csv", ": holds no row, and so nothing to show: was its run one of no ticks?\n"},
+    {"row.csv", ": ends within a row (line 2); no row of it is left, and so nothing to show\n"}};
+
+TEST_F(CutTrace, WithoutARowIsRefused) {
+  const std::string text = bytes_of(folder / "whole/s.csv");
+  test::write_file(folder, "header.csv", text.substr(0, 40));
+  test::write_file(folder, "none.csv", text.substr(0, text.find('\n') + 1));
+  test::write_file(folder, "row.csv", text.substr(0, text.find('\n') + 20));
+  for (const auto& [file, why] : without_rows) {
+    for (const std::string call : {"export ", "export --out e.csv "}) {
+      const std::string out = call == "export " ? " --out e.vtp" : "";
+      EXPECT_EQ(told(call + file + out, 3), std::string("fingerpad: error: ") + file + why) << call;
+    }
+    EXPECT_FALSE(fs::exists(folder / "e.csv"));
+#ifdef FINGERPAD_VIEW
+    for (const std::string call :
+         {"plot --out p.svg ", "plot --out p.svg --columns fn_n ", "plot --out p.svg whole/s.csv ",
+          "plot --out p.svg --show stick-region ", "view --png v.png ", "export --out e.vtm --with-parts "})
+      EXPECT_EQ(told(call + file, 3), std::string("fingerpad: error: ") + file + why) << call;
+#endif
+  }
 }
 
 #ifdef FINGERPAD_VIEW

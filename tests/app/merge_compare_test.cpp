@@ -147,6 +147,38 @@ TEST(Compare, SetsHdf5TracesAgainstThoseOfCsvAndSaysSo) {
               testing::AllOf(Not(HasSubstr("here and")), HasSubstr("5 jobs are in a alone: s-0001.h5")));
 }
 
+TEST(Compare, TellsADamagedTraceAndComparesTheRest) {
+  const fs::path folder = folder_with_set();
+  replay_into(folder, "a --format csv");
+  replay_into(folder, "b --format csv");
+  std::ofstream(folder / "b/s-0001.csv") << "t_s,x_m,y_m,z_m,pha";
+  std::ofstream(folder / "b/s-0002.csv") << "";
+  std::ofstream(folder / "a/s-0003.csv") << "t_s,x_m,y_m,z_m,pha";
+  const auto found = test::fingerpad("compare a b", folder);
+  EXPECT_EQ(found.exit_code, 4);
+  EXPECT_THAT(found.out, Not(HasSubstr("alone")));
+  EXPECT_THAT(found.out, HasSubstr("3 of 5 traces changed from a to b\n"));
+  for (const std::string damage : {"b/s-0001.csv: ends within its header", "b/s-0002.csv: is empty",
+                                   "a/s-0003.csv: ends within its header"}) {
+    EXPECT_THAT(found.err, HasSubstr("fingerpad: error: " + damage));
+    EXPECT_THAT(found.out, HasSubstr("cannot be compared: " + damage));
+  }
+  replay_into(folder, "h");
+  std::ofstream(folder / "h/s-0004.h5") << "no HDF5";
+  EXPECT_THAT(test::fingerpad("compare h a", folder).err, HasSubstr("fingerpad: error: h/s-0004.h5"));
+}
+
+TEST(Compare, TellsMixedFormatsInBothDirections) {
+  const fs::path folder = folder_with_set();
+  replay_into(folder, "a --shard 1/2");
+  replay_into(folder, "a --shard 2/2 --format csv");
+  replay_into(folder, "b --shard 1/2 --format csv");
+  replay_into(folder, "b --shard 2/2");
+  const auto found = test::fingerpad("compare a b", folder);
+  EXPECT_THAT(found.out, HasSubstr("a: 3 traces are HDF5 here and CSV in b"));
+  EXPECT_THAT(found.out, HasSubstr("a: 2 traces are CSV here and HDF5 in b"));
+}
+
 TEST(Compare, SetsRowsAgainstEachOtherByTheirTime) {
   const fs::path folder = folder_with_set();
   replay_into(folder, "whole --format csv");

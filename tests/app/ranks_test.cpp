@@ -67,6 +67,17 @@ TEST(Ranks, LeaveTheBytesOfOneProcessAndOfShards) {
   EXPECT_EQ(all_bytes(folder / "merged"), one) << "ranks within shards, in any order";
 }
 
+TEST(Ranks, WithoutTracesALostJobNamesNoResume) {
+  const fs::path folder = folder_with_batch(100000);
+  const ShellResult run = test::shell(
+      support("kill_rank") + "o 1 worker env " + as_ranks(2) + "replay plane.toml --out o --format none",
+      folder);
+  EXPECT_EQ(run.exit_code, 4) << run.err;
+  EXPECT_THAT(run.err, HasSubstr("its process was ended by signal 9 (Killed); without traces the same "
+                                 "command does all again"));
+  EXPECT_THAT(run.err, Not(HasSubstr("--resume")));
+}
+
 TEST(Ranks, WhoseProcessDiesLoseWhatItHadBegunAndTheRestIsDone) {
   const fs::path folder = folder_with_batch(100000);
   const ShellResult run = test::shell(

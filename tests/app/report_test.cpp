@@ -113,10 +113,28 @@ TEST(Report, WithoutTracesHasTablesAlone) {
 TEST(Report, ShowsAJobWhoseTraceIsDamagedWithTheReason) {
   const fs::path folder = folder_with_set();
   std::ofstream(folder / "a<b" / "s-0002.h5") << "no HDF5";
-  const json results = results_in(page_of(folder));
+  const auto told = test::fingerpad("report 'a<b' --out page.html --quiet", folder);
+  EXPECT_EQ(told.exit_code, 0);
+  EXPECT_THAT(told.err, HasSubstr("fingerpad: warning: a<b/s-0002.h5"));
+  EXPECT_THAT(told.err, HasSubstr("; `fingerpad replay --resume` makes it again\n"));
+  const json results = results_in(test::bytes_of(folder / "page.html"));
+  EXPECT_THAT(results["jobs"][1]["trouble"], HasSubstr("trace cannot be read"));
+  EXPECT_THAT(results["jobs"][1]["damage"], HasSubstr("a<b/s-0002.h5"));
+  EXPECT_FALSE(results["jobs"][2].contains("damage"));
   EXPECT_THAT(results["jobs"][1]["note"], HasSubstr("trace cannot be read"));
   EXPECT_FALSE(results["jobs"][1].contains("run"));
   EXPECT_TRUE(results["jobs"][2].contains("run"));
+}
+
+TEST(Report, FlagsATraceThatIsCutShort) {
+  const fs::path folder = folder_with_set("--format csv");
+  const fs::path trace = folder / "a<b" / "s-0002.csv";
+  fs::resize_file(trace, fs::file_size(trace) - 2);
+  const auto told = test::fingerpad("report 'a<b' --out page.html --quiet", folder);
+  EXPECT_THAT(told.err, HasSubstr("fingerpad: warning: a<b/s-0002.csv: ends within a row"));
+  const json results = results_in(test::bytes_of(folder / "page.html"));
+  EXPECT_THAT(results["jobs"][1]["trouble"], HasSubstr("trace cut short"));
+  EXPECT_THAT(results["jobs"][1]["damage"], HasSubstr("s-0002.csv: ends within a row"));
 }
 
 TEST(Report, OfCsvTracesShowsThePathAndSaysWhyThereIsNoPart) {

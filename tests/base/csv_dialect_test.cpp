@@ -14,6 +14,7 @@ namespace {
 
 using testing::AllOf;
 using testing::ElementsAre;
+using testing::EndsWith;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -22,6 +23,7 @@ CsvColumns read(const std::string& text, char separator = found_separator, char 
   std::ofstream(path, std::ios::binary) << text;
   CsvRequest request{{"t", "x"}, {"f"}, {separator, decimal}};
   request.mend = "map it";
+  request.decimal_key = "decimal = \"{0}\" in [motion] (fit: --decimal {0})";
   return read_csv_columns(path.string(), request);
 }
 
@@ -60,6 +62,43 @@ TEST(CsvDialect, TellsTheDecimalMarkThatWouldDo) {
   EXPECT_THAT(refusal("t;x\n0;1.5\n", ';', ','),
               HasSubstr("with decimal = \".\" in [motion] (fit: --decimal .) it would be one"));
   EXPECT_THAT(refusal("t;x\n0;a\n1;1\n"), Not(HasSubstr("would be one")));
+}
+
+TEST(CsvDialect, WithoutAWayToSayTheDecimalMarkNoneIsNamed) {
+  const auto path = test::scratch_dir() / "t.csv";
+  const auto why_not = [&](const std::string& text) {
+    std::ofstream(path) << text;
+    return test::why_not([&] { read_csv_columns(path.string(), {"t", "x"}); });
+  };
+  EXPECT_THAT(why_not("t,x\n0,\"1,5\"\n"),
+              EndsWith("'1,5' in column 'x' is no number; its decimal mark must be ."));
+  EXPECT_THAT(why_not("t,x\n0,5,1,5\n"), EndsWith("between cells: write decimal points"));
+}
+
+TEST(CsvDialect, ACommaCannotPartCellsAndMarkDecimalsToo) {
+  EXPECT_EQ(
+      refusal("t,x\n0,1.5\n", found_separator, ','),
+      (test::scratch_dir() / "t.csv").string() +
+          ":1: its cells are parted by ',', which cannot be the decimal mark as well: leave the decimal "
+          "mark out where its numbers have points, else part its cells by ;");
+}
+
+TEST(CsvDialect, ALastRowWithoutItsEndIsLeftOutWhereTheRequestWantsItSo) {
+  const auto path = test::scratch_dir() / "t.csv";
+  const auto rows_of = [&](const std::string& text, bool leaves_out) {
+    std::ofstream(path) << text;
+    CsvRequest request{{"t", "x"}};
+    request.takes_units = true;
+    request.leaves_out_cut_row = leaves_out;
+    const CsvColumns table = read_csv_columns(path.string(), request);
+    return std::to_string(table.lines.size()) + " " + table.cut;
+  };
+  const std::string words = "), which is left out: its last number may lack digits";
+  EXPECT_EQ(rows_of("t,x\n1,2\n3,4", false), "2 ");
+  EXPECT_EQ(rows_of("t,x\n1,2\n3,4", true), "1 ends within a row (line 3" + words);
+  EXPECT_EQ(rows_of("t,x\n1,2\n3,4\n", true), "2 ");
+  EXPECT_EQ(rows_of("t,x\n1,2", true), "0 ends within a row (line 2" + words) << "the one that was looked at";
+  EXPECT_EQ(rows_of("# t,x\n1,2", true), "0 ends within a row (line 2" + words) << "NumPy's";
 }
 
 TEST(CsvDialect, AUnitInACellIsNamed) {

@@ -232,6 +232,18 @@ TEST(SceneSet, ARangeOfAKeyThatTakesWholeNumbersGivesThese) {
               ElementsAre("1", "2", "3"));
 }
 
+TEST(SceneSet, AListOfAKeyThatTakesWholeNumbersIsRefusedOnce) {
+  EXPECT_EQ(
+      refusal("[[set]]\nseed = [1.5, 2]\n"),
+      "s.toml:2:9: 'seed' in [[set]] takes whole numbers, and 1.5 is none of them; give such from 0 on");
+  EXPECT_EQ(
+      refusal("[[set]]\nhand.delay_ticks = 0.5\n"),
+      "s.toml:2:20: 'hand.delay_ticks' in [[set]] takes whole numbers, and 0.5 is none of them; give such "
+      "from 0 to 10000");
+  EXPECT_EQ(refusal("seed = 1.5\n" + plane_scene),
+            "s.toml:1:8: 'seed' in the scene must be a whole number, and 1.5 is none");
+}
+
 TEST(SceneSet, ARangeIsItsEvenValuesAndAListMayBeNamedSo) {
   EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nplane.mu_static = { from = 0.2, to = 0.5, steps = 4 }\n"),
               ElementsAre("0.2", "0.3", "0.4", "0.5"));

@@ -82,13 +82,22 @@ function showFilters(columns) {
   holder.append(element("label", {}, all, " all figures"));
 }
 
+/** The traces that are cut short or cannot be read, the first of them by name, and what mends them. */
+function damageWords() {
+  const damaged = report.jobs.filter(job => job.damage).map(job => job.damage);
+  if (damaged.length === 0) return "";
+  const more = damaged.length > 5 ? ` and ${damaged.length - 5} more` : "";
+  return ` Damaged traces: ${damaged.slice(0, 5).join("; ")}${more}. fingerpad replay --resume makes them again.`;
+}
+
 function showCounts() {
   const failed = report.jobs.filter(job => job.status !== "ok").length;
   const troubled = report.jobs.filter(job => job.trouble && job.status === "ok").length;
   document.getElementById("counts").textContent =
-    `${report.jobs.length} jobs: ${report.jobs.length - failed} ok, ${failed} failed; of those that are ok, ${troubled} with trouble. ` +
+    `${report.jobs.length} ${report.jobs.length === 1 ? "job" : "jobs"}: ${report.jobs.length - failed} ok, ${failed} failed; of those that are ok, ${troubled} with trouble. ` +
     "The worst stand first: failed, then by forces that are not finite, pop-throughs, unsettled ticks, energy made " +
-    "(where it is over 1 % of greatest force times depth), and last by the greatest normal force. Click a row for the job's own page.";
+    "(where it is over 1 % of greatest force times depth), and last by the greatest normal force. Click a row for the job's own page." +
+    damageWords();
 }
 
 function showJobTable() {
