@@ -37,16 +37,14 @@ const std::vector<Surface>& sphere() {
   return surfaces;
 }
 
-/// @param beside_plane  another surface stands so near that only a proxy can do
-ContactChoice choice_for(const Scene& scene, bool beside_plane) {
+/// Beside a plane so near that only a proxy can do.
+ContactChoice choice_for(const Scene& scene) {
   static const std::vector<PartMeasures> measures{measure_part(*sphere()[0].part, *sphere()[0].tree)};
   std::vector<Surface> surfaces = sphere();
-  if (beside_plane) {
-    Surface plane;
-    plane.plane_normal_W = Vec3(0, 0.6, -0.8);
-    plane.plane_point_W = -0.006 * plane.plane_normal_W;
-    surfaces.push_back(plane);
-  }
+  Surface plane;
+  plane.plane_normal_W = Vec3(0, 0.6, -0.8);
+  plane.plane_point_W = -0.006 * plane.plane_normal_W;
+  surfaces.push_back(plane);
   return choose_contact(scene, surfaces, measures);
 }
 
@@ -103,24 +101,19 @@ double worst_error(const Scene& scene) {
 TEST(OutrunChoice, SaysThatTheProxyIsOutrunAndNamesARateAtWhichItIsNot) {
   const Scene fast = scene_at(250);
   ASSERT_GT(worst_error(fast), 0.5) << "the proxy keeps up after all";
-  const std::string said = choice_for(fast, true).limits.at(0).said;
+  const std::string said = choice_for(fast).limits.at(0).said;
   EXPECT_THAT(said, HasSubstr("cannot be kept by proxy: at rate_hz = 250 the finger goes 2 mm a tick"));
   std::smatch found;
   ASSERT_TRUE(std::regex_search(said, found, std::regex("a rate_hz of ([0-9.]+) would"))) << said;
   const Scene mended = scene_at(parse_number(found[1].str()).value());
-  EXPECT_THAT(choice_for(mended, true).limits.at(0).said, IsEmpty());
+  EXPECT_THAT(choice_for(mended).limits.at(0).said, IsEmpty());
   EXPECT_LT(worst_error(mended), mended.contact.force_tolerance);
 }
 
 TEST(OutrunChoice, NothingIsSaidWhereTheWayIsNotKnownBeforehand) {
   Scene live = scene_at(250);
   live.motion.longest_step_m = 0;
-  EXPECT_THAT(choice_for(live, true).limits.at(0).said, IsEmpty());
-}
-
-TEST(OutrunChoice, TheClosestPointIsTakenWhereItCanDoInstead) {
-  EXPECT_EQ(choice_for(scene_at(250), true).method, "proxy");
-  EXPECT_EQ(choice_for(scene_at(250), false).method, "closest-point");
+  EXPECT_THAT(choice_for(live).limits.at(0).said, IsEmpty());
 }
 
 TEST(OutrunChoice, OneJumpInAHundredTicksIsNoSpeed) {
