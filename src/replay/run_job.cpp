@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "base/number_text.hpp"
+#include "replay/disk_room.hpp"
 #include "replay/hard_press.hpp"
 #include "replay/never_touches.hpp"
 #include "replay/residual_warnings.hpp"
@@ -75,9 +76,11 @@ RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const 
   Figures figures(world);
   ClosedLoop loop(world, scene, path, info.changes);
   std::unique_ptr<TraceWriter> writer;
-  if (!output.path.empty())
-    writer = TraceWriter::create(output.path, output.format, info, *world,
-                                 kept_rows(loop.tick_count(), info.every));
+  if (!output.path.empty()) {
+    const std::uint64_t rows = kept_rows(loop.tick_count(), info.every);
+    refuse_full_disk(output.path, output.format, info, rows);
+    writer = TraceWriter::create(output.path, output.format, info, *world, rows);
+  }
   constexpr long block_ticks = 64;   // that stay in the processor's nearest memory until they are written
   constexpr long told_ticks = 4096;  // between words on how far it is
   std::vector<TickRecord> block, kept;
