@@ -59,7 +59,7 @@ ViewInput scene_subject(const std::string& path, LoadBar& bar) {
   input.title = input.scene->name;
   input.file = path;
   const auto motion = told_motion(*input.scene);
-  if (motion) input.scene = with_known_way(*input.scene, motion->path);
+  if (motion) input.scene = at_rate(*input.scene, motion->path);
   input.world = load_world(*input.scene, bar.progress());
   bar.finish();
   tell_warnings(*input.world);

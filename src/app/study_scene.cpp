@@ -108,7 +108,7 @@ int study_one_scene(const std::string& scene_path, const std::string& out_dir) {
   const Scene as_written = studied_scene(scene_path);
   refuse_lost_inputs(as_written, out_dir);
   LoadedMotion motion = load_motion(as_written);
-  const Scene scene = all_automatic(with_known_way(as_written, motion.path));
+  const Scene scene = all_automatic(at_rate(as_written, motion.path));
   const OutputFolder folder(out_dir);  // before the work, which would be lost without it
   ProgressBar bar(stderr_is_terminal(), std::chrono::milliseconds(500), ProgressBar::End::wiped);
   const auto world = load_world(

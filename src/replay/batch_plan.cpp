@@ -70,7 +70,7 @@ JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptio
   constexpr long block_ticks = 4096;
   const Clock::time_point start = Clock::now();
   const LoadedMotion motion = load_motion(scene_as_written, meshes);
-  const Scene scene = with_known_way(scene_as_written, motion.path);
+  const Scene scene = at_rate(scene_as_written, motion.path);
   const auto world = load_world(scene, meshes);
   JobCost cost;
   cost.load_s = seconds_since(start);

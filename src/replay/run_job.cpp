@@ -150,7 +150,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
   const std::shared_ptr<const StoredMotion> stored = motions.load(scene_as_written, meshes);
   const LoadedMotion& motion = stored->motion;
   const FingerPath& path = motion.path;
-  const Scene scene = with_known_way(scene_as_written, path);
+  const Scene scene = at_rate(scene_as_written, path);
   const auto world = load_world(scene, meshes);
   TraceInfo info = trace_info(scene, *world, path, stored->hash, output.version);
   info.motion_notes = motion.notes;

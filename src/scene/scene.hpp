@@ -90,8 +90,6 @@ struct MotionSettings {
   double rate_hz = 1000;
   bool rate_given = false;      ///< else a file is followed at its own rate, which load_motion finds
   bool automatic_rate = false;  ///< `rate_hz = "auto"`: choose_rate finds it
-  double longest_step_m = 0;  ///< from tick to tick, on all but a hundredth of them; with_known_way finds it,
-                              ///< and 0 where nothing is known of the way beforehand
 
   // Of a file.
   RecordingFormat format;   ///< how its table is to be read

@@ -90,7 +90,7 @@ JudgedCase scene_case(Scene scene, const std::string& name) {
   scene.friction.law = "none";
   scene.hand.reset();
   const FingerPath path = load_finger_path(scene);
-  JudgedCase judged{name, with_known_way(scene, path), nullptr, {path}};
+  JudgedCase judged{name, at_rate(scene, path), nullptr, {path}};
   const auto world = load_world(judged.scene);
   prepare_normals(*world);
   judged.world = world;

@@ -44,7 +44,7 @@ std::string choice_key(const Scene& scene, const World& world) {
   const ContactSettings& asked = scene.contact;
   std::string key = fmt::format("{} {} {} ", asked.method, asked.normals->name, asked.automatic_normals);
   add_numbers(key, {asked.force_tolerance, asked.mu_tolerance, asked.greatest_force_n, scene.finger.radius_m,
-                    scene.motion.rate_hz, scene.motion.longest_step_m});
+                    scene.motion.rate_hz});
   for (const Surface& surface : world.surfaces) add_surface(key, surface);
   for (const PartEntry& part : scene.parts) {  // how the file's triangles become a part
     key += part.repair ? "\nrepaired " : "\n";

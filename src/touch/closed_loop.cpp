@@ -18,19 +18,6 @@ Scene at_rate(Scene scene, const FingerPath& path) {
   return scene;
 }
 
-Scene with_known_way(Scene scene, const FingerPath& path) {
-  constexpr long most_steps = 1 << 15;  // of a longer motion so many are looked at
-  const long steps = path.tick_count() - 1, every = 1 + steps / most_steps;
-  std::vector<double> lengths_m;
-  for (long k = 0; k < steps; k += every) lengths_m.push_back((path.at(k + 1).p_WQ - path.at(k).p_WQ).norm());
-  if (!lengths_m.empty()) {
-    const auto at = lengths_m.end() - 1 - static_cast<std::ptrdiff_t>(lengths_m.size() / 100);
-    std::nth_element(lengths_m.begin(), at, lengths_m.end());
-    scene.motion.longest_step_m = *at;
-  }
-  return at_rate(std::move(scene), path);
-}
-
 ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path,
                        const std::vector<SceneChange>& changes)
     : world_(world),

@@ -15,9 +15,6 @@ namespace fingerpad {
 /// The scene with the rate at which its motion is followed: a recording's own where the scene has none.
 Scene at_rate(Scene scene, const FingerPath& path);
 
-/// The same, with what a choice of contact is to know of the motion: how far the finger goes in a tick.
-Scene with_known_way(Scene scene, const FingerPath& path);
-
 /// Runs a scene's motion through its world tick by tick: the finger follows it exactly, or, where the scene
 /// has a [hand], a simulated hand holds the finger, feels the force and closes the loop.
 class ClosedLoop {

@@ -8,7 +8,6 @@
 
 #include "base/number_text.hpp"
 #include "contact/contact_cost.hpp"
-#include "contact/outrun.hpp"
 #include "part/part.hpp"
 #include "scene/scene.hpp"
 #include "touch/contact_choice.hpp"
@@ -51,12 +50,6 @@ bool is_open(const Scene& scene, Normals normals) {
   return scene.contact.automatic_normals ? normals->off_rad != nullptr : scene.contact.normals == normals;
 }
 
-std::string outrun_words(const ContactCase& on) {
-  return fmt::format(
-      "at rate_hz = {} the finger goes {} mm a tick, round more facets than a tick of the proxy can look at",
-      number_text(on.rate_hz), rounded_text(1e3 * on.step_m, 2));
-}
-
 }  // namespace
 
 double across_m(const Part& part) noexcept {
@@ -72,20 +65,13 @@ bool has_neighbour(std::span<const Surface> surfaces, const Surface& surface, do
 }
 
 ContactCase contact_case(const Scene& scene, const Surface& surface, const PartMeasures& measures,
-                         const Nearby& nearby, int finer) {
-  const Press press{surface.properties.stiffness_n_per_m, scene.finger.radius_m,
-                    scene.contact.greatest_force_n};
-  const double step_m = scene.motion.longest_step_m;
+                         const Nearby& nearby) {
   return {std::filesystem::path(surface.mesh).filename().string(),
           demand_of(scene, surface, measures, nearby),
-          press,
+          {surface.properties.stiffness_n_per_m, scene.finger.radius_m, scene.contact.greatest_force_n},
           across_m(*surface.part),
           scene.contact.mu_tolerance,
-          allowed_mean_tilt_rad(scene.contact, surface.properties.mu_dynamic),
-          step_m,
-          scene.motion.rate_hz,
-          proxy_looks(*surface.part, measures.places, press, step_m, finer),
-          finer};
+          allowed_mean_tilt_rad(scene.contact, surface.properties.mu_dynamic)};
 }
 
 std::vector<ContactCase> contact_cases(const Scene& scene, std::span<const Surface> surfaces,
@@ -132,10 +118,7 @@ std::vector<ContactPair> contact_pairs(const Scene& scene, std::span<const Surfa
                                                           : errors.error(one, method, normals));
         pair.fails.push_back(method.fails == nullptr ? "" : method.fails(one.contact));
         const ReckonedError& error = pair.errors.back();
-        if (!pair.fails.back().empty()) continue;
-        if (method.lags_on_facets && outruns_proxy(one.proxy_looks))
-          pair.fails.back() = outrun_words(one);
-        else if (error.behind_share > one.contact.force_tolerance)
+        if (pair.fails.back().empty() && error.behind_share > one.contact.force_tolerance)
           pair.fails.back() = fmt::format("{}, and falls behind where it goes round a rounding of {} mm",
                                           one.contact.press, rounded_text(1e3 * error.behind_m, 2));
       }

@@ -23,9 +23,6 @@ struct ContactCase {
   double across_m = 0;  ///< of the part
   double mu_tolerance = 0;
   double mean_tilt_rad = 0;  ///< that the tolerance of friction allows; infinity where there is no friction
-  double step_m = 0;         ///< that the finger goes from tick to tick; 0: not known
-  double rate_hz = 0;        ///< of the ticks
-  double proxy_looks = 0;    ///< that a proxy needs for it (outrun.hpp)
   int finer = 1;             ///< it is reckoned as if its facets were so many times smaller
 };
 
@@ -42,9 +39,8 @@ double across_m(const Part& part) noexcept;
 bool has_neighbour(std::span<const Surface> surfaces, const Surface& surface, double finger_radius_m);
 
 /// @param measures  of the surface's part; they outlive the case
-/// @param finer  ContactCase's
 ContactCase contact_case(const Scene& scene, const Surface& surface, const PartMeasures& measures,
-                         const Nearby& nearby, int finer = 1);
+                         const Nearby& nearby);
 
 /// @param surfaces  parts first
 /// @param measures  one for each part, which outlives the cases

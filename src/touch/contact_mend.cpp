@@ -9,7 +9,6 @@
 #include <vector>
 
 #include "base/number_text.hpp"
-#include "contact/outrun.hpp"
 #include "contact/proxy_limits.hpp"
 #include "scene/scene.hpp"
 
@@ -73,7 +72,6 @@ class Trials {
   bool try_what_is_insisted_on(std::vector<Tried>& tried) const;
   bool try_presses(std::vector<Tried>& tried) const;
   bool try_radii(std::vector<Tried>& tried) const;
-  bool try_rates(std::vector<Tried>& tried) const;
 
   const Scene& scene_;
   ContactReckoning& reckoning_;
@@ -157,29 +155,12 @@ bool Trials::try_radii(std::vector<Tried>& tried) const {
   return false;
 }
 
-/// Rates at which the finger does not outrun its proxy; the first is the least by reckoning.
-bool Trials::try_rates(std::vector<Tried>& tried) const {
-  constexpr double a_little_less = 0.98, most_rate_hz = 10000;
-  const double share = a_little_less * step_share_for(verdict_.cases[i_].proxy_looks);
-  for (const double times : {1.0, 2.0}) {
-    // Rounded to two digits it is still no less.
-    const double rate_hz = rounded(times * 1.05 * scene_.motion.rate_hz / share);
-    if (rate_hz > most_rate_hz) return false;
-    Change change{fmt::format("a rate_hz of {}", number_text(rate_hz)), scene_};
-    change.scene.motion.rate_hz = rate_hz;
-    change.scene.motion.longest_step_m *= scene_.motion.rate_hz / rate_hz;
-    if (try_one(std::move(change), tried)) return true;
-  }
-  return false;
-}
-
 std::vector<Tried> Trials::try_all() const {
   const Unkept unkept = verdict_.unkept_on(i_);
   std::vector<Tried> tried;
   if (try_what_is_insisted_on(tried)) return tried;
   const bool is_crowded = verdict_.cases[i_].contact.crowded.is_too_much();
   if (is_crowded && try_radii(tried)) return tried;
-  if (outruns_proxy(verdict_.cases[i_].proxy_looks) && try_rates(tried)) return tried;
   if (unkept == Unkept::grip || unkept == Unkept::method) try_presses(tried);
   return tried;
 }

@@ -27,7 +27,9 @@ ContactCase ContactReckoning::case_of(const Scene& scene, std::size_t i, int fin
   const double radius_m = scene.finger.radius_m;
   Nearby nearby{crowded_in(i, radius_m), has_neighbour(surfaces_, surfaces_[i], radius_m)};
   nearby.crowded.facets *= finer * finer;
-  return contact_case(scene, surfaces_[i], measures_[same_as_[i]], nearby, finer);
+  ContactCase one = contact_case(scene, surfaces_[i], measures_[same_as_[i]], nearby);
+  one.finer = finer;
+  return one;
 }
 
 ContactVerdict ContactReckoning::on_all(const Scene& scene, int finer) {

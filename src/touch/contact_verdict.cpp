@@ -4,7 +4,6 @@
 #include <limits>
 #include <utility>
 
-#include "contact/outrun.hpp"
 #include "scene/scene.hpp"
 
 namespace fingerpad {
@@ -65,8 +64,7 @@ double holds_deep_m(const ContactCase& on) noexcept {
 }
 
 bool falls_behind(const ContactCase& on, const ReckonedError& error) noexcept {
-  return !on.contact.crowded.is_too_much() && !outruns_proxy(on.proxy_looks) &&
-         error.behind_share > on.contact.force_tolerance;
+  return !on.contact.crowded.is_too_much() && error.behind_share > on.contact.force_tolerance;
 }
 
 double kept_force_tolerance(double error) noexcept {

@@ -132,11 +132,12 @@ TEST(Ranks, ThatDieAltogetherEndTheRunOfALauncherThatIsNotAsked) {
       test::shell(support("kill_rank") + "o 0 rank env " + as_ranks(2) + "replay plane.toml --out o", folder);
   EXPECT_EQ(run.exit_code, 137) << "128 and the signal: " << run.err;
   // Where the other rank is through before the launcher ends it, that tells what was lost.
-  EXPECT_THAT(run.err, AnyOf(HasSubstr("fingerpad: warning: o: rank 0 was killed: where nobody asked for the "
-                                       "end, what started the ranks ends the others for that; the same "
-                                       "command with --resume does the rest. Open MPI lets the others go on "
-                                       "where it is told `mpirun --enable-recovery`\n"),
-                             HasSubstr("that rank was killed; the same command with --resume runs it")));
+  EXPECT_THAT(run.err,
+              AnyOf(HasSubstr("fingerpad: warning: o: rank 0 was killed: where nobody asked for the "
+                              "end, what started the ranks ends the others for that; the same "
+                              "command with --resume does the rest. Open MPI lets the others go on "
+                              "where it is told `mpirun --enable-recovery`\n"),
+                    HasSubstr("that rank was killed; the same command with --resume does the rest")));
   // What was done stays; a run by itself does the rest.
   ASSERT_EQ(test::fingerpad("replay plane.toml --out o --quiet --resume", folder).exit_code, 0);
   ASSERT_EQ(test::fingerpad("replay plane.toml --out one --quiet", folder).exit_code, 0);
