@@ -21,6 +21,11 @@ double least_row_bytes(TraceFormat format, const TraceInfo& info) {
   return info.deflated ? bytes / most_deflated : bytes;
 }
 
+/// In whole mebibytes, for people.
+std::string mib_text(double bytes) {
+  return bytes_text(static_cast<std::uint64_t>(bytes) >> 20 << 20);
+}
+
 }  // namespace
 
 void refuse_full_disk(const std::string& path, TraceFormat format, const TraceInfo& info,
@@ -33,7 +38,7 @@ void refuse_full_disk(const std::string& path, TraceFormat format, const TraceIn
       ErrorKind::fault, path,
       fmt::format("its {} rows take at least {}, and the disk has room for {}: write fewer with --every "
                   "N or --columns LIST, or none with --format none",
-                  rows, bytes_text(static_cast<std::uint64_t>(bytes)), bytes_text(room.available)));
+                  rows, mib_text(bytes), mib_text(static_cast<double>(room.available))));
 }
 
 }  // namespace fingerpad
