@@ -116,16 +116,17 @@ void add_columns(vtkPolyData* data, const std::vector<const TickRecord*>& rows, 
 vtkSmartPointer<vtkPolyData> path_block(const Trace& trace) {
   std::vector<Vec3> places;
   std::vector<const TickRecord*> rows;
-  vtkNew<vtkCellArray> line;
-  if (!trace.rows.empty()) line->InsertNextCell(static_cast<int>(trace.rows.size()));
+  vtkNew<vtkCellArray> cell;
+  if (!trace.rows.empty()) cell->InsertNextCell(static_cast<int>(trace.rows.size()));
   for (const TickRecord& row : trace.rows) {
-    line->InsertCellPoint(static_cast<vtkIdType>(rows.size()));
+    cell->InsertCellPoint(static_cast<vtkIdType>(rows.size()));
     rows.push_back(&row);
     places.push_back(row.p_WQ);
   }
   auto data = vtkSmartPointer<vtkPolyData>::New();
   data->SetPoints(points_at(places));
-  data->SetLines(line);
+  // VTK ends the program over a line of one point.
+  rows.size() == 1 ? data->SetVerts(cell) : data->SetLines(cell);
   add_columns(data, rows, trace.info);
   return data;
 }

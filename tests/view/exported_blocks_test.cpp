@@ -91,6 +91,17 @@ TEST(ExportedBlocks, HoldPartsPathAndContactPointsByName) {
             trace.rows[103].friction_W_n.y());
 }
 
+TEST(ExportedBlocks, APathOfOneTickIsAPoint) {
+  Trace trace = rub_trace();
+  trace.rows.resize(1);
+  const auto path = test::scratch_dir() / "tick.vtm";
+  EXPECT_THAT(export_blocks(trace, "tick.h5", path.string()), IsEmpty());
+  Blocks blocks = read_back(path);
+  ASSERT_TRUE(blocks.count("path"));
+  EXPECT_EQ(blocks["path"]->GetNumberOfPoints(), 1);
+  EXPECT_EQ(blocks["path"]->GetNumberOfVerts(), 1);
+}
+
 TEST(ExportedBlocks, ThatChangedOrVanishedAreTold) {
   const auto folder = test::scratch_dir();
   std::ofstream(folder / "a.stl")
