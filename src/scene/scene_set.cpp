@@ -1,7 +1,6 @@
 #include "scene/scene_set.hpp"
 
 #include <fmt/format.h>
-#include <glob.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -11,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
+#include "scene/matching_files.hpp"
 #include "scene/scene_key.hpp"
 #include "scene/scene_values.hpp"
 #include "scene/set_range.hpp"
@@ -37,30 +37,6 @@ void collect_leaves(const TomlNode& table, const std::string& prefix, std::vecto
       leaves.push_back({key, entry.place, &entry.value});
     }
   }
-}
-
-/// The paths that match a pattern, sorted by name; relative to the scene's folder unless the pattern is
-/// absolute.
-std::vector<std::string> matching_files(const std::string& pattern, const std::string& scene_path) {
-  std::string folder;
-  if (!fs::path(pattern).is_absolute()) folder = fs::path(scene_path).parent_path().string();
-  if (!folder.empty() && folder.back() != '/') folder += '/';
-  std::string escaped;
-  for (const char c : folder) {
-    if (c == '*' || c == '?' || c == '[' || c == ']' || c == '\\') escaped += '\\';
-    escaped += c;
-  }
-  std::vector<std::string> files;
-  glob_t found{};
-  if (glob((escaped + pattern).c_str(), GLOB_NOSORT | GLOB_MARK, nullptr, &found) == 0) {
-    for (std::size_t i = 0; i < found.gl_pathc; ++i) {
-      const std::string file = found.gl_pathv[i];
-      if (file.back() != '/' && file.starts_with(folder)) files.push_back(file.substr(folder.size()));
-    }
-  }
-  globfree(&found);
-  std::sort(files.begin(), files.end());
-  return files;
 }
 
 std::string written_text(const TomlNode& value) {

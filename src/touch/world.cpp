@@ -1,7 +1,9 @@
 #include "touch/world.hpp"
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
+#include <limits>
 
 #include "part/part.hpp"
 #include "touch/mesh_store.hpp"
@@ -19,9 +21,9 @@ bool is_of_planes(const World& world) noexcept {
 }
 
 int triangles_of(std::span<const Surface> surfaces) {
-  int sum = 0;
+  std::int64_t sum = 0;  // of parts that each fit into an int
   for (const Surface& surface : surfaces) sum += surface.part ? surface.part->triangle_count() : 0;
-  return sum;
+  return static_cast<int>(std::min<std::int64_t>(sum, std::numeric_limits<int>::max()));
 }
 
 std::vector<PlacedSurface> placed_surfaces(const World& world) {

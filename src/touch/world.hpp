@@ -36,7 +36,7 @@ std::string shown_name(const Surface& surface);
 /// Whether only planes can be touched: every contact method, with any normals, finds the same there.
 bool is_of_planes(const World& world) noexcept;
 
-/// That of all parts together.
+/// That of all parts together, or the most that an int holds.
 int triangles_of(std::span<const Surface> surfaces);
 
 /// Where everything in a world stands, in its order: what a contact method is made for.
