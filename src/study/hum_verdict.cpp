@@ -22,6 +22,7 @@ struct TrialLine {
   std::size_t trial = 0;
   HumLine line;
   HumEvidence evidence;
+  bool is_in_position = false;  ///< the finger moves with it
 };
 
 /// Whether two lines may be one hum. A trial tells its frequency the better the longer it is.
@@ -35,12 +36,18 @@ bool are_alike(const TrialLine& one, const TrialLine& other, const std::vector<R
 }
 
 /// What a line is taken for, and why.
-enum class HumReason { open, hum, not_while_still, not_steady, beside_air };
+enum class HumReason { open, hum, not_while_still, not_steady, beside_air, in_position };
 
-HumReason judged_while_still(const HumEvidence& evidence) {
+HumReason judged_by_share(const HumShare& here) {
   constexpr double least_share = 0.5;
-  if (!evidence.still.is_told()) return HumReason::open;
-  return evidence.still.share() < least_share ? HumReason::not_while_still : HumReason::hum;
+  if (!here.is_told()) return HumReason::open;
+  return here.share() < least_share ? HumReason::not_while_still : HumReason::hum;
+}
+HumReason judged_while_still(const HumEvidence& evidence) {
+  return judged_by_share(evidence.still);
+}
+HumReason judged_in_air(const HumEvidence& evidence) {
+  return judged_by_share(evidence.in_air);
 }
 
 /// Teeth follow the speed: a line that goes on at others is hum. One that is seen at one speed alone, or
@@ -100,10 +107,17 @@ HumReason reason_of(const TrialLine& found, const std::vector<TrialLine>& lines,
     alike.push_back(&other);
     all += other.evidence;
   }
-  for (const auto judge : {judged_while_still, judged_by_windows}) {
-    for (const HumEvidence* evidence : {&found.evidence, &std::as_const(all)})
-      if (const HumReason reason = judge(*evidence); reason != HumReason::open) return reason;
+  const auto judged_by = [&](HumReason (*judge)(const HumEvidence&)) {
+    const HumReason own = judge(found.evidence);
+    return own == HumReason::open ? judge(all) : own;
+  };
+  // A finger that vibrates does so at any speed, and where it rests: the air alone tells that from hum.
+  if (found.is_in_position) {
+    const HumReason reason = judged_by(judged_in_air);
+    return reason == HumReason::open ? HumReason::in_position : reason;
   }
+  for (const auto judge : {judged_while_still, judged_by_windows})
+    if (const HumReason reason = judged_by(judge); reason != HumReason::open) return reason;
   return is_in_most(alike, showing) ? HumReason::hum : HumReason::open;
 }
 
@@ -115,6 +129,11 @@ std::string reason_words(HumReason reason, double nominal_hz) {
     return "it is what stands there beyond the hum that is seen in the air, which is taken out, and so is "
            "teeth "
            "of stick and slip";
+  if (reason == HumReason::in_position)
+    return fmt::format(
+        "the finger's position moves at that frequency too, so that the force may really be there, and no "
+        "moment without contact tells: --mains {:.0f} takes it out, if it is hum",
+        nominal_hz);
   if (reason == HumReason::not_steady)
     return "it does not keep its amplitude and phase as the finger moves on, as teeth of stick and slip do "
            "not";
@@ -221,7 +240,8 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
         continue;
       }
       HumEvidence evidence = hum_evidence(trials[i], sensed, line);
-      found[line.nominal_hz].push_back({i, line, std::move(evidence)});
+      const bool is_in_position = position_has(line, trials[i]);
+      found[line.nominal_hz].push_back({i, line, std::move(evidence), is_in_position});
     }
   }
   for (const auto& [nominal, lines] : found) {
