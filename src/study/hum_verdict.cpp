@@ -22,7 +22,6 @@ struct TrialLine {
   std::size_t trial = 0;
   HumLine line;
   HumEvidence evidence;
-  bool is_in_position = false;  ///< the finger moves with it
 };
 
 /// Whether two lines may be one hum. A trial tells its frequency the better the longer it is.
@@ -111,24 +110,23 @@ HumReason reason_of(const TrialLine& found, const std::vector<TrialLine>& lines,
     const HumReason own = judge(found.evidence);
     return own == HumReason::open ? judge(all) : own;
   };
+  HumReason reason = judged_by(judged_while_still);
+  if (reason == HumReason::open) reason = judged_by(judged_by_windows);
+  if (reason == HumReason::open && is_in_most(alike, showing)) reason = HumReason::hum;
   // A finger that vibrates does so at any speed, and where it rests: the air alone tells that from hum.
-  if (found.is_in_position) {
-    const HumReason reason = judged_by(judged_in_air);
-    return reason == HumReason::open ? HumReason::in_position : reason;
-  }
-  for (const auto judge : {judged_while_still, judged_by_windows})
-    if (const HumReason reason = judged_by(judge); reason != HumReason::open) return reason;
-  return is_in_most(alike, showing) ? HumReason::hum : HumReason::open;
+  const HumReason in_air = judged_by(judged_in_air);
+  if (reason != HumReason::hum || in_air == HumReason::hum || !position_has(found.line, trials[found.trial]))
+    return reason;
+  return in_air == HumReason::open ? HumReason::in_position : in_air;
 }
 
 std::string reason_words(HumReason reason, double nominal_hz) {
   if (reason == HumReason::not_while_still)
-    return "it is not there where nothing touches the sensor or the finger stands still, and so is teeth of "
-           "stick and slip";
+    return "it is not there where nothing touches the sensor or the finger stands still, and so is of teeth "
+           "of stick and slip, or of a finger that vibrates";
   if (reason == HumReason::beside_air)
     return "it is what stands there beyond the hum that is seen in the air, which is taken out, and so is "
-           "teeth "
-           "of stick and slip";
+           "of teeth of stick and slip, or of a finger that vibrates";
   if (reason == HumReason::in_position)
     return fmt::format(
         "the finger's position moves at that frequency too, so that the force may really be there, and no "
@@ -240,8 +238,7 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
         continue;
       }
       HumEvidence evidence = hum_evidence(trials[i], sensed, line);
-      const bool is_in_position = position_has(line, trials[i]);
-      found[line.nominal_hz].push_back({i, line, std::move(evidence), is_in_position});
+      found[line.nominal_hz].push_back({i, line, std::move(evidence)});
     }
   }
   for (const auto& [nominal, lines] : found) {
