@@ -59,7 +59,8 @@ std::string hum_text(const std::vector<MainsHum>& taken, const std::vector<std::
   std::string text = fmt::format("mains hum{}: ", of_forces ? of_what : " of torques");
   if (humming > 0) {
     text += fmt::format(
-        "taken out of {} of {} trials, at most {} at {:.2f} Hz", humming, taken.size(),
+        "taken out of {} of {} trial{}, at most {} at {:.2f} Hz", humming, taken.size(),
+        taken.size() == 1 ? "" : "s",
         of_forces ? rounded_text(most.amplitude, 3) + " N" : rounded_text(1e3 * most.amplitude, 3) + " N mm",
         most.frequency_hz);
   } else {

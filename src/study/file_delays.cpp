@@ -143,6 +143,15 @@ std::string estimate_text(const DelayEstimate& delay) {
   return told + ")";
 }
 
+/// What to say where a delay that was given is none of those that the measurement allows for.
+std::string beside_given_text(const std::vector<FileDelay>& delays, double given_s) {
+  const bool is_beside = std::any_of(delays.begin(), delays.end(), [&](const FileDelay& delay) {
+    const auto& interval_s = delay.estimate.interval_s;
+    return interval_s && (given_s < interval_s->first || given_s > interval_s->second);
+  });
+  return is_beside ? "; the one that was given is not among these: are its unit and its sign right?" : "";
+}
+
 }  // namespace
 
 std::vector<FileDelay> settle_delays(std::vector<RecordedTrial>& trials, const CleaningSettings& settings) {
@@ -198,7 +207,7 @@ std::string delay_text(const std::vector<FileDelay>& delays, const CleaningSetti
     text += estimate_text(delay.estimate);
   }
   if (delays.empty()) text += "no trial";
-  if (settings.delay_s) return text;
+  if (settings.delay_s) return text + beside_given_text(delays, *settings.delay_s);
   if (!settings.takes_delay) return text + "; left in (off)";
   if (delays.empty() || takes_all) return takes_any ? text + "; taken out" : text;
   return text + fmt::format("; {} taken out: where it is known, give it (--delay 7ms)",

@@ -67,6 +67,11 @@ std::vector<int> subjects_in(const Measurement& measurement) {
   return subjects;
 }
 
+std::size_t place_of(const FitPictureSource& source, int subject) {
+  const std::vector<int> subjects = subjects_in(source.measurement);
+  return static_cast<std::size_t>(std::find(subjects.begin(), subjects.end(), subject) - subjects.begin());
+}
+
 Vec2 main_way(const StickSegments& segments, const TrialSpan& span) {
   Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
   for (std::size_t i = span.from; i < span.to; ++i)

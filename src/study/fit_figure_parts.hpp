@@ -46,6 +46,9 @@ std::optional<double> shown_angle_deg(const FitPictureSource& source, int subjec
 
 std::vector<int> subjects_in(const Measurement& measurement);
 
+/// Which of the measurement's subjects one is: its colour and mark are the same in every panel.
+std::size_t place_of(const FitPictureSource& source, int subject);
+
 /// The direction of most motion in a span, unit.
 Vec2 main_way(const StickSegments& segments, const TrialSpan& span);
 

@@ -104,6 +104,22 @@ void refuse_odd_cubic_shares(ProfileFit& fit) {
   }
 }
 
+void doubt_straight_springs(ProfileFit& fit) {
+  if (value_of(fit.values, PadNumber::mu_static).refusal.empty()) return;
+  std::string names;
+  for (const PadNumber number : {PadNumber::lateral_axis, PadNumber::longitudinal_axis,
+                                 PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {
+    const auto k = static_cast<std::size_t>(number);
+    if (fit.values[k].refusal.empty())
+      names += fmt::format("{}{}", names.empty() ? "" : ", ", pad_number_keys[k]);
+  }
+  if (names.empty()) return;
+  fit.doubts.push_back(fmt::format(
+      "straight springs: where stick ends is not known, as mu_static is not, and so whether the spring bends "
+      "on the way: with a cubic share of 0.3 axes are some 30 % shorter and stiffnesses 43 % higher than {}",
+      names));
+}
+
 void tell_noise(const std::vector<StickSegments>& segments, ProfileFit& fit) {
   const auto noisy = std::count_if(segments.begin(), segments.end(),
                                    [](const StickSegments& trial) { return trial.is_too_noisy; });

@@ -32,6 +32,9 @@ void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit);
 /// its interval reaches to 0.
 void refuse_odd_cubic_shares(ProfileFit& fit);
 
+/// Where no mu_static is told, springs are told as straight ones: says so, and what a bend would make of it.
+void doubt_straight_springs(ProfileFit& fit);
+
 /// Says of coefficients that are refused that noise may be why.
 void tell_noise(const std::vector<StickSegments>& segments, ProfileFit& fit);
 

@@ -108,6 +108,7 @@ std::vector<Samples> windows_without_contact(const RecordedTrial& trial, Sensed 
 
 HumEvidence& HumEvidence::operator+=(const HumEvidence& other) {
   still += other.still;
+  in_air += other.in_air;
   windows.insert(windows.end(), other.windows.begin(), other.windows.end());
   return *this;
 }
@@ -118,15 +119,16 @@ HumEvidence hum_evidence(const RecordedTrial& trial, Sensed sensed, const HumLin
   const auto window = std::max<Eigen::Index>(4, static_cast<Eigen::Index>(hum_window_s * trial.rate_hz));
   const HannLine whole(trial, sensed, line.nominal_hz);
   HumEvidence found;
-  const auto add_still = [&](const InSamples& here) {
-    found.still += {here.weight * here.ratio.real(), here.weight};
+  const auto share_of = [](const InSamples& here) {
+    return HumShare{here.weight * here.ratio.real(), here.weight};
   };
   std::vector<bool> is_free(static_cast<std::size_t>(trial.samples()));
   for (const Samples& free : windows_without_contact(trial, sensed, line, window)) {
-    add_still(line_in(whole, line, trial.rate_hz, free));
+    found.in_air += share_of(line_in(whole, line, trial.rate_hz, free));
     for (const Eigen::Index i : free) is_free[static_cast<std::size_t>(i)] = true;
     found.free.insert(found.free.end(), free.begin(), free.end());
   }
+  found.still = found.in_air;
   std::vector<double> speeds;
   for (Eigen::Index from = 0; from + window <= trial.samples(); from += window) {
     Samples samples(static_cast<std::size_t>(window));
@@ -137,7 +139,7 @@ HumEvidence hum_evidence(const RecordedTrial& trial, Sensed sensed, const HumLin
     const WindowMotion motion = motion_of(trial, from, window);
     speeds.push_back(motion.speed_m_per_s);
     if (motion.speed_m_per_s < stands_m_per_s) {
-      add_still(here);
+      found.still += share_of(here);
     } else if (here.weight * surest * surest > 1) {
       found.windows.push_back({motion.speed_m_per_s, std::abs(here.ratio - 1.0) < near, motion.turns});
     }

@@ -29,7 +29,8 @@ struct HumWindow {
 
 /// What a trial, or several, say of a line.
 struct HumEvidence {
-  HumShare still;  ///< while no teeth can be: nothing touches the sensor, or the finger stands still
+  HumShare still;   ///< while no teeth can be: nothing touches the sensor, or the finger stands still
+  HumShare in_air;  ///< of that, while nothing touches the sensor
   std::vector<HumWindow> windows;  ///< of the rest
   double speed_m_per_s = 0;        ///< median of all of the trial's windows
   std::vector<Eigen::Index> free;  ///< samples of the one trial at which nothing touches the sensor

@@ -35,12 +35,18 @@ bool are_alike(const TrialLine& one, const TrialLine& other, const std::vector<R
 }
 
 /// What a line is taken for, and why.
-enum class HumReason { open, hum, not_while_still, not_steady, beside_air };
+enum class HumReason { open, hum, not_while_still, not_steady, beside_air, in_position };
 
-HumReason judged_while_still(const HumEvidence& evidence) {
+HumReason judged_by_share(const HumShare& here) {
   constexpr double least_share = 0.5;
-  if (!evidence.still.is_told()) return HumReason::open;
-  return evidence.still.share() < least_share ? HumReason::not_while_still : HumReason::hum;
+  if (!here.is_told()) return HumReason::open;
+  return here.share() < least_share ? HumReason::not_while_still : HumReason::hum;
+}
+HumReason judged_while_still(const HumEvidence& evidence) {
+  return judged_by_share(evidence.still);
+}
+HumReason judged_in_air(const HumEvidence& evidence) {
+  return judged_by_share(evidence.in_air);
 }
 
 /// Teeth follow the speed: a line that goes on at others is hum. One that is seen at one speed alone, or
@@ -100,21 +106,32 @@ HumReason reason_of(const TrialLine& found, const std::vector<TrialLine>& lines,
     alike.push_back(&other);
     all += other.evidence;
   }
-  for (const auto judge : {judged_while_still, judged_by_windows}) {
-    for (const HumEvidence* evidence : {&found.evidence, &std::as_const(all)})
-      if (const HumReason reason = judge(*evidence); reason != HumReason::open) return reason;
-  }
-  return is_in_most(alike, showing) ? HumReason::hum : HumReason::open;
+  const auto judged_by = [&](HumReason (*judge)(const HumEvidence&)) {
+    const HumReason own = judge(found.evidence);
+    return own == HumReason::open ? judge(all) : own;
+  };
+  HumReason reason = judged_by(judged_while_still);
+  if (reason == HumReason::open) reason = judged_by(judged_by_windows);
+  if (reason == HumReason::open && is_in_most(alike, showing)) reason = HumReason::hum;
+  // A finger that vibrates does so at any speed, and where it rests: the air alone tells that from hum.
+  const HumReason in_air = judged_by(judged_in_air);
+  if (reason != HumReason::hum || in_air == HumReason::hum || !position_has(found.line, trials[found.trial]))
+    return reason;
+  return in_air == HumReason::open ? HumReason::in_position : in_air;
 }
 
 std::string reason_words(HumReason reason, double nominal_hz) {
   if (reason == HumReason::not_while_still)
-    return "it is not there where nothing touches the sensor or the finger stands still, and so is teeth of "
-           "stick and slip";
+    return "it is not there where nothing touches the sensor or the finger stands still, and so is of teeth "
+           "of stick and slip, or of a finger that vibrates";
   if (reason == HumReason::beside_air)
     return "it is what stands there beyond the hum that is seen in the air, which is taken out, and so is "
-           "teeth "
-           "of stick and slip";
+           "of teeth of stick and slip, or of a finger that vibrates";
+  if (reason == HumReason::in_position)
+    return fmt::format(
+        "the finger's position moves at that frequency too, so that the force may really be there, and no "
+        "moment without contact tells: --mains {:.0f} takes it out, if it is hum",
+        nominal_hz);
   if (reason == HumReason::not_steady)
     return "it does not keep its amplitude and phase as the finger moves on, as teeth of stick and slip do "
            "not";

@@ -21,6 +21,9 @@ struct HumVerdict {
 /// finger turns round or changes its speed, as hum's does and teeth's do not? Does it stand at one frequency
 /// in most trials that can show one, although their speeds differ? Else it is left in.
 ///
+/// Where the finger's position has the line too, the force may really be there: only what the line is without
+/// contact is asked.
+///
 /// Of a trial that is seen in the air, the line's amplitude and phase there bound what is hum, where the
 /// whole of it differs: the rest is teeth's, and left in.
 ///

@@ -27,14 +27,20 @@ double strongest_hz(const HannLine& line, double nominal_hz) {
 }
 
 /// Mean power of the axes around a line, beyond what the window smears of it.
-std::array<double, 3> power_around(const HannLine& line, double hz, double resolution_hz) {
+std::array<double, 3> power_around(const HannLine& line, double hz, double bin_hz) {
   std::array<double, 3> mean{};
   for (const double bins : {-9.0, -7.0, -5.0, -3.0, 3.0, 5.0, 7.0, 9.0}) {
-    const Phasors beside = line.at(hz + bins * resolution_hz);
+    const Phasors beside = line.at(hz + bins * bin_hz);
     for (std::size_t axis = 0; axis < 3; ++axis) mean[axis] += std::norm(beside[axis]) / 8;
   }
   return mean;
 }
+
+double resolution_hz(const RecordedTrial& trial) {
+  return trial.rate_hz / static_cast<double>(trial.samples());
+}
+
+constexpr double surely_stands_out = 12;  // in power
 
 /// Takes a sine off one of the axes.
 /// @param turn  of its phase from sample to sample
@@ -48,17 +54,16 @@ void take_off_axis(std::complex<double> phasor, std::complex<double> turn, Eigen
 
 /// The line near a frequency of the mains, if one stands out.
 std::optional<HumLine> hum_line(const RecordedTrial& trial, Sensed sensed, double nominal_hz) {
-  constexpr double stands_out = 12, stands_beside = 4;  // once for sure, on other axes for likely
+  constexpr double stands_beside = 4;  // on other axes than the one for sure
   const HannLine line(trial, sensed, nominal_hz);
   if (line.is_empty()) return std::nullopt;
   HumLine found{nominal_hz, strongest_hz(line, nominal_hz)};
   found.phasors = line.at(found.hz);
-  const double resolution_hz = trial.rate_hz / static_cast<double>(trial.samples());
-  found.around = power_around(line, found.hz, resolution_hz);
+  found.around = power_around(line, found.hz, resolution_hz(trial));
   bool is_sure = false;
   for (std::size_t axis = 0; axis < 3; ++axis) {
     found.hums[axis] = std::norm(found.phasors[axis]) > stands_beside * found.around[axis];
-    is_sure = is_sure || std::norm(found.phasors[axis]) > stands_out * found.around[axis];
+    is_sure = is_sure || std::norm(found.phasors[axis]) > surely_stands_out * found.around[axis];
   }
   return is_sure ? std::optional(found) : std::nullopt;
 }
@@ -86,6 +91,18 @@ std::vector<HumLine> hum_lines(const RecordedTrial& trial, Sensed sensed, Mains 
     if (const auto line = hum_line(trial, sensed, of.hz)) found.push_back(*line);
   }
   return found;
+}
+
+bool position_has(const HumLine& line, const RecordedTrial& trial) {
+  const Sensed seen =
+      trial.tracked_W.cols() > 0 ? &RecordedTrial::tracked_W : &RecordedTrial::position_W;  // as seen_W()
+  const HannLine of(trial, seen, line.nominal_hz);
+  if (of.is_empty()) return false;
+  const Phasors phasors = of.at(line.hz);
+  const std::array<double, 3> around = power_around(of, line.hz, resolution_hz(trial));
+  for (std::size_t axis = 0; axis < 3; ++axis)
+    if (std::norm(phasors[axis]) > surely_stands_out * around[axis]) return true;
+  return false;
 }
 
 MainsHum take_off(const std::vector<HumLine>& lines, Sensed sensed, RecordedTrial& trial) {

@@ -34,6 +34,9 @@ bool can_show_line(const RecordedTrial& trial, Sensed sensed, double nominal_hz)
 /// the whole trial) twelvefold in power, near 50 or 60 Hz. Whether it is hum, judge_hum says.
 std::vector<HumLine> hum_lines(const RecordedTrial& trial, Sensed sensed, Mains mains);
 
+/// Whether the finger's position has the line too: it vibrates, or its tracker hums.
+bool position_has(const HumLine& line, const RecordedTrial& trial);
+
 /// Takes lines out of what was sensed. What does not keep its phase, as a vibration of the pad at that
 /// frequency, stays.
 MainsHum take_off(const std::vector<HumLine>& lines, Sensed sensed, RecordedTrial& trial);

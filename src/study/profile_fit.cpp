@@ -159,6 +159,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
     refuse_told_by_few(fit);
     if (!no_slip.empty() || point.has_unseen_slip) refuse_unsure_slip(fit);
     doubt_zero(zero_doubt(fit, !measurement.looks_for_tare), fit);
+    doubt_straight_springs(fit);
   }
   return fit;
 }

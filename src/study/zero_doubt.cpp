@@ -76,6 +76,35 @@ void take_offset(double offset_n, double load_n, ZeroDoubt& doubt) {
   doubt.most = 1 / (1 - share);
 }
 
+/// What an offset along the plate adds to friction at right angles makes ruptures seem to need more of it, by
+/// half of the square of its share of friction, and one along the way about as much again where a push gives
+/// way one way alone. Axes, which are the spring's yield at that friction, come out longer by as much.
+void doubt_axes(double untared_share, std::string& widened, ProfileFit& fit) {
+  const PadValue& mu_static = value_of(fit.values, PadNumber::mu_static);
+  const bool is_seen = mu_static.refusal.empty() || mu_static.reason == RefusalReason::unknown_zero;
+  if (fit.offset.off == 0 || !is_seen || !(mu_static.value > 0)) return;
+  const double offset_share = fit.offset.typical_n / (mu_static.value * fit.mu_load_n),
+               times = 1 + untared_share * offset_share * offset_share;
+  for (const PadNumber number : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
+    const auto k = static_cast<std::size_t>(number);
+    PadValue& axis = fit.values[k];
+    const double below = axis.value / times;
+    if (!axis.refusal.empty()) continue;
+    if (below < (1 - most_moved) * axis.value) {
+      axis.refuse(RefusalReason::unknown_zero,
+                  fmt::format("the force is off by {} N along the plate, which makes ruptures seem to need "
+                              "more: it may be {} to {} ({})",
+                              rounded_text(fit.offset.typical_n, 2), rounded_text(below, 3),
+                              rounded_text(axis.value, 3), remedy));
+      fit.interval[k].reset();
+    } else if (fit.interval[k]) {
+      if (below < (1 - told_share) * axis.value)
+        widened += fmt::format("{}{}", widened.empty() ? "" : ", ", pad_number_keys[k]);
+      fit.interval[k]->first -= axis.value - below;
+    }
+  }
+}
+
 }  // namespace
 
 ZeroDoubt zero_doubt(const ProfileFit& fit, bool knows_zero) {
@@ -139,6 +168,7 @@ void doubt_zero(const ZeroDoubt& doubt, ProfileFit& fit) {
       fit.interval[k]->second += above - value;
     }
   }
+  doubt_axes(doubt.untared_share, widened, fit);
   if (!widened.empty())
     fit.doubts.push_back(
         fmt::format("force's zero: no moment in the air tells it in {} of {} trials, and {}: the intervals "

@@ -28,7 +28,7 @@ ZeroDoubt zero_doubt(const ProfileFit& fit, bool knows_zero);
 
 /// Widens the intervals of what rests on the force's zero by what an offset may do to it; refuses what one
 /// that is seen to be likely may change by more than a fifth, and the normal law where it has no interval
-/// that could allow for that.
+/// that could allow for that. Axes rest on the offset along the plate alone.
 void doubt_zero(const ZeroDoubt& doubt, ProfileFit& fit);
 
 }  // namespace fingerpad

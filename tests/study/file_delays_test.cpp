@@ -81,6 +81,20 @@ TEST(FileDelays, OfOneTrialIsToldByTheStretchesOfItsStick) {
   }
 }
 
+TEST(FileDelays, OneThatIsGivenIsHeldAgainstThem) {
+  test::KnownSensors sensors;
+  sensors.delay_s = 7.3e-3;
+  const auto steps_with = [&](double given_s) {
+    CleaningSettings settings;
+    settings.delay_s = given_s;
+    return clean(test::known_measurement({{2, 45, 0}, {2, 45, 90}, {2, 45, 45}}, {}, sensors, 1), settings)
+        .steps;
+  };
+  const auto is_doubted = Contains(HasSubstr("the one that was given is not among these"));
+  EXPECT_THAT(steps_with(7.3e-3), testing::Not(is_doubted));
+  EXPECT_THAT(steps_with(-7.3e-3), is_doubted);
+}
+
 TEST(FileDelays, NeitherIsOneThatNoSensorHas) {
   // Told by parts of one trial: 35 ms are longer than filters of sensors have.
   test::KnownSensors sensors;

@@ -177,6 +177,20 @@ TEST(FitFigures, AnAxisThatNoTrialWasPushedAlongIsSaidToBeSo) {
   EXPECT_EQ(force_displacement_figure(none.source).panels[0].title, "longitudinal");
 }
 
+TEST(FitFigures, PointsThatStandOnTheLineByConstructionAreSaidToDoSo) {
+  const auto notes_of = [](const std::vector<test::KnownTrial>& trials) {
+    const Pictured of(trials);
+    return all_notes(normalised_axes_figure(of.source));
+  };
+  EXPECT_THAT(notes_of({{2, 45, 0}, {2, 45, 90}, {2, 45, 45}}),
+              HasSubstr("subject 2 was pushed at one angle alone: by construction the mean of its points "));
+  EXPECT_THAT(notes_of({{1, 45, 45}, {1, 45, 45}, {2, 45, 45}, {3, 45, 45}, {3, 60, 45}, {3, 30, 45}}),
+              HasSubstr("subjects 1, 2 were pushed at one angle alone"));
+  EXPECT_THAT(notes_of({{2, 45, 0}, {2, 60, 0}, {2, 30, 0}, {2, 45, 90}, {2, 45, 90}}),
+              HasSubstr("subject 2 was pushed along the finger at one angle alone"));
+  EXPECT_THAT(notes_of({{2, 45, 45}, {2, 60, 45}, {2, 30, 45}}), Not(HasSubstr("by construction")));
+}
+
 /// By the law's forces both axes are told of one line, but how far stick reaches is seen along it alone.
 TEST(FitFigures, AnEllipseIsDrawnOnlyThroughBearingsThatTellItsAxes) {
   const auto ellipse = [](double bearing_deg, double other_deg) {

@@ -121,6 +121,26 @@ TEST(MainsHum, ALineThatIsNotThereInTheAirIsNone) {
   EXPECT_EQ(taken(judge_hum(in_air_too.trials, forces, Mains::any), 50), 3);
 }
 
+/// A finger that itself vibrates is pressed by a force that does, at any speed of its rubs: only the air
+/// tells it from hum.
+TEST(MainsHum, ALineThatThePositionHasTooIsNoneUnlessItIsInTheAir) {
+  const auto judged = [](double air_s, double position_hz) {
+    RecordedMeasurement recorded = test::known_measurement(swift_rubs, {}, sensors_with(air_s, 0), 3);
+    for (RecordedTrial& trial : recorded.trials) {
+      add_sine(trial, 50, 0.05, 0, trial.samples());
+      for (Eigen::Index i = 0; i < trial.samples(); ++i)
+        trial.position_W(2, i) +=
+            4e-5 * std::sin(2 * std::numbers::pi * position_hz * static_cast<double>(i) / trial.rate_hz);
+    }
+    return judge_hum(recorded.trials, forces, Mains::any);
+  };
+  const HumVerdict vibrates = judged(0, 50);
+  EXPECT_EQ(taken(vibrates, 50), 0);
+  EXPECT_THAT(vibrates.left_in, Contains(HasSubstr("the finger's position moves at that frequency too")));
+  EXPECT_EQ(taken(judged(0, 70), 50), 3) << "at another frequency";
+  EXPECT_EQ(taken(judged(0.3, 50), 50), 3) << "in the air too";
+}
+
 TEST(MainsHum, IsAskedForInTheAirBeforeMostTrialsAre) {
   // One trial of six hums, in the air too.
   std::vector<test::KnownTrial> rubs = swift_rubs;

@@ -19,6 +19,7 @@
 namespace fingerpad::profile_fit_test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::string written(const std::string& name, const std::string& text) {
@@ -126,6 +127,25 @@ TEST(ProfileFit, TheNoiseOfForcesIsNoMisfitAndMovesNoFriction) {
   const ProfileFit noisy = fitted(trials, 1, finger, sensors);
   EXPECT_EQ(noisy.residual.misfit, "");
   EXPECT_THAT(why(noisy, PadNumber::mu_static), HasSubstr("in 5 of 5 trials the forces' noise"));
+}
+
+/// Of a bent one the beginning is seen: 1/0.7 as long as where it ends.
+TEST(ProfileFit, ASpringWhoseEndIsNotSeenIsSaidToBeToldAsStraight) {
+  test::KnownFinger finger;
+  finger.cubic_share = 0.3;
+  const auto doubt = testing::Contains(
+      AllOf(HasSubstr("straight springs"), HasSubstr("cubic share of 0.3"), HasSubstr("lateral_axis_m")));
+  test::KnownSensors sensors = test::bad_sensors();
+  const std::vector<test::KnownTrial> across_and_along{{2, 45, 0}, {2, 45, 90}};
+  const ProfileFit seen = fitted(across_and_along, 702, finger, sensors);
+  ASSERT_EQ(why(seen, PadNumber::mu_static), "");
+  EXPECT_THAT(seen.doubts, testing::Not(doubt));
+  sensors.rate_hz = 250;  // too few samples a tooth
+  const ProfileFit unseen = fitted(across_and_along, 702, finger, sensors);
+  ASSERT_THAT(why(unseen, PadNumber::mu_static), HasSubstr("too few samples to tell where they gave way"));
+  ASSERT_EQ(why(unseen, PadNumber::lateral_axis), "");
+  EXPECT_NEAR(of(unseen, PadNumber::lateral_axis).value, 0.002 / 0.7, 0.002 * 0.15);
+  EXPECT_THAT(unseen.doubts, doubt);
 }
 
 TEST(ProfileFit, FindsTheKnownPadThroughBadSensors) {
@@ -440,8 +460,8 @@ TEST(ProfileFit, WhereNoStickIsSeenNoOtherWayToRubIsAdvised) {
   const ProfileFit noisy = fitted({{1, 45, 0}, {1, 45, 90}}, 1, {}, sensors);
   EXPECT_THAT(why(noisy, PadNumber::mu_static), HasSubstr("noise"));
   EXPECT_THAT(missing_axes_words(noisy),
-              testing::AllOf(HasSubstr("press harder, start and reverse slower"), HasSubstr("less noise"),
-                             testing::Not(HasSubstr("add a trial"))));
+              AllOf(HasSubstr("press harder, start and reverse slower"), HasSubstr("less noise"),
+                    testing::Not(HasSubstr("add a trial"))));
   const ProfileFit across = fitted({{1, 45, 0}, {1, 45, 0}}, 1);
   EXPECT_THAT(missing_axes_words(across), HasSubstr("add a trial that rubs along the finger"));
 }

@@ -15,10 +15,10 @@ using testing::Not;
 
 const std::vector<test::KnownTrial> rubs{{2, 45, 0}, {2, 45, 90}, {2, 45, 45}, {2, 45, 0}, {2, 45, 90}};
 
-/// A fit to rubs without a moment in the air, whose sensor is off.
+/// A fit to trials without a moment in the air, whose sensor is off.
 ProfileFit fitted(const Vec3& offset_n, const CleaningSettings& settings = {},
-                  const test::KnownFinger& finger = {}) {
-  RecordedMeasurement recorded = test::known_measurement(rubs, finger, {}, 1);
+                  const test::KnownFinger& finger = {}, const std::vector<test::KnownTrial>& trials = rubs) {
+  RecordedMeasurement recorded = test::known_measurement(trials, finger, {}, 1);
   for (RecordedTrial& trial : recorded.trials) trial.force_W.colwise() += offset_n;
   return fit_profile(clean(recorded, settings), {});
 }
@@ -50,6 +50,17 @@ TEST(ZeroDoubt, AnOffsetAlongTheNormalRefusesWhatItMoves) {
     EXPECT_TRUE(holds(fit, PadNumber::lateral_axis, 0.002)) << offset_n;
     EXPECT_THAT(missing_axes_words(fit), Not(HasSubstr("as mu_dynamic")));
   }
+}
+
+/// What it adds to friction makes ruptures seem to need more, and axes longer.
+TEST(ZeroDoubt, AxesAllowForAnOffsetAlongThePlateOrAreRefused) {
+  const ProfileFit off = fitted({0.1, 0.1, 0}, {}, {}, test::known_trials());
+  EXPECT_GT(of(off, PadNumber::lateral_axis).value, 1.03 * 0.002);
+  EXPECT_TRUE(holds(off, PadNumber::lateral_axis, 0.002));
+  EXPECT_TRUE(holds(off, PadNumber::longitudinal_axis, 0.0016));
+  const ProfileFit far_off = fitted({0.2, 0.2, 0});
+  EXPECT_THAT(of(far_off, PadNumber::lateral_axis).refusal,
+              AllOf(HasSubstr("the force is off by 0.28 N along the plate"), HasSubstr("--no-tare")));
 }
 
 TEST(ZeroDoubt, TheUsersWordThatItWasZeroedIsTaken) {

@@ -136,7 +136,7 @@ std::string noise_text(int sets, int first_seed, const test::KnownFinger& finger
 /// What the normal force alone comes to.
 std::string normal_text(int sets, int first_seed, const test::KnownFinger& finger) {
   const auto truth = test::known_numbers(finger, 1);
-  std::string text = "Of the normal force alone";
+  std::string text = fmt::format("Of {} sets of the normal force alone", sets);
   for (const bool is_given : {true, false}) {
     Watched alone{test::bad_sensors(), true, {}};
     if (is_given) alone.settings.delay_s = alone.sensors.delay_s;
@@ -145,8 +145,8 @@ std::string normal_text(int sets, int first_seed, const test::KnownFinger& finge
     for (const PadNumber number : {PadNumber::normal_stiffness, PadNumber::normal_exponent}) {
       const auto k = static_cast<std::size_t>(number);
       const Tally& of = found.of[k];
-      text += fmt::format("{} the interval of `{}` holds the truth in {}",
-                          number == PadNumber::normal_stiffness ? "" : " and", pad_number_keys[k], of.held);
+      text += fmt::format("\n{}the interval of `{}` holds the truth in {}",
+                          number == PadNumber::normal_stiffness ? "" : "and ", pad_number_keys[k], of.held);
       if (of.given < sets) text += fmt::format(" of {} (refused in {})", of.given, sets - of.given);
       if (of.given > 0)
         text += fmt::format(" ({} off, {} wide)", share_text(of.mean_error(), truth[k]),
