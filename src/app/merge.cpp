@@ -5,6 +5,7 @@
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
 #include "app/standard_streams.hpp"
+#include "base/count_words.hpp"
 
 namespace fingerpad {
 
@@ -28,8 +29,9 @@ void add_merge(CLI::App& program, Action& action) {
     action = [options] {
       const MergedShards merged = merge_shards(options->folders, options->out);
       if (!options->quiet)
-        print_out("{} shards: {} jobs, {} traces and summary.csv in {}\n", merged.shards, merged.jobs,
-                  merged.traces, options->out);
+        print_out("{}: {}, {} and summary.csv in {}\n",
+                  count_words(static_cast<std::size_t>(merged.shards), "shard"),
+                  count_words(merged.jobs, "job"), count_words(merged.traces, "trace"), options->out);
       return 0;
     };
   });

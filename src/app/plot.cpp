@@ -12,6 +12,7 @@
 #include "app/pad_charts.hpp"
 #include "app/standard_streams.hpp"
 #include "app/told_trace.hpp"
+#include "base/count_words.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/number_text.hpp"
@@ -60,7 +61,8 @@ void plot_alone(const PlotOptions& options) {
     const PlotSubject subject = options.show == "spectrum" ? PlotSubject::spectrum : PlotSubject::history;
     write_plot(input, options.out, options.width, subject, over_of(options.over));
   }
-  tell_written(options.quiet, options.out, fmt::format("{} of {} ticks", options.show, input.rows.size()));
+  tell_written(options.quiet, options.out,
+               fmt::format("{} of {}", options.show, count_words(input.rows.size(), "tick")));
 }
 
 /// Runs over one another, and what each has beyond the first.
@@ -73,10 +75,10 @@ void plot_runs(const PlotOptions& options, std::vector<ComparedRun> runs) {
     for (const std::string& words : comparison.notes) print_out("{}\n", words);
     for (const std::string& words : residual_words(comparison)) print_out("{}\n", words);
   }
-  const std::string what =
-      comparison.runs.size() > 1
-          ? fmt::format("{} overlaid", comparison.runs.size())
-          : fmt::format("{} of {} rows", fmt::join(comparison.columns, ", "), comparison.runs[0].x.size());
+  const std::string what = comparison.runs.size() > 1
+                               ? fmt::format("{} overlaid", comparison.runs.size())
+                               : fmt::format("{} of {}", fmt::join(comparison.columns, ", "),
+                                             count_words(comparison.runs[0].x.size(), "row"));
   tell_written(options.quiet, options.out, what);
 }
 

@@ -12,10 +12,13 @@
 #include "app/report_page.hpp"
 #include "app/report_run.hpp"
 #include "app/standard_streams.hpp"
+#include "base/count_words.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
 #include "base/output_place.hpp"
 #include "trace/output_file.hpp"
+#include "trace/trace.hpp"
+#include "trace/trace_glance.hpp"
 
 namespace fingerpad {
 namespace {
@@ -44,17 +47,52 @@ std::string missing_run(const JobOutcome& job, std::size_t rank, std::size_t det
            "be "
            "drawn.";
   if (rank >= details)
-    return fmt::format("Only the {} worst jobs are drawn; `fingerpad report --details` draws more.", details);
+    return fmt::format(
+        "Only the {} worst jobs are drawn; `fingerpad report --details` draws more. Of the others' traces "
+        "only the beginning and the end are looked at.",
+        details);
   return "";
 }
 
-/// Puts a damaged trace among its job's troubles, and tells it.
+/// Puts a damaged trace among its job's troubles.
 /// @param damage  which file, and what is wrong with it
 void flag(nlohmann::ordered_json& row, const std::string& trouble, const std::string& damage) {
   const auto before = row["trouble"].get<std::string>();
   row["trouble"] = before.empty() ? trouble : before + ", " + trouble;
   row["damage"] = damage;
-  print_err("fingerpad: warning: {}; `fingerpad replay --resume` makes it again\n", damage);
+}
+
+/// Flags the trace of a job that is not drawn, where its beginning or its end shows that it is damaged.
+void look_at_undrawn(const JobOutcome& job, nlohmann::ordered_json& row) {
+  if (looks_whole(job.trace)) return;
+  try {
+    const std::string ends_early = early_end_words(read_trace(job.trace, TraceContents::some_rows));
+    if (!ends_early.empty()) flag(row, "trace cut short", job.trace + ": " + ends_early);
+  } catch (const Error& error) {
+    if (error.kind() != ErrorKind::refused) throw;
+    flag(row, "trace cannot be read", error.what());
+  }
+}
+
+/// Flags a job that is done and has no trace, where others have.
+void flag_missing(const std::string& folder, const JobOutcome& job, nlohmann::ordered_json& row) {
+  const std::string name = job.number > 0 ? fmt::format("{}-{:04}", job.scene, job.number) : job.scene;
+  flag(row, "trace is missing",
+       fmt::format("{}: has no trace, as other jobs have", (fs::path(folder) / name).string()));
+}
+
+/// The first of them each in a line; the page flags all.
+void tell_damage(const nlohmann::ordered_json& rows) {
+  constexpr std::size_t most_told = 10;
+  std::size_t damaged = 0;
+  for (const auto& row : rows) {
+    if (!row.contains("damage") || ++damaged > most_told) continue;
+    print_err("fingerpad: warning: {}; `fingerpad replay --resume` makes it again\n",
+              row["damage"].get<std::string>());
+  }
+  if (damaged > most_told)
+    print_err("fingerpad: warning: and {} in the page's column `trouble`\n",
+              count_words(damaged - most_told, "more damaged trace"));
 }
 
 /// Adds the runs of the worst jobs. @returns how many
@@ -71,6 +109,8 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
     const JobOutcome& job = batch.jobs[order[rank].job];
     nlohmann::ordered_json& row = results["jobs"][order[rank].job];
     std::string note = missing_run(job, rank, options.details);
+    if (!note.empty() && !job.trace.empty()) look_at_undrawn(job, row);
+    if (traced > 0 && job.trace.empty() && job.done()) flag_missing(options.folder, job, row);
     if (note.empty()) {
       bar.show(static_cast<double>(rank) / static_cast<double>(order.size()),
                fmt::format("drawing job {} of {}", rank + 1, order.size()));
@@ -88,6 +128,7 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
     if (!note.empty()) row["note"] = note;
   }
   bar.finish();
+  tell_damage(results["jobs"]);
   if (runs) results["shapes"] = runs->shapes();
   return drawn;
 }
@@ -118,10 +159,9 @@ int report(const ReportOptions& options) {
   OutputFile file(out);
   file.write(page);
   file.commit();
-  tell_written(
-      options.quiet, out,
-      fmt::format("{} {}, {} of them drawn, {:.1f} MB", batch.jobs.size(),
-                  batch.jobs.size() == 1 ? "job" : "jobs", drawn, static_cast<double>(page.size()) / 1e6));
+  tell_written(options.quiet, out,
+               fmt::format("{}, {} of them drawn, {:.1f} MB", count_words(batch.jobs.size(), "job"), drawn,
+                           static_cast<double>(page.size()) / 1e6));
   return 0;
 }
 

@@ -7,12 +7,8 @@
 #include <map>
 #include <set>
 
-#include "base/csv_cell.hpp"
-#include "base/csv_cells.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
-#include "base/path_words.hpp"
-#include "base/text_lines.hpp"
 #include "motion/field_format.hpp"
 
 namespace fingerpad {
@@ -69,28 +65,6 @@ std::set<std::string> inputs_of(const std::vector<BatchJob>& jobs) {
     for (std::string& path : input_files(job.job.scene)) inputs.insert(std::move(path));
   }
   return inputs;
-}
-
-/// A scene of a summary that the batch does not have; empty if it has all.
-std::string scene_apart(const std::string& summary, const std::vector<BatchJob>& jobs) {
-  std::set<std::string> starts;
-  for (const BatchJob& job : jobs) starts.insert(csv_cell(job.job.scene.name));
-  TextLines lines(summary, {"a summary", std::uint64_t{2} << 30});
-  std::string_view line;
-  if (lines.next(line) && !line.starts_with("scene,job,")) return "another program";
-  while (lines.next(line)) {
-    const auto is_of = [&line](const std::string& start) {
-      return line.starts_with(start) && line.substr(start.size()).starts_with(',');
-    };
-    if (!line.empty() && std::none_of(starts.begin(), starts.end(), is_of))
-      return fmt::format("scene '{}'", csv_cells(line, ',').front());
-  }
-  return "";
-}
-
-/// "summary.kept-1.csv".
-std::string kept_name(const std::string& table, int number) {
-  return fmt::format("{}.kept-{}.csv", fs::path(table).stem().string(), number);
 }
 
 }  // namespace
@@ -164,29 +138,6 @@ std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const B
       names.push_back(trace_name(jobs[i].job, options.format));
   }
   return names;
-}
-
-void keep_other_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
-  const fs::path folder(options.out_dir);
-  const TableNames tables = table_names(options.shard, options.shard_count);
-  std::error_code none;
-  if (!fs::is_regular_file(folder / tables.summary, none)) return;
-  const std::string apart = scene_apart((folder / tables.summary).string(), jobs);
-  if (apart.empty()) return;
-  int number = 1;
-  while (fs::exists(folder / kept_name(tables.summary, number), none)) ++number;
-  for (const std::string& table : {tables.summary, tables.timing, tables.jobs}) {
-    std::error_code failure;
-    fs::rename(folder / table, folder / kept_name(table, number), failure);
-    if (failure && failure != std::errc::no_such_file_or_directory)
-      throw Error(output_fault(failure.value()), (folder / table).string(),
-                  fmt::format("is of {} and cannot be kept as {}: {}", apart, kept_name(table, number),
-                              path_words((folder / table).string(), failure.value())));
-  }
-  if (options.on_kept)
-    options.on_kept(fmt::format("{}: was of {}, which is not in this batch, and is kept as {}",
-                                (folder / tables.summary).string(), apart,
-                                kept_name(tables.summary, number)));
 }
 
 void refuse_collisions(const std::vector<BatchJob>& jobs, const BatchOptions& options) {

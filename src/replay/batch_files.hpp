@@ -49,9 +49,4 @@ std::vector<std::string> output_names(const std::vector<BatchJob>& jobs, const B
 /// trace would have the name of a table, and where an output is a file that the batch reads. Writes nothing.
 void refuse_collisions(const std::vector<BatchJob>& jobs, const BatchOptions& options);
 
-/// Gives the tables of this shard that are there another name where the summary has a row of a scene that is
-/// not in the batch, or is no summary at all: it would be lost. What the batch's own scenes left there is
-/// replaced. What was kept is told (BatchOptions::on_kept). Throws Error where the names cannot be changed.
-void keep_other_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options);
-
 }  // namespace fingerpad

@@ -147,59 +147,111 @@ PlannedJob planned(const BatchJob& batch_job, const BatchOptions& options, TickC
   return plan;
 }
 
-/// The costs of all kinds; a kind that cannot be tried makes its jobs fail.
-class Costs {
- public:
-  Costs(const BatchOptions& options) : options_(options), meshes_(8, options.on_load) {}
-
-  /// @returns  why the kind's jobs fail; empty if they do not
-  std::string take(const Scene& scene, double ticks, BatchPlan& plan) {
-    constexpr int most_tried = 8;
-    const auto [entry, is_new] = costs_.try_emplace(kind_of(scene));
-    if (is_new) {
-      ++plan.kinds;
-      try {
-        if (plan.measured < most_tried) {
-          entry->second.cost = tried(scene, meshes_, options_);
-          ++plan.measured;
-          if (entry->second.cost.s_per_tick > slowest_.s_per_tick) slowest_ = entry->second.cost;
-        } else {
-          entry->second.cost = slowest_;
-        }
-        plan.seconds += entry->second.cost.load_s;
-      } catch (const Error& error) {
-        entry->second.error = error.what();
-      }
-    }
-    const JobCost& cost = entry->second.cost;
-    plan.seconds += ticks * cost.s_per_tick / options_.threads;
-    plan.bytes += cost.bytes + ticks * cost.bytes_per_tick;
-    return entry->second.error;
+/// Of the files of a scene's meshes: by these loading takes longer and traces grow.
+double mesh_bytes(const Scene& scene) {
+  double bytes = 0;
+  for (const PartEntry& part : scene.parts) {
+    std::error_code none;
+    const auto size = std::filesystem::file_size(part.mesh_path, none);
+    if (!none) bytes += static_cast<double>(size);
   }
+  return bytes;
+}
 
- private:
-  struct Kind {
-    JobCost cost;
-    std::string error;
-  };
-  const BatchOptions& options_;
-  MeshStore meshes_;
-  std::map<std::string, Kind> costs_;
-  JobCost slowest_;
+struct Kind {
+  const Scene* scene = nullptr;  ///< of its first job
+  double mesh_bytes = 0;
+  JobCost cost = {};
+  bool is_tried = false;
+  std::string error = {};  ///< why it cannot be tried: its jobs fail
 };
+
+/// Kinds from the smallest mesh to the largest, those first that stand in even steps from end to end.
+std::vector<Kind*> in_order_of_trying(std::vector<Kind*> kinds, std::size_t count) {
+  std::stable_sort(kinds.begin(), kinds.end(),
+                   [](const Kind* a, const Kind* b) { return a->mesh_bytes < b->mesh_bytes; });
+  if (kinds.size() <= count) return kinds;
+  std::vector<Kind*> first, others;
+  for (std::size_t i = 0, next = 0; i < kinds.size(); ++i) {
+    const bool is_next = i == next * (kinds.size() - 1) / (count - 1);
+    (is_next ? first : others).push_back(kinds[i]);
+    if (is_next) ++next;
+  }
+  first.insert(first.end(), others.begin(), others.end());
+  return first;
+}
+
+/// What the kinds that were tried cost, as a straight line over their meshes' bytes, at least none.
+double on_line(const std::vector<const Kind*>& tried, double JobCost::*what, double mesh_bytes) {
+  double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
+  for (const Kind* kind : tried) {
+    mean_x += kind->mesh_bytes / static_cast<double>(tried.size());
+    mean_y += kind->cost.*what / static_cast<double>(tried.size());
+  }
+  for (const Kind* kind : tried) {
+    xx += (kind->mesh_bytes - mean_x) * (kind->mesh_bytes - mean_x);
+    xy += (kind->mesh_bytes - mean_x) * (kind->cost.*what - mean_y);
+  }
+  return std::max(0.0, mean_y + (xx > 0 ? xy / xx * (mesh_bytes - mean_x) : 0));
+}
+
+/// Tries some of the kinds, and reckons what the others cost: a tick what it does on average, the rest by
+/// their meshes.
+void measure(const std::vector<Kind*>& kinds, const BatchOptions& options, BatchPlan& plan) {
+  constexpr std::size_t most_tried = 8;
+  MeshStore meshes(8, options.on_load);
+  std::vector<const Kind*> tried_kinds;
+  for (Kind* kind : in_order_of_trying(kinds, most_tried)) {
+    if (tried_kinds.size() == most_tried) break;
+    try {
+      kind->cost = tried(*kind->scene, meshes, options);
+      kind->is_tried = true;
+      tried_kinds.push_back(kind);
+    } catch (const Error& error) {
+      kind->error = error.what();
+    }
+  }
+  plan.kinds = static_cast<int>(kinds.size());
+  plan.measured = static_cast<int>(tried_kinds.size());
+  for (Kind* kind : kinds) {
+    if (kind->is_tried || !kind->error.empty()) continue;
+    for (double JobCost::*const what : {&JobCost::load_s, &JobCost::bytes})
+      kind->cost.*what = on_line(tried_kinds, what, kind->mesh_bytes);
+    for (double JobCost::*const what : {&JobCost::s_per_tick, &JobCost::bytes_per_tick})
+      for (const Kind* other : tried_kinds)
+        kind->cost.*what += other->cost.*what / static_cast<double>(tried_kinds.size());
+  }
+}
 
 }  // namespace
 
 BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   BatchPlan plan;
   TickCounts ticks;
-  Costs costs(options);
+  std::map<std::string, Kind> kinds;
+  std::vector<Kind*> in_order, of_jobs;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
     if (!is_of_shard(i, options)) continue;
-    PlannedJob job = planned(jobs[i], options, ticks);
-    if (job.error.empty()) job.error = costs.take(jobs[i].job.scene, static_cast<double>(job.ticks), plan);
-    if (job.error.empty()) plan.ticks += static_cast<double>(job.ticks);
-    plan.jobs.push_back(std::move(job));
+    plan.jobs.push_back(planned(jobs[i], options, ticks));
+    of_jobs.push_back(nullptr);
+    if (!plan.jobs.back().error.empty()) continue;
+    const Scene& scene = jobs[i].job.scene;
+    const auto [entry, is_new] = kinds.try_emplace(kind_of(scene), Kind{&scene, mesh_bytes(scene)});
+    if (is_new) in_order.push_back(&entry->second);
+    of_jobs.back() = &entry->second;
+  }
+  measure(in_order, options, plan);
+  for (const Kind* kind : in_order) plan.seconds += kind->cost.load_s;
+  for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
+    if (of_jobs[i] == nullptr) continue;
+    PlannedJob& job = plan.jobs[i];
+    job.error = of_jobs[i]->error;
+    if (!job.error.empty()) continue;
+    const JobCost& cost = of_jobs[i]->cost;
+    const auto job_ticks = static_cast<double>(job.ticks);
+    plan.ticks += job_ticks;
+    plan.seconds += job_ticks * cost.s_per_tick / options.threads;
+    plan.bytes += cost.bytes + job_ticks * cost.bytes_per_tick;
   }
   return plan;
 }

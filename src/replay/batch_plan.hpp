@@ -25,9 +25,9 @@ struct BatchPlan {
 };
 
 /// Plans a batch without writing into its folder. The ticks are counted; time and disk are reckoned from a
-/// short try of one job for each set of parts with its contact method, at most eight, whose trace goes to the
-/// system's folder for temporary files and is removed again; further kinds are taken for as slow and large as
-/// the slowest tried.
+/// short try of one job for each set of parts with its contact method, at most eight, from the smallest mesh
+/// to the largest, whose trace goes to the system's folder for temporary files and is removed again. Of
+/// further kinds a tick is taken for an average one, loading and disk go by the size of their meshes' files.
 BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& options);
 
 }  // namespace fingerpad

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/output_place.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/kept_summary.hpp"
 #include "replay/run_proof.hpp"
 #include "replay/stale_traces.hpp"
 #include "replay/summary.hpp"
@@ -93,7 +94,8 @@ ClaimedFolder claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptio
         options.on_unfinished(
             fmt::format("{}: {} ended before it was done; this run takes its place", options.out_dir, run));
     }
-    // A lone scene may yet be refused, and leaves the folder as it was then: write_summary keeps it.
+    // A lone scene may yet be refused, and leaves the folder as it was then: the summary is kept as it
+    // begins.
     if (!is_lone_scene(jobs)) keep_other_summary(jobs, options);
     if (options.on_kept && options.resume) {
       const std::string words = words_of_other_build(jobs, options);

@@ -15,6 +15,7 @@
 #include "base/file_identity.hpp"
 #include "base/printable_text.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/kept_summary.hpp"
 #include "replay/run_job.hpp"
 #include "replay/summary_column.hpp"
 #include "touch/unit_hints.hpp"
@@ -96,15 +97,19 @@ void JobRunner::run_one(std::size_t index) {
                       : "";
   const auto before = options_.traces ? state_of(path) : std::nullopt;
   const auto unfinished_before = options_.traces ? state_of(path + ".part") : std::nullopt;
-  bool has_run = false;
+  bool has_begun = false;
   // It is under way from now on, however long its mesh takes to load.
   if (options_.on_ticks) options_.on_ticks(batch_job, 0);
   try {
     if (!job.error.empty()) throw Error(ErrorKind::refused, "", job.error);
-    JobOutput output{path, options_.format, options_.choice, options_.version, options_.resume, {}};
+    JobOutput output{path, options_.format, options_.choice, options_.version, options_.resume, {}, {}};
+    output.on_begin = [&] {
+      has_begun = true;
+      if (is_lone_scene(jobs_)) keep_other_summary(jobs_, options_);
+    };
     if (options_.on_ticks) output.on_ticks = [&](double share) { options_.on_ticks(batch_job, share); };
     const JobResult result = run_job(job.scene, meshes_, motions_, output);
-    has_run = true;
+    has_begun = true;  // or its trace was kept
     refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;
     batch_job.kept = result.kept;
@@ -130,7 +135,7 @@ void JobRunner::run_one(std::size_t index) {
     const bool is_as_before = !options_.traces || state_of(path) == before;
     if (is_as_before && before) batch_job.left_behind = path;
     batch_job.wrote_nothing =
-        !has_run && is_as_before && (!options_.traces || state_of(path + ".part") == unfinished_before);
+        !has_begun && is_as_before && (!options_.traces || state_of(path + ".part") == unfinished_before);
   }
   batch_job.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }

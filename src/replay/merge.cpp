@@ -87,7 +87,9 @@ fs::path table_of(const FoundShard& shard, std::string TableNames::*which) {
 
 Error refuse_unfinished_shard(const FoundShard& shard, std::size_t rows, std::size_t due) {
   return refused(table_of(shard, &TableNames::summary).string(),
-                 fmt::format("has {} of {} jobs: run that shard to its end with --resume", rows, due));
+                 fmt::format("has {} of {} jobs: run that shard to its end (with --resume where it writes "
+                             "traces)",
+                             rows, due));
 }
 
 /// Rows in the order of the batch: job i stands in shard i mod N.
@@ -144,22 +146,54 @@ void bring(const fs::path& from, const fs::path& to) {
   throw Error(output_fault(failure.value()), to.string(), "cannot be written: " + failure.message());
 }
 
-/// The trace of a row of the summary; empty for a job that failed.
-fs::path trace_of_row(const std::string& row, const ShardTable& summary, const fs::path& folder) {
-  const auto names = csv_cells(summary.header, ',');
+/// Where a table has this column; beyond its columns if nowhere.
+std::size_t place_of(std::string_view column, const ShardTable& table) {
+  const auto names = csv_cells(table.header, ',');
+  return static_cast<std::size_t>(std::find(names.begin(), names.end(), column) - names.begin());
+}
+
+/// The trace of a row of the summary, which need not be there; empty for a job that failed.
+fs::path trace_of_row(const std::string& row, std::size_t status, const fs::path& folder) {
   const auto cells = csv_cells(row, ',');
-  const auto status =
-      static_cast<std::size_t>(std::find(names.begin(), names.end(), "status") - names.begin());
   if (cells.size() <= status || cells.size() < 2 || cells[status] != "ok") return {};
   SceneJob job;
   job.scene.name = cells[0];
   job.number = std::atoi(std::string(cells[1]).c_str());
-  for (const TraceFormat format : {TraceFormat::hdf5, TraceFormat::csv}) {
+  const fs::path hdf5 = folder / trace_name(job, TraceFormat::hdf5),
+                 csv = folder / trace_name(job, TraceFormat::csv);
+  std::error_code none;
+  return fs::is_regular_file(csv, none) && !fs::is_regular_file(hdf5, none) ? csv : hdf5;
+}
+
+/// Whether the batch was to write traces (not with --format none): so its index says.
+bool names_traces(const ShardTable& index) {
+  const std::size_t file = place_of("file", index);
+  return std::any_of(index.rows.begin(), index.rows.end(), [file](const std::string& row) {
+    const auto cells = csv_cells(row, ',');
+    return file < cells.size() && !cells[file].empty();
+  });
+}
+
+/// The traces of all jobs that are done. Throws Error (refused) where one is gone.
+/// @param index  the batch's, if it has one; else one trace that is there tells that there were others
+std::vector<fs::path> traces_of(const ShardTable& summary, const std::vector<FoundShard>& shards,
+                                const ShardTable* index) {
+  std::vector<fs::path> traces;
+  fs::path gone;
+  const std::size_t status = place_of("status", summary);
+  for (std::size_t i = 0; i < summary.rows.size(); ++i) {
+    const fs::path trace = trace_of_row(summary.rows[i], status, shards[i % shards.size()].folder);
+    if (trace.empty()) continue;
     std::error_code none;
-    if (fs::is_regular_file(folder / trace_name(job, format), none)) return folder / trace_name(job, format);
+    if (fs::is_regular_file(trace, none))
+      traces.push_back(trace);
+    else if (gone.empty())
+      gone = trace;
   }
-  throw refused((folder / trace_name(job, TraceFormat::hdf5)).string(),
-                "is gone, but its shard's summary has it as done: run that shard again with --resume");
+  if (!gone.empty() && (index != nullptr ? names_traces(*index) : !traces.empty()))
+    throw refused(gone.string(),
+                  "is gone, but its shard's summary has it as done: run that shard again with --resume");
+  return traces;
 }
 
 void bring_trace(const fs::path& trace, const fs::path& out) {
@@ -179,17 +213,12 @@ MergedShards merge_shards(const std::vector<std::string>& folders, const std::st
   const ShardTable summary = merged_table(shards, &TableNames::summary);
   const ShardTable timing = merged_table(shards, &TableNames::timing);
   const TableNames names = table_names(1, 1);
-  std::vector<std::string> written{names.summary, names.timing, names.jobs, names.schema};
-  std::vector<fs::path> traces;
-  for (std::size_t i = 0; i < summary.rows.size(); ++i) {
-    const fs::path trace = trace_of_row(summary.rows[i], summary, shards[i % shards.size()].folder);
-    if (trace.empty()) continue;
-    traces.push_back(trace);
-    written.push_back(trace.filename().string());
-  }
   std::error_code none;
   const bool indexed = fs::exists(table_of(shards[0], &TableNames::jobs), none);
   const ShardTable index = indexed ? merged_table(shards, &TableNames::jobs) : ShardTable{};
+  const std::vector<fs::path> traces = traces_of(summary, shards, indexed ? &index : nullptr);
+  std::vector<std::string> written{names.summary, names.timing, names.jobs, names.schema};
+  for (const fs::path& trace : traces) written.push_back(trace.filename().string());
   make_folder(out);
   const RunLock lock(out, written);
   for (const fs::path& trace : traces) bring_trace(trace, out);

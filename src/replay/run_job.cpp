@@ -76,11 +76,10 @@ RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const 
   Figures figures(world);
   ClosedLoop loop(world, scene, path, info.changes);
   std::unique_ptr<TraceWriter> writer;
-  if (!output.path.empty()) {
-    const std::uint64_t rows = kept_rows(loop.tick_count(), info.every);
-    refuse_full_disk(output.path, output.format, info, rows);
-    writer = TraceWriter::create(output.path, output.format, info, *world, rows);
-  }
+  const std::uint64_t rows = kept_rows(loop.tick_count(), info.every);
+  if (!output.path.empty()) refuse_full_disk(output.path, output.format, info, rows);
+  if (output.on_begin) output.on_begin();
+  if (!output.path.empty()) writer = TraceWriter::create(output.path, output.format, info, *world, rows);
   constexpr long block_ticks = 64;   // that stay in the processor's nearest memory until they are written
   constexpr long told_ticks = 4096;  // between words on how far it is
   std::vector<TickRecord> block, kept;

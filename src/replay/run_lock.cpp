@@ -21,6 +21,7 @@
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
+#include "base/output_place.hpp"
 #include "base/path_words.hpp"
 #include "base/printable_text.hpp"
 
@@ -55,10 +56,15 @@ Error cannot_write_into(const std::string& folder) {
 
 /// The guard of a state folder, held by whoever reads or changes the registrations. Whoever finds the folder
 /// without registrations removes it with its guard; then it is made anew.
-std::optional<OpenFile> take_guard(const std::string& state, const std::string& folder) {
+/// @param makes_folder  makes the output folder again too, which a run that was refused may have just removed
+std::optional<OpenFile> take_guard(const std::string& state, const std::string& folder, bool makes_folder) {
   const std::string path = state + "/" + guard_name;
   for (const auto end = steady_clock::now() + guard_patience; steady_clock::now() < end;) {
-    if (mkdir(state.c_str(), 0777) != 0 && errno != EEXIST) throw cannot_write_into(folder);
+    if (mkdir(state.c_str(), 0777) != 0 && errno != EEXIST) {
+      if (!makes_folder || errno != ENOENT) throw cannot_write_into(folder);
+      make_folder(folder);
+      continue;
+    }
     OpenFile guard(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (guard.number() < 0 && errno == ENOENT) continue;
     if (guard.number() < 0) throw cannot_write(path);
@@ -204,7 +210,7 @@ void remove_if_unused(const std::string& state) {
 RunLock::RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run,
                  const std::function<void(const RunLock&)>& when_first)
     : folder_(folder + "/" + state_folder), others_stay_(!run.empty()) {
-  const auto guard = take_guard(folder_, folder);
+  const auto guard = take_guard(folder_, folder, true);
   if (!guard) {  // a file system without locks: nothing is left there
     remove_if_unused(folder_);
     if (!run.empty())
@@ -238,7 +244,7 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
 RunLock::~RunLock() {
   if (file_.number() < 0 || others_stay_) return;
   try {
-    const auto guard = take_guard(folder_, folder_);
+    const auto guard = take_guard(folder_, folder_, false);
     unlink(path_.c_str());
     remove_if_unused(folder_);
   } catch (const std::exception&) {

@@ -9,8 +9,10 @@
 #include "base/csv_cell.hpp"
 #include "base/csv_cells.hpp"
 #include "base/number_text.hpp"
+#include "base/printable_text.hpp"
 #include "base/text_lines.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/kept_summary.hpp"
 #include "replay/summary_column.hpp"
 #include "trace/job_index.hpp"
 #include "trace/output_file.hpp"
@@ -110,13 +112,13 @@ std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchO
   const TableNames names = table_names(options.shard, options.shard_count);
   const std::filesystem::path folder(options.out_dir);
   std::vector<Error> lost;
-  if (is_lone_scene(jobs)) {
-    if (run.empty() && leaves_folder_alone(jobs)) return lost;  // a rank that comes late looks for its run
-    try {
-      keep_other_summary(jobs, options);
-    } catch (const Error& error) {
-      return {error};
-    }
+  if (run.empty() && leaves_folder_alone(jobs)) return lost;  // a rank that comes late looks for its run
+  try {
+    if (is_lone_scene(jobs)) keep_other_summary(jobs, options);  // where its trace was kept, it did not begin
+    keep_done_summary(jobs, options);
+  } catch (const Error& error) {
+    if (is_lone_scene(jobs) && jobs[0].status == printable(error.what())) return lost;  // told as the job's
+    return {error};
   }
   write_table(folder / names.summary, summary_text(jobs), lost);
   write_table(folder / names.schema, summary_schema_text(set_keys(jobs)), lost);

@@ -13,7 +13,7 @@ namespace fingerpad {
 /// warnings: no times) and `timing.csv` (scene, job, seconds, the run of ranks) into the output folder: a row
 /// for each job that this call ran; and beside the summary what its columns are, `summary.schema.json`. With
 /// several shards the names carry the shard: `summary-2of8.csv`. Nothing is written where
-/// leaves_folder_alone(), and of a lone scene another one's summary is kept only now (keep_other_summary).
+/// leaves_folder_alone(). A summary of jobs that are done is kept beside one of a batch that has none.
 /// @param run  Ranks::run with missing_rank_words for each that never came; empty for a process alone
 /// @returns why, for each of them that could not be written
 std::vector<Error> write_summary(const std::vector<BatchJob>& jobs, const BatchOptions& options,

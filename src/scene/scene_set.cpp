@@ -3,32 +3,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <iterator>
-#include <limits>
 #include <tuple>
 
 #include "base/error.hpp"
-#include "base/printable_text.hpp"
-#include "scene/matching_files.hpp"
 #include "scene/scene_key.hpp"
-#include "scene/scene_values.hpp"
 #include "scene/set_range.hpp"
 #include "scene/toml_table.hpp"
 
 namespace fingerpad {
 namespace {
 
-namespace fs = std::filesystem;
-
-/// A key of a set with its dots written out.
-struct Leaf {
-  std::string key;
-  Place place;
-  const TomlNode* value = nullptr;
-};
-
-void collect_leaves(const TomlNode& table, const std::string& prefix, std::vector<Leaf>& leaves) {
+void collect_leaves(const TomlNode& table, const std::string& prefix, std::vector<SetLeaf>& leaves) {
   for (const TomlEntry& entry : table.entries) {
     const std::string key = prefix + entry.key;
     if (entry.value.is(TomlNode::Type::table) && !is_set_range(entry.value)) {
@@ -37,85 +23,6 @@ void collect_leaves(const TomlNode& table, const std::string& prefix, std::vecto
       leaves.push_back({key, entry.place, &entry.value});
     }
   }
-}
-
-std::string written_text(const TomlNode& value) {
-  if (value.is(TomlNode::Type::text)) return value.text;
-  return value.written.empty() ? write_toml_value(value) : value.written;
-}
-
-/// Adds one value of a key; a glob adds all its files.
-void add_value(SetAxis& axis, const TomlNode& value, const std::string& path) {
-  const bool names_file = axis.target == "part.mesh" || axis.target == "motion.file";
-  const bool glob =
-      names_file && value.is(TomlNode::Type::text) && value.text.find_first_of("*?[") != std::string::npos;
-  std::error_code ignored;
-  if (!glob || fs::exists(resolved_path(path, value.text), ignored)) {
-    axis.values.push_back({value, written_text(value)});
-    return;
-  }
-  const std::vector<std::string> files = matching_files(value.text, path);
-  if (files.empty()) {
-    throw refused(place_text(path, value.place), fmt::format("no file matches '{}'", value.text));
-  }
-  for (const std::string& file : files) {
-    if (!is_utf8(file)) {
-      throw refused(place_text(path, value.place),
-                    fmt::format("'{}' matches {}, whose name is not UTF-8, as a scene and its trace must be: "
-                                "rename it",
-                                value.text, printable(file)));
-    }
-    TomlNode name = toml_text(file);
-    name.place = value.place;
-    axis.values.push_back({std::move(name), file});
-  }
-}
-
-/// Of a key that takes whole numbers alone: once, not job by job. What is no number is for the key itself to
-/// refuse, and too many jobs are told of the set.
-void refuse_fractions(const SetAxis& axis, const std::string& path) {
-  const SceneKey* row = find_whole_key(axis.target);
-  if (row == nullptr || axis.values.size() > max_jobs) return;
-  const bool is_open = row->most_whole == std::numeric_limits<std::int64_t>::max();
-  const std::string end = is_open ? "on" : fmt::format("to {}", row->most_whole);
-  for (const SetValue& value : axis.values) {
-    if (!value.value.is(TomlNode::Type::number)) continue;
-    throw refused(
-        place_text(path, value.value.place),
-        fmt::format("'{}' in [[set]] takes whole numbers, and {} is none of them; give such from {} {}",
-                    axis.key, value.written, row->least_whole, end));
-  }
-}
-
-SetAxis read_axis(const Leaf& leaf, const std::string& path) {
-  const auto target = set_key_target(leaf.key);
-  if (!target) {
-    const std::string nearest = nearest_word(leaf.key, set_keys());
-    throw refused(
-        place_text(path, leaf.place),
-        fmt::format("unknown key '{}' in [[set]]{}; a set has 'mesh', 'motion', 'seed' and the dotted keys "
-                    "of a scene, such as 'friction.law'",
-                    leaf.key, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
-  }
-  SetAxis axis{leaf.key, *target, leaf.place, {}};
-  const bool is_range = is_set_range(*leaf.value);
-  const TomlNode value =
-      is_range ? range_values(*leaf.value, leaf.key, find_whole_key(*target) != nullptr, path) : *leaf.value;
-  const auto is_list = [](const TomlNode& item) { return item.is(TomlNode::Type::array); };
-  const bool list = is_list(value) && (is_range || !is_vector_key(*target) || value.items.empty() ||
-                                       std::any_of(value.items.begin(), value.items.end(), is_list));
-  if (!list) add_value(axis, value, path);
-  for (const TomlNode& item : list ? value.items : std::vector<TomlNode>{}) {
-    if (axis.values.size() > max_jobs) break;
-    add_value(axis, item, path);
-  }
-  if (axis.values.empty()) {
-    throw refused(
-        place_text(path, leaf.place),
-        fmt::format("'{}' in [[set]] has an empty list, so that the set would have no jobs", leaf.key));
-  }
-  refuse_fractions(axis, path);
-  return axis;
 }
 
 /// Lists that go side by side are equally long.
@@ -131,14 +38,14 @@ void refuse_other_lengths(const std::vector<SetAxis>& axes, const std::string& p
 }
 
 SetEntry read_entry(const TomlNode& table, const std::string& path) {
-  std::vector<Leaf> leaves;
+  std::vector<SetLeaf> leaves;
   collect_leaves(table, "", leaves);
-  std::stable_sort(leaves.begin(), leaves.end(), [](const Leaf& a, const Leaf& b) {
+  std::stable_sort(leaves.begin(), leaves.end(), [](const SetLeaf& a, const SetLeaf& b) {
     return std::tie(a.place.line, a.place.column) < std::tie(b.place.line, b.place.column);
   });
   SetEntry entry;
   std::vector<SetAxis>& axes = entry.axes;
-  for (const Leaf& leaf : leaves) {
+  for (const SetLeaf& leaf : leaves) {
     if (leaf.key == "zip") {
       if (!leaf.value->is(TomlNode::Type::boolean))
         throw refused(place_text(path, leaf.place), "'zip' in [[set]] is true or false");

@@ -5,26 +5,10 @@
 #include <utility>
 #include <vector>
 
+#include "scene/set_axis.hpp"
 #include "scene/toml_tree.hpp"
 
 namespace fingerpad {
-
-/// One value of a set's key.
-struct SetValue {
-  TomlNode value;
-  std::string written;  ///< as the file writes it: a text without its quotes; for a glob, the file found
-};
-
-/// At most so many jobs are run from one file.
-inline constexpr std::size_t max_jobs = 100000;
-
-/// One key of a [[set]] entry with its values.
-struct SetAxis {
-  std::string key;               ///< as written, dotted
-  std::string target;            ///< full dotted name in the scene
-  Place place;                   ///< of the key
-  std::vector<SetValue> values;  ///< no more than max_jobs + 1: that many are too many whatever they are
-};
 
 /// One [[set]] entry: its keys in the order written. Its jobs are their product, last key fastest; with
 /// `zip = true` its lists go side by side, and a key of one value goes with all of them.

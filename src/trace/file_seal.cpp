@@ -66,6 +66,15 @@ bool append_seal(std::FILE* file, const SealBytes& seal) {
   return false;
 }
 
+/// The last bytes, where they are a seal.
+std::optional<SealBytes> last_seal(std::FILE* file, std::uint64_t size) {
+  SealBytes found{};
+  if (size < sizeof(found)) return std::nullopt;
+  std::fseek(file, -static_cast<long>(sizeof(found)), SEEK_END);
+  if (std::fread(&found, sizeof(found), 1, file) != 1 || found.mark != mark) return std::nullopt;
+  return found;
+}
+
 }  // namespace
 
 FileSum seal_file(const std::string& path) {
@@ -86,13 +95,18 @@ Seal check_seal(const std::string& path) {
   const File file(std::fopen(path.c_str(), "rb"));
   const auto size = file ? size_of(file.get()) : std::nullopt;
   if (!size) throw refused(path, "cannot be read: " + path_words(path, errno));
-  SealBytes found{};
-  if (*size < sizeof(found)) return Seal::none;
-  std::fseek(file.get(), -static_cast<long>(sizeof(found)), SEEK_END);
-  if (std::fread(&found, sizeof(found), 1, file.get()) != 1 || found.mark != mark) return Seal::none;
+  const auto found = last_seal(file.get(), *size);
+  if (!found) return Seal::none;
   Checksum contents;
-  const auto due = seal_of(file.get(), *size - sizeof(found), contents);
-  return due && found.size == due->size && found.checksum == due->checksum ? Seal::whole : Seal::broken;
+  const auto due = seal_of(file.get(), *size - sizeof(*found), contents);
+  return due && found->size == due->size && found->checksum == due->checksum ? Seal::whole : Seal::broken;
+}
+
+bool ends_with_seal(const std::string& path) {
+  const File file(std::fopen(path.c_str(), "rb"));
+  const auto size = file ? size_of(file.get()) : std::nullopt;
+  const auto found = size ? last_seal(file.get(), *size) : std::nullopt;
+  return found && found->size == *size - sizeof(*found);
 }
 
 }  // namespace fingerpad

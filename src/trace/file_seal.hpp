@@ -22,4 +22,7 @@ FileSum seal_file(const std::string& path);
 /// Reads the whole file. Throws Error (refused) if it cannot be read.
 Seal check_seal(const std::string& path);
 
+/// Whether a seal stands at the file's end, and names the length that the file has: by its last bytes alone.
+bool ends_with_seal(const std::string& path);
+
 }  // namespace fingerpad

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "base/count_words.hpp"
 #include "base/number_text.hpp"
 #include "view/comparison.hpp"
 
@@ -105,9 +106,10 @@ std::vector<std::string> residual_words(const Comparison& comparison) {
   for (const Residual& residual : comparison.residuals) {
     const auto ticks = std::count_if(residual.values.begin(), residual.values.end(),
                                      [](double value) { return std::isfinite(value); });
-    words.push_back(fmt::format("{}: RMS {}{}, '{}' less '{}', {} ticks", residual.column,
+    words.push_back(fmt::format("{}: RMS {}{}, '{}' less '{}', {}", residual.column,
                                 rounded_text(residual.rms, 6), unit_words(residual.unit),
-                                comparison.runs[residual.run].name, comparison.runs[0].name, ticks));
+                                comparison.runs[residual.run].name, comparison.runs[0].name,
+                                count_words(static_cast<std::size_t>(ticks), "tick")));
   }
   return words;
 }

@@ -3,7 +3,9 @@
 
 #include <fstream>
 
+#include "support/mesh_files.hpp"
 #include "support/paths.hpp"
+#include "support/shapes.hpp"
 #include "support/shell.hpp"
 
 // What `replay --dry-run` says before anything is written.
@@ -35,6 +37,28 @@ TEST(DryRun, ListsJobsWithTheirTicksAndReckonsTimeAndDisk) {
     bytes += static_cast<double>(fs::file_size(folder / "o" / name));
   }
   const std::size_t at = planned.out.find("thread, ");
+  EXPECT_NEAR(std::stod(planned.out.substr(at + 8)) * 1e6, bytes, 0.2 * bytes) << planned.out;
+}
+
+/// At most eight kinds are tried, however many small ones stand before the large ones.
+TEST(DryRun, ReckonsTheDiskOfPartsThatItDoesNotTryByTheirMeshes) {
+  const fs::path folder = test::scratch_dir();
+  for (int k = 0; k < 16; ++k)
+    std::ofstream(folder / (std::string(1, static_cast<char>('a' + k)) + ".stl"))
+        << test::binary_stl(test::sphere_soup(10, k < 9 ? 1 : 4));
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[part]]\nmesh = \"a.stl\"\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0.009]\nto_m "
+         "= "
+         "[0.001, 0, 0.009]\nspeed_m_per_s = 0.1\nrate_hz = 1000\n[[set]]\nmesh = \"*.stl\"\n";
+  const auto planned = test::fingerpad("replay s.toml --out o --dry-run --jobs 1", folder);
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  EXPECT_THAT(planned.out, HasSubstr("from 8 of 16 kinds of jobs tried"));
+  ASSERT_EQ(test::fingerpad("replay s.toml --out o --quiet", folder).exit_code, 0);
+  double bytes = 0;
+  for (const auto& entry : fs::directory_iterator(folder / "o"))
+    bytes += entry.path().extension() == ".h5" ? static_cast<double>(fs::file_size(entry)) : 0;
+  const std::size_t at = planned.out.find("thread, ");
+  ASSERT_THAT(planned.out.substr(at), testing::ContainsRegex("^thread, [0-9.]+ MB")) << planned.out;
   EXPECT_NEAR(std::stod(planned.out.substr(at + 8)) * 1e6, bytes, 0.2 * bytes) << planned.out;
 }
 

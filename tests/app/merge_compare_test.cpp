@@ -59,6 +59,25 @@ TEST(Merge, OfShardsIsByteForByteASingleRun) {
   }
 }
 
+TEST(Merge, OfShardsWithoutTracesPutsTheirTablesTogether) {
+  const fs::path folder = folder_with_set();
+  std::ofstream(folder / "plain.toml") << bytes_of(folder / "s.toml")
+                                              .substr(0, bytes_of(folder / "s.toml").find("[[set]]"))
+                                              .replace(8, 1, "p");
+  for (const std::string scenes : {"s.toml", "plain.toml", "s.toml plain.toml"}) {
+    const std::string call = "replay " + scenes + " --format none --quiet --out ";
+    fs::remove_all(folder / "o");
+    fs::remove_all(folder / "whole");
+    ASSERT_EQ(test::fingerpad(call + "whole", folder).exit_code, 0);
+    for (const char* shard : {"1/2", "2/2"})
+      ASSERT_EQ(test::fingerpad(call + "o --shard " + shard, folder).exit_code, 0);
+    const auto merged = test::fingerpad("merge o --out o", folder);
+    EXPECT_EQ(merged.exit_code, 0) << merged.err;
+    EXPECT_THAT(merged.out, HasSubstr(", 0 traces and summary.csv in o\n"));
+    EXPECT_EQ(bytes_of(folder / "whole" / "summary.csv"), bytes_of(folder / "o" / "summary.csv"));
+  }
+}
+
 TEST(Merge, OfWhatIsNoWholeBatchIsRefused) {
   const fs::path folder = folder_with_set();
   for (const char* shard : {"1/3", "2/3", "1/2"}) {
@@ -81,7 +100,8 @@ TEST(Merge, OfWhatIsNoWholeBatchIsRefused) {
   EXPECT_THAT(told("o13 o23"), HasSubstr("s-0002.h5: is gone, but its shard's summary has it as done"));
   const std::string summary = bytes_of(folder / "o13" / "summary-1of3.csv");
   std::ofstream(folder / "o13" / "summary-1of3.csv") << summary.substr(0, summary.rfind("s,4,"));
-  EXPECT_THAT(told("o13 o23"), HasSubstr("summary-1of3.csv: has 1 of 2 jobs: run that shard to its end"));
+  EXPECT_THAT(told("o13 o23"), HasSubstr("summary-1of3.csv: has 1 of 2 jobs: run that shard to its end (with "
+                                         "--resume where it writes traces)"));
   std::ofstream(folder / "o13" / "summary-1of3.csv") << summary;
   std::ofstream(folder / "o13" / "summary-3of3.csv") << "scene,job,seed,status\ns,3,3,ok\n";
   EXPECT_THAT(told("o13 o23"), HasSubstr("it is of another batch"));

@@ -80,6 +80,36 @@ TEST(ASecondReplay, OfALoneSceneThatIsRefusedLeavesTheFolderAsItWas) {
   EXPECT_TRUE(fs::exists(folder / "out" / "summary.kept-1.csv"));
 }
 
+TEST(ASecondReplay, OfWhichNoJobIsDoneKeepsTheSummaryOfJobsThatAre) {
+  const fs::path folder = folder_with_scenes();
+  const std::string scene = bytes_of(folder / "a.toml");
+  const std::string set = "[[set]]\nseed = [1, 2]\n";
+  std::ofstream(folder / "a.toml") << scene << set;
+  const std::string call = "replay a.toml --out out";
+  ASSERT_EQ(test::fingerpad(call, folder).exit_code, 0);
+  const std::string summary = bytes_of(folder / "out" / "summary.csv");
+  const std::string trace = bytes_of(folder / "out" / "a-0001.h5");
+  std::ofstream(folder / "a.toml") << "[[part]]\nmesh = \"none.stl\"\n"
+                                   << scene.substr(scene.find("[motion]")) << set;
+  const auto refused = test::fingerpad(call, folder);
+  EXPECT_EQ(refused.exit_code, 4);
+  EXPECT_THAT(refused.err,
+              HasSubstr("out/summary.csv: had jobs that are done, as none of this batch is, and is "
+                        "kept as summary.kept-1.csv\n"));
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.kept-1.csv"), summary);
+  EXPECT_THAT(bytes_of(folder / "out" / "summary.csv"), HasSubstr("none.stl"));
+  EXPECT_TRUE(fs::exists(folder / "out" / "jobs.csv"));
+  EXPECT_EQ(bytes_of(folder / "out" / "a-0001.h5"), trace);
+  EXPECT_THAT(test::fingerpad(call, folder).err, testing::Not(HasSubstr("kept as")));
+  EXPECT_FALSE(fs::exists(folder / "out" / "summary.kept-2.csv"))
+      << "one without jobs that are done is replaced";
+  std::ofstream(folder / "a.toml") << scene << set;
+  EXPECT_THAT(test::fingerpad(call + " --resume", folder).out,
+              HasSubstr("2 of 2 jobs done (2 kept from before)"));
+  EXPECT_EQ(bytes_of(folder / "out" / "summary.csv"), summary);
+  EXPECT_FALSE(fs::exists(folder / "out" / "summary.kept-2.csv"));
+}
+
 TEST(ASecondReplay, KeepsATableOfAnotherProgram) {
   const fs::path folder = folder_with_scenes();
   fs::create_directory(folder / "out");

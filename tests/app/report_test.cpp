@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -135,6 +136,46 @@ TEST(Report, FlagsATraceThatIsCutShort) {
   const json results = results_in(test::bytes_of(folder / "page.html"));
   EXPECT_THAT(results["jobs"][1]["trouble"], HasSubstr("trace cut short"));
   EXPECT_THAT(results["jobs"][1]["damage"], HasSubstr("s-0002.csv: ends within a row"));
+}
+
+TEST(Report, LooksAtTheEndsOfTheTracesThatItDoesNotDraw) {
+  for (const std::string format : {"h5", "csv"}) {
+    const fs::path folder = folder_with_set("--format " + format), out = folder / "a<b";
+    const auto report = [&] {
+      const auto told = test::fingerpad("report 'a<b' --details 1 --out page.html", folder);
+      EXPECT_THAT(told.out, HasSubstr("6 jobs, 0 of them drawn")) << "the worst has failed";
+      return told.err;
+    };
+    EXPECT_EQ(report(), "");
+    fs::resize_file(out / ("s-0001." + format), fs::file_size(out / ("s-0001." + format)) / 2);
+    fs::remove(out / ("s-0003." + format));
+    const std::string told = report();
+    EXPECT_THAT(told, HasSubstr("fingerpad: warning: a<b/s-0001." + format));
+    EXPECT_THAT(told, HasSubstr("fingerpad: warning: a<b/s-0003: has no trace, as other jobs have; "));
+    const json results = results_in(test::bytes_of(folder / "page.html"));
+    EXPECT_THAT(results["jobs"][0]["trouble"], HasSubstr("trace c")) << "cut short, or cannot be read";
+    EXPECT_THAT(results["jobs"][0]["note"], HasSubstr("only the beginning and the end are looked at"));
+    EXPECT_FALSE(results["jobs"][1].contains("damage")) << "a sound one";
+    EXPECT_THAT(results["jobs"][2]["trouble"], HasSubstr("trace is missing"));
+    EXPECT_FALSE(results["jobs"][4].contains("damage")) << "a job that failed has none";
+  }
+}
+
+TEST(Report, TellsTheFirstOfManyDamagedTraces) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = "
+         "\"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.01, 0, "
+         "-0.001]\nspeed_m_per_s = 0.2\n[[set]]\nseed = { from = 1, to = 13, steps "
+         "= 13 }\n";
+  ASSERT_EQ(test::fingerpad("replay s.toml --quiet --format csv --out o", folder).exit_code, 0);
+  for (int k = 1; k <= 12; ++k)
+    std::ofstream(folder / "o" / ("s-00" + std::string(k < 10 ? "0" : "") + std::to_string(k) + ".csv"))
+        << "";
+  const auto told = test::fingerpad("report o --quiet", folder);
+  EXPECT_EQ(std::count(told.err.begin(), told.err.end(), '\n'), 11) << told.err;
+  EXPECT_THAT(told.err, HasSubstr("warning: o/s-0010.csv: is empty; "));
+  EXPECT_THAT(told.err, HasSubstr("warning: and 2 more damaged traces in the page's column `trouble`\n"));
 }
 
 TEST(Report, OfCsvTracesShowsThePathAndSaysWhyThereIsNoPart) {

@@ -98,6 +98,25 @@ TEST(Batch, AJobIsUnderWayFromItsBeginningOn) {
   for (const auto& [job, share] : first_share) EXPECT_EQ(share, 0) << job;
 }
 
+/// Whoever ends it then loses no table.
+TEST(Batch, ALoneSceneKeepsAnotherOnesSummaryAsItBegins) {
+  const auto folder = test::scratch_dir();
+  const auto other = write_scene(folder, "other", std::string(plane) + rub);
+  run({other}, options_for(folder / "out"));
+  const std::string summary = bytes_of(folder / "out" / "summary.csv");
+  BatchOptions options = options_for(folder / "out");
+  options.on_ticks = [&](const BatchJob&, double share) {
+    const fs::path kept = folder / "out" / "summary.kept-1.csv";
+    EXPECT_EQ(fs::exists(kept), share > 0) << share;
+    if (share > 0) {
+      EXPECT_EQ(bytes_of(kept), summary);
+    }
+  };
+  run({write_scene(folder, "alone", std::string(plane) + rub)}, options);
+  EXPECT_TRUE(fs::exists(folder / "out" / "summary.csv"));
+  EXPECT_FALSE(fs::exists(folder / "out" / "summary.kept-2.csv"));
+}
+
 TEST(Batch, ShardsTogetherMakeTheWhole) {
   const auto folder = test::scratch_dir();
   const auto scene = write_scene(folder, "sweep", sweep);

@@ -26,5 +26,21 @@ TEST(RunLock, WhoseFolderHasBecomeAFileIsNoFaultOfTheCall) {
   }
 }
 
+/// As when it was found empty by a run that was refused, and that had made it.
+TEST(RunLock, WhoseFolderHasJustBeenRemovedMakesItAgain) {
+  const fs::path out = test::scratch_dir() / "new" / "out";
+  const RunLock lock(out.string(), {"summary.csv"});
+  EXPECT_TRUE(fs::exists(out / ".fingerpad" / "run-1.lock"));
+}
+
+TEST(RunLock, ThatEndsDoesNotMakeAFolderAgainThatWasRemoved) {
+  const fs::path out = test::scratch_dir() / "out";
+  {
+    const RunLock lock(out.string(), {"summary.csv"});
+    fs::remove_all(out);
+  }
+  EXPECT_FALSE(fs::exists(out));
+}
+
 }  // namespace
 }  // namespace fingerpad::run_lock_test

@@ -11,6 +11,7 @@ using test::plane_scene;
 using test::refusal;
 using testing::ElementsAre;
 using testing::HasSubstr;
+using testing::Not;
 using testing::StartsWith;
 
 /// Each job's values as one text: "a b c".
@@ -176,6 +177,12 @@ TEST(SceneSet, AValueOutOfRangeFailsItsJobAlone) {
 TEST(SceneSet, AnUnknownKeyRefusesTheWholeFileAtItsLine) {
   EXPECT_THAT(refusal(plane_scene + "[[set]]\nfriction.lw = [\"none\"]\n"),
               StartsWith("s.toml:6:10: unknown key 'friction.lw' in [[set]]; did you mean 'friction.law'?"));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nmotion.turs = 1\n"),
+              HasSubstr("; did you mean 'motion.turns'?"));
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nmotion.bogus = 1\n"), Not(HasSubstr("did you mean")))
+      << "a table's name says nothing";
+  EXPECT_THAT(refusal(plane_scene + "[[set]]\nfrction.law = 1\n"),
+              HasSubstr("; did you mean 'friction.law'?"));
   EXPECT_THAT(refusal(plane_scene + "[[set]]\nname = [\"a\"]\n"),
               StartsWith("s.toml:6:1: unknown key 'name'"));
   EXPECT_THAT(refusal(plane_scene + "[[set]]\ncolour = 1\n"), StartsWith("s.toml:6:1: unknown key 'colour'"));
