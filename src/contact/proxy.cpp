@@ -112,13 +112,20 @@ void Proxy::settle(const ProxyLeash& leash) noexcept {
       break;
     }
     if (sight_->looks().are_spent()) return break_off({});
-    const ProxyStep step = sight_->step(state_.place_O, goal_O, {leash.step_m, bent_m});
+    const ProxyStep step = sight_->step(state_.place_O, goal_O, {leash.step_m, bent_m, aside_m()});
     if (step.broken_off) return break_off(step);
     if (advance(step, leash)) return;
     // Ways that converge get shorter by more than that.
     bent_m = k == 0 ? leash.step_m : step.bent ? ProxyLimits::next_bend * step.z.norm() : bent_m;
   }
   state_.contact.settled = goal_O == state_.place_O;
+}
+
+/// How far the finger is off to the side of its last push: what the proxy has to slide, about.
+double Proxy::aside_m() const noexcept {
+  const Vec3 way = state_.goal_O - state_.place_O;
+  if (state_.last_push_W.isZero(0)) return way.norm();
+  return (way - way.dot(state_.last_direction_W) * state_.last_direction_W).norm();
 }
 
 /// Stays, with the walls that the step has found so far, or else those of before.

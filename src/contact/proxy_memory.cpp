@@ -118,7 +118,7 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
 bool ProxyMemory::extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept {
   const Vec3 way = to_O - from_O;
   const double way_m = way.norm(), lead_m = Limits::lead * view_reach_m_;
-  if (!(way_m < lead_m)) return false;
+  if (!(way_m < lead_m) || is_past_views()) return false;
   look_ahead(from_O, way_m, lead_m / way_m * way);
   const ProxyWall wall = room_.walls_O[0].seen_from(from_O);
   const std::span walls(&wall, 1);
@@ -138,6 +138,7 @@ bool ProxyMemory::make_room(std::span<const ProxyWall> walls, const Vec3& centre
 /// proxy.
 bool ProxyMemory::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                               const ProxyWall& here) noexcept {
+  if (is_outrun(far.norm())) return false;
   look_over_edge(place_O, over, far);
   const Vec3 edge_O = place_O + over;
   const bool is_in_room =

@@ -50,6 +50,11 @@ struct ProxyMemoryLimits {
   /// A search for the richest view that was broken off, and before which a tick had looked at so much, is
   /// made again in the next tick.
   static constexpr long late = 1000;
+  /// A way so many times as long counts for whether views would outrun a tick's looks: one does not know
+  /// what the next views will cost, and is not to find out late.
+  static constexpr double eager = 2;
+  /// Packets that are looked at for a triangle that is about the closest: a hint, which need not be it.
+  static constexpr int closest_packets = 40;
   /// Farther than this from a part, in its sizes, the distance to its box is near enough to the truth.
   static constexpr double far_from_box = 4;
   /// Flights through free balls in a tick, each to this share of the ball, so that it ends in front of what

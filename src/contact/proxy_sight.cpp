@@ -27,12 +27,13 @@ std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxySt
 
 }  // namespace
 
-/// Calls `visit(corners, triangle)` for each triangle of a part that is within reach, from `next` on. False
-/// where the looks were spent before the end.
-/// @param reach_m, sieve  of no matter where the looks have no end: that search is the plain one
+/// Calls `visit(corners, triangle)` for each triangle of a part that the ball may come upon on a way, from
+/// `next` on. False where the looks were spent before the end.
+/// @param sieve  of no matter where the looks have no end: that search is the plain one
 template <class Visit>
-bool ProxySight::each_within_reach(int surface, const Vec3& at_P, double reach_m, std::size_t& next,
-                                   const PacketSieve* sieve, Visit visit) noexcept {
+bool ProxySight::each_beside_way(const PartWay& way, std::size_t& next, const PacketSieve* sieve,
+                                 Visit visit) noexcept {
+  const int surface = way.surface;
   const TriangleTree& tree = *world_.surface(surface).tree;
   struct Passing {
     const Part* part;
@@ -43,8 +44,9 @@ bool ProxySight::each_within_reach(int surface, const Vec3& at_P, double reach_m
     (*p.visit)(corners_of(*p.part, triangle), triangle);
   };
   if (!looks_.is_unlimited())
-    return tree.each_within(at_P, world_.clearance_m() + reach_m, next, looks_, sieve, pass_on, &passing);
-  tree.each_within(at_P, world_.clearance_m() + reach_m_, pass_on, &passing);
+    return tree.each_beside(way.from_P, way.way_P, reach_of(world_.clearance_m()), next, looks_, sieve,
+                            pass_on, &passing);
+  tree.each_within(way.from_P, world_.clearance_m() + reach_m_, pass_on, &passing);
   return true;
 }
 
@@ -87,18 +89,16 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
   const PartWalls before(world_, surface, walls, way.from_P);
   const WaySieve sieve(world_, way, before, round.worst);
   const PacketSieve asked = sieve.asked();
-  const double reach_m = std::min(reach_m_, reach_of(way.way_P.norm()));
-  return each_within_reach(
-      surface, way.from_P, reach_m, round.next, &asked, [&](const TriangleCorners& corners, int triangle) {
-        looks_.spend(LookCosts::fetched_cleared);
-        if (before.hide(corners)) return;
-        if (!looks_.is_unlimited() && round.worst.is_cleared_by_facet(world_, way, corners)) return;
-        looks_.spend(LookCosts::told);
-        const TriangleApproach a = approach_triangle(corners, way.from_P);
-        const long before_it = round.worst.looks;
-        round.worst.offer_triangle(world_, way, corners, triangle, {a.at.point, a.towards, a.distance_m});
-        looks_.spend(round.worst.looks - before_it);
-      });
+  return each_beside_way(way, round.next, &asked, [&](const TriangleCorners& corners, int triangle) {
+    looks_.spend(LookCosts::fetched_cleared);
+    if (before.hide(corners)) return;
+    if (!looks_.is_unlimited() && round.worst.is_cleared_by_facet(world_, way, corners)) return;
+    looks_.spend(LookCosts::told);
+    const TriangleApproach a = approach_triangle(corners, way.from_P);
+    const long before_it = round.worst.looks;
+    round.worst.offer_triangle(world_, way, corners, triangle, {a.at.point, a.towards, a.distance_m});
+    looks_.spend(round.worst.looks - before_it);
+  });
 }
 
 bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept {
@@ -120,13 +120,12 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
   for (; round.part < world_.parts().size(); ++round.part, round.next = 0) {
     const int i = world_.parts()[round.part];
     const PartWay way(world_, i, world_.in_part(i, place_O_), z);
-    const bool is_whole = each_within_reach(
-        i, way.from_P, reach_m_, round.next, nullptr, [&](const TriangleCorners& corners, int) {
-          const TriangleSweep sweep =
-              sweep_past_triangle(corners, way.from_P, way.to_P, world_.clearance_m(), world_.tolerance_m());
-          if (sweep.blocked) share = std::min(share, sweep.reached);
-          looks_.spend(LookCosts::sweep + LookCosts::told + LookCosts::sweep_step * sweep.steps);
-        });
+    const bool is_whole = each_beside_way(way, round.next, nullptr, [&](const TriangleCorners& corners, int) {
+      const TriangleSweep sweep =
+          sweep_past_triangle(corners, way.from_P, way.to_P, world_.clearance_m(), world_.tolerance_m());
+      if (sweep.blocked) share = std::min(share, sweep.reached);
+      looks_.spend(LookCosts::sweep + LookCosts::told + LookCosts::sweep_step * sweep.steps);
+    });
     if (!is_whole) return false;
   }
   for (const int i : world_.planes()) {
@@ -137,8 +136,10 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
   return true;
 }
 
-ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m) noexcept {
+ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m,
+                                   std::span<const ProxyWall> first) noexcept {
   making_.begin(*this, goal_O, most_m, bent_m);
+  for (const ProxyWall& wall : first) making_.add(wall);
   return go_on_with_step();
 }
 

@@ -20,6 +20,7 @@ struct StepTerms {
   double most_m;      ///< the proxy will go no farther: what stands beyond need not be seen
   double bent_m = 0;  ///< goes on along walls that bend away (way_along_bend) where the way is then no longer
                       ///< than this
+  double aside_m = 0;  ///< how far the finger is off to the side of what held it last
 };
 
 /// What a proxy asks about its surroundings, answered by asking the trees for every triangle within reach,
@@ -87,7 +88,9 @@ class ProxySight {
   using Round = LookRound;
 
   /// @param most_m  the step ends there at the latest; no farther than is looked around
-  ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m) noexcept;
+  /// @param first  walls to begin with, seen from the place looked around from
+  ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m,
+                         std::span<const ProxyWall> first = {}) noexcept;
   ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
   ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
   void drop_step() noexcept { making_.drop(); }
@@ -110,8 +113,7 @@ class ProxySight {
 
  private:
   template <class Visit>
-  bool each_within_reach(int surface, const Vec3& at_P, double reach_m, std::size_t& next,
-                         const PacketSieve* sieve, Visit visit) noexcept;
+  bool each_beside_way(const PartWay& way, std::size_t& next, const PacketSieve* sieve, Visit visit) noexcept;
 
   StepMaking making_;
 };

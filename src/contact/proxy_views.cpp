@@ -43,17 +43,21 @@ void ProxyViews::forget() noexcept {
   search_reach_m_ = -1;
   blocker_ = {};
   rich_looks_ = 0;
-  is_cut_ = is_rich_ = overflow_ = falls_short_ = false;
+  is_cut_ = is_rich_ = overflow_ = falls_short_ = is_past_views_ = false;
+  short_step_looks_ = 0;
   view_reach_m_ = Limits::first_view * widest_view_m();
 }
 
 void ProxyViews::let_go() noexcept {
   asked_m_ = view_reach_m_;
-  falls_short_ = false;
+  falls_short_ = goes_past_views_ = false;
 }
 
 ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
   if (is_amid_step()) return go_on_with_step();
+  if (goes_past_views_ || is_outrun(std::min(terms.aside_m, terms.most_m)))
+    return step_past_views(place_O, goal_O, terms);
+  const long before = looks_.spent();
   if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= Limits::wider_view;
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (is_blind()) return broken_off_step();
@@ -62,6 +66,7 @@ ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTe
   ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * wider), terms.bent_m);
   if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
   falls_short_ = step.truncated && reach_m_ <= terms.most_m;
+  note_short_step(step, looks_.spent() - before);
   return step;
 }
 
@@ -75,6 +80,7 @@ ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const Pr
 
 bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                              const ProxyWall& here) noexcept {
+  if (is_outrun(far.norm())) return false;
   look_over_edge(place_O, over, far);
   return is_seen_free(over, here);
 }
@@ -108,6 +114,7 @@ void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& over, const Vec
 bool ProxyViews::look_again(const Vec3& place_O, double need_m) noexcept {
   const double left_m = search_reach_m_ - (place_O - search_place_O_).norm() * wider;
   if (overflow_ || !(left_m >= need_m)) return false;
+  is_past_views_ = false;
   place_O_ = place_O;
   reach_m_ = left_m;
   near_.look_from(world_, place_O);
@@ -116,6 +123,7 @@ bool ProxyViews::look_again(const Vec3& place_O, double need_m) noexcept {
 
 /// Fills the view. False where it is too rich.
 bool ProxyViews::search(const Vec3& place_O, double reach_m, int most) noexcept {
+  is_past_views_ = false;
   place_O_ = place_O;
   reach_m_ = search_reach_m_ = reach_m;
   return near_.search(world_, place_O, reach_m, most, blocker_, looks_);
@@ -185,7 +193,7 @@ bool ProxyViews::see_from(const Vec3& place_O, double need_m, double reach_m, co
 
 bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                             Round& round) noexcept {
-  if (overflow_) return ProxySight::offer_part(surface, z, walls, round);
+  if (overflow_ || is_past_views_) return ProxySight::offer_part(surface, z, walls, round);
   return near_.offer(world_, surface, z, walls, round.next, round.worst, looks_);
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <limits>
+
 #include "contact/near_triangles.hpp"
 #include "contact/proxy_memory_limits.hpp"
 #include "contact/proxy_sight.hpp"
@@ -9,10 +11,10 @@ namespace fingerpad {
 /// A proxy's sight that keeps what its last search of the trees found. From a place nearby, these triangles
 /// are all that can be within what is left of that search's reach; and what one look at a triangle showed
 /// bounds its distance from everywhere, so that most are passed over. The way of a step is as free as with a
-/// search made for it. Its walls are those that the search would find, but for two cases: a view may end a
+/// search made for it. Its walls are those that the search would find, but for three cases: a view may end a
 /// step short of the finger, and the proxy then goes on from there; and a crowded view leaves out triangles
 /// that a ball in front of its blocker cannot get at (BallShadow), which would only have led a step to its
-/// end by other walls.
+/// end by other walls; and a step past all views begins with walls that it will likely end at.
 class ProxyViews : public ProxySight {
  public:
   ProxyViews(ProxyWorld world, Looks looks);
@@ -31,6 +33,10 @@ class ProxyViews : public ProxySight {
   void look_ahead(const Vec3& place_O, double need_m, const Vec3& ahead) noexcept;
   /// Sees to a view that shows the way by `over` to an edge and on to `far`, and some more in this direction.
   void look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept;
+  /// Whether steps from view to view over such a way would take more looks than are left.
+  bool is_outrun(double way_m) const noexcept;
+  /// The last step went past all views: what they show is not where the proxy is.
+  bool is_past_views() const noexcept { return is_past_views_; }
   bool is_seen_free(const Vec3& over, const ProxyWall& here) noexcept;
   /// How far one can go from a centre in view and, in front of all these walls, meet no other [m].
   /// @param walls  seen from the place looked around from
@@ -49,6 +55,12 @@ class ProxyViews : public ProxySight {
   Blocker blocker_;
 
  private:
+  ProxyStep step_past_views(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
+  void note_short_step(const ProxyStep& step, long looks) noexcept;
+  std::optional<ProxyWall> wall_touched(const Vec3& place_O) const noexcept;
+  std::optional<ProxyWall> wall_below(const Vec3& place_O, double way_m) noexcept;
+  std::optional<ProxyWall> wall_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m) noexcept;
+  Blocker about_closest(const Vec3& place_O, double reach_m) noexcept;
   double look_around(const Vec3& place_O, double reach_m, bool anew) noexcept;
   bool see_from(const Vec3& place_O, double need_m, double reach_m, const Vec3& ahead) noexcept;
   bool look_again(const Vec3& place_O, double need_m) noexcept;
@@ -65,12 +77,19 @@ class ProxyViews : public ProxySight {
 
   Vec3 search_place_O_ = Vec3::Zero();
   double search_reach_m_ = -1;
-  double asked_m_ = 0;        // how far the next step is to see ...
-  bool falls_short_ = false;  // ... because the last one ended where its view did
-  bool is_cut_ = false;       // the last search found too many and was made again, nearer
-  bool is_rich_ = false;      // it found more than usual however near
-  long rich_looks_ = 0;       // what the last search for the richest view cost
-  bool overflow_ = false;     // there are more than can be listed: every pass asks the trees again
+  double asked_m_ = 0;            // how far the next step is to see ...
+  bool falls_short_ = false;      // ... because the last one ended where its view did
+  bool goes_past_views_ = false;  // the steps to this goal do
+  bool is_past_views_ = false;    // the step asks the trees, however far it goes
+  double short_step_m_ = 0;       // how far the last step came that ended where its rich view did ...
+  long short_step_looks_ = 0;     // ... and what it cost
+  Vec3 ahead_goal_O_ =
+      Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // closest to this finger ...
+  Blocker ahead_;                                                // ... is this triangle
+  bool is_cut_ = false;    // the last search found too many and was made again, nearer
+  bool is_rich_ = false;   // it found more than usual however near
+  long rich_looks_ = 0;    // what the last search for the richest view cost
+  bool overflow_ = false;  // there are more than can be listed: every pass asks the trees again
   int usual_view_ = ProxyMemoryLimits::usual_view;  // triangles; more with large fans
   NearTriangles near_;
   std::vector<int> seeds_;  // per surface: the triangle that was closest last

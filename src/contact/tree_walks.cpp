@@ -2,6 +2,7 @@
 #include <utility>
 
 #include "contact/ball_shadow.hpp"
+#include "contact/nearest_packets.hpp"
 #include "contact/tree_parts.hpp"
 #include "contact/within_search.hpp"
 
@@ -56,14 +57,16 @@ void count_and_visit(void* any_counting, int triangle) {
   counting.visit(counting.context, triangle);
 }
 
-/// Whether a packet's box comes within the radius of a point; both scaled. Narrower than Embree's own test of
+/// Whether a packet's box comes within the radius of a point, or of a box of such half sides about it; all
+/// scaled. Narrower than Embree's own test of
 /// the padded box, so that it alone decides, on every machine alike.
-bool is_box_near(const TrianglePacket& packet, const Vec3& at, double radius) noexcept {
+bool is_box_near(const TrianglePacket& packet, const Vec3& at, double radius,
+                 const Vec3& half = Vec3::Zero()) noexcept {
   constexpr double rounding = 1e-12;
   double beyond2 = 0;
   for (int i = 0; i < 3; ++i) {
     const double beyond =
-        std::abs(at[i] - packet.origin[i]) - static_cast<double>(packet.box_half[i]) - rounding;
+        std::abs(at[i] - packet.origin[i]) - static_cast<double>(packet.box_half[i]) - half[i] - rounding;
     if (beyond > 0) beyond2 += beyond * beyond;
   }
   const double grown = radius * (1 + rounding);
@@ -128,21 +131,26 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   return !limit.is_exceeded();
 }
 
-bool TriangleTree::each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks,
-                               const PacketSieve* sieve, void (*visit)(void* context, int triangle),
-                               void* context) const noexcept {
+bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, std::size_t& next,
+                               Looks& looks, const PacketSieve* sieve,
+                               void (*visit)(void* context, int triangle), void* context) const noexcept {
   const Impl& impl = *impl_;
   const PackedPart& packed = impl.packed;
-  const double farthest = q.cwiseAbs().maxCoeff();
-  if (packed.packets.empty() || !q.allFinite() || !(reach_m >= 0)) return true;
-  if (impl.out_of_reach(farthest, reach_m)) return true;
+  // From the middle of the way to its ends it is no farther than half its length.
+  const Vec3 middle = q + 0.5 * way;
+  constexpr double longer = 1 + 1e-12;
+  const double around_m = reach_m + 0.5 * way.norm() * longer;
+  const double farthest = middle.cwiseAbs().maxCoeff();
+  if (packed.packets.empty() || !middle.allFinite() || !(reach_m >= 0)) return true;
+  if (impl.out_of_reach(farthest, around_m)) return true;
   const bool is_far = farthest > tree_range * packed.extent_m;
   Counting counting{visit, context};
-  const WithinSearch search(packed, impl.filter, q, reach_m, count_and_visit, &counting);
-  const double radius = search.bound_m * packed.scale;
+  const WithinSearch search(packed, impl.filter, middle, around_m, count_and_visit, &counting);
+  const double radius = std::min(search.bound_m, reach_m) * packed.scale;
+  const Vec3 half = 0.5 * packed.scale * way, half_box = half.cwiseAbs();
   while (!looks.are_spent()) {
     long tests = 0;
-    next = impl.winding.next_near(next, search.scaled, radius, tests);
+    next = impl.winding.next_near(next, search.scaled, radius, tests, half);
     looks.spend(tests);
     if (next >= packed.packets.size()) return true;
     const TrianglePacket& packet = packed.packets[next++];
@@ -152,7 +160,7 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, std::size_t& next,
     }
     if (is_far) {
       search.look_from_afar_at(packet);
-    } else if (is_box_near(packet, search.scaled, radius)) {
+    } else if (is_box_near(packet, search.scaled, radius, half_box)) {
       search.look_at(packet);
     }
     looks.spend(LookCosts::packet + std::exchange(counting.count, 0));
@@ -194,6 +202,26 @@ std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach
   }
   if (search.won_in != nullptr) walk.triangle = search.winner.triangle;
   return std::nullopt;
+}
+
+ClosestTriangle TriangleTree::about_closest(const Vec3& q, double reach_m, int most_packets,
+                                            Looks& looks) const noexcept {
+  const Impl& impl = *impl_;
+  if (!impl.is_searched(q, reach_m)) return {};
+  ClosestSearch search(impl.packed, impl.filter, q, reach_m);
+  WindingNumber::NearestPackets nearest(impl.winding, search.scaled);
+  std::size_t index = 0;
+  for (int k = 0; k < most_packets && !looks.are_spent();) {
+    const double radius = std::sqrt(search.winner.at.distance2_m2) * impl.packed.scale;
+    if (!nearest.next(index, radius)) break;
+    looks.spend(LookCosts::passed_over);
+    if (search.passes_over(impl.packed.packets[index])) continue;
+    search.look_at(impl.packed.packets[index]);
+    looks.spend(impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest);
+    ++k;
+  }
+  looks.spend(nearest.tests());
+  return search.answer();
 }
 
 std::optional<bool> TriangleTree::encloses(const Vec3& q, WindingWalk& walk, Looks& looks) const noexcept {

@@ -113,6 +113,11 @@ class TriangleTree {
 
   ClosestTriangle closest(const Vec3& q, BriefSearch& search, double reach_m) const noexcept;
 
+  /// The closest triangle to q of so many packets, the likeliest first, and of no more than `looks` allow: it
+  /// is the part's closest, or about as close. None where q is far from the part. The same on every machine.
+  /// noexcept, allocates nothing.
+  ClosestTriangle about_closest(const Vec3& q, double reach_m, int most_packets, Looks& looks) const noexcept;
+
   /// Calls `visit(context, triangle)` once for every triangle whose distance to q is at most `reach_m`, as
   /// `closest` measures it (closest_on_triangle's distance2_m2 <= reach_m * reach_m, in double): those and no
   /// others, in no order that one may rely on.
@@ -141,7 +146,14 @@ class TriangleTree {
   /// @param next  0 at the beginning; kept between calls with the same q and reach_m
   /// @returns whether it came to its end
   bool each_within(const Vec3& q, double reach_m, std::size_t& next, Looks& looks, const PacketSieve* sieve,
-                   void (*visit)(void* context, int triangle), void* context) const noexcept;
+                   void (*visit)(void* context, int triangle), void* context) const noexcept {
+    return each_beside(q, Vec3::Zero(), reach_m, next, looks, sieve, visit, context);
+  }
+  /// The same of a way from q to q + way: all that come within reach of a place on it, and perhaps some that
+  /// come near it.
+  bool each_beside(const Vec3& q, const Vec3& way, double reach_m, std::size_t& next, Looks& looks,
+                   const PacketSieve* sieve, void (*visit)(void* context, int triangle),
+                   void* context) const noexcept;
 
   /// The first triangle that the segment from `from` to `to` crosses from the outside to the inside, that is
   /// against the facet's normal; both ends count. Watertight (Woop, Benthin & Wald 2013, in double): no

@@ -14,9 +14,6 @@
 namespace fingerpad {
 namespace {
 
-/// Clusters in one of the next level.
-constexpr unsigned branching_bits = 2;
-constexpr std::size_t branching = 1U << branching_bits;
 /// A cluster farther away than this many of its radii counts as a dipole; than the second, where it has to be
 /// known better.
 constexpr double far_away = 4, very_far_away = 10;
@@ -42,13 +39,6 @@ double half_angles_of(const PackedPart& packed, std::size_t index, const Vec3& q
   for (std::size_t lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane)
     sum += half_angle(*packed.part, packet.exact[lane].triangle, q);
   return sum;
-}
-
-/// Of the largest cluster that begins at a packet.
-std::size_t widest_level(std::size_t packet, std::size_t top) {
-  return packet == 0
-             ? top
-             : std::min<std::size_t>(top, static_cast<unsigned>(std::countr_zero(packet)) / branching_bits);
 }
 
 }  // namespace
@@ -190,7 +180,7 @@ bool WindingNumber::add_half_angles(const PackedPart& packed, const Vec3& q, dou
   while (walk.next < packet_count_) {
     if (looks.are_spent()) return false;
     // The largest cluster that begins here; where it is near, its first part.
-    std::size_t level = widest_level(walk.next, top());
+    std::size_t level = widest_level(walk.next);
     for (;; --level) {
       looks.spend(LookCosts::dipole);
       const Dipole& here = dipole(level, walk.next >> (branching_bits * level));
@@ -233,46 +223,6 @@ bool WindingNumber::encloses(const PackedPart& packed, const Vec3& q) const noex
   WindingWalk walk;
   Looks looks(Looks::unlimited);
   return encloses(packed, q, walk, looks).value_or(false);
-}
-
-std::size_t WindingNumber::next_near(std::size_t packet, const Vec3& at, double radius,
-                                     long& tests) const noexcept {
-  constexpr double beyond_floats = 1e15;
-  if (!(at.cwiseAbs().maxCoeff() < beyond_floats)) return std::min(packet, packet_count_);
-  const Around around(at, radius);
-  while (packet < packet_count_) {
-    // The largest cluster that begins here, beside those after it; of the first that is near, its parts.
-    for (std::size_t level = widest_level(packet, top());; --level) {
-      const std::size_t index = packet >> (branching_bits * level);
-      ++tests;
-      const unsigned near = around.near(four(level, index)) >> (index % branching);
-      if (near == 0) {
-        packet = (index / branching + 1) << (branching_bits * (level + 1));
-        break;
-      }
-      packet = (index + static_cast<unsigned>(std::countr_zero(near))) << (branching_bits * level);
-      if (level == 0) return packet;
-    }
-  }
-  return packet_count_;
-}
-
-std::size_t WindingNumber::some_near(const Vec3& at) const noexcept {
-  std::size_t index = 0;
-  for (std::size_t level = top(); level-- > 0;) {
-    const std::size_t first = index * branching;
-    const Four& here = four(level, first);
-    double least2 = std::numeric_limits<double>::infinity();
-    index = first;
-    for (std::size_t k = 0; k < branching; ++k) {
-      const double distance2 =
-          (Vec3(here.middle[0][k], here.middle[1][k], here.middle[2][k]) - at).squaredNorm();
-      if (!(distance2 < least2)) continue;
-      least2 = distance2;
-      index = first + k;
-    }
-  }
-  return index;
 }
 
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <optional>
@@ -31,12 +32,15 @@ class WindingNumber {
 
   /// The first packet from `packet` on that may come within a radius of a point, or how many there are. Goes
   /// from cluster to cluster in the packets' order, so that a search can be broken off anywhere.
-  /// @param at, radius  scaled
-  /// @param tests       grows by the clusters that were looked at
-  std::size_t next_near(std::size_t packet, const Vec3& at, double radius, long& tests) const noexcept;
+  /// @param at, radius, half  scaled; see NearPackets
+  /// @param tests             grows by the clusters that were looked at
+  std::size_t next_near(std::size_t packet, const Vec3& at, double radius, long& tests,
+                        const Vec3& half = Vec3::Zero()) const noexcept;
   /// The same packets one after the other, for a search that is not broken off: no cluster is looked at
   /// twice.
   class NearPackets;
+  /// All of them, the nearest first.
+  class NearestPackets;
   /// A packet that is likely near a point. @pre there is one
   std::size_t some_near(const Vec3& at) const noexcept;
 
@@ -45,6 +49,10 @@ class WindingNumber {
   }
 
  private:
+  /// Clusters in one of the next level.
+  static constexpr unsigned branching_bits = 2;
+  static constexpr std::size_t branching = 1U << branching_bits;
+
   /// A packet, or clusters that follow one another. Lengths scaled, see PackedPart.
   struct Cluster {
     Eigen::Vector3f moment = Eigen::Vector3f::Zero();  ///< sum of area times normal
@@ -75,6 +83,8 @@ class WindingNumber {
     unsigned near(const Four& four) const noexcept;
   };
 
+  static unsigned beside(const Four& four, unsigned among, const Vec3& at, const Vec3& half,
+                         double radius) noexcept;
   const Four& four(std::size_t level, std::size_t index) const noexcept {
     return fours_[level_start_[level] + index / 4];
   }
@@ -85,6 +95,11 @@ class WindingNumber {
   static Cluster joined(const Cluster* first, const Cluster* end);
   void add_level(const std::vector<Cluster>& clusters);
   std::size_t top() const noexcept { return level_start_.size() - 1; }
+  /// Of the largest cluster that begins at a packet.
+  std::size_t widest_level(std::size_t packet) const noexcept {
+    if (packet == 0) return top();
+    return std::min<std::size_t>(top(), static_cast<unsigned>(std::countr_zero(packet)) / branching_bits);
+  }
   bool add_half_angles(const PackedPart& packed, const Vec3& q, double far_away, WindingWalk& walk,
                        Looks& looks) const noexcept;
 

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "base/random_stream.hpp"
@@ -58,6 +59,51 @@ TEST(TreeWalks, FindTheSameTrianglesInPiecesAsAtOnce) {
       if (found.size() > 100) {
         EXPECT_GT(pieces, 1);
       }
+    }
+  }
+}
+
+TEST(TreeWalks, FindAllThatAWayComesNearInPieces) {
+  RandomStream random(15);
+  for (const TriangleTree& tree : trees()) {
+    long near = 0, passed_on = 0;
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 q = any(random, 1), way = any(random, std::pow(0.1, k % 5));
+      const double reach_m = 0.1 * random.uniform();
+      std::vector<int> found;
+      std::size_t next = 0;
+      Looks looks(50);
+      while (!tree.each_beside(q, way, reach_m, next, looks, nullptr, add, &found)) looks.renew();
+      std::sort(found.begin(), found.end());
+      ASSERT_EQ(std::adjacent_find(found.begin(), found.end()), found.end()) << "each once";
+      passed_on += static_cast<long>(found.size());
+      for (int i = 0; i <= 20; ++i) {
+        const std::vector<int> here = all_within(tree, q + i / 20.0 * way, reach_m);
+        ASSERT_TRUE(std::includes(found.begin(), found.end(), here.begin(), here.end())) << k;
+        near += static_cast<long>(here.size());
+      }
+    }
+    EXPECT_GT(near, 100);
+    EXPECT_LT(passed_on, 200L * tree.part().triangle_count() / 4 + 1200) << "and few others";
+  }
+}
+
+TEST(TreeWalks, FindTheClosestTriangleAmongTheNearestPackets) {
+  RandomStream random(16);
+  for (const TriangleTree& tree : trees()) {
+    for (int k = 0; k < 200; ++k) {
+      const Vec3 q = any(random, 1);
+      const double reach_m = k % 5 == 0 ? 0.3 : unbounded;
+      const ClosestTriangle closest = tree.closest(q, -1, reach_m);
+      Looks all(Looks::unlimited), few(200);
+      const ClosestTriangle found = tree.about_closest(q, reach_m, tree.part().triangle_count(), all);
+      ASSERT_EQ(found.triangle, closest.triangle) << k;
+      ASSERT_EQ(found.at.distance2_m2, closest.at.distance2_m2);
+      const ClosestTriangle about = tree.about_closest(q, reach_m, 2, few);
+      EXPECT_LE(few.spent(), 200 + 100) << "a packet too many at most, and the clusters on the way to it";
+      if (about.triangle < 0) continue;
+      ASSERT_GE(about.at.distance2_m2, closest.at.distance2_m2);
+      ASSERT_EQ(about.at.distance2_m2, closest_on_triangle(tree.part(), about.triangle, q).distance2_m2);
     }
   }
 }

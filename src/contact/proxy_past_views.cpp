@@ -1,0 +1,108 @@
+#include <algorithm>
+#include <array>
+
+#include "contact/proxy_limits.hpp"
+#include "contact/proxy_views.hpp"
+
+// Steps that go farther than views reach. Where facets are much smaller than a tick's way a view shows a
+// little of it, and steps from view to view would take more looks than a tick has.
+
+namespace fingerpad {
+
+using Limits = ProxyMemoryLimits;
+
+/// Of a step that ended where its rich view did. Where so little is in view as here, the richest view is
+/// next.
+void ProxyViews::note_short_step(const ProxyStep& step, long looks) noexcept {
+  if (!falls_short_ || step.broken_off || near_.count() <= Limits::rich_view) return;
+  if (reach_m_ < Limits::hopeless_share * world_.clearance_m()) return;
+  short_step_m_ = step.z.norm();
+  short_step_looks_ = looks;
+}
+
+bool ProxyViews::is_outrun(double way_m) const noexcept {
+  return Limits::eager * way_m * static_cast<double>(short_step_looks_) >
+         short_step_m_ * static_cast<double>(looks_.left());
+}
+
+/// A step that the trees are asked for along its whole way, as the plain sight does; but it begins with the
+/// walls that likely hold it, since nearly all facets that the straight way to the finger meets stand behind
+/// these.
+ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
+                                      const StepTerms& terms) noexcept {
+  const double way_m = std::min((goal_O - place_O).norm(), terms.most_m);
+  double bent_m = terms.bent_m;
+  std::array<ProxyWall, 2> first;
+  std::size_t count = 0;
+  const std::optional<ProxyWall> here = wall_touched(place_O), ahead = wall_ahead(place_O, goal_O, way_m);
+  if (here) first[count++] = *here;
+  if (ahead) {
+    const Vec3 goal = goal_O - place_O, end = goal + std::max(0.0, ahead->lack_m(goal)) * ahead->normal;
+    // Over a convex surface the wall here holds the ball off what lies ahead: that is for the next step.
+    if (!here || here->lack_m(end) <= world_.touching_m()) {
+      first[count++] = *ahead;
+      bent_m = 0;  // which is for a wall that stands for where the step begins
+    }
+  }
+  if (count == 0) {
+    if (const auto below = wall_below(place_O, way_m)) first[count++] = *below;
+  }
+  if (looks_.are_spent()) {
+    return broken_off_step();
+  }
+  place_O_ = place_O;
+  reach_m_ = way_m * (1 + Limits::rounding);
+  is_past_views_ = goes_past_views_ = true;
+  falls_short_ = false;
+  const ProxyStep step = step_towards(goal_O, reach_m_, bent_m, std::span(first.data(), count));
+  if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
+  return step;
+}
+
+/// Of the triangle that held the proxy last, if the ball lies on it.
+std::optional<ProxyWall> ProxyViews::wall_touched(const Vec3& place_O) const noexcept {
+  if (blocker_.triangle < 0) return std::nullopt;
+  const ProxyWall wall = world_.tangent_wall(blocker_.surface, blocker_.triangle, place_O, place_O);
+  return std::abs(wall.least_m) <= world_.touching_m() ? std::optional(wall) : std::nullopt;
+}
+
+/// Of a triangle that is about the closest to the place.
+std::optional<ProxyWall> ProxyViews::wall_below(const Vec3& place_O, double way_m) noexcept {
+  const Blocker below = about_closest(place_O, world_.clearance_m() + way_m);
+  if (below.triangle < 0) return std::nullopt;
+  return world_.tangent_wall(below.surface, below.triangle, place_O, place_O);
+}
+
+/// Of a triangle that is about the closest to the finger, if the ball is in front of it: where it is smooth
+/// there the step ends at it.
+std::optional<ProxyWall> ProxyViews::wall_ahead(const Vec3& place_O, const Vec3& goal_O,
+                                                double way_m) noexcept {
+  if (ahead_goal_O_ != goal_O) {
+    ahead_goal_O_ = goal_O;
+    ahead_ = about_closest(goal_O, std::max(way_m, world_.clearance_m()));
+  }
+  if (ahead_.triangle < 0) return std::nullopt;
+  const ProxyWall seen = world_.tangent_wall(ahead_.surface, ahead_.triangle, goal_O, place_O);
+  if (seen.least_m <= world_.tolerance_m()) return seen;
+  // The finger is behind it: its own plane, if the ball is in front of that.
+  const TriangleCorners f = corners_of(world_.part(ahead_.surface), ahead_.triangle);
+  const Vec3 place_P = world_.in_part(ahead_.surface, place_O);
+  const FacetSide facet = facet_side(f, place_P, place_P, world_.clearance_m(), world_.tolerance_m());
+  if (facet.side == 0) return std::nullopt;
+  return ProxyWall{world_.turned_from_part(ahead_.surface, facet.side * f.normal), -facet.slack_m,
+                   ahead_.surface, ahead_.triangle};
+}
+
+Blocker ProxyViews::about_closest(const Vec3& place_O, double reach_m) noexcept {
+  Blocker closest;
+  for (const int i : world_.parts()) {
+    const ClosestTriangle found = world_.surface(i).tree->about_closest(world_.in_part(i, place_O), reach_m,
+                                                                        Limits::closest_packets, looks_);
+    if (found.triangle < 0) continue;
+    closest = {i, found.triangle};
+    reach_m = std::sqrt(found.at.distance2_m2);
+  }
+  return closest;
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,110 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "contact/proxies.hpp"
+#include "support/shapes.hpp"
+
+// A finger that goes over many facets in a tick, against closed forms: the proxy keeps up within its looks.
+
+namespace fingerpad::proxy_outrun_test {
+namespace {
+
+constexpr double radius_m = 0.003, dt_s = 0.004;
+
+/// A sheet of nu x nv quads, each cut in two.
+template <class Point>
+TriangleSoup sheet(int nu, int nv, Point point) {
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, (nu + 1) * (nv + 1));
+  soup.triangles.resize(3, 2 * nu * nv);
+  for (int j = 0; j <= nv; ++j) {
+    for (int i = 0; i <= nu; ++i)
+      soup.vertices_P.col(j * (nu + 1) + i) = point(static_cast<double>(i) / nu, static_cast<double>(j) / nv);
+  }
+  for (int j = 0; j < nv; ++j) {
+    for (int i = 0; i < nu; ++i) {
+      const int a = j * (nu + 1) + i, t = 2 * (j * nu + i);
+      soup.triangles.col(t) << a, a + 1, a + nu + 2;
+      soup.triangles.col(t + 1) << a, a + nu + 2, a + nu + 1;
+    }
+  }
+  return soup;
+}
+
+struct Worst {
+  double push = 0;      ///< how far the push was off, as a share of the depth
+  int unsettled = 0;    ///< ticks after the first ones
+  long most_looks = 0;  ///< of a tick
+};
+
+/// @param path  depth_m deep all along, but for its first places
+/// @param push  the true one at a place of it
+template <class Push>
+Worst worst_along(const TriangleSoup& soup, const std::vector<Vec3>& path, double depth_m, Push push) {
+  Proxy proxy = fast_proxy({surface_of(soup)}, radius_m, Normals::facet);
+  Worst worst;
+  for (std::size_t k = 0; k < path.size(); ++k) {
+    const ProxyContact& c = proxy.move(path[k], dt_s);
+    worst.most_looks = std::max(worst.most_looks, proxy.looks().spent());
+    if (k < 5) continue;
+    worst.unsettled += c.settled ? 0 : 1;
+    worst.push = std::max(worst.push, (c.depth_m * c.normal_W - push(path[k])).norm() / depth_m);
+  }
+  return worst;
+}
+
+TEST(ProxyOutrun, OnAFinePlateItKeepsUp) {
+  // Facets of .15 mm, of which it passes eight in a tick.
+  const TriangleSoup plate =
+      sheet(120, 120, [](double u, double v) { return Vec3(0.018 * u - 0.009, 0.018 * v - 0.009, 0); });
+  constexpr double depth_m = 0.001;
+  std::vector<Vec3> path = {Vec3(-0.004, -0.001, radius_m + 5e-4), Vec3(-0.004, -0.001, radius_m)};
+  for (int k = 0; k < 60; ++k) {
+    const double x_m = 0.004 * 2 / std::numbers::pi * std::asin(std::sin(0.4712 * k - 1.57));  // to and fro
+    path.emplace_back(x_m, 0.3 * x_m, radius_m - depth_m);
+  }
+  const Worst worst =
+      worst_along(plate, path, depth_m, [](const Vec3& p) { return Vec3(0, 0, radius_m - p.z()); });
+  EXPECT_LT(worst.push, 1e-3);
+  EXPECT_EQ(worst.unsettled, 0);
+  EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
+}
+
+TEST(ProxyOutrun, InABoreOfFineFacetsItKeepsUp) {
+  constexpr double bore_m = 0.004, depth_m = 6e-4;
+  const TriangleSoup bore = sheet(1000, 1, [](double u, double v) {
+    const double angle = -2 * std::numbers::pi * u;
+    return Vec3(bore_m * std::cos(angle), bore_m * std::sin(angle), 0.03 * v - 0.015);
+  });
+  std::vector<Vec3> path = {Vec3(5e-4, 0, 0), Vec3(bore_m - radius_m, 0, 0)};
+  for (int k = 0; k < 60; ++k) {
+    const double angle = 0.25 * k, r_m = bore_m - radius_m + depth_m;
+    path.emplace_back(r_m * std::cos(angle), r_m * std::sin(angle), 0);
+  }
+  const Worst worst =
+      worst_along(bore, path, depth_m, [&](const Vec3& p) { return Vec3(-depth_m * p.normalized()); });
+  EXPECT_LT(worst.push, 0.01);
+  EXPECT_EQ(worst.unsettled, 0);
+  EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
+}
+
+TEST(ProxyOutrun, RoundABallOfFineFacetsItKeepsUp) {
+  constexpr double ball_m = 0.005, depth_m = 0.001;
+  const TriangleSoup ball = test::sphere_soup(ball_m, 6);
+  std::vector<Vec3> path;
+  for (int k = 0; k < 60; ++k) {
+    const double angle = 0.17 * k, r_m = ball_m + radius_m - (k < 2 ? 0 : depth_m);
+    path.push_back(r_m * (std::cos(angle) * Vec3(0.6, 0.8, 0) + std::sin(angle) * Vec3(0, 0, 1)));
+  }
+  const Worst worst =
+      worst_along(ball, path, depth_m, [&](const Vec3& p) { return Vec3(depth_m * p.normalized()); });
+  EXPECT_LT(worst.push, 0.02);
+  EXPECT_EQ(worst.unsettled, 0);
+  EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
+}
+
+}  // namespace
+}  // namespace fingerpad::proxy_outrun_test
