@@ -60,11 +60,9 @@ Error cannot_write_into(const std::string& folder) {
 std::optional<OpenFile> take_guard(const std::string& state, const std::string& folder, bool makes_folder) {
   const std::string path = state + "/" + guard_name;
   for (const auto end = steady_clock::now() + guard_patience; steady_clock::now() < end;) {
-    if (mkdir(state.c_str(), 0777) != 0 && errno != EEXIST) {
-      if (!makes_folder || errno != ENOENT) throw cannot_write_into(folder);
-      make_folder(folder);
-      continue;
-    }
+    const bool is_there = mkdir(state.c_str(), 0777) == 0 || errno == EEXIST;
+    if (!is_there && (!makes_folder || errno != ENOENT)) throw cannot_write_into(folder);
+    if (!is_there) make_folder(folder);
     OpenFile guard(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (guard.number() < 0 && errno == ENOENT) continue;
     if (guard.number() < 0) throw cannot_write(path);
@@ -275,10 +273,8 @@ bool RunLock::is_older_than(const std::string& path) const noexcept {
 }
 
 bool RunLock::is_registered(const std::string& folder, const std::string& run) {
-  for (const std::string& path : registrations_in(folder + "/" + state_folder)) {
-    if (run_of(path) == run) return true;
-  }
-  return false;
+  const std::vector<std::string> paths = registrations_in(folder + "/" + state_folder);
+  return std::any_of(paths.begin(), paths.end(), [&](const auto& path) { return run_of(path) == run; });
 }
 
 }  // namespace fingerpad
