@@ -176,7 +176,8 @@ bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& ed
 /// Notes how far the walls that hold the proxy let it slide, where it is not sliding yet.
 void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
-  if (room_.kind == Room::Kind::slide) return;  // it landed there
+  if (room_.kind == Room::Kind::slide || is_past_views())
+    return;  // it landed there; what is in view is not here
   if (hold.wall_count == 0 || hold.stuck || place_O_ != state.hold_place_O) return;
   const auto walls = hold.held_by();
   for (const ProxyWall& wall : walls) {

@@ -4,7 +4,8 @@
 
 namespace fingerpad {
 
-/// The numbers that only the speed of a proxy depends on.
+/// The numbers that only the speed of a proxy depends on; `eager` and `closest_packets` also say where steps
+/// go past views, whose first walls may lead them to an end by other walls.
 struct ProxyMemoryLimits {
   /// Triangles in view that are kept at hand; a vertex with a larger fan asks for more, but for no more than
   /// the second ...

@@ -11,8 +11,8 @@ namespace fingerpad {
 
 using Limits = ProxyMemoryLimits;
 
-/// Of a step that ended where its rich view did. Where so little is in view as here, the richest view is
-/// next.
+/// Of a step that ended where its rich view did. A view that reaches less than `hopeless_share` does not
+/// count: the richest view comes next, which shows more.
 void ProxyViews::note_short_step(const ProxyStep& step, long looks) noexcept {
   if (!falls_short_ || step.broken_off || near_.count() <= Limits::rich_view) return;
   if (reach_m_ < Limits::hopeless_share * world_.clearance_m()) return;
@@ -47,16 +47,25 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   if (count == 0) {
     if (const auto below = wall_below(place_O, way_m)) first[count++] = *below;
   }
-  if (looks_.are_spent()) {
-    return broken_off_step();
-  }
+  if (looks_.are_spent()) return broken_off_step();
   place_O_ = place_O;
   reach_m_ = way_m * (1 + Limits::rounding);
   is_past_views_ = goes_past_views_ = true;
   falls_short_ = false;
-  const ProxyStep step = step_towards(goal_O, reach_m_, bent_m, std::span(first.data(), count));
+  ProxyStep step = step_towards(goal_O, reach_m_, bent_m, std::span(first.data(), count));
+  if (is_held_by_none(step, place_O)) step = step_towards(goal_O, reach_m_, terms.bent_m);
   if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
   return step;
+}
+
+/// Whether a plane of a facet that is not there keeps the ball where it is: a wall that the step began with for
+/// nothing. One that the ball goes up to shows that to the next step.
+bool ProxyViews::is_held_by_none(const ProxyStep& step, const Vec3& place_O) const noexcept {
+  if (step.broken_off || step.truncated || step.z.norm() > world_.tolerance_m()) return false;
+  const auto walls = step.held_by();
+  return std::any_of(walls.begin(), walls.end(), [&](const ProxyWall& wall) {
+    return wall.triangle >= 0 && world_.is_far_from(wall, place_O + step.z);
+  });
 }
 
 /// Of the triangle that held the proxy last, if the ball lies on it.
@@ -78,8 +87,8 @@ std::optional<ProxyWall> ProxyViews::wall_below(const Vec3& place_O, double way_
 std::optional<ProxyWall> ProxyViews::wall_ahead(const Vec3& place_O, const Vec3& goal_O,
                                                 double way_m) noexcept {
   if (ahead_goal_O_ != goal_O) {
-    ahead_goal_O_ = goal_O;
     ahead_ = about_closest(goal_O, std::max(way_m, world_.clearance_m()));
+    if (!looks_.are_spent()) ahead_goal_O_ = goal_O;
   }
   if (ahead_.triangle < 0) return std::nullopt;
   const ProxyWall seen = world_.tangent_wall(ahead_.surface, ahead_.triangle, goal_O, place_O);

@@ -43,8 +43,11 @@ void ProxyViews::forget() noexcept {
   search_reach_m_ = -1;
   blocker_ = {};
   rich_looks_ = 0;
-  is_cut_ = is_rich_ = overflow_ = falls_short_ = is_past_views_ = false;
+  is_cut_ = is_rich_ = overflow_ = falls_short_ = is_past_views_ = goes_past_views_ = false;
+  short_step_m_ = 0;
   short_step_looks_ = 0;
+  ahead_goal_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
+  ahead_ = {};
   view_reach_m_ = Limits::first_view * widest_view_m();
 }
 
@@ -144,6 +147,8 @@ void ProxyViews::see_nothing(double next_reach_m) noexcept {
 /// reach is short enough, at more triangles than usual; where these are too many, the trees will be asked
 /// instead.
 void ProxyViews::search_around(const Vec3& place_O, double reach_m) noexcept {
+  is_past_views_ = false;
+  place_O_ = place_O;
   if (overflow_ && place_O == search_place_O_) return;
   search_place_O_ = place_O;
   is_cut_ = overflow_ = false;

@@ -73,6 +73,29 @@ TEST(ProxyOutrun, OnAFinePlateItKeepsUp) {
   EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
 }
 
+/// Deep enough that the finger is nearest to facets from whose planes the ball slides off.
+TEST(ProxyOutrun, OverAFinePlatesRimItIsHeldAsByThePlainProxy) {
+  const TriangleSoup plate =
+      sheet(120, 120, [](double u, double v) { return Vec3(0.018 * u - 0.009, 0.018 * v - 0.009, 0); });
+  constexpr double depth_m = 0.0025;
+  for (const double way_m : {0.0012, 0.002}) {
+    Proxy fast = fast_proxy({surface_of(plate)}, radius_m, Normals::facet);
+    Proxy plain = plain_proxy({surface_of(plate)}, radius_m, Normals::facet);
+    int compared = 0;
+    const auto move = [&](const Vec3& finger) {
+      const ProxyContact &seen = fast.move(finger, dt_s), &truth = plain.move(finger, dt_s);
+      if (!seen.settled || !truth.settled) return;
+      ++compared;
+      // Where both are right: steps end within what counts as touching, and each by its own ways.
+      EXPECT_LT((seen.depth_m * seen.normal_W - truth.depth_m * truth.normal_W).norm(), 0.02 * depth_m)
+          << "at x = " << finger.x() << " m, " << way_m << " m a tick";
+    };
+    move({-0.006, -0.001, radius_m + 5e-4});
+    for (double x_m = -0.006; x_m < 0.0165; x_m += way_m) move({x_m, -0.001, radius_m - depth_m});
+    EXPECT_GT(compared, 0.009 / way_m);
+  }
+}
+
 TEST(ProxyOutrun, InABoreOfFineFacetsItKeepsUp) {
   constexpr double bore_m = 0.004, depth_m = 6e-4;
   const TriangleSoup bore = sheet(1000, 1, [](double u, double v) {
