@@ -63,7 +63,8 @@ int number_of(const Row& row, std::string_view name) {
   return number && *number >= 0 && *number < 1e9 ? static_cast<int>(*number) : 0;
 }
 
-/// The tables of a name in a folder: its own, else those of its shards.
+/// The tables of a name in a folder: its own, else those of its shards. Kept ones (kept_summary.hpp) are of
+/// earlier runs.
 std::vector<std::string> tables_named(const std::string& folder, const std::string& name) {
   std::vector<std::string> shards;
   std::error_code failure;
@@ -71,7 +72,8 @@ std::vector<std::string> tables_named(const std::string& folder, const std::stri
        at.increment(failure)) {
     const std::string file = at->path().filename().string();
     if (file == name + ".csv") return {at->path().string()};
-    if (file.starts_with(name + "-") && file.ends_with(".csv")) shards.push_back(at->path().string());
+    if (file.starts_with(name + "-") && file.ends_with(".csv") && file.find(".kept-") == std::string::npos)
+      shards.push_back(at->path().string());
   }
   if (failure) throw refused(folder, "cannot be read: " + folder_words(folder, failure.value()));
   std::sort(shards.begin(), shards.end());

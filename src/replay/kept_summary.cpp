@@ -57,13 +57,16 @@ bool has_done_job(const std::string& summary) {
   return false;
 }
 
-/// Gives tables other names, those of the first number that is free.
+/// Gives tables other names, with the first number that is free for each of them.
 /// @param why  "is of scene 'a'", for the words where that is impossible
 /// @returns the summary's new name
 std::string keep(const fs::path& folder, const std::vector<std::string>& tables, const std::string& why) {
-  std::error_code none;
   int number = 1;
-  while (fs::exists(folder / kept_name(tables.front(), number), none)) ++number;
+  const auto is_taken = [&](const std::string& table) {
+    std::error_code none;
+    return fs::exists(folder / kept_name(table, number), none);
+  };
+  while (std::any_of(tables.begin(), tables.end(), is_taken)) ++number;
   for (const std::string& table : tables) {
     std::error_code failure;
     fs::rename(folder / table, folder / kept_name(table, number), failure);

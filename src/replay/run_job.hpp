@@ -19,11 +19,10 @@ namespace fingerpad {
 struct JobOutput {
   std::string path;  ///< empty: no trace is written, and the figures are all
   TraceFormat format = TraceFormat::hdf5;
-  TraceChoice choice = {};  ///< which columns and rows the trace has
-  std::string version;      ///< of the program, kept in the trace
-  bool resume = false;      ///< keep a complete trace of the very same run instead of making it again
-  std::function<void()>
-      on_begin;  ///< called before the first tick: nothing is refused from then on; may be empty
+  TraceChoice choice = {};         ///< which columns and rows the trace has
+  std::string version;             ///< of the program, kept in the trace
+  bool resume = false;             ///< keep a complete trace of the very same run instead of making it again
+  std::function<void()> on_begin;  ///< it has begun: the folder may change; may be empty
   std::function<void(double share_done)> on_ticks;  ///< told now and then, 0 .. 1; may be empty
 };
 

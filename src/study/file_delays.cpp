@@ -1,6 +1,7 @@
 #include "study/file_delays.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
@@ -143,13 +144,18 @@ std::string estimate_text(const DelayEstimate& delay) {
   return told + ")";
 }
 
-/// What to say where a delay that was given is none of those that the measurement allows for.
+/// What to say where a delay that was given is none of those that a file's measurement allows for.
 std::string beside_given_text(const std::vector<FileDelay>& delays, double given_s) {
-  const bool is_beside = std::any_of(delays.begin(), delays.end(), [&](const FileDelay& delay) {
+  std::vector<std::string> files;
+  for (const FileDelay& delay : delays) {
     const auto& interval_s = delay.estimate.interval_s;
-    return interval_s && (given_s < interval_s->first || given_s > interval_s->second);
-  });
-  return is_beside ? "; the one that was given is not among these: are its unit and its sign right?" : "";
+    if (interval_s && (given_s < interval_s->first || given_s > interval_s->second) &&
+        delay.estimate.refusal.empty())
+      files.insert(files.end(), delay.files.begin(), delay.files.end());
+  }
+  if (files.empty()) return "";
+  return fmt::format("; the one that was given is not among those of {}: are its unit and its sign right?",
+                     fmt::join(files, ", "));
 }
 
 }  // namespace

@@ -62,11 +62,13 @@ std::vector<int> subjects_of_one_angle(const FitPictureSource& source, std::size
 }
 
 /// Says whose points stand where they do because an axis is divided by itself.
-void tell_one_angle(const FitPictureSource& source, std::size_t most_letters, Chart& chart) {
+/// @param drawn  the axes that have a panel
+void tell_one_angle(const FitPictureSource& source, const std::vector<std::size_t>& drawn,
+                    std::size_t most_letters, Chart& chart) {
   const std::vector<int> subjects[] = {subjects_of_one_angle(source, 0), subjects_of_one_angle(source, 1)};
   const bool are_alike = subjects[0] == subjects[1];
-  for (const std::size_t axis : {0, 1}) {
-    if (subjects[axis].empty() || (are_alike && axis == 1)) continue;
+  for (const std::size_t axis : drawn) {
+    if (subjects[axis].empty() || (are_alike && axis != drawn.front())) continue;
     const bool is_one = subjects[axis].size() == 1;
     add_note(fmt::format(
                  "subject{} {} {} pushed{} at one angle alone: by construction the mean of {} points stands "
@@ -118,16 +120,18 @@ Chart normalised_axes_figure(const FitPictureSource& source) {
                           PadNumber::longitudinal_slope},
                          most_letters);
   };
+  std::vector<std::size_t> drawn;
   for (const std::size_t axis : {0, 1}) {
     const Vec2 axes_m = fitted_axes_m(source.fit, 45);
-    if (std::isfinite(axes_m[static_cast<Eigen::Index>(axis)]))
-      chart.panels.push_back(
-          axis_panel(source, axis, measured.least_deg - beyond_deg, measured.most_deg + beyond_deg));
+    if (!std::isfinite(axes_m[static_cast<Eigen::Index>(axis)])) continue;
+    drawn.push_back(axis);
+    chart.panels.push_back(
+        axis_panel(source, axis, measured.least_deg - beyond_deg, measured.most_deg + beyond_deg));
   }
   if (chart.panels.empty())
     return refused_figure("figure5_6", title, fmt::format("{}", fmt::join(refused(std::string::npos), "; ")));
   chart.columns = static_cast<int>(chart.panels.size());
-  tell_one_angle(source, chart.columns == 1 ? note_of_one_column : note_of_two_columns, chart);
+  tell_one_angle(source, drawn, chart.columns == 1 ? note_of_one_column : note_of_two_columns, chart);
   for (std::string& note : refused(chart.columns == 1 ? note_of_one_column : note_of_two_columns))
     chart.notes.push_back(std::move(note));
   return chart;

@@ -105,7 +105,8 @@ void refuse_odd_cubic_shares(ProfileFit& fit) {
 }
 
 void doubt_straight_springs(ProfileFit& fit) {
-  if (value_of(fit.values, PadNumber::mu_static).refusal.empty()) return;
+  const PadValue& mu_static = value_of(fit.values, PadNumber::mu_static);
+  if (mu_static.refusal.empty() || mu_static.reason == RefusalReason::unknown_zero) return;
   std::string names;
   for (const PadNumber number : {PadNumber::lateral_axis, PadNumber::longitudinal_axis,
                                  PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {

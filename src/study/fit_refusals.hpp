@@ -32,7 +32,8 @@ void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit);
 /// its interval reaches to 0.
 void refuse_odd_cubic_shares(ProfileFit& fit);
 
-/// Where no mu_static is told, springs are told as straight ones: says so, and what a bend would make of it.
+/// Where nothing tells where stick ends (mu_static is refused, and not for the force's zero alone), springs
+/// are told as straight ones: says so, and what a bend would make of it.
 void doubt_straight_springs(ProfileFit& fit);
 
 /// Says of coefficients that are refused that noise may be why.

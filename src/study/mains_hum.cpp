@@ -94,9 +94,7 @@ std::vector<HumLine> hum_lines(const RecordedTrial& trial, Sensed sensed, Mains 
 }
 
 bool position_has(const HumLine& line, const RecordedTrial& trial) {
-  const Sensed seen =
-      trial.tracked_W.cols() > 0 ? &RecordedTrial::tracked_W : &RecordedTrial::position_W;  // as seen_W()
-  const HannLine of(trial, seen, line.nominal_hz);
+  const HannLine of(trial, trial.seen(), line.nominal_hz);
   if (of.is_empty()) return false;
   const Phasors phasors = of.at(line.hz);
   const std::array<double, 3> around = power_around(of, line.hz, resolution_hz(trial));

@@ -44,8 +44,11 @@ struct RecordedTrial {
 
   Eigen::Index samples() const noexcept { return position_W.cols(); }
   bool has_direction() const noexcept { return direction_W.squaredNorm() > 0; }
-  /// Where the finger was seen, which no sensor's zero moves. 3 x n
-  const Points& seen_W() const noexcept { return tracked_W.cols() > 0 ? tracked_W : position_W; }
+  /// Where the finger was seen, which no sensor's zero moves: which of the points, and they. 3 x n
+  Points RecordedTrial::*seen() const noexcept {
+    return tracked_W.cols() > 0 ? &RecordedTrial::tracked_W : &RecordedTrial::position_W;
+  }
+  const Points& seen_W() const noexcept { return this->*seen(); }
 };
 
 /// "FILE, subject 1, trial 3", and ", piece 2" of one in pieces.

@@ -76,13 +76,15 @@ void take_offset(double offset_n, double load_n, ZeroDoubt& doubt) {
   doubt.most = 1 / (1 - share);
 }
 
-/// What an offset along the plate adds to friction at right angles makes ruptures seem to need more of it, by
-/// half of the square of its share of friction, and one along the way about as much again where a push gives
-/// way one way alone. Axes, which are the spring's yield at that friction, come out longer by as much.
-void doubt_axes(double untared_share, std::string& widened, ProfileFit& fit) {
+/// With an offset o along the plate ruptures seem to need up to F (1 + (o/F)^2) of a friction F: across the
+/// way sqrt(F^2 + o^2) does half of that, and along it as much comes of pushes that give way one way alone.
+/// Axes, where the spring yields to F, are told as many times too long; (o/F)^2 counts as often as trials
+/// have no tare.
+void doubt_axes(double untared_share, ProfileFit& fit) {
   const PadValue& mu_static = value_of(fit.values, PadNumber::mu_static);
   const bool is_seen = mu_static.refusal.empty() || mu_static.reason == RefusalReason::unknown_zero;
   if (fit.offset.off == 0 || !is_seen || !(mu_static.value > 0)) return;
+  std::string widened;
   const double offset_share = fit.offset.typical_n / (mu_static.value * fit.mu_load_n),
                times = 1 + untared_share * offset_share * offset_share;
   for (const PadNumber number : {PadNumber::lateral_axis, PadNumber::longitudinal_axis}) {
@@ -103,6 +105,11 @@ void doubt_axes(double untared_share, std::string& widened, ProfileFit& fit) {
       fit.interval[k]->first -= axis.value - below;
     }
   }
+  if (!widened.empty())
+    fit.doubts.push_back(
+        fmt::format("force's zero: the force is off by {} N along the plate, which makes ruptures seem to "
+                    "need more: the intervals of {} allow for it ({})",
+                    rounded_text(fit.offset.typical_n, 2), widened, remedy));
 }
 
 }  // namespace
@@ -168,13 +175,12 @@ void doubt_zero(const ZeroDoubt& doubt, ProfileFit& fit) {
       fit.interval[k]->second += above - value;
     }
   }
-  doubt_axes(doubt.untared_share, widened, fit);
   if (!widened.empty())
     fit.doubts.push_back(
         fmt::format("force's zero: no moment in the air tells it in {} of {} trials, and {}: the intervals "
-                    "of {} allow for "
-                    "it ({})",
+                    "of {} allow for it ({})",
                     fit.offset.untared, fit.trials, doubt.words, widened, remedy));
+  doubt_axes(doubt.untared_share, fit);
   const auto k = static_cast<std::size_t>(PadNumber::mu_load_exponent);
   if (!fit.values[k].refusal.empty()) return;
   if (!doubt.is_seen) {

@@ -38,22 +38,6 @@ TEST(FullDisk, AFileTooLargeForTheLimitIsAFailedJobWithItsReason) {
   EXPECT_EQ(lines_of(set.err), 3) << "a line a job: " << set.err;
 }
 
-TEST(FullDisk, ATraceThatTheDiskHasNoRoomForIsNotBegun) {
-  const fs::path folder = test::scratch_dir();
-  if (fs::space(folder).available > std::uintmax_t{300} << 30)
-    GTEST_SKIP() << "the disk has room for any trace";
-  std::ofstream(folder / "long.toml")
-      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = "
-         "\"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [2, 0, "
-         "-0.001]\nspeed_m_per_s = 1e-6\nrate_hz = 1000\n";
-  const ShellResult result =
-      test::shell("timeout -s KILL 10 '" + test::program().string() + "' replay long.toml --out o", folder);
-  EXPECT_EQ(result.exit_code, 1) << result.err;
-  EXPECT_THAT(result.err, HasSubstr("o/long.h5: its 2000000001 rows take at least "));
-  EXPECT_FALSE(fs::exists(folder / "o" / "long.h5"));
-  fs::remove_all(folder / "o");  // what a failed test leaves may be large
-}
-
 TEST(FullDisk, ASummaryThatCannotBeWrittenIsToldBesideTheFailedJobs) {
   const fs::path folder = folder_with_scene();
   fs::create_directories(folder / "o" / "summary.csv");

@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "base/error.hpp"
+#include "replay/batch_results.hpp"
 #include "support/paths.hpp"
 
 namespace fingerpad::batch_test {
@@ -131,6 +132,39 @@ TEST(Batch, ShardsTogetherMakeTheWhole) {
     const std::string name = "sweep-000" + std::to_string(k) + ".h5";
     EXPECT_EQ(bytes_of(folder / "whole" / name), bytes_of(folder / "shards" / name)) << name;
   }
+}
+
+TEST(Batch, AKeptTableIsNoShards) {
+  const auto folder = test::scratch_dir();
+  const std::string set = "[[set]]\nseed = [1, 2, 3, 4]\n";
+  const auto scene = write_scene(folder, "set", std::string(plane) + rub + set);
+  const auto run_shard = [&](int shard, bool resume) {
+    BatchOptions options = options_for(folder / "out");
+    options.shard = shard;
+    options.shard_count = 2;
+    options.resume = resume;
+    run({scene}, options);
+  };
+  run_shard(1, false);
+  run_shard(2, false);
+  write_scene(folder, "set", "[[part]]\nmesh = \"absent.stl\"\n" + std::string(rub) + set);
+  run_shard(1, false);
+  ASSERT_TRUE(fs::exists(folder / "out" / "summary-1of2.kept-1.csv"));
+  write_scene(folder, "set", std::string(plane) + rub + set);
+  run_shard(1, true);
+  EXPECT_EQ(read_batch_results((folder / "out").string()).jobs.size(), 4U);
+}
+
+TEST(Batch, NoKeptTableIsWrittenOver) {
+  const auto folder = test::scratch_dir();
+  for (const char* name : {"first", "second"})
+    run({write_scene(folder, name, std::string(plane) + rub)}, options_for(folder / "out"));
+  const fs::path timing = folder / "out" / "timing.kept-1.csv";
+  const std::string bytes = bytes_of(timing);
+  fs::remove(folder / "out" / "summary.kept-1.csv");
+  run({write_scene(folder, "third", std::string(plane) + rub)}, options_for(folder / "out"));
+  EXPECT_EQ(bytes_of(timing), bytes);
+  EXPECT_TRUE(fs::exists(folder / "out" / "summary.kept-2.csv"));
 }
 
 TEST(Batch, ResumeKeepsFinishedTracesOfTheSameRunOnly) {

@@ -90,9 +90,22 @@ TEST(FileDelays, OneThatIsGivenIsHeldAgainstThem) {
     return clean(test::known_measurement({{2, 45, 0}, {2, 45, 90}, {2, 45, 45}}, {}, sensors, 1), settings)
         .steps;
   };
-  const auto is_doubted = Contains(HasSubstr("the one that was given is not among these"));
+  const auto is_doubted = Contains(HasSubstr("the one that was given is not among those of "));
   EXPECT_THAT(steps_with(7.3e-3), testing::Not(is_doubted));
   EXPECT_THAT(steps_with(-7.3e-3), is_doubted);
+}
+
+TEST(FileDelays, AGivenOneIsHeldAgainstThoseThatAreTold) {
+  CleaningSettings settings;
+  settings.delay_s = 7e-3;
+  FileDelay fits{{"fits.csv"}, {}}, untold{{"untold.csv"}, {}}, apart{{"apart.csv"}, {}};
+  fits.estimate.delay_s = 7e-3;
+  fits.estimate.interval_s = {6e-3, 8e-3};
+  untold.estimate.interval_s = apart.estimate.interval_s = {1e-3, 2e-3};
+  untold.estimate.refusal = "the trials are too few";
+  EXPECT_THAT(delay_text({fits, untold}, settings), testing::Not(HasSubstr("the one that was given")));
+  EXPECT_THAT(delay_text({fits, untold, apart}, settings),
+              HasSubstr("the one that was given is not among those of apart.csv: are its unit"));
 }
 
 TEST(FileDelays, NeitherIsOneThatNoSensorHas) {

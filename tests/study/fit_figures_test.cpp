@@ -191,6 +191,14 @@ TEST(FitFigures, PointsThatStandOnTheLineByConstructionAreSaidToDoSo) {
   EXPECT_THAT(notes_of({{2, 45, 45}, {2, 60, 45}, {2, 30, 45}}), Not(HasSubstr("by construction")));
 }
 
+TEST(FitFigures, NothingIsSaidOfPointsOfAnAxisThatHasNoPanel) {
+  Pictured of({{2, 45, 0}, {2, 60, 0}, {2, 30, 0}, {2, 45, 90}, {2, 45, 90}});
+  of.fit.values[static_cast<std::size_t>(PadNumber::longitudinal_axis)].refuse(RefusalReason::vague, "vague");
+  const Chart chart = normalised_axes_figure(of.source);
+  ASSERT_EQ(chart.panels.size(), 1U);
+  EXPECT_THAT(all_notes(chart), Not(HasSubstr("by construction")));
+}
+
 /// By the law's forces both axes are told of one line, but how far stick reaches is seen along it alone.
 TEST(FitFigures, AnEllipseIsDrawnOnlyThroughBearingsThatTellItsAxes) {
   const auto ellipse = [](double bearing_deg, double other_deg) {

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "study/profile_text.hpp"
 #include "support/pad_measurement.hpp"
 
@@ -49,6 +51,8 @@ TEST(ZeroDoubt, AnOffsetAlongTheNormalRefusesWhatItMoves) {
     // Where a spring ends does not rest on it: what the pull is told too much, the ratio is too.
     EXPECT_TRUE(holds(fit, PadNumber::lateral_axis, 0.002)) << offset_n;
     EXPECT_THAT(missing_axes_words(fit), Not(HasSubstr("as mu_dynamic")));
+    // Nor is where stick ends unknown.
+    EXPECT_THAT(fit.doubts, Not(testing::Contains(HasSubstr("straight springs")))) << offset_n;
   }
 }
 
@@ -61,6 +65,29 @@ TEST(ZeroDoubt, AxesAllowForAnOffsetAlongThePlateOrAreRefused) {
   const ProfileFit far_off = fitted({0.2, 0.2, 0});
   EXPECT_THAT(of(far_off, PadNumber::lateral_axis).refusal,
               AllOf(HasSubstr("the force is off by 0.28 N along the plate"), HasSubstr("--no-tare")));
+}
+
+/// Whatever is said of the normal.
+TEST(ZeroDoubt, AxesThatAllowForAnOffsetAlongThePlateAreToldWithIt) {
+  ProfileFit fit;
+  for (PadValue& value : fit.values) value.refusal = "not here";
+  fit.trials = fit.offset.untared = fit.offset.told = fit.offset.off = 4;
+  fit.offset.typical_n = 0.08;
+  fit.mu_load_n = 1;
+  for (const auto& [number, value] : {std::pair(PadNumber::mu_static, 0.3),
+                                      {PadNumber::mu_load_exponent, -0.05},
+                                      {PadNumber::mu_dynamic, 0.2},
+                                      {PadNumber::lateral_axis, 0.002}}) {
+    const auto k = static_cast<std::size_t>(number);
+    fit.values[k] = {value, 1000, 4, ""};
+    fit.interval[k] = {value - 0.1 * std::abs(value), value + 0.1 * std::abs(value)};
+  }
+  doubt_zero(zero_doubt(fit, false), fit);
+  EXPECT_THAT(fit.doubts,
+              testing::ElementsAre(AllOf(HasSubstr("offset along the normal look alike"),
+                                         HasSubstr("mu_dynamic"), Not(HasSubstr("lateral_axis_m"))),
+                                   AllOf(HasSubstr("off by 0.08 N along the plate"),
+                                         HasSubstr("lateral_axis_m"), Not(HasSubstr("normal")))));
 }
 
 TEST(ZeroDoubt, TheUsersWordThatItWasZeroedIsTaken) {
