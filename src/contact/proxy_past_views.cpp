@@ -58,8 +58,8 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   return step;
 }
 
-/// Whether a plane of a facet that is not there keeps the ball where it is: a wall that the step began with for
-/// nothing. One that the ball goes up to shows that to the next step.
+/// Whether a plane of a facet that is not there keeps the ball where it is: a wall that the step began with
+/// for nothing. One that the ball goes up to shows that to the next step.
 bool ProxyViews::is_held_by_none(const ProxyStep& step, const Vec3& place_O) const noexcept {
   if (step.broken_off || step.truncated || step.z.norm() > world_.tolerance_m()) return false;
   const auto walls = step.held_by();
