@@ -46,11 +46,12 @@ RecordingClock recording_clock(std::span<const double> t_s) {
   std::nth_element(steps_s.begin(), middle, steps_s.end());
   const double median_s = *middle;
   const auto is_odd = [](double step_s, double like_s) { return std::abs(step_s - like_s) > 0.5 * like_s; };
-  double sum_s = 0, count = 0;
+  // From the ends: rounding in a sum of 300,000 steps is enough to miss a rate of 2000 Hz.
+  double sum_s = t_s.back() - t_s.front(), count = static_cast<double>(steps_s.size());
   for (const double step_s : steps_s) {
-    if (is_odd(step_s, median_s)) continue;
-    sum_s += step_s;
-    ++count;
+    if (!is_odd(step_s, median_s)) continue;
+    sum_s -= step_s;
+    --count;
   }
   const double step_s = sum_s / count;
   double jitter_s = 0;

@@ -145,8 +145,9 @@ void add_index_row(const fs::path& folder, const Row& row, JobOutcome& job) {
   job.motion = cell_of(row, "motion");
   const std::string file = cell_of(row, "file");
   std::error_code none;
-  // A name with a path in it is no name of this folder's.
-  if (!file.empty() && fs::path(file).filename() == file && fs::is_regular_file(folder / file, none))
+  // A failed job's trace is an earlier run's, and a name with a path in it is no name of this folder's.
+  if (job.done() && !file.empty() && fs::path(file).filename() == file &&
+      fs::is_regular_file(folder / file, none))
     job.trace = (folder / file).string();
 }
 

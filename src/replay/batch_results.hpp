@@ -16,7 +16,7 @@ struct JobOutcome {
   std::vector<double> figures;  ///< as summary_figure_columns(); nan where the table has no number
   std::string contact_method, contact_normals;
   std::string warnings;  ///< as the summary keeps them
-  std::string trace;     ///< path; empty where the folder holds none
+  std::string trace;     ///< path; empty of a failed job, and where the folder holds none
 
   bool done() const { return status == "ok"; }
 };

@@ -96,6 +96,16 @@ TEST(Report, PutsFailedJobsFirstWithTheirReason) {
   }
 }
 
+TEST(Report, DrawsNoTraceOfAnEarlierRunForAJobThatFailed) {
+  const fs::path folder = folder_with_set();
+  fs::copy_file(folder / "a<b/s-0001.h5", folder / "a<b/s-0004.h5");
+  const json job = results_in(page_of(folder))["jobs"][3];
+  EXPECT_EQ(job["trouble"], "failed");
+  EXPECT_FALSE(job.contains("run"));
+  EXPECT_EQ(job["trace"], "");
+  EXPECT_THAT(job["note"], HasSubstr("failed"));
+}
+
 TEST(Report, TakesLessThanFifteenKilobytesAJobBesideItsLibraries) {
   const std::string page = page_of(folder_with_set());
   json results = results_in(page);

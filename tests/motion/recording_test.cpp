@@ -52,6 +52,17 @@ TEST(RecordingClock, FindsTheRateThatIsThere) {
   }
 }
 
+/// Whose steps, added up in any order, miss their sum by rounding.
+TEST(RecordingClock, FindsTheRateOfALongRecordingToTheLastBit) {
+  for (const long n : {286'202L, 1'000'001L}) {
+    std::vector<double> t_s;
+    for (long i = 0; i < n; ++i) t_s.push_back(static_cast<double>(i) * 0.0005);
+    const RecordingClock clock = recording_clock(t_s);
+    EXPECT_EQ(clock.rate_hz, 2000) << n;
+    EXPECT_TRUE(clock.is_even) << n;
+  }
+}
+
 TEST(RecordingClock, SeesThroughTheRoundingOfTimes) {
   // At 0.1 ms the steps of 240 Hz are 4.1 and 4.2 ms, and their median alone would say 238.1 Hz.
   const RecordingClock clock = recording_clock(rounded_times(1200, 240, 1e-4));
