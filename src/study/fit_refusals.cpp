@@ -41,6 +41,23 @@ void refuse_by_delay(const NumberReaches& moved, ProfileFit& fit) {
   }
 }
 
+void refuse_law_lost_by_delay(const DelayReach& reach, ProfileFit& fit) {
+  for (const PadNumber number : {PadNumber::normal_stiffness, PadNumber::normal_exponent}) {
+    const auto k = static_cast<std::size_t>(number);
+    const bool is_drawn = fit.interval[k] || fit.no_interval[k] != NoInterval::draws_refused;
+    if (!fit.values[k].refusal.empty() || (is_drawn && !reach.is_lost[k])) continue;
+    fit.values[k].refuse(
+        RefusalReason::unknown_delay,
+        fmt::format(
+            "it rests on the delay of force behind position, which is not told, and {} the finger's "
+            "height does not follow the normal force: give --delay 7ms, or press and lift more slowly",
+            is_drawn ? fmt::format("with one of {} ms more or less, as sensors' filters have it,",
+                                   rounded_text(1e3 * usual_delay_s, 3))
+                     : "in many draws of the trials"));
+    fit.interval[k].reset();
+  }
+}
+
 void tell_teeth(double reach, ProfileFit& fit) {
   constexpr double hardly = 0.05;
   const auto k = static_cast<std::size_t>(PadNumber::mu_dynamic);

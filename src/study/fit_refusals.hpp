@@ -16,6 +16,10 @@ void refuse_springs(RefusalReason reason, const std::string& words, PadValues& v
 /// @param moved  by a delay as sensors have it
 void refuse_by_delay(const NumberReaches& moved, ProfileFit& fit);
 
+/// Likewise a normal law that one would hide, or that many draws of the trials do not tell: pressing and
+/// lifting then part so far that the height hardly follows the force, and any exponent may come of it.
+void refuse_law_lost_by_delay(const DelayReach& reach, ProfileFit& fit);
+
 /// Says that teeth which may pass for slip make mu_dynamic's interval wide.
 /// @param reach  teeth_reach
 void tell_teeth(double reach, ProfileFit& fit);

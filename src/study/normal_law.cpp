@@ -89,15 +89,17 @@ ProfileFit fit_to(const PressedTrials& presses, const Measurement& measurement, 
   fit.offset.untared = untared_of(presses, measurement);
   const bool is_delay_told = std::all_of(presses.begin(), presses.end(),
                                          [](const MeasuredTrial* trial) { return trial->is_delay_told; });
-  NumberReaches by_delay{};
+  DelayReach by_delay;
   for (const double times : {1.0, -1.0}) {
     if (times < 0 && is_delay_told) continue;  // of a little either way tells the other
-    const NumberReaches reach = moved_by(delayed_evidence_of(presses, exponent, times), fit, point);
-    for (std::size_t k = 0; k < reach.size(); ++k) by_delay[k] = std::max(by_delay[k], reach[k]);
+    by_delay.add(delayed_evidence_of(presses, exponent, times), fit, point);
   }
-  add_intervals(subject_of, by_delay, settings, point, fit);
+  add_intervals(subject_of, by_delay.moved, settings, point, fit);
   if (settings.keeps_told_by_few) return fit;
-  if (!is_delay_told) refuse_by_delay(by_delay, fit);
+  if (!is_delay_told) {
+    refuse_by_delay(by_delay.moved, fit);
+    refuse_law_lost_by_delay(by_delay, fit);
+  }
   doubt_zero(zero_doubt(fit, !measurement.looks_for_tare), fit);
   return fit;
 }

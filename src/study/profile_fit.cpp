@@ -141,15 +141,17 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   if (!hidden.empty())
     refuse_springs(no_slip.empty() ? RefusalReason::hidden_stick : RefusalReason::unseen_slip, hidden,
                    fit.values);
-  NumberReaches by_delay{};
+  DelayReach by_delay;
   for (const double times : {1.0, -1.0}) {
     if (times < 0 && is_delay_told) continue;  // of a little either way tells the other
-    const NumberReaches moved = moved_by(
-        delayed_evidence(measurement, segments, point.evidence, fit.delay_left_s, times), fit, point);
-    for (std::size_t k = 0; k < moved.size(); ++k) by_delay[k] = std::max(by_delay[k], moved[k]);
+    by_delay.add(delayed_evidence(measurement, segments, point.evidence, fit.delay_left_s, times), fit,
+                 point);
   }
-  add_intervals(subject_of, by_delay, settings, point, fit);
-  if (!is_delay_told && !settings.keeps_told_by_few) refuse_by_delay(by_delay, fit);
+  add_intervals(subject_of, by_delay.moved, settings, point, fit);
+  if (!is_delay_told && !settings.keeps_told_by_few) {
+    refuse_by_delay(by_delay.moved, fit);
+    refuse_law_lost_by_delay(by_delay, fit);
+  }
   tell_teeth(teeth_reach(fit, point), fit);
   refuse_vague_springs(settings.keeps_told_by_few, fit);
   refuse_odd_cubic_shares(fit);

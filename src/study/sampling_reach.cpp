@@ -141,6 +141,19 @@ NumberReaches moved_by(const std::vector<TrialEvidence>& evidence, const Profile
   return moved;
 }
 
+void DelayReach::add(const std::vector<TrialEvidence>& delayed, const ProfileFit& fit,
+                     const FitPoint& point) {
+  const PadValues values = pad_numbers(delayed, std::vector<int>(delayed.size(), 1), point);
+  for (std::size_t k = 0; k < moved.size(); ++k) {
+    if (!fit.values[k].refusal.empty()) continue;
+    if (values[k].refusal.empty()) {
+      moved[k] = std::max(moved[k], std::abs(values[k].value - fit.values[k].value));
+    } else {
+      is_lost[k] = true;
+    }
+  }
+}
+
 NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_delay, const FitPoint& point,
                                 bool has_slow_slip) {
   constexpr double unsure = 0.1, later = 0.05, beside = 0.025, long_tooth = 6;

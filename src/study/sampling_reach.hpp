@@ -29,6 +29,15 @@ using NumberReaches = std::array<double, pad_number_keys.size()>;
 NumberReaches moved_by(const std::vector<TrialEvidence>& evidence, const ProfileFit& fit,
                        const FitPoint& point);
 
+/// What a delay that is not known does to each number.
+struct DelayReach {
+  NumberReaches moved{};                               ///< at most
+  std::array<bool, pad_number_keys.size()> is_lost{};  ///< with it, it is told no more
+
+  /// Takes in what the trials say of such a delay (delayed_evidence).
+  void add(const std::vector<TrialEvidence>& delayed, const ProfileFit& fit, const FitPoint& point);
+};
+
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
 /// lie a twentieth of a sample later than in its middle (of a bent spring by its share more); ends of slip
 /// that pass for stick bend a spring by a thousandth and lengthen it by half of that; slow slip that is left

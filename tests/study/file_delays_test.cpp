@@ -179,5 +179,27 @@ TEST(FileDelays, WhatOneWouldMoveByMuchIsRefused) {
   EXPECT_THAT(fit.values[axis].refusal, HasSubstr("by 15 %"));
 }
 
+TEST(FileDelays, ANormalLawThatOneWouldHideIsRefused) {
+  const auto k = static_cast<std::size_t>(PadNumber::normal_exponent);
+  ProfileFit told;
+  for (PadValue& value : told.values) value.refusal = "not here";
+  told.values[k] = {6.7, 30000, 12, ""};
+  told.interval[k] = {6, 7};
+  DelayReach reach;
+  ProfileFit fit = told;
+  refuse_law_lost_by_delay(reach, fit);
+  EXPECT_EQ(fit.values[k].refusal, "");
+  reach.is_lost[k] = true;
+  refuse_law_lost_by_delay(reach, fit);
+  EXPECT_THAT(fit.values[k].refusal,
+              AllOf(HasSubstr("rests on the delay"), HasSubstr("with one of 25 ms more or less")));
+  EXPECT_FALSE(fit.interval[k]);
+  fit = told;
+  fit.interval[k].reset();
+  fit.no_interval[k] = NoInterval::draws_refused;
+  refuse_law_lost_by_delay({}, fit);
+  EXPECT_THAT(fit.values[k].refusal, HasSubstr("and in many draws of the trials the finger's height"));
+}
+
 }  // namespace
 }  // namespace fingerpad::file_delays_test

@@ -130,6 +130,27 @@ TEST_F(NormalLaw, OfOneTrialWhoseZeroIsNotToldIsRefused) {
   EXPECT_EQ(of(fit_of(given), PadNumber::normal_exponent).refusal, "");
 }
 
+/// Presses so quick that 45 ms part pressing from lifting: with 25 ms more the height follows the force no
+/// more.
+TEST_F(NormalLaw, OfADelayThatHidesItIsRefused) {
+  std::vector<test::KnownTrial> trials = some_trials();
+  for (test::KnownTrial& trial : trials) trial.ramp_s = 0.15;
+  test::KnownSensors sensors = watching_the_air();
+  sensors.delay_s = 0.045;
+  const RecordedMeasurement recorded =
+      test::of_normal_force_alone(test::known_measurement(trials, {}, sensors, 1));
+  const ProfileFit fit = fit_profile(clean(recorded, {}), {});
+  CleaningSettings given;
+  given.delay_s = sensors.delay_s;
+  const ProfileFit known = fit_profile(clean(recorded, given), {});
+  for (const PadNumber number : {PadNumber::normal_stiffness, PadNumber::normal_exponent}) {
+    EXPECT_EQ(of(fit, number).reason, RefusalReason::unknown_delay);
+    EXPECT_THAT(of(fit, number).refusal, HasSubstr("the finger's height does not follow the normal force"));
+    EXPECT_FALSE(fit.interval[static_cast<std::size_t>(number)]);
+    EXPECT_EQ(of(known, number).refusal, "");
+  }
+}
+
 TEST_F(NormalLaw, IsToldByTheNormalForceAlone) {
   for (const std::vector<std::string>& missing :
        {std::vector<std::string>{"fx_n", "fy_n"}, std::vector<std::string>{"fx_n"}}) {
