@@ -52,20 +52,9 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   reach_m_ = way_m * (1 + Limits::rounding);
   is_past_views_ = goes_past_views_ = true;
   falls_short_ = false;
-  ProxyStep step = step_towards(goal_O, reach_m_, bent_m, std::span(first.data(), count));
-  if (is_held_by_none(step, place_O)) step = step_towards(goal_O, reach_m_, terms.bent_m);
+  const ProxyStep step = step_towards(goal_O, reach_m_, bent_m, std::span(first.data(), count));
   if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
   return step;
-}
-
-/// Whether a plane of a facet that is not there keeps the ball where it is: a wall that the step began with
-/// for nothing. One that the ball goes up to shows that to the next step.
-bool ProxyViews::is_held_by_none(const ProxyStep& step, const Vec3& place_O) const noexcept {
-  if (step.broken_off || step.truncated || step.z.norm() > world_.tolerance_m()) return false;
-  const auto walls = step.held_by();
-  return std::any_of(walls.begin(), walls.end(), [&](const ProxyWall& wall) {
-    return wall.triangle >= 0 && world_.is_far_from(wall, place_O + step.z);
-  });
 }
 
 /// Of the triangle that held the proxy last, if the ball lies on it.

@@ -139,7 +139,7 @@ bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
 ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m,
                                    std::span<const ProxyWall> first) noexcept {
   making_.begin(*this, goal_O, most_m, bent_m);
-  for (const ProxyWall& wall : first) making_.add(wall);
+  for (const ProxyWall& wall : first) making_.guess(wall);
   return go_on_with_step();
 }
 

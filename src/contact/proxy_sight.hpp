@@ -88,7 +88,7 @@ class ProxySight {
   using Round = LookRound;
 
   /// @param most_m  the step ends there at the latest; no farther than is looked around
-  /// @param first  walls to begin with, seen from the place looked around from
+  /// @param first  walls to begin with that likely hold, seen from the place looked around from
   ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m,
                          std::span<const ProxyWall> first = {}) noexcept;
   ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;

@@ -57,7 +57,6 @@ class ProxyViews : public ProxySight {
  private:
   ProxyStep step_past_views(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
   void note_short_step(const ProxyStep& step, long looks) noexcept;
-  bool is_held_by_none(const ProxyStep& step, const Vec3& place_O) const noexcept;
   std::optional<ProxyWall> wall_touched(const Vec3& place_O) const noexcept;
   std::optional<ProxyWall> wall_below(const Vec3& place_O, double way_m) noexcept;
   std::optional<ProxyWall> wall_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m) noexcept;

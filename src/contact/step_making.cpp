@@ -15,7 +15,7 @@ void StepMaking::begin(const ProxySight& sight, const Vec3& goal_O, double most_
   step_.goal_O = goal_O;
   most_m_ = most_m;
   bent_m_ = bent_m;
-  has_let_go_ = false;
+  has_let_go_ = is_guessed_ = false;
   pass_ = 0;
   count_ = 0;
   // What the projection leaves behind a wall by rounding must not count as a breach.
@@ -61,18 +61,24 @@ void StepMaking::go_on_along_bend(ProxySight& sight) noexcept {
 /// A wall stands for how the straight way to the goal meets its triangle. Where another wall turns the way
 /// off, the ball may never come there: both together would hold it in thin air, for ever. So where a step
 /// leads nowhere, walls whose triangles the ball is far from are looked for anew, once, beside those that
-/// it is not; where that leads nowhere either, all hold as before. False where there is nothing to let go.
+/// it is not; where that leads nowhere either, all hold as before. Where it is far from all, and some were
+/// guessed, the step begins anew without them. False where there is nothing to let go.
 bool StepMaking::let_go_of_far_walls(ProxySight& sight) noexcept {
-  if (has_let_go_ || count_ < 2 || step_.z.norm() > sight.world().tolerance_m()) return false;
+  if (has_let_go_ || count_ < (is_guessed_ ? 1 : 2)) return false;
+  if (step_.z.norm() > sight.world().tolerance_m()) return false;
   sight.looks().spend(LookCosts::told * static_cast<long>(count_));
   std::size_t touched = 0;
   for (std::size_t k = 0; k < count_; ++k) {
     if (!sight.world().is_far_from(walls_[k], sight.place_O())) walls_[touched++] = walls_[k];
   }
-  if (touched == 0 || touched == count_) return false;
-  held_ = step_;
+  if (touched == count_ || (touched == 0 && !is_guessed_)) return false;
+  if (touched > 0) {
+    held_ = step_;
+    has_let_go_ = true;
+  }
+  is_guessed_ = false;
   count_ = touched;
-  return has_let_go_ = is_underway_ = true;
+  return is_underway_ = true;
 }
 
 ProxyStep StepMaking::go_on(ProxySight& sight) noexcept {

@@ -28,6 +28,11 @@ class StepMaking {
   void begin(const ProxySight& sight, const Vec3& goal_O, double most_m, double bent_m) noexcept;
   /// A wall to begin with, seen from there.
   void add(const ProxyWall& wall) noexcept { walls_[count_++] = wall; }
+  /// The same of a wall that likely holds: let go where the step leads nowhere and the ball is far from it.
+  void guess(const ProxyWall& wall) noexcept {
+    add(wall);
+    is_guessed_ = true;
+  }
   /// To its end, or to where the looks are spent.
   ProxyStep go_on(ProxySight& sight) noexcept;
   bool is_underway() const noexcept { return is_underway_; }
@@ -39,7 +44,7 @@ class StepMaking {
   bool let_go_of_far_walls(ProxySight& sight) noexcept;
   ProxyStep waiting() const noexcept;
 
-  bool is_underway_ = false, is_amid_round_ = false, has_let_go_ = false;
+  bool is_underway_ = false, is_amid_round_ = false, has_let_go_ = false, is_guessed_ = false;
   Vec3 goal_ = Vec3::Zero();  ///< relative to the place looked around from
   double slack_m_ = 0, breach_m_ = 0, most_m_ = 0, bent_m_ = 0;
   ProxyStep step_;
