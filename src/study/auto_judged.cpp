@@ -77,13 +77,21 @@ double quantile_99(const std::vector<double>& sorted) {
   return sorted[static_cast<std::size_t>(std::ceil(0.99 * static_cast<double>(sorted.size()))) - 1];
 }
 
+constexpr double not_judged = std::numeric_limits<double>::infinity();
+
+bool is_judged(const JudgedCase& one, const JudgedRow& row, std::size_t variant) {
+  return one.judges_all_variants || variant == row.chosen || variant + 1 == contact_variants().size();
+}
+
 /// The worst of the promise's trials, by variant.
 void try_promise(const JudgedCase& one, JudgedRow& row) {
-  row.trial_99.assign(contact_variants().size(), 0);
+  for (std::size_t v = 0; v < contact_variants().size(); ++v)
+    row.trial_99.push_back(is_judged(one, row, v) ? 0 : not_judged);
   for (const JudgedCase& trial : promise_trials(one)) {
     const JudgedReference reference = judged_reference(trial);
     const Promised promised = promised_of(trial, reference);
     for (std::size_t v = 0; v < contact_variants().size(); ++v) {
+      if (!is_judged(one, row, v)) continue;
       const JudgedRun run = judged_run(trial, contact_variants()[v], 1);
       const std::vector<double> shares =
           error_shares(run.force_W_n, reference.force_W_n, promised, one.scene.contact.greatest_force_n / 10);
@@ -180,8 +188,22 @@ JudgedRow judged(const JudgedCase& one, int turns) {
   row.triangles = triangles_of(one.world->surfaces);
   const JudgedReference reference = judged_reference(one);
   const Promised promised = promised_of(one, reference);
+  const auto is_chosen = [&](const ContactVariant& variant) {
+    return variant.method_name == choice.method && variant.normals == choice.normals;
+  };
+  row.chosen = static_cast<std::size_t>(std::ranges::find_if(contact_variants(), is_chosen) -
+                                        contact_variants().begin());
   for (std::size_t v = 0; v < contact_variants().size(); ++v) {
     const ContactVariant& variant = contact_variants()[v];
+    row.cost.push_back(contact_cost(variant.method_name, variant.normals_name,
+                                    static_cast<int>(row.triangles), row.radius_m > 0)
+                           .value_or(std::numeric_limits<double>::infinity()));
+    if (!is_judged(one, row, v)) {
+      row.error_99.push_back(not_judged);
+      row.tick_ns.push_back(not_judged);
+      row.pop_throughs.push_back(0);
+      continue;
+    }
     const JudgedRun run = judged_run(one, variant, turns);
     const std::vector<double> shares =
         error_shares(run.force_W_n, reference.force_W_n, promised, one.scene.contact.greatest_force_n / 10);
@@ -189,10 +211,6 @@ JudgedRow judged(const JudgedCase& one, int turns) {
     row.error_99.push_back(quantile_99(shares));
     row.tick_ns.push_back(run.tick_ns);
     row.pop_throughs.push_back(pop_throughs_in(one, run, reference, promised));
-    row.cost.push_back(contact_cost(variant.method_name, variant.normals_name,
-                                    static_cast<int>(row.triangles), row.radius_m > 0)
-                           .value_or(std::numeric_limits<double>::infinity()));
-    if (variant.method_name == choice.method && variant.normals == choice.normals) row.chosen = v;
   }
   try_promise(one, row);
   return row;

@@ -16,7 +16,8 @@ enum class JudgedWord {
 };
 std::string to_string(JudgedWord word);
 
-/// One case under every pair of method and normals, over its own motion and over the promise's trials.
+/// One case under every pair of method and normals, over its own motion and over the promise's trials; those
+/// that the case leaves unjudged have infinite errors.
 struct JudgedRow {
   std::string name, said;
   double triangles = 0, radius_m = 0, tolerance = 0;

@@ -22,6 +22,7 @@ struct JudgedCase {
   std::function<Vec3(const Vec3& p_WQ)> exact_force_n = {};
   bool is_exact_all_over = false;  ///< that force is known wherever a finger may touch the part
   int trial_strokes = 16;          ///< in each region in which the promise is tried (promise_trial.hpp)
+  bool judges_all_variants = true;  ///< else the chosen one and the most complete: what the word asks for
 };
 
 /// Takes one case after the other, as soon as it is made.

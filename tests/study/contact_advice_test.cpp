@@ -113,12 +113,16 @@ TEST(ContactAdvice, OnRealPartsIsTrue) {
   const auto files = test::real_parts();
   if (files.empty()) GTEST_SKIP() << "no real parts here";
   Met met;
+  int touched = 0;
   for (const auto& file : files) {
     const auto part = import_part(file.string(), 1e-3, crease_rad).part;
     if (!part) continue;
     const Measured measured(file.filename().string(), part);
+    // Every second pair on a part, the others on the next.
+    int pair = ++touched;
     for (const double radius_m : {0.0, 0.003, 0.007}) {
       for (const double greatest_force_n : {10.0, 1.0}) {
+        if (++pair % 2 == 0) continue;
         SCOPED_TRACE(testing::Message() << radius_m << " m, " << greatest_force_n << " N");
         Scene scene = open_scene(radius_m);
         scene.contact.greatest_force_n = greatest_force_n;
