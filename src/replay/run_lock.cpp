@@ -32,7 +32,6 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::steady_clock;
 
-constexpr const char* lock_ending = ".lock";
 /// For the last processes of a run whose first is gone.
 constexpr std::chrono::seconds patience{10};
 constexpr std::chrono::milliseconds between_tries{20};

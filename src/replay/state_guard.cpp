@@ -11,7 +11,6 @@
 #include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <iterator>
 #include <thread>
 #include <tuple>
 
@@ -74,8 +73,16 @@ void note_made_folders(int guard, std::size_t made) {
 
 void remove_if_unused(const std::string& state, int guard) {
   std::error_code failure;
-  const fs::directory_iterator files(state, failure);
-  if (failure || std::distance(files, fs::directory_iterator()) != 1) return;
+  bool is_alone = true, others_run = false;
+  for (const auto& entry : fs::directory_iterator(state, failure)) {
+    is_alone &= entry.path().filename() == guard_name;
+    others_run |= entry.path().extension() == lock_ending;
+  }
+  if (failure || others_run) return;
+  if (!is_alone) {  // the folder stays, and its files do not tell who has made it
+    std::ignore = ftruncate(guard, 0);
+    return;
+  }
   const std::size_t made = made_folders(guard);
   unlink((state + "/" + guard_name).c_str());
   rmdir(state.c_str());

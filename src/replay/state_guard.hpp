@@ -9,6 +9,9 @@
 
 namespace fingerpad {
 
+/// How the names of the registrations beside a guard end.
+inline constexpr const char* lock_ending = ".lock";
+
 /// The guard of a state folder, held by whoever reads or changes the registrations. Whoever finds the folder
 /// without registrations removes it with its guard; then it is made anew.
 /// @param made  not null: makes the output folder again too, which a run that was refused may have just

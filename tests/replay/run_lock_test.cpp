@@ -59,6 +59,16 @@ TEST(RunLock, LeavesNoneOfTheFoldersThatAnotherMade) {
   }
 }
 
+/// Merged shards are the same files as one run's.
+TEST(RunLock, LeavesNoWordOfWhoHasMadeAFolderThatStays) {
+  const fs::path out = test::scratch_dir() / "out";
+  {
+    const RunLock lock(out.string(), {"summary.csv"}, "", {}, 1);
+    std::ofstream(out / ".fingerpad" / "proof") << "of a trace";
+  }
+  EXPECT_TRUE(fs::is_empty(out / ".fingerpad" / "guard"));
+}
+
 TEST(RunLock, LeavesAFolderThatNoRunHasMade) {
   const fs::path out = test::scratch_dir() / "out";
   fs::create_directories(out);
