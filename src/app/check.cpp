@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -10,11 +11,14 @@
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
 #include "base/number_text.hpp"
+#include "base/printable_text.hpp"
+#include "contact/overlap.hpp"
 #include "contact/part_measures.hpp"
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "part/mesh_format.hpp"
 #include "part/unit_hint.hpp"
+#include "scene/scene_file.hpp"
 
 namespace fingerpad {
 namespace {
@@ -62,43 +66,98 @@ std::string json_text(const Json& report) {
   return report.dump(2, ' ', true, Json::error_handler_t::replace) + '\n';
 }
 
-/// A mesh's import and its thinnest wall.
-std::pair<ImportedPart, double> checked(const std::string& path, const CheckOptions& options) {
+/// A mesh that was looked at, with its tree and its thinnest wall where it can be touched.
+struct CheckedMesh {
+  ImportedPart imported;
+  std::shared_ptr<const TriangleTree> tree;
+  double wall_m = std::nan("");
+  double metres_per_unit = 1;
+};
+
+CheckedMesh checked(const std::string& path, ImportOptions how) {
   LoadBar bar(stderr_is_terminal());
   const LoadProgress progress = bar.progress(path);
-  ImportOptions how;
-  how.metres_per_unit = metres_of(options.unit);
-  how.repair = options.repair;
   how.stream = true;
   how.progress = step_of(progress, 0, 0.5);
-  ImportedPart imported = import_part(path, how);
-  if (!imported.part) return {std::move(imported), std::nan("")};
+  CheckedMesh mesh;
+  mesh.metres_per_unit = how.metres_per_unit;
+  mesh.imported = import_part(path, how);
+  if (!mesh.imported.part) return mesh;
   tell(progress, "building the search tree", 0.5);
-  const TriangleTree tree(imported.part);
+  mesh.tree = std::make_shared<TriangleTree>(mesh.imported.part);
   tell(progress, "measuring its walls", 0.85);
-  const double wall_m = told_wall_m(*imported.part, measure_part(*imported.part, tree));
-  return {std::move(imported), wall_m};
+  mesh.wall_m = told_wall_m(*mesh.imported.part, measure_part(*mesh.imported.part, *mesh.tree));
+  return mesh;
+}
+
+/// @returns whether it can be touched
+bool tell_mesh(const CheckedMesh& mesh, bool as_json, Json& report) {
+  const Verdict& verdict = mesh.imported.verdict;
+  if (as_json) {
+    report.push_back(verdict_json(verdict, mesh.wall_m));
+  } else if (!verdict.touchable) {
+    print_out("{}: refused\n", verdict.file);  // the reason goes to standard error, once
+  } else {
+    write_stream(stdout, verdict_text(verdict));
+    if (std::isfinite(mesh.wall_m)) print_out("  thinnest wall  {} mm\n", rounded_text(1e3 * mesh.wall_m, 4));
+  }
+  const std::string hint = unit_hint(verdict, mesh.metres_per_unit);
+  if (!hint.empty()) print_err("fingerpad: {}: {}\n", verdict.file, hint);
+  if (!verdict.touchable) print_err("fingerpad: error: {}\n", refusal_text(verdict));
+  return verdict.touchable;
+}
+
+/// "part 2 (knob.stl)", "plane 1".
+std::string surface_words(const Scene& scene, std::size_t i) {
+  if (i >= scene.parts.size()) return fmt::format("plane {}", i - scene.parts.size() + 1);
+  return fmt::format("part {} ({})", i + 1, printable(scene.parts[i].mesh));
+}
+
+void tell_overlaps(const Scene& scene, const std::string& path, std::vector<PlacedSurface> surfaces) {
+  for (const PlaneEntry& plane : scene.planes) {
+    PlacedSurface& surface = surfaces.emplace_back();
+    surface.plane_point_W = plane.point_m;
+    surface.plane_normal_W = plane.normal;
+  }
+  for (const Overlap& overlap : overlaps(surfaces)) {
+    print_err("fingerpad: {}: {} and {} overlap by {} mm at ({}, {}, {}) m; is that meant?\n", path,
+              surface_words(scene, overlap.one), surface_words(scene, overlap.other),
+              rounded_text(1e3 * overlap.depth_m, 3), rounded_text(overlap.at_W.x(), 4),
+              rounded_text(overlap.at_W.y(), 4), rounded_text(overlap.at_W.z(), 4));
+  }
+}
+
+/// The parts of a scene, of a set those of its first job, each as the scene takes it and where it places it.
+bool check_scene(const std::string& path, bool as_json, Json& report) {
+  const Scene scene = read_scene_file(path).jobs.front().scene;
+  bool all_touchable = true;
+  std::vector<PlacedSurface> surfaces;
+  for (const PartEntry& entry : scene.parts) {
+    ImportOptions how;
+    how.metres_per_unit = entry.metres_per_unit;
+    how.crease_rad = entry.crease_deg * std::numbers::pi / 180;
+    how.repair = entry.repair;
+    const CheckedMesh mesh = checked(entry.mesh_path, how);
+    all_touchable &= tell_mesh(mesh, as_json, report);
+    PlacedSurface& surface = surfaces.emplace_back();
+    surface.part = mesh.imported.part;
+    surface.tree = mesh.tree;
+    surface.p_WP = entry.position_m;
+    surface.R_WP = entry.rotation;
+  }
+  if (all_touchable) tell_overlaps(scene, path, std::move(surfaces));
+  return all_touchable;
 }
 
 int check(const CheckOptions& options) {
   bool all_touchable = true;
   Json report = Json::array();
+  ImportOptions how;
+  how.metres_per_unit = metres_of(options.unit);
+  how.repair = options.repair;
   for (const std::string& path : options.meshes) {
-    const auto [imported, wall_m] = checked(path, options);
-    if (options.json) {
-      report.push_back(verdict_json(imported.verdict, wall_m));
-    } else if (!imported.verdict.touchable) {
-      print_out("{}: refused\n", imported.verdict.file);  // the reason goes to standard error, once
-    } else {
-      write_stream(stdout, verdict_text(imported.verdict));
-      if (std::isfinite(wall_m)) print_out("  thinnest wall  {} mm\n", rounded_text(1e3 * wall_m, 4));
-    }
-    const std::string hint = unit_hint(imported.verdict, metres_of(options.unit));
-    if (!hint.empty()) print_err("fingerpad: {}: {}\n", imported.verdict.file, hint);
-    if (!imported.verdict.touchable) {
-      all_touchable = false;
-      print_err("fingerpad: error: {}\n", refusal_text(imported.verdict));
-    }
+    all_touchable &= path.ends_with(".toml") ? check_scene(path, options.json, report)
+                                             : tell_mesh(checked(path, how), options.json, report);
   }
   if (options.json) write_stream(stdout, json_text(report));
   return all_touchable ? 0 : 3;
@@ -110,7 +169,11 @@ void add_check(CLI::App& program, Action& action) {
   auto options = std::make_shared<CheckOptions>();
   CLI::App* command =
       program.add_subcommand("check", "The verdict on each mesh: can it be touched, and what is damaged");
-  command->add_option("MESH", options->meshes, mesh_format_names("or") + " files; - is standard input")
+  command
+      ->add_option("MESH", options->meshes,
+                   mesh_format_names("or") +
+                       " files, - is standard input; or scenes (.toml), whose parts are taken in their "
+                       "units and looked at for overlaps")
       ->required();
   add_unit_option(*command, options->unit);
   command->add_flag("--json", options->json, "Print an array with an object for each mesh (lengths in m)");

@@ -53,6 +53,9 @@ double room_for(const std::string& folder) {
 
 bool tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
   for (const PlannedJob& job : plan.jobs) tell_job(job);
+  constexpr std::size_t most_warnings = 12;
+  for (std::size_t i = 0; i < std::min(plan.warnings.size(), most_warnings); ++i)
+    print_err("fingerpad: warning: {}\n", plan.warnings[i]);
   const auto failing = std::count_if(plan.jobs.begin(), plan.jobs.end(),
                                      [](const PlannedJob& job) { return !job.error.empty(); });
   if (failing > 0 && failing == std::ssize(plan.jobs)) {

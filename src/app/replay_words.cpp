@@ -54,6 +54,8 @@ void tell_failures(const std::vector<BatchJob>& jobs) {
     const std::vector<const BatchJob*>& failed = stopped[reason];
     if (failed.size() > 1) {
       print_err("fingerpad: error: {} jobs ({}): {}\n", failed.size(), numbers_of(failed), reason);
+    } else if (failed[0]->job.number > 0) {
+      print_err("fingerpad: error: job {}: {}\n", numbers_of(failed), reason);
     } else {
       print_err("fingerpad: error: {}\n", reason);
     }

@@ -13,19 +13,32 @@ char lower(char c) {
   return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
 }
 
-/// Twice Levenshtein's distance, to which a letter of the other case counts half.
+/// Twice the edit distance (Levenshtein's, with swapped neighbours as one edit), to which a letter of the
+/// other case counts half.
 std::size_t edit_distance(std::string_view a, std::string_view b) {
-  std::vector<std::size_t> row(b.size() + 1);
+  std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
   for (std::size_t k = 0; k < row.size(); ++k) row[k] = 2 * k;
   for (std::size_t i = 1; i <= a.size(); ++i) {
-    std::size_t diagonal = std::exchange(row[0], 2 * i);
+    before_last = std::exchange(last, row);
+    row[0] = 2 * i;
     for (std::size_t k = 1; k <= b.size(); ++k) {
       const char x = a[i - 1], y = b[k - 1];
-      const std::size_t changed = diagonal + (x == y ? 0 : lower(x) == lower(y) ? 1 : 2);
-      diagonal = std::exchange(row[k], std::min({row[k] + 2, row[k - 1] + 2, changed}));
+      const std::size_t changed = last[k - 1] + (x == y ? 0 : lower(x) == lower(y) ? 1 : 2);
+      row[k] = std::min({last[k] + 2, row[k - 1] + 2, changed});
+      if (i > 1 && k > 1 && x == b[k - 2] && a[i - 2] == y) row[k] = std::min(row[k], before_last[k - 2] + 2);
     }
   }
   return row.back();
+}
+
+bool has_between_hyphens(std::string_view whole, std::string_view part) {
+  return part.size() > 1 && fmt::format("-{}-", whole).find(fmt::format("-{}-", part)) != std::string::npos;
+}
+
+std::string only_one_with_part(std::string_view part, const std::vector<std::string>& known) {
+  const auto has_part = [&](const std::string& whole) { return has_between_hyphens(whole, part); };
+  const auto found = std::ranges::find_if(known, has_part);
+  return std::ranges::count_if(known, has_part) == 1 ? *found : "";
 }
 
 }  // namespace
@@ -41,7 +54,7 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
-  return nearest;
+  return nearest.empty() ? only_one_with_part(word, known) : nearest;
 }
 
 std::string word_list(const std::vector<std::string>& words) {

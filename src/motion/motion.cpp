@@ -103,6 +103,7 @@ void take_units(const CsvRequest& request, const UnitRow& row, const std::vector
   };
   format.seconds_per_unit =
       unit(Quantity::time, {0}, format.says_time_unit, format.seconds_per_unit, "time_unit in [motion]");
+  format.says_time_unit = format.says_time_unit || !row.words[0].empty();
   format.metres_per_unit = unit(Quantity::length, {place_of_x, place_of_x + 1, place_of_x + 2},
                                 format.says_unit, format.metres_per_unit, "unit in [motion]");
   format.newtons_per_unit =

@@ -8,7 +8,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double least_usual_m = 1e-3, greatest_usual_m = 20, least_likely_m = 1e-2, greatest_likely_m = 5;
+constexpr double least_usual_m = 2e-3, greatest_usual_m = 20, least_likely_m = 1e-2, greatest_likely_m = 5;
 
 /// "0.3 mm", "300 m".
 std::string length_words(double length_m) {

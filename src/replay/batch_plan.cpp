@@ -114,12 +114,18 @@ class TickCounts {
     const TomlNode root = parse_toml(scene.text, scene.path);
     const TomlEntry* motion = find_entry(root, "motion");
     const std::string key = scene.motion.file_path + (motion != nullptr ? write_toml(motion->value) : "");
-    const auto [entry, is_new] = counts_.try_emplace(key, 0);
-    if (is_new) entry->second = load_motion(scene).path.tick_count();
-    return entry->second;
+    if (const auto known = counts_.find(key); known != counts_.end()) return known->second;
+    const LoadedMotion loaded = load_motion(scene);
+    for (const std::string& warning : loaded.warnings) {
+      if (std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
+    }
+    return counts_[key] = loaded.path.tick_count();
   }
+  /// What was told of those that were loaded for it.
+  const std::vector<std::string>& warnings() const noexcept { return warnings_; }
 
  private:
+  std::vector<std::string> warnings_;
   std::map<std::string, long> counts_;
 };
 
@@ -240,6 +246,7 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
     if (is_new) in_order.push_back(&entry->second);
     of_jobs.back() = &entry->second;
   }
+  plan.warnings = ticks.warnings();
   measure(in_order, options, plan);
   for (const Kind* kind : in_order) plan.seconds += kind->cost.load_s;
   for (std::size_t i = 0; i < plan.jobs.size(); ++i) {

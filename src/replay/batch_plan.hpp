@@ -21,6 +21,7 @@ struct BatchPlan {
   double ticks = 0;
   double seconds = 0;  ///< on the batch's threads
   double bytes = 0;
+  std::vector<std::string> warnings = {};  ///< of its motions' files, each once
   int measured = 0, kinds = 0;  ///< of so many kinds of jobs, by their parts and contact, so many were tried
 };
 

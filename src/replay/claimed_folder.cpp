@@ -110,8 +110,8 @@ ClaimedFolder claimed_folder(const std::vector<BatchJob>& jobs, const BatchOptio
     when_first();
   };
   try {
-    folder.lock =
-        std::make_unique<RunLock>(options.out_dir, output_names(jobs, options), ranks.run, as_first);
+    folder.lock = std::make_unique<RunLock>(options.out_dir, output_names(jobs, options), ranks.run, as_first,
+                                            folder.made.size());
   } catch (const RunHasEnded&) {
     return {};
   }

@@ -135,10 +135,12 @@ void warn_of_run(const Scene& scene, const World& world, const FingerPath& path,
 /// Told of each mesh that is larger than what meshes may take.
 void warn_of_large_meshes(const Scene& scene, MeshStore& meshes, JobResult& result) {
   for (const PartEntry& part : scene.parts) {
-    if (const std::size_t bytes = meshes.oversize(part))
-      result.warnings.push_back(
-          fmt::format("{}: takes about {} in memory, more than --memory by itself; it is loaded all the same",
-                      part.mesh, bytes_text(bytes >> 20 << 20)));
+    const std::size_t bytes = meshes.oversize(part);
+    if (bytes == 0) continue;
+    const int whole = bytes >> 20 > 0 ? 20 : 10;  // MiB, KiB
+    result.warnings.push_back(
+        fmt::format("{}: takes about {} in memory, more than --memory by itself; it is loaded all the same",
+                    part.mesh, bytes_text(bytes >> whole << whole)));
   }
 }
 

@@ -24,6 +24,7 @@
 #include "base/output_place.hpp"
 #include "base/path_words.hpp"
 #include "base/printable_text.hpp"
+#include "replay/state_guard.hpp"
 
 namespace fingerpad {
 namespace {
@@ -31,48 +32,9 @@ namespace {
 namespace fs = std::filesystem;
 using std::chrono::steady_clock;
 
-constexpr const char* guard_name = "guard";
-constexpr const char* lock_ending = ".lock";
 /// For the last processes of a run whose first is gone.
 constexpr std::chrono::seconds patience{10};
-/// For a guard, which whoever has it holds for milliseconds, or while it waits for such processes.
-constexpr std::chrono::seconds guard_patience{60};
 constexpr std::chrono::milliseconds between_tries{20};
-
-Error cannot_write(const std::string& path) {
-  const int problem = errno;
-  return {problem == ENOENT ? ErrorKind::fault : output_fault(problem), path,
-          "cannot be written: " + path_words(path, problem)};
-}
-
-/// Of the output folder, which was there a moment ago: whoever removed it, or put a file in its place, the
-/// call was good.
-Error cannot_write_into(const std::string& folder) {
-  const int problem = errno;
-  const bool is_gone = problem == ENOENT || problem == ENOTDIR;
-  return {is_gone ? ErrorKind::fault : output_fault(problem), folder,
-          "cannot be written: " + path_words(is_gone ? folder + "/" : folder, problem)};
-}
-
-/// The guard of a state folder, held by whoever reads or changes the registrations. Whoever finds the folder
-/// without registrations removes it with its guard; then it is made anew.
-/// @param makes_folder  makes the output folder again too, which a run that was refused may have just removed
-std::optional<OpenFile> take_guard(const std::string& state, const std::string& folder, bool makes_folder) {
-  const std::string path = state + "/" + guard_name;
-  for (const auto end = steady_clock::now() + guard_patience; steady_clock::now() < end;) {
-    const bool is_there = mkdir(state.c_str(), 0777) == 0 || errno == EEXIST;
-    if (!is_there && (!makes_folder || errno != ENOENT)) throw cannot_write_into(folder);
-    if (!is_there) make_folder(folder);
-    OpenFile guard(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
-    if (guard.number() < 0 && errno == ENOENT) continue;
-    if (guard.number() < 0) throw cannot_write(path);
-    const Locking locking = try_lock(guard.number(), LOCK_EX);
-    if (locking == Locking::impossible) return std::nullopt;
-    if (locking == Locking::got && is_at(guard.number(), path)) return guard;
-    if (locking == Locking::busy) std::this_thread::sleep_for(between_tries);
-  }
-  throw refused(folder, fmt::format("another run holds {} and does not let go", path));
-}
 
 /// What a registration says: who and where it is, and the names.
 struct Registration {
@@ -194,23 +156,14 @@ void refuse_overlap(const std::string& registration, const std::string& folder,
   }
 }
 
-/// @pre the guard is held
-void remove_if_unused(const std::string& state) {
-  std::error_code failure;
-  const fs::directory_iterator files(state, failure);
-  if (failure || std::distance(files, fs::directory_iterator()) != 1) return;
-  unlink((state + "/" + guard_name).c_str());
-  rmdir(state.c_str());
-}
-
 }  // namespace
 
 RunLock::RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run,
-                 const std::function<void(const RunLock&)>& when_first)
+                 const std::function<void(const RunLock&)>& when_first, std::size_t made)
     : folder_(folder + "/" + state_folder), others_stay_(!run.empty()) {
-  const auto guard = take_guard(folder_, folder, true);
+  const auto guard = take_guard(folder_, folder, &made);
   if (!guard) {  // a file system without locks: nothing is left there
-    remove_if_unused(folder_);
+    remove_if_unused(folder_, -1);
     if (!run.empty())
       throw refused(
           folder,
@@ -219,6 +172,7 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
     if (when_first) when_first(*this);
     return;
   }
+  note_made_folders(guard->number(), made);
   try {
     if (!run.empty() && join(run)) return;
     end_unfinished(folder_, unfinished_);
@@ -234,7 +188,7 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
       throw;
     }
   } catch (...) {
-    remove_if_unused(folder_);
+    remove_if_unused(folder_, guard->number());
     throw;
   }
 }
@@ -242,9 +196,9 @@ RunLock::RunLock(const std::string& folder, const std::vector<std::string>& name
 RunLock::~RunLock() {
   if (file_.number() < 0 || others_stay_) return;
   try {
-    const auto guard = take_guard(folder_, folder_, false);
+    const auto guard = take_guard(folder_, folder_, nullptr);
     unlink(path_.c_str());
-    remove_if_unused(folder_);
+    remove_if_unused(folder_, guard ? guard->number() : -1);
   } catch (const std::exception&) {
     unlink(path_.c_str());  // the folder is gone, or nobody may write there any more
   }

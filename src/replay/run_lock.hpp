@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <functional>
 #include <string>
 #include <vector>
@@ -24,9 +25,13 @@ class RunLock {
   ///                    registration with it, so that it lasts until all have ended. Empty: a process alone
   /// @param when_first  called by the one who registers, before any other can join, and by a process alone
   ///                    where nobody can register; may be empty. What it throws ends the registration
+  /// @param made        how many folders were made for this run: the output folder, and those that lead to
+  /// it.
+  ///                    Whichever run of those that meet there ends last removes them if they are empty then
   RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run = "",
-          const std::function<void(const RunLock&)>& when_first = {});
-  /// Ends the registration (of ranks, the last does); the state folder goes too if nothing is left in it.
+          const std::function<void(const RunLock&)>& when_first = {}, std::size_t made = 0);
+  /// Ends the registration (of ranks, the last does); the state folder goes too if nothing is left in it, and
+  /// with it those that were made.
   ~RunLock();
   RunLock(const RunLock&) = delete;
   RunLock& operator=(const RunLock&) = delete;

@@ -1,10 +1,21 @@
 #include "trace/motion_doubts.hpp"
 
 #include "base/number_text.hpp"
+#include "base/unit.hpp"
 #include "motion/driving_share.hpp"
 #include "motion/pressed_force.hpp"
 
 namespace fingerpad {
+namespace {
+
+double way_m(const Motion& motion) {
+  double way_m = 0;
+  for (Eigen::Index i = 1; i < motion.p_WQ.cols(); ++i)
+    way_m += (motion.p_WQ.col(i) - motion.p_WQ.col(i - 1)).norm();
+  return way_m;
+}
+
+}  // namespace
 
 void refuse_wild_rate(const MotionReading& reading, double least_hz) {
   const RecordingClock& clock = reading.clock;
@@ -25,6 +36,26 @@ void warn_of_odd_steps(MotionReading& reading) {
                   "is {} ms at t = {} s; in between the finger goes straight",
                   clock.odd_steps, clock.steps, rounded_text(1e3 * clock.longest_s, 3),
                   rounded_text(clock.longest_at_s, 6)));
+}
+
+void warn_of_slow_clock(MotionReading& reading) {
+  constexpr long fewest_steps = 20;
+  constexpr double slowest_recorder_hz = 10, least_likely_hz = 20, most_likely_hz = 20e3, quick_m_per_s = 2;
+  const RecordingClock& clock = reading.clock;
+  if (reading.says_time_unit || clock.steps < fewest_steps || clock.rate_hz >= slowest_recorder_hz) return;
+  const double duration_s = reading.motion.t_s.back() - reading.motion.t_s.front();
+  const double speed_m_per_s = way_m(reading.motion) / duration_s;
+  for (const TimeUnit& unit : time_units) {
+    const double likely_hz = clock.rate_hz / unit.seconds;
+    if (likely_hz < least_likely_hz || likely_hz > most_likely_hz) continue;
+    if (speed_m_per_s / unit.seconds > quick_m_per_s) continue;
+    reading.warn(fmt::format(
+        "its samples are {} s apart, {} s in all, if its time is in seconds; time_unit = \"{}\" in "
+        "[motion] makes it {} Hz and {} s (time_unit = \"s\" if it is right)",
+        rounded_text(1 / clock.rate_hz, 3), rounded_text(duration_s, 4), unit.name,
+        rounded_text(likely_hz, 4), rounded_text(duration_s * unit.seconds, 4)));
+    return;
+  }
 }
 
 void warn_of_odd_force(MotionReading& reading) {

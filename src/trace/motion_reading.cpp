@@ -52,6 +52,7 @@ void warn_of_thinned(MotionReading& reading, std::uint64_t every) {
 void read_file(MotionReading& reading) {
   const MotionSettings& settings = reading.settings;
   const bool reads_force = settings.format.reads_normal_force;
+  refuse_false_hdf5(settings.file_path);
   const bool hdf5 = is_hdf5(settings.file_path);
   if (hdf5 || (settings.table_key.empty() && is_csv_trace(settings.file_path))) {
     if (!settings.table_key.empty()) {
@@ -60,6 +61,7 @@ void read_file(MotionReading& reading) {
                                 "(HDF5), which says itself what it holds: leave the key out",
                                 settings.table_key, settings.file));
     }
+    reading.says_time_unit = true;
     Trace trace = read_trace(settings.file_path, TraceContents::rows);
     reading.motion = motion_of_trace(trace, settings.file_path, reads_force);
     warn_of_thinned(reading, trace.info.every);
@@ -73,6 +75,7 @@ void read_file(MotionReading& reading) {
   RecordingFormat format = settings.format;
   format.ends_each_row = is_own_csv_trace(settings.file_path);
   FieldRecording recording = read_field_recording(settings.file_path, format);
+  reading.says_time_unit = format.ends_each_row || !format.name.empty() || recording.read_as.says_time_unit;
   if (!recording.read_as.cut.empty()) reading.warn(recording.read_as.cut);
   warn_of_thinned(reading, every_of_csv(settings.file_path));
   reading.motion = std::move(recording.motion);

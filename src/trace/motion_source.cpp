@@ -46,9 +46,10 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   }
   if (settings.scripted) return at_chosen_rate(scene, scripted_motion(scene));
   if (settings.laid) return laid_at_chosen_rate(scene, meshes);
-  MotionReading reading{scene, settings, {}, {}, {}, {}, {}};
+  MotionReading reading{scene, settings, {}, {}, false, {}, {}, {}};
   read_file(reading);
   reading.clock = recording_clock(reading.motion.t_s);
+  warn_of_slow_clock(reading);
   if (settings.has_own_rate() || is_refined(settings))
     refuse_wild_rate(reading, settings.has_own_rate() ? 1 : 0);
   const double rate_hz = settled_rate_hz(reading);

@@ -85,6 +85,10 @@ void refuse_no_rows(const Trace& trace, const std::string& path);
 /// True if the file starts like an HDF5 file.
 bool is_hdf5(const std::string& path);
 
+/// Throws Error (refused) for a file whose name ends as an HDF5 file's and whose bytes do not start like
+/// one's.
+void refuse_false_hdf5(const std::string& path);
+
 /// What the column `every` of a trace as CSV says, one with some columns alone too; 1 where it has none, and
 /// for all other files.
 std::uint64_t every_of_csv(const std::string& path);

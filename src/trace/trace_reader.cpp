@@ -49,9 +49,16 @@ bool is_hdf5(const std::string& path) {
   return file.read(start.data(), 8) == 8 && start == "\x89HDF\r\n\x1a\n";
 }
 
+void refuse_false_hdf5(const std::string& path) {
+  const bool says_hdf5 = path.ends_with(".h5") || path.ends_with(".hdf5");
+  if (says_hdf5 && !is_hdf5(path) && !why_unreadable(path, trace_file))
+    throw refused(path, "is no HDF5 file, as its name says: it is damaged, or something else by that name");
+}
+
 Trace read_trace(const std::string& path, TraceContents contents) {
   if (path.ends_with(".toml") && !is_hdf5(path) && !why_unreadable(path, trace_file))
     throw refused(path, "is a scene, not a trace: `fingerpad replay` makes one of it");
+  refuse_false_hdf5(path);
   Trace trace = is_hdf5(path) ? read_hdf5_trace(path, contents) : read_csv_trace(path);
   if (contents != TraceContents::some_rows) refuse_missing_columns(trace, path);
   return trace;

@@ -40,6 +40,31 @@ TEST(DryRun, ListsJobsWithTheirTicksAndReckonsTimeAndDisk) {
   EXPECT_NEAR(std::stod(planned.out.substr(at + 8)) * 1e6, bytes, 0.2 * bytes) << planned.out;
 }
 
+TEST(DryRun, SaysOfEachJobOfAMotionThatCannotBeReadThatItWouldFail) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nfile = \"a.csv\"\n[[set]]\nmotion "
+         "= \"*.csv\"\nseed = [1, 2]\n";
+  std::ofstream(folder / "a.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0\n0.001,0,0,0\n";
+  std::ofstream(folder / "b.csv") << "t_s,x_m\n0,0\n";
+  const std::string told = test::fingerpad("replay s.toml --out o --dry-run", folder).out;
+  EXPECT_THAT(told, HasSubstr("s-0003.h5: b.csv, seed 1: would fail: b.csv:1: "));
+  EXPECT_THAT(told, HasSubstr("s-0004.h5: b.csv, seed 2: would fail: b.csv:1: "));
+}
+
+TEST(DryRun, TellsWhatIsOddInAMotion) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml") << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nfile = "
+                                      "\"m.csv\"\nrate_hz = 1000\n[[set]]\nseed = [1, 2]\n";
+  std::ofstream file(folder / "m.csv");
+  file << "t_s,x_m,y_m,z_m\n";
+  for (int i = 0; i < 30; ++i) file << i << "," << 1e-5 * i << ",0,0\n";
+  file.close();
+  const auto planned = test::fingerpad("replay s.toml --out o --dry-run", folder);
+  EXPECT_THAT(planned.err, testing::StartsWith("fingerpad: warning: m.csv: its samples are 1 s apart"));
+  EXPECT_EQ(std::count(planned.err.begin(), planned.err.end(), '\n'), 1) << planned.err;
+}
+
 /// At most eight kinds are tried, however many small ones stand before the large ones.
 TEST(DryRun, ReckonsTheDiskOfPartsThatItDoesNotTryByTheirMeshes) {
   const fs::path folder = test::scratch_dir();

@@ -40,6 +40,16 @@ TEST(LongBatch, TellsAReasonOnceForAllTheJobsThatItStopped) {
   EXPECT_THAT(summary, HasSubstr("\ns,9,9,")) << "each job has its row, with the reason";
 }
 
+TEST(LongBatch, TellsWhichJobAReasonStopped) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml") << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+                                      "[motion]\nfile = \"m.csv\"\n[[set]]\nmotion = \"*.csv\"\n";
+  std::ofstream(folder / "bad.csv") << "t_s,x_m\n0,0\n";
+  std::ofstream(folder / "m.csv") << "t_s,x_m,y_m,z_m\n0,0,0,0\n0.001,0,0,0\n";
+  EXPECT_THAT(test::fingerpad("replay s.toml --out o", folder).err,
+              HasSubstr("fingerpad: error: job 1: bad.csv:"));
+}
+
 TEST(LongBatch, ToldToStopFinishesWhatItBeganAndIsResumedToTheSameBytes) {
   const fs::path folder = test::scratch_dir();
   constexpr int jobs = 30;

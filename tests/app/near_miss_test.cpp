@@ -101,6 +101,34 @@ TEST(NearMiss, OfALawsKeyIsRefusedInOneLine) {
             "stick-slip, finger-pad, contact-area\n");
 }
 
+TEST(NearMiss, OfAKeyWithSwappedLettersOrAPartOfAWordIsTold) {
+  const fs::path folder = test::scratch_dir();
+  const auto told = [&](const std::string& more) {
+    test::write_file(folder, "s.toml", scene + more);
+    return test::fingerpad("replay s.toml --out o", folder).err;
+  };
+  EXPECT_THAT(told("[friction]\nlwa = \"coulomb\"\n"),
+              HasSubstr("unknown key 'lwa' in [friction]; did you mean 'law'?"));
+  EXPECT_THAT(told("[[set]]\nfriction.lwa = [\"coulomb\"]\n"), HasSubstr("did you mean 'friction.law'?"));
+  EXPECT_THAT(told("[contact]\nmethod = \"point\"\n"),
+              HasSubstr("unknown method 'point'; did you mean 'closest-point'?"));
+  EXPECT_THAT(told("[friction]\nlaw = \"pad\"\n"), HasSubstr("did you mean 'finger-pad'?"));
+}
+
+TEST(NearMiss, OfAnHdf5FileByItsNameIsNotReadAsText) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "run.h5", "t_s,x_m,y_m,z_m\n0,0,0,0\n");
+  test::write_file(folder, "s.toml",
+                   "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nfile = \"run.h5\"\n");
+  for (const char* call : {"replay s.toml --out o", "export run.h5 --out a.csv"}) {
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 3) << call;
+    EXPECT_EQ(result.err,
+              "fingerpad: error: run.h5: is no HDF5 file, as its name says: it is damaged, or "
+              "something else by that name\n");
+  }
+}
+
 TEST(NearMiss, OfADeviceIsToldWithTheDevices) {
   const auto result = test::fingerpad("touch scenes/sweep.toml --device poiner", folder_with_scenes());
   EXPECT_EQ(result.exit_code, 2);

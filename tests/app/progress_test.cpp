@@ -24,7 +24,7 @@ constexpr int subdivisions = 8;  // 524,288: over a second
 
 /// A folder with a mesh that takes longer than half a second, one that does not, and a point to ask them for.
 /// @param finer  by how often each triangle of the first is parted in four, where a load must last much
-/// longer
+/// longer; below 0 where it need not last
 fs::path folder_with_meshes(int finer = 0) {
   const fs::path folder = test::scratch_dir();
   test::write_file(folder, "ball.ply", test::binary_ply(test::sphere_soup(50, subdivisions + finer)));
@@ -69,12 +69,13 @@ TEST(LoadBar, ShowsTheStagesOfALongLoadOnATerminalAndWipesItselfAway) {
 TEST(LoadBar, IsSilentWhereThereIsNoTerminal) {
   const fs::path folder = folder_with_meshes();
   EXPECT_EQ(test::fingerpad("query ball.ply points.csv --out out.csv", folder).err, "");
-  EXPECT_EQ(test::fingerpad("check ball.ply", folder).err, "");
+  test::write_file(folder, "less.ply", test::binary_ply(test::sphere_soup(50, subdivisions - 1)));
+  EXPECT_EQ(test::fingerpad("check less.ply", folder).err, "") << "walls take longer than a load";
 }
 
 TEST(LoadBar, AQuickLoadAndARefusedOneLeaveNoTrace) {
   if (!has_script()) GTEST_SKIP() << "no script(1) to play a terminal";
-  const fs::path folder = folder_with_meshes();
+  const fs::path folder = folder_with_meshes(1 - subdivisions);  // the first is not asked for
   EXPECT_EQ(on_a_terminal("query box.ply points.csv", folder), "");
   const std::string refused = on_a_terminal("query absent.ply points.csv", folder);
   EXPECT_EQ(refused.rfind("fingerpad: error: absent.ply", 0), 0u) << refused;

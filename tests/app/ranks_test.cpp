@@ -170,21 +170,24 @@ TEST(Ranks, WhoseLauncherIsGoneBeforeTheyBeginWriteNothing) {
 TEST(Ranks, ShareABatchUnderSlurmByTheScriptsInTools) {
   const fs::path folder = folder_with_batch(100000);
   const std::string tool = "'" + (test::source_dir() / "tools").string() + "/";
+  // As `sbatch --wait`, which looks after 2 s and then after 8 more.
+  std::ofstream(folder / "batch") << R"sh(job=$(sbatch --parsable "$@")
+until scontrol --oneliner show job "$job" |
+  awk '!/JobState=(COMPLETED|FAILED|NODE_FAIL|CANCELLED) / { left = 1 } END { exit left || NR == 0 }'; do sleep 0.1; done
+exit "$(scontrol --oneliner show job "$job" | sed -nE 's/.* ExitCode=([0-9]+):.*/\1/p' | sort -n | tail -n 1)"
+)sh";
   std::ofstream(folder / "on_slurm")
       << "set -e\nexport FINGERPAD='" << test::program().string()
       << "'\n"
       // Shards in any order: the last first, the others when it is done.
-      << "SHARDS=3 sbatch --quiet --wait --array=3 --cpus-per-task=1 " << tool
-      << "slurm_shards' shards plane.toml\n"
-      << "SHARDS=3 sbatch --quiet --wait --array=1,2 --cpus-per-task=1 " << tool
-      << "slurm_shards' shards plane.toml\n"
-      << "sbatch --quiet --wait --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 " << tool
+      << "SHARDS=3 bash batch --array=3 --cpus-per-task=1 " << tool << "slurm_shards' shards plane.toml\n"
+      << "SHARDS=3 bash batch --array=1,2 --cpus-per-task=1 " << tool << "slurm_shards' shards plane.toml\n"
+      << "bash batch --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 " << tool
       << "slurm_ranks' ranks plane.toml\n"
-      << support("kill_rank")
-      << "killed 1 rank sbatch --quiet --wait --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 " << tool
-      << "slurm_ranks' killed plane.toml && code=0 || code=$?\n"
+      << support("kill_rank") << "killed 1 rank bash batch --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 "
+      << tool << "slurm_ranks' killed plane.toml && code=0 || code=$?\n"
       << "echo killed $code\n"
-      << "sbatch --quiet --wait --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 " << tool
+      << "bash batch --nodes=1 --ntasks-per-node=2 --cpus-per-task=1 " << tool
       << "slurm_ranks' killed plane.toml\n";
   const ShellResult run = test::shell(support("with_slurm") + "bash on_slurm", folder);
   if (run.exit_code == 77) GTEST_SKIP() << run.err;

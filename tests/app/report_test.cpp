@@ -243,15 +243,35 @@ for field in fields:
 }
 
 /// What a browser says to these steps (tests/support/open_in_chromium), a line each.
-std::vector<json> browsed(const fs::path& folder, const std::string& steps) {
+std::vector<json> browsed(const fs::path& folder, const std::string& steps, const std::string& size = "") {
   std::ofstream(folder / "steps") << steps;
   const std::string driver = (test::source_dir() / "tests" / "support" / "open_in_chromium").string();
-  const auto result = test::shell("'" + driver + "' page.html < steps", folder);
+  const auto result = test::shell("'" + driver + "' page.html " + size + " < steps", folder);
   EXPECT_EQ(result.exit_code, 0) << result.err;
   std::vector<json> answers;
   std::istringstream lines(result.out);
   for (std::string line; std::getline(lines, line);) answers.push_back(json::parse(line));
   return answers;
+}
+
+TEST(Report, InABrowserShowsAllColumnsOfItsTableInASmallWindowAndSaysWhereMoreAreWiderThanIt) {
+  if (test::shell("command -v chromium", test::scratch_dir()).exit_code != 0)
+    GTEST_SKIP() << "chromium is not installed";
+  const fs::path folder = folder_with_set("--format none");
+  page_of(folder);
+  const auto answers = browsed(folder, R"steps(until document.documentElement.dataset.ready === "yes"
+js (window.table = document.getElementById("job-table_wrapper"), window.fits = () => [table.scrollWidth <= table.clientWidth, document.getElementById("wide").hidden])()
+js fits()
+click #all-figures
+js fits()
+click #all-figures
+js fits()
+)steps",
+                               "1024x768");
+  ASSERT_EQ(answers.size(), 5u);
+  EXPECT_EQ(answers[1], json::parse("[true, true]"));
+  EXPECT_EQ(answers[2], json::parse("[false, false]"));
+  EXPECT_EQ(answers[3], json::parse("[true, true]"));
 }
 
 /// A chart's labels go by how wide they are, not by how many letters they have.

@@ -55,6 +55,20 @@ void expect_plain(const std::string& told) {
   EXPECT_THAT(told, Not(HasSubstr("\xe9")));
 }
 
+TEST(Words, OfACheckedSceneNameBodiesThatOverlap) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "s.toml")
+      << "[[part]]\nmesh = \"box.stl\"\nunit = \"cm\"\n"
+         "[[part]]\nmesh = \"box.stl\"\nunit = \"cm\"\nposition_m = [0.08, 0, 0]\n"
+         "[[plane]]\npoint_m = [0, 0, -0.15]\nnormal = [0, 0, 1]\n";
+  const ShellResult result = run("check s.toml", folder);
+  EXPECT_EQ(result.exit_code, 0);
+  EXPECT_THAT(result.err,
+              HasSubstr("fingerpad: s.toml: part 1 (box.stl) and part 2 (box.stl) overlap by 20 mm at ("));
+  EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "they stand on the plane";
+  EXPECT_THAT(result.out, HasSubstr("300")) << "mm: each part in its own unit";
+}
+
 TEST(Words, OfFileNamesNeverReachATerminalRaw) {
   const fs::path folder = folder_with_inputs();
   for (const std::string& name : {nasty_name, std::string("caf\xe9")}) {

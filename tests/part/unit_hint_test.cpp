@@ -22,8 +22,13 @@ TEST(UnitHint, NamesMillimetresForAPartAsLongAsAStreet) {
   EXPECT_THAT(hint(120, 1), testing::HasSubstr("is 120 m long; --unit mm"));
 }
 
+/// Of a part that was drawn about a metre long.
+TEST(UnitHint, NamesMetresForAMillimetre) {
+  EXPECT_EQ(hint(1.00158e-3, 1e-3), "is 1 mm long; --unit m (in a scene: unit = \"m\") reads it as 1 m");
+}
+
 TEST(UnitHint, LeavesUsualSizesAlone) {
-  for (const double length_m : {1e-3, 0.02, 0.3, 4.6, 20.0}) EXPECT_EQ(hint(length_m, 1e-3), "") << length_m;
+  for (const double length_m : {2e-3, 0.02, 0.3, 4.6, 20.0}) EXPECT_EQ(hint(length_m, 1e-3), "") << length_m;
   EXPECT_EQ(hint(0.3e-3, 1e-3, "STEP"), "") << "knows its own";
   EXPECT_EQ(hint(1e-9, 1e-3), "") << "no unit makes that a part";
 }

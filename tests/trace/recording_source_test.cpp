@@ -29,17 +29,19 @@ Scene scene_with(const std::string& motion) {
 }
 
 /// Written into the scratch folder, which scene_with empties: so it stands after it.
-void write_recording(long samples, double rate_hz, const std::string& header = "t_s,x_m,y_m,z_m") {
+void write_recording(long samples, double rate_hz, const std::string& header = "t_s,x_m,y_m,z_m",
+                     double step_m = 1e-5) {
   std::ofstream file(test::scratch_dir() / "m.csv");
   file << header << "\n";
   for (long i = 0; i < samples; ++i)
     file << fmt::format("{:.6f},{:.6f},0,0.001\n", static_cast<double>(i) / rate_hz,
-                        1e-5 * static_cast<double>(i));
+                        step_m * static_cast<double>(i));
 }
 
-LoadedMotion loaded(const std::string& motion, long samples = 500, double rate_hz = 240) {
+LoadedMotion loaded(const std::string& motion, long samples = 500, double rate_hz = 240,
+                    double step_m = 1e-5) {
   const Scene scene = scene_with("file = \"m.csv\"\n" + motion);
-  write_recording(samples, rate_hz);
+  write_recording(samples, rate_hz, "t_s,x_m,y_m,z_m", step_m);
   return load_motion(scene);
 }
 
@@ -87,6 +89,33 @@ TEST(RecordingSource, WarnsOfAnIrregularClockWhereThatDecides) {
       ElementsAre("m.csv: its clock is irregular: 1 of 4 steps are off by more than half, the longest is "
                   "50 ms at t = 0.02 s; in between the finger goes straight"));
   EXPECT_THAT(load_motion(given).warnings, IsEmpty());
+}
+
+TEST(RecordingSource, SuspectsTimesThatWereReadAsSeconds) {
+  // A kilohertz in ms, and in us, as its user forgot to say: a step of 10 um is 10 mm/s in truth.
+  EXPECT_THAT(
+      loaded("rate_hz = 1000\n", 100, 1).warnings,
+      ElementsAre("m.csv: its samples are 1 s apart, 99 s in all, if its time is in seconds; time_unit "
+                  "= \"ms\" in [motion] makes it 1000 Hz and 0.099 s (time_unit = \"s\" if it is "
+                  "right)"));
+  EXPECT_THAT(loaded("rate_hz = 1000\n", 25, 1e-3).warnings, ElementsAre(HasSubstr("time_unit = \"us\"")));
+  EXPECT_THAT(loaded("time_unit = \"s\"\nrate_hz = 1000\n", 100, 1).warnings, IsEmpty()) << "it is said";
+  EXPECT_THAT(loaded("time_unit = \"ms\"\n", 100, 1).warnings, IsEmpty());
+  EXPECT_THAT(loaded("rate_hz = 1000\n", 15, 1).warnings, IsEmpty()) << "written by hand";
+  EXPECT_THAT(loaded("rate_hz = 1000\n", 100, 12).warnings, IsEmpty()) << "a slow recorder";
+  // In steps of 100 mm a finger in ms would go at 100 m/s.
+  EXPECT_THAT(loaded("rate_hz = 10\n", 30, 1, 0.1).warnings, IsEmpty());
+}
+
+TEST(RecordingSource, ALineOfUnitsSaysWhatItsTimesAreIn) {
+  const Scene scene = scene_with("file = \"m.csv\"\nrate_hz = 10\n");
+  for (const auto& [unit, warnings] : {std::pair{"s", 0u}, {"", 1u}}) {
+    std::ofstream file(test::scratch_dir() / "m.csv");
+    file << "t_s,x_m,y_m,z_m\n" << unit << ",m,m,m\n";
+    for (int i = 0; i < 30; ++i) file << fmt::format("{},{:.6f},0,0.001\n", i, 1e-5 * i);
+    file.close();
+    EXPECT_EQ(load_motion(scene).warnings.size(), warnings) << unit;
+  }
 }
 
 TEST(RecordingSource, TellsWhatSmoothingDid) {

@@ -1,4 +1,4 @@
-/** Seen at first; the rest of the figures on request. */
+/** Seen at first where they are not 0 throughout; the rest of the figures on request. */
 const mainFigures = ["pop_throughs", "unsettled_ticks", "energy_made_j", "max_normal_force_n", "max_friction_n", "mean_slip_mu"];
 
 let jobTable = null;
@@ -27,14 +27,17 @@ function motionsVaryOverPart() {
   return meshes.size !== new Set(report.jobs.map(job => job.mesh + "\n" + job.motion)).size;
 }
 
-/** The columns of the table, each with its heading and what a job shows in it. */
+const seenAtFirst = (name, i) => mainFigures.includes(name) && report.jobs.some(job => job.figures[i]);
+
+/** The columns of the table, each with its heading and what a job shows in it. What tells nothing, as it is empty or 0 or the same
+    of all jobs, is left out, so that the others have room. */
 function tableColumns() {
   const text = (title, of, extra) => ({ title: escapedBreakable(title), data: null, render: (job, kind) => kind === "display" ? escapedBreakable(of(job)) : of(job), ...extra });
   const columns = [
     { title: "worst", data: "rank", className: "number", type: "num" },
     { title: "part and path", data: null, orderable: false, render: job => job.run && job.run.thumbnail
       ? `<img alt="${escaped(jobTitle(job))}" src="data:image/jpeg;base64,${job.run.thumbnail}">` : "" },
-    { title: "trouble", data: null, className: "trouble", render: (job, kind) => kind === "display"
+    { title: "trouble", data: null, className: "trouble", visible: report.jobs.some(job => troubleOf(job)), render: (job, kind) => kind === "display"
       ? `<div title="${escaped(troubleOf(job))}">${escapedBreakable(troubleOf(job))}</div>` : troubleOf(job) }];
   if (new Set(report.jobs.map(job => job.scene)).size > 1) columns.push(text("scene", job => job.scene));
   columns.push({ title: "job", data: "number", className: "number", type: "num" });
@@ -45,10 +48,11 @@ function tableColumns() {
   report.columns.forEach((column, i) => {
     const unit = unitOf(column);
     columns.push({ title: `<span title="${escaped(column.doc)}">${escaped(words(column))}</span>`,
-      data: null, className: "number", type: "num", visible: mainFigures.includes(column.name), figure: i,
+      data: null, className: "number", type: "num", visible: seenAtFirst(column.name, i), figure: i,
       render: (job, kind) => kind === "display" ? escaped(si(job.figures[i], unit || "1")) : job.figures[i] === null ? -Infinity : job.figures[i] });
   });
-  columns.push(text("contact", job => (job.method + " " + job.normals).trim()));
+  const contactOf = job => (job.method + " " + job.normals).trim();
+  columns.push(text("contact", contactOf, { visible: new Set(report.jobs.map(contactOf).filter(Boolean)).size > 1 }));
   return columns;
 }
 
@@ -77,8 +81,8 @@ function showFilters(columns) {
     choice("", ["at least", "at most"], 0, k => { bound.sense = k; jobTable.draw(); }), " ", value));
   const all = element("input", { type: "checkbox", id: "all-figures" });
   all.addEventListener("change", () => columns.forEach((column, i) => {
-    if (column.figure !== undefined && !mainFigures.includes(report.columns[column.figure].name)) jobTable.column(i).visible(all.checked, false);
-  }) || jobTable.columns.adjust());
+    if (column.figure !== undefined && !seenAtFirst(report.columns[column.figure].name, column.figure)) jobTable.column(i).visible(all.checked, false);
+  }) || jobTable.columns.adjust() && showWidth());
   holder.append(element("label", {}, all, " all figures"));
 }
 
@@ -98,6 +102,12 @@ function showCounts() {
     "The worst stand first: failed, then by forces that are not finite, pop-throughs, unsettled ticks, energy made " +
     "(where it is over 1 % of greatest force times depth), and last by the greatest normal force. Click a row for the job's own page." +
     damageWords();
+}
+
+/** Says so where the window is narrower than the table. */
+function showWidth() {
+  const wrapper = document.getElementById("job-table_wrapper");
+  document.getElementById("wide").hidden = wrapper.scrollWidth <= wrapper.clientWidth + 1;
 }
 
 function showJobTable() {
@@ -121,4 +131,6 @@ function showJobTable() {
   $("#job-table tbody").on("click", "tr", event => { if (jobTable.row(event.currentTarget).data()) open(event.currentTarget); });
   $("#job-table tbody").on("keydown", "tr", event => { if (event.key === "Enter") open(event.currentTarget); });
   showFilters(columns);
+  jobTable.on("draw", showWidth);
+  window.addEventListener("resize", showWidth);
 }

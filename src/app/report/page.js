@@ -14,6 +14,7 @@ function showPlace() {
   for (const main of document.querySelectorAll("main")) main.classList.toggle("here", main.id === name);
   for (const link of document.querySelectorAll("nav a"))
     link.classList.toggle("here", link.hash === "#" + name || (name === "job" && link.hash === "#jobs"));
+  if (name === "jobs") showWidth();
   if (name !== "job") leaveJob();
   if (job) showJob(job);
   if (name === "charts") showCharts();

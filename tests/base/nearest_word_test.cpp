@@ -1,0 +1,28 @@
+#include "base/nearest_word.hpp"
+
+#include <gtest/gtest.h>
+
+namespace fingerpad::nearest_word_test {
+namespace {
+
+const std::vector<std::string> words{"law",        "closest-point", "proxy",
+                                     "finger-pad", "stick-slip",    "stick-pad"};
+
+TEST(NearestWord, CountsSwappedLettersAsOneMistake) {
+  EXPECT_EQ(nearest_word("lwa", words), "law");
+  EXPECT_EQ(nearest_word("lw", words), "law");
+  EXPECT_EQ(nearest_word("wal", words), "") << "no neighbours are swapped";
+  EXPECT_EQ(nearest_word("rpoxy", words), "proxy");
+  EXPECT_EQ(nearest_word("PROXY", words), "") << "five letters of the other case count as two and a half";
+}
+
+TEST(NearestWord, KnowsAWordByItsPart) {
+  EXPECT_EQ(nearest_word("point", words), "closest-point");
+  EXPECT_EQ(nearest_word("slip", words), "stick-slip");
+  EXPECT_EQ(nearest_word("pad", words), "") << "two words have it";
+  EXPECT_EQ(nearest_word("poin", words), "") << "no whole part";
+  EXPECT_EQ(nearest_word("", words), "");
+}
+
+}  // namespace
+}  // namespace fingerpad::nearest_word_test
