@@ -89,6 +89,7 @@ std::vector<std::string> remove_hum(std::vector<RecordedTrial>& trials, Mains ma
       if ((trials[i].*sensed).cols() == 0) continue;
       taken.push_back(take_off(verdict.lines[i], sensed, trials[i]));
       if (!are_forces) continue;
+      trials[i].lines_left_in = verdict.lines_left_in[i];
       cleanings[i].hum_hz = taken.back().frequency_hz;
       cleanings[i].hum_n = taken.back().amplitude;
     }
