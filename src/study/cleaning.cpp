@@ -89,6 +89,7 @@ std::vector<std::string> remove_hum(std::vector<RecordedTrial>& trials, Mains ma
       if ((trials[i].*sensed).cols() == 0) continue;
       taken.push_back(take_off(verdict.lines[i], sensed, trials[i]));
       if (!are_forces) continue;
+      trials[i].lines_left_in = verdict.lines_left_in[i];
       cleanings[i].hum_hz = taken.back().frequency_hz;
       cleanings[i].hum_n = taken.back().amplitude;
     }
@@ -106,7 +107,7 @@ std::string contact_text(const std::vector<TrialCleaning>& trials) {
   }
   if (told == 0) return {};
   return fmt::format(
-      "contact points: told from force and torque in {} trials{}", told,
+      "contact points: told from force and torque in {} trial{}{}", told, told == 1 ? "" : "s",
       untared == 0
           ? ", after the tare"
           : fmt::format("; in {} of them no tare was taken off, and a sensor that was not zeroed moves "

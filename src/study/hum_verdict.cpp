@@ -197,26 +197,30 @@ std::vector<std::optional<HumLine>> bounded_by_air(const std::vector<TrialLine>&
   return found;
 }
 
-/// Judges the lines near one frequency of the mains: puts what is hum into the trials' own, and says what is
-/// left in.
+/// Judges the lines near one frequency of the mains: puts what is hum, and what is left in, into the trials'
+/// own, and says what is left in.
 std::map<HumReason, LeftIn> judge_lines(const std::vector<TrialLine>& lines,
                                         const std::vector<RecordedTrial>& trials, Sensed sensed,
-                                        std::size_t showing, std::vector<std::vector<HumLine>>& hum) {
+                                        std::size_t showing, HumVerdict& verdict) {
   std::map<HumReason, LeftIn> left;
+  const auto leave_in = [&](const TrialLine& one, HumReason reason, double amplitude) {
+    left[reason].add(amplitude, one.line.hz);
+    verdict.lines_left_in[one.trial].push_back({one.line.nominal_hz, amplitude});
+  };
   const std::vector<std::optional<HumLine>> bounded = bounded_by_air(lines, trials, sensed);
   for (std::size_t k = 0; k < lines.size(); ++k) {
     const TrialLine& one = lines[k];
     if (bounded[k]) {
-      hum[one.trial].push_back(*bounded[k]);
+      verdict.lines[one.trial].push_back(*bounded[k]);
       const double rest = left_of(one.line, *bounded[k], trials[one.trial]);
-      if (stands_out(one.line, rest)) left[HumReason::beside_air].add(rest, one.line.hz);
+      if (stands_out(one.line, rest)) leave_in(one, HumReason::beside_air, rest);
       continue;
     }
     const HumReason reason = reason_of(one, lines, trials, showing);
     if (reason == HumReason::hum) {
-      hum[one.trial].push_back(one.line);
+      verdict.lines[one.trial].push_back(one.line);
     } else {
-      left[reason].add(one.line.amplitude(), one.line.hz);
+      leave_in(one, reason, one.line.amplitude());
     }
   }
   return left;
@@ -227,6 +231,7 @@ std::map<HumReason, LeftIn> judge_lines(const std::vector<TrialLine>& lines,
 HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Mains mains) {
   HumVerdict verdict;
   verdict.lines.resize(trials.size());
+  verdict.lines_left_in.resize(trials.size());
   const bool are_forces = sensed == &RecordedTrial::force_W;
   const auto sensing = std::count_if(trials.begin(), trials.end(),
                                      [&](const RecordedTrial& trial) { return (trial.*sensed).cols() > 0; });
@@ -247,7 +252,7 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
         static_cast<std::size_t>(std::count_if(trials.begin(), trials.end(), [&](const RecordedTrial& trial) {
           return can_show_line(trial, sensed, nominal_hz);
         }));
-    for (const auto& [reason, here] : judge_lines(lines, trials, sensed, showing, verdict.lines))
+    for (const auto& [reason, here] : judge_lines(lines, trials, sensed, showing, verdict))
       verdict.left_in.push_back(
           fmt::format("a line near {:.0f} Hz is left in {} of {} trials, of at most {} {} at {:.2f} Hz: {}",
                       nominal_hz, here.trials, sensing, rounded_text((are_forces ? 1 : 1e3) * here.most, 2),

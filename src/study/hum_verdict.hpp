@@ -9,8 +9,9 @@ namespace fingerpad {
 
 /// Of the lines near 50 or 60 Hz of a measurement's trials, those that are mains hum.
 struct HumVerdict {
-  std::vector<std::vector<HumLine>> lines;  ///< of each trial, to be taken off
-  std::vector<std::string> left_in;         ///< which others are not, with their size and why
+  std::vector<std::vector<HumLine>> lines;             ///< of each trial, to be taken off
+  std::vector<std::vector<LineLeftIn>> lines_left_in;  ///< of each trial, the others
+  std::vector<std::string> left_in;                    ///< which those are, with their size and why
 };
 
 /// Tells mains hum from teeth of stick and slip, which make such lines too where a finger moves evenly.

@@ -28,6 +28,7 @@ struct MeasuredTrial {
   double delay_unsure_s = 0;      ///< by which the delay that was taken out may be off: half its interval
   bool is_delay_told = true;      ///< else none was taken out, and delay_unsure_s is what one may be
   std::string lacks;  ///< "FILE: column fx_n missing": force_ratio is none; empty: it was measured
+  std::vector<LineLeftIn> lines_left_in;
 };
 
 /// The finger's angle that a trial is run and drawn at [deg]: 45, where a pad's axes hold, if it says none.

@@ -17,6 +17,7 @@ MeasuredTrial in_pad_axes(const RecordedTrial& trial) {
   measured.subject = trial.subject;
   measured.name = trial_name(trial);
   measured.rate_hz = trial.rate_hz;
+  measured.lines_left_in = trial.lines_left_in;
   measured.has_direction = trial.has_direction();
   if (measured.has_direction)
     measured.inclination_deg = inclination_rad(trial.direction_W, trial.normal_W) * 180 / std::numbers::pi;

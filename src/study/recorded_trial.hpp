@@ -20,6 +20,12 @@ struct ContactSensor {
   double plate_height_m = 0;     ///< of the plate's surface over W's origin, along the plate's normal
 };
 
+/// A line near a frequency of the mains, in a trial's forces, that is not taken out.
+struct LineLeftIn {
+  double nominal_hz = 0;   ///< 50 or 60
+  double amplitude_n = 0;  ///< the greatest of the axes
+};
+
 /// One trial as the sensors recorded it: in SI units and the recording's own axes W, at even steps.
 /// Sample i was taken at start_s + i / rate_hz.
 struct RecordedTrial {
@@ -40,6 +46,7 @@ struct RecordedTrial {
   /// "column fx_n missing", where the force along z alone was measured: force_W has no more. Empty: it is
   /// whole.
   std::string lacks;
+  std::vector<LineLeftIn> lines_left_in;
   double least_angle_deg = 0, most_angle_deg = 0;  ///< finger against plate within the trial
 
   Eigen::Index samples() const noexcept { return position_W.cols(); }

@@ -85,6 +85,7 @@ struct TrialEvidence {
   std::vector<std::size_t> stop_samples;  ///< where the spring says that slip ended, of each
   std::vector<double> power;              ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
+  std::vector<LineLeftIn> lines_left_in;  ///< that may stand in `power` too
   /// Sums of products, about the trial's means, of -height, n^w and n^w ln n over means of some samples of
   /// contact (n in N).
   Mat3 press = Mat3::Zero();

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <complex>
 #include <limits>
+#include <map>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 namespace fingerpad {
 namespace {
@@ -16,23 +18,28 @@ namespace {
 constexpr double lowest_hz = 20;
 using Parameters = Eigen::Vector4d;  // ln frequency, ln bandwidth, ln power, ln floor
 
+/// Of a Hann window with itself, per lag; 1 at none.
+std::vector<double> window_overlap(std::size_t length) {
+  std::vector<double> window(length), overlap(length);
+  for (std::size_t i = 0; i < length; ++i)
+    window[i] =
+        0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length));
+  for (std::size_t lag = 0; lag < length; ++lag) {
+    for (std::size_t i = 0; i + lag < length; ++i) overlap[lag] += window[i] * window[i + lag];
+  }
+  for (std::size_t lag = length; lag-- > 0;) overlap[lag] /= overlap[0];
+  return overlap;
+}
+
 /// What Welch's windows are expected to show of the model.
 class WindowedModel {
  public:
-  WindowedModel(std::size_t length, double rate_hz) : length_(length), rate_hz_(rate_hz), overlap_(length) {
-    std::vector<double> window(length);
-    for (std::size_t i = 0; i < length; ++i)
-      window[i] =
-          0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length));
-    for (std::size_t lag = 0; lag < length; ++lag) {
-      for (std::size_t i = 0; i + lag < length; ++i) overlap_[lag] += window[i] * window[i + lag];
-    }
-    for (std::size_t lag = length; lag-- > 0;) overlap_[lag] /= overlap_[0];
-  }
+  WindowedModel(std::vector<double> overlap, double rate_hz)
+      : length_(overlap.size()), rate_hz_(rate_hz), overlap_(std::move(overlap)) {}
 
   /// One-sided density of a vibration of variance 1, per bin: the transform of its correlation times the
   /// window's.
-  std::vector<double> density(double frequency_hz, double bandwidth_hz) const {
+  std::vector<double> density(double frequency_hz, double bandwidth_hz) {
     const double r = std::exp(-std::numbers::pi * bandwidth_hz / rate_hz_);
     const double back_1 = 4 * r * r / (1 + r * r) * std::cos(2 * std::numbers::pi * frequency_hz / rate_hz_);
     std::vector<double> correlation(length_);
@@ -44,9 +51,8 @@ class WindowedModel {
     std::vector<double> folded(length_);
     folded[0] = 1;
     for (std::size_t k = 1; k < length_; ++k) folded[k] = correlation[k] + correlation[length_ - k];
-    Eigen::FFT<double> fft;
     std::vector<std::complex<double>> transform;
-    fft.fwd(transform, folded);
+    fft_.fwd(transform, folded);
     std::vector<double> density(length_ / 2 + 1);
     for (std::size_t k = 0; k < density.size(); ++k)
       density[k] = std::max(2 * transform[k].real() / rate_hz_, 1e-12 / rate_hz_);
@@ -57,6 +63,7 @@ class WindowedModel {
   std::size_t length_;
   double rate_hz_;
   std::vector<double> overlap_;
+  Eigen::FFT<double> fft_;  ///< which keeps its factors
 };
 
 /// How many times the median the highest of some hundred bins must be, so that noise alone is hardly ever as
@@ -69,9 +76,38 @@ double least_height(long windows) {
   return std::max(usual, std::pow(1 + deviations * std::sqrt(spread) / (1 - spread), 3));
 }
 
+/// Whether a line that was left in may be what stands at a bin: the window smears it over two steps.
+bool is_of_line(const SlipDensity& mean, double step_hz, std::size_t bin) {
+  return std::any_of(mean.lines_hz.begin(), mean.lines_hz.end(), [&](double line_hz) {
+    return std::abs(static_cast<double>(bin) * step_hz - line_hz) < 2.5 * step_hz;
+  });
+}
+
+/// Why no vibration is told where one is left in.
+std::string line_words(double line_hz) {
+  return fmt::format(
+      "a line near {0:.0f} Hz is left in the forces (see mains hum), which may be what stands there: --mains "
+      "{0:.0f} takes it out, if it is hum; a second in the air in each trial tells",
+      line_hz);
+}
+
+/// Lines are left in that are much of what stands there in slip.
+/// @param squares  sum over windows of the square of each line's share of the normal force
+std::vector<double> standing_lines(const SlipDensity& mean, const std::map<double, double>& squares) {
+  constexpr double least_share = 0.25, hann_bins = 1.5;  // a sine's variance over its bin's density
+  std::vector<double> found;
+  const double step_hz = mean.rate_hz / (2 * static_cast<double>(mean.power.size() - 1));
+  for (const auto& [line_hz, square] : squares) {
+    const auto bin = static_cast<std::size_t>(std::lround(line_hz / step_hz));
+    const double density = square / 2 / static_cast<double>(mean.windows) / (hann_bins * step_hz);
+    if (bin < mean.power.size() && density > least_share * mean.power[bin]) found.push_back(line_hz);
+  }
+  return found;
+}
+
 /// One step of Fisher's scoring up Whittle's likelihood, sum of -ln E - P/E over bins.
-Parameters scoring_step(const WindowedModel& model, const SlipDensity& mean, std::size_t first,
-                        std::size_t end, const Parameters& p) {
+Parameters scoring_step(WindowedModel& model, const SlipDensity& mean, const std::vector<std::size_t>& bins,
+                        const Parameters& p) {
   constexpr double nudge = 1e-4;
   const auto at = [&](double ln_f, double ln_b) { return model.density(std::exp(ln_f), std::exp(ln_b)); };
   const std::vector<double> here = at(p[0], p[1]), other_f = at(p[0] + nudge, p[1]),
@@ -79,7 +115,7 @@ Parameters scoring_step(const WindowedModel& model, const SlipDensity& mean, std
   const double power = std::exp(p[2]), floor = std::exp(p[3]);
   Eigen::Matrix4d fisher = Eigen::Matrix4d::Zero();
   Parameters score = Parameters::Zero();
-  for (std::size_t k = first; k < end; ++k) {
+  for (const std::size_t k : bins) {
     const double expected = power * here[k] + floor;
     const Parameters slope(power * (other_f[k] - here[k]) / nudge / expected,
                            power * (other_b[k] - here[k]) / nudge / expected, power * here[k] / expected,
@@ -98,6 +134,7 @@ Parameters scoring_step(const WindowedModel& model, const SlipDensity& mean, std
 
 SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
   SlipDensity mean;
+  std::map<double, double> lines;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const TrialEvidence& trial = trials[i];
     if (times[i] == 0 || trial.pieces == 0) continue;
@@ -113,11 +150,16 @@ SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::ve
     mean.rate_hz = trial.rate_hz;
     mean.power.resize(trial.power.size(), 0.0);
     for (std::size_t k = 0; k < mean.power.size(); ++k) mean.power[k] += times[i] * trial.power[k];
+    const double load_n = std::exp(trial.slip_log_load / static_cast<double>(trial.slip_samples));
+    for (const LineLeftIn& line : trial.lines_left_in)
+      lines[line.nominal_hz] +=
+          static_cast<double>(times[i] * trial.pieces) * std::pow(line.amplitude_n / load_n, 2);
     mean.windows += times[i] * trial.pieces;
     mean.trials += times[i];
   }
   if (mean.trials == 0) mean.refusal = "no slip lasts for a window of its spectrum";
   for (double& power : mean.power) power /= static_cast<double>(mean.windows);
+  if (mean.refusal.empty()) mean.lines_hz = standing_lines(mean, lines);
   return mean;
 }
 
@@ -136,32 +178,40 @@ VibrationPeak vibration_peak(const SlipDensity& mean, const VibrationPeak* near)
     found.refusal = "the rate is too low to show a vibration";
     return found;
   }
-  const auto at = [&](std::size_t k) { return mean.power.begin() + static_cast<std::ptrdiff_t>(k); };
-  std::vector<double> sorted(at(first), at(end));
+  std::vector<std::size_t> bins;  // those that are looked at
+  for (std::size_t k = first; k < end; ++k)
+    if (!is_of_line(mean, step_hz, k)) bins.push_back(k);
+  std::vector<double> sorted;
+  sorted.reserve(bins.size());
+  for (const std::size_t k : bins) sorted.push_back(mean.power[k]);
   std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2),
                    sorted.end());
   const double middle = sorted[sorted.size() / 2];
-  const auto peak = static_cast<std::size_t>(std::max_element(at(first), at(end)) - mean.power.begin());
+  const std::size_t peak = *std::max_element(
+      bins.begin(), bins.end(), [&](std::size_t a, std::size_t b) { return mean.power[a] < mean.power[b]; });
   // A density that is highest at the lowest frequency falls with it and has no peak.
   const bool stands_out =
       mean.power[peak] >
       least_height(near != nullptr ? std::numeric_limits<long>::max() : mean.windows) * middle;
   if (!stands_out || (near == nullptr && peak == first)) {
     found.refusal = "no frequency stands out of the spectrum of slip";
+    if (!mean.lines_hz.empty()) found.refusal += " elsewhere, and " + line_words(mean.lines_hz.front());
     return found;
   }
   // Around the peak alone: what else moves slowly or fast in slip is not the model's.
   constexpr double reach = 0.6;
   const auto low = std::max(first, static_cast<std::size_t>((1 - reach) * static_cast<double>(peak))),
              high = std::min(end, static_cast<std::size_t>((1 + reach) * static_cast<double>(peak)) + 1);
-  const WindowedModel model(length, mean.rate_hz);
+  found.overlap = near != nullptr && near->overlap.size() == length ? near->overlap : window_overlap(length);
+  WindowedModel model(found.overlap, mean.rate_hz);
   const double begin_bandwidth_hz = std::max(4 * step_hz, 10.0);
   Parameters p(std::log(static_cast<double>(peak) * step_hz), std::log(begin_bandwidth_hz),
                std::log(mean.power[peak] * begin_bandwidth_hz), std::log(middle));
   if (near != nullptr)
     p = Parameters(near->frequency_hz, near->bandwidth_hz, near->power, near->floor).array().log();
   const int passes = near != nullptr ? 4 : 60;
-  for (int pass = 0; pass < passes; ++pass) p += scoring_step(model, mean, low, high, p);
+  std::erase_if(bins, [&](std::size_t k) { return k < low || k >= high; });
+  for (int pass = 0; pass < passes; ++pass) p += scoring_step(model, mean, bins, p);
   found.frequency_hz = std::exp(p[0]);
   found.bandwidth_hz = std::exp(p[1]);
   found.power = std::exp(p[2]);
@@ -169,6 +219,10 @@ VibrationPeak vibration_peak(const SlipDensity& mean, const VibrationPeak* near)
   const bool is_within = found.frequency_hz > lowest_hz && found.frequency_hz < 0.5 * mean.rate_hz;
   if (!p.allFinite() || !is_within || !(found.bandwidth_hz < 0.5 * mean.rate_hz))
     found.refusal = "the spectrum of slip has no single peak";
+  const double near_hz = std::clamp(found.bandwidth_hz / 2, std::min(step_hz, 5.0), 5.0);
+  for (const double line_hz : mean.lines_hz)
+    if (found.refusal.empty() && std::abs(found.frequency_hz - line_hz) <= near_hz)
+      found.refusal = fmt::format("it would be {:.0f} Hz, but {}", found.frequency_hz, line_words(line_hz));
   return found;
 }
 

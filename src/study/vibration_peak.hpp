@@ -13,6 +13,8 @@ struct VibrationPeak {
   double power = 0, floor = 0;  ///< of the vibration [1], and the white density beneath it [1/Hz]
   double rate_hz = 0;
   long windows = 0, trials = 0;
+  std::vector<double>
+      overlap;          ///< of the window with itself at each lag, so that a draw need not tell it anew
   std::string refusal;  ///< empty: it holds
 };
 
@@ -20,6 +22,9 @@ struct VibrationPeak {
 struct SlipDensity {
   std::vector<double> power;
   double rate_hz = 0;
+  /// Lines near the mains' frequencies that were left in the forces and are a quarter or more of what stands
+  /// there: 50 or 60.
+  std::vector<double> lines_hz;
   long windows = 0, trials = 0;
   std::string refusal;
 };
@@ -33,6 +38,9 @@ SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::ve
 /// Refused where no slip is long enough for a window, rates or lengths differ, or no density between 20 Hz
 /// and nine tenths of half the rate stands out of the rest: three times the median, and where windows are few
 /// as much more as noise alone hardly ever reaches. Nor is one that is highest at 20 Hz.
+///
+/// Where a line was left in, what stands within two steps of it is not looked at, and a vibration that the
+/// rest shows there is refused: it may be the line.
 /// @param near  where to begin, from an earlier fit that has shown it to stand out; nullptr: at the highest
 ///              density
 VibrationPeak vibration_peak(const SlipDensity& density, const VibrationPeak* near = nullptr);
