@@ -34,16 +34,20 @@ HannLine::HannLine(const RecordedTrial& trial, Sensed sensed, double mains_hz)
       weighted_(rest_) {
   constexpr double stands_out = 3;  // of what two thirds of the samples keep within
   const Eigen::Index n = trial.samples();
+  Eigen::VectorXd hann(n);
+  std::vector<double> sizes(static_cast<std::size_t>(n));
+  for (Eigen::Index i = 0; i < n; ++i)
+    hann[i] =
+        0.5 - 0.5 * std::cos(2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n));
   for (Eigen::Index axis = 0; axis < 3; ++axis) {
-    std::vector<double> sizes;
-    for (Eigen::Index i = 0; i < n; ++i) sizes.push_back(std::abs(rest_(axis, i)));
+    for (Eigen::Index i = 0; i < n; ++i) sizes[static_cast<std::size_t>(i)] = std::abs(rest_(axis, i));
     const double most = stands_out * quantile(sizes, 0.667);
+    counts_[static_cast<std::size_t>(axis)].reserve(static_cast<std::size_t>(n));
     for (Eigen::Index i = 0; i < n; ++i) {
-      const double turn = 2 * std::numbers::pi * (static_cast<double>(i) + 0.5) / static_cast<double>(n);
       const bool counts = trial.origin[static_cast<std::size_t>(i)] == SampleOrigin::recorded &&
                           sizes[static_cast<std::size_t>(i)] <= most;
       counts_[static_cast<std::size_t>(axis)].push_back(counts);
-      const double weight = counts ? 0.5 - 0.5 * std::cos(turn) : 0;
+      const double weight = counts ? hann[i] : 0;
       weighted_(axis, i) *= weight;
       sums_[axis] += weight;
     }

@@ -130,8 +130,10 @@ double border_per_m(const std::vector<LocalStiffness>& locals, double ratio_rms)
       sums[group] += k;
       counts[group] += 1;
     }
+    const double before[2] = {low, high};
     if (counts[0] > 0) low = sums[0] / counts[0];
     if (counts[1] > 0) high = sums[1] / counts[1];
+    if (low == before[0] && high == before[1]) break;
   }
   // A spring that would take five centimetres to reach these forces is no finger's.
   constexpr double softest_reach_m = 0.05;

@@ -10,6 +10,7 @@
 #include <map>
 #include <numbers>
 #include <unsupported/Eigen/FFT>
+#include <utility>
 
 namespace fingerpad {
 namespace {
@@ -17,23 +18,28 @@ namespace {
 constexpr double lowest_hz = 20;
 using Parameters = Eigen::Vector4d;  // ln frequency, ln bandwidth, ln power, ln floor
 
+/// Of a Hann window with itself, per lag; 1 at none.
+std::vector<double> window_overlap(std::size_t length) {
+  std::vector<double> window(length), overlap(length);
+  for (std::size_t i = 0; i < length; ++i)
+    window[i] =
+        0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length));
+  for (std::size_t lag = 0; lag < length; ++lag) {
+    for (std::size_t i = 0; i + lag < length; ++i) overlap[lag] += window[i] * window[i + lag];
+  }
+  for (std::size_t lag = length; lag-- > 0;) overlap[lag] /= overlap[0];
+  return overlap;
+}
+
 /// What Welch's windows are expected to show of the model.
 class WindowedModel {
  public:
-  WindowedModel(std::size_t length, double rate_hz) : length_(length), rate_hz_(rate_hz), overlap_(length) {
-    std::vector<double> window(length);
-    for (std::size_t i = 0; i < length; ++i)
-      window[i] =
-          0.5 - 0.5 * std::cos(2 * std::numbers::pi * static_cast<double>(i) / static_cast<double>(length));
-    for (std::size_t lag = 0; lag < length; ++lag) {
-      for (std::size_t i = 0; i + lag < length; ++i) overlap_[lag] += window[i] * window[i + lag];
-    }
-    for (std::size_t lag = length; lag-- > 0;) overlap_[lag] /= overlap_[0];
-  }
+  WindowedModel(std::vector<double> overlap, double rate_hz)
+      : length_(overlap.size()), rate_hz_(rate_hz), overlap_(std::move(overlap)) {}
 
   /// One-sided density of a vibration of variance 1, per bin: the transform of its correlation times the
   /// window's.
-  std::vector<double> density(double frequency_hz, double bandwidth_hz) const {
+  std::vector<double> density(double frequency_hz, double bandwidth_hz) {
     const double r = std::exp(-std::numbers::pi * bandwidth_hz / rate_hz_);
     const double back_1 = 4 * r * r / (1 + r * r) * std::cos(2 * std::numbers::pi * frequency_hz / rate_hz_);
     std::vector<double> correlation(length_);
@@ -45,9 +51,8 @@ class WindowedModel {
     std::vector<double> folded(length_);
     folded[0] = 1;
     for (std::size_t k = 1; k < length_; ++k) folded[k] = correlation[k] + correlation[length_ - k];
-    Eigen::FFT<double> fft;
     std::vector<std::complex<double>> transform;
-    fft.fwd(transform, folded);
+    fft_.fwd(transform, folded);
     std::vector<double> density(length_ / 2 + 1);
     for (std::size_t k = 0; k < density.size(); ++k)
       density[k] = std::max(2 * transform[k].real() / rate_hz_, 1e-12 / rate_hz_);
@@ -58,6 +63,7 @@ class WindowedModel {
   std::size_t length_;
   double rate_hz_;
   std::vector<double> overlap_;
+  Eigen::FFT<double> fft_;  ///< which keeps its factors
 };
 
 /// How many times the median the highest of some hundred bins must be, so that noise alone is hardly ever as
@@ -100,8 +106,8 @@ std::vector<double> standing_lines(const SlipDensity& mean, const std::map<doubl
 }
 
 /// One step of Fisher's scoring up Whittle's likelihood, sum of -ln E - P/E over bins.
-Parameters scoring_step(const WindowedModel& model, const SlipDensity& mean,
-                        const std::vector<std::size_t>& bins, const Parameters& p) {
+Parameters scoring_step(WindowedModel& model, const SlipDensity& mean, const std::vector<std::size_t>& bins,
+                        const Parameters& p) {
   constexpr double nudge = 1e-4;
   const auto at = [&](double ln_f, double ln_b) { return model.density(std::exp(ln_f), std::exp(ln_b)); };
   const std::vector<double> here = at(p[0], p[1]), other_f = at(p[0] + nudge, p[1]),
@@ -196,7 +202,8 @@ VibrationPeak vibration_peak(const SlipDensity& mean, const VibrationPeak* near)
   constexpr double reach = 0.6;
   const auto low = std::max(first, static_cast<std::size_t>((1 - reach) * static_cast<double>(peak))),
              high = std::min(end, static_cast<std::size_t>((1 + reach) * static_cast<double>(peak)) + 1);
-  const WindowedModel model(length, mean.rate_hz);
+  found.overlap = near != nullptr && near->overlap.size() == length ? near->overlap : window_overlap(length);
+  WindowedModel model(found.overlap, mean.rate_hz);
   const double begin_bandwidth_hz = std::max(4 * step_hz, 10.0);
   Parameters p(std::log(static_cast<double>(peak) * step_hz), std::log(begin_bandwidth_hz),
                std::log(mean.power[peak] * begin_bandwidth_hz), std::log(middle));

@@ -13,6 +13,8 @@ struct VibrationPeak {
   double power = 0, floor = 0;  ///< of the vibration [1], and the white density beneath it [1/Hz]
   double rate_hz = 0;
   long windows = 0, trials = 0;
+  std::vector<double>
+      overlap;          ///< of the window with itself at each lag, so that a draw need not tell it anew
   std::string refusal;  ///< empty: it holds
 };
 
