@@ -12,6 +12,7 @@
 #include "study/measurement.hpp"
 #include "study/position_delay.hpp"
 #include "study/profile_fit.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::cleaning_test {
@@ -127,12 +128,13 @@ TEST(Cleaning, NeitherIsOneWhoseLoadSwings) {
   struct Swing {
     double middle_n, share, hz;
   };
+  const RecordedTrial rub = test::known_measurement(rubs, {}, {}, 1).trials[0];
   RandomStream random(3);
   for (const Swing& swing : {Swing{0.8, 0.25, 0.4}, Swing{1, 0.8, 0.5}, Swing{1.5, 0.8, 0.5},
                              Swing{2, 0.8, 0.5}, Swing{3, 0.8, 0.5}, Swing{2, 0.8, 1}}) {
     for (const double noise_n : {0.004, 0.005, 0.01, 0.02}) {
       for (int begin = 0; begin < 12; ++begin) {
-        RecordedTrial trial = test::known_measurement(rubs, {}, {}, 1).trials[0];
+        RecordedTrial trial = rub;
         for (Eigen::Index i = 0; i < trial.samples(); ++i) {
           const double turns = begin / 12.0 + swing.hz * static_cast<double>(i) / trial.rate_hz;
           const double load_n = swing.middle_n * (1 + swing.share * std::sin(2 * std::numbers::pi * turns));
@@ -383,7 +385,7 @@ TEST(Cleaning, LooksForADelayWithin50MillisecondsAtEachRate) {
 
 /// Over lags a sample of 5 ms apart the delay would come out 0.6 ms short, at 333 Hz 0.24 ms.
 TEST(Cleaning, FindsTheDelayOfSlowRecordings) {
-  for (const double rate_hz : {200.0, 333.0, 500.0}) {
+  for (const double rate_hz : test::cases({200.0, 333.0, 500.0})) {
     test::KnownSensors sensors;
     sensors.rate_hz = rate_hz;
     sensors.delay_s = 4e-3;

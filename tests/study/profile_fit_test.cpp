@@ -63,14 +63,12 @@ constexpr std::array<double, pad_number_keys.size()> near{
     0.02,  0.02,  0.1,  0.005, 0.01};                     // v_min; vibration, a random signal; the normal law
 
 TEST(ProfileFit, FindsANormalLawThatIsNotTheUsualOne) {
-  std::vector<double> exponents = {1, 0.8, 1.25, 3};
-  exponents.resize(static_cast<std::size_t>(std::max(1, test::samples(4))));
-  for (const double exponent : exponents) {
+  for (const double exponent : test::cases<double>({1, 0.8, 1.25, 3})) {
     test::KnownFinger finger;
     finger.press_exponent = exponent;
     test::KnownSensors sensors;
     sensors.air_s = 0.3;
-    const ProfileFit fit = fitted(test::known_trials(), 1, finger, sensors);
+    const ProfileFit fit = fitted(test::every(5, test::known_trials()), 1, finger, sensors);
     EXPECT_NEAR(of(fit, PadNumber::normal_exponent).value, exponent, 0.003 * exponent);
   }
 }
@@ -170,7 +168,7 @@ TEST(ProfileFit, FindsTheKnownPadThroughBadSensors) {
 /// Between samples that are far apart stick may hide, and springs are told from those that are pulled little.
 /// Were these chosen by their own noisy pull, axes would be 4 to 8 % long.
 TEST(ProfileFit, SlowRecordingsTellTheSprings) {
-  for (const double rate_hz : {200.0, 333.0}) {
+  for (const double rate_hz : test::cases({200.0, 333.0})) {
     test::KnownSensors sensors;
     sensors.rate_hz = rate_hz;
     sensors.delay_s = 4e-3;
@@ -337,7 +335,7 @@ TEST(ProfileFit, FrictionBySpeedTellsStickThatHidesInSlip) {
 TEST(ProfileFit, ShortTeethWidenTheIntervalOfVMin) {
   test::KnownFinger bent;
   bent.cubic_share = 0.6;  // teeth of three samples, half of a straight spring's
-  for (const std::uint64_t seed : {1U, 2U}) {
+  for (const std::uint64_t seed : test::cases<std::uint64_t>({1, 2})) {
     const ProfileFit fit = fitted(test::known_trials(), seed, bent, test::bad_sensors());
     const auto& interval = fit.interval[static_cast<std::size_t>(PadNumber::v_min)];
     ASSERT_TRUE(interval);
@@ -516,12 +514,11 @@ TEST(ProfileFit, SpectraOfOtherLengthsAreNotAdded) {
 TEST(ProfileFit, SlipThatTremblesDoesNotEndBeforeItDoes) {
   // Of 70 to 100 % more than a pad's: what rises for some samples, while the finger speeds up or slows, is no
   // stick.
-  for (const double vibration : {0.08, 0.1}) {
+  for (const double vibration : test::cases({0.1, 0.08})) {
     test::KnownFinger finger;
     finger.vibration = vibration;
-    for (const std::uint64_t seed : {1, 2}) {
-      const ProfileFit fit = fit_profile(
-          clean(test::known_measurement(test::known_trials(), finger, test::KnownSensors(), seed), {}), {});
+    for (const std::uint64_t seed : test::cases<std::uint64_t>({1, 2})) {
+      const ProfileFit fit = fitted(test::known_trials(), seed, finger);
       const PadValue& v_min = fit.values[static_cast<std::size_t>(PadNumber::v_min)];
       EXPECT_EQ(v_min.refusal, "");
       EXPECT_NEAR(v_min.value, 0.1, 0.001) << vibration << " " << seed;

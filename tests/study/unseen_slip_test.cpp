@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "study/profile_text.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::unseen_slip_test {
@@ -55,8 +56,8 @@ std::vector<test::KnownTrial> rubs(double speed_m_per_s, bool are_even) {
 
 TEST(UnseenSlip, RubsThatAreAllBelowVMinAreNoOtherLaw) {
   // At most 0.06 m/s, where the finger slips from 0.1 on: teeth that are not seen, or seen here and there.
-  for (const double mu_dynamic : {0.25, 0.27}) {
-    for (const double rate_hz : {1000.0, 500.0}) {
+  for (const double mu_dynamic : test::cases({0.25, 0.27})) {
+    for (const double rate_hz : test::cases({1000.0, 500.0})) {
       const ProfileFit fit = fitted(rubs(0.06, false), finger_of(mu_dynamic, 0.1), rate_hz);
       EXPECT_EQ(fit.residual.misfit, "") << mu_dynamic << " " << rate_hz;
       EXPECT_THAT(fit_notes(fit),
@@ -84,8 +85,8 @@ TEST(UnseenSlip, TeethThatPassForSlipTellNoLoadExponent) {
   test::KnownSensors sensors;
   sensors.position_noise_m = 2e-6;
   sensors.position_quantum_m = sensors.force_quantum_n = 1e-7;
-  for (const auto& [rate_hz, speed_m_per_s, noise_n] :
-       {std::tuple(500.0, 0.015, 0.002), std::tuple(500.0, 0.02, 0.005), std::tuple(500.0, 0.018, 0.004)}) {
+  for (const auto& [rate_hz, speed_m_per_s, noise_n] : test::cases<std::tuple<double, double, double>>(
+           {{500, 0.015, 0.002}, {500, 0.02, 0.005}, {500, 0.018, 0.004}})) {
     sensors.rate_hz = rate_hz;
     sensors.force_noise_n = noise_n;
     RecordedMeasurement recorded =
@@ -129,10 +130,10 @@ TEST(UnseenSlip, NoSlipAtAllIsNoVerdictEither) {
 
 TEST(UnseenSlip, SlowSlipThatCannotHoldTeethIsSlip) {
   // Forth and back at 0.06 m/s: the finger turns at once, so that slip is never seen to end in stick.
-  for (const double vibration : {0.0, 0.05}) {
+  for (const double vibration : test::cases({0.05, 0.0})) {
     test::KnownFinger finger = finger_of(0.25, 0.012);
     finger.vibration = vibration;
-    for (const double mu_static : {0.3, 0.35}) {
+    for (const double mu_static : test::cases({0.3, 0.35})) {
       finger.pad = assumed_profile(mu_static, 150);
       finger.pad.v_min_m_per_s = 0.012;
       const ProfileFit fit = fitted(rubs(0.06, true), finger, 1000);

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "study/profile_text.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::zero_doubt_test {
@@ -39,7 +40,7 @@ constexpr PadNumber coefficients[] = {PadNumber::mu_static, PadNumber::mu_dynami
 
 TEST(ZeroDoubt, AnOffsetAlongTheNormalRefusesWhatItMoves) {
   // Friction of 0.2 is told as 0.31 and as 0.15.
-  for (const double offset_n : {-0.35, 0.35}) {
+  for (const double offset_n : test::cases({-0.35, 0.35})) {
     const ProfileFit fit = fitted({0, 0, offset_n});
     for (const PadNumber number : coefficients)
       EXPECT_THAT(of(fit, number).refusal,
@@ -58,7 +59,7 @@ TEST(ZeroDoubt, AnOffsetAlongTheNormalRefusesWhatItMoves) {
 
 /// What it adds to friction makes ruptures seem to need more, and axes longer.
 TEST(ZeroDoubt, AxesAllowForAnOffsetAlongThePlateOrAreRefused) {
-  const ProfileFit off = fitted({0.1, 0.1, 0}, {}, {}, test::known_trials());
+  const ProfileFit off = fitted({0.1, 0.1, 0}, {}, {}, test::every(3, test::known_trials()));
   EXPECT_GT(of(off, PadNumber::lateral_axis).value, 1.03 * 0.002);
   EXPECT_TRUE(holds(off, PadNumber::lateral_axis, 0.002));
   EXPECT_TRUE(holds(off, PadNumber::longitudinal_axis, 0.0016));
@@ -116,7 +117,7 @@ TEST(ZeroDoubt, FrictionThatHardlyChangesWithTheLoadSpeaksForNoOffset) {
 }
 
 TEST(ZeroDoubt, ASmallOffsetIsInTheIntervals) {
-  for (const double offset_n : {-0.05, 0.05}) {
+  for (const double offset_n : test::cases({-0.05, 0.05})) {
     const ProfileFit fit = fitted({0, 0, offset_n});
     for (const auto& [number, truth] : {std::pair(PadNumber::mu_static, 0.3),
                                         {PadNumber::mu_dynamic, 0.2},

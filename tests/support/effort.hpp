@@ -1,5 +1,8 @@
 #pragma once
 
+#include <initializer_list>
+#include <vector>
+
 namespace fingerpad::test {
 
 /// How many samples a test takes: all, or a tenth under a sanitizer, where each costs ten times as much.
@@ -9,6 +12,16 @@ constexpr int samples(int count) {
 #else
   return count;
 #endif
+}
+
+/// Cases that all go the same way through the code: all, or the first alone under a sanitizer.
+template <class Case>
+std::vector<Case> cases(std::initializer_list<Case> listed) {
+  std::vector<Case> all = listed;
+#if defined(__SANITIZE_ADDRESS__)
+  all.erase(all.begin() + 1, all.end());
+#endif
+  return all;
 }
 
 /// Whether a child that was forked beside other threads can allocate. The address sanitizer of GCC 12 does

@@ -206,6 +206,12 @@ std::vector<KnownRow> measured_rows(const KnownFinger& finger, const KnownSensor
   return rows;
 }
 
+std::vector<KnownTrial> every(std::size_t step, const std::vector<KnownTrial>& trials) {
+  std::vector<KnownTrial> some;
+  for (std::size_t i = 0; i < trials.size(); i += step) some.push_back(trials[i]);
+  return some;
+}
+
 std::vector<KnownTrial> known_trials() {
   std::vector<KnownTrial> trials;
   const int rounds[] = {3, 2, 2};

@@ -61,6 +61,8 @@ std::vector<KnownRow> measured_rows(const KnownFinger& finger, const KnownSensor
 /// Three subjects of unequal length, whose axes differ but fall alike with the angle: rubs both ways, at
 /// three angles, and pushes that stay in stick, with loads of 1 to 2 N.
 std::vector<KnownTrial> known_trials();
+/// Every so manieth of them: of odd steps as many rubs as pushes.
+std::vector<KnownTrial> every(std::size_t step, const std::vector<KnownTrial>& trials);
 
 /// The finger of one of the subjects of known_trials, whose pad is larger or smaller than `finger`'s.
 KnownFinger of_subject(KnownFinger finger, int subject);
