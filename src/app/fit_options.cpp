@@ -54,6 +54,14 @@ double delay_of(const std::string& text) {
                           parse_number(text) ? fmt::format("; milliseconds are {}ms", text) : ""));
 }
 
+/// The mark's name, of one that was given itself, as --separator ';'.
+std::string name_of_mark(const std::string& text) {
+  if (text == "\\t") return "tab";
+  for (const NamedMark& row : separators)
+    if (text.size() == 1 && text.front() == row.mark) return std::string(row.name);
+  return text;
+}
+
 /// @pre the command line has checked that it is there
 char mark_of(const std::string& name) {
   const auto is_it = [&](const NamedMark& row) { return row.name == name; };
@@ -135,7 +143,10 @@ void add_units(CLI::App& command, ReadingOptions& options) {
   command.add_option("--torque-unit", options.torque_unit, "Of torques")
       ->check(CLI::IsMember(names_of(torque_units)))
       ->default_str("N.m, or the layout's own");
-  command.add_option("--separator", options.separator, "Between cells; found where it is left out")
+  command
+      .add_option("--separator", options.separator,
+                  "Between cells, or the mark itself; found where it is left out")
+      ->transform(name_of_mark)
       ->check(CLI::IsMember(names_of(separators)));
   command.add_option("--decimal", options.decimal, "Mark of numbers")
       ->check(CLI::IsMember({".", ","}))

@@ -48,9 +48,10 @@ struct CsvRequest {
   std::vector<std::string_view> optional = {};  ///< names that may be there
   CsvDialect dialect = {};
   TableSource source = TableSource::file;
-  std::string mend = {};     ///< what to do where a column is missing, for people; may be empty
-  bool takes_gaps = false;   ///< a cell that is empty or nan is not a number, instead of refused
-  bool takes_units = false;  ///< a line of units below the header is read, instead of refused
+  std::string mend = {};           ///< what to do where a column is missing, for people; may be empty
+  std::string_view xml_mend = {};  ///< likewise where it is XML
+  bool takes_gaps = false;         ///< a cell that is empty or nan is not a number, instead of refused
+  bool takes_units = false;        ///< a line of units below the header is read, instead of refused
   std::string_view mark_mend = commas_mend;  ///< see csv_column
   /// How people say the decimal mark, {} in its place: "--decimal {}"; empty: they cannot.
   std::string_view decimal_key = {};

@@ -70,6 +70,9 @@ CsvHeader read_csv_header(TextLines& lines, const CsvRequest& request) {
     if (text.find('\0') != std::string_view::npos) {
       throw refused(lines.where(), "is no text: it holds a zero byte");
     }
+    if (text.front() == '<')
+      throw refused(lines.where(), fmt::format("is XML and no table{}{}",
+                                               request.xml_mend.empty() ? "" : ": ", request.xml_mend));
     if (text.front() == '#') {
       comment = text.substr(1);
       comment_place = lines.place();

@@ -107,7 +107,7 @@ std::string contact_text(const std::vector<TrialCleaning>& trials) {
   }
   if (told == 0) return {};
   return fmt::format(
-      "contact points: told from force and torque in {} trials{}", told,
+      "contact points: told from force and torque in {} trial{}{}", told, told == 1 ? "" : "s",
       untared == 0
           ? ", after the tare"
           : fmt::format("; in {} of them no tare was taken off, and a sensor that was not zeroed moves "

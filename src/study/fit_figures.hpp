@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "base/chart.hpp"
@@ -43,7 +45,12 @@ Chart slip_spectrum_figure(const FitPictureSource& source);
 /// trial with most such places.
 Chart phase_boundaries_figure(const FitPictureSource& source);
 
-/// All of them, in that order, named figure3 to figure11 (5 and 6 are one) and stick_and_slip.
+/// What they are called, in that order: 5 and 6 are one.
+inline constexpr std::array<std::string_view, 9> fit_figure_names{"figure3",  "figure4",  "figure5_6",
+                                                                  "figure7",  "figure8",  "figure9",
+                                                                  "figure10", "figure11", "stick_and_slip"};
+
+/// All of them.
 std::vector<Chart> fit_figures(const FitPictureSource& source);
 
 /// Where each phase of every trial begins and why: "boundaries", a row each.

@@ -164,6 +164,24 @@ RecordedRow RowReader::row(std::span<const double> numbers, const RowPlace& plac
   return row;
 }
 
+namespace {
+
+/// What is wrong with a time that does not come after the one before it, and what to do.
+std::string time_fault(double t_s, double before_s, bool has_trials) {
+  if (t_s == before_s)
+    return fmt::format(
+        "its time {:.9g} s is the time of the row before it too: leave out rows that are there twice, or "
+        "write times with more digits",
+        t_s);
+  return fmt::format("its time {:.9g} s comes before {:.9g} s of the row before it{}", t_s, before_s,
+                     has_trials
+                         ? ", of the same trial: put the rows in order"
+                         : ": put the rows in order, or, where a new trial begins, number the trials in "
+                           "a column 'trial'");
+}
+
+}  // namespace
+
 TrialCollector::TrialCollector(std::string path, const RowReader& rows, std::string lacks,
                                RecordedMeasurement& into)
     : path_(std::move(path)), rows_(rows), lacks_(std::move(lacks)), into_(into) {}
@@ -176,8 +194,7 @@ void TrialCollector::add(std::span<const double> numbers, const RowPlace& place)
   const RecordedRow row = rows_.row(numbers, place);
   if (!std::isfinite(row.t_s)) throw refused(place.text(), "has no time");
   if (trial_->size() > 0 && !(row.t_s > trial_->last_s()))
-    throw refused(place.text(),
-                  "its time does not come after the row before it; a column 'trial' parts trials");
+    throw refused(place.text(), time_fault(row.t_s, trial_->last_s(), rows_.has(MeasuredColumn::trial)));
   trial_->add(row);
 }
 

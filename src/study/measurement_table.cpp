@@ -67,6 +67,7 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   request.mend =
       "a measurement has t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n; where yours is called otherwise, say "
       "--columns t=NAME,x=NAME";
+  request.xml_mend = "the Penn Haptic Texture Toolkit's is read with --reader hatt";
   const std::vector<std::size_t> asked = asked_columns(format, request);
   CsvRowReader table(path, request);
   std::vector<bool> present(measurement_columns.size());

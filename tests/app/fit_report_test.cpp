@@ -27,25 +27,6 @@ class FitReportOfFiles : public testing::Test {
   const fs::path folder = test::scratch_dir();
 };
 
-TEST_F(FitReportOfFiles, HoldsNumbersPicturesAndWhatTheFitForetells) {
-  const auto fit = program(fmt::format("fit {} --out finger.toml --report report",
-                                       (measurements / "synthetic_finger.csv").string()));
-  ASSERT_EQ(fit.exit_code, 0) << fit.err;
-  EXPECT_THAT(fit.out,
-              AllOf(HasSubstr("on trials that a fit has not seen"), HasSubstr("report.html, 3 tables")));
-  const std::string page = test::bytes_of(folder / "report/report.html");
-  EXPECT_THAT(page,
-              AllOf(HasSubstr("lateral_axis_m"), HasSubstr("Cross-validation"), HasSubstr("figure11.svg")));
-  EXPECT_THAT(test::bytes_of(folder / "report/cross_validation.csv"), HasSubstr("fitted_rms_n"));
-#ifdef FINGERPAD_VIEW
-  for (const char* name : {"figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9", "figure10",
-                           "figure11", "stick_and_slip"}) {
-    EXPECT_GT(fs::file_size(folder / fmt::format("report/{}.svg", name)), 2000u) << name;
-    EXPECT_GT(fs::file_size(folder / fmt::format("report/{}.png", name)), 5000u) << name;
-  }
-#endif
-}
-
 /// A page's text, without tags.
 std::string text_of(std::string page) {
   page = std::regex_replace(page, std::regex("<[^>]*>"), " ");
@@ -67,7 +48,35 @@ std::vector<std::string> told_lines(const test::ShellResult& fit) {
   return lines;
 }
 
-/// Whole, with an offset that no tare takes, of two trials, and of one with another's file left out.
+/// The terminal's words, all of them.
+void expect_told(const test::ShellResult& fit, const std::string& page) {
+  const std::string text = text_of(page);
+  const std::vector<std::string> lines = told_lines(fit);
+  EXPECT_GT(lines.size(), 6u);
+  for (const std::string& line : lines) EXPECT_THAT(text, HasSubstr(line));
+}
+
+TEST_F(FitReportOfFiles, HoldsNumbersPicturesAndWhatTheFitForetells) {
+  const auto fit = program(fmt::format("fit {} --out finger.toml --report report",
+                                       (measurements / "synthetic_finger.csv").string()));
+  ASSERT_EQ(fit.exit_code, 0) << fit.err;
+  EXPECT_THAT(fit.out,
+              AllOf(HasSubstr("on trials that a fit has not seen"), HasSubstr("report.html, 3 tables")));
+  const std::string page = test::bytes_of(folder / "report/report.html");
+  EXPECT_THAT(page,
+              AllOf(HasSubstr("lateral_axis_m"), HasSubstr("Cross-validation"), HasSubstr("figure11.svg")));
+  expect_told(fit, page);
+  EXPECT_THAT(test::bytes_of(folder / "report/cross_validation.csv"), HasSubstr("fitted_rms_n"));
+#ifdef FINGERPAD_VIEW
+  for (const char* name : {"figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9", "figure10",
+                           "figure11", "stick_and_slip"}) {
+    EXPECT_GT(fs::file_size(folder / fmt::format("report/{}.svg", name)), 2000u) << name;
+    EXPECT_GT(fs::file_size(folder / fmt::format("report/{}.png", name)), 5000u) << name;
+  }
+#endif
+}
+
+/// With an offset that no tare takes and another's file left out, with steps left out, and of two trials.
 TEST_F(FitReportOfFiles, SaysAllThatTheTerminalSays) {
   const std::string shipped = (measurements / "synthetic_finger.csv").string();
   std::ofstream(folder / "off.awk")
@@ -80,16 +89,31 @@ TEST_F(FitReportOfFiles, SaysAllThatTheTerminalSays) {
                 .exit_code,
             0);
   for (const std::string& words :
-       {shipped, std::string("off.csv"), std::string("two.csv"), std::string("two.csv normal_only.csv"),
-        shipped + " --no-tare --delay 7ms --mains off", std::string("two.csv --unit mm")}) {
+       {std::string("off.csv normal_only.csv"), shipped + " --no-tare --delay 7ms --mains off",
+        std::string("two.csv --unit mm")}) {
     const auto fit = program(fmt::format("fit {} --out finger.toml --report report", words));
     ASSERT_EQ(fit.exit_code, 0) << words << fit.err;
-    const std::string page = text_of(test::bytes_of(folder / "report/report.html"));
-    const std::vector<std::string> lines = told_lines(fit);
-    EXPECT_GT(lines.size(), 6u) << words;
-    for (const std::string& line : lines) EXPECT_THAT(page, HasSubstr(line)) << words;
+    SCOPED_TRACE(words);
+    expect_told(fit, test::bytes_of(folder / "report/report.html"));
     fs::remove_all(folder / "report");
   }
+}
+
+/// Of the normal force alone none is drawn.
+TEST_F(FitReportOfFiles, LeavesNoFigureOfAnEarlierFit) {
+  fs::create_directory(folder / "report");
+  for (const char* name : {"figure9.svg", "figure9.png", "mine.svg"})
+    std::ofstream(folder / "report" / name) << "an earlier one";
+  std::ofstream(folder / "pressed.csv") << "t_s,x_m,y_m,z_m,fz_n\n";
+  std::ofstream pressed(folder / "pressed.csv", std::ios::app);
+  for (int i = 0; i < 4000; ++i)
+    pressed << fmt::format("{:.3f},0,0,{:.7f},{:.4f}\n", 1e-3 * i,
+                           -1.5e-3 * std::sqrt(1 + 0.6 * std::sin(4e-3 * i)), 1 + 0.6 * std::sin(4e-3 * i));
+  pressed.close();
+  ASSERT_EQ(program("fit pressed.csv --out finger.toml --report report --delay 0ms --no-tare").exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder / "report/figure9.svg"));
+  EXPECT_FALSE(fs::exists(folder / "report/figure9.png"));
+  EXPECT_TRUE(fs::exists(folder / "report/mine.svg")) << "no name of the program's";
 }
 
 double residual_rms_n(const std::string& summary) {

@@ -228,18 +228,44 @@ TEST_F(Fit, GivesTheNormalLawOfANormalForceAlone) {
   EXPECT_THAT(page,
               HasSubstr("<td>mu_dynamic</td><td colspan=\"4\">refused: pressed.csv: column fx_n missing"));
   EXPECT_THAT(page, HasSubstr("<li>figures 3 to 11: pressed.csv: column fx_n missing</li>"));
-  const auto both = fit(shipped.string() + " pressed.csv --out both.toml --report both");
+  const auto both = fit(shipped.string() + " pressed.csv --out both.toml");
   EXPECT_EQ(both.exit_code, 0) << both.err;
   EXPECT_THAT(both.err, HasSubstr("nothing of friction"));
   EXPECT_THAT(both.out,
               AllOf(ContainsRegex("normal_exponent .* 10 trials"), ContainsRegex("mu_dynamic .* 6 trials")));
-  EXPECT_THAT(test::bytes_of(folder / "both/report.html"), HasSubstr("nothing of friction"));
   std::ofstream(folder / "rail.csv") << pressed_table(0);
   const auto rail = fit("rail.csv --out none.toml");
   EXPECT_EQ(rail.exit_code, 3);
   EXPECT_THAT(rail.err, HasSubstr("error: rail.csv: nothing can be fitted: column fx_n missing; "
                                   "normal_stiffness_n_per_m: no press is found"));
   EXPECT_FALSE(fs::exists(folder / "none.toml"));
+}
+
+TEST_F(Fit, SaysWhyATableCannotBeRead) {
+  std::ofstream(folder / "texture.xml") << "<?xml version=\"1.0\"?>\n<Data><A>1</A></Data>\n";
+  EXPECT_THAT(fit("texture.xml --out none.toml").err,
+              AllOf(HasSubstr("is XML and no table"), HasSubstr("--reader hatt")));
+  const auto times = [&](const char* second, const char* trial) {
+    std::ofstream(folder / "times.csv")
+        << fmt::format("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n{0}\n0.5,0,0,0,0,0,1{1}\n{2},0,0,0,0,0,1{1}\n",
+                       *trial == 0 ? "" : ",trial", trial, second);
+    return fit("times.csv --out none.toml").err;
+  };
+  EXPECT_THAT(times("0.5", ""), AllOf(HasSubstr("times.csv:3: its time 0.5 s is the time of the row before"),
+                                      HasSubstr("leave out rows that are there twice")));
+  EXPECT_THAT(times("0.5", ""), Not(HasSubstr("column 'trial'")));
+  EXPECT_THAT(times("0.25", ""), AllOf(HasSubstr("its time 0.25 s comes before 0.5 s"),
+                                       HasSubstr("number the trials in a column 'trial'")));
+  EXPECT_THAT(times("0.25", ",7"),
+              AllOf(HasSubstr("of the same trial: put the rows in order"), Not(HasSubstr("column 'trial'"))));
+}
+
+TEST_F(Fit, TakesASeparatorAsItIs) {
+  ASSERT_EQ(test::shell("tr , ';' < " + shipped.string() + " > semicolons.csv", folder).exit_code, 0);
+  for (const char* words : {"';'", "semicolon"})
+    EXPECT_EQ(fit(fmt::format("semicolons.csv --quiet --out a.toml --separator {}", words)).exit_code, 0)
+        << words;
+  EXPECT_THAT(fit("semicolons.csv --out a.toml --separator '!'").err, HasSubstr("semicolon"));
 }
 
 TEST_F(Fit, RefusesWhatHoldsNothingForIt) {

@@ -137,8 +137,7 @@ TEST(FitReport, HasAPictureOfEachOfThePapersFigures) {
       EXPECT_GT(points, 0u) << chart.name;
     }
   }
-  EXPECT_THAT(names, testing::ElementsAre("figure3", "figure4", "figure5_6", "figure7", "figure8", "figure9",
-                                          "figure10", "figure11", "stick_and_slip"));
+  EXPECT_THAT(names, testing::ElementsAreArray(fit_figure_names));
   EXPECT_THAT(report.without_picture, testing::IsEmpty());
   const std::string page = fit_page(report, fit, {}, "fitted to <rubs>");
   EXPECT_THAT(page, HasSubstr("fitted to &lt;rubs&gt;"));
