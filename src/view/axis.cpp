@@ -54,13 +54,14 @@ void mark_multiples(Axis& axis, double step) {
   }
 }
 
-/// The ends of a finer ladder: a single number tells no scale. Where zero is between them it takes the place
-/// of the one that is nearer to it: what a sign means is read off it.
-void mark_twice(Axis& axis, double step) {
+/// A finer ladder, or where that is too many its ends: a single number tells no scale. Where zero is between
+/// them it takes the place of the one that is nearer to it: what a sign means is read off it.
+void mark_twice(Axis& axis, double step, int most_marks) {
   while (axis.marks.size() < 2) {
     step = round_down_125(step / 1.9);
     mark_multiples(axis, step);
   }
+  if (static_cast<int>(axis.marks.size()) <= most_marks) return;
   std::size_t first = 0, last = axis.marks.size() - 1;
   const auto zero = std::find(axis.labels.begin(), axis.labels.end(), "0");
   const bool is_between = axis.marks[first] < 0 && axis.marks[last] > 0;
@@ -87,7 +88,7 @@ Axis linear_axis(double min, double max, int most_marks) {
   axis.min = min;
   axis.max = max;
   mark_multiples(axis, step);
-  if (axis.marks.size() < 2) mark_twice(axis, step);
+  if (axis.marks.size() < 2) mark_twice(axis, step, most_marks);
   return axis;
 }
 

@@ -88,7 +88,7 @@ TEST_F(Reading, TrialsArePartedAndUnnumberedOnesCutWhereTheRecordingStopped) {
                                      return std::to_string(i == 7 ? 3 : i) + "e-3,0,0,0,0,0,1";
                                    }));
   EXPECT_THAT(test::why_not([&] { read_measurements({back}, {}); }),
-              HasSubstr("back.csv:9: its time does not come"));
+              HasSubstr("back.csv:9: its time 0.003 s comes before 0.006 s"));
   const std::string half = written("half.csv", table("t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,dx,dz", [](int i) {
                                      return std::to_string(i) + "e-3,0,0,0,0,0,1,1,0";
                                    }));

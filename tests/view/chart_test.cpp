@@ -72,6 +72,12 @@ TEST(Axis, HasAMarkAtZeroWhereThatIsWithinHoweverFewMarksFit) {
   }
 }
 
+TEST(Axis, HasMarksOnBothSidesOfZeroWhereTheyFit) {
+  // Friction of a rub to and fro, in a strip: a half is too coarse, and steps of a fifth make three marks.
+  EXPECT_EQ(linear_axis(-0.34, 0.33, 3).labels, (std::vector<std::string>{"-0.2", "0", "0.2"}));
+  EXPECT_EQ(linear_axis(-0.34, 0.33, 2).labels, (std::vector<std::string>{"0", "0.2"}));
+}
+
 TEST(Axis, OfOneValueHasAWidth) {
   const Axis axis = linear_axis(2, 2, 4);
   EXPECT_LT(axis.min, 2);
