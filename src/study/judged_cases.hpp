@@ -20,8 +20,8 @@ struct JudgedCase {
   std::vector<FingerPath> ways = {};   ///< each begins anew, away from where the last ended
   /// The force on the finger where the surface is known exactly [N]; else empty.
   std::function<Vec3(const Vec3& p_WQ)> exact_force_n = {};
-  bool is_exact_all_over = false;  ///< that force is known wherever a finger may touch the part
-  int trial_strokes = 16;          ///< in each region in which the promise is tried (promise_trial.hpp)
+  bool is_exact_all_over = false;   ///< that force is known wherever a finger may touch the part
+  int trial_strokes = 16;           ///< in each region in which the promise is tried (promise_trial.hpp)
   bool judges_all_variants = true;  ///< else the chosen one and the most complete: what the word asks for
 };
 
