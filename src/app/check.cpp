@@ -4,12 +4,14 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <optional>
 #include <utility>
 
 #include "app/commands.hpp"
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/unit_option.hpp"
+#include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 #include "contact/overlap.hpp"
@@ -129,7 +131,11 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
 
 /// The parts of a scene, of a set those of its first job, each as the scene takes it and where it places it.
 bool check_scene(const std::string& path, bool as_json, Json& report) {
-  const Scene scene = read_scene_file(path).jobs.front().scene;
+  const SceneFile file = read_scene_file(path);
+  if (!file.jobs.front().error.empty()) throw Error(ErrorKind::refused, "", file.jobs.front().error);
+  if (file.jobs.size() > 1)
+    print_err("fingerpad: {}: looked at the first of its {} jobs\n", path, file.jobs.size());
+  const Scene& scene = file.jobs.front().scene;
   bool all_touchable = true;
   std::vector<PlacedSurface> surfaces;
   for (const PartEntry& entry : scene.parts) {
@@ -155,11 +161,22 @@ int check(const CheckOptions& options) {
   ImportOptions how;
   how.metres_per_unit = metres_of(options.unit);
   how.repair = options.repair;
+  std::optional<Error> refused;
   for (const std::string& path : options.meshes) {
-    all_touchable &= path.ends_with(".toml") ? check_scene(path, options.json, report)
-                                             : tell_mesh(checked(path, how), options.json, report);
+    if (!path.ends_with(".toml")) {
+      all_touchable &= tell_mesh(checked(path, how), options.json, report);
+      continue;
+    }
+    try {
+      all_touchable &= check_scene(path, options.json, report);
+    } catch (const Error& error) {  // the others are looked at all the same
+      if (options.json) report.push_back({{"file", path}, {"touchable", false}, {"error", error.what()}});
+      if (refused) print_err("fingerpad: error: {}\n", refused->what());
+      refused = error;
+    }
   }
   if (options.json) write_stream(stdout, json_text(report));
+  if (refused) throw *refused;
   return all_touchable ? 0 : 3;
 }
 
@@ -175,12 +192,12 @@ void add_check(CLI::App& program, Action& action) {
                        " files, - is standard input; or scenes (.toml), whose parts are taken in their "
                        "units and looked at for overlaps")
       ->required();
-  add_unit_option(*command, options->unit);
+  add_unit_option(*command, options->unit);  // of meshes; a scene says its parts'
   command->add_flag("--json", options->json, "Print an array with an object for each mesh (lengths in m)");
-  command->add_flag(
-      "--repair", options->repair,
-      "Say what `repair = true` in a scene's [[part]] would do: weld, drop degenerate and duplicate "
-      "faces, make the winding right");
+  command->add_flag("--repair", options->repair,
+                    "Say of meshes what `repair = true` in a scene's [[part]] would do: weld, drop "
+                    "degenerate and duplicate "
+                    "faces, make the winding right");
   command->footer("Ends 0 if every mesh can be touched, else 3.");
   command->callback([options, &action] { action = [options] { return check(*options); }; });
 }

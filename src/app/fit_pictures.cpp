@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 
 #include "app/study_output.hpp"
 #include "study/fit_figures.hpp"
@@ -12,9 +14,11 @@
 namespace fingerpad {
 namespace {
 
-/// Figures that an earlier fit drew into the folder, and this one does not.
-void remove_old_figures(const std::vector<Chart>& charts, const std::string& folder) {
+/// Figures that an earlier fit drew into the folder, as its page says, and this one does not.
+void remove_old_figures(const std::vector<Chart>& charts, const std::string& earlier_page,
+                        const std::string& folder) {
   for (const std::string_view name : fit_figure_names) {
+    if (earlier_page.find(fmt::format("<img src=\"{}.svg\"", name)) == std::string::npos) continue;
 #ifdef FINGERPAD_VIEW
     const auto is_it = [&](const Chart& chart) { return chart.name == name; };
     if (std::any_of(charts.begin(), charts.end(), is_it)) continue;
@@ -22,8 +26,9 @@ void remove_old_figures(const std::vector<Chart>& charts, const std::string& fol
     static_cast<void>(charts);
 #endif
     for (const char* ending : {".png", ".svg"}) {
+      const std::string figure = fmt::format("{}/{}{}", folder, name, ending);
       std::error_code none;  // one that cannot be removed is no reason to write no report
-      std::filesystem::remove(fmt::format("{}/{}{}", folder, name, ending), none);
+      if (std::filesystem::is_regular_file(figure, none)) std::filesystem::remove(figure, none);
     }
   }
 }
@@ -31,10 +36,13 @@ void remove_old_figures(const std::vector<Chart>& charts, const std::string& fol
 }  // namespace
 
 std::string write_fit_report(const FitReport& report, const std::string& page, const std::string& folder) {
-  OutputFile file(folder + "/report.html");
+  const std::string page_name = folder + "/report.html";
+  std::ifstream earlier(page_name, std::ios::binary);
+  const std::string earlier_page{std::istreambuf_iterator<char>(earlier), {}};
+  OutputFile file(page_name);
   file.write(page);
   file.commit();
-  remove_old_figures(report.study.charts, folder);
+  remove_old_figures(report.study.charts, earlier_page, folder);
   return fmt::format("report.html, {}", write_study(report.study, folder));
 }
 

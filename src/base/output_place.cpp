@@ -40,7 +40,7 @@ std::vector<std::filesystem::path> missing_folders(std::filesystem::path path) {
   std::vector<std::filesystem::path> missing;
   std::error_code ignored;
   while (!path.empty() && !std::filesystem::exists(std::filesystem::symlink_status(path, ignored))) {
-    missing.push_back(path);
+    if (path.filename() != ".") missing.push_back(path);  // of "new/./out" two
     path = path.parent_path();
   }
   return missing;

@@ -17,8 +17,9 @@ struct Overlap {
 /// The pairs of parts, and of a part and a plane, that overlap by more than a fiftieth of the smaller part's
 /// greatest length: parts that are built to touch, or to sink in a little, do not.
 ///
-/// Looked for at 2,000 vertices and 2,000 random places of each part, by their distances behind the other's
-/// surface; behind an open part there is no inside. So what overlaps between these alone is missed.
+/// Looked for at up to 2,000 vertices and 2,000 random places of each part and below these, by their
+/// distances behind the other's surface; so what overlaps between these alone is missed. A part that is not
+/// closed, or whose facets look inwards, has no inside.
 /// @pre parts have their trees
 std::vector<Overlap> overlaps(std::span<const PlacedSurface> surfaces);
 

@@ -53,7 +53,7 @@ std::optional<OpenFile> take_guard(const std::string& state, const std::string& 
   for (const auto end = steady_clock::now() + guard_patience; steady_clock::now() < end;) {
     const bool is_there = mkdir(state.c_str(), 0777) == 0 || errno == EEXIST;
     if (!is_there && (made == nullptr || errno != ENOENT)) throw cannot_write_into(folder);
-    if (!is_there) *made += make_folder(folder).size();
+    if (!is_there) *made = std::max(*made, make_folder(folder).size());
     OpenFile guard(open(path.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666));
     if (guard.number() < 0 && errno == ENOENT) continue;
     if (guard.number() < 0) throw cannot_write(path);
@@ -84,9 +84,10 @@ void remove_if_unused(const std::string& state, int guard) {
     return;
   }
   const std::size_t made = made_folders(guard);
+  fs::path folder = fs::canonical(state, failure);  // where a link leads, not where its name stands
   unlink((state + "/" + guard_name).c_str());
   rmdir(state.c_str());
-  fs::path folder = fs::absolute(state, failure).lexically_normal();
+  if (failure) return;
   for (std::size_t i = 0; i < made; ++i) {
     folder = folder.parent_path();
     if (rmdir(folder.c_str()) != 0) return;

@@ -75,7 +75,11 @@ std::string hum_text(const std::vector<MainsHum>& taken, const std::vector<std::
 std::vector<std::string> remove_hum(std::vector<RecordedTrial>& trials, Mains mains,
                                     std::span<TrialCleaning> cleanings, std::string_view of_what = "") {
   if (trials.empty()) return {};
-  if (mains == Mains::off) return {fmt::format("mains hum{}: left in (off)", of_what)};
+  if (mains == Mains::off) {
+    const HumVerdict verdict = judge_hum(trials, &RecordedTrial::force_W, mains);
+    for (std::size_t i = 0; i < trials.size(); ++i) trials[i].lines_left_in = verdict.lines_left_in[i];
+    return {fmt::format("mains hum{}: left in (off)", of_what)};
+  }
   std::vector<std::string> steps;
   for (const Sensed sensed : {&RecordedTrial::force_W, &RecordedTrial::torque_W_n_m}) {
     const bool are_forces = sensed == &RecordedTrial::force_W;

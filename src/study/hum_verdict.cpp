@@ -229,6 +229,11 @@ std::map<HumReason, LeftIn> judge_lines(const std::vector<TrialLine>& lines,
 }  // namespace
 
 HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Mains mains) {
+  const auto is_asked_for = [&](double nominal_hz) {
+    return std::ranges::any_of(mains_frequencies, [&](const MainsFrequency& one) {
+      return one.mains == mains && one.hz == nominal_hz;
+    });
+  };
   HumVerdict verdict;
   verdict.lines.resize(trials.size());
   verdict.lines_left_in.resize(trials.size());
@@ -237,9 +242,12 @@ HumVerdict judge_hum(const std::vector<RecordedTrial>& trials, Sensed sensed, Ma
                                      [&](const RecordedTrial& trial) { return (trial.*sensed).cols() > 0; });
   std::map<double, std::vector<TrialLine>> found;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    for (HumLine& line : hum_lines(trials[i], sensed, mains)) {
+    for (HumLine& line : hum_lines(trials[i], sensed, Mains::any)) {
       if (mains != Mains::any) {
-        verdict.lines[i].push_back(line);
+        if (is_asked_for(line.nominal_hz))
+          verdict.lines[i].push_back(line);
+        else
+          verdict.lines_left_in[i].push_back({line.nominal_hz, line.amplitude()});
         continue;
       }
       HumEvidence evidence = hum_evidence(trials[i], sensed, line);

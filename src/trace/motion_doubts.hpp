@@ -14,9 +14,9 @@ void warn_of_odd_steps(MotionReading& reading);
 /// Of times that seem to be in ms or us and were read as seconds, where the scene does not say what they are
 /// in.
 ///
-/// Rule: no recorder is slower than 10 Hz, and no finger that is recorded for twenty samples is slower than a
-/// thousandth of 2 m/s on average; ms or us, whichever gives 20 Hz to 20 kHz, is likely if the finger stays
-/// under 2 m/s so. A few samples far apart are a motion that was written by hand.
+/// Rule: no recorder is slower than 10 Hz, and no finger that is recorded for more than twenty samples is
+/// slower than a thousandth of 2 m/s on average; ms or us, whichever gives 20 Hz to 20 kHz, is likely if the
+/// finger stays under 2 m/s so. A few samples far apart are a motion that was written by hand.
 void warn_of_slow_clock(MotionReading& reading);
 /// Of a measured normal force that no finger rubs with.
 void warn_of_odd_force(MotionReading& reading);

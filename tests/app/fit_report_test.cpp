@@ -102,8 +102,9 @@ TEST_F(FitReportOfFiles, SaysAllThatTheTerminalSays) {
 /// Of the normal force alone none is drawn.
 TEST_F(FitReportOfFiles, LeavesNoFigureOfAnEarlierFit) {
   fs::create_directory(folder / "report");
-  for (const char* name : {"figure9.svg", "figure9.png", "mine.svg"})
+  for (const char* name : {"figure9.svg", "figure9.png", "figure3.svg", "mine.svg"})
     std::ofstream(folder / "report" / name) << "an earlier one";
+  std::ofstream(folder / "report/report.html") << "<img src=\"figure9.svg\" alt=\"v_min\">\n";
   std::ofstream(folder / "pressed.csv") << "t_s,x_m,y_m,z_m,fz_n\n";
   std::ofstream pressed(folder / "pressed.csv", std::ios::app);
   for (int i = 0; i < 4000; ++i)
@@ -114,6 +115,7 @@ TEST_F(FitReportOfFiles, LeavesNoFigureOfAnEarlierFit) {
   EXPECT_FALSE(fs::exists(folder / "report/figure9.svg"));
   EXPECT_FALSE(fs::exists(folder / "report/figure9.png"));
   EXPECT_TRUE(fs::exists(folder / "report/mine.svg")) << "no name of the program's";
+  EXPECT_TRUE(fs::exists(folder / "report/figure3.svg")) << "no figure of the earlier page";
 }
 
 double residual_rms_n(const std::string& summary) {

@@ -69,6 +69,20 @@ TEST(Words, OfACheckedSceneNameBodiesThatOverlap) {
   EXPECT_THAT(result.out, HasSubstr("300")) << "mm: each part in its own unit";
 }
 
+TEST(Words, OfACheckedSceneThatIsRefusedDoNotHideTheOthers) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n[[set]]\n"
+                                      "friction.law = [\"nonsense\", \"coulomb\"]\n";
+  const ShellResult result = run("check s.toml box.stl", folder);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err, HasSubstr("nonsense"));
+  EXPECT_THAT(result.out, HasSubstr("box.stl: can be touched"));
+  const ShellResult json = run("check s.toml box.stl --json", folder);
+  EXPECT_EQ(json.exit_code, 3);
+  EXPECT_THAT(json.out, HasSubstr("nonsense"));
+  EXPECT_THAT(json.out, HasSubstr("\"touchable\": true"));
+}
+
 TEST(Words, OfFileNamesNeverReachATerminalRaw) {
   const fs::path folder = folder_with_inputs();
   for (const std::string& name : {nasty_name, std::string("caf\xe9")}) {

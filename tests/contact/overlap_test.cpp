@@ -46,6 +46,21 @@ TEST(Overlap, OfPartsWithoutACornerInsideIsFoundAtPlacesOfTheirFacets) {
   EXPECT_LT(found[0].depth_m, 0.010001);
 }
 
+TEST(Overlap, OfPartsThatCoincideIsFoundBelowTheirSurfaces) {
+  for (const double x_m : {0.0, 0.0005}) {
+    const auto found = overlaps(std::vector{box_at(0), box_at(x_m)});
+    ASSERT_EQ(found.size(), 1u);
+    EXPECT_GT(found[0].depth_m, 0.02);
+    EXPECT_LT(found[0].depth_m, 0.025 + 1e-9) << "half of what is thinnest";
+  }
+}
+
+TEST(Overlap, BehindAPartTurnedInsideOutThereIsNone) {
+  TriangleSoup inwards = test::box_soup({0.1, 0.05, 0.05});
+  inwards.triangles.row(0).swap(inwards.triangles.row(1));
+  EXPECT_TRUE(overlaps(std::vector{placed(inwards, Vec3::Zero()), box_at(0.2)}).empty());
+}
+
 TEST(Overlap, OfAPartWithAPlaneIsHowFarItLiesBehind) {
   PlacedSurface floor;
   floor.plane_point_W = {0, 0, -0.02};

@@ -17,7 +17,7 @@ using testing::HasSubstr;
 /// Swift rubs of a pad that vibrates; no trial has a moment in the air.
 /// @param vibration_hz  0: it does not
 /// @param line_n  of 50 Hz that force and position have, so that it is left in
-ProfileFit fit_of(double vibration_hz, double line_n) {
+ProfileFit fit_of(double vibration_hz, double line_n, Mains mains = Mains::any) {
   std::vector<test::KnownTrial> trials;
   for (const double bearing_deg : {0.0, 90.0, 45.0, 0.0}) trials.push_back({2, 45, bearing_deg});
   test::KnownFinger finger;
@@ -31,7 +31,9 @@ ProfileFit fit_of(double vibration_hz, double line_n) {
     for (Eigen::Index i = 0; line_n > 0 && i < trial.samples(); ++i)
       trial.position_W(2, i) +=
           4e-5 * std::sin(2 * std::numbers::pi * 50 * static_cast<double>(i) / trial.rate_hz);
-  return fit_profile(clean(recorded, {}), {});
+  CleaningSettings settings;
+  settings.mains = mains;
+  return fit_profile(clean(recorded, settings), {});
 }
 
 const PadValue& vibration(const ProfileFit& fit) {
@@ -45,6 +47,14 @@ TEST(LineLeftIn, IsNotToldAsTheVibration) {
   ASSERT_EQ(vibration(fit).refusal, "");
   EXPECT_NEAR(vibration(fit).value, 95, 2) << "as without the line";
   EXPECT_NEAR(vibration(fit).value, vibration(fit_of(95, 0)).value, 1);
+}
+
+TEST(LineLeftIn, IsNotToldWhereAnOptionLeavesItInEither) {
+  for (const Mains mains : {Mains::off, Mains::hz_60}) {
+    const ProfileFit fit = fit_of(95, 0.03, mains);
+    ASSERT_EQ(vibration(fit).refusal, "");
+    EXPECT_NEAR(vibration(fit).value, 95, 2);
+  }
 }
 
 TEST(LineLeftIn, LeavesAVibrationOfItsFrequencyUntold) {
