@@ -80,7 +80,7 @@ void remove_if_unused(const std::string& state, int guard) {
   }
   if (failure || others_run) return;
   if (!is_alone) {  // the folder stays, and its files do not tell who has made it
-    std::ignore = ftruncate(guard, 0);
+    if (made_folders(guard) > 0) std::ignore = ftruncate(guard, 0);
     return;
   }
   const std::size_t made = made_folders(guard);
