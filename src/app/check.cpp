@@ -30,6 +30,7 @@ struct CheckOptions {
   std::string unit = "mm";
   bool json = false;
   bool repair = false;
+  bool says_how = false;  ///< unit or repair are given, which a scene has for each of its parts
 };
 
 using Json = nlohmann::ordered_json;
@@ -155,15 +156,25 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
   return all_touchable;
 }
 
+bool is_scene(const std::string& path) {
+  return path.ends_with(".toml");
+}
+
 int check(const CheckOptions& options) {
   bool all_touchable = true;
   Json report = Json::array();
   ImportOptions how;
   how.metres_per_unit = metres_of(options.unit);
   how.repair = options.repair;
+  for (const std::string& path : options.meshes) {
+    if (options.says_how && is_scene(path))
+      throw Error(
+          ErrorKind::usage, path,
+          "is a scene, which says `unit` and `repair` for each [[part]]: leave --unit and --repair out");
+  }
   std::optional<Error> refused;
   for (const std::string& path : options.meshes) {
-    if (!path.ends_with(".toml")) {
+    if (!is_scene(path)) {
       all_touchable &= tell_mesh(checked(path, how), options.json, report);
       continue;
     }
@@ -192,14 +203,16 @@ void add_check(CLI::App& program, Action& action) {
                        " files, - is standard input; or scenes (.toml), whose parts are taken in their "
                        "units and looked at for overlaps")
       ->required();
-  add_unit_option(*command, options->unit);  // of meshes; a scene says its parts'
+  add_unit_option(*command, options->unit);
   command->add_flag("--json", options->json, "Print an array with an object for each mesh (lengths in m)");
   command->add_flag("--repair", options->repair,
-                    "Say of meshes what `repair = true` in a scene's [[part]] would do: weld, drop "
-                    "degenerate and duplicate "
-                    "faces, make the winding right");
+                    "Say what `repair = true` in a scene's [[part]] would do: weld, drop degenerate and "
+                    "duplicate faces, make the winding right");
   command->footer("Ends 0 if every mesh can be touched, else 3.");
-  command->callback([options, &action] { action = [options] { return check(*options); }; });
+  command->callback([options, command, &action] {
+    options->says_how = command->count("--unit") > 0 || options->repair;
+    action = [options] { return check(*options); };
+  });
 }
 
 }  // namespace fingerpad

@@ -145,7 +145,7 @@ void add_units(CLI::App& command, ReadingOptions& options) {
       ->default_str("N.m, or the layout's own");
   command
       .add_option("--separator", options.separator,
-                  "Between cells, or the mark itself; found where it is left out")
+                  "Between cells, by name or as the mark itself; found where it is left out")
       ->transform(name_of_mark)
       ->check(CLI::IsMember(names_of(separators)));
   command.add_option("--decimal", options.decimal, "Mark of numbers")

@@ -56,6 +56,8 @@ bool tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
   constexpr std::size_t most_warnings = 12;
   for (std::size_t i = 0; i < std::min(plan.warnings.size(), most_warnings); ++i)
     print_err("fingerpad: warning: {}\n", plan.warnings[i]);
+  if (plan.warnings.size() > most_warnings)
+    print_err("fingerpad: warning: and {} more such lines\n", plan.warnings.size() - most_warnings);
   const auto failing = std::count_if(plan.jobs.begin(), plan.jobs.end(),
                                      [](const PlannedJob& job) { return !job.error.empty(); });
   if (failing > 0 && failing == std::ssize(plan.jobs)) {

@@ -25,8 +25,7 @@ class RunLock {
   ///                    registration with it, so that it lasts until all have ended. Empty: a process alone
   /// @param when_first  called by the one who registers, before any other can join, and by a process alone
   ///                    where nobody can register; may be empty. What it throws ends the registration
-  /// @param made        how many folders were made for this run: the output folder, and those that lead to
-  /// it.
+  /// @param made        how many folders were made for this run: the output folder, and those above it.
   ///                    Whichever run of those that meet there ends last removes them if they are empty then
   RunLock(const std::string& folder, const std::vector<std::string>& names, const std::string& run = "",
           const std::function<void(const RunLock&)>& when_first = {}, std::size_t made = 0);

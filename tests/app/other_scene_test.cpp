@@ -75,6 +75,16 @@ TEST(ASecondReplay, OfALoneSceneThatIsRefusedLeavesTheFolderAsItWas) {
     EXPECT_EQ(test::fingerpad("replay " + scene + " --out new/er", folder).exit_code, 3);
     EXPECT_FALSE(fs::exists(folder / "new")) << scene;
   }
+  // Nothing that was there goes with what was made, behind a dot or a link.
+  for (const char* was_there : {"keep", "real/deep", "here/new/out"})
+    fs::create_directories(folder / was_there);
+  fs::create_directory_symlink("../real/deep", folder / "here/link");
+  for (const char* out : {"keep/new/./out", "here/link/../new/out"})
+    EXPECT_EQ(test::fingerpad(std::string("replay motion.toml --out ") + out, folder).exit_code, 3);
+  for (const char* was_there : {"keep", "real/deep", "here/new/out"})
+    EXPECT_TRUE(fs::exists(folder / was_there)) << was_there;
+  for (const char* was_made : {"keep/new", "real/new"})
+    EXPECT_FALSE(fs::exists(folder / was_made)) << was_made;
   // A batch tells of each of its jobs.
   EXPECT_EQ(test::fingerpad("replay mesh.toml motion.toml --quiet --out out", folder).exit_code, 4);
   EXPECT_TRUE(fs::exists(folder / "out" / "summary.kept-1.csv"));

@@ -69,7 +69,7 @@ TEST(Words, OfACheckedSceneNameBodiesThatOverlap) {
   EXPECT_THAT(result.out, HasSubstr("300")) << "mm: each part in its own unit";
 }
 
-TEST(Words, OfACheckedSceneThatIsRefusedDoNotHideTheOthers) {
+TEST(Words, OfACheckedSceneThatIsRefusedLetTheOthersBeTold) {
   const fs::path folder = folder_with_inputs();
   std::ofstream(folder / "s.toml") << "[[part]]\nmesh = \"box.stl\"\n[[set]]\n"
                                       "friction.law = [\"nonsense\", \"coulomb\"]\n";
@@ -81,6 +81,11 @@ TEST(Words, OfACheckedSceneThatIsRefusedDoNotHideTheOthers) {
   EXPECT_EQ(json.exit_code, 3);
   EXPECT_THAT(json.out, HasSubstr("nonsense"));
   EXPECT_THAT(json.out, HasSubstr("\"touchable\": true"));
+  for (const char* how : {"--unit m", "--repair"}) {
+    const ShellResult unread = run(std::string("check s.toml ") + how, folder);
+    EXPECT_EQ(unread.exit_code, 2);
+    EXPECT_THAT(unread.err, HasSubstr("leave --unit and --repair out"));
+  }
 }
 
 TEST(Words, OfFileNamesNeverReachATerminalRaw) {
