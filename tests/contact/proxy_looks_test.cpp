@@ -7,6 +7,7 @@
 #include "base/random_stream.hpp"
 #include "contact/limited_proxies.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 
 // A tick's looks are limited: what a proxy does that is broken off again and again.
@@ -19,11 +20,7 @@ using test::looks_trials;
 using test::LooksTrial;
 using test::most_beyond;
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int walk_ticks = 300;
-#else
-constexpr int walk_ticks = 3000;
-#endif
+const int walk_ticks = test::sanitized() ? 300 : 3000;
 /// A resting finger lets the proxy come all the way in one tick of a second.
 constexpr double dt_s = 1;
 /// Across the part at some millimetres a tick, and between whiles not at all.

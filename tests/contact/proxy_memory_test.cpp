@@ -10,6 +10,7 @@
 #include "contact/proxies.hpp"
 #include "contact/proxy_report.hpp"
 #include "part/import.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 #include "support/wanderer.hpp"
@@ -23,11 +24,7 @@ constexpr double crease_rad = 30 * M_PI / 180;
 /// A whole walk, whose shares are bounded. The sanitizers, which make it ten times as slow, get its
 /// beginning.
 constexpr int whole_walk_ticks = 1600;
-#ifdef __SANITIZE_ADDRESS__
-constexpr int walk_ticks = whole_walk_ticks / 4;
-#else
-constexpr int walk_ticks = whole_walk_ticks;
-#endif
+const int walk_ticks = test::sanitized() ? whole_walk_ticks / 4 : whole_walk_ticks;
 
 /// How the two compare over a walk, in ticks.
 struct Agreement {

@@ -9,6 +9,7 @@
 #include "base/random_stream.hpp"
 #include "contact/proxies.hpp"
 #include "contact/proxy_views.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 
 // What a proxy may do without a look around (slide, hop, roll, land), held against where it must come to
@@ -19,11 +20,7 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 constexpr double dt_s = 1e-3;
-#ifdef __SANITIZE_ADDRESS__
-constexpr int path_ticks = 1000;
-#else
-constexpr int path_ticks = 10000;
-#endif
+const int path_ticks = test::sanitized() ? 1000 : 10000;
 
 struct Convex {
   const char* name;

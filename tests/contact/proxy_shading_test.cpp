@@ -8,6 +8,7 @@
 
 #include "contact/nasty_corners.hpp"
 #include "part/import.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 
 // What a proxy shows with shaded normals: how far its normal leans off the way from the finger, and how much
@@ -18,11 +19,7 @@ namespace {
 
 constexpr double dt_s = 1e-3;
 constexpr double degree = std::numbers::pi / 180;
-#ifdef __SANITIZE_ADDRESS__
-constexpr int rub_ticks = 300;
-#else
-constexpr int rub_ticks = 3000;
-#endif
+const int rub_ticks = test::sanitized() ? 300 : 3000;
 /// On a real part: fewer would not reach it.
 constexpr int real_rub_ticks = 1000;
 

@@ -7,17 +7,14 @@
 #include "base/random_stream.hpp"
 #include "contact/proxies.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad::proxy_test {
 namespace {
 
 constexpr double dt_s = 1e-3;
-#ifdef __SANITIZE_ADDRESS__
-constexpr int walk_ticks = 400;
-#else
-constexpr int walk_ticks = 4000;
-#endif
+const int walk_ticks = test::sanitized() ? 400 : 4000;
 
 /// Moves in even steps and returns the last contact.
 ProxyContact drag(Proxy& proxy, const Vec3& from, const Vec3& to, int ticks) {

@@ -5,6 +5,7 @@
 
 #include "device/pointed_worlds.hpp"
 #include "device/pointer_hand.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/touch_swap.hpp"
@@ -17,11 +18,7 @@ using test::PointedWorld;
 using test::PointerRun;
 using test::PointerWalk;
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int path_count = 18;
-#else
-constexpr int path_count = 200;
-#endif
+const int path_count = test::sanitized() ? 18 : 200;
 
 /// Force asked for on a path: 0.05 to 20 N, as the window lets one choose; every second path hovers.
 double press_of_path_n(int k, std::size_t world_count) {

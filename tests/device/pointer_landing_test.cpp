@@ -4,6 +4,7 @@
 #include <Eigen/Geometry>
 
 #include "device/pointed_worlds.hpp"
+#include "support/effort.hpp"
 #include "touch/parts_ball.hpp"
 #include "touch/resting_finger.hpp"
 
@@ -98,11 +99,7 @@ class HoverAndPress {
   bool touched_ = false;
 };
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int landing_count = 100;
-#else
-constexpr int landing_count = 300;
-#endif
+const int landing_count = test::sanitized() ? 100 : 300;
 
 // Some two seconds. The finger's goal sets out as slowly as the pointer's event is played: one that had
 // rested was taken for one that is held up, and flew up over the parts and down again.

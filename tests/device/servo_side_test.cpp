@@ -11,33 +11,15 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
-#include <new>
 #include <string>
 #include <thread>
 
 #include "device/device_packet.hpp"
 #include "device/device_table.hpp"
+#include "support/allocations.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 #include "support/worlds.hpp"
-
-namespace {
-thread_local long allocations_here = 0;
-}
-
-#ifndef __SANITIZE_ADDRESS__  // which tells what a library made by another new apart from what this one made
-// Not inlined: where g++ 12 inlines only one of a pair, it warns of a mismatch that is none.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations_here;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-  std::free(p);
-}
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
-#endif
 
 namespace fingerpad::servo_side_test {
 namespace {
@@ -60,11 +42,11 @@ long allocations_of(const DeviceEntry& entry, const DeviceLink& link, const Say&
     target.t_s = 0.008 * k;
     device->set_target(target);
     say(*device);
-    const long before = allocations_here;
+    const long before = test::allocations_of_thread();
     tick.p_WQ = device->advance(1e-3).p_WQ;
     device->feel(tick);
     // Embree sets up per-thread memory on a thread's first query.
-    if (k > 9) allocations += allocations_here - before;
+    if (k > 9) allocations += test::allocations_of_thread() - before;
   }
   return allocations;
 }
@@ -135,9 +117,7 @@ long with_terminal(const DeviceEntry& entry) {
 }
 
 TEST(ServoSide, OfEveryDeviceAllocatesNothing) {
-#ifdef __SANITIZE_ADDRESS__
-  GTEST_SKIP() << "allocations are counted without the sanitizer";
-#endif
+  if (test::sanitized()) GTEST_SKIP() << "allocations are counted without the sanitizer";
   for (const DeviceEntry& entry : device_table()) {
     long allocations = -1;
     if (entry.name == "network") {

@@ -5,6 +5,7 @@
 
 #include "part/import.hpp"
 #include "scene/scene_file.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 #include "touch/closed_loop.hpp"
 #include "trace/motion_source.hpp"
@@ -15,11 +16,7 @@ namespace fingerpad::shipped_scenes_test {
 namespace {
 namespace fs = std::filesystem;
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr long most_ticks = 1000;
-#else
-constexpr long most_ticks = 100000;
-#endif
+const long most_ticks = test::sanitized() ? 1000 : 100000;
 
 std::vector<fs::path> files_in(const fs::path& folder, const std::string& ending) {
   std::vector<fs::path> found;

@@ -1,14 +1,12 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cerrno>
-#include <cstdlib>
 #include <filesystem>
-#include <new>
 #include <numeric>
 #include <thread>
 
 #include "device/pointer_finger.hpp"
+#include "support/allocations.hpp"
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
@@ -18,53 +16,6 @@
 #include "trace/trace_info.hpp"
 
 // The loop as `touch --record` runs it: the mouse, the touch, the record, the window's readers.
-
-namespace {
-thread_local bool is_servo = false;
-std::atomic<long> allocations{0};
-
-void note_allocation() {
-  if (is_servo) ++allocations;
-}
-}  // namespace
-
-#ifndef __SANITIZE_ADDRESS__  // whose own malloc this would hide
-extern "C" {
-void* __libc_malloc(std::size_t size);                           // NOLINT: glibc's names
-void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
-void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT
-void* malloc(std::size_t size) {
-  note_allocation();
-  return __libc_malloc(size);
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  note_allocation();
-  return __libc_memalign(alignment, size);
-}
-void* calloc(std::size_t count, std::size_t size) {
-  note_allocation();
-  return __libc_calloc(count, size);
-}
-int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
-  note_allocation();
-  *out = __libc_memalign(alignment, size);
-  return *out == nullptr ? ENOMEM : 0;
-}
-}
-#endif
-
-// Not inlined: where g++ 12 inlines only one of a pair, it warns of a mismatch that is none.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  note_allocation();
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-  std::free(p);
-}
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
 
 namespace fingerpad::whole_loop_test {
 namespace {
@@ -96,18 +47,18 @@ TEST(WholeLoop, AllocatesNothingFromItsFirstTickOnAndRecordsHowItKeptItsTime) {
     start.p_WQ = Vec3(0, 0, 0.05);
     PointerFinger finger({scene, world, start});
     finger.look_from(Vec3::UnitZ());
-    allocations = 0;
-    std::atomic<long> touched{0};
+    std::atomic<long> touched{0}, before_first{-1}, allocations{-1};
     ServoLoop loop(
         Touch(world, scene), rate_hz,
         [&](double) {
-          is_servo = true;
+          if (before_first < 0) before_first = test::allocations_of_thread();
           return finger.advance(1 / rate_hz);
         },
         [&](const TickRecord& record) {
           finger.feel(record);
           recorder.push(record);
           touched += record.walls > 0 ? 1 : 0;
+          allocations = test::allocations_of_thread() - before_first;
         },
         0.1, true);
     for (int event = 0; event < 150; ++event) {

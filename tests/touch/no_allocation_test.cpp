@@ -1,62 +1,17 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <cerrno>
 #include <chrono>
 #include <cmath>
-#include <cstdlib>
-#include <new>
 #include <thread>
 
 #include "contact/contact_method_table.hpp"
 #include "scene/scene.hpp"
+#include "support/allocations.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/servo_loop.hpp"
 #include "touch/touch.hpp"
-
-namespace {
-std::atomic<long> allocations{0};
-}
-
-#ifndef __SANITIZE_ADDRESS__  // whose own malloc this would hide
-// The C library's allocators too: Embree has its own way past operator new.
-extern "C" {
-void* __libc_malloc(std::size_t size);                           // NOLINT: glibc's names
-void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
-void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT
-void* calloc(std::size_t count, std::size_t size) {
-  ++allocations;
-  return __libc_calloc(count, size);
-}
-void* malloc(std::size_t size) {
-  ++allocations;
-  return __libc_malloc(size);
-}
-int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
-  ++allocations;
-  *out = __libc_memalign(alignment, size);
-  return *out == nullptr ? ENOMEM : 0;
-}
-void* aligned_alloc(std::size_t alignment, std::size_t size) {
-  ++allocations;
-  return __libc_memalign(alignment, size);
-}
-}
-#endif
-
-// Not inlined: where g++ 12 inlines only one of a pair, it warns of a mismatch that is none.
-[[gnu::noinline]] void* operator new(std::size_t size) {
-  ++allocations;
-  if (void* p = std::malloc(size)) return p;
-  throw std::bad_alloc();
-}
-[[gnu::noinline]] void operator delete(void* p) noexcept {
-  std::free(p);
-}
-[[gnu::noinline]] void operator delete(void* p, std::size_t) noexcept {
-  std::free(p);
-}
 
 namespace fingerpad::no_allocation_test {
 namespace {
@@ -78,13 +33,13 @@ TEST(Tick, AllocatesNothingWhereItSticksSlipsAndCrossesEdges) {
                           Vec3(0, 0.6, -0.8)};
     };
     touch.warm_up();
-    const long before = allocations;
+    const long before = test::allocations_of_process();
     for (int k = 0; k < 4000; ++k) {
       const Phase phase = touch.tick(sample_at(k)).phase;
       stuck |= phase == Phase::stick;
       slipped |= phase == Phase::slip;
     }
-    EXPECT_EQ(allocations - before, 0);
+    EXPECT_EQ(test::allocations_of_process() - before, 0);
     EXPECT_TRUE(stuck);
     EXPECT_TRUE(slipped);
   }
@@ -113,13 +68,14 @@ TEST(ServoLoop, AllocatesNothingFromItsFirstTickOn) {
     ServoLoop loop(
         Touch(world, scene), scene.motion.rate_hz,
         [&count](double t_s) {
-          if (t_s == 0) count.first = allocations.load();
+          if (t_s == 0) count.first = test::allocations_of_process();
           const double across = 1.5 * std::sin(4 * t_s);
           return FingerSample{t_s, Vec3(0.05 + 0.0195 * std::cos(across), 0, 0.0195 * std::sin(across)),
                               Vec3(0, 0.6, -0.8)};
         },
         [&count, &scene](const TickRecord& record) {
-          if (record.t_s >= ticks / scene.motion.rate_hz && count.last < 0) count.last = allocations.load();
+          if (record.t_s >= ticks / scene.motion.rate_hz && count.last < 0)
+            count.last = test::allocations_of_process();
         },
         0.1, false, &swap);
     for (int i = 0; i < 1000 && count.last < 0; ++i)

@@ -9,6 +9,7 @@
 #include "contact/proxy.hpp"
 #include "scene/scene.hpp"
 #include "support/brute_force.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 #include "support/wanderer.hpp"
 #include "support/worlds.hpp"
@@ -21,11 +22,8 @@
 namespace fingerpad::proxy_real_parts_test {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int usual_ticks = 1200, ticks_a_touch = 50;  // a short walk spends most of it on the way there
-#else
-constexpr int usual_ticks = 8000, ticks_a_touch = 10;
-#endif
+const int usual_ticks = test::sanitized() ? 1200 : 8000;
+const int ticks_a_touch = test::sanitized() ? 50 : 10;  // a short walk spends most of it on the way there
 
 int walk_ticks() {
   const char* asked = std::getenv("FINGERPAD_WALK_TICKS");
@@ -34,9 +32,9 @@ int walk_ticks() {
 
 std::vector<std::filesystem::path> real_parts() {
   auto parts = test::real_parts();
-#ifndef __SANITIZE_ADDRESS__  // there its load takes longer than all other walks; RealPart loads it
+  // There the load of the dense one takes longer than all other walks; RealPart loads it.
+  if (test::sanitized()) return parts;
   for (const auto& dense : test::real_files("dense", {".ply"})) parts.push_back(dense);
-#endif
   return parts;
 }
 

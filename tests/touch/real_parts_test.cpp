@@ -6,6 +6,7 @@
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
 #include "scene/scene.hpp"
+#include "support/effort.hpp"
 #include "support/paths.hpp"
 #include "support/worlds.hpp"
 #include "touch/touch.hpp"
@@ -16,11 +17,7 @@
 namespace fingerpad::real_parts_test {
 namespace {
 
-#ifdef __SANITIZE_ADDRESS__
-constexpr int samples = 300;
-#else
-constexpr int samples = 10000;
-#endif
+const int samples = test::sanitized() ? 300 : 10000;
 
 std::vector<std::filesystem::path> real_parts() {
   auto parts = test::real_parts();

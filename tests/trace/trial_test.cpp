@@ -127,16 +127,16 @@ TEST(Trial, OfAnHdf5FileIsMadeAgainWhereAChildMayWaitForNobody) {
   const auto read = [&] {
     return read_in_trial("a.h5", roomy, 100, tell, [](Hearer& hear) { return hear.one<int>(); });
   };
-#ifndef __SANITIZE_ADDRESS__
-  try {
-    read();
-    ADD_FAILURE() << "not refused";
-  } catch (const Error& error) {
-    EXPECT_STREQ(
-        error.what(),
-        "a.h5: cannot be read: it was not read within 110 seconds; does the disk that it is on answer?");
+  if (hdf5_trials == 1) {
+    try {
+      read();
+      ADD_FAILURE() << "not refused";
+    } catch (const Error& error) {
+      EXPECT_STREQ(
+          error.what(),
+          "a.h5: cannot be read: it was not read within 110 seconds; does the disk that it is on answer?");
+    }
   }
-#endif
   EXPECT_EQ(read(), 5);
 }
 

@@ -1,0 +1,55 @@
+#include "support/allocations.hpp"
+
+#include <atomic>
+#include <cerrno>
+#include <cstdlib>
+#include <new>
+
+namespace {
+std::atomic<long> of_process{0};
+thread_local long of_thread = 0;
+}  // namespace
+
+#ifndef __SANITIZE_ADDRESS__
+namespace {
+void note_allocation() {
+  ++of_process;
+  ++of_thread;
+}
+}  // namespace
+
+extern "C" {
+void* __libc_malloc(std::size_t size);                           // NOLINT: glibc's names
+void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT
+void* __libc_calloc(std::size_t count, std::size_t size);        // NOLINT
+void* malloc(std::size_t size) {
+  note_allocation();
+  return __libc_malloc(size);
+}
+void* aligned_alloc(std::size_t alignment, std::size_t size) {
+  note_allocation();
+  return __libc_memalign(alignment, size);
+}
+void* calloc(std::size_t count, std::size_t size) {
+  note_allocation();
+  return __libc_calloc(count, size);
+}
+int posix_memalign(void** out, std::size_t alignment, std::size_t size) {
+  note_allocation();
+  *out = __libc_memalign(alignment, size);
+  return *out == nullptr ? ENOMEM : 0;
+}
+}
+#endif
+
+namespace fingerpad::test {
+
+long allocations_of_process() noexcept {
+  return of_process;
+}
+
+long allocations_of_thread() noexcept {
+  return of_thread;
+}
+
+}  // namespace fingerpad::test
