@@ -10,7 +10,7 @@ namespace fingerpad {
 namespace {
 
 using Limits = ProxyMemoryLimits;
-constexpr double wider = 1 + Limits::rounding, narrower = 1 - Limits::rounding;
+constexpr double rounded_up = 1 + Limits::rounding, rounded_down = 1 - Limits::rounding;
 
 int largest_fan(const Part& part) {
   std::vector<int> fan(static_cast<std::size_t>(part.welded_count), 0);
@@ -65,8 +65,8 @@ ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTe
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (is_blind()) return broken_off_step();
   if (place_O_ == search_place_O_) suit_view();
-  if (overflow_) reach_m_ = (goal_O - place_O).norm() * wider;
-  ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * wider), terms.bent_m);
+  if (overflow_) reach_m_ = (goal_O - place_O).norm() * rounded_up;
+  ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * rounded_up), terms.bent_m);
   if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
   falls_short_ = step.truncated && reach_m_ <= terms.most_m;
   note_short_step(step, looks_.spent() - before);
@@ -107,7 +107,7 @@ void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& over, const Vec
   const double reach_m = view_reach_m_, both_m = way_m + (far - over).norm();
   if (need_m < (1 - Limits::lead) * reach_m) {
     look_ahead(place_O, need_m, Limits::lead * reach_m / far_m * far);
-  } else if (!look_again(place_O, both_m * wider)) {
+  } else if (!look_again(place_O, both_m * rounded_up)) {
     // What the step from the edge will ask for, too.
     search_around(place_O, std::max(reach_m, both_m + Limits::serves_again * reach_m));
     suit_view();
@@ -115,7 +115,7 @@ void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& over, const Vec
 }
 
 bool ProxyViews::look_again(const Vec3& place_O, double need_m) noexcept {
-  const double left_m = search_reach_m_ - (place_O - search_place_O_).norm() * wider;
+  const double left_m = search_reach_m_ - (place_O - search_place_O_).norm() * rounded_up;
   if (overflow_ || !(left_m >= need_m)) return false;
   is_past_views_ = false;
   place_O_ = place_O;
@@ -205,7 +205,7 @@ bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
 double ProxyViews::room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept {
   if (overflow_ || looks_.left() < near_.count()) return 0;
   looks_.spend(near_.count());
-  const double most_m = search_reach_m_ - (centre_O - search_place_O_).norm() * wider;
+  const double most_m = search_reach_m_ - (centre_O - search_place_O_).norm() * rounded_up;
   return std::max(0.0, near_.room_m(world_, walls, centre_O, most_m, looks_));
 }
 
@@ -214,7 +214,7 @@ double ProxyViews::room_m(const Vec3& place_O, double least_m, double enough_m) 
   for (const int i : world_.parts()) {
     const TriangleTree& tree = *world_.surface(i).tree;
     const Vec3 q_P = world_.in_part(i, place_O);
-    const double to_box_m = (q_P.cwiseAbs() - tree.part().half_extent).cwiseMax(0.0).norm() * narrower;
+    const double to_box_m = (q_P.cwiseAbs() - tree.part().half_extent).cwiseMax(0.0).norm() * rounded_down;
     if (to_box_m - world_.clearance_m() >= room_m) continue;
     if (to_box_m > Limits::far_from_box * tree.part().size_m()) {
       room_m = std::min(room_m, to_box_m - world_.clearance_m());

@@ -26,7 +26,7 @@ using std::chrono::steady_clock;
 constexpr const char* guard_name = "guard";
 /// Whoever has it holds it for milliseconds, or while it waits for the last processes of a run.
 constexpr std::chrono::seconds guard_patience{60};
-constexpr std::chrono::milliseconds between_tries{20};
+constexpr std::chrono::milliseconds between_looks{20};
 
 Error cannot_write(const std::string& path) {
   const int problem = errno;
@@ -60,7 +60,7 @@ std::optional<OpenFile> take_guard(const std::string& state, const std::string& 
     const Locking locking = try_lock(guard.number(), LOCK_EX);
     if (locking == Locking::impossible) return std::nullopt;
     if (locking == Locking::got && is_at(guard.number(), path)) return guard;
-    if (locking == Locking::busy) std::this_thread::sleep_for(between_tries);
+    if (locking == Locking::busy) std::this_thread::sleep_for(between_looks);
   }
   throw refused(folder, fmt::format("another run holds {} and does not let go", path));
 }

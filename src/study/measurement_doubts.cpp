@@ -56,7 +56,7 @@ double fastest_m_per_s(const RecordedTrial& trial) {
   return speeds[static_cast<std::size_t>(most_share * static_cast<double>(speeds.size() - 1))];
 }
 
-double greatest_force_n(const RecordedTrial& trial) {
+double largest_force_n(const RecordedTrial& trial) {
   return trial.force_W.colwise().norm().maxCoeff();
 }
 
@@ -107,7 +107,7 @@ void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::ve
 
 void doubt_forces(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
   constexpr double hardest_n = 40, lightest_n = 0.01, greatest_n = 100;
-  const double press_n = std::abs(usual(trials, pressing_n)), most_n = usual(trials, greatest_force_n);
+  const double press_n = std::abs(usual(trials, pressing_n)), most_n = usual(trials, largest_force_n);
   if (!format.says_force_unit && press_n > hardest_n) {
     doubts.push_back(
         {true, fmt::format("taken as newtons, its normal force is {} N, harder than a finger rubs: say "
@@ -263,7 +263,7 @@ std::string measurement_words(const RecordedMeasurement& recorded) {
     slowest_hz = std::min(slowest_hz, trial.rate_hz);
     fastest_hz = std::max(fastest_hz, trial.rate_hz);
     speed = std::max(speed, fastest_m_per_s(trial));
-    force_n = std::max(force_n, greatest_force_n(trial));
+    force_n = std::max(force_n, largest_force_n(trial));
     reach_m =
         reach_m.cwiseMax(Vec3(trial.position_W.rowwise().maxCoeff() - trial.position_W.rowwise().minCoeff()));
   }

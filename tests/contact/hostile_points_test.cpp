@@ -127,7 +127,7 @@ class HostilePoints : public testing::TestWithParam<int> {
   RandomStream random_{11};
 };
 
-constexpr int rounds = test::samples(20000);
+const int rounds = test::samples(20000);
 
 TEST_P(HostilePoints, ClosestIsSound) {
   ClosestMemory memory;

@@ -171,7 +171,7 @@ TEST(ProxyLooks, ABallInABoreOfItsOwnRadiusSlidesAlongItWithinItsLooks) {
       settled += c.placed && c.settled ? 1 : 0;
       if (k >= 20) most_behind_m = std::max(most_behind_m, std::abs(proxy.ball_W().z() - goal.z()));
     }
-    constexpr int after_start = walk_ticks / 3 - 40;
+    const int after_start = walk_ticks / 3 - 40;
     EXPECT_GT(touched, after_start);
     EXPECT_LT(most_behind_m, bore.most_behind_m);
     if (bore.facets == 360) {

@@ -125,7 +125,7 @@ TEST(TriangleTree, NoSeedChangesABit) {
 TEST(TriangleTree, ThreadsAndTreesChangeNothing) {
   const auto part = torus(60, 40);
   const TriangleTree tree(part), again(part);
-  constexpr int count = samples(4000);
+  const int count = samples(4000);
   const auto answer_all = [&](const TriangleTree& which, std::vector<ClosestTriangle>& answers) {
     RandomStream random(11);
     int seed = -1;

@@ -16,8 +16,8 @@
 namespace fingerpad::auto_judged_test {
 namespace {
 
-constexpr bool judges_all = test::samples(100) == 100;
-constexpr int one_case_of = judges_all ? 1 : 10;
+const bool judges_all = !test::sanitized();
+const int one_case_of = judges_all ? 1 : 10;
 
 /// What became of auto's word, over many cases.
 struct Judgement {
