@@ -162,7 +162,7 @@ bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& ed
   room_.wall_count = 1;
   room_.walls_O[0] = wall_O;
   room_.facets[0] = facet;
-  blocker_ = {there.surface, there.triangle};
+  blockers_ = {Blocker{there.surface, there.triangle}};
   remember_fan(wall_O);
   state.contact.settled = true;
   state.place_O = state.hold_place_O = to_O;

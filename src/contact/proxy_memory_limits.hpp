@@ -56,6 +56,8 @@ struct ProxyMemoryLimits {
   static constexpr double eager = 2;
   /// Packets that are looked at for a triangle that is about the closest: a hint, which need not be it.
   static constexpr int closest_packets = 40;
+  /// Triangles that are gone over from the one that held the proxy last to the one under it now.
+  static constexpr int most_walked = 64;
   /// Farther than this from a part, in its sizes, the distance to its box is near enough to the truth.
   static constexpr double far_from_box = 4;
   /// Flights through free balls in a tick, each to this share of the ball, so that it ends in front of what

@@ -11,6 +11,32 @@ namespace fingerpad {
 
 using Limits = ProxyMemoryLimits;
 
+namespace {
+
+/// The triangle over whose face a place lies, going from one to its neighbour across the edge that the place
+/// is farthest beyond. Where that leads nowhere, the last one come to.
+int triangle_under(const Part& part, int triangle, const Vec3& q_P, Looks& looks) noexcept {
+  for (int k = 0; k < Limits::most_walked; ++k) {
+    looks.spend(LookCosts::told);
+    const TriangleCorners f = corners_of(part, triangle);
+    const std::array<Vec3, 3> corners = {f.a, f.b, f.c};
+    double farthest_m = 0;
+    int next = -1;
+    for (int edge = 0; edge < 3; ++edge) {
+      const Vec3 &from = corners[edge], along = corners[(edge + 1) % 3] - from;
+      const double beyond_m = along.cross(f.normal).dot(q_P - from) / along.norm();
+      if (!(beyond_m > farthest_m)) continue;
+      farthest_m = beyond_m;
+      next = part.neighbours(edge, triangle);
+    }
+    if (next < 0) break;
+    triangle = next;
+  }
+  return triangle;
+}
+
+}  // namespace
+
 /// Of a step that ended where its rich view did. A view that reaches less than `hopeless_share` does not
 /// count: the richest view comes next, which shows more.
 void ProxyViews::note_short_step(const ProxyStep& step, long looks) noexcept {
@@ -32,14 +58,17 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
                                       const StepTerms& terms) noexcept {
   const double way_m = std::min((goal_O - place_O).norm(), terms.most_m);
   double bent_m = terms.bent_m;
-  std::array<ProxyWall, 2> first;
+  std::array<ProxyWall, 3> first;
   std::size_t count = 0;
-  const std::optional<ProxyWall> here = wall_touched(place_O), ahead = wall_ahead(place_O, goal_O, way_m);
-  if (here) first[count++] = *here;
-  if (ahead) {
+  for (const Blocker& blocker : blockers_) {
+    const std::optional<ProxyWall> here = wall_touched(blocker, place_O);
+    if (here && count + 1 < first.size()) first[count++] = *here;
+  }
+  if (const auto ahead = wall_ahead(place_O, goal_O, way_m)) {
     const Vec3 goal = goal_O - place_O, end = goal + std::max(0.0, ahead->lack_m(goal)) * ahead->normal;
-    // Over a convex surface the wall here holds the ball off what lies ahead: that is for the next step.
-    if (!here || here->lack_m(end) <= world_.touching_m()) {
+    // Over a convex surface a wall here holds the ball off what lies ahead: that is for the next step.
+    if (std::all_of(first.data(), first.data() + count,
+                    [&](const ProxyWall& here) { return here.lack_m(end) <= world_.touching_m(); })) {
       first[count++] = *ahead;
       bent_m = 0;  // which is for a wall that stands for where the step begins
     }
@@ -53,14 +82,17 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   is_past_views_ = goes_past_views_ = true;
   falls_short_ = false;
   const ProxyStep step = step_towards(goal_O, reach_m_, bent_m, std::span(first.data(), count));
-  if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
+  note_blockers(step);
   return step;
 }
 
-/// Of the triangle that held the proxy last, if the ball lies on it.
-std::optional<ProxyWall> ProxyViews::wall_touched(const Vec3& place_O) const noexcept {
-  if (blocker_.triangle < 0) return std::nullopt;
-  const ProxyWall wall = world_.tangent_wall(blocker_.surface, blocker_.triangle, place_O, place_O);
+/// Of a triangle that held the proxy last, or of the one that the surface goes on to from there under the
+/// place, if the ball lies on it.
+std::optional<ProxyWall> ProxyViews::wall_touched(const Blocker& blocker, const Vec3& place_O) noexcept {
+  if (blocker.triangle < 0) return std::nullopt;
+  const int triangle = triangle_under(world_.part(blocker.surface), blocker.triangle,
+                                      world_.in_part(blocker.surface, place_O), looks_);
+  const ProxyWall wall = world_.tangent_wall(blocker.surface, triangle, place_O, place_O);
   return std::abs(wall.least_m) <= world_.touching_m() ? std::optional(wall) : std::nullopt;
 }
 

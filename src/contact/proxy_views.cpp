@@ -41,7 +41,7 @@ void ProxyViews::forget() noexcept {
   near_.clear();
   std::fill(seeds_.begin(), seeds_.end(), -1);
   search_reach_m_ = -1;
-  blocker_ = {};
+  blockers_ = {};
   rich_looks_ = 0;
   is_cut_ = is_rich_ = overflow_ = falls_short_ = is_past_views_ = goes_past_views_ = false;
   short_step_m_ = 0;
@@ -67,7 +67,7 @@ ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTe
   if (place_O_ == search_place_O_) suit_view();
   if (overflow_) reach_m_ = (goal_O - place_O).norm() * rounded_up;
   ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * rounded_up), terms.bent_m);
-  if (step.wall_count > 0) blocker_ = {step.walls[0].surface, step.walls[0].triangle};
+  note_blockers(step);
   falls_short_ = step.truncated && reach_m_ <= terms.most_m;
   note_short_step(step, looks_.spent() - before);
   return step;
@@ -90,6 +90,14 @@ bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& 
 
 bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept {
   return !overflow_ && reach_m_ >= over.norm() && is_free(over, std::span(&here, 1));
+}
+
+void ProxyViews::note_blockers(const ProxyStep& step) noexcept {
+  if (step.wall_count == 0) return;
+  blockers_ = {};
+  std::transform(step.held_by().begin(), step.held_by().end(), blockers_.begin(), [](const ProxyWall& wall) {
+    return Blocker{wall.surface, wall.triangle};
+  });
 }
 
 /// Makes the next views wider or narrower, after what a search has found.
@@ -129,7 +137,7 @@ bool ProxyViews::search(const Vec3& place_O, double reach_m, int most) noexcept 
   is_past_views_ = false;
   place_O_ = place_O;
   reach_m_ = search_reach_m_ = reach_m;
-  return near_.search(world_, place_O, reach_m, most, blocker_, looks_);
+  return near_.search(world_, place_O, reach_m, most, blockers_[0], looks_);
 }
 
 /// However rich, a view reaches so far.

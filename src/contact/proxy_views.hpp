@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <limits>
 
 #include "contact/near_triangles.hpp"
@@ -50,14 +51,15 @@ class ProxyViews : public ProxySight {
   /// Where the trees were searched from.
   const Vec3& search_place_O() const noexcept { return search_place_O_; }
 
-  double finger_m_ = 0;      // how far the finger went in this tick
-  double view_reach_m_ = 0;  // of the next search; grows and shrinks with what there is to see
-  Blocker blocker_;
+  double finger_m_ = 0;              // how far the finger went in this tick
+  double view_reach_m_ = 0;          // of the next search; grows and shrinks with what there is to see
+  std::array<Blocker, 3> blockers_;  // what held the proxy last
 
  private:
   ProxyStep step_past_views(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
   void note_short_step(const ProxyStep& step, long looks) noexcept;
-  std::optional<ProxyWall> wall_touched(const Vec3& place_O) const noexcept;
+  void note_blockers(const ProxyStep& step) noexcept;
+  std::optional<ProxyWall> wall_touched(const Blocker& blocker, const Vec3& place_O) noexcept;
   std::optional<ProxyWall> wall_below(const Vec3& place_O, double way_m) noexcept;
   std::optional<ProxyWall> wall_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m) noexcept;
   Blocker about_closest(const Vec3& place_O, double reach_m) noexcept;

@@ -77,6 +77,32 @@ TEST(ProxyOutrun, OnAFinePlateItKeepsUp) {
   EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
 }
 
+/// Two walls of facets of .1 mm that meet in an inner edge along x, and a ball that lies on both.
+TEST(ProxyOutrun, AlongAnInnerEdgeOfFineFacetsItKeepsUp) {
+  constexpr double depth_m = 0.001;
+  for (const double lean_rad : {0.5, 1.5708, 2.2}) {
+    const Vec3 floor = Vec3::UnitZ(), wall(0, std::sin(lean_rad), -std::cos(lean_rad));
+    const TriangleSoup soup = sheet(160, 200, [&](double u, double v) {
+      const double up_m = 0.01 - 0.02 * v;
+      const Vec3 across =
+          up_m < 0 ? Vec3(0, -up_m, 0) : Vec3(0, std::cos(lean_rad), std::sin(lean_rad)) * up_m;
+      return Vec3(Vec3(0.016 * u - 0.008, 0, 0) + across);
+    });
+    const auto place = [&](double x_m, double from_walls_m) {
+      return Vec3(Vec3(x_m, 0, 0) + from_walls_m / (1 + floor.dot(wall)) * (floor + wall));
+    };
+    for (const double tick_m : {1e-4, 3e-4}) {
+      std::vector<Vec3> path = {place(-0.004, radius_m + 5e-4), place(-0.004, radius_m)};
+      for (double x_m = -0.004; x_m < 0.004; x_m += tick_m) path.push_back(place(x_m, radius_m - depth_m));
+      const Worst worst =
+          worst_along(soup, path, depth_m, [&](const Vec3& p) { return Vec3(place(p.x(), radius_m) - p); });
+      EXPECT_LT(worst.push, 1e-3) << lean_rad << ", " << tick_m;
+      EXPECT_EQ(worst.unsettled, 0) << lean_rad << ", " << tick_m;
+      EXPECT_LE(worst.most_looks, ProxyLimits::most_looks / 2) << lean_rad << ", " << tick_m;
+    }
+  }
+}
+
 /// Deep enough that the finger is nearest to facets from whose planes the ball slides off. With few looks a
 /// tick steps are broken off, and gone on with while the finger waits.
 TEST(ProxyOutrun, OverAFinePlatesRimItIsHeldAsByThePlainProxy) {
