@@ -1,3 +1,4 @@
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 
@@ -62,7 +63,11 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   std::size_t count = 0;
   for (const Blocker& blocker : blockers_) {
     const std::optional<ProxyWall> here = wall_touched(blocker, place_O);
-    if (here && count + 1 < first.size()) first[count++] = *here;
+    const auto is_here = [&](const ProxyWall& wall) {
+      return wall.surface == here->surface && wall.triangle == here->triangle;
+    };
+    if (here && count + 1 < first.size() && std::none_of(first.data(), first.data() + count, is_here))
+      first[count++] = *here;
   }
   if (const auto ahead = wall_ahead(place_O, goal_O, way_m)) {
     const Vec3 goal = goal_O - place_O, end = goal + std::max(0.0, ahead->lack_m(goal)) * ahead->normal;
@@ -84,6 +89,14 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   const ProxyStep step = step_towards(goal_O, reach_m_, bent_m, std::span(first.data(), count));
   note_blockers(step);
   return step;
+}
+
+void ProxyViews::note_blockers(const ProxyStep& step) noexcept {
+  if (step.wall_count == 0) return;
+  blockers_ = {};
+  std::transform(step.held_by().begin(), step.held_by().end(), blockers_.begin(), [](const ProxyWall& wall) {
+    return Blocker{wall.surface, wall.triangle};
+  });
 }
 
 /// Of a triangle that held the proxy last, or of the one that the surface goes on to from there under the

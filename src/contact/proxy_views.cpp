@@ -92,14 +92,6 @@ bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept 
   return !overflow_ && reach_m_ >= over.norm() && is_free(over, std::span(&here, 1));
 }
 
-void ProxyViews::note_blockers(const ProxyStep& step) noexcept {
-  if (step.wall_count == 0) return;
-  blockers_ = {};
-  std::transform(step.held_by().begin(), step.held_by().end(), blockers_.begin(), [](const ProxyWall& wall) {
-    return Blocker{wall.surface, wall.triangle};
-  });
-}
-
 /// Makes the next views wider or narrower, after what a search has found.
 void ProxyViews::suit_view() noexcept {
   const int count = near_.count();
