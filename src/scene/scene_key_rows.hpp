@@ -8,11 +8,6 @@
 
 namespace fingerpad {
 
-inline std::vector<SceneKey> operator+(std::vector<SceneKey> keys, const std::vector<SceneKey>& more) {
-  keys.insert(keys.end(), more.begin(), more.end());
-  return keys;
-}
-
 /// Of [motion]: a file and how it is read, or a motion made by its kind.
 std::vector<SceneKey> motion_keys();
 /// Of `columns` of [motion]. Read as one value, read_recording_columns.

@@ -8,14 +8,14 @@
 namespace fingerpad {
 namespace {
 
-constexpr double full_turn = 2 * std::numbers::pi;
+constexpr double whole_turn = 2 * std::numbers::pi;
 
 constexpr double sphere_m = 0.05;
 
 ExactSurface sphere() {
   ExactSurface surface{"sphere", "radius 50 mm", {3, 4, 5, 6, 7}, {}, {}, {}, {}};
   surface.mesh = [](int level) { return ball_mesh(sphere_m, level); };
-  surface.facet_m = [](int level) { return sphere_m * full_turn / 4 / std::exp2(level); };
+  surface.facet_m = [](int level) { return sphere_m * whole_turn / 4 / std::exp2(level); };
   surface.foot = [](const Vec3& p) { return ExactFoot{p.norm() - sphere_m, p.normalized()}; };
   surface.way = [](double along) {
     const double around = 0.3 + 4.1 * along, up = 0.45 * std::sin(1.3 + 5 * along);
@@ -33,7 +33,7 @@ ExactSurface torus() {
   ExactSurface surface{"torus", "50 mm to the middle of a tube of 20 mm", {16, 32, 64, 128, 256}, {}, {}, {},
                        {}};
   surface.mesh = [](int across) { return torus_mesh(ring_m, tube_m, 2 * across, across); };
-  surface.facet_m = [](int across) { return tube_m * full_turn / across; };
+  surface.facet_m = [](int across) { return tube_m * whole_turn / across; };
   surface.foot = [](const Vec3& p) {
     const Vec3 middle = ring_m * Vec3(p.x(), p.y(), 0).normalized();
     return ExactFoot{(p - middle).norm() - tube_m, (p - middle).normalized()};
@@ -54,7 +54,7 @@ TriangleSoup round_part_mesh(int steps) {
   const int around = 8 * steps;
   std::vector<Vec2> profile;  // radius and height, from the top's rim to the bottom's
   for (int i = 0; i <= steps; ++i) {
-    const double angle = full_turn / 4 * i / steps;
+    const double angle = whole_turn / 4 * i / steps;
     profile.emplace_back(round_m - fillet_m * (1 - std::sin(angle)),
                          half_height_m - fillet_m * (1 - std::cos(angle)));
   }
@@ -79,7 +79,7 @@ ExactFoot round_part_foot(const Vec3& p) {
 
 /// The profile at a length along it, from 7 mm off the axis over the top, the fillet and down the wall.
 Vec2 round_part_profile(double length_m) {
-  constexpr double flat_m = round_m - fillet_m - 0.007, arc_m = fillet_m * full_turn / 4;
+  constexpr double flat_m = round_m - fillet_m - 0.007, arc_m = fillet_m * whole_turn / 4;
   if (length_m < flat_m) return {0.007 + length_m, half_height_m};
   if (length_m > flat_m + arc_m) return {round_m, half_height_m - fillet_m - (length_m - flat_m - arc_m)};
   const double angle = (length_m - flat_m) / fillet_m;
@@ -90,7 +90,7 @@ ExactSurface round_part() {
   ExactSurface surface{
       "fillet", "a cylinder of radius 20 mm, rims rounded by 5 mm", {4, 8, 16, 32, 64}, {}, {}, {}, {}};
   surface.mesh = round_part_mesh;
-  surface.facet_m = [](int steps) { return fillet_m * full_turn / 4 / steps; };
+  surface.facet_m = [](int steps) { return fillet_m * whole_turn / 4 / steps; };
   surface.foot = round_part_foot;
   surface.way = [](double along) {
     const Vec2 at = round_part_profile(0.0125 - 0.012 * std::cos(7.1 * std::numbers::pi * along));
@@ -110,7 +110,7 @@ ExactSurface hollow() {
     box.vertices_P.row(2).array() += 0.02;
     return hollowed(box, ball_mesh(hollow_m, level));
   };
-  surface.facet_m = [](int level) { return hollow_m * full_turn / 4 / std::exp2(level); };
+  surface.facet_m = [](int level) { return hollow_m * whole_turn / 4 / std::exp2(level); };
   surface.foot = [](const Vec3& p) { return ExactFoot{hollow_m - p.norm(), -p.normalized()}; };
   surface.way = [on_sphere = sphere().way](double along) {
     return Vec3(hollow_m / sphere_m * on_sphere(along));
