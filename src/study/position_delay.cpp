@@ -104,11 +104,14 @@ DelaySums no_sums(const MeasuredTrial& trial) {
   return sums;
 }
 
-/// What is surely stick.
+/// What is surely stick. A sensor that passes a drop in some samples falls on for a little after a rupture,
+/// while the finger moves on: as if the force came before the position.
 std::vector<PhaseStretch> inner_stretches(const StickSegments& segments) {
+  const auto falling = static_cast<std::size_t>(segments.half_window + 1) / 2;  // 3 ms
   std::vector<PhaseStretch> found;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
-    const PhaseStretch stretch = inner_stretch(whole, segments);
+    PhaseStretch stretch = inner_stretch(whole, segments);
+    if (segments.is_rupture[whole.from]) stretch.from += falling;
     if (stretch.from < stretch.to) found.push_back(stretch);
   }
   return found;

@@ -65,6 +65,27 @@ TEST(FileDelays, OfOneTrialThatDoesNotTellItIsNotTakenOut) {
   EXPECT_GT(vague, 3);
 }
 
+/// Its filter, of the first order, lets a drop pass in some samples and comes by itself 1/(2 pi 300 Hz) late.
+TEST(FileDelays, OfASensorThatPassesRupturesSlowlyIsNotBeforeThePosition) {
+  std::vector<test::KnownTrial> trials;
+  for (int k = 0; k < 8; ++k) {
+    trials.push_back({2, 45, 90.0 * (k % 2)});
+    trials.back().slowing_m_per_s2 = 0.8;
+    trials.back().cruise_m_per_s = 0.2;
+    if (k % 2 == 0) trials.push_back({2, 45, 45, 0.003, 1, 3});
+  }
+  for (const double rate_hz : {1000.0, 2000.0}) {
+    test::KnownSensors sensors;
+    sensors.rate_hz = rate_hz;
+    sensors.ticks_a_sample = 10;
+    sensors.low_pass_hz = 300;
+    const Measurement measurement = clean(test::known_measurement(trials, {}, sensors, 1), {});
+    const DelayEstimate& delay = measurement.delays.front().estimate;
+    ASSERT_EQ(delay.refusal, "") << rate_hz;
+    EXPECT_NEAR(delay.delay_s, 0.53e-3, 0.45e-3) << rate_hz;
+  }
+}
+
 TEST(FileDelays, OfOneTrialIsToldByTheStretchesOfItsStick) {
   for (const double delay_s : {-0.02, 0.0, 7.3e-3}) {
     test::KnownSensors sensors;
