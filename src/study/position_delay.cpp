@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "study/phase_stretch.hpp"
+#include "study/rupture_search.hpp"
 
 namespace fingerpad {
 namespace {
@@ -104,14 +105,26 @@ DelaySums no_sums(const MeasuredTrial& trial) {
   return sums;
 }
 
-/// What is surely stick. A sensor that passes a drop in some samples falls on for a little after a rupture,
-/// while the finger moves on: as if the force came before the position.
-std::vector<PhaseStretch> inner_stretches(const StickSegments& segments) {
-  const auto falling = static_cast<std::size_t>(segments.half_window + 1) / 2;  // 3 ms
+/// Where the force ratio ends falling after a rupture: as long again, and a sample, as it falls by more than
+/// its noise. A sensor that passes a drop in some samples falls on while the finger moves on, as if the force
+/// came before the position. Of one that passes it within a sample it is the rupture itself.
+std::size_t end_of_drop(const MeasuredTrial& trial, const StickSegments& segments, std::size_t rupture) {
+  constexpr double deviations = 3;
+  const std::size_t last = rupture + static_cast<std::size_t>(segments.half_window);
+  std::size_t end = rupture;
+  while (end < last && end + 1 < trial.force_ratio.size() && !segments.begins_run[end + 1] &&
+         trial.force_ratio[end].norm() - trial.force_ratio[end + 1].norm() >
+             deviations * ratio_noise_at(trial, segments, end))
+    ++end;
+  return end == rupture ? rupture : 2 * end - rupture + 1;
+}
+
+/// What is surely stick.
+std::vector<PhaseStretch> inner_stretches(const MeasuredTrial& trial, const StickSegments& segments) {
   std::vector<PhaseStretch> found;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     PhaseStretch stretch = inner_stretch(whole, segments);
-    if (segments.is_rupture[whole.from]) stretch.from += falling;
+    if (segments.is_rupture[whole.from]) stretch.from = end_of_drop(trial, segments, whole.from);
     if (stretch.from < stretch.to) found.push_back(stretch);
   }
   return found;
@@ -121,13 +134,14 @@ std::vector<PhaseStretch> inner_stretches(const StickSegments& segments) {
 
 DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) {
   DelaySums sums = no_sums(trial);
-  for (const PhaseStretch& stretch : inner_stretches(segments)) add_stretch(trial, segments, stretch, sums);
+  for (const PhaseStretch& stretch : inner_stretches(trial, segments))
+    add_stretch(trial, segments, stretch, sums);
   return sums;
 }
 
 std::vector<DelaySums> delay_sums_by_part(const MeasuredTrial& trial, const StickSegments& segments) {
   constexpr std::size_t most_parts = 12;
-  const std::vector<PhaseStretch> stretches = inner_stretches(segments);
+  const std::vector<PhaseStretch> stretches = inner_stretches(trial, segments);
   std::size_t samples = 0, before = 0;
   for (const PhaseStretch& stretch : stretches) samples += stretch.to - stretch.from;
   std::vector<DelaySums> parts(most_parts, no_sums(trial));
