@@ -119,12 +119,26 @@ std::size_t end_of_drop(const MeasuredTrial& trial, const StickSegments& segment
   return end == rupture ? rupture : 2 * end - rupture + 1;
 }
 
+/// Whether most of a trial's ruptures fall on so: then it is the sensor, and else a rupture that was not
+/// seen.
+bool falls_on(const MeasuredTrial& trial, const StickSegments& segments) {
+  long ruptures = 0, lasting = 0;
+  for (std::size_t i = 0; i < segments.is_rupture.size(); ++i) {
+    if (!segments.is_rupture[i]) continue;
+    ++ruptures;
+    lasting += end_of_drop(trial, segments, i) > i ? 1 : 0;
+  }
+  return 2 * lasting > ruptures;
+}
+
 /// What is surely stick.
 std::vector<PhaseStretch> inner_stretches(const MeasuredTrial& trial, const StickSegments& segments) {
+  const bool drops_last = falls_on(trial, segments);
   std::vector<PhaseStretch> found;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     PhaseStretch stretch = inner_stretch(whole, segments);
-    if (segments.is_rupture[whole.from]) stretch.from = end_of_drop(trial, segments, whole.from);
+    if (drops_last && segments.is_rupture[whole.from])
+      stretch.from = end_of_drop(trial, segments, whole.from);
     if (stretch.from < stretch.to) found.push_back(stretch);
   }
   return found;

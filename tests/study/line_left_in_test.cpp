@@ -49,9 +49,9 @@ TEST(LineLeftIn, IsNotToldAsTheVibration) {
   EXPECT_NEAR(vibration(fit).value, vibration(fit_of(95, 0)).value, 1);
 }
 
-/// Where a line pulls, ruptures come early: at 20 mN its top is a fifteenth of mu_static.
+/// Where a line pulls, ruptures come early: at 40 mN by up to a seventh of mu_static.
 TEST(LineLeftIn, IsAllowedForByMuStatic) {
-  const ProfileFit fit = fit_of(95, 0.02);
+  const ProfileFit fit = fit_of(95, 0.04);
   ASSERT_THAT(fit.steps, Contains(HasSubstr("a line near 50 Hz is left in 4 of 4 trials")));
   const auto& both = fit.interval[static_cast<std::size_t>(PadNumber::mu_static)];
   ASSERT_TRUE(both);
