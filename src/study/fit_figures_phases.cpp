@@ -219,7 +219,7 @@ Chart phase_boundaries_figure(const FitPictureSource& source) {
   chart.stacked = true;
   chart.band = phase_strip(trial, segments, span);
   chart.panels.push_back(ratio_strip(trial, span, way));
-  chart.panels.back().curves.front().name = "force ratio";  // the legend is full of reasons
+  chart.panels.back().curves.front().name = "ratio";  // the legend is full of reasons
   add_reasons(trial, boundaries[span.trial], span, chart.panels.back());
   chart.panels.push_back(stiffness_strip(trial, segments, span));
   chart.panels.push_back(speed_strip(trial, segments, span, way));
