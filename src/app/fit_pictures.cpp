@@ -17,10 +17,10 @@ namespace {
 /// Figures that an earlier fit drew into the folder, as its page says, and this one does not.
 void remove_old_figures(const std::vector<Chart>& charts, const std::string& earlier_page,
                         const std::string& folder) {
-  for (const std::string_view name : fit_figure_names) {
+  for (const auto& [name, draw] : fit_figure_rows) {
     if (earlier_page.find(fmt::format("<img src=\"{}.svg\"", name)) == std::string::npos) continue;
 #ifdef FINGERPAD_VIEW
-    const auto is_it = [&](const Chart& chart) { return chart.name == name; };
+    const auto is_it = [own = name](const Chart& chart) { return chart.name == own; };
     if (std::any_of(charts.begin(), charts.end(), is_it)) continue;
 #else
     static_cast<void>(charts);

@@ -4,6 +4,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cctype>
+#include <string>
 
 #include "base/nearest_word.hpp"
 #include "base/printable_text.hpp"
@@ -14,6 +16,20 @@ namespace {
 bool is_row_of_numbers(std::string_view line) noexcept {
   return line.find_first_not_of("0123456789+-.,;eE \t\r\"") == std::string_view::npos &&
          line.find_first_of("0123456789") != std::string_view::npos;
+}
+
+/// Whether a first line begins an XML file: a declaration, a comment, or a tag with no table's mark behind it
+/// nor in its name. Some programs call the columns of their tables <DATE>,<TIME>.
+bool is_xml(std::string_view line, char separator) {
+  if (line.starts_with("<?") || line.starts_with("<!")) return true;
+  if (line.size() < 2 || line[0] != '<' ||
+      !(std::isalpha(static_cast<unsigned char>(line[1])) || line[1] == '_'))
+    return false;
+  const std::string marks = separator == found_separator ? ",;|\t" : std::string(1, separator);
+  if (line.substr(0, line.find_first_of(" >/")).find_first_of(marks) != std::string_view::npos) return false;
+  const std::size_t behind = line.find_first_not_of(separator == ' ' ? "" : " ", line.find('>') + 1);
+  return line.find('>') == std::string_view::npos || behind == std::string_view::npos ||
+         marks.find(line[behind]) == std::string::npos;
 }
 
 bool names_all(std::string_view line, char separator, const std::vector<std::string_view>& names) {
@@ -70,7 +86,7 @@ CsvHeader read_csv_header(TextLines& lines, const CsvRequest& request) {
     if (text.find('\0') != std::string_view::npos) {
       throw refused(lines.where(), "is no text: it holds a zero byte");
     }
-    if (text.front() == '<')
+    if (is_xml(text, request.dialect.separator))
       throw refused(lines.where(), fmt::format("is XML and no table{}{}",
                                                request.xml_mend.empty() ? "" : ": ", request.xml_mend));
     if (text.front() == '#') {

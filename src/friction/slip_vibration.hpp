@@ -7,8 +7,13 @@ namespace fingerpad {
 /// The pad's vibration in slip (paper, figs. 10-11; SCIENCE 1): a narrow-band random signal of mean 0 and
 /// variance 1, a second-order autoregression driven by a seeded stream,
 ///   x_k = 2 r cos(theta) x_(k-1) - r^2 x_(k-2) + g w_k,  r = exp(-pi bandwidth T),
-/// with theta set so that its spectrum peaks at the frequency asked for, at any bandwidth, and g so that the
-/// variance is 1 at any tick T. Starts in its stationary state at each slip.
+/// with g set so that the variance is 1 at any tick T. Starts in its stationary state at each slip.
+///
+/// Its spectrum peaks where cos(2 pi f T) = (1 + r^2)/(2 r) cos(theta) (Box & Jenkins, AR(2)). The paper's 89
+/// Hz is a peak, so theta is set for the peak to be at the frequency asked for, f0:
+///   cos(theta) = 2 r/(1 + r^2) cos(2 pi f0 T).
+/// Deviation: with theta = 2 pi f0 T, as SCIENCE 1 writes it, the peak is at sqrt(f0^2 - (bandwidth/2)^2),
+/// for 89 Hz at 88.4 Hz where it is 20 Hz broad and at 83.8 Hz where it is 60 Hz broad.
 ///
 /// Use, once a tick of contact: in slip `next()`, times the amplitude; else `rest()`, which draws nothing.
 class SlipVibration {

@@ -94,8 +94,8 @@ ChartPanel strip(const std::string& y_label, std::string short_label, int colour
   return panel;
 }
 
-Chart refused_figure(std::string name, std::string title, std::string why) {
-  return {std::move(name), std::move(title), {std::move(why)}, 1, {}};
+Chart refused_figure(std::string title, std::string why) {
+  return {"", std::move(title), {std::move(why)}, 1, {}};
 }
 
 void add_note(const std::string& words, std::size_t most_letters, Chart& chart) {

@@ -70,7 +70,7 @@ ChartPanel strip(const std::string& y_label, std::string short_label, int colour
                  const std::vector<double>& t_s, std::vector<double> y);
 
 /// A chart that is not drawn, and why.
-Chart refused_figure(std::string name, std::string title, std::string why);
+Chart refused_figure(std::string title, std::string why);
 
 /// How many letters of a note a figure has room for, by its columns; one of strips has a page's width.
 inline constexpr std::size_t note_of_one_column = 90, note_of_two_columns = 170, note_of_strips = 118;

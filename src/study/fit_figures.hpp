@@ -18,7 +18,7 @@ struct FitPictureSource {
 };
 
 // The paper's figures 3 to 11 from a user's own data. A figure that the data cannot support has no panel, and
-// says in its first note why.
+// says in its first note why. None has its name: that stands in fit_figure_rows.
 
 /// With the set-up of fig. 3: the way of the fingertip and the tangential force on it, of the sliding trial
 /// whose force goes round most (a cycloid).
@@ -45,12 +45,24 @@ Chart slip_spectrum_figure(const FitPictureSource& source);
 /// trial with most such places.
 Chart phase_boundaries_figure(const FitPictureSource& source);
 
-/// What they are called, in that order: 5 and 6 are one.
-inline constexpr std::array<std::string_view, 9> fit_figure_names{"figure3",  "figure4",  "figure5_6",
-                                                                  "figure7",  "figure8",  "figure9",
-                                                                  "figure10", "figure11", "stick_and_slip"};
+/// What one is called, its file too, and what draws it.
+struct FitFigure {
+  std::string_view name;
+  Chart (*draw)(const FitPictureSource&);
+};
 
-/// All of them.
+/// All of them, in the paper's order: 5 and 6 are one.
+inline constexpr std::array<FitFigure, 9> fit_figure_rows{{{"figure3", force_loop_figure},
+                                                           {"figure4", stick_ellipse_figure},
+                                                           {"figure5_6", normalised_axes_figure},
+                                                           {"figure7", normalised_ellipses_figure},
+                                                           {"figure8", force_displacement_figure},
+                                                           {"figure9", phase_change_figure},
+                                                           {"figure10", slip_oscillation_figure},
+                                                           {"figure11", slip_spectrum_figure},
+                                                           {"stick_and_slip", phase_boundaries_figure}}};
+
+/// Draws them, each with its name.
 std::vector<Chart> fit_figures(const FitPictureSource& source);
 
 /// Where each phase of every trial begins and why: "boundaries", a row each.

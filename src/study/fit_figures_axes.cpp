@@ -110,10 +110,9 @@ Chart normalised_axes_figure(const FitPictureSource& source) {
   const std::string title = "Axes of the stick ellipse against the finger's angle (paper, figs. 5 and 6)";
   const MeasuredAngles measured = measured_angles(source.measurement);
   if (!measured.are_known())
-    return refused_figure("figure5_6", title,
-                          "no finger direction: the finger's angle and axes are not known");
+    return refused_figure(title, "no finger direction: the finger's angle and axes are not known");
   constexpr double beyond_deg = 5;
-  Chart chart{"figure5_6", title, {"each subject weighs the same in the lines, whatever its samples"}, 2, {}};
+  Chart chart{"", title, {"each subject weighs the same in the lines, whatever its samples"}, 2, {}};
   const auto refused = [&](std::size_t most_letters) {
     return refusal_notes(source.fit,
                          {PadNumber::lateral_axis, PadNumber::longitudinal_axis, PadNumber::lateral_slope,
@@ -129,7 +128,7 @@ Chart normalised_axes_figure(const FitPictureSource& source) {
         axis_panel(source, axis, measured.least_deg - beyond_deg, measured.most_deg + beyond_deg));
   }
   if (chart.panels.empty())
-    return refused_figure("figure5_6", title, fmt::format("{}", fmt::join(refused(std::string::npos), "; ")));
+    return refused_figure(title, fmt::format("{}", fmt::join(refused(std::string::npos), "; ")));
   chart.columns = static_cast<int>(chart.panels.size());
   tell_one_angle(source, drawn, chart.columns == 1 ? note_of_one_column : note_of_two_columns, chart);
   for (std::string& note : refused(chart.columns == 1 ? note_of_one_column : note_of_two_columns))

@@ -165,15 +165,14 @@ ChartPanel stiffness_strip(const MeasuredTrial& trial, const StickSegments& segm
 Chart phase_change_figure(const FitPictureSource& source) {
   const std::string title = "Slip gives way to stick (paper, fig. 9)";
   const PadValue& v_min = value_of(source.fit.values, PadNumber::v_min);
-  if (!v_min.refusal.empty())
-    return refused_figure("figure9", title, "v_min_m_per_s refused: " + v_min.refusal);
+  if (!v_min.refusal.empty()) return refused_figure(title, "v_min_m_per_s refused: " + v_min.refusal);
   const TrialMoments moments = ends_of_slip(source);
   const TrialSpan span = span_of_most(source, moments);
-  if (span.size() == 0) return refused_figure("figure9", title, "no trial shows an end of slip by itself");
+  if (span.size() == 0) return refused_figure(title, "no trial shows an end of slip by itself");
   const MeasuredTrial& trial = source.measurement.trials[span.trial];
   const StickSegments& segments = source.stick.segments[span.trial];
   const Vec2 way = main_way(segments, span);
-  Chart chart{"figure9", title, {trial.name}, 1, {}};
+  Chart chart{"", title, {trial.name}, 1, {}};
   chart.stacked = true;
   chart.panels.push_back(speed_strip(trial, segments, span, way));
   add_levels(source.fit, PadNumber::v_min, "v_min", " m/s", palette::reddish_purple, chart.panels.back());
@@ -211,17 +210,16 @@ Chart phase_boundaries_figure(const FitPictureSource& source) {
   }
   const TrialSpan span = span_of_most(source, moments);
   if (span.size() == 0)
-    return refused_figure("stick_and_slip", title,
-                          moments.empty() ? "no trial has contact" : "no phase is told in any trial");
+    return refused_figure(title, moments.empty() ? "no trial has contact" : "no phase is told in any trial");
   const MeasuredTrial& trial = source.measurement.trials[span.trial];
   const StickSegments& segments = source.stick.segments[span.trial];
   const Vec2 way = main_way(segments, span);
-  Chart chart{"stick_and_slip", title, {trial.name + "; boundaries.csv has those of all trials"}, 1, {}};
+  Chart chart{"", title, {trial.name + "; boundaries.csv has those of all trials"}, 1, {}};
   if (segments.is_too_noisy) chart.notes.emplace_back("too noisy for its load: its phases are not told");
   chart.stacked = true;
   chart.band = phase_strip(trial, segments, span);
   chart.panels.push_back(ratio_strip(trial, span, way));
-  chart.panels.back().curves.front().name = "force ratio";  // the legend is full of reasons
+  chart.panels.back().curves.front().name = "ratio";  // the legend is full of reasons
   add_reasons(trial, boundaries[span.trial], span, chart.panels.back());
   chart.panels.push_back(stiffness_strip(trial, segments, span));
   chart.panels.push_back(speed_strip(trial, segments, span, way));

@@ -125,8 +125,8 @@ void add_spring(const FitPictureSource& source, std::size_t axis, ChartPanel& pa
 
 Chart force_displacement_figure(const FitPictureSource& source) {
   const std::string title = "Force against displacement in stick (paper, fig. 8)";
-  if (source.stick.paths.empty()) return refused_figure("figure8", title, "no stick was found");
-  Chart chart{"figure8", title, {}, 2, {}};
+  if (source.stick.paths.empty()) return refused_figure(title, "no stick was found");
+  Chart chart{"", title, {}, 2, {}};
   const bool has_axes = source.measurement.trials[source.stick.paths[0].trial].has_direction;
   const std::vector<int> subjects = subjects_in(source.measurement);
   std::string bearings;
@@ -157,7 +157,7 @@ Chart force_displacement_figure(const FitPictureSource& source) {
                               shown_lines(source, axis).words());
     chart.panels.push_back(std::move(panel));
   }
-  if (chart.panels.empty()) return refused_figure("figure8", title, "no trial is pushed along an axis");
+  if (chart.panels.empty()) return refused_figure(title, "no trial is pushed along an axis");
   if (has_axes)
     chart.notes.insert(chart.notes.begin() + 1,
                        fmt::format("pushes (0 deg: across the finger, 90 deg: along it):{}", bearings));

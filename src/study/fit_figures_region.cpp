@@ -121,7 +121,7 @@ ChartCurve raw_paths(const std::vector<const StickPath*>& paths) {
 
 Chart force_loop_figure(const FitPictureSource& source) {
   const std::vector<MeasuredTrial>& trials = source.measurement.trials;
-  if (trials.empty()) return refused_figure("figure3", "Force of a fingertip", "no trial has contact");
+  if (trials.empty()) return refused_figure("Force of a fingertip", "no trial has contact");
   const auto slips = [&](const MeasuredTrial& one) {
     const auto& phase = source.stick.segments[static_cast<std::size_t>(&one - trials.data())].phase;
     constexpr double mostly = 0.25;
@@ -133,11 +133,8 @@ Chart force_loop_figure(const FitPictureSource& source) {
   const auto trial = std::max_element(trials.begin(), trials.end(), [&](const auto& one, const auto& other) {
     return score(one) < score(other);
   });
-  Chart chart{"figure3",
-              "The fingertip's way and the force on it (set-up of the paper's fig. 3)",
-              {trial->name},
-              2,
-              {}};
+  Chart chart{
+      "", "The fingertip's way and the force on it (set-up of the paper's fig. 3)", {trial->name}, 2, {}};
   const CurveStyle style{palette::blue, Dash::solid, Marker::none, 0.8};
   ChartCurve way{"", style, {}, {}}, force{"", {palette::vermillion, Dash::solid, Marker::none, 0.8}, {}, {}};
   const std::size_t every = thinning(trial->position_m.size());
@@ -161,7 +158,7 @@ Chart force_loop_figure(const FitPictureSource& source) {
 
 Chart stick_ellipse_figure(const FitPictureSource& source) {
   const std::string title = "Where the pad sticks (paper, fig. 4)";
-  Chart chart{"figure4", title, {}, 2, {}};
+  Chart chart{"", title, {}, 2, {}};
   std::vector<std::string> notes =
       refusal_notes(source.fit, {PadNumber::lateral_axis, PadNumber::longitudinal_axis, PadNumber::mu_static},
                     std::string::npos);
@@ -205,7 +202,7 @@ Chart stick_ellipse_figure(const FitPictureSource& source) {
     notes.insert(notes.end(), lacking.begin(), lacking.end());
     chart.panels.push_back(std::move(panel));
   }
-  if (chart.panels.empty()) return refused_figure("figure4", title, "no stick was found");
+  if (chart.panels.empty()) return refused_figure(title, "no stick was found");
   chart.columns = chart.panels.size() == 1 ? 1 : 2;
   for (const std::string& note : notes)
     add_note(note, chart.columns == 1 ? note_of_one_column : note_of_two_columns, chart);
@@ -222,11 +219,11 @@ Chart normalised_ellipses_figure(const FitPictureSource& source) {
                       {PadNumber::lateral_axis, PadNumber::longitudinal_axis, PadNumber::lateral_slope,
                        PadNumber::longitudinal_slope},
                       std::string::npos);
-    return refused_figure("figure7", title, fmt::format("{}", fmt::join(why, "; ")));
+    return refused_figure(title, fmt::format("{}", fmt::join(why, "; ")));
   }
   const MeasuredAngles measured = measured_angles(source.measurement);
   Chart chart{
-      "figure7",
+      "",
       title,
       {fmt::format("over the lateral axis at 45 deg; measured from {:.0f} to {:.0f} deg, dashed beyond",
                    measured.least_deg, measured.most_deg)},

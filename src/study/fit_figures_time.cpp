@@ -108,7 +108,7 @@ void add_vibration(const ProfileFit& fit, ChartPanel& panel) {
 Chart slip_oscillation_figure(const FitPictureSource& source) {
   const std::string title = "A slipping fingertip (paper, fig. 10)";
   const std::vector<TrialSpan> spans = slip_spans(source);
-  if (spans.empty()) return refused_figure("figure10", title, "no slip was found");
+  if (spans.empty()) return refused_figure(title, "no slip was found");
   TrialSpan span = spans.front();
   const MeasuredTrial& trial = source.measurement.trials[span.trial];
   const StickSegments& segments = source.stick.segments[span.trial];
@@ -116,7 +116,7 @@ Chart slip_oscillation_figure(const FitPictureSource& source) {
   span.to = std::min(span.to, span.from + static_cast<std::size_t>(longest_s * trial.rate_hz));
   const Vec2 way = main_way(segments, span);
   const std::vector<double> t_s = times_of(trial, span);
-  Chart chart{"figure10", title, {trial.name + "; positions less the stroke, a parabola over 50 ms"}, 1, {}};
+  Chart chart{"", title, {trial.name + "; positions less the stroke, a parabola over 50 ms"}, 1, {}};
   chart.stacked = true;
   chart.panels.push_back(
       strip("position along the motion, less the stroke [mm]", "position [mm]", palette::blue, t_s,
@@ -138,9 +138,9 @@ Chart slip_oscillation_figure(const FitPictureSource& source) {
 Chart slip_spectrum_figure(const FitPictureSource& source) {
   const std::string title = "Power spectral density of the forces in slip (paper, fig. 11)";
   const MeanDensity mean = slip_density(source);
-  if (!(mean.windows > 0)) return refused_figure("figure11", title, "no slip lasts a quarter of a second");
+  if (!(mean.windows > 0)) return refused_figure(title, "no slip lasts a quarter of a second");
   Chart chart{
-      "figure11",
+      "",
       title,
       refusal_notes(source.fit, {PadNumber::vibration, PadNumber::vibration_bandwidth}, note_of_one_column),
       1,
@@ -158,10 +158,12 @@ Chart slip_spectrum_figure(const FitPictureSource& source) {
 }
 
 std::vector<Chart> fit_figures(const FitPictureSource& source) {
-  return {
-      force_loop_figure(source),          stick_ellipse_figure(source),      normalised_axes_figure(source),
-      normalised_ellipses_figure(source), force_displacement_figure(source), phase_change_figure(source),
-      slip_oscillation_figure(source),    slip_spectrum_figure(source),      phase_boundaries_figure(source)};
+  std::vector<Chart> charts;
+  for (const FitFigure& row : fit_figure_rows) {
+    charts.push_back(row.draw(source));
+    charts.back().name = row.name;
+  }
+  return charts;
 }
 
 }  // namespace fingerpad

@@ -170,10 +170,10 @@ namespace {
 std::string time_fault(double t_s, double before_s, bool has_trials) {
   if (t_s == before_s)
     return fmt::format(
-        "its time {:.9g} s is the time of the row before it too: leave out rows that are there twice, or "
+        "its time {:.15g} s is the time of the row before it too: leave out rows that are there twice, or "
         "write times with more digits",
         t_s);
-  return fmt::format("its time {:.9g} s comes before {:.9g} s of the row before it{}", t_s, before_s,
+  return fmt::format("its time {:.15g} s comes before {:.15g} s of the row before it{}", t_s, before_s,
                      has_trials
                          ? ", of the same trial: put the rows in order"
                          : ": put the rows in order, or, where a new trial begins, number the trials in "

@@ -6,6 +6,7 @@
 #include "study/measurement_field.hpp"
 #include "study/measurement_hdf5.hpp"
 #include "study/measurement_table.hpp"
+#include "trace/trace.hpp"
 
 namespace fingerpad {
 namespace {
@@ -27,6 +28,7 @@ std::vector<MeasurementReader> reader_rows() {
 }
 
 const MeasurementReader& reader_of(const std::string& path) {
+  refuse_false_hdf5(path);
   for (const MeasurementReader& row : measurement_readers())
     if (row.recognises != nullptr && row.recognises(path)) return row;
   return measurement_readers().back();

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "study/phase_stretch.hpp"
+#include "study/rupture_search.hpp"
 
 namespace fingerpad {
 namespace {
@@ -104,11 +105,40 @@ DelaySums no_sums(const MeasuredTrial& trial) {
   return sums;
 }
 
+/// Where the force ratio ends falling after a rupture: as long again, and a sample, as it falls by more than
+/// its noise. A sensor that passes a drop in some samples falls on while the finger moves on, as if the force
+/// came before the position. Of one that passes it within a sample it is the rupture itself.
+std::size_t end_of_drop(const MeasuredTrial& trial, const StickSegments& segments, std::size_t rupture) {
+  constexpr double deviations = 3;
+  const std::size_t last = rupture + static_cast<std::size_t>(segments.half_window);
+  std::size_t end = rupture;
+  while (end < last && end + 1 < trial.force_ratio.size() && !segments.begins_run[end + 1] &&
+         trial.force_ratio[end].norm() - trial.force_ratio[end + 1].norm() >
+             deviations * ratio_noise_at(trial, segments, end))
+    ++end;
+  return end == rupture ? rupture : 2 * end - rupture + 1;
+}
+
+/// Whether most of a trial's ruptures fall on so: then it is the sensor, and else a rupture that was not
+/// seen.
+bool falls_on(const MeasuredTrial& trial, const StickSegments& segments) {
+  long ruptures = 0, lasting = 0;
+  for (std::size_t i = 0; i < segments.is_rupture.size(); ++i) {
+    if (!segments.is_rupture[i]) continue;
+    ++ruptures;
+    lasting += end_of_drop(trial, segments, i) > i ? 1 : 0;
+  }
+  return 2 * lasting > ruptures;
+}
+
 /// What is surely stick.
-std::vector<PhaseStretch> inner_stretches(const StickSegments& segments) {
+std::vector<PhaseStretch> inner_stretches(const MeasuredTrial& trial, const StickSegments& segments) {
+  const bool drops_last = falls_on(trial, segments);
   std::vector<PhaseStretch> found;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
-    const PhaseStretch stretch = inner_stretch(whole, segments);
+    PhaseStretch stretch = inner_stretch(whole, segments);
+    if (drops_last && segments.is_rupture[whole.from])
+      stretch.from = end_of_drop(trial, segments, whole.from);
     if (stretch.from < stretch.to) found.push_back(stretch);
   }
   return found;
@@ -118,13 +148,14 @@ std::vector<PhaseStretch> inner_stretches(const StickSegments& segments) {
 
 DelaySums delay_sums(const MeasuredTrial& trial, const StickSegments& segments) {
   DelaySums sums = no_sums(trial);
-  for (const PhaseStretch& stretch : inner_stretches(segments)) add_stretch(trial, segments, stretch, sums);
+  for (const PhaseStretch& stretch : inner_stretches(trial, segments))
+    add_stretch(trial, segments, stretch, sums);
   return sums;
 }
 
 std::vector<DelaySums> delay_sums_by_part(const MeasuredTrial& trial, const StickSegments& segments) {
   constexpr std::size_t most_parts = 12;
-  const std::vector<PhaseStretch> stretches = inner_stretches(segments);
+  const std::vector<PhaseStretch> stretches = inner_stretches(trial, segments);
   std::size_t samples = 0, before = 0;
   for (const PhaseStretch& stretch : stretches) samples += stretch.to - stretch.from;
   std::vector<DelaySums> parts(most_parts, no_sums(trial));

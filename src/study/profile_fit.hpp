@@ -68,8 +68,9 @@ struct FitSettings {
 /// the number moves where what the sampling leaves unknown is a little otherwise: the sensors' noise a tenth
 /// more than was taken off, the delay by half its interval more (and what the springs tell of its rest),
 /// ruptures a twentieth of a sample later (of a bent spring by its cubic share more), ends of slip half a
-/// sample earlier (and by as many more as teeth of stick and slip at v_min have less than six), the peak of
-/// vibration a fortieth of the spectrum's step beside. The same seed gives the same intervals.
+/// sample earlier (and by as many more as teeth of stick and slip at v_min have less than six, or than 6 ms
+/// hold), the peak of vibration a fortieth of the spectrum's step beside. The same seed gives the same
+/// intervals.
 ProfileFit fit_profile(const Measurement& measurement, const FitSettings& settings);
 
 }  // namespace fingerpad

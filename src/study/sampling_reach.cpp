@@ -62,6 +62,29 @@ std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& 
   return way_m / axes / v_min.value * rate_hz;
 }
 
+/// A tooth that is seen for certain: six samples, and as long as half a window of stick_segments. The end of
+/// slip may be seen a tooth late where teeth are shorter.
+double long_tooth_samples(const ProfileFit& fit) {
+  constexpr double fewest = 6, half_window_s = 6e-3;
+  double rate_hz = 0;
+  for (const TrialEvidence& trial : fit.evidence) rate_hz = std::max(rate_hz, trial.rate_hz);
+  return std::max(fewest, half_window_s * rate_hz);
+}
+
+/// What lines that are left in may add to the force ratio at ruptures, which come early where they pull: the
+/// mean of their amplitudes over what the trials press.
+double reach_by_lines(const std::vector<TrialEvidence>& trials) {
+  double sum = 0, ruptures = 0;
+  for (const TrialEvidence& trial : trials) {
+    if (trial.ruptures == 0) continue;
+    const auto own = static_cast<double>(trial.ruptures);
+    for (const LineLeftIn& line : trial.lines_left_in)
+      sum += own * line.amplitude_n / std::exp(trial.rupture_log_load / own);
+    ruptures += own;
+  }
+  return ruptures > 0 ? sum / ruptures : 0;
+}
+
 /// A trial's velocities of a moment later (or earlier), as far as it goes on without a gap.
 std::vector<Vec2> later_velocities(const MeasuredTrial& trial, const StickSegments& segments, double by_s) {
   const double samples = by_s * trial.rate_hz, whole = std::floor(samples), rest = samples - whole;
@@ -156,8 +179,8 @@ void DelayReach::add(const std::vector<TrialEvidence>& delayed, const ProfileFit
 
 NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_delay, const FitPoint& point,
                                 bool has_slow_slip) {
-  constexpr double unsure = 0.1, later = 0.05, beside = 0.025, long_tooth = 6;
-  // The end of slip may be seen a tooth late where teeth have few samples.
+  constexpr double unsure = 0.1, later = 0.05, beside = 0.025;
+  const double long_tooth = long_tooth_samples(fit);
   const double earlier =
       0.5 + std::max(0.0, long_tooth - tooth_samples(fit, point.evidence).value_or(long_tooth));
   const double bent = (point.evidence.bend[0].cubic_share + point.evidence.bend[1].cubic_share) / 2;
@@ -182,6 +205,7 @@ NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_d
     const auto k = static_cast<std::size_t>(PadNumber::v_min);
     moved[k] = SlipBySpeed::bin_width * fit.values[k].value + by_delay[k];
   }
+  moved[static_cast<std::size_t>(PadNumber::mu_static)] += reach_by_lines(fit.evidence);
   const HiddenReach hidden = hidden_reach(fit, point);
   moved[static_cast<std::size_t>(PadNumber::mu_static)] += hidden.mu_static;
   moved[static_cast<std::size_t>(PadNumber::mu_dynamic)] += hidden.mu_dynamic;

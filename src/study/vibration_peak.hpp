@@ -9,7 +9,7 @@ namespace fingerpad {
 
 /// The vibration of slip: the spectral peak of the force ratio along the motion.
 struct VibrationPeak {
-  double frequency_hz = 0, bandwidth_hz = 0;
+  double frequency_hz = 0, bandwidth_hz = 0;  ///< of the spectrum's peak, as SlipVibration's
   double power = 0, floor = 0;  ///< of the vibration [1], and the white density beneath it [1/Hz]
   double rate_hz = 0;
   long windows = 0, trials = 0;

@@ -8,7 +8,7 @@
 namespace fingerpad {
 namespace {
 
-constexpr double page_em = 16, page_frame_width = 620, page_frame_height = 440;
+constexpr double page_frame_width = 620, page_frame_height = 440;
 
 struct Range {
   double min = HUGE_VAL, max = -HUGE_VAL;
@@ -167,7 +167,7 @@ ChartLayout stacked_layout(const Chart& chart, const Box& box, double em, double
 
 ChartLayout page_layout(const Chart& chart) {
   ChartLayout layout;
-  const double em = layout.em = page_em;
+  const double em = layout.em = chart_page_em;
   const double margin = std::ceil(1.2 * em);
   const auto count = static_cast<int>(chart.panels.size());
   layout.columns = std::max(1, chart.columns);
@@ -200,8 +200,9 @@ ChartLayout page_layout(const Chart& chart) {
   const double frames_right = margin + left + frames_width;
   layout.legend = {frames_right + 1.5 * margin, top - em};
   const double words = widest(chart.notes, em);
-  const double width = std::max({frames_right + 1.5 * margin + legend_width(chart, em) + margin,
-                                 text_width(chart.title, 1.35 * em, true) + 2 * margin, words + 2 * margin});
+  const double width =
+      std::max({frames_right + 1.5 * margin + legend_width(chart, em) + margin,
+                text_width(chart.title, chart_title_ems * em, true) + 2 * margin, words + 2 * margin});
   layout.page = {0, 0, std::ceil(width), top + above + header};
   return layout;
 }

@@ -120,7 +120,7 @@ Drawing chart_words(const Chart& chart, const ChartLayout& layout) {
   }
   const double margin = 1.2 * em;
   double y = layout.page.top() - 1.9 * em;
-  drawing.text({margin, y}, chart.title, {.size = 1.35 * em, .bold = true});
+  drawing.text({margin, y}, chart.title, {.size = chart_title_ems * em, .bold = true});
   for (const std::string& note : chart.notes) {
     y -= 1.5 * em;
     drawing.text({margin, y}, note, {.size = em, .colour = colours::grey});

@@ -183,6 +183,7 @@ bool all_differ(const std::vector<std::string>& words) {
 }  // namespace
 
 bool is_measured_table(const std::string& path) {
+  refuse_false_hdf5(path);
   if (holds_trace(path)) return false;
   try {
     CsvRequest request{{"t_s"}, {}, {found_separator, '.'}};
@@ -195,6 +196,7 @@ bool is_measured_table(const std::string& path) {
 }
 
 ComparedRun read_compared_run(const std::string& path, Over over, double from_s, double to_s) {
+  refuse_false_hdf5(path);
   return holds_trace(path) ? of_trace(path, over, from_s, to_s, {}) : of_table(path, over, from_s, to_s);
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/error.hpp"
 #include "view/chart.hpp"
+#include "view/chart_layout.hpp"
 #include "view/flat_picture.hpp"
 #include "view/svg.hpp"
 #include "view/touch_chart.hpp"
@@ -54,9 +55,11 @@ double draw_title(Drawing& page, const std::string& title, const std::vector<std
     return size * std::min(1.0, (width - 2 * em) / std::max(1.0, text_width(words, size)));
   };
   double top = height - 1.0 * em;
-  page.text(
-      {width / 2.0, top}, title,
-      {.size = fitting(title, 1.5 * em), .across = Across::centre, .upright = Upright::top, .bold = true});
+  page.text({width / 2.0, top}, title,
+            {.size = fitting(title, chart_title_ems * em),
+             .across = Across::centre,
+             .upright = Upright::top,
+             .bold = true});
   top -= 2.1 * em;
   for (const std::string& words : subtitles) {
     page.text({width / 2.0, top}, words,
@@ -180,7 +183,9 @@ void write_drawing(const Drawing& drawing, int width, int height, const std::str
 }
 
 void write_chart(const Chart& chart, const std::string& path) {
-  if (chart.stacked) return write_stacked(chart, path, plot_page_width);
+  // Letters as large as on a page of charts that do not stand over one another.
+  constexpr int stacked_page_width = 62 * static_cast<int>(chart_page_em);
+  if (chart.stacked) return write_stacked(chart, path, stacked_page_width);
   const ChartPage page = chart_page(chart);
   write_drawing(page.drawing, page.width, page.height, chart.title, path);
 }

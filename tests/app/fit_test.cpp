@@ -241,6 +241,17 @@ TEST_F(Fit, GivesTheNormalLawOfANormalForceAlone) {
   EXPECT_FALSE(fs::exists(folder / "none.toml"));
 }
 
+TEST_F(Fit, RefusesATextThatIsCalledHdf5AsReplayDoes) {
+  fs::copy_file(shipped, folder / "text.h5");
+  const auto text = fit("text.h5 --out none.toml");
+  EXPECT_EQ(text.exit_code, 3);
+  EXPECT_THAT(text.err, HasSubstr("text.h5: is no HDF5 file, as its name says"));
+  EXPECT_FALSE(fs::exists(folder / "none.toml"));
+  const auto plot = test::shell(test::program().string() + " plot text.h5 --out p.svg", folder);
+  EXPECT_EQ(plot.exit_code, 3);
+  EXPECT_THAT(plot.err, HasSubstr("text.h5: is no HDF5 file, as its name says"));
+}
+
 TEST_F(Fit, SaysWhyATableCannotBeRead) {
   std::ofstream(folder / "texture.xml") << "<?xml version=\"1.0\"?>\n<Data><A>1</A></Data>\n";
   EXPECT_THAT(fit("texture.xml --out none.toml").err,
@@ -254,6 +265,10 @@ TEST_F(Fit, SaysWhyATableCannotBeRead) {
   EXPECT_THAT(times("0.5", ""), AllOf(HasSubstr("times.csv:3: its time 0.5 s is the time of the row before"),
                                       HasSubstr("leave out rows that are there twice")));
   EXPECT_THAT(times("0.5", ""), Not(HasSubstr("column 'trial'")));
+  std::ofstream(folder / "epoch.csv") << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n1700000000.125,0,0,0,0,0,1\n"
+                                         "1700000000.123,0,0,0,0,0,1\n";
+  EXPECT_THAT(fit("epoch.csv --out none.toml").err,
+              HasSubstr("its time 1700000000.123 s comes before 1700000000.125 s"));
   EXPECT_THAT(times("0.25", ""), AllOf(HasSubstr("its time 0.25 s comes before 0.5 s"),
                                        HasSubstr("number the trials in a column 'trial'")));
   EXPECT_THAT(times("0.25", ",7"),

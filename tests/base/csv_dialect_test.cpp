@@ -46,6 +46,25 @@ TEST(CsvDialect, IsFoundFromTheHeaderWhereItIsTheOnlyOne) {
   EXPECT_EQ(read("t;,;x;,t,x\n1;2;3;4\n", ';').separator, ';');
 }
 
+CsvColumns angled(const std::string& text, char separator = found_separator) {
+  const auto path = test::scratch_dir() / "angled.csv";
+  std::ofstream(path, std::ios::binary) << text;
+  return read_csv_columns(path.string(), {{"<T>", "<X>"}, {}, {separator, '.'}});
+}
+
+TEST(CsvDialect, NamesInAngleBracketsAreNoXml) {
+  for (const char* mark : {",", ";", "\t", " ,"}) {
+    const std::string text = std::string("<T>") + mark + "<X>\n1" + mark + "2\n";
+    EXPECT_THAT(angled(text).columns[1], ElementsAre(2)) << text;
+  }
+  EXPECT_THAT(angled("<T> <X>\n1 2\n", ' ').columns[1], ElementsAre(2));
+  for (const char* text :
+       {"<?xml version=\"1.0\"?>\n<a/>\n", "<!-- a, b -->\n<a/>\n", "<a>\n<x>1</x>\n</a>\n", "<a>1,2</a>\n",
+        "<a b=\"1,2\" c=\"3;4\">\n</a>\n", "<a\n b=\"1\"/>\n"})
+    EXPECT_THAT(refusal(text), HasSubstr("is XML and no table")) << text;
+  EXPECT_EQ(refusal("<,t,x\n1,2,3\n"), "taken") << "a column called <";
+}
+
 TEST(CsvDialect, HasADecimalComma) {
   const CsvColumns table = read("t;x\n0,5;-1,25e-3\n1;2\n", found_separator, ',');
   EXPECT_THAT(table.columns[0], ElementsAre(0.5, 1));

@@ -49,6 +49,16 @@ TEST(LineLeftIn, IsNotToldAsTheVibration) {
   EXPECT_NEAR(vibration(fit).value, vibration(fit_of(95, 0)).value, 1);
 }
 
+/// Where a line pulls, ruptures come early: at 40 mN by up to a seventh of mu_static.
+TEST(LineLeftIn, IsAllowedForByMuStatic) {
+  const ProfileFit fit = fit_of(95, 0.04);
+  ASSERT_THAT(fit.steps, Contains(HasSubstr("a line near 50 Hz is left in 4 of 4 trials")));
+  const auto& both = fit.interval[static_cast<std::size_t>(PadNumber::mu_static)];
+  ASSERT_TRUE(both);
+  EXPECT_LE(both->first, 0.3);
+  EXPECT_GE(both->second, 0.3);
+}
+
 TEST(LineLeftIn, IsNotToldWhereAnOptionLeavesItInEither) {
   for (const Mains mains : {Mains::off, Mains::hz_60}) {
     const ProfileFit fit = fit_of(95, 0.03, mains);

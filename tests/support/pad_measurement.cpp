@@ -64,9 +64,23 @@ struct TrueMotion {
   }
   Vec2 place(double t) const {
     const double deg = pi / 180;
+    return way_m(t) * Vec2(std::cos(trial.bearing_deg * deg), std::sin(trial.bearing_deg * deg));
+  }
+  double way_m(double t) const {
+    if (trial.slowing_m_per_s2 > 0) return stroke_m(t);
     const double wave = std::sin(2 * pi * trial.frequency_hz * t);
-    return trial.amplitude_m * (trial.is_even ? 2 / pi * std::asin(wave) : wave) *
-           Vec2(std::cos(trial.bearing_deg * deg), std::sin(trial.bearing_deg * deg));
+    return trial.amplitude_m * (trial.is_even ? 2 / pi * std::asin(wave) : wave);
+  }
+  /// From -amplitude to amplitude and back: faster at an even rate, at one speed, slower at that rate.
+  double stroke_m(double t) const {
+    const double speed = trial.cruise_m_per_s, faster_s = speed / trial.slowing_m_per_s2,
+                 whole_s = 2 * trial.amplitude_m / speed + faster_s, turns = std::floor(t / whole_s),
+                 since_s = t - turns * whole_s, to_end_s = std::min(since_s, whole_s - since_s);
+    const double from_end_m = to_end_s < faster_s ? trial.slowing_m_per_s2 * to_end_s * to_end_s / 2
+                                                  : speed * (to_end_s - faster_s / 2);
+    const double off_m =
+        since_s < whole_s / 2 ? from_end_m - trial.amplitude_m : trial.amplitude_m - from_end_m;
+    return std::fmod(turns, 2) == 0 ? off_m : -off_m;
   }
   double height_m(double t) const {
     if (air_s == 0) return 0;
@@ -179,7 +193,7 @@ KnownSensors bad_sensors() {
 
 std::vector<KnownRow> measured_rows(const KnownFinger& finger, const KnownSensors& sensors,
                                     const KnownTrial& trial, RandomStream& random) {
-  PadForce pad(finger, trial, 1 / sensors.rate_hz, random);
+  PadForce pad(finger, trial, 1 / sensors.rate_hz / sensors.ticks_a_sample, random);
   const TrueMotion motion{finger, trial, sensors.air_s};
   const SensorFault fault(sensors, random);
   const double deg = pi / 180;
@@ -187,11 +201,18 @@ std::vector<KnownRow> measured_rows(const KnownFinger& finger, const KnownSensor
   std::vector<KnownRow> rows;
   const long first = -std::lround(sensors.air_s * sensors.rate_hz);
   long lost = 0;
+  Vec3 passed(0, 0, 0);  // of the force, by the sensor's low pass
   for (long k = first; k < std::lround(trial.duration_s * sensors.rate_hz) - first; ++k) {
     const double t = static_cast<double>(k) / sensors.rate_hz;
-    const Vec2 friction_n = pad.next(motion, t);
-    Vec3 force(friction_n.x(), friction_n.y(), t < 0 || t > trial.duration_s ? 0 : motion.load_n(t));
-    force += fault.at(t);
+    for (int tick = sensors.ticks_a_sample; tick-- > 0;) {
+      const double tick_s = 1 / sensors.rate_hz / sensors.ticks_a_sample, at_s = t - tick * tick_s;
+      const Vec2 friction_n = pad.next(motion, at_s);
+      const Vec3 sensed(friction_n.x(), friction_n.y(),
+                        at_s < 0 || at_s > trial.duration_s ? 0 : motion.load_n(at_s));
+      const double share = sensors.low_pass_hz > 0 ? 1 - std::exp(-2 * pi * sensors.low_pass_hz * tick_s) : 1;
+      passed += share * (sensed - passed);
+    }
+    Vec3 force = passed + fault.at(t);
     const Vec2 place = motion.place(t + sensors.delay_s);
     Vec3 position(place.x(), place.y(), motion.height_m(t + sensors.delay_s));
     for (Eigen::Index axis = 0; axis < 3; ++axis) {

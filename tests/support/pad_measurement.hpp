@@ -31,8 +31,10 @@ struct KnownSensors {
   double tare_n = 0;         ///< standard deviation of a trial's offset, per axis
   double drift_n_per_s = 0;  ///< likewise of its drift
   double hum_n = 0, hum_hz = 60;
-  double lost_share = 0;  ///< of samples, half of them in runs of up to 60 ms
-  double air_s = 0;       ///< before and after each trial without contact
+  double lost_share = 0;   ///< of samples, half of them in runs of up to 60 ms
+  double air_s = 0;        ///< before and after each trial without contact
+  double low_pass_hz = 0;  ///< of the force sensor, first order; 0: none
+  int ticks_a_sample = 1;  ///< of the law
 };
 /// Sensors with all of the faults above.
 KnownSensors bad_sensors();
@@ -45,6 +47,8 @@ struct KnownTrial {
   double amplitude_m = 0.06, frequency_hz = 0.6, duration_s = 4, load_n = 1;
   double ramp_s = 0.15;  ///< in which it is pressed and lifted, where the sensors watch it in the air
   bool is_even = false;  ///< forth and back at one speed, 4 f amplitude, in place of the sine
+  /// Forth and back at one speed, in place of the sine, from and to rest at an even rate; 0: no such.
+  double slowing_m_per_s2 = 0, cruise_m_per_s = 0;
 };
 
 /// A row of a measured table.
