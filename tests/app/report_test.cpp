@@ -325,10 +325,11 @@ js (window.teeth = { inPairs: true, times: [...Array(40).keys()], values: [...Ar
 js (window.fills = 0, curvePlotter(teeth)({ points: teeth.times.map((t, i) => ({ xval: t, yval: teeth.values[i], canvasx: t, canvasy: teeth.values[i] })), drawingContext: new Proxy({}, { get: (_, name) => () => { fills += name === "fill"; }, set: () => true }), color: "red", strokeWidth: 1 }), fills)
 js [[1, 1.001, 2], [1, 1.001], [1, 1000]].map(values => { const scale = colourScale(values); return Math.round(1000 * (scale.share(values[1]) - scale.share(values[0]))); })
 js axisEnds(0, 0.73, 6).concat(axisEnds(-0.2, 31, 6)).map(end => +end.toPrecision(3))
+js [[0, 255], [255, 0], [6, 249], [1, 254], [64, 64], [0, 0], [255, 1]].map(([slip, stick]) => phaseHeights(slip, stick, 100).map(Math.round))
 click nav a[href="#licences"]
 until getComputedStyle(document.getElementById("licences")).display === "block"
 )steps");
-  ASSERT_EQ(answers.size(), 20u);
+  ASSERT_EQ(answers.size(), 21u);
   EXPECT_EQ(answers[0], 6) << "rows";
   EXPECT_THAT(answers[1], HasSubstr("failed: ")) << "the worst stand first";
   EXPECT_EQ(answers[2], 2) << "of the law that was typed";
@@ -348,7 +349,9 @@ until getComputedStyle(document.getElementById("licences")).display === "block"
   EXPECT_EQ(answers[16], 1) << "a band";
   EXPECT_EQ(answers[17], json({1, 0, 1000})) << "what differs by a thousandth looks alike";
   EXPECT_EQ(answers[18], json({0, 0.8, -10, 40})) << "ends at ticks";
-  EXPECT_EQ(answers[19], json({{"requests", json::array()}, {"errors", json::array()}}));
+  EXPECT_EQ(answers[19], json::parse("[[0, 100], [100, 0], [3, 97], [3, 97], [25, 25], [0, 0], [97, 3]]"))
+      << "slip is as high as its share, and never too low to be seen";
+  EXPECT_EQ(answers[20], json({{"requests", json::array()}, {"errors", json::array()}}));
 }
 
 }  // namespace
