@@ -86,7 +86,8 @@ std::uint8_t share_of(Phase phase, const std::vector<TickRecord>& rows, std::siz
   return static_cast<std::uint8_t>(std::max<std::size_t>(1, (255 * count + ticks / 2) / ticks));
 }
 
-void add_shares(const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end, SmallSeries& series) {
+void add_shares(const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end,
+                SmallSeries& series) {
   series.slip_share.push_back(share_of(Phase::slip, rows, begin, end));
   series.stick_share.push_back(share_of(Phase::stick, rows, begin, end));
   int ruptures = 0;
@@ -151,9 +152,9 @@ SmallSeries small_series(const std::vector<TickRecord>& rows, std::size_t most) 
     }
   }
   series.begin_s = rows.front().t_s;
-  series.step_s = series.bucket_s > 0   ? series.bucket_s
-                  : rows.size() > 1 ? whole_s / static_cast<double>(rows.size() - 1)
-                                    : 0;
+  series.step_s = series.bucket_s > 0 ? series.bucket_s
+                  : rows.size() > 1   ? whole_s / static_cast<double>(rows.size() - 1)
+                                      : 0;
   return series;
 }
 

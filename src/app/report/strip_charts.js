@@ -63,7 +63,10 @@ function denseStretches(curve) {
   const whole = Math.max(...spans.map(span => span[1])) - Math.min(...spans.map(span => span[0]));
   const shares = (span, beside) => !beside || Math.min(span[1], beside[1]) - Math.max(span[0], beside[0]) > 0.5 * (span[1] - span[0]);
   const up = spans.map((span, k) => span[1] - span[0] > 0.02 * whole && shares(span, spans[k - 1]) && shares(span, spans[k + 1]));
-  return up.map((dense, k) => dense && Boolean(up[k - 1] || up[k + 1]));
+  const dense = up.map((here, k) => here && Boolean(up[k - 1] || up[k + 1]));
+  // A few of another kind between such stretches are no line of their own.
+  const few = [1, 2, 3, 4, 5, 6], isNear = (k, step) => few.some(i => dense[k + step * i]);
+  return dense.map((here, k) => here || (isNear(k, -1) && isNear(k, 1) && spans[k][1] - spans[k][0] > 0.02 * whole));
 }
 
 /** A band between the least and the greatest, from the first sample to the last. */
