@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "app/commands.hpp"
@@ -116,7 +117,10 @@ std::string surface_words(const Scene& scene, std::size_t i) {
   return fmt::format("part {} ({})", i + 1, printable(scene.parts[i].mesh));
 }
 
-void tell_overlaps(const Scene& scene, const std::string& path, std::vector<PlacedSurface> surfaces) {
+/// On standard error, and in the objects of the parts that they are of.
+/// @param parts  as many objects as the scene has parts, or none
+void tell_overlaps(const Scene& scene, const std::string& path, std::vector<PlacedSurface> surfaces,
+                   std::span<Json> parts) {
   for (const PlaneEntry& plane : scene.planes) {
     PlacedSurface& surface = surfaces.emplace_back();
     surface.plane_point_W = plane.point_m;
@@ -127,6 +131,12 @@ void tell_overlaps(const Scene& scene, const std::string& path, std::vector<Plac
               surface_words(scene, overlap.one), surface_words(scene, overlap.other),
               rounded_text(1e3 * overlap.depth_m, 3), rounded_text(overlap.at_W.x(), 4),
               rounded_text(overlap.at_W.y(), 4), rounded_text(overlap.at_W.z(), 4));
+    for (const auto& [of, with] : {std::pair(overlap.one, overlap.other), {overlap.other, overlap.one}}) {
+      if (of >= parts.size()) continue;  // a plane
+      parts[of]["overlaps"].push_back({{"with", surface_words(scene, with)},
+                                       {"depth_m", overlap.depth_m},
+                                       {"at_m", corner(overlap.at_W)}});
+    }
   }
 }
 
@@ -152,7 +162,11 @@ bool check_scene(const std::string& path, bool as_json, Json& report) {
     surface.p_WP = entry.position_m;
     surface.R_WP = entry.rotation;
   }
-  if (all_touchable) tell_overlaps(scene, path, std::move(surfaces));
+  if (!all_touchable) return false;
+  std::span<Json> parts;
+  if (as_json) parts = std::span(report.get_ref<Json::array_t&>()).last(scene.parts.size());
+  for (Json& part : parts) part["overlaps"] = Json::array();
+  tell_overlaps(scene, path, std::move(surfaces), parts);
   return all_touchable;
 }
 

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <filesystem>
 #include <iterator>
+#include <map>
 
+#include "app/distinct_lines.hpp"
 #include "app/standard_streams.hpp"
 #include "base/number_text.hpp"
 
@@ -31,13 +33,18 @@ std::string size_words(double bytes) {
 }
 
 /// "t-0003.h5: knob.stl, rub.csv, mu_static 0.3: 501 ticks".
-void tell_job(const PlannedJob& job) {
+/// @param first  of each reason to fail, the job that has told it
+void tell_job(const PlannedJob& job, std::map<std::string, std::string>& first) {
   std::string what;
   for (const std::string& words : {file_name(job.mesh), file_name(job.motion), job.values}) {
     if (!words.empty()) what += (what.empty() ? "" : ", ") + words;
   }
-  print_out("{}: {}{}{}\n", job.file, what, what.empty() ? "" : ": ",
-            job.error.empty() ? fmt::format("{} ticks", job.ticks) : "would fail: " + job.error);
+  std::string end = fmt::format("{} ticks", job.ticks);
+  if (!job.error.empty()) {
+    const auto [told, is_new] = first.emplace(job.error, job.file);
+    end = is_new ? "would fail: " + job.error : "would fail as " + told->second;
+  }
+  print_out("{}: {}{}{}\n", job.file, what, what.empty() ? "" : ": ", end);
 }
 
 /// The room on the disk of a folder that may not be there yet.
@@ -52,12 +59,11 @@ double room_for(const std::string& folder) {
 }  // namespace
 
 bool tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
-  for (const PlannedJob& job : plan.jobs) tell_job(job);
-  constexpr std::size_t most_warnings = 12;
-  for (std::size_t i = 0; i < std::min(plan.warnings.size(), most_warnings); ++i)
-    print_err("fingerpad: warning: {}\n", plan.warnings[i]);
-  if (plan.warnings.size() > most_warnings)
-    print_err("fingerpad: warning: and {} more such lines\n", plan.warnings.size() - most_warnings);
+  std::map<std::string, std::string> first;
+  for (const PlannedJob& job : plan.jobs) tell_job(job, first);
+  DistinctLines warnings("fingerpad: warning: ");
+  warnings.add(plan.warnings);
+  if (warnings.left_out() > 0) print_err("fingerpad: warning: and {} more such lines\n", warnings.left_out());
   const auto failing = std::count_if(plan.jobs.begin(), plan.jobs.end(),
                                      [](const PlannedJob& job) { return !job.error.empty(); });
   if (failing > 0 && failing == std::ssize(plan.jobs)) {
@@ -66,11 +72,12 @@ bool tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
     return false;
   }
   print_out(
-      "{} {}, {:.0f} ticks: about {} on {} {}, {} in {} (from {} of {} kinds of jobs tried; nothing was "
+      "{} {}{}, {:.0f} ticks: about {} on {} {}, {} in {} (from {} of {} kinds of jobs tried; nothing was "
       "written)\n",
-      plan.jobs.size(), plan.jobs.size() == 1 ? "job" : "jobs", plan.ticks, duration_words(plan.seconds),
-      batch.threads, batch.threads == 1 ? "thread" : "threads", size_words(plan.bytes), batch.out_dir,
-      plan.measured, plan.kinds);
+      plan.jobs.size(), plan.jobs.size() == 1 ? "job" : "jobs",
+      failing > 0 ? fmt::format(", of which {} would fail", failing) : "", plan.ticks,
+      duration_words(plan.seconds), batch.threads, batch.threads == 1 ? "thread" : "threads",
+      size_words(plan.bytes), batch.out_dir, plan.measured, plan.kinds);
   const double room = room_for(batch.out_dir);
   if (plan.bytes > room)
     print_err("fingerpad: warning: {}: the disk has room for {} only\n", batch.out_dir, size_words(room));

@@ -4,10 +4,10 @@
 
 #include <algorithm>
 #include <map>
-#include <set>
 #include <string_view>
 #include <utility>
 
+#include "app/distinct_lines.hpp"
 #include "app/standard_streams.hpp"
 #include "base/number_text.hpp"
 #include "contact/contact_method_table.hpp"
@@ -17,15 +17,27 @@
 namespace fingerpad {
 namespace {
 
-/// "3, 6, 9 and 15 more": of jobs of one scene.
-std::string numbers_of(const std::vector<const BatchJob*>& jobs) {
-  constexpr std::size_t most = 6;
-  std::string words;
-  for (std::size_t i = 0; i < std::min(jobs.size(), most); ++i) {
-    const SceneJob& job = jobs[i]->job;
-    words += (i > 0 ? ", " : "") + (job.number > 0 ? std::to_string(job.number) : job.scene.name);
+/// Whether a number alone does not tell whose job it is.
+bool are_of_several_sets(const std::vector<BatchJob>& jobs) {
+  const std::string* set = nullptr;
+  for (const BatchJob& job : jobs) {
+    if (job.job.number == 0) continue;
+    if (set == nullptr) set = &job.job.scene.name;
+    if (*set != job.job.scene.name) return true;
   }
-  return jobs.size() > most ? words + fmt::format(" and {} more", jobs.size() - most) : words;
+  return false;
+}
+
+/// "3, 6, 9 and 15 more"; in a batch of several sets as their traces are called: "lab-0003, knob-0001".
+std::string numbers_of(const std::vector<const BatchJob*>& some, const std::vector<BatchJob>& jobs) {
+  constexpr std::size_t most = 6;
+  const bool by_set = are_of_several_sets(jobs);
+  std::string words;
+  for (std::size_t i = 0; i < std::min(some.size(), most); ++i) {
+    const SceneJob& job = some[i]->job;
+    words += (i > 0 ? ", " : "") + (job.number > 0 && !by_set ? std::to_string(job.number) : job_name(job));
+  }
+  return some.size() > most ? words + fmt::format(" and {} more", some.size() - most) : words;
 }
 
 /// The traces of an earlier run that these jobs leave in their place: the first, and how many more.
@@ -53,34 +65,15 @@ void tell_failures(const std::vector<BatchJob>& jobs) {
   for (const std::string_view reason : reasons) {
     const std::vector<const BatchJob*>& failed = stopped[reason];
     if (failed.size() > 1) {
-      print_err("fingerpad: error: {} jobs ({}): {}\n", failed.size(), numbers_of(failed), reason);
+      print_err("fingerpad: error: {} jobs ({}): {}\n", failed.size(), numbers_of(failed, jobs), reason);
     } else if (failed[0]->job.number > 0) {
-      print_err("fingerpad: error: job {}: {}\n", numbers_of(failed), reason);
+      print_err("fingerpad: error: job {}: {}\n", numbers_of(failed, jobs), reason);
     } else {
       print_err("fingerpad: error: {}\n", reason);
     }
     tell_left_behind(failed);
   }
 }
-
-/// Lines that many jobs share: each is told once, and no more than a screen can hold.
-class DistinctLines {
- public:
-  explicit DistinctLines(std::string_view start) : start_(start) {}
-
-  /// @param lines  outlive this
-  void add(const std::vector<std::string>& lines) {
-    for (const std::string& line : lines) {
-      if (seen_.insert(line).second && seen_.size() <= most_lines) print_err("{}{}\n", start_, line);
-    }
-  }
-  std::size_t left_out() const noexcept { return seen_.size() - std::min(seen_.size(), most_lines); }
-
- private:
-  static constexpr std::size_t most_lines = 12;  // a set has one for every mesh and every place
-  std::string_view start_;
-  std::set<std::string_view> seen_;
-};
 
 /// The jobs that have some of one figure, and how much they have together.
 struct Trouble {
@@ -100,9 +93,9 @@ Trouble trouble_of(const std::vector<BatchJob>& jobs, std::string_view figure) {
 }
 
 /// "job 3", "3 jobs (3, 6, 9)"; of a scene without a set its name.
-std::string jobs_words(const std::vector<const BatchJob*>& jobs) {
-  if (jobs.size() > 1) return fmt::format("{} jobs ({})", jobs.size(), numbers_of(jobs));
-  return (jobs[0]->job.number > 0 ? "job " : "") + numbers_of(jobs);
+std::string jobs_words(const std::vector<const BatchJob*>& some, const std::vector<BatchJob>& jobs) {
+  if (some.size() > 1) return fmt::format("{} jobs ({})", some.size(), numbers_of(some, jobs));
+  return (some[0]->job.number > 0 ? "job " : "") + numbers_of(some, jobs);
 }
 
 void tell_pop_throughs(const std::vector<BatchJob>& jobs) {
@@ -114,7 +107,7 @@ void tell_pop_throughs(const std::vector<BatchJob>& jobs) {
   print_err(
       "fingerpad: warning: {} {} in {}: the finger went through a wall, or was pushed out on its far side "
       "(pop_throughs in summary.csv); {}\n",
-      pops.count, pops.count == 1 ? "pop-through" : "pop-throughs", jobs_words(pops.jobs),
+      pops.count, pops.count == 1 ? "pop-through" : "pop-throughs", jobs_words(pops.jobs, jobs),
       by_firmest ? "press less deep there" : fmt::format("contact.method = \"{}\" holds it", firmest));
 }
 
@@ -125,7 +118,7 @@ void tell_unsettled(const std::vector<BatchJob>& jobs) {
       "fingerpad: warning: {} unsettled {} in {}: the proxy lags behind there, since a tick's work is "
       "bounded, and the force is not to be trusted (unsettled_ticks in summary.csv); a smaller depth, a "
       "slower motion or a higher motion.rate_hz may mend it\n",
-      unsettled.count, unsettled.count == 1 ? "tick" : "ticks", jobs_words(unsettled.jobs));
+      unsettled.count, unsettled.count == 1 ? "tick" : "ticks", jobs_words(unsettled.jobs, jobs));
 }
 
 /// Rubs that somewhere press far harder than they are to.
@@ -142,7 +135,7 @@ void tell_hard_presses(const std::vector<BatchJob>& jobs) {
   print_err(
       "fingerpad: warning: the normal force is up to {} N where {} N is asked for, in {}: several walls or "
       "edges hold the finger there (max_normal_force_n in summary.csv); another motion.place leaves it out\n",
-      rounded_text(most.felt_n, 3), rounded_text(most.asked_n, 3), jobs_words(hard));
+      rounded_text(most.felt_n, 3), rounded_text(most.asked_n, 3), jobs_words(hard, jobs));
 }
 
 /// Of all jobs those of this shard.

@@ -40,15 +40,17 @@ std::size_t shapes_of(const BatchResults& batch) {
 }
 
 /// Why a job has neither picture nor charts; empty where it has.
-std::string missing_run(const JobOutcome& job, std::size_t rank, std::size_t details) {
+/// @param drawn  how many are already
+std::string missing_run(const JobOutcome& job, std::size_t drawn, std::size_t details) {
   if (job.trace.empty() && !job.done()) return "The job failed, so there is nothing to be drawn.";
   if (job.trace.empty())
     return "The folder has no trace of this job (replay --format none writes none), so there is nothing to "
            "be "
            "drawn.";
-  if (rank >= details)
+  if (drawn >= details)
     return fmt::format(
-        "Only the {} worst jobs are drawn; `fingerpad report --details` draws more. Of the others' traces "
+        "Only the {} worst jobs with a trace are drawn; `fingerpad report --details` draws more. Of the "
+        "others' traces "
         "only the beginning and the end are looked at.",
         details);
   return "";
@@ -108,7 +110,7 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     const JobOutcome& job = batch.jobs[order[rank].job];
     nlohmann::ordered_json& row = results["jobs"][order[rank].job];
-    std::string note = missing_run(job, rank, options.details);
+    std::string note = missing_run(job, drawn, options.details);
     if (!note.empty() && !job.trace.empty()) look_at_undrawn(job, row);
     if (traced > 0 && job.trace.empty() && job.done()) flag_missing(options.folder, job, row);
     if (note.empty()) {
@@ -175,7 +177,7 @@ void add_report(CLI::App& program, Action& action) {
   refuse_empty(command->add_option("--out", options->out, "The page; default: report.html in that folder"));
   command
       ->add_option("--details", options->details,
-                   "How many jobs are drawn, the worst first; all are in the tables")
+                   "How many of the jobs that have a trace are drawn, the worst first; all are in the tables")
       ->capture_default_str();
   command->add_option("--libraries", options->libraries, "Where the JavaScript libraries are")
       ->capture_default_str();

@@ -51,9 +51,12 @@ Json shape_json(const SmallShape& shape) {
   return json;
 }
 
-/// The curves' bounds; their samples go to `words`, phases to `bytes`.
+/// The curves' bounds; their samples go to `words`, the phases' shares and the ruptures to `bytes`.
 Json series_json(const SmallSeries& series, std::string& words, std::string& bytes) {
-  Json json = {{"begin", series.begin_s}, {"step", series.step_s}, {"count", series.phases.size()}};
+  Json json = {{"begin", series.begin_s},
+               {"step", series.step_s},
+               {"count", series.curves.empty() ? 0 : series.curves.front().values.size()},
+               {"shares", series.slip_share.size()}};
   for (const StripCurve& curve : series.curves) {
     PackedRange range;
     for (const double value : curve.values) range.take(value);
@@ -63,7 +66,9 @@ Json series_json(const SmallSeries& series, std::string& words, std::string& byt
                               {"low", range.low},
                               {"span", range.span}});
   }
-  for (const Phase phase : series.phases) bytes += static_cast<char>(phase);
+  for (const auto* numbers : {&series.slip_share, &series.stick_share, &series.ruptures}) {
+    for (const std::uint8_t number : *numbers) bytes += static_cast<char>(number);
+  }
   if (series.bucket_s > 0) json["bucket"] = series.bucket_s;
   for (const StripCurve& curve : series.curves) {
     for (const std::uint8_t place : curve.places) bytes += static_cast<char>(place);

@@ -125,10 +125,19 @@ std::string mend_of(std::string_view cell, char decimal, std::string_view decima
                      printable(cell.substr(static_cast<std::size_t>(end - cell.begin())), 20));
 }
 
+/// Where a row is refused that a write may have left unfinished.
+std::string cut_words(const Row& row) {
+  return row.lines.ended()
+             ? ""
+             : "; it is the last line and has no line end, as where a file was cut off: leave the "
+               "line out";
+}
+
 double number_in(const Row& row, const Wanted& column, char decimal, bool takes_gaps) {
   if (column.cell >= row.cells.size()) {
-    throw refused(row.lines.place(), fmt::format("has {} cells, but column '{}' is number {}",
-                                                 row.cells.size(), column.name, column.cell + 1));
+    throw refused(row.lines.place(),
+                  fmt::format("has {} cells, but column '{}' is number {}{}", row.cells.size(), column.name,
+                              column.cell + 1, cut_words(row)));
   }
   const std::string_view cell = row.cells[column.cell];
   if (takes_gaps && is_gap(cell)) return std::numeric_limits<double>::quiet_NaN();
@@ -136,13 +145,13 @@ double number_in(const Row& row, const Wanted& column, char decimal, bool takes_
     throw refused(
         row.lines.place(),
         fmt::format("holds nothing in column '{}' ('{}'), and what lay there is not guessed: leave such "
-                    "rows out, or fill them",
-                    printable(column.name, 60), printable(cell, 40)));
+                    "rows out, or fill them{}",
+                    printable(column.name, 60), printable(cell, 40), cut_words(row)));
   const auto value = csv_number(cell, decimal);
   if (!value) {
-    throw refused(row.lines.place(),
-                  fmt::format("'{}' in column '{}' is no number{}", printable(cell, 40),
-                              printable(column.name, 60), mend_of(cell, decimal, row.decimal_key)));
+    throw refused(row.lines.place(), fmt::format("'{}' in column '{}' is no number{}{}", printable(cell, 40),
+                                                 printable(column.name, 60),
+                                                 mend_of(cell, decimal, row.decimal_key), cut_words(row)));
   }
   if (!std::isfinite(*value))
     throw refused(row.lines.place(), fmt::format("column '{}' is not finite", printable(column.name, 60)));

@@ -69,10 +69,12 @@ std::set<std::string> inputs_of(const std::vector<BatchJob>& jobs) {
 
 }  // namespace
 
+std::string job_name(const SceneJob& job) {
+  return job.number == 0 ? job.scene.name : fmt::format("{}-{:04}", job.scene.name, job.number);
+}
+
 std::string trace_name(const SceneJob& job, TraceFormat format) {
-  const char* ending = format == TraceFormat::hdf5 ? "h5" : "csv";
-  if (job.number == 0) return fmt::format("{}.{}", job.scene.name, ending);
-  return fmt::format("{}-{:04}.{}", job.scene.name, job.number, ending);
+  return job_name(job) + (format == TraceFormat::hdf5 ? ".h5" : ".csv");
 }
 
 TableNames table_names(int shard, int shard_count) {

@@ -10,6 +10,7 @@
 
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/missing_inputs.hpp"
 #include "scene/scene_reader.hpp"
 #include "scene/toml_tree.hpp"
 #include "touch/closed_loop.hpp"
@@ -115,7 +116,8 @@ class TickCounts {
     const TomlEntry* motion = find_entry(root, "motion");
     const std::string key = scene.motion.file_path + (motion != nullptr ? write_toml(motion->value) : "");
     if (const auto known = counts_.find(key); known != counts_.end()) return known->second;
-    const LoadedMotion loaded = load_motion(scene);
+    if (const auto known = refusals_.find(key); known != refusals_.end()) throw known->second;
+    const LoadedMotion loaded = loaded_or_kept(scene, key);
     for (const std::string& warning : loaded.warnings) {
       if (std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
     }
@@ -125,8 +127,19 @@ class TickCounts {
   const std::vector<std::string>& warnings() const noexcept { return warnings_; }
 
  private:
+  /// A motion that is refused is read once, too.
+  LoadedMotion loaded_or_kept(const Scene& scene, const std::string& key) {
+    try {
+      return load_motion(scene);
+    } catch (const Error& error) {
+      refusals_.emplace(key, error);
+      throw;
+    }
+  }
+
   std::vector<std::string> warnings_;
   std::map<std::string, long> counts_;
+  std::map<std::string, Error> refusals_;
 };
 
 /// Jobs that cost alike: the same parts, touched in the same way.
@@ -146,6 +159,7 @@ PlannedJob planned(const BatchJob& batch_job, const BatchOptions& options, TickC
   }
   if (!plan.error.empty()) return plan;
   try {
+    refuse_missing_inputs(job.scene);
     plan.ticks = ticks.of(job.scene);
   } catch (const Error& error) {
     plan.error = error.what();

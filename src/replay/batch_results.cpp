@@ -194,8 +194,13 @@ std::string trouble_words(const JobOutcome& job, const std::vector<double>& bad)
 BatchResults read_batch_results(const std::string& folder) {
   BatchResults results;
   results.files = tables_named(folder, "summary");
-  if (results.files.empty())
-    throw refused(folder, "holds no summary.csv: name the folder that `fingerpad replay --out` wrote");
+  if (results.files.empty()) {
+    const bool is_unfinished = !tables_named(folder, "jobs").empty();  // which is written before the jobs
+    throw refused(folder, is_unfinished ? "holds no summary.csv, since its replay did not end: the same "
+                                          "`fingerpad replay` with --resume does the rest and writes it"
+                                        : "holds no summary.csv: name the folder that `fingerpad replay "
+                                          "--out` wrote");
+  }
   std::vector<ResultTable> tables;
   for (const std::string& path : results.files) {
     tables.push_back(read_result_table(path));

@@ -12,6 +12,7 @@
 #include "base/number_text.hpp"
 #include "replay/disk_room.hpp"
 #include "replay/hard_press.hpp"
+#include "replay/missing_inputs.hpp"
 #include "replay/never_touches.hpp"
 #include "replay/residual_warnings.hpp"
 #include "replay/run_proof.hpp"
@@ -148,6 +149,7 @@ void warn_of_large_meshes(const Scene& scene, MeshStore& meshes, JobResult& resu
 
 JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore& motions,
                   const JobOutput& output) {
+  refuse_missing_inputs(scene_as_written);
   const std::shared_ptr<const StoredMotion> stored = motions.load(scene_as_written, meshes);
   const LoadedMotion& motion = stored->motion;
   const FingerPath& path = motion.path;

@@ -103,4 +103,9 @@ const SceneKey* find_whole_key(std::string_view dotted_key) {
   return row != nullptr && row->type == KeyType::whole ? row : nullptr;
 }
 
+const SceneKey* find_choice_key(std::string_view dotted_key) {
+  const SceneKey* row = find_dotted_key(dotted_key);
+  return row != nullptr && row->type == KeyType::choice && !row->words.empty() ? row : nullptr;
+}
+
 }  // namespace fingerpad

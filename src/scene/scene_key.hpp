@@ -85,6 +85,9 @@ bool is_vector_key(std::string_view dotted_key);
 /// The key whose value is a whole number ("seed", "motion.place"); null for any other.
 const SceneKey* find_whole_key(std::string_view dotted_key);
 
+/// The key whose value is one of a few words ("friction.law"); null for any other.
+const SceneKey* find_choice_key(std::string_view dotted_key);
+
 /// A scene file with every key, its default or an example and what it is: what the README and `--help` show.
 /// Numbers of laws other than the default one are left to the table of laws.
 std::string scene_keys_text();

@@ -92,6 +92,23 @@ void refuse_fractions(const SetAxis& axis, const std::string& path) {
   }
 }
 
+/// Of a key that takes one of a few words: a misspelt one once, not job by job. What is no text is for the
+/// key itself to refuse, and too many jobs are told of the set.
+void refuse_unknown_words(const SetAxis& axis, const std::string& path) {
+  const SceneKey* row = find_choice_key(axis.target);
+  if (row == nullptr || axis.values.size() > max_jobs) return;
+  for (const SetValue& value : axis.values) {
+    if (!value.value.is(TomlNode::Type::text) || std::ranges::count(row->words, value.value.text) > 0)
+      continue;
+    const std::string nearest = nearest_word(value.value.text, row->words);
+    throw refused(
+        place_text(path, value.value.place),
+        fmt::format("unknown {} '{}' in [[set]]{} (known: {})", row->key, printable(value.value.text),
+                    nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
+                    word_list(row->words)));
+  }
+}
+
 /// The key of a set that this one is most like; empty where none is. Within a table its name says nothing:
 /// 'motion.bogus' is not like 'motion.columns'.
 std::string nearest_set_key(const std::string& key) {
@@ -135,6 +152,7 @@ SetAxis read_axis(const SetLeaf& leaf, const std::string& path) {
         fmt::format("'{}' in [[set]] has an empty list, so that the set would have no jobs", leaf.key));
   }
   refuse_fractions(axis, path);
+  refuse_unknown_words(axis, path);
   return axis;
 }
 

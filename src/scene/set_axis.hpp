@@ -34,7 +34,7 @@ struct SetLeaf {
 
 /// Reads a key of a set with its values, and expands globs against the scene's folder. Throws Error (refused,
 /// `file:line:column`) for a key that no scene has, lists without values, fractions where whole numbers are
-/// taken, and globs that match nothing.
+/// taken, words that a key does not know, and globs that match nothing.
 SetAxis read_axis(const SetLeaf& leaf, const std::string& path);
 
 }  // namespace fingerpad

@@ -1,6 +1,7 @@
 #include "view/overlay_words.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 
@@ -26,6 +27,26 @@ std::string fitted(const std::string& words, double size, bool bold, double widt
     if (!cut.empty() && static_cast<unsigned char>(cut.back()) >= 0xC0) cut.pop_back();
   }
   return cut.empty() ? "" : cut + "...";
+}
+
+std::string fitted_in_middle(const std::string& words, double size, bool bold, double width) {
+  if (text_width(words, size, bold) <= width) return words;
+  std::vector<std::string> letters;  // of one byte or several
+  for (const char byte : words) {
+    if (letters.empty() || (static_cast<unsigned char>(byte) & 0xC0) != 0x80) letters.emplace_back();
+    letters.back() += byte;
+  }
+  const auto with = [&](std::size_t kept) {
+    const auto middle = letters.begin() + static_cast<std::ptrdiff_t>((kept + 1) / 2);
+    const auto rest = letters.end() - static_cast<std::ptrdiff_t>(kept / 2);
+    return fmt::format("{}...{}", fmt::join(letters.begin(), middle, ""), fmt::join(rest, letters.end(), ""));
+  };
+  std::size_t fits = 0, too_many = letters.size();
+  while (too_many - fits > 1) {
+    const std::size_t kept = (fits + too_many) / 2;
+    (text_width(with(kept), size, bold) <= width ? fits : too_many) = kept;
+  }
+  return fits == 0 ? "" : with(fits);
 }
 
 std::vector<std::string> wrapped(const std::string& words, double size, double width, bool bold) {

@@ -13,6 +13,8 @@ void draw_panel(Drawing& drawing, const Box& box);
 
 /// Words cut to a width, with dots where something was cut.
 std::string fitted(const std::string& words, double size, bool bold, double width);
+/// Words cut in their middle to a width, where a name says least: its beginning and its end stay.
+std::string fitted_in_middle(const std::string& words, double size, bool bold, double width);
 /// Words in lines of at most this width.
 std::vector<std::string> wrapped(const std::string& words, double size, double width, bool bold = false);
 

@@ -11,6 +11,7 @@
 #include "view/chart.hpp"
 #include "view/chart_layout.hpp"
 #include "view/flat_picture.hpp"
+#include "view/overlay_words.hpp"
 #include "view/svg.hpp"
 #include "view/touch_chart.hpp"
 
@@ -51,22 +52,19 @@ std::string subtitle_of(const ViewInput& input, const Vec3& direction_W, const c
 /// @returns where the page below its title begins
 double draw_title(Drawing& page, const std::string& title, const std::vector<std::string>& subtitles,
                   int width, int height, double em) {
-  const auto fitting = [&](const std::string& words, double size) {
-    return size * std::min(1.0, (width - 2 * em) / std::max(1.0, text_width(words, size)));
-  };
   double top = height - 1.0 * em;
-  page.text({width / 2.0, top}, title,
-            {.size = fitting(title, chart_title_ems * em),
-             .across = Across::centre,
-             .upright = Upright::top,
-             .bold = true});
+  const auto line = [&](const std::string& words, double size, double least, TextStyle style) {
+    const double room = width - 2 * em;
+    const double whole = text_width(words, size, style.bold);
+    style.size = std::max(least, whole > room ? size * room / whole : size);
+    style.across = Across::centre;
+    style.upright = Upright::top;
+    page.text({width / 2.0, top}, fitted_in_middle(words, style.size, style.bold, room), style);
+  };
+  line(title, chart_title_ems * em, 1.1 * em, {.bold = true});
   top -= 2.1 * em;
   for (const std::string& words : subtitles) {
-    page.text({width / 2.0, top}, words,
-              {.size = fitting(words, em),
-               .colour = colours::grey,
-               .across = Across::centre,
-               .upright = Upright::top});
+    line(words, em, 0.75 * em, {.colour = colours::grey});
     top -= 1.9 * em;
   }
   return top;

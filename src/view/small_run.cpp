@@ -77,10 +77,22 @@ void add_extremes(const std::vector<TickRecord>& rows, const Bucket& bucket, con
   }
 }
 
-Phase loudest(const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end) {
-  Phase phase = Phase::free;
-  for (std::size_t i = begin; i < end; ++i) phase = std::max(phase, rows[i].phase);
-  return phase;
+/// In 255ths, of ticks begin to end - 1: how many are in this phase; never 0 where one is.
+std::uint8_t share_of(Phase phase, const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end) {
+  std::size_t count = 0;
+  for (std::size_t i = begin; i < end; ++i) count += rows[i].phase == phase ? 1 : 0;
+  if (count == 0) return 0;
+  const std::size_t ticks = end - begin;
+  return static_cast<std::uint8_t>(std::max<std::size_t>(1, (255 * count + ticks / 2) / ticks));
+}
+
+void add_shares(const std::vector<TickRecord>& rows, std::size_t begin, std::size_t end,
+                SmallSeries& series) {
+  series.slip_share.push_back(share_of(Phase::slip, rows, begin, end));
+  series.stick_share.push_back(share_of(Phase::stick, rows, begin, end));
+  int ruptures = 0;
+  for (std::size_t i = begin; i < end; ++i) ruptures += rows[i].ruptures;
+  series.ruptures.push_back(static_cast<std::uint8_t>(std::clamp(ruptures, 0, 255)));
 }
 
 SmallSeries every_tick(const std::vector<TickRecord>& rows) {
@@ -89,7 +101,7 @@ SmallSeries every_tick(const std::vector<TickRecord>& rows) {
     StripCurve& curve = series.curves.emplace_back(StripCurve{row.name, row.unit, {}});
     for (std::size_t i = 0; i < rows.size(); ++i) curve.values.push_back(row.value(rows, i));
   }
-  for (const TickRecord& row : rows) series.phases.push_back(row.phase);
+  for (std::size_t i = 0; i < rows.size(); ++i) add_shares(rows, i, i + 1, series);
   return series;
 }
 
@@ -136,11 +148,13 @@ SmallSeries small_series(const std::vector<TickRecord>& rows, std::size_t most) 
                           rows.front().t_s + static_cast<double>(k) * series.bucket_s, series.bucket_s};
       for (std::size_t c = 0; c < series.curves.size(); ++c)
         add_extremes(rows, bucket, curve_rows[c], series.curves[c]);
-      series.phases.insert(series.phases.end(), 2, loudest(rows, bucket.begin, bucket.end));
+      add_shares(rows, bucket.begin, bucket.end, series);
     }
   }
   series.begin_s = rows.front().t_s;
-  series.step_s = series.phases.size() > 1 ? whole_s / static_cast<double>(series.phases.size() - 1) : 0;
+  series.step_s = series.bucket_s > 0 ? series.bucket_s
+                  : rows.size() > 1   ? whole_s / static_cast<double>(rows.size() - 1)
+                                      : 0;
   return series;
 }
 

@@ -31,10 +31,13 @@ struct StripCurve {
 /// A run's curves in few samples: of each bucket of ticks a curve's least and greatest value, in their order,
 /// so that no peak is lost.
 struct SmallSeries {
-  double begin_s = 0, step_s = 0;  ///< of the samples' phases
+  double begin_s = 0, step_s = 0;  ///< of the shares: one each bucket, or each tick
   double bucket_s = 0;             ///< of two samples; 0: each tick is one
   std::vector<StripCurve> curves;
-  std::vector<Phase> phases;  ///< slip in a bucket before stick before free
+  /// Of a bucket's ticks those that slip and those that stick, in 255ths; some are at least 1. The rest is
+  /// free.
+  std::vector<std::uint8_t> slip_share, stick_share;
+  std::vector<std::uint8_t> ruptures;  ///< how often stick gave way there; 255: or oftener
 };
 
 /// @param most  samples, >= 2; fewer ticks are kept as they are

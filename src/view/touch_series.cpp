@@ -65,11 +65,16 @@ std::vector<double> friction_along_sliding(std::span<const TickRecord> rows) {
     const double speed = tangential_speed(rows[i - 1], rows[i]);
     if (speed > fastest) fastest = speed;
   }
+  const auto slides = [&](std::size_t i) {
+    return i > 0 && tangential_speed(rows[i - 1], rows[i]) > resting_share * fastest;
+  };
+  std::size_t first = 0;
+  while (first < rows.size() && !slides(first)) ++first;
+  const bool any = first < rows.size();
+  Vec3 way = any ? tangential_step(rows[first - 1], rows[first]).normalized() : Vec3(Vec3::Zero());
   std::vector<double> friction_n;
-  Vec3 way = Vec3::Zero();
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (i > 0 && tangential_speed(rows[i - 1], rows[i]) > resting_share * fastest)
-      way = tangential_step(rows[i - 1], rows[i]).normalized();
+    if (slides(i)) way = tangential_step(rows[i - 1], rows[i]).normalized();
     friction_n.push_back(rows[i].phase == Phase::free ? 0 : rows[i].friction_W_n.dot(way));
   }
   return friction_n;

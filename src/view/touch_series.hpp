@@ -39,7 +39,8 @@ TouchSeries touch_series(std::span<const TickRecord> rows, const Vec3& direction
 
 /// The friction on the finger along the way that the finger slides in the tangent plane [N]: negative where
 /// it holds the finger back, positive where a stretched pad still pushes it on. Where the finger is slower
-/// than a thousandth of its fastest, the way is the one that it had before. 0 while free.
+/// than a thousandth of its fastest, the way is the one that it had before, and before its first slide that
+/// of this one, as where the rows begin within a rest. 0 while free.
 std::vector<double> friction_along_sliding(std::span<const TickRecord> rows);
 
 /// Tangential speed from one tick to the next [m/s]; nan unless both are in contact.

@@ -49,7 +49,8 @@ TEST(DryRun, SaysOfEachJobOfAMotionThatCannotBeReadThatItWouldFail) {
   std::ofstream(folder / "b.csv") << "t_s,x_m\n0,0\n";
   const std::string told = test::fingerpad("replay s.toml --out o --dry-run", folder).out;
   EXPECT_THAT(told, HasSubstr("s-0003.h5: b.csv, seed 1: would fail: b.csv:1: "));
-  EXPECT_THAT(told, HasSubstr("s-0004.h5: b.csv, seed 2: would fail: b.csv:1: "));
+  EXPECT_THAT(told, HasSubstr("s-0004.h5: b.csv, seed 2: would fail as s-0003.h5\n"));
+  EXPECT_THAT(told, HasSubstr("4 jobs, of which 2 would fail, "));
 }
 
 TEST(DryRun, TellsWhatIsOddInAMotion) {
@@ -94,7 +95,10 @@ TEST(DryRun, TellsTheJobsThatWouldFail) {
          "from_m = [0, 0, 0]\nto_m = [0.1, 0, 0]\nspeed_m_per_s = 1\n[[set]]\nseed = [1, 2]\n";
   const auto planned = test::fingerpad("replay s.toml --out o --dry-run", folder);
   EXPECT_EQ(planned.exit_code, 4);
-  EXPECT_THAT(planned.out, HasSubstr("s-0002.h5: none.stl, seed 2: would fail: none.stl: cannot be read"));
+  EXPECT_THAT(planned.out,
+              HasSubstr("s-0001.h5: none.stl, seed 1: would fail: s.toml: [[part]] mesh names none.stl, "
+                        "which cannot be read: there is no such file\n"));
+  EXPECT_THAT(planned.out, HasSubstr("s-0002.h5: none.stl, seed 2: would fail as s-0001.h5\n"));
 }
 
 TEST(DryRun, RefusesAFolderThatCannotBeWritten) {

@@ -148,12 +148,26 @@ TEST(Report, FlagsATraceThatIsCutShort) {
   EXPECT_THAT(results["jobs"][1]["damage"], HasSubstr("s-0002.csv: ends within a row"));
 }
 
+TEST(Report, DrawsTheWorstOfTheJobsThatHaveATrace) {
+  const fs::path folder = folder_with_set();
+  const auto told = test::fingerpad("report 'a<b' --details 2 --out page.html", folder);
+  EXPECT_THAT(told.out, HasSubstr("6 jobs, 2 of them drawn")) << "those that failed take no place";
+}
+
+TEST(Report, SaysOfAReplayThatWasKilledHowItEnds) {
+  const fs::path folder = folder_with_set("--format none");
+  for (const char* table : {"summary.csv", "timing.csv"}) fs::remove(folder / "a<b" / table);
+  const auto told = test::fingerpad("report 'a<b'", folder);
+  EXPECT_EQ(told.exit_code, 3);
+  EXPECT_THAT(told.err, HasSubstr("its replay did not end: the same `fingerpad replay` with --resume does"));
+}
+
 TEST(Report, LooksAtTheEndsOfTheTracesThatItDoesNotDraw) {
   for (const std::string format : {"h5", "csv"}) {
     const fs::path folder = folder_with_set("--format " + format), out = folder / "a<b";
     const auto report = [&] {
-      const auto told = test::fingerpad("report 'a<b' --details 1 --out page.html", folder);
-      EXPECT_THAT(told.out, HasSubstr("6 jobs, 0 of them drawn")) << "the worst has failed";
+      const auto told = test::fingerpad("report 'a<b' --details 0 --out page.html", folder);
+      EXPECT_THAT(told.out, HasSubstr("6 jobs, 0 of them drawn"));
       return told.err;
     };
     EXPECT_EQ(report(), "");
@@ -323,12 +337,14 @@ until document.querySelectorAll("#chart circle").length === 3
 js document.querySelectorAll("#matrix td").length
 js (window.teeth = { inPairs: true, times: [...Array(40).keys()], values: [...Array(40).keys()].map(i => i % 2) }, [denseStretches(teeth).every(Boolean), denseStretches({ inPairs: true, values: teeth.times }).some(Boolean)])
 js (window.fills = 0, curvePlotter(teeth)({ points: teeth.times.map((t, i) => ({ xval: t, yval: teeth.values[i], canvasx: t, canvasy: teeth.values[i] })), drawingContext: new Proxy({}, { get: (_, name) => () => { fills += name === "fill"; }, set: () => true }), color: "red", strokeWidth: 1 }), fills)
-js [[1, 1.001, 2], [1, 1.001], [1, 1000]].map(values => { const scale = colourScale(values); return Math.round(1000 * (scale.share(values[1]) - scale.share(values[0]))); })
+js [[1, 1.001, 2], [1, 1.001], [1, 1000], [0, 10, 1, 1000]].map(values => { const scale = colourScale(values); return Math.round(1000 * (scale.share(values[1]) - scale.share(values[0]))); })
+js ["use --unit m", "a_b.stl: bad", "part-0003.csv", "x.stl.txt"].map(text => { const p = element("p", {}, breakable(text)); return [p.textContent === text, p.querySelectorAll("wbr").length, p.querySelectorAll(".option").length]; })
 js axisEnds(0, 0.73, 6).concat(axisEnds(-0.2, 31, 6)).map(end => +end.toPrecision(3))
+js [[0, 255], [255, 0], [6, 249], [1, 254], [64, 64], [0, 0], [255, 1]].map(([slip, stick]) => phaseHeights(slip, stick, 100).map(Math.round))
 click nav a[href="#licences"]
 until getComputedStyle(document.getElementById("licences")).display === "block"
 )steps");
-  ASSERT_EQ(answers.size(), 20u);
+  ASSERT_EQ(answers.size(), 22u);
   EXPECT_EQ(answers[0], 6) << "rows";
   EXPECT_THAT(answers[1], HasSubstr("failed: ")) << "the worst stand first";
   EXPECT_EQ(answers[2], 2) << "of the law that was typed";
@@ -346,9 +362,13 @@ until getComputedStyle(document.getElementById("licences")).display === "block"
   EXPECT_EQ(answers[14], 3) << "medians, a law each";
   EXPECT_EQ(answers[15], json({true, false})) << "teeth are dense, a rise is not";
   EXPECT_EQ(answers[16], 1) << "a band";
-  EXPECT_EQ(answers[17], json({1, 0, 1000})) << "what differs by a thousandth looks alike";
-  EXPECT_EQ(answers[18], json({0, 0.8, -10, 40})) << "ends at ticks";
-  EXPECT_EQ(answers[19], json({{"requests", json::array()}, {"errors", json::array()}}));
+  EXPECT_EQ(answers[17], json({1, 0, 1000, 333})) << "what differs by a thousandth looks alike";
+  EXPECT_EQ(answers[18], json::parse("[[true, 0, 1], [true, 0, 0], [true, 1, 0], [true, 1, 0]]"))
+      << "no break before a file's ending, nor within an option";
+  EXPECT_EQ(answers[19], json({0, 0.8, -10, 40})) << "ends at ticks";
+  EXPECT_EQ(answers[20], json::parse("[[0, 100], [100, 0], [3, 97], [3, 97], [25, 25], [0, 0], [97, 3]]"))
+      << "slip is as high as its share, and never too low to be seen";
+  EXPECT_EQ(answers[21], json({{"requests", json::array()}, {"errors", json::array()}}));
 }
 
 }  // namespace

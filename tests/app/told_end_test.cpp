@@ -137,6 +137,20 @@ TEST(ReplayTells, ARubThatPressesFarHarderThanAsked) {
   EXPECT_THAT(told_of_roof(-90), Not(HasSubstr("is asked for")));
 }
 
+TEST(Failures, OfSeveralSetsNameSetAndJobAndTheSceneWhoseMeshIsMissing) {
+  const fs::path folder = folder_with_box();
+  for (const std::string name : {"a", "b"})
+    test::write_file(
+        folder, name + ".toml",
+        "[[part]]\nunit = \"m\"\n" + std::string(rub) + "[[set]]\nmesh = [\"box.stl\", \"gone.stl\"]\n");
+  const auto two = test::fingerpad("replay a.toml b.toml --out o", folder);
+  EXPECT_EQ(two.exit_code, 4);
+  EXPECT_THAT(two.err,
+              HasSubstr("error: job a-0002: a.toml: [[part]] mesh names gone.stl, which cannot be read"));
+  EXPECT_THAT(two.err, HasSubstr("error: job b-0002: b.toml: "));
+  EXPECT_THAT(test::fingerpad("replay a.toml --out one", folder).err, HasSubstr("error: job 2: a.toml: "));
+}
+
 TEST(DryRun, OfASceneThatWouldFailEndsAsItsReplay) {
   const fs::path folder = folder_with_box();
   test::write_file(folder, "s.toml", box_scene("m", "[motion]\nfile = \"none.csv\"\n"));

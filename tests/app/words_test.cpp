@@ -67,6 +67,15 @@ TEST(Words, OfACheckedSceneNameBodiesThatOverlap) {
               HasSubstr("fingerpad: s.toml: part 1 (box.stl) and part 2 (box.stl) overlap by 20 mm at ("));
   EXPECT_EQ(std::count(result.err.begin(), result.err.end(), '\n'), 1) << "they stand on the plane";
   EXPECT_THAT(result.out, HasSubstr("300")) << "mm: each part in its own unit";
+  const auto parts = nlohmann::json::parse(run("check --json s.toml box.stl", folder).out);
+  ASSERT_EQ(parts.size(), 3u);
+  for (std::size_t i = 0; i < 2; ++i) {
+    ASSERT_EQ(parts[i]["overlaps"].size(), 1u) << i;
+    EXPECT_EQ(parts[i]["overlaps"][0]["with"], i == 0 ? "part 2 (box.stl)" : "part 1 (box.stl)");
+    EXPECT_NEAR(parts[i]["overlaps"][0]["depth_m"].get<double>(), 0.02, 1e-6);
+    EXPECT_EQ(parts[i]["overlaps"][0]["at_m"].size(), 3u);
+  }
+  EXPECT_FALSE(parts[2].contains("overlaps")) << "a mesh alone";
 }
 
 TEST(Words, OfACheckedSceneThatIsRefusedLetTheOthersBeTold) {

@@ -120,6 +120,16 @@ TEST(CsvDialect, ALastRowWithoutItsEndIsLeftOutWhereTheRequestWantsItSo) {
   EXPECT_EQ(rows_of("# t,x\n1,2", true), "0 ends within a row (line 2" + words) << "NumPy's";
 }
 
+TEST(CsvDialect, ALastRowThatIsRefusedSaysThatItMayHaveBeenCutOff) {
+  constexpr const char* cut =
+      "; it is the last line and has no line end, as where a file was cut off: leave the line out";
+  EXPECT_THAT(refusal("t,x\n1,2\n3"),
+              AllOf(HasSubstr("3: has 1 cells, but column 'x' is number 2"), EndsWith(cut)));
+  EXPECT_THAT(refusal("t,x\n1,2\n3,-"), EndsWith(cut));
+  EXPECT_THAT(refusal("t,x\n1,2\n3,"), EndsWith(cut));
+  EXPECT_THAT(refusal("t,x\n1,2\n3\n"), Not(HasSubstr("cut off")));
+}
+
 TEST(CsvDialect, AUnitInACellIsNamed) {
   EXPECT_THAT(
       refusal("t,x\n0,10 mm\n"),

@@ -251,6 +251,21 @@ TEST(SceneSet, AListOfAKeyThatTakesWholeNumbersIsRefusedOnce) {
             "s.toml:1:8: 'seed' in the scene must be a whole number, and 1.5 is none");
 }
 
+TEST(SceneSet, AMisspeltWordOfAListIsRefusedOnceWithTheOneThatItIsLike) {
+  const auto told = [](const std::string& line) { return refusal(plane_scene + "[[set]]\n" + line + "\n"); };
+  EXPECT_THAT(told(R"(friction.law = ["dahl", "coulmb"])"),
+              testing::AllOf(
+                  HasSubstr(":25: unknown law 'coulmb' in [[set]]; did you mean 'coulomb'? (known: none, "),
+                  HasSubstr("kikuuwe")));
+  EXPECT_THAT(told(R"(contact.method = ["proxi"])"),
+              HasSubstr("unknown method 'proxi' in [[set]]; did you mean 'proxy'?"));
+  EXPECT_THAT(told(R"(contact.normals = { values = ["smooth", "smoth"] })"),
+              HasSubstr("did you mean 'smooth'?"));
+  EXPECT_THAT(told(R"(friction.events = "ticks")"), HasSubstr("did you mean 'tick'?"));
+  EXPECT_EQ(jobs_of(plane_scene + "[[set]]\nfriction.law = [3]\n").size(), 1u)
+      << "no word at all: as in a plain scene";
+}
+
 TEST(SceneSet, ARangeIsItsEvenValuesAndAListMayBeNamedSo) {
   EXPECT_THAT(jobs_of(plane_scene + "[[set]]\nplane.mu_static = { from = 0.2, to = 0.5, steps = 4 }\n"),
               ElementsAre("0.2", "0.3", "0.4", "0.5"));

@@ -41,6 +41,24 @@ TEST(Plot, SvgHoldsItsLabelsAsText) {
   EXPECT_EQ(svg.find("inf"), std::string::npos);
 }
 
+/// A title is bold, which is wider: what is too wide is first written smaller, then cut in its middle.
+TEST(Plot, KeepsBothEndsOfALongTitleInsideThePage) {
+  const auto path = scratch_dir() / "long.svg";
+  const double width = 600, em = width / 62;
+  for (const std::size_t letters : {20u, 30u, 45u, 300u}) {
+    ViewInput input = torus_rub();
+    input.title = "first-" + std::string(letters, 'W') + "-last.stl";
+    write_plot(input, path.string(), 600);
+    const std::string svg = text_of(path);
+    const std::size_t begin = svg.rfind(">first-") + 1;
+    ASSERT_GT(begin, svg.find(">first-") + 1) << "behind the file's own title";
+    const std::string shown = svg.substr(begin, svg.find("</text>", begin) - begin);
+    EXPECT_TRUE(shown.ends_with("W-last.stl")) << shown;
+    EXPECT_LE(text_width(shown, 1.1 * em, true), width) << shown;
+    EXPECT_EQ(shown.find("...") != std::string::npos, letters > 30) << shown;
+  }
+}
+
 TEST(Plot, OfAThinnedTraceSaysSo) {
   const auto folder = scratch_dir();
   ViewInput input = torus_rub();

@@ -48,6 +48,15 @@ TEST(TouchSeries, RunsAlongTheDirectionOfTheRub) {
   EXPECT_NEAR(series.speed_m_per_s[1], 0.01 * 2 * pi, 1e-5);
 }
 
+TEST(FrictionAlongSliding, BeginsWithItsValueWhereTheRowsBeginWithinARub) {
+  const auto rows = plane_rub(Vec3::UnitX());
+  EXPECT_NEAR(friction_along_sliding(std::span(rows).subspan(30, 100))[0], -0.2, 1e-12) << "sliding";
+  std::vector<TickRecord> rest(5, rows[30]);
+  for (std::size_t i = 0; i < rest.size(); ++i) rest[i].t_s = rows[30].t_s - 0.01 * double(rest.size() - i);
+  rest.insert(rest.end(), rows.begin() + 30, rows.begin() + 40);
+  EXPECT_NEAR(friction_along_sliding(rest)[0], -0.2, 1e-12) << "a rest before the first slide";
+}
+
 TEST(ShownSpeed, IsTheFingersOwnInTheAirAndTangentialInContact) {
   TickRecord before, row;
   row.t_s = 0.01;

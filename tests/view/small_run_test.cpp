@@ -48,12 +48,31 @@ TEST(SmallPath, OfARestIsThereAllTheSame) {
 TEST(SmallSeries, LosesNoPeak) {
   const auto rows = struck_run(5000, 1777);
   const SmallSeries series = small_series(rows, 240);
-  ASSERT_EQ(series.phases.size(), 240u);
+  ASSERT_EQ(series.curves[0].values.size(), 240u);
   ASSERT_EQ(series.curves[0].name, "normal force");
   EXPECT_EQ(*std::max_element(series.curves[0].values.begin(), series.curves[0].values.end()), 9);
   EXPECT_EQ(*std::min_element(series.curves[0].values.begin(), series.curves[0].values.end()), 0);
-  EXPECT_EQ(std::count(series.phases.begin(), series.phases.end(), Phase::slip), 2);
-  EXPECT_NEAR(series.begin_s + 239 * series.step_s, rows.back().t_s, 1e-12);
+  EXPECT_NEAR(series.begin_s + 120 * series.step_s, rows.back().t_s, 1e-12);
+}
+
+/// A bucket in which one tick of many slips is no slip: a rub that sticks nearly always must look so.
+TEST(SmallSeries, TellsWhatShareOfItsTicksSlipsAndSticks) {
+  auto rows = struck_run(4800, 1777);  // 40 ticks a bucket
+  for (std::size_t i = 2400; i < rows.size(); ++i) rows[i].phase = i % 40 < 30 ? Phase::slip : Phase::stick;
+  rows[1777].ruptures = 3;
+  const SmallSeries series = small_series(rows, 240);
+  ASSERT_EQ(series.slip_share.size(), 120u);
+  ASSERT_EQ(series.stick_share.size(), 120u);
+  EXPECT_EQ(series.stick_share[0] + series.slip_share[0], 0) << "free";
+  EXPECT_EQ(series.stick_share[2], 128) << "half of it touches";
+  EXPECT_EQ(series.slip_share[44], 6) << "one tick of 40, which is in bucket 1777 / 40";
+  EXPECT_EQ(series.stick_share[44], 249);
+  EXPECT_EQ(series.slip_share[45], 0);
+  EXPECT_EQ(series.slip_share[100], 191) << "30 of 40";
+  EXPECT_EQ(series.ruptures[44], 3);
+  EXPECT_EQ(std::count(series.ruptures.begin(), series.ruptures.end(), 0), 119);
+  const SmallSeries long_run = small_series(struck_run(120'000, 1777), 240);
+  EXPECT_EQ(long_run.slip_share[1], 1) << "one tick of a thousand is not lost";
 }
 
 TEST(SmallSeries, PutsEachSampleAtItsOwnTimeSoThatARampIsStraight) {
@@ -80,6 +99,8 @@ TEST(SmallSeries, OfFewTicksIsTheRun) {
   EXPECT_EQ(series.curves[0].values[150], 9);
   EXPECT_NEAR(series.step_s, 1e-3, 1e-12);
   EXPECT_EQ(series.bucket_s, 0);
+  EXPECT_EQ(series.slip_share[150], 255) << "of one tick it is all or nothing";
+  EXPECT_EQ(series.stick_share[149], 255);
   EXPECT_NEAR(series.curves.back().values[0], 0.1, 1e-9) << "the speed's first sample is no 0";
   EXPECT_TRUE(series.curves[0].places.empty());
 }

@@ -47,12 +47,13 @@ function axisEnds(low, high, most) {
   return [low, high];
 }
 
-/** Where values stand between their least and greatest, 0 to 1: by size, or by powers where they are all above 0 and far apart.
+/** Where values stand between their least and greatest, 0 to 1: by size, or by powers where none is below 0 and they are far apart.
  *  Those that differ by less than a hundredth stand together in the middle. */
 function colourScale(values) {
   const least = Math.min(...values), most = Math.max(...values);
   if (!(most - least > 0.01 * Math.max(Math.abs(least), Math.abs(most)))) return { name: "alike to a hundredth, and so of one colour", share: () => 0.5 };
-  if (least > 0 && most / least > 50) return { name: "coloured by powers of ten", share: value => Math.log(value / least) / Math.log(most / least) };
+  const leastPower = Math.min(...values.filter(value => value > 0));
+  if (least >= 0 && most / leastPower > 50) return { name: "coloured by powers of ten", share: value => value > 0 ? Math.log(value / leastPower) / Math.log(most / leastPower) : 0 };
   return { name: "coloured by size", share: value => (value - least) / (most - least) };
 }
 

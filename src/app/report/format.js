@@ -31,13 +31,17 @@ function unitOf(column) {
   return column.unit === "1" ? "" : column.unit;
 }
 
-/** Text that breaks its lines where names do: behind their dots, strokes and hyphens, never within a word. */
+/** Text that breaks its lines where names do: behind their dots, strokes and hyphens, never within a word, before a file's
+ *  ending or within an option. */
 function breakable(text) {
   const broken = document.createDocumentFragment();
-  for (const piece of String(text).split(/(?<=[_.\/-])(?=[^_.\/\s-]{2})/)) {
-    if (broken.childNodes.length > 0) broken.append(document.createElement("wbr"));
-    broken.append(piece);
-  }
+  String(text).split(/((?<=^|[\s(`])--[a-z][a-z-]*)/).forEach((part, i) => {
+    if (i % 2 === 1) return broken.append(element("span", { class: "option" }, part));
+    part.split(/(?<=[_.\/-])(?=[^_.\/\s-]{2})(?!(?<=\.)\w{1,4}(?![\w.-]))/).forEach((piece, k) => {
+      if (k > 0) broken.append(document.createElement("wbr"));
+      broken.append(piece);
+    });
+  });
   return broken;
 }
 

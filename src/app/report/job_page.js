@@ -81,5 +81,5 @@ function showJob(job) {
   if (!job.run) return;
   const data = unpackedRun(job.run);
   showShape(job, data);
-  if (data.times.length > 1) showStrips(document.getElementById("strips"), data);
+  if (data.shares.count > 1) showStrips(document.getElementById("strips"), data);
 }

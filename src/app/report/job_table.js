@@ -29,8 +29,8 @@ function motionsVaryOverPart() {
 
 const seenAtFirst = (name, i) => mainFigures.includes(name) && report.jobs.some(job => job.figures[i]);
 
-/** The columns of the table, each with its heading and what a job shows in it. What tells nothing, as it is empty or 0 or the same
-    of all jobs, is left out, so that the others have room. */
+/** The columns of the table, each with its heading and what a job shows in it. What tells nothing is left out, so that the
+    others have room: what is empty or 0 in all jobs, scene and contact where all have the same, motions that go with the part. */
 function tableColumns() {
   const text = (title, of, extra) => ({ title: escapedBreakable(title), data: null, render: (job, kind) => kind === "display" ? escapedBreakable(of(job)) : of(job), ...extra });
   const columns = [

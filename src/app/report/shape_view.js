@@ -16,19 +16,21 @@ function sampleTimes(series, places) {
     ? series.begin + i * series.step : series.begin + ((i >> 1) + places[i] / 255) * series.bucket);
 }
 
-/** What a job's run says, unpacked: path, phases, forces, curves. */
+/** What a job's run says, unpacked: path, phases, forces, curves, and of each stretch of time what share of it slips and sticks and how
+ *  often stick gives way in it. */
 function unpackedRun(run) {
   const bytes = bytesOf(run.data);
-  const n = run.path.count, m = run.series.count, curves = run.series.curves;
+  const n = run.path.count, m = run.series.count, shares = run.series.shares, curves = run.series.curves;
   const words = new Uint16Array(bytes.buffer, 0, 3 * n + m * curves.length);
-  const rest = bytes.subarray(2 * words.length);
+  const rest = bytes.subarray(2 * words.length), places = rest.subarray(2 * n + 3 * shares);
   return {
     path: words.subarray(0, 3 * n), forces: rest.subarray(0, n), phases: rest.subarray(n, 2 * n),
-    times: Array.from({ length: m }, (_, i) => run.series.begin + i * run.series.step),
+    span: [run.series.begin, run.series.begin + run.series.step * (run.series.bucket > 0 ? shares : shares - 1)],
     curves: curves.map((curve, c) => ({ name: curve.name, unit: curve.unit, inPairs: run.series.bucket > 0,
-      times: sampleTimes(run.series, rest.subarray(2 * n + (c + 1) * m, 2 * n + (c + 2) * m)),
+      times: sampleTimes(run.series, places.subarray(c * m, (c + 1) * m)),
       values: unpacked(words.subarray(3 * n + c * m, 3 * n + (c + 1) * m), curve.low, curve.span) })),
-    seriesPhases: rest.subarray(2 * n, 2 * n + m)
+    shares: { begin: run.series.begin, step: run.series.step, count: shares, ...Object.fromEntries(["slip", "stick", "ruptures"].map((name, i) =>
+      [name, rest.subarray(2 * n + i * shares, 2 * n + (i + 1) * shares)])) }
   };
 }
 

@@ -5,17 +5,35 @@ const stripPanels = [
   { title: "Speed of the finger", label: "speed [mm/s]", curves: ["speed"], scale: 1e3 }
 ];
 
-/** Bands in the colours of the phases behind the curves. */
-function paintPhases(canvas, area, plot, times, phases) {
-  for (let begin = 0; begin < times.length;) {
+/** How high [px] the colours of slip and stick stand behind a stretch: each as its share of the ticks, where there is any at
+ *  least as high as can be seen. */
+function phaseHeights(slip, stick, height) {
+  const least = 3, free = slip + stick < 254;  // two shares that are rounded
+  const high = share => share > 0 ? Math.max(least, share / 255 * height) : 0;
+  const slips = Math.min(high(slip), stick > 0 ? height - least : height);
+  return [slips, free ? Math.min(high(stick), height - slips) : stick > 0 ? height - slips : 0];
+}
+
+/** Bands in the colours of the phases behind the curves: slip from below, stick on it, what is left is free. A stroke at the
+ *  upper edge where stick gives way. */
+function paintPhases(canvas, area, plot, shares) {
+  const at = time => Math.min(Math.max(plot.toDomXCoord(time), area.x), area.x + area.w);
+  for (let begin = 0; begin < shares.count;) {
     let end = begin + 1;
-    while (end < times.length && phases[end] === phases[begin]) ++end;
-    if (phases[begin] !== 0) {
-      const left = plot.toDomXCoord(times[begin]), right = plot.toDomXCoord(times[Math.min(end, times.length - 1)]);
-      canvas.fillStyle = report.colours.phases[phases[begin]] + "2e";
-      canvas.fillRect(left, area.y, right - left, area.h);
-    }
+    while (end < shares.count && shares.slip[end] === shares.slip[begin] && shares.stick[end] === shares.stick[begin]) ++end;
+    const left = at(shares.begin + begin * shares.step), right = at(shares.begin + end * shares.step);
+    const [slip, stick] = phaseHeights(shares.slip[begin], shares.stick[begin], area.h);
+    const bottom = area.y + area.h;
+    canvas.fillStyle = report.colours.phases[2] + "58";
+    canvas.fillRect(left, bottom - slip, right - left, slip);
+    canvas.fillStyle = report.colours.phases[1] + "2e";
+    canvas.fillRect(left, bottom - slip - stick, right - left, stick);
     begin = end;
+  }
+  canvas.fillStyle = report.colours.phases[2];
+  for (let k = 0; k < shares.count; ++k) {
+    const middle = plot.toDomXCoord(shares.begin + (k + 0.5) * shares.step);
+    if (shares.ruptures[k] > 0 && middle >= area.x && middle <= area.x + area.w) canvas.fillRect(middle - 0.75, area.y, 1.5, 7);
   }
 }
 
@@ -45,7 +63,10 @@ function denseStretches(curve) {
   const whole = Math.max(...spans.map(span => span[1])) - Math.min(...spans.map(span => span[0]));
   const shares = (span, beside) => !beside || Math.min(span[1], beside[1]) - Math.max(span[0], beside[0]) > 0.5 * (span[1] - span[0]);
   const up = spans.map((span, k) => span[1] - span[0] > 0.02 * whole && shares(span, spans[k - 1]) && shares(span, spans[k + 1]));
-  return up.map((dense, k) => dense && Boolean(up[k - 1] || up[k + 1]));
+  const dense = up.map((here, k) => here && Boolean(up[k - 1] || up[k + 1]));
+  // A few of another kind between such stretches are no line of their own.
+  const few = [1, 2, 3, 4, 5, 6], isNear = (k, step) => few.some(i => dense[k + step * i]);
+  return dense.map((here, k) => here || (isNear(k, -1) && isNear(k, 1) && spans[k][1] - spans[k][0] > 0.02 * whole));
 }
 
 /** A band between the least and the greatest, from the first sample to the last. */
@@ -110,7 +131,7 @@ function curvePlotter(curve) {
 /** All panels zoom together. */
 function showStrips(holder, data) {
   holder.replaceChildren();
-  holder.append(element("h2", {}, "Over time"), phaseLegend("behind the curves: ", ["stick", "slip"]));
+  holder.append(element("h2", {}, "Over time"), phaseLegend("behind the curves, as high as its share of the ticks: ", ["slip", "stick"], "stick gave way (at the upper edge)"));
   holder.append(element("p", { class: "unit" },
     "Drag over a chart to zoom all of them, double-click for the whole run. Samples are the least and greatest of their ticks; " +
     "where a curve goes up and down faster than they follow, a band spans all that it takes."));
@@ -131,19 +152,19 @@ function showStrips(holder, data) {
       series: Object.fromEntries(curves.map(curve => [curve.name, { plotter: curvePlotter(curve) }])),
       labels: ["t [s]", ...panel.curves], ylabel: panel.label, xlabel: "time [s]", connectSeparatedPoints: true,
       colors: report.colours.palette, strokeWidth: 1.4, legend: "always", labelsDiv: names, includeZero: true,
-      dateWindow: [data.times[0], data.times[data.times.length - 1]], yRangePad: 4, axisLabelWidth: 64, highlightCircleSize: 3, digitsAfterDecimal: 4, maxNumberWidth: 9,
+      dateWindow: [...data.span], yRangePad: 4, axisLabelWidth: 64, highlightCircleSize: 3, digitsAfterDecimal: 4, maxNumberWidth: 9,
       axisLabelFontSize: 12, xLabelHeight: 18, yLabelWidth: 18, gridLineColor: "#e3e6ea", labelsKMB: false,
-      underlayCallback: (canvas, area, plot) => paintPhases(canvas, area, plot, data.times, data.seriesPhases),
+      underlayCallback: (canvas, area, plot) => paintPhases(canvas, area, plot, data.shares),
       zoomCallback: () => zoomAll(plots[p]), drawCallback: (plot, initial) => { if (!initial) zoomAll(plot); }
     }));
   });
   return plots;
 }
 
-function phaseLegend(before, shown = ["free", "stick", "slip"]) {
+function phaseLegend(before, shown = ["free", "stick", "slip"], stroke = "") {
   const legend = element("div", { class: "legend" }, before);
-  ["free", "stick", "slip"].forEach((name, i) => {
-    if (shown.includes(name)) legend.append(element("span", {}, element("i", { style: "background:" + report.colours.phases[i] }), name));
-  });
+  for (const name of shown)
+    legend.append(element("span", {}, element("i", { style: "background:" + report.colours.phases[["free", "stick", "slip"].indexOf(name)] }), name));
+  if (stroke) legend.append(element("span", {}, element("i", { class: "stroke", style: "background:" + report.colours.phases[2] }), stroke));
   return legend;
 }
