@@ -106,14 +106,14 @@ std::vector<SceneKey> recording_column_keys() {
 }
 
 std::vector<SceneKey> motion_keys() {
-  std::vector<SceneKey> keys = {
-      rate_key("rate_hz"),
-      text_key("file", "\"motions/rub.csv\"",
-               "t_s,x_m,y_m,z_m and optionally dx,dy,dz or qw,qx,qy,qz; or a trace", read_motion_file),
-  };
-  for (const auto& more : {recording_keys(), scripted_keys(), laid_keys(), placement_keys()})
-    keys.insert(keys.end(), more.begin(), more.end());
-  return keys;
+  return joined_keys(
+      {{rate_key("rate_hz"),
+        text_key("file", "\"motions/rub.csv\"",
+                 "t_s,x_m,y_m,z_m and optionally dx,dy,dz or qw,qx,qy,qz; or a trace", read_motion_file)},
+       recording_keys(),
+       scripted_keys(),
+       laid_keys(),
+       placement_keys()});
 }
 
 }  // namespace fingerpad

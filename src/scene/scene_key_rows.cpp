@@ -76,16 +76,17 @@ std::vector<SceneKey> file_keys() {
 
 std::vector<SceneKey> part_keys() {
   using P = PartEntry;
-  return std::vector<SceneKey>{
-             text_key("mesh", "\"parts/bracket.stl\"", "required; relative to this file, as are all paths",
-                      read_mesh),
-             unit_key("unit"),
-             vector_key<part, &P::position_m>("position_m", ""),
-             table_key("rotation", "", read_rotation),
-             number_key<part, &P::crease_deg>("crease_deg", 0, 180, "edges sharper than this stay sharp"),
-             flag_key<part, &P::repair>("repair", "mend what can be mended of a damaged mesh, and say so"),
-         } +
-         surface_keys<part_surface>();
+  return joined_keys(
+      {{
+           text_key("mesh", "\"parts/bracket.stl\"", "required; relative to this file, as are all paths",
+                    read_mesh),
+           unit_key("unit"),
+           vector_key<part, &P::position_m>("position_m", ""),
+           table_key("rotation", "", read_rotation),
+           number_key<part, &P::crease_deg>("crease_deg", 0, 180, "edges sharper than this stay sharp"),
+           flag_key<part, &P::repair>("repair", "mend what can be mended of a damaged mesh, and say so"),
+       },
+       surface_keys<part_surface>()});
 }
 
 /// Read as one value, read_rotation.
@@ -98,11 +99,11 @@ std::vector<SceneKey> rotation_keys() {
 
 std::vector<SceneKey> plane_keys() {
   using P = PlaneEntry;
-  return std::vector<SceneKey>{
-             required(vector_key<plane, &P::point_m>("point_m", "required, as is normal")),
-             required(direction_key<plane, &P::normal>("normal", "outwards")),
-         } +
-         surface_keys<plane_surface>();
+  return joined_keys({{
+                          required(vector_key<plane, &P::point_m>("point_m", "required, as is normal")),
+                          required(direction_key<plane, &P::normal>("normal", "outwards")),
+                      },
+                      surface_keys<plane_surface>()});
 }
 
 std::vector<SceneKey> contact_keys() {
