@@ -91,8 +91,9 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   return step;
 }
 
+/// Of a step that was broken off some walls may be missing: it stays where those of before hold it.
 void ProxyViews::note_blockers(const ProxyStep& step) noexcept {
-  if (step.wall_count == 0) return;
+  if (step.wall_count == 0 || step.broken_off) return;
   blockers_ = {};
   std::transform(step.held_by().begin(), step.held_by().end(), blockers_.begin(), [](const ProxyWall& wall) {
     return Blocker{wall.surface, wall.triangle};

@@ -57,7 +57,11 @@ void ProxyViews::let_go() noexcept {
 }
 
 ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
-  if (is_amid_step()) return go_on_with_step();
+  if (is_amid_step()) {
+    const ProxyStep step = go_on_with_step();
+    note_blockers(step);
+    return step;
+  }
   if (goes_past_views_ || is_outrun(std::min(terms.aside_m, terms.most_m)))
     return step_past_views(place_O, goal_O, terms);
   const long before = looks_.spent();
