@@ -68,7 +68,7 @@ void JobBar::show(const std::string& what) {
 /// Of a batch that is told to stop: what it has begun it ends.
 std::string JobBar::stop_words() const {
   if (under_way_.empty()) return "stopped";
-  return fmt::format("stopping: {} under way {} first", under_way_.size(),
+  return fmt::format("stopping: {} under way {} first (Ctrl-C again ends at once)", under_way_.size(),
                      under_way_.size() == 1 ? "ends" : "end");
 }
 

@@ -1,6 +1,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <span>
+#include <utility>
 
 #include "contact/proxy_limits.hpp"
 #include "contact/proxy_views.hpp"
@@ -15,8 +17,9 @@ using Limits = ProxyMemoryLimits;
 namespace {
 
 /// The triangle over whose face a place lies, going from one to its neighbour across the edge that the place
-/// is farthest beyond. Where that leads nowhere, the last one come to.
+/// is farthest beyond. Where that leads to a border, or back over a convex edge, the last one come to.
 int triangle_under(const Part& part, int triangle, const Vec3& q_P, Looks& looks) noexcept {
+  int before = -1;
   for (int k = 0; k < Limits::most_walked; ++k) {
     looks.spend(LookCosts::told);
     const TriangleCorners f = corners_of(part, triangle);
@@ -30,8 +33,8 @@ int triangle_under(const Part& part, int triangle, const Vec3& q_P, Looks& looks
       farthest_m = beyond_m;
       next = part.neighbours(edge, triangle);
     }
-    if (next < 0) break;
-    triangle = next;
+    if (next < 0 || next == before) break;
+    before = std::exchange(triangle, next);
   }
   return triangle;
 }
@@ -61,13 +64,14 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   double bent_m = terms.bent_m;
   std::array<ProxyWall, 3> first;
   std::size_t count = 0;
-  for (const Blocker& blocker : blockers_) {
+  // Of two, so that one ahead has room: a corner of three walls is for views.
+  for (const Blocker& blocker : std::span(blockers_).first<2>()) {
     const std::optional<ProxyWall> here = wall_touched(blocker, place_O);
+    if (!here) continue;
     const auto is_here = [&](const ProxyWall& wall) {
       return wall.surface == here->surface && wall.triangle == here->triangle;
     };
-    if (here && count + 1 < first.size() && std::none_of(first.data(), first.data() + count, is_here))
-      first[count++] = *here;
+    if (std::none_of(first.data(), first.data() + count, is_here)) first[count++] = *here;
   }
   if (const auto ahead = wall_ahead(place_O, goal_O, way_m)) {
     const Vec3 goal = goal_O - place_O, end = goal + std::max(0.0, ahead->lack_m(goal)) * ahead->normal;

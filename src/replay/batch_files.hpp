@@ -7,10 +7,10 @@
 
 namespace fingerpad {
 
-/// The trace's file name: `<scene>.h5`, or `<scene>-0001.h5` for a job of a set.
 /// "lab-0003" of a set's job, "rub" of a scene alone: what its trace is called, without an ending.
 std::string job_name(const SceneJob& job);
 
+/// The trace's file name: `<scene>.h5`, or `<scene>-0001.h5` for a job of a set.
 std::string trace_name(const SceneJob& job, TraceFormat format);
 
 /// The file names of the tables of a batch, or of a shard's own: `summary-2of8.csv`. The index of jobs is for

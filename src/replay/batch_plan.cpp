@@ -114,10 +114,11 @@ class TickCounts {
       return tick_count(duration_s(*scene.motion.laid, pressed_depth_m(scene)), scene.motion.rate_hz);
     const TomlNode root = parse_toml(scene.text, scene.path);
     const TomlEntry* motion = find_entry(root, "motion");
-    const std::string key = scene.motion.file_path + (motion != nullptr ? write_toml(motion->value) : "");
+    std::string key = scene.motion.file_path + (motion != nullptr ? write_toml(motion->value) : "");
+    if (scene.motion.laid) key = scene.path + "\n" + scene.text;  // laid on parts, which that does not name
     if (const auto known = counts_.find(key); known != counts_.end()) return known->second;
     if (const auto known = refusals_.find(key); known != refusals_.end()) throw known->second;
-    const LoadedMotion loaded = loaded_or_kept(scene, key);
+    const LoadedMotion loaded = load_keeping_refusal(scene, key);
     for (const std::string& warning : loaded.warnings) {
       if (std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
     }
@@ -128,7 +129,7 @@ class TickCounts {
 
  private:
   /// A motion that is refused is read once, too.
-  LoadedMotion loaded_or_kept(const Scene& scene, const std::string& key) {
+  LoadedMotion load_keeping_refusal(const Scene& scene, const std::string& key) {
     try {
       return load_motion(scene);
     } catch (const Error& error) {

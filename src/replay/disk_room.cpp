@@ -21,9 +21,10 @@ double least_row_bytes(TraceFormat format, const TraceInfo& info) {
   return info.deflated ? bytes / most_deflated : bytes;
 }
 
-/// In whole mebibytes, for people.
-std::string mib_text(double bytes) {
-  return bytes_text(static_cast<std::uint64_t>(bytes) >> 20 << 20);
+/// In whole mebibytes, for people; in kibibytes where there is none.
+std::string whole_bytes_text(double bytes) {
+  const int bits = bytes < 1 << 20 ? 10 : 20;
+  return bytes_text(static_cast<std::uint64_t>(bytes) >> bits << bits);
 }
 
 }  // namespace
@@ -38,7 +39,7 @@ void refuse_full_disk(const std::string& path, TraceFormat format, const TraceIn
       ErrorKind::fault, path,
       fmt::format("its {} rows take at least {}, and the disk has room for {}: write fewer with --every "
                   "N or --columns LIST, or none with --format none",
-                  rows, mib_text(bytes), mib_text(static_cast<double>(room.available))));
+                  rows, whole_bytes_text(bytes), whole_bytes_text(static_cast<double>(room.available))));
 }
 
 }  // namespace fingerpad

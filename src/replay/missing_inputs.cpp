@@ -1,8 +1,9 @@
 #include "replay/missing_inputs.hpp"
 
 #include <fmt/format.h>
+#include <sys/stat.h>
 
-#include <filesystem>
+#include <cerrno>
 
 #include "base/error.hpp"
 #include "base/input_file.hpp"
@@ -12,12 +13,12 @@ namespace fingerpad {
 namespace {
 
 void refuse_missing(const Scene& scene, const std::string& path, const char* named_by) {
-  std::error_code failure;
-  if (path.empty() || stream_descriptor(path)) return;
-  if (std::filesystem::status(path, failure).type() != std::filesystem::file_type::not_found) return;
-  throw refused(scene.path,
-                fmt::format("{} names {}, which cannot be read: {}", named_by, path,
-                            path_words(path, static_cast<int>(std::errc::no_such_file_or_directory))));
+  struct stat status;
+  if (path.empty() || stream_descriptor(path) || stat(path.c_str(), &status) == 0) return;
+  const int problem = errno;
+  if (problem != ENOENT && problem != ENOTDIR) return;
+  throw refused(scene.path, fmt::format("{} names {}, which cannot be read: {}", named_by, path,
+                                        path_words(path, problem)));
 }
 
 }  // namespace

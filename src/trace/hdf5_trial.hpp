@@ -18,11 +18,7 @@ namespace fingerpad {
 /// How many children may try to read a file, one after another, where one waits for ever. GCC 12's address
 /// sanitizer does not see to its allocator's locks when a process forks, as the C library does: a child that
 /// is born while another thread has one waits for nobody.
-#ifdef __SANITIZE_ADDRESS__
-constexpr int hdf5_trials = 4;
-#else
-constexpr int hdf5_trials = 1;
-#endif
+int hdf5_trials() noexcept;
 
 /// Reads an HDF5 file in a child process, for HDF5 1.10 trusts what it reads: of files with a few bytes
 /// changed among its own records, one in thirty crashed it and one in ninety hung it; and anyone can put a
@@ -40,7 +36,7 @@ std::invoke_result_t<const HearAll&, Hearer&> read_in_trial(const std::string& p
     Teller tell(say);
     tell_all(tell);
   };
-  for (int trials_left = hdf5_trials;;) {
+  for (int trials_left = hdf5_trials();;) {
     std::optional<hdf5::Turn> turn(std::in_place);  // no other thread is amid HDF5 when the child is born
     Trial trial(work, limits);
     turn.reset();

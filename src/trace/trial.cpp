@@ -114,6 +114,23 @@ ssize_t read_some(int file, std::span<char> out) {
 
 }  // namespace
 
+std::uint64_t wait_seconds(const TrialLimits& limits) noexcept {
+#ifdef __SANITIZE_ADDRESS__
+  constexpr std::uint64_t patience = 20;  // there a child may wait for nobody
+#else
+  constexpr std::uint64_t patience = 60;
+#endif
+  return patience + 10 * limits.seconds;
+}
+
+int hdf5_trials() noexcept {
+#ifdef __SANITIZE_ADDRESS__
+  return 4;
+#else
+  return 1;
+#endif
+}
+
 Trial::Trial(const std::function<void(const Say&)>& work, const TrialLimits& limits) {
   const Pipe words = make_pipe(), ending = make_pipe();
   child_ = ending.in >= 0 && words.in >= 0 ? fork() : -1;

@@ -30,14 +30,7 @@ struct TrialLimits {
 
 /// How long a child may take in all by the clock, far more than it may of the processor: beyond that it waits
 /// for what does not come.
-constexpr std::uint64_t wait_seconds(const TrialLimits& limits) {
-#ifdef __SANITIZE_ADDRESS__
-  constexpr std::uint64_t patience = 20;  // there a child may wait for nobody
-#else
-  constexpr std::uint64_t patience = 60;
-#endif
-  return patience + 10 * limits.seconds;
-}
+std::uint64_t wait_seconds(const TrialLimits& limits) noexcept;
 
 /// Work in a child process, where a crash ends the child alone: for libraries that trust what they read. The
 /// child changes nothing here; what it finds it says as bytes. In a process of several threads the work may

@@ -256,18 +256,18 @@ TEST(Compare, CountsJobsOfOneFolderAlone) {
 
 TEST(Compare, TellsAFailedJobOnce) {
   const fs::path folder = folder_with_set();
-  std::string text = bytes_of(folder / "s.toml");
-  const auto with_laws = [&](const std::string& laws) {
-    std::ofstream(folder / "s.toml") << text.substr(0, text.find("seed = {")) << "friction.law = " << laws
-                                     << "\n";
+  const std::string text = bytes_of(folder / "s.toml");
+  const auto with_speeds = [&](const std::string& speeds) {
+    std::ofstream(folder / "s.toml") << text.substr(0, text.find("seed = {"))
+                                     << "motion.speed_m_per_s = " << speeds << "\n";
   };
-  with_laws("[\"dahl\", \"coulomb\"]");
+  with_speeds("[0.1, 0.2]");
   replay_into(folder, "a");
-  with_laws("[\"dahl\", \"column\"]");
+  with_speeds("[0.1, -1]");
   ASSERT_EQ(test::fingerpad("replay s.toml --quiet --out b", folder).exit_code, 4);
   const auto found = test::fingerpad("compare a b", folder);
-  EXPECT_THAT(found.out, HasSubstr("s job 2 (friction.law coulomb): was 'ok', is 's.toml"));
-  EXPECT_THAT(found.out, HasSubstr("unknown law 'column'"));
+  EXPECT_THAT(found.out, HasSubstr("s job 2 (motion.speed_m_per_s 0.2): was 'ok', is 's.toml"));
+  EXPECT_THAT(found.out, HasSubstr("'speed_m_per_s' in [motion] is -1"));
   EXPECT_THAT(found.out, Not(HasSubstr("alone")));
   EXPECT_THAT(found.out, HasSubstr("1 of 2 traces changed from a to b\n"));
 }

@@ -58,7 +58,7 @@ TEST(Ranks, LeaveTheBytesOfOneProcessAndOfShards) {
     const std::string out = "ranks" + std::to_string(count);
     const ShellResult ranks = test::shell(as_ranks(count) + batch + out, folder);
     EXPECT_EQ(ranks.exit_code, 4) << ranks.err;
-    EXPECT_THAT(ranks.err, HasSubstr("fingerpad: error: 2 jobs (3, 4): broken.off"));
+    EXPECT_THAT(ranks.err, HasSubstr("fingerpad: error: 2 jobs (parts-0003, parts-0004): broken.off"));
     EXPECT_EQ(all_bytes(folder / out), one) << count;
   }
   for (const char* shard : {"3", "1", "2"})

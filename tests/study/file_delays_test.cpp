@@ -83,6 +83,7 @@ TEST(FileDelays, OfASensorThatPassesRupturesSlowlyIsHardlyBeforeThePosition) {
   const DelayEstimate& delay = measurement.delays.front().estimate;
   ASSERT_EQ(delay.refusal, "");
   EXPECT_GT(delay.delay_s, -0.3e-3);
+  EXPECT_LT(delay.delay_s, 1.5e-3);
 }
 
 TEST(FileDelays, OfOneTrialIsToldByTheStretchesOfItsStick) {

@@ -209,8 +209,10 @@ std::vector<KnownRow> measured_rows(const KnownFinger& finger, const KnownSensor
       const Vec2 friction_n = pad.next(motion, at_s);
       const Vec3 sensed(friction_n.x(), friction_n.y(),
                         at_s < 0 || at_s > trial.duration_s ? 0 : motion.load_n(at_s));
-      const double share = sensors.low_pass_hz > 0 ? 1 - std::exp(-2 * pi * sensors.low_pass_hz * tick_s) : 1;
-      passed += share * (sensed - passed);
+      if (sensors.low_pass_hz > 0)
+        passed += (1 - std::exp(-2 * pi * sensors.low_pass_hz * tick_s)) * (sensed - passed);
+      else
+        passed = sensed;
     }
     Vec3 force = passed + fault.at(t);
     const Vec2 place = motion.place(t + sensors.delay_s);

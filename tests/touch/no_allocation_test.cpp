@@ -3,11 +3,13 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <thread>
 
 #include "contact/contact_method_table.hpp"
 #include "scene/scene.hpp"
 #include "support/allocations.hpp"
+#include "support/effort.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/servo_loop.hpp"
@@ -15,6 +17,17 @@
 
 namespace fingerpad::no_allocation_test {
 namespace {
+
+TEST(Allocations, AreCounted) {
+  if (test::sanitized()) GTEST_SKIP() << "allocations are counted without the sanitizer";
+  const long of_process = test::allocations_of_process(), of_thread = test::allocations_of_thread();
+  const std::vector<double> numbers(100, 1.0);
+  void* volatile bytes = std::malloc(100);
+  const Eigen::VectorXd sum = Eigen::VectorXd::Constant(50, numbers[0]);
+  EXPECT_GE(test::allocations_of_thread() - of_thread, 3) << sum.sum();
+  EXPECT_GE(test::allocations_of_process() - of_process, 3);
+  std::free(bytes);
+}
 
 TEST(Tick, AllocatesNothingWhereItSticksSlipsAndCrossesEdges) {
   const auto world = test::world_of(test::torus_soup(0.05, 0.02, 48, 24));

@@ -48,12 +48,12 @@ function axisEnds(low, high, most) {
 }
 
 /** Where values stand between their least and greatest, 0 to 1: by size, or by powers where none is below 0 and they are far apart.
- *  Those that differ by less than a hundredth stand together in the middle. */
+ *  Those that differ by less than a hundredth stand together in the middle; among powers 0 stands apart, below the least. */
 function colourScale(values) {
   const least = Math.min(...values), most = Math.max(...values);
   if (!(most - least > 0.01 * Math.max(Math.abs(least), Math.abs(most)))) return { name: "alike to a hundredth, and so of one colour", share: () => 0.5 };
   const leastPower = Math.min(...values.filter(value => value > 0));
-  if (least >= 0 && most / leastPower > 50) return { name: "coloured by powers of ten", share: value => value > 0 ? Math.log(value / leastPower) / Math.log(most / leastPower) : 0 };
+  if (least >= 0 && most / leastPower > 50) return { name: "coloured by powers of ten", share: value => value > 0 ? 0.15 + 0.85 * Math.log(value / leastPower) / Math.log(most / leastPower) : 0 };
   return { name: "coloured by size", share: value => (value - least) / (most - least) };
 }
 

@@ -134,7 +134,8 @@ function showStrips(holder, data) {
   holder.append(element("h2", {}, "Over time"), phaseLegend("behind the curves, as high as its share of the ticks: ", ["slip", "stick"], "stick gave way (at the upper edge)"));
   holder.append(element("p", { class: "unit" },
     "Drag over a chart to zoom all of them, double-click for the whole run. Samples are the least and greatest of their ticks; " +
-    "where a curve goes up and down faster than they follow, a band spans all that it takes."));
+    "where a curve goes up and down faster than they follow, a band spans all that it takes. " +
+    `Shares are of ${si(data.shares.step, "s")} each: what repeats within a few of these may look slower than it is. White: free.`));
   const plots = [];
   let busy = false;
   const zoomAll = from => {
