@@ -53,7 +53,8 @@ function colourScale(values) {
   const least = Math.min(...values), most = Math.max(...values);
   if (!(most - least > 0.01 * Math.max(Math.abs(least), Math.abs(most)))) return { name: "alike to a hundredth, and so of one colour", share: () => 0.5 };
   const leastPower = Math.min(...values.filter(value => value > 0));
-  if (least >= 0 && most / leastPower > 50) return { name: "coloured by powers of ten", share: value => value > 0 ? 0.15 + 0.85 * Math.log(value / leastPower) / Math.log(most / leastPower) : 0 };
+  const from = least > 0 ? 0 : 0.15;
+  if (least >= 0 && most / leastPower > 50) return { name: "coloured by powers of ten", share: value => value > 0 ? from + (1 - from) * Math.log(value / leastPower) / Math.log(most / leastPower) : 0 };
   return { name: "coloured by size", share: value => (value - least) / (most - least) };
 }
 
