@@ -68,10 +68,11 @@ bool write_all(int file, std::string_view bytes) {
                                int words, int ending) {
   ending_of_child = ending;
   settle_signals();
+  // Of what takes no time of the processor; before anything that asks for memory, which may wait for ever.
+  alarm(static_cast<unsigned>(wait_seconds(limits)));
   limit(RLIMIT_CORE, 0);
   limit(RLIMIT_CPU, limits.seconds);
   if (const rlim_t held = held_bytes()) limit(RLIMIT_DATA, held + limits.memory_bytes);
-  alarm(static_cast<unsigned>(wait_seconds(limits)));  // of what takes no time of the processor
   // The C library says "free(): invalid pointer" before it aborts: that is for nobody's eyes.
   if (const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC); nowhere >= 0) dup2(nowhere, STDERR_FILENO);
   std::string end(1, returned_letter);
