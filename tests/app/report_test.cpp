@@ -362,7 +362,8 @@ until getComputedStyle(document.getElementById("licences")).display === "block"
   EXPECT_EQ(answers[14], 3) << "medians, a law each";
   EXPECT_EQ(answers[15], json({true, false})) << "teeth are dense, a rise is not";
   EXPECT_EQ(answers[16], 1) << "a band";
-  EXPECT_EQ(answers[17], json({1, 0, 1000, 433})) << "what differs by a thousandth looks alike, and 0 is none";
+  EXPECT_EQ(answers[17], json({1, 0, 1000, 433}))
+      << "what differs by a thousandth looks alike, and 0 is none";
   EXPECT_EQ(answers[18], json::parse("[[true, 0, 1], [true, 0, 0], [true, 1, 0], [true, 1, 0]]"))
       << "no break before a file's ending, nor within an option";
   EXPECT_EQ(answers[19], json({0, 0.8, -10, 40})) << "ends at ticks";
