@@ -7,6 +7,7 @@
 #include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
 #include "study/impossible_numbers.hpp"
+#include "study/slope_window.hpp"
 #include "study/zero_doubt.hpp"
 
 namespace fingerpad {
@@ -31,13 +32,12 @@ std::vector<TrialEvidence> evidence_of(const PressedTrials& presses, double expo
 
 /// The same where force lags height by as much more as it may, so many times.
 std::vector<TrialEvidence> delayed_evidence_of(const PressedTrials& presses, double exponent, double times) {
-  constexpr double half_window_s = 6e-3;
   std::vector<TrialEvidence> evidence;
   evidence.reserve(presses.size());
   for (const MeasuredTrial* trial : presses) {
     MeasuredTrial delayed = *trial;
-    const long half = std::max(3L, std::lround(half_window_s * trial->rate_hz));
-    delay_heights(delayed, static_cast<std::size_t>(half), times * trial->delay_unsure_s);
+    delay_heights(delayed, static_cast<std::size_t>(slope_half_window(trial->rate_hz)),
+                  times * trial->delay_unsure_s);
     evidence.push_back(press_evidence(delayed, exponent));
   }
   return evidence;

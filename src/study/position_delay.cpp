@@ -5,6 +5,7 @@
 
 #include "study/phase_stretch.hpp"
 #include "study/rupture_search.hpp"
+#include "study/slope_window.hpp"
 
 namespace fingerpad {
 namespace {
@@ -108,7 +109,7 @@ DelaySums no_sums(const MeasuredTrial& trial) {
 /// Where the force ratio ends falling after a rupture: as long again, and a sample, as it falls by more than
 /// its noise. A sensor that passes a drop in some samples falls on while the finger moves on, as if the force
 /// came before the position. Of one that passes it within a sample it is the rupture itself.
-std::size_t end_of_drop(const MeasuredTrial& trial, const StickSegments& segments, std::size_t rupture) {
+std::size_t settled_after(const MeasuredTrial& trial, const StickSegments& segments, std::size_t rupture) {
   constexpr double deviations = 3;
   const std::size_t last = rupture + static_cast<std::size_t>(segments.half_window);
   std::size_t end = rupture;
@@ -121,24 +122,23 @@ std::size_t end_of_drop(const MeasuredTrial& trial, const StickSegments& segment
 
 /// Whether most of a trial's ruptures fall on so: then it is the sensor, and else a rupture that was not
 /// seen.
-bool falls_on(const MeasuredTrial& trial, const StickSegments& segments) {
+bool sensor_smears_ruptures(const MeasuredTrial& trial, const StickSegments& segments) {
   long ruptures = 0, lasting = 0;
   for (std::size_t i = 0; i < segments.is_rupture.size(); ++i) {
     if (!segments.is_rupture[i]) continue;
     ++ruptures;
-    lasting += end_of_drop(trial, segments, i) > i ? 1 : 0;
+    lasting += settled_after(trial, segments, i) > i ? 1 : 0;
   }
   return 2 * lasting > ruptures;
 }
 
 /// What is surely stick.
 std::vector<PhaseStretch> inner_stretches(const MeasuredTrial& trial, const StickSegments& segments) {
-  const bool drops_last = falls_on(trial, segments);
+  const bool smears = sensor_smears_ruptures(trial, segments);
   std::vector<PhaseStretch> found;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::stick)) {
     PhaseStretch stretch = inner_stretch(whole, segments);
-    if (drops_last && segments.is_rupture[whole.from])
-      stretch.from = end_of_drop(trial, segments, whole.from);
+    if (smears && segments.is_rupture[whole.from]) stretch.from = settled_after(trial, segments, whole.from);
     if (stretch.from < stretch.to) found.push_back(stretch);
   }
   return found;
@@ -183,7 +183,7 @@ DelaySums& DelaySums::operator+=(const DelaySums& other) {
 void shift_positions(RecordedTrial& trial, double delay_s) {
   const Eigen::Index n = trial.samples(), whole = std::lround(delay_s * trial.rate_hz);
   const double rest = delay_s * trial.rate_hz - static_cast<double>(whole);
-  const Eigen::Index half = std::max<Eigen::Index>(3, std::lround(6e-3 * trial.rate_hz));
+  const Eigen::Index half = slope_half_window(trial.rate_hz);
   double squares = 0;
   for (Eigen::Index k = -half; k <= half; ++k) squares += static_cast<double>(k * k);
   const Points before = trial.position_W;

@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "study/slope_window.hpp"
 #include "study/unseen_slip.hpp"
 
 namespace fingerpad {
@@ -65,10 +66,10 @@ std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& 
 /// A tooth that is seen for certain: six samples, and as long as half a window of stick_segments. The end of
 /// slip may be seen a tooth late where teeth are shorter.
 double long_tooth_samples(const ProfileFit& fit) {
-  constexpr double fewest = 6, half_window_s = 6e-3;
+  constexpr double fewest = 6;
   double rate_hz = 0;
   for (const TrialEvidence& trial : fit.evidence) rate_hz = std::max(rate_hz, trial.rate_hz);
-  return std::max(fewest, half_window_s * rate_hz);
+  return std::max(fewest, slope_half_window_s * rate_hz);
 }
 
 /// What lines that are left in may add to the force ratio at ruptures, which come early where they pull: the

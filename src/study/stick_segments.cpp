@@ -6,6 +6,7 @@
 
 #include "study/rupture_search.hpp"
 #include "study/sample_noise.hpp"
+#include "study/slope_window.hpp"
 
 namespace fingerpad {
 namespace {
@@ -222,9 +223,8 @@ void take_soft_stick(const MeasuredTrial& trial, const std::vector<LocalStiffnes
 }  // namespace
 
 StickSegments stick_segments(const MeasuredTrial& trial) {
-  constexpr double half_window_s = 6e-3;
   StickSegments found;
-  found.half_window = std::max(3, static_cast<int>(std::lround(half_window_s * trial.rate_hz)));
+  found.half_window = slope_half_window(trial.rate_hz);
   found.position_noise_m = noise_of_both(trial.position_m);
   const std::size_t samples = trial.position_m.size();
   found.velocity_m_per_s.reserve(samples);
