@@ -17,8 +17,28 @@ struct SlipStop {
   double slip_ratio = 0, slip_scatter = 0;  ///< mean before it, and the standard deviation
 };
 
+/// How far friction strays in all of a trial's slip about each stretch's mean: a standard deviation. A
+/// vibration comes and goes, so that the last of one stretch may show little of it.
+double trial_scatter_of_slip(const StickSegments& segments, const std::vector<Vec2>& ratio) {
+  double squares = 0, samples = 0;
+  for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {
+    const PhaseStretch inner = inner_stretch(whole, segments);
+    double sum = 0, sum_2 = 0;
+    for (std::size_t i = inner.from; i < inner.to; ++i) {
+      const double along = -ratio[i].dot(segments.velocity_m_per_s[i].normalized());
+      sum += along;
+      sum_2 += along * along;
+    }
+    const auto count = static_cast<double>(inner.to - inner.from);
+    if (count > 0) squares += sum_2 - sum * sum / count;
+    samples += count;
+  }
+  return samples > 0 ? std::sqrt(std::max(0.0, squares / samples)) : 0;
+}
+
+/// @param usual_scatter  that slip has at least
 SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
-                    const PhaseStretch& slip, const Vec2& forward) {
+                    const PhaseStretch& slip, const Vec2& forward, double usual_scatter) {
   const auto half = static_cast<std::size_t>(segments.half_window);
   SlipStop stop;
   const std::size_t last = slip.to - half,
@@ -27,7 +47,7 @@ SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, c
     stop.slip_ratio -= ratio[i].dot(forward) / static_cast<double>(last - first);
   double square = 0;
   for (std::size_t i = first; i < last; ++i) square += std::pow(ratio[i].dot(forward) + stop.slip_ratio, 2);
-  stop.slip_scatter = std::sqrt(square / static_cast<double>(last - first));
+  stop.slip_scatter = std::max(usual_scatter, std::sqrt(square / static_cast<double>(last - first)));
   stop.first = last;
   for (std::size_t i = last; i < trial.position_m.size() && i < slip.to + 6 * half; ++i) {
     if (i > slip.from && segments.begins_run[i]) break;
@@ -110,13 +130,14 @@ std::optional<StopSpeed> speed_at_m(const MeasuredTrial& trial, const StickSegme
 void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
                    const std::array<SpringBend, 2>& bend, TrialEvidence& evidence) {
   const auto half = static_cast<std::size_t>(segments.half_window);
+  const double usual_scatter = trial_scatter_of_slip(segments, ratio);
   for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {
     if (slip.to < slip.from + 4 * half) continue;
     // Its mean over some windows: one alone has noise of direction.
     Vec2 forward(0, 0);
     for (std::size_t i = slip.to - 3 * half; i < slip.to; ++i) forward += segments.velocity_m_per_s[i];
     forward.normalize();
-    const SlipStop stop = stop_after(trial, segments, ratio, slip, forward);
+    const SlipStop stop = stop_after(trial, segments, ratio, slip, forward, usual_scatter);
     const auto spring_m = [&](double pull) { return spring_way_m(evidence, bend, forward, pull); };
     if (!(spring_m(stop.slip_ratio) > 0)) continue;
     const auto end_m = end_of_slip_m(stop, spring_m, segments.ratio_noise);

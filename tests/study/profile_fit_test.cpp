@@ -73,39 +73,6 @@ TEST(ProfileFit, FindsANormalLawThatIsNotTheUsualOne) {
   }
 }
 
-/// Rubs that slow down evenly, across and along the finger.
-std::vector<test::KnownTrial> slowing_rubs(double slowing_m_per_s2) {
-  std::vector<test::KnownTrial> trials;
-  for (int k = 0; k < 8; ++k) {
-    trials.push_back({2, 45, 90.0 * (k % 2)});
-    trials.back().slowing_m_per_s2 = slowing_m_per_s2;
-    trials.back().cruise_m_per_s = 0.2;
-  }
-  return trials;
-}
-
-/// Teeth of a stiff pad take 3 ms, half of what a window needs to see them: the first after slip may be
-/// missed.
-TEST(ProfileFit, VMinIsHeldWhereTeethAreShorterThanAWindow) {
-  int held = 0, sets = 0;
-  for (const double rate_hz : {1000.0, 2000.0}) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed, ++sets) {
-      test::KnownFinger finger;
-      finger.pad = assumed_profile(0.3, 350);
-      test::KnownSensors sensors;
-      sensors.rate_hz = rate_hz;
-      sensors.ticks_a_sample = 10;
-      CleaningSettings settings;
-      settings.delay_s = 0;
-      const ProfileFit fit =
-          fit_profile(clean(test::known_measurement(slowing_rubs(0.8), finger, sensors, seed), settings), {});
-      const auto& both = fit.interval[static_cast<std::size_t>(PadNumber::v_min)];
-      held += both && both->first <= 0.1 && 0.1 <= both->second ? 1 : 0;
-    }
-  }
-  EXPECT_GE(held, 0.9 * sets);
-}
-
 TEST(ProfileFit, ALoadThatHardlyChangesGivesNoNormalLaw) {
   // The finger wanders up and down by itself, by more than the sensor's noise, while it is pressed alike.
   RecordedMeasurement recorded = test::known_measurement({{1, 45, 0}, {1, 45, 90}}, {}, {}, 1);
