@@ -14,6 +14,7 @@
 #include "study/measurement.hpp"
 #include "study/pad_axes.hpp"
 #include "study/position_delay.hpp"
+#include "study/sample_noise.hpp"
 #include "study/six_axis_sensor.hpp"
 
 namespace fingerpad {
@@ -119,6 +120,19 @@ std::string contact_text(const std::vector<TrialCleaning>& trials) {
                         untared));
 }
 
+/// What contact points are beside a finger that was tracked; empty where none was.
+std::string tracked_text(const std::vector<TrialCleaning>& trials) {
+  std::vector<double> off_m;
+  for (const TrialCleaning& trial : trials)
+    if (trial.contact_off_m) off_m.push_back(*trial.contact_off_m);
+  if (off_m.empty()) return {};
+  return fmt::format(
+      "contact points: passed over in {} trial{} whose finger is tracked along the plate: the skin holds on "
+      "there in stick, while the finger moves on; they lie {} mm from the tracked finger (RMS, median of the "
+      "trials), where centimetres would tell of another --sensor-at, --sensor-turned or --plate-height",
+      off_m.size(), off_m.size() == 1 ? "" : "s", rounded_text(1e3 * median_of(off_m), 2));
+}
+
 /// What was taken off for the sensor's zero, and why from no more.
 std::string tare_text(const std::vector<TrialCleaning>& trials) {
   std::size_t tared = 0, press_on = 0, at_once = 0;
@@ -167,6 +181,8 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
   steps.push_back(settings.takes_tare ? tare_text(measurement.cleanings) : "tare: left as it is (off)");
   if (const std::string contact = contact_text(measurement.cleanings); !contact.empty())
     steps.push_back(contact);
+  if (const std::string tracked = tracked_text(measurement.cleanings); !tracked.empty())
+    steps.push_back(tracked);
   if (!measurement.delays.empty() || pressed == 0 || settings.delay_s)
     steps.push_back(delay_text(measurement.delays, settings));
   steps.push_back(settings.smoothing_hz > 0
@@ -185,7 +201,8 @@ std::vector<TrialCleaning> begin_cleaning(std::vector<RecordedTrial>& trials,
     TrialCleaning cleaning;
     cleaning.name = trial_name(trial);
     cleaning.samples = static_cast<long>(trial.samples());
-    cleaning.tells_contact = trial.sensor.has_value() && trial.lacks.empty();
+    cleaning.tells_contact =
+        trial.sensor.has_value() && trial.lacks.empty() && !is_tracked_along_plate(trial);
     limit_fills(trial, settings.longest_fill_s, cleaning);
     cleanings.push_back(cleaning);
   }
@@ -238,7 +255,11 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
   std::vector<std::string> hum = remove_hum(recorded.trials, settings.mains, measurement.cleanings);
   for (std::size_t i = 0; i < recorded.trials.size(); ++i) {
     if (settings.takes_tare) take_tare(recorded.trials[i], measurement.cleanings[i]);
-    if (recorded.trials[i].sensor) take_contact_points(recorded.trials[i]);
+    if (is_tracked_along_plate(recorded.trials[i])) {
+      measurement.cleanings[i].contact_off_m = take_tracked_places(recorded.trials[i]);
+    } else if (recorded.trials[i].sensor) {
+      take_contact_points(recorded.trials[i]);
+    }
   }
   measurement.delays = settle_delays(recorded.trials, settings);
   measurement.looks_for_tare = settings.takes_tare;

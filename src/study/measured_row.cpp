@@ -160,7 +160,8 @@ RecordedRow RowReader::row(std::span<const double> numbers, const RowPlace& plac
   if (!format_.sensor) return row;
   const double torque_n_m = (format_.force_on_plate ? -1 : 1) * format_.newton_metres_per_unit;
   const Vec3 torque_S = torque_n_m * vector(numbers, MeasuredColumn::torque);
-  take_wrench(*format_.sensor, has(MeasuredColumn::torque) && !format_.markers ? &torque_S : nullptr, row);
+  const bool tells_contact = format_.sensor->says_place && has(MeasuredColumn::torque) && !format_.markers;
+  take_wrench(*format_.sensor, tells_contact ? &torque_S : nullptr, row);
   return row;
 }
 

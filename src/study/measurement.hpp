@@ -48,6 +48,9 @@ struct TrialCleaning {
   double hum_hz = 0;           ///< of the mains hum taken off; 0: none was found
   double hum_n = 0;            ///< its greatest amplitude of an axis
   bool tells_contact = false;  ///< its positions are told from its torques
+  /// How far the contact points of its torques lie from the tracked finger, RMS; none where there are none,
+  /// or no finger was tracked along the plate.
+  std::optional<double> contact_off_m;
 };
 
 /// By how much force lags position. The interval is a bootstrap over the trials.

@@ -15,6 +15,7 @@
 #include "base/number_text.hpp"
 #include "motion/driving_share.hpp"
 #include "motion/pressed_force.hpp"
+#include "study/six_axis_sensor.hpp"
 
 namespace fingerpad {
 namespace {
@@ -28,7 +29,8 @@ double pressing_n(const RecordedTrial& trial) {
 }
 
 double extent_m(const RecordedTrial& trial) {
-  return (trial.position_W.rowwise().maxCoeff() - trial.position_W.rowwise().minCoeff()).maxCoeff();
+  const Points& places_W = finger_W(trial);
+  return (places_W.rowwise().maxCoeff() - places_W.rowwise().minCoeff()).maxCoeff();
 }
 
 /// The median over a file's trials that have it; not a number where none has.
@@ -47,9 +49,10 @@ double fastest_m_per_s(const RecordedTrial& trial) {
   constexpr double window_s = 12e-3, most_share = 0.95;
   const auto window = static_cast<Eigen::Index>(std::lround(window_s * trial.rate_hz));
   const auto step = std::max<Eigen::Index>(1, std::min<Eigen::Index>(window, trial.samples() - 1));
+  const Points& places_W = finger_W(trial);
   std::vector<double> speeds;
   for (Eigen::Index i = 0; i + step < trial.samples(); i += step)
-    speeds.push_back((trial.position_W.col(i + step) - trial.position_W.col(i)).norm() * trial.rate_hz /
+    speeds.push_back((places_W.col(i + step) - places_W.col(i)).norm() * trial.rate_hz /
                      static_cast<double>(step));
   if (speeds.empty()) return 0;
   std::sort(speeds.begin(), speeds.end());
@@ -180,7 +183,7 @@ SameMoments same_moments(const RecordedTrial& trial, double delay_s) {
   const Eigen::Index n = trial.samples(), most = n / 2,
                      lag = std::clamp<Eigen::Index>(std::lround(delay_s * trial.rate_hz), -most, most),
                      count = n - std::abs(lag);
-  return {trial.position_W.middleCols(std::max<Eigen::Index>(-lag, 0), count),
+  return {finger_W(trial).middleCols(std::max<Eigen::Index>(-lag, 0), count),
           trial.force_W.middleCols(std::max<Eigen::Index>(lag, 0), count)};
 }
 
@@ -264,8 +267,8 @@ std::string measurement_words(const RecordedMeasurement& recorded) {
     fastest_hz = std::max(fastest_hz, trial.rate_hz);
     speed = std::max(speed, fastest_m_per_s(trial));
     force_n = std::max(force_n, largest_force_n(trial));
-    reach_m =
-        reach_m.cwiseMax(Vec3(trial.position_W.rowwise().maxCoeff() - trial.position_W.rowwise().minCoeff()));
+    const Points& places_W = finger_W(trial);
+    reach_m = reach_m.cwiseMax(Vec3(places_W.rowwise().maxCoeff() - places_W.rowwise().minCoeff()));
   }
   const std::size_t trials = recorded.trials.size();
   return fmt::format(

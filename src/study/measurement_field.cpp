@@ -110,7 +110,7 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
     row.force_W = newtons_per_unit * motion.force_W_n.col(i);
     if (format.sensor) {
       const Vec3 torque_S_n_m = recording.torque_W_n_m.col(i);
-      take_wrench(*format.sensor, &torque_S_n_m, row);
+      take_wrench(*format.sensor, format.sensor->says_place ? &torque_S_n_m : nullptr, row);
     }
     trial.add(row);
   }

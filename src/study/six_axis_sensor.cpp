@@ -18,6 +18,37 @@ Vec3 contact_point(const ContactSensor& sensor, const Vec3& normal_W, const Vec3
   return sensor.origin_W + contact + normal_W * normal_W.dot(tracked_W - sensor.origin_W - contact);
 }
 
+bool is_tracked_along_plate(const RecordedTrial& trial) {
+  constexpr double least_m = 0.5e-3;  // noise of places that nobody moves is less
+  if (!trial.sensor || trial.tracked_W.cols() == 0) return false;
+  const Vec3 middle = trial.tracked_W.rowwise().mean();
+  const Points off = trial.tracked_W.colwise() - middle;
+  const Points along = off - trial.normal_W * (trial.normal_W.transpose() * off);
+  return along.colwise().norm().maxCoeff() > least_m;
+}
+
+const Points& finger_W(const RecordedTrial& trial) {
+  return is_tracked_along_plate(trial) ? trial.tracked_W : trial.position_W;
+}
+
+double take_tracked_places(RecordedTrial& trial) {
+  constexpr double surely = 0.5;  // of the mean normal force
+  const Eigen::RowVectorXd normal_n = trial.normal_W.transpose() * trial.force_W;
+  const double least_n = surely * normal_n.cwiseMax(0).mean();
+  take_contact_points(trial);
+  double squares = 0, count = 0;
+  for (Eigen::Index i = 0; i < trial.samples(); ++i) {
+    if (!(normal_n[i] > least_n)) continue;
+    squares += (trial.position_W.col(i) - trial.tracked_W.col(i)).squaredNorm();
+    ++count;
+  }
+  trial.position_W = trial.tracked_W;
+  trial.tracked_W.resize(3, 0);
+  trial.torque_W_n_m.resize(3, 0);
+  trial.sensor.reset();
+  return std::sqrt(squares / count);
+}
+
 void take_contact_points(RecordedTrial& trial) {
   for (Eigen::Index i = 0; i < trial.samples(); ++i)
     trial.position_W.col(i) = contact_point(*trial.sensor, trial.normal_W, trial.force_W.col(i),

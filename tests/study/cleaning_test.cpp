@@ -86,6 +86,21 @@ TEST(Cleaning, TellsContactPointsFromTheWrenchThatItsTareIsOff) {
   EXPECT_NEAR(fit.values[static_cast<std::size_t>(PadNumber::stick_stiffness)].value, 150 / 0.8, 4);
 }
 
+/// In stick the contact point stays where the skin holds on to the plate: it tells no spring.
+TEST(Cleaning, TakesATrackedFingersPlacesAndNotItsContactPoints) {
+  RecordedMeasurement recorded = sensed_by_torque(1, Vec3::Zero(), Vec3::Zero(), true);
+  const Measurement plain = clean(test::known_measurement(rubs, {}, sensors_in_the_air(), 1), {});
+  for (RecordedTrial& trial : recorded.trials) {
+    trial.tracked_W = trial.position_W;
+    for (Eigen::Index i = 0; i < trial.samples(); ++i)
+      trial.torque_W_n_m.col(i) = Vec3(0.01, 0, 0.02).cross(Vec3(trial.force_W.col(i)));
+  }
+  const Measurement tracked = clean(recorded, {});
+  EXPECT_THAT(tracked.steps, Contains(HasSubstr("contact points: passed over in 3 trials")));
+  ASSERT_EQ(tracked.trials.size(), plain.trials.size());
+  EXPECT_EQ(tracked.trials[0].position_m, plain.trials[0].position_m);
+}
+
 TEST(Cleaning, SaysWhereContactPointsRestOnNoTare) {
   const Measurement pressed = clean(sensed_by_torque(1, Vec3::Zero(), Vec3::Zero(), false), {});
   EXPECT_THAT(pressed.steps, Contains(HasSubstr("in 3 of them no tare was taken off")));

@@ -217,7 +217,7 @@ TEST(MainsHum, OnlyTrialsThatCanShowALineAreCounted) {
   EXPECT_FALSE(can_show_line(recorded.trials.back(), forces, 60));
 }
 
-/// Torques about a sensor 20 mm below the plate.
+/// Torques about a sensor 20 mm below the plate, which alone tell where the finger is.
 void add_torques(RecordedMeasurement& measurement, double hum_n_m) {
   for (RecordedTrial& trial : measurement.trials) {
     trial.sensor = ContactSensor{Vec3(0, 0, -0.02), 0};
@@ -229,6 +229,7 @@ void add_torques(RecordedMeasurement& measurement, double hum_n_m) {
       trial.torque_W_n_m(0, i) +=
           hum_n_m * std::sin(2 * std::numbers::pi * 60 * static_cast<double>(i) / trial.rate_hz);
     }
+    trial.tracked_W.topRows(2).setZero();  // nothing else sees it along the plate
   }
 }
 

@@ -157,10 +157,14 @@ TEST_F(Reading, ASixAxisSensorGivesTheForceAndTheContactPoint) {
                 return row;
               }));
   MeasurementFormat format;
-  format.sensor = SixAxisSensor{turn, origin, 0.005};
+  format.sensor = SixAxisSensor{turn, origin, 0.005, true};
   const RecordedTrial trial = read_measurements({path}, format).trials.at(0);
   EXPECT_LT((trial.force_W.col(3) - force).norm(), 1e-5);
   EXPECT_LT((trial.position_W.col(3) - Vec3(0.03, 0.04, 0.006)).norm(), 2e-6);
+  // Of a sensor whose place is not said, no torque tells one.
+  format.sensor->says_place = false;
+  EXPECT_LT((read_measurements({path}, format).trials.at(0).position_W.col(3) - Vec3(9, 9, 0.006)).norm(),
+            1e-12);
 }
 
 TEST_F(Reading, ARowOfUnitsIsReadWhereItIsClear) {
@@ -230,7 +234,7 @@ TEST_F(Reading, Sens3TorquesTellTheContactPointWhereTheSensorsPlaceIsSaid) {
   EXPECT_THAT(tracked.notes, testing::Contains(HasSubstr("torques up to ")));
   EXPECT_THAT(tracked.notes, testing::Contains(HasSubstr("its speeds are 1 times what its positions give")));
   EXPECT_THAT(tracked.warnings, testing::IsEmpty());
-  format.sensor = SixAxisSensor{Mat3::Identity(), origin, 0};
+  format.sensor = SixAxisSensor{Mat3::Identity(), origin, 0, true};
   const RecordedMeasurement told = read_measurements({path}, format, "sens3");
   EXPECT_LT((told.trials.at(0).position_W.col(100) - at).norm(), 1e-6);
   format.sensor.reset();
