@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 
+#include "study/law_residual.hpp"
 #include "study/phase_stretch.hpp"
 
 namespace fingerpad {
@@ -37,13 +38,20 @@ Vec2 compliance_m(const ProfileFit& fit, const Vec2& own_axes_m, double inclinat
   return compliance;
 }
 
+/// A trial's force ratios at the load at which the fit's numbers hold, as the fit takes them.
+std::vector<Vec2> fitted_ratio(const MeasuredTrial& trial, const ProfileFit& fit) {
+  const double exponent = fitted_number(fit, PadNumber::mu_load_exponent);
+  return ratio_at_load(trial, {.load_n = fit.mu_load_n, .exponent = std::isfinite(exponent) ? exponent : 0});
+}
+
+/// @param ratio  of the trial, as the fit takes it
 StickPath path_of(const Measurement& measurement, std::size_t k, const PhaseStretch& stretch,
-                  const Vec2& compliance) {
+                  const std::vector<Vec2>& ratio, const Vec2& compliance) {
   const MeasuredTrial& trial = measurement.trials[k];
   StickPath path{k, {}, {}};
   Vec2 centre_m(0, 0);
   for (std::size_t i = stretch.from; i < stretch.to; ++i)
-    centre_m += (trial.position_m[i] + compliance.cwiseProduct(trial.force_ratio[i])) /
+    centre_m += (trial.position_m[i] + compliance.cwiseProduct(ratio[i])) /
                 static_cast<double>(stretch.to - stretch.from);
   for (std::size_t i = stretch.from; i < stretch.to; ++i) {
     path.displacement_m.emplace_back(trial.position_m[i] - centre_m);
@@ -53,8 +61,10 @@ StickPath path_of(const Measurement& measurement, std::size_t k, const PhaseStre
 }
 
 /// Regression of displacement on force ratio over all stretches of a trial, along each axis.
+/// @param ratio  of the trial, as the fit takes it
 TrialAxes axes_of(const Measurement& measurement, std::size_t k, const StickSegments& segments,
-                  const std::vector<PhaseStretch>& stretches, double mu_static) {
+                  const std::vector<PhaseStretch>& stretches, const std::vector<Vec2>& ratio,
+                  double mu_static) {
   const MeasuredTrial& trial = measurement.trials[k];
   Vec2 spread(0, 0), pull(0, 0);
   for (const PhaseStretch& s : stretches) {
@@ -62,10 +72,10 @@ TrialAxes axes_of(const Measurement& measurement, std::size_t k, const StickSegm
     const auto count = static_cast<double>(s.to - s.from);
     for (std::size_t i = s.from; i < s.to; ++i) {
       mean_x += trial.position_m[i] / count;
-      mean_q += trial.force_ratio[i] / count;
+      mean_q += ratio[i] / count;
     }
     for (std::size_t i = s.from; i < s.to; ++i) {
-      const Vec2 dx = trial.position_m[i] - mean_x, dq = trial.force_ratio[i] - mean_q;
+      const Vec2 dx = trial.position_m[i] - mean_x, dq = ratio[i] - mean_q;
       spread += dx.cwiseProduct(dx) - Vec2::Constant(segments.position_noise_m * segments.position_noise_m);
       pull -= dx.cwiseProduct(dq);
     }
@@ -119,16 +129,17 @@ StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit
   for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
     picture.segments.push_back(stick_segments(measurement.trials[k]));
     stretches.push_back(drawn_stretches(picture.segments.back()));
-    picture.axes.push_back(
-        axes_of(measurement, k, picture.segments.back(), stretches.back(), mu_of_axes(fit)));
+    picture.axes.push_back(axes_of(measurement, k, picture.segments.back(), stretches.back(),
+                                   fitted_ratio(measurement.trials[k], fit), mu_of_axes(fit)));
   }
   for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
     const MeasuredTrial& trial = measurement.trials[k];
     const Vec2 compliance =
         compliance_m(fit, subject_axes_m(measurement, fit, picture.axes, trial.subject, angle_deg(trial)),
                      angle_deg(trial));
+    const std::vector<Vec2> ratio = fitted_ratio(trial, fit);
     for (const PhaseStretch& stretch : stretches[k])
-      picture.paths.push_back(path_of(measurement, k, stretch, compliance));
+      picture.paths.push_back(path_of(measurement, k, stretch, ratio, compliance));
   }
   return picture;
 }

@@ -14,7 +14,8 @@ struct StickPath {
   std::vector<Vec2> force_n;         ///< tangential, on the finger
 };
 
-/// What one trial says of the axes by itself: mu_s over the slope of its force ratio against displacement.
+/// What one trial says of the axes by itself: mu_s over the slope of its force ratio, taken to the load of
+/// the fit, against displacement.
 struct TrialAxes {
   std::size_t trial = 0;
   std::array<double, 2> axis_m{};  ///< lateral, longitudinal; nan where the trial was not pushed along it

@@ -117,7 +117,7 @@ struct EvidencePoint {
 /// window beside a border that is not a rupture, over means of some samples, and without the sensors' noise.
 /// v_min (paper, fig. 9): where slip ends, q rises from mu_d along the spring, q = mu_d + K (s - s*); s* is
 /// where slip ended and the speed there is v_min. A stop counts where the finger slows, and the rise is
-/// five times the noise and four times what friction varies by in the slip before it.
+/// five times the noise and four times what friction varies by in the slip before it and in all of the trial.
 /// Friction that rises before it says that slip ended sooner: stick that gives way within some samples passes
 /// for slip.
 TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& segments,
