@@ -1,52 +1,61 @@
 #include "motion/stable_stiffness.hpp"
 
-#include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <limits>
+#include <vector>
 
 #include "motion/stiffness_border.hpp"
 
 namespace fingerpad {
 namespace {
 
-/// Loop over one tick on the state (x, v, x of the last tick, forces on the way, oldest last).
-Eigen::MatrixXd loop_matrix(const HeldWall& wall, double stiffness_n_per_m) {
+/// Coefficients, the constant first, of the polynomial whose roots are the eigenvalues of the loop over one
+/// tick. By the force that is held over a tick, mass and damper go on as
+///   x(z)/F(z) = (n0 + n1 z)/((z - 1)(z - a)), a what is left of a velocity after it;
+/// the wall answers F(z) = -(K + B/T (1 - 1/z)) x(z)/z^d.
+std::vector<double> loop_polynomial(const HeldWall& wall, double stiffness_n_per_m) {
   const double b = std::max(wall.damping_n_s_per_m, 1e-6), m = wall.mass_kg, t = wall.tick_s;
-  const double gone = -std::expm1(-b * t / m);  // share of a velocity lost over the tick
+  const double gone = -std::expm1(-b * t / m), a = 1 - gone;
   const double v_per_force = gone / b, x_per_force = (t - m / b * gone) / b;
-  const auto d = static_cast<Eigen::Index>(wall.delay_ticks);
-  Eigen::MatrixXd loop = Eigen::MatrixXd::Zero(3 + d, 3 + d);
-  loop(0, 0) = 1;
-  loop(0, 1) = m / b * gone;
-  loop(1, 1) = 1 - gone;
-  loop(2, 0) = 1;
-  Eigen::RowVectorXd computed = Eigen::RowVectorXd::Zero(3 + d);
-  computed(0) = -stiffness_n_per_m - wall.wall_damping_n_s_per_m / t;
-  computed(2) = wall.wall_damping_n_s_per_m / t;
-  Eigen::RowVectorXd displayed = computed;
-  if (d > 0) {
-    displayed = Eigen::RowVectorXd::Unit(3 + d, 2 + d);
-    loop.row(3) = computed;
-    for (Eigen::Index i = 1; i < d; ++i) loop(3 + i, 2 + i) = 1;
+  const double n0 = m / b * gone * v_per_force - a * x_per_force, n1 = x_per_force;
+  const double before = -wall.wall_damping_n_s_per_m / t, now = stiffness_n_per_m - before;
+  const auto d = static_cast<std::size_t>(wall.delay_ticks);
+  std::vector<double> p(d + 4, 0.0);
+  p[0] = n0 * before;
+  p[1] = n1 * before + n0 * now;
+  p[2] = n1 * now;
+  p[d + 1] += a;
+  p[d + 2] -= 1 + a;
+  p[d + 3] += 1;
+  return p;
+}
+
+/// Whether all roots lie inside the unit circle: Schur and Cohn's test, by steps each of which lowers the
+/// degree by one (Jury, Theory and Application of the z-Transform Method, 1964, chapter 3).
+bool has_roots_inside_unit_circle(std::vector<double> p) {
+  std::vector<double> lower;
+  while (p.size() > 1) {
+    const double ratio = p.front() / p.back();
+    if (!(std::abs(ratio) < 1)) return false;
+    lower.resize(p.size() - 1);
+    for (std::size_t k = 0; k < lower.size(); ++k) lower[k] = p[k + 1] - ratio * p[lower.size() - 1 - k];
+    p.swap(lower);
   }
-  loop.row(0) += x_per_force * displayed;
-  loop.row(1) += v_per_force * displayed;
-  return loop;
+  return true;
 }
 
 }  // namespace
 
 double exact_stable_stiffness(const HeldWall& wall) {
   return stiffness_border(thumb_stiffness(wall), 1e-12, [&](double stiffness_n_per_m) {
-    const Eigen::MatrixXd loop = loop_matrix(wall, stiffness_n_per_m);
-    return loop.eigenvalues().cwiseAbs().maxCoeff() < 1;
+    return has_roots_inside_unit_circle(loop_polynomial(wall, stiffness_n_per_m));
   });
 }
 
 double stable_stiffness(const HeldWall& wall) {
-  constexpr int longest_exact =
-      20;  // the loop's matrix grows with the delay, its eigenvalues' cost with the cube
+  constexpr int longest_exact = 1000;  // the test's time grows with the delay's square: a tenth of a second
   return wall.delay_ticks <= longest_exact ? exact_stable_stiffness(wall) : thumb_stiffness(wall);
 }
 

@@ -18,7 +18,7 @@ struct HeldWall {
 /// loop, without quantum and dry friction. Zero where even the softest wall is unstable.
 double exact_stable_stiffness(const HeldWall& wall);
 
-/// The exact one, or thumb_stiffness for a delay so long that the exact one would take minutes.
+/// The exact one, or thumb_stiffness for a delay so long that the exact one would take seconds.
 double stable_stiffness(const HeldWall& wall);
 
 /// Colgate & Schenkel 1997, passivity of the wall: b > K T/2 + |B|, so K < 2 (b - |B|)/T. For a loop without

@@ -18,6 +18,9 @@
 namespace fingerpad {
 namespace {
 
+/// How wide a page is, in heights of its letters.
+constexpr double ems_a_page = 62;
+
 bool ends_with(const std::string& path, std::string_view ending) {
   std::string tail = path.size() < ending.size() ? path : path.substr(path.size() - ending.size());
   std::transform(tail.begin(), tail.end(), tail.begin(), [](unsigned char c) { return std::tolower(c); });
@@ -89,7 +92,7 @@ std::vector<std::string> history_subtitles(const ViewInput& input, const Vec3& d
 
 Drawing history_drawing(const ViewInput& input, Over over, int width, int height) {
   Drawing page;
-  const double em = width / 62.0, margin = 0.8 * em;
+  const double em = width / ems_a_page, margin = 0.8 * em;
   const Vec3 direction_W = main_direction(input.rows);
   const Chart spectrum = spectrum_chart(touch_series(input.rows, direction_W));
   const double top =
@@ -122,7 +125,7 @@ double peak_hz(const ChartCurve& curve) {
 
 Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
   Drawing page;
-  const double em = width / 62.0, margin = 0.8 * em;
+  const double em = width / ems_a_page, margin = 0.8 * em;
   const Vec3 direction_W = main_direction(input.rows);
   const Chart spectrum = spectrum_chart(touch_series(input.rows, direction_W));
   if (spectrum.panels.empty()) throw refused(input.title, "is too short for a spectrum: it needs 32 ticks");
@@ -144,7 +147,7 @@ Drawing spectrum_drawing(const ViewInput& input, int width, int height) {
 /// A page of a stacked chart.
 Drawing stacked_drawing(const Chart& chart, int width, int height) {
   Drawing page;
-  const double em = width / 62.0, margin = 0.8 * em;
+  const double em = width / ems_a_page, margin = 0.8 * em;
   const double top = draw_title(page, chart.title, chart.notes, width, height, em);
   draw_chart(page, chart, {margin, 0.6 * em, width - 2 * margin, top - 0.6 * em}, em);
   return page;
@@ -182,7 +185,7 @@ void write_drawing(const Drawing& drawing, int width, int height, const std::str
 
 void write_chart(const Chart& chart, const std::string& path) {
   // Letters as large as on a page of charts that do not stand over one another.
-  constexpr int stacked_page_width = 62 * static_cast<int>(chart_page_em);
+  constexpr auto stacked_page_width = static_cast<int>(ems_a_page * chart_page_em);
   if (chart.stacked) return write_stacked(chart, path, stacked_page_width);
   const ChartPage page = chart_page(chart);
   write_drawing(page.drawing, page.width, page.height, chart.title, path);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 namespace fingerpad::stable_stiffness_test {
 namespace {
@@ -27,6 +28,20 @@ TEST(StableStiffness, EigenvaluesGiveEveryPublishedLimit) {
     // The table's last digit is a unit, or a tenth of one.
     EXPECT_NEAR(exact_stable_stiffness(row.wall), row.stiffness_n_per_m, 6e-4 * row.stiffness_n_per_m);
   }
+}
+
+/// Long delays, where the rule of thumb is low by up to a half: against the eigenvalues of the loop's matrix.
+TEST(StableStiffness, OfLongDelaysIsThatOfTheLoopsEigenvalues) {
+  HeldWall wall;
+  for (const auto& [delay_ticks, wall_damping, stiffness_n_per_m] :
+       {std::tuple(30, 0.0, 16.946374), std::tuple(60, 0.3, 13.0502614), std::tuple(100, 0.0, 5.47361375),
+        std::tuple(160, 0.0, 3.573055)}) {
+    wall.delay_ticks = delay_ticks;
+    wall.wall_damping_n_s_per_m = wall_damping;
+    EXPECT_NEAR(stable_stiffness(wall), stiffness_n_per_m, 1e-7 * stiffness_n_per_m) << delay_ticks;
+  }
+  wall.delay_ticks = 100000;
+  EXPECT_EQ(stable_stiffness(wall), thumb_stiffness(wall));
 }
 
 TEST(StableStiffness, PublishedConditionsStandAtOrBelowTheExactValue) {

@@ -7,6 +7,7 @@
 
 #include "study/cross_validation.hpp"
 #include "study/profile_text.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::few_trials_test {
@@ -46,8 +47,9 @@ TEST(FewTrials, SpringsThatTheirOwnStickDoesNotTellAreRefused) {
   test::KnownSensors slow;
   slow.rate_hz = 250;
   const auto truth = test::known_numbers({}, 1);
+  const int sets = test::samples(20);
   int given = 0, far_off = 0, refused = 0;
-  for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+  for (std::uint64_t seed = 1; seed <= static_cast<std::uint64_t>(sets); ++seed) {
     const ProfileFit fit = fit_profile(
         clean(test::known_measurement({{2, 25, 0}, {2, 25, 90}, {2, 65, 0}, {2, 65, 90}}, {}, slow, seed),
               {}),
@@ -67,7 +69,7 @@ TEST(FewTrials, SpringsThatTheirOwnStickDoesNotTellAreRefused) {
       ++given;
     }
   }
-  EXPECT_GT(refused, 20);
+  EXPECT_GT(refused, sets);
   EXPECT_LE(far_off, 2) << "of " << given;  // 95 % of 40 that may be off by a fifth; 12 of 40 else
   const ProfileFit fast = fit_profile(measured({{2, 25, 0}, {2, 25, 90}, {2, 65, 0}, {2, 65, 90}}), {});
   EXPECT_EQ(of(fast, PadNumber::longitudinal_axis).refusal, "");

@@ -25,7 +25,8 @@ std::vector<test::KnownTrial> slowing_rubs(double slowing_m_per_s2) {
 TEST(VMin, IsHeldWhereTeethAreShorterThanAWindow) {
   int held = 0, sets = 0;
   for (const double rate_hz : {1000.0, 2000.0}) {
-    for (std::uint64_t seed = 1; seed <= 5; ++seed, ++sets) {
+    for (const std::uint64_t seed : test::cases<std::uint64_t>({1, 2, 3, 4, 5})) {
+      ++sets;
       test::KnownFinger finger;
       finger.pad = assumed_profile(0.3, 350);
       test::KnownSensors sensors;

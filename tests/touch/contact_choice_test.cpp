@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "support/effort.hpp"
 #include "support/mesh_files.hpp"
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
@@ -124,7 +125,7 @@ TEST(ContactChoice, AConvexPartThickerThanItsPressNeedsAProxyForItsEdgesAlone) {
     scene.finger.radius_m = radius_m;
     // Twice the centre's depth: 22 mm for a point, 8 mm for a finger of 7 mm.
     const double least_m = 2 * (0.010 - radius_m + 0.001);
-    for (const double times : {1.02, 2.0, 10.0, 100.0}) {
+    for (const double times : test::cases({1.02, 2.0, 10.0, 100.0})) {
       const double d = times * least_m;
       const auto edge = HasSubstr("near an edge of");
       EXPECT_THAT(unheld(scene, box_soup({d, d, d})), edge) << "cube " << d;
