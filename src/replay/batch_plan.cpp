@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <filesystem>
 #include <map>
 
@@ -97,12 +98,15 @@ void measure(const std::vector<Kind*>& kinds, const BatchOptions& options, Batch
   std::vector<const Kind*> tried_kinds;
   for (Kind* kind : in_order_of_trying(kinds, most_tried)) {
     if (tried_kinds.size() == most_tried) break;
+    const auto start = std::chrono::steady_clock::now();
     try {
       kind->cost = try_job(*kind->scene, meshes, motions, options);
       kind->is_tried = true;
       tried_kinds.push_back(kind);
     } catch (const Error& error) {
       kind->error = error.what();
+      // Its mesh is loaded in vain, and a rub's places looked for.
+      kind->cost.load_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
   }
   plan.kinds = static_cast<int>(kinds.size());
