@@ -164,8 +164,9 @@ struct NotedRuns {
   std::string span, at;
 };
 
-std::string note_on(const NotedRuns& runs, bool tells_span) {
-  std::string words = fmt::format("{}: ", fmt::join(runs.names, ", "));
+/// @param who  the runs by name, or that it is all
+std::string note_on(const NotedRuns& runs, const std::string& who, bool tells_span) {
+  std::string words = who + ": ";
   if (tells_span) words += runs.span + (runs.at.empty() ? "" : ", ");
   return words + (runs.names.size() > 1 && runs.at.starts_with("at its own") ? "each " : "") + runs.at;
 }
@@ -189,7 +190,10 @@ std::vector<std::string> common_notes(const std::vector<ComparedRun>& runs,
   std::vector<std::string> notes;
   if (is_one_span) notes.push_back("all: " + noted[0].span);
   for (const NotedRuns& one : noted) {
-    if (!is_one_span || !one.at.empty()) notes.push_back(note_on(one, !is_one_span));
+    const bool are_all = noted.size() == 1 && one.names.size() > 1;
+    const std::string who =
+        are_all ? "all" : fmt::format("{}", fmt::join(one.names, "; "));  // names have commas
+    if (!is_one_span || !one.at.empty()) notes.push_back(note_on(one, who, !is_one_span));
   }
   return notes;
 }

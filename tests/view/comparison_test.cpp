@@ -58,11 +58,14 @@ TEST(Comparison, TellsTheSpanThatRunsHaveInCommonOnce) {
     return all;
   };
   EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.01, 2)}),
-              ElementsAre("b, c: 0 to 1 s"));
+              ElementsAre("all: 0 to 1 s"));
   EXPECT_THAT(notes({line_run("b.h5", 0.35, 2, 0.1, 1), line_run("c.h5", 0.35, 2, 0.1, 2)}),
-              ElementsAre("b, c: 0.35 to 1 s, each at its own ticks, the first interpolated linearly"));
+              ElementsAre("all: 0.35 to 1 s, each at its own ticks, the first interpolated linearly"));
   EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.003, 2)}),
               ElementsAre("b: 0 to 1 s", "c: 0 to 0.999 s, interpolated linearly at the ticks of the first"));
+  EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.01, 1),
+                     line_run("d.h5", 0.5, 1, 0.01, 2)}),
+              testing::Contains("b; c: 0 to 1 s"));
   EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.0025, 2)}),
               ElementsAre("all: 0 to 1 s", "c: at the ticks of the first"));
 }
