@@ -40,7 +40,8 @@ void tell_fit(const ProfileFit& fit) {
       continue;
     }
     const auto& both = fit.interval[k];
-    print_out("{:<30} {:<11.5g} {} ({} sample{}, {} trial{})\n", std::string(pad_number_keys[k]), value.value,
+    print_out("{:<30} {:<11.5g} {:<5} {} ({} sample{}, {} trial{})\n", std::string(pad_number_keys[k]),
+              value.value, unit_of_key(pad_number_keys[k]),
               both ? fmt::format("95 %: {:.5g} .. {:.5g}", both->first, both->second)
                    : no_interval_words(fit.no_interval[k]),
               value.samples, value.samples == 1 ? "" : "s", value.trials, value.trials == 1 ? "" : "s");

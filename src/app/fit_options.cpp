@@ -10,6 +10,7 @@
 
 #include "app/output_name.hpp"
 #include "app/quantity_option.hpp"
+#include "app/word_option.hpp"
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/unit.hpp"
@@ -132,24 +133,24 @@ void refuse_unread_torque(const ReadingOptions& options) {
 
 void add_units(CLI::App& command, ReadingOptions& options) {
   command.add_option("--unit", options.unit, "Of positions")
-      ->check(CLI::IsMember(length_unit_names()))
+      ->check(one_of(length_unit_names()))
       ->default_str("m, or the layout's own");
   command.add_option("--time-unit", options.time_unit, "Of times")
-      ->check(CLI::IsMember(names_of(time_units)))
+      ->check(one_of(names_of(time_units)))
       ->default_str("s, or the layout's own");
   command.add_option("--force-unit", options.force_unit, "Of forces")
-      ->check(CLI::IsMember(names_of(force_units)))
+      ->check(one_of(names_of(force_units)))
       ->default_str("N");
   command.add_option("--torque-unit", options.torque_unit, "Of torques")
-      ->check(CLI::IsMember(names_of(torque_units)))
+      ->check(one_of(names_of(torque_units)))
       ->default_str("N.m, or the layout's own");
   command
       .add_option("--separator", options.separator,
                   "Between cells, by name or as the mark itself; found where it is left out")
       ->transform(name_of_mark)
-      ->check(CLI::IsMember(names_of(separators)));
+      ->check(one_of(names_of(separators)));
   command.add_option("--decimal", options.decimal, "Mark of numbers")
-      ->check(CLI::IsMember({".", ","}))
+      ->check(one_of({".", ","}))
       ->capture_default_str();
 }
 
@@ -161,7 +162,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command
       .add_option("--reader", options.reader,
                   "Layout of the files; told by their contents where it is left out")
-      ->check(CLI::IsMember(readers));
+      ->check(one_of(readers));
   command
       .add_option(
           "--columns", options.columns,
@@ -171,7 +172,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       ->delimiter(',');
   add_units(command, options);
   command.add_option("--force-on", options.force_on, "What the recorded forces act on")
-      ->check(CLI::IsMember({"finger", "plate"}))
+      ->check(one_of({"finger", "plate"}))
       ->capture_default_str();
   take_units(
       command.add_option(
@@ -209,7 +210,7 @@ void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
       ->check(CLI::Range(0.0, 1000.0))
       ->capture_default_str();
   command.add_option("--mains", options.mains, "Mains hum to take out of forces: any, 50, 60 or off")
-      ->check(CLI::IsMember({"any", "50", "60", "off"}))
+      ->check(one_of({"any", "50", "60", "off"}))
       ->capture_default_str();
   command.add_flag("--no-tare", options.no_tare,
                    "Take forces as they are: no tare from moments without contact");
@@ -228,7 +229,7 @@ void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
   command
       .add_option("--blocks", options.blocks,
                   "What the intervals' bootstrap draws: trials of each subject, or subjects")
-      ->check(CLI::IsMember({"trials", "subjects"}))
+      ->check(one_of({"trials", "subjects"}))
       ->capture_default_str();
 }
 

@@ -4,8 +4,8 @@
 
 #include <algorithm>
 
+#include "app/pace_words.hpp"
 #include "app/standard_streams.hpp"
-#include "base/number_text.hpp"
 
 namespace fingerpad {
 
@@ -51,7 +51,8 @@ void JobBar::show(const std::string& what) {
   for (const auto& [job, share] : under_way_) done += share;
   const double share = std::min(1.0, done / static_cast<double>(total_));
   const Clock::time_point now = Clock::now();
-  const std::string pace = pace_words(done, std::chrono::duration<double>(now - start_).count());
+  const std::string pace = pace_words(done, static_cast<double>(total_),
+                                      std::chrono::duration<double>(now - start_).count(), "jobs");
   const bool is_stopping = is_told_to_stop_ && is_told_to_stop_();
   if (shown_ == Shown::bar) {
     bar_.show(share, is_stopping ? fmt::format("{}/{} {}", ended, total_, stop_words())
@@ -70,16 +71,6 @@ std::string JobBar::stop_words() const {
   if (under_way_.empty()) return "stopped";
   return fmt::format("stopping: {} under way {} first (Ctrl-C again ends at once)", under_way_.size(),
                      under_way_.size() == 1 ? "ends" : "end");
-}
-
-/// ", 2.5 jobs/s, 40 s left"; nothing before anything can be said.
-std::string JobBar::pace_words(double done, double seconds) const {
-  constexpr double least_s = 0.5, minute_s = 60;
-  if (seconds < least_s || !(done > 0)) return "";
-  const double left_s = (static_cast<double>(total_) - done) * seconds / done;
-  const std::string left =
-      left_s < 2 * minute_s ? fmt::format("{:.0f} s", left_s) : fmt::format("{:.0f} min", left_s / minute_s);
-  return fmt::format(", {} jobs/s, {} left", rounded_text(done / seconds, 3), left);
 }
 
 }  // namespace fingerpad

@@ -17,7 +17,7 @@ namespace fingerpad {
 /// the next: a bar on a terminal, elsewhere a line now and then. Thread-safe.
 class JobBar {
  public:
-  enum class Shown { nothing, bar, lines };
+  using Shown = ShownProgress;
   /// @param between_lines  at least so long passes from one line to the next
   JobBar(std::size_t total, Shown shown, std::chrono::milliseconds between_lines);
 
@@ -34,7 +34,6 @@ class JobBar {
  private:
   using Clock = std::chrono::steady_clock;
   void show(const std::string& what);
-  std::string pace_words(double done, double seconds) const;
   std::string stop_words() const;
 
   std::mutex mutex_;

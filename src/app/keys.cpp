@@ -53,10 +53,8 @@ int tell_keys(const std::vector<std::string>& asked) {
       names.emplace_back(key.key->key);
       names.push_back(key.name.substr(0, key.name.find('.')));  // its table
     }
-    const std::string nearest = nearest_word(word, names);
-    const std::string mend = word == "set"     ? ": [[set]] takes any of the keys that `fingerpad keys` lists"
-                             : nearest.empty() ? ""
-                                               : fmt::format("; did you mean '{}'?", nearest);
+    const std::string mend = word == "set" ? ": [[set]] takes any of the keys that `fingerpad keys` lists"
+                                           : near_miss_hint(word, names);
     throw Error(ErrorKind::usage, "", fmt::format("a scene has no key '{}'{}", word, mend));
   }
   for (const TellableKey& key : keys) {

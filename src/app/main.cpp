@@ -11,8 +11,8 @@
 #include "app/standard_streams.hpp"
 #include "app/version_words.hpp"
 #include "base/error.hpp"
+#include "base/nearest_word.hpp"
 #include "base/printable_text.hpp"
-#include "scene/toml_table.hpp"
 
 namespace {
 
@@ -47,10 +47,8 @@ std::string unknown_subcommand(const CLI::App& program, int argc, char** argv) {
   const auto* const end = argv + argc;
   const auto* const word = std::find_if(argv + 1, argv + argc, [](const char* arg) { return arg[0] != '-'; });
   if (word == end || std::find(names.begin(), names.end(), *word) != names.end()) return {};
-  const std::string nearest = fingerpad::nearest_word(*word, names);
   return fmt::format("there is no subcommand '{}'{}; there are {}", fingerpad::printable(*word, 60),
-                     nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
-                     fingerpad::word_list(names));
+                     fingerpad::near_miss_hint(*word, names), fingerpad::word_list(names));
 }
 
 /// "there is no option '--colums'; did you mean '--columns'?", or nothing where the subcommand knows them
@@ -66,9 +64,8 @@ std::string unknown_option(const CLI::App& program, int argc, char** argv) {
     if (word == "--") break;  // what follows is no option
     const std::string name(word.substr(0, word.find('=')));
     if (!name.starts_with("--") || std::find(names.begin(), names.end(), name) != names.end()) continue;
-    const std::string nearest = fingerpad::nearest_word(name, names);
     return fmt::format("there is no option '{}'{}", fingerpad::printable(name, 60),
-                       nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest));
+                       fingerpad::near_miss_hint(name, names));
   }
   return {};
 }

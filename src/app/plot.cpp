@@ -7,11 +7,13 @@
 #include <algorithm>
 #include <limits>
 
+#include "app/columns_option.hpp"
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
 #include "app/pad_charts.hpp"
 #include "app/standard_streams.hpp"
 #include "app/told_trace.hpp"
+#include "app/word_option.hpp"
 #include "base/count_words.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
@@ -122,6 +124,7 @@ int plot(const PlotOptions& options) {
   if (options.from_s > options.to_s)
     throw Error(ErrorKind::usage, "--from",
                 fmt::format("{} s is later than --to, {} s", options.from_s, options.to_s));
+  refuse_columns_as_inputs(options.inputs, fmt::format("{}", fmt::join(options.columns, ",")));
   refuse_other_endings(options.out, "plot", {".png", ".svg"});
   refuse_overwriting(options.out, options.inputs);
   refuse_unwritable(options.out);
@@ -156,13 +159,13 @@ void add_plot(CLI::App& program, Action& action) {
           "--show", options->show,
           "history, stick-region, force-displacement or spectrum (the paper's figs. 2, 9 and 12; 4 and "
           "7; 8; 11); residual, of a motion with a measured force")
-      ->check(CLI::IsMember({"history", "stick-region", "force-displacement", "spectrum", "residual"}))
+      ->check(one_of({"history", "stick-region", "force-displacement", "spectrum", "residual"}))
       ->capture_default_str();
   command
       ->add_option("--over", options->over,
                    "What a history is drawn over: t, time; s, how far the finger has gone along the surface; "
                    "angle, by how much the surface has turned under it, summed up")
-      ->check(CLI::IsMember({"t", "s", "angle"}))
+      ->check(one_of({"t", "s", "angle"}))
       ->capture_default_str();
   command
       ->add_option(

@@ -30,6 +30,11 @@ bool stderr_is_terminal() noexcept {
   return isatty(STDERR_FILENO) != 0;
 }
 
+ShownProgress shown_progress(bool quiet) noexcept {
+  if (quiet) return ShownProgress::nothing;
+  return stderr_is_terminal() ? ShownProgress::bar : ShownProgress::lines;
+}
+
 ProgressBar::ProgressBar(bool shown, std::chrono::milliseconds patience, End end) : end_(end) {
   if (!shown) return;
   if (end == End::wiped) end_line_on_interrupt();

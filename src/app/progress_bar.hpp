@@ -15,6 +15,12 @@ namespace fingerpad {
 /// Whether standard error is a terminal: else a bar would be noise in a log.
 bool stderr_is_terminal() noexcept;
 
+/// How a command shows how far it is.
+enum class ShownProgress { nothing, bar, lines };
+
+/// Nothing where that is asked for; else a bar on a terminal, and a line now and then elsewhere.
+ShownProgress shown_progress(bool quiet) noexcept;
+
 /// A bar of one line on standard error, drawn by a thread of its own ten times a second, so that whoever
 /// works only says how far it is. Says nothing and starts no thread if not shown. Thread-safe.
 ///

@@ -9,6 +9,7 @@
 #include <set>
 #include <thread>
 
+#include "app/columns_option.hpp"
 #include "app/commands.hpp"
 #include "app/job_bar.hpp"
 #include "app/output_folder.hpp"
@@ -17,6 +18,7 @@
 #include "app/replay_words.hpp"
 #include "app/standard_streams.hpp"
 #include "app/stop_request.hpp"
+#include "app/word_option.hpp"
 #include "base/error.hpp"
 #include "base/input_file.hpp"
 #include "contact/contact_method_table.hpp"
@@ -104,10 +106,7 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
     return would_do ? 0 : is_lone_scene(jobs) ? static_cast<int>(ErrorKind::refused) : jobs_failed_code;
   }
   const bool silent = options.quiet || !ranks.is_root();
-  JobBar bar(jobs_of_shard(jobs.size(), batch).size(),
-             silent                 ? JobBar::Shown::nothing
-             : stderr_is_terminal() ? JobBar::Shown::bar
-                                    : JobBar::Shown::lines,
+  JobBar bar(jobs_of_shard(jobs.size(), batch).size(), shown_progress(silent),
              std::chrono::milliseconds(std::lround(1e3 * options.progress_s)));
   const StopRequest stop;
   batch.should_stop = [&stop] { return stop.come(); };
@@ -141,6 +140,7 @@ int replay(ReplayOptions options) {
   if (!options.batch.traces && options.batch.resume)
     throw Error(ErrorKind::usage, "--resume",
                 "keeps traces, of which --format none writes none; leave one out");
+  refuse_columns_as_inputs(options.scenes, options.columns);
   if (!options.columns.empty()) options.batch.choice.columns = chosen_columns(options.columns, "--columns");
   if (!options.batch.traces && !options.batch.choice.is_all())
     throw Error(ErrorKind::usage, "--format none",
@@ -196,7 +196,7 @@ void add_replay(CLI::App& program, Action& action) {
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
   command->add_option("--format", options->format, "h5, csv, or none: summary.csv alone")
-      ->check(CLI::IsMember({"h5", "csv", "none"}))
+      ->check(one_of({"h5", "csv", "none"}))
       ->capture_default_str();
   command->add_flag("--resume", options->batch.resume,
                     "Keep complete traces of the very same runs instead of making them again");

@@ -3,12 +3,13 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <filesystem>
 #include <set>
 
 #include "app/commands.hpp"
+#include "app/count_bar.hpp"
 #include "app/output_name.hpp"
-#include "app/progress_bar.hpp"
 #include "app/report_page.hpp"
 #include "app/report_run.hpp"
 #include "app/standard_streams.hpp"
@@ -29,6 +30,7 @@ struct ReportOptions {
   std::string folder, out;
   std::string libraries = debian_javascript_folder;
   std::size_t details = 500;
+  double progress_s = 10;  ///< between lines where there is no terminal
   bool quiet = false;
 };
 
@@ -105,7 +107,8 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
                                     [](const JobOutcome& job) { return !job.trace.empty(); });
   std::unique_ptr<ReportRuns> runs;
   if (traced > 0 && options.details > 0) runs = std::make_unique<ReportRuns>(report_budget(shapes_of(batch)));
-  ProgressBar bar(stderr_is_terminal(), std::chrono::milliseconds(500), ProgressBar::End::wiped);
+  CountBar bar(static_cast<std::size_t>(traced), "traces", "read", shown_progress(options.quiet),
+               std::chrono::milliseconds(std::lround(1e3 * options.progress_s)));
   std::size_t drawn = 0;
   for (std::size_t rank = 0; rank < order.size(); ++rank) {
     const JobOutcome& job = batch.jobs[order[rank].job];
@@ -114,8 +117,6 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
     if (!note.empty() && !job.trace.empty()) look_at_undrawn(job, row);
     if (traced > 0 && job.trace.empty() && job.done()) flag_missing(options.folder, job, row);
     if (note.empty()) {
-      bar.show(static_cast<double>(rank) / static_cast<double>(order.size()),
-               fmt::format("drawing job {} of {}", rank + 1, order.size()));
       try {
         row["run"] = runs->run(job.trace);
         ++drawn;
@@ -128,6 +129,7 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
       }
     }
     if (!note.empty()) row["note"] = note;
+    if (!job.trace.empty()) bar.advance();
   }
   bar.finish();
   tell_damage(results["jobs"]);
@@ -180,6 +182,11 @@ void add_report(CLI::App& program, Action& action) {
                    "How many of the jobs that have a trace are drawn, the worst first; all are in the tables")
       ->capture_default_str();
   command->add_option("--libraries", options->libraries, "Where the JavaScript libraries are")
+      ->capture_default_str();
+  command
+      ->add_option("--progress", options->progress_s,
+                   "Seconds from one line on how far it is to the next, where standard error is no terminal")
+      ->check(CLI::Range(0.0, 86400.0))
       ->capture_default_str();
   add_quiet_flag(*command, options->quiet);
   command->footer(

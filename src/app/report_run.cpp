@@ -51,7 +51,17 @@ Json shape_json(const SmallShape& shape) {
   return json;
 }
 
-/// The curves' bounds; their samples go to `words`, the phases' shares and the ruptures to `bytes`.
+/// What a page is told of each stretch of time in a byte, under which name; in this order, which the page
+/// reads.
+struct BytesOfStretches {
+  const char* name;
+  std::vector<std::uint8_t> SmallSeries::*bytes;
+};
+constexpr BytesOfStretches bytes_of_stretches[] = {{"slip", &SmallSeries::slip_share},
+                                                   {"stick", &SmallSeries::stick_share},
+                                                   {"ruptures", &SmallSeries::ruptures}};
+
+/// The curves' bounds; their samples go to `words`, what is told of each stretch to `bytes`.
 Json series_json(const SmallSeries& series, std::string& words, std::string& bytes) {
   Json json = {{"begin", series.begin_s},
                {"step", series.step_s},
@@ -66,8 +76,9 @@ Json series_json(const SmallSeries& series, std::string& words, std::string& byt
                               {"low", range.low},
                               {"span", range.span}});
   }
-  for (const auto* numbers : {&series.slip_share, &series.stick_share, &series.ruptures}) {
-    for (const std::uint8_t number : *numbers) bytes += static_cast<char>(number);
+  for (const BytesOfStretches& row : bytes_of_stretches) {
+    json["bytes"].push_back(row.name);
+    for (const std::uint8_t number : series.*row.bytes) bytes += static_cast<char>(number);
   }
   if (series.bucket_s > 0) json["bucket"] = series.bucket_s;
   for (const StripCurve& curve : series.curves) {

@@ -17,6 +17,7 @@
 #include "touch/closed_loop.hpp"
 #include "trace/motion_source.hpp"
 #include "trace/trace.hpp"
+#include "trace/trace_folder.hpp"
 
 namespace fingerpad {
 namespace {
@@ -87,6 +88,7 @@ ViewInput mesh_subject(const std::string& path, double metres_per_unit, LoadBar&
 }  // namespace
 
 ViewInput load_subject(const std::string& path, double metres_per_unit, LoadBar& bar) {
+  refuse_trace_folder(path, "a scene, mesh or trace");
   switch (subject_kind(path)) {
     case SubjectKind::scene:
       return scene_subject(path, bar);

@@ -10,6 +10,7 @@
 #include "app/standard_streams.hpp"
 #include "app/study_output.hpp"
 #include "app/study_scene.hpp"
+#include "app/word_option.hpp"
 #include "base/error.hpp"
 #include "study/studies.hpp"
 
@@ -76,7 +77,7 @@ void add_study(CLI::App& program, Action& action) {
       program.add_subcommand("study", "Measure speed against accuracy, and stability, as tables and charts");
   command->add_option("SUBJECT", options->subject, "friction, contact, stability or scene")
       ->required()
-      ->check(CLI::IsMember({"friction", "contact", "stability", "scene"}));
+      ->check(one_of({"friction", "contact", "stability", "scene"}));
   command->add_option("SCENE", options->scene, "scene: the scene (TOML) whose choices are compared");
   refuse_empty(command->add_option("--out", options->out_dir,
                                    "Folder for the CSV tables and the charts (PNG and SVG)"))

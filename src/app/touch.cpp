@@ -19,8 +19,8 @@
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
 #include "base/kept_thread.hpp"
+#include "base/nearest_word.hpp"
 #include "device/device_table.hpp"
-#include "scene/toml_table.hpp"
 #include "touch/resting_finger.hpp"
 #include "touch/servo_loop.hpp"
 #include "touch/servo_words.hpp"
@@ -185,9 +185,7 @@ std::string why_no_device(const std::string& name) {
     names.emplace_back(device.name);
     if (!device.also.empty()) names.emplace_back(device.also);
   }
-  const std::string nearest = nearest_word(name, names);
-  return fmt::format("unknown device '{}'{} (known: {})", name,
-                     nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), word_list(names));
+  return unknown_word_text("device", name, "", names);
 }
 
 }  // namespace

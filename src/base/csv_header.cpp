@@ -18,8 +18,9 @@ bool is_row_of_numbers(std::string_view line) noexcept {
          line.find_first_of("0123456789") != std::string_view::npos;
 }
 
-/// Whether a first line begins an XML file: a declaration, a comment, or a tag with no table's mark behind it
-/// nor in its name. Some programs call the columns of their tables <DATE>,<TIME>.
+/// Whether a first line begins an XML file: with a declaration, a comment or a tag. A header of a table may
+/// look like a tag, since some programs name their columns <DATE>,<TIME>: a line is taken for a header where
+/// a separator stands in its first name or right behind it.
 bool is_xml(std::string_view line, char separator) {
   if (line.starts_with("<?") || line.starts_with("<!")) return true;
   if (line.size() < 2 || line[0] != '<' ||

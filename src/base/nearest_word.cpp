@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "base/printable_text.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -41,6 +43,19 @@ std::string only_one_with_part(std::string_view part, const std::vector<std::str
   return std::ranges::count_if(known, has_part) == 1 ? *found : "";
 }
 
+/// The shortest that begins with `start`, where all that do begin with it: "friction" of "frict", beside
+/// "friction.law".
+std::string only_one_with_start(std::string_view start, const std::vector<std::string>& known) {
+  constexpr std::size_t least_letters = 3;
+  if (start.size() < least_letters) return {};
+  std::string shortest;
+  for (const std::string& word : known)
+    if (word.starts_with(start) && (shortest.empty() || word.size() < shortest.size())) shortest = word;
+  const bool is_only_one = std::ranges::all_of(
+      known, [&](const std::string& word) { return !word.starts_with(start) || word.starts_with(shortest); });
+  return is_only_one ? shortest : "";
+}
+
 }  // namespace
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
@@ -54,7 +69,20 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
       nearest = candidate;
     }
   }
-  return nearest.empty() ? only_one_with_part(word, known) : nearest;
+  if (nearest.empty()) nearest = only_one_with_part(word, known);
+  return nearest.empty() ? only_one_with_start(word, known) : nearest;
+}
+
+std::string near_miss_hint(std::string_view word, const std::vector<std::string>& known) {
+  const std::string nearest = nearest_word(word, known);
+  return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
+}
+
+std::string unknown_word_text(std::string_view what, std::string_view word, std::string_view where,
+                              const std::vector<std::string>& known) {
+  constexpr std::size_t longest = 60;
+  return fmt::format("unknown {} '{}'{}{}{} (known: {})", what, printable(word, longest),
+                     where.empty() ? "" : " ", where, near_miss_hint(word, known), word_list(known));
 }
 
 std::string word_list(const std::vector<std::string>& words) {

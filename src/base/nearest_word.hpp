@@ -8,8 +8,17 @@ namespace fingerpad {
 
 /// The known word that is spelled most like `word`: at most a third of its letters are changed, left out, put
 /// in or swapped with their neighbour. If none is, the only one that has it between its hyphens ("point" of
-/// "closest-point"); "" if there is none, or are two.
+/// "closest-point"), or that begins with it ("frict" of "friction"); "" if there is none, or are two.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
+
+/// "; did you mean 'closest-point'?", to stand behind what is said of an unknown word; "" where none is near.
+std::string near_miss_hint(std::string_view word, const std::vector<std::string>& known);
+
+/// "unknown method 'point' in [[set]]; did you mean 'closest-point'? (known: proxy, closest-point)".
+/// @param what   the word is to name
+/// @param where  it stands, with its preposition; may be empty
+std::string unknown_word_text(std::string_view what, std::string_view word, std::string_view where,
+                              const std::vector<std::string>& known);
 
 /// The words with commas between.
 std::string word_list(const std::vector<std::string>& words);

@@ -1,7 +1,6 @@
 #include "replay/batch_plan.hpp"
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <chrono>
@@ -10,138 +9,12 @@
 
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/job_try.hpp"
 #include "replay/missing_inputs.hpp"
-#include "scene/scene_reader.hpp"
-#include "scene/toml_tree.hpp"
-#include "touch/closed_loop.hpp"
-#include "touch/mesh_store.hpp"
-#include "trace/column_chunks.hpp"
-#include "trace/motion_source.hpp"
-#include "trace/trace_info.hpp"
+#include "replay/planned_ticks.hpp"
 
 namespace fingerpad {
 namespace {
-
-using Clock = std::chrono::steady_clock;
-
-/// What a kind of jobs costs.
-struct JobCost {
-  double load_s = 0, s_per_tick = 0, bytes = 0, bytes_per_tick = 0;
-};
-
-double seconds_since(Clock::time_point start) {
-  return std::chrono::duration<double>(Clock::now() - start).count();
-}
-
-/// Where a try writes its trace; it goes with the object.
-struct TryFile {
-  explicit TryFile(TraceFormat format)
-      : path((std::filesystem::temp_directory_path() /
-              fmt::format("fingerpad-try-{}.{}", getpid(), format == TraceFormat::csv ? "csv" : "h5"))
-                 .string()) {}
-  TryFile(const TryFile&) = delete;
-  TryFile& operator=(const TryFile&) = delete;
-  ~TryFile() {
-    std::error_code ignored;
-    std::filesystem::remove(path, ignored);
-    std::filesystem::remove(path + ".part", ignored);
-  }
-  double bytes() const {
-    std::error_code none;
-    for (const std::string& name : {path + ".part", path}) {
-      const auto size = std::filesystem::file_size(name, none);
-      if (!none) return static_cast<double>(size);
-    }
-    return 0;
-  }
-  std::string path;
-};
-
-/// The rows that a try's file has room for: the last chunk of a plain HDF5 trace is there whole.
-std::uint64_t rows_on_disk(long tried_ticks, long ticks, const BatchOptions& options) {
-  const auto rows = static_cast<std::uint64_t>(tried_ticks);
-  if (options.format == TraceFormat::csv || options.choice.deflated) return rows;
-  const std::uint64_t chunk = chunk_rows_for(static_cast<std::uint64_t>(ticks));
-  return (rows + chunk - 1) / chunk * chunk;
-}
-
-/// Runs the beginning of a job.
-JobCost tried(const Scene& scene_as_written, MeshStore& meshes, const BatchOptions& options) {
-  constexpr double long_enough_s = 0.2;
-  constexpr long block_ticks = 4096;
-  const Clock::time_point start = Clock::now();
-  const LoadedMotion motion = load_motion(scene_as_written, meshes);
-  const Scene scene = at_rate(scene_as_written, motion.path);
-  const auto world = load_world(scene, meshes);
-  JobCost cost;
-  cost.load_s = seconds_since(start);
-  const TryFile file(options.format);
-  ClosedLoop loop(world, scene, motion.path);
-  std::unique_ptr<TraceWriter> writer;
-  if (options.traces) {
-    TraceInfo info = trace_info(scene, *world, motion.path, options.version);
-    choose(options.choice, info);
-    writer = TraceWriter::create(file.path, options.format, info, *world,
-                                 static_cast<std::uint64_t>(motion.path.tick_count()));
-    writer->flush();
-  }
-  cost.bytes = file.bytes();
-  const Clock::time_point run = Clock::now();
-  std::vector<TickRecord> block;
-  long ticks = 0;
-  while (ticks < loop.tick_count() && !loop.has_diverged() && seconds_since(run) < long_enough_s) {
-    block.clear();
-    const long end = std::min(ticks + block_ticks, loop.tick_count());
-    for (; ticks < end && !loop.has_diverged(); ++ticks) block.push_back(loop.next());
-    if (writer) writer->append(block);
-  }
-  if (writer) writer->finish();
-  if (ticks == 0) return cost;
-  cost.s_per_tick = seconds_since(run) / static_cast<double>(ticks);
-  // The try writes all its rows.
-  cost.bytes_per_tick = std::max(0.0, file.bytes() - cost.bytes) /
-                        static_cast<double>(rows_on_disk(ticks, loop.tick_count(), options)) /
-                        static_cast<double>(options.choice.every);
-  return cost;
-}
-
-/// The ticks of each motion, counted once.
-class TickCounts {
- public:
-  long of(const Scene& scene) {
-    // The part need not be loaded for it.
-    if (scene.motion.laid && !scene.motion.automatic_rate)
-      return tick_count(duration_s(*scene.motion.laid, pressed_depth_m(scene)), scene.motion.rate_hz);
-    const TomlNode root = parse_toml(scene.text, scene.path);
-    const TomlEntry* motion = find_entry(root, "motion");
-    std::string key = scene.motion.file_path + (motion != nullptr ? write_toml(motion->value) : "");
-    if (scene.motion.laid) key = scene.path + "\n" + scene.text;  // laid on parts, which that does not name
-    if (const auto known = counts_.find(key); known != counts_.end()) return known->second;
-    if (const auto known = refusals_.find(key); known != refusals_.end()) throw known->second;
-    const LoadedMotion loaded = load_keeping_refusal(scene, key);
-    for (const std::string& warning : loaded.warnings) {
-      if (std::ranges::find(warnings_, warning) == warnings_.end()) warnings_.push_back(warning);
-    }
-    return counts_[key] = loaded.path.tick_count();
-  }
-  /// What was told of those that were loaded for it.
-  const std::vector<std::string>& warnings() const noexcept { return warnings_; }
-
- private:
-  /// A motion that is refused is read once, too.
-  LoadedMotion load_keeping_refusal(const Scene& scene, const std::string& key) {
-    try {
-      return load_motion(scene);
-    } catch (const Error& error) {
-      refusals_.emplace(key, error);
-      throw;
-    }
-  }
-
-  std::vector<std::string> warnings_;
-  std::map<std::string, long> counts_;
-  std::map<std::string, Error> refusals_;
-};
 
 /// Jobs that cost alike: the same parts, touched in the same way.
 std::string kind_of(const Scene& scene) {
@@ -150,7 +23,7 @@ std::string kind_of(const Scene& scene) {
   return kind;
 }
 
-PlannedJob planned(const BatchJob& batch_job, const BatchOptions& options, TickCounts& ticks) {
+PlannedJob planned(const BatchJob& batch_job, const BatchOptions& options, PlannedTicks& ticks) {
   const SceneJob& job = batch_job.job;
   PlannedJob plan{trace_name(job, options.format), "", job.scene.motion.file, "", 0, job.error};
   if (!job.scene.parts.empty()) plan.mesh = job.scene.parts.front().mesh;
@@ -221,22 +94,26 @@ double on_line(const std::vector<const Kind*>& tried, double JobCost::*what, dou
 void measure(const std::vector<Kind*>& kinds, const BatchOptions& options, BatchPlan& plan) {
   constexpr std::size_t most_tried = 8;
   MeshStore meshes(8, options.on_load);
+  MotionStore motions(std::size_t{256} << 20);
   std::vector<const Kind*> tried_kinds;
   for (Kind* kind : in_order_of_trying(kinds, most_tried)) {
     if (tried_kinds.size() == most_tried) break;
+    const auto start = std::chrono::steady_clock::now();
     try {
-      kind->cost = tried(*kind->scene, meshes, options);
+      kind->cost = try_job(*kind->scene, meshes, motions, options);
       kind->is_tried = true;
       tried_kinds.push_back(kind);
     } catch (const Error& error) {
       kind->error = error.what();
+      // Its mesh is loaded in vain, and a rub's places looked for.
+      kind->cost.load_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     }
   }
   plan.kinds = static_cast<int>(kinds.size());
   plan.measured = static_cast<int>(tried_kinds.size());
   for (Kind* kind : kinds) {
     if (kind->is_tried || !kind->error.empty()) continue;
-    for (double JobCost::*const what : {&JobCost::load_s, &JobCost::bytes})
+    for (double JobCost::*const what : {&JobCost::load_s, &JobCost::s_a_job, &JobCost::bytes})
       kind->cost.*what = on_line(tried_kinds, what, kind->mesh_bytes);
     for (double JobCost::*const what : {&JobCost::s_per_tick, &JobCost::bytes_per_tick})
       for (const Kind* other : tried_kinds)
@@ -248,7 +125,7 @@ void measure(const std::vector<Kind*>& kinds, const BatchOptions& options, Batch
 
 BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   BatchPlan plan;
-  TickCounts ticks;
+  PlannedTicks ticks;
   std::map<std::string, Kind> kinds;
   std::vector<Kind*> in_order, of_jobs;
   for (std::size_t i = 0; i < jobs.size(); ++i) {
@@ -263,7 +140,9 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
   }
   plan.warnings = ticks.warnings();
   measure(in_order, options, plan);
-  for (const Kind* kind : in_order) plan.seconds += kind->cost.load_s;
+  double work_s = 0;
+  for (const Kind* kind : in_order) work_s += kind->cost.load_s;
+  double longest_s = 0;  // of what no second thread shortens
   for (std::size_t i = 0; i < plan.jobs.size(); ++i) {
     if (of_jobs[i] == nullptr) continue;
     PlannedJob& job = plan.jobs[i];
@@ -272,9 +151,12 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
     const JobCost& cost = of_jobs[i]->cost;
     const auto job_ticks = static_cast<double>(job.ticks);
     plan.ticks += job_ticks;
-    plan.seconds += job_ticks * cost.s_per_tick / options.threads;
+    const double job_s = cost.s_a_job + job_ticks * cost.s_per_tick;
+    work_s += job_s;
+    longest_s = std::max(longest_s, cost.load_s + job_s);
     plan.bytes += cost.bytes + job_ticks * cost.bytes_per_tick;
   }
+  plan.seconds = std::max(longest_s, work_s / options.threads);
   return plan;
 }
 

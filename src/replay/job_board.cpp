@@ -22,7 +22,7 @@ namespace {
 // are begun and how many jobs ended, and the next job of each group; then the groups' ends and costs, and the
 // jobs.
 constexpr std::uint64_t board_mark = 0x3164726f61627066;  // "fpboard1"
-enum Place : std::uint64_t {
+enum BoardPlace : std::uint64_t {
   at_mark,
   at_batch,
   at_job_count,

@@ -2,29 +2,11 @@
 
 #include <algorithm>
 
-#include "base/number_text.hpp"
-#include "scene/toml_tree.hpp"
+#include "replay/motion_key.hpp"
 #include "trace/trace_info.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// All that load_motion asks a scene for, where the rate is settled: with a rate that is chosen, it asks for
-/// the rest too.
-std::string key_of(const Scene& scene) {
-  const TomlNode root = parse_toml(scene.text, scene.path);
-  std::string key = scene.path + "\n" + scene.name + "\n" + scene.motion.file_path + "\n";
-  for (const char* table : {"motion", "hand", "finger"}) {
-    const TomlEntry* entry = find_entry(root, table);
-    if (entry != nullptr) key += std::string(table) + "\n" + write_toml(entry->value);
-  }
-  if (scene.motion.placement.in_part) {
-    const PartEntry& part = scene.parts.front();
-    for (const double number : part.rotation.reshaped()) key += number_text(number) + " ";
-    for (const double number : part.position_m) key += number_text(number) + " ";
-  }
-  return key;
-}
 
 std::shared_ptr<const StoredMotion> read_motion(const Scene& scene) {
   return std::make_shared<const StoredMotion>(StoredMotion{load_motion(scene), motion_hash_of(scene)});
@@ -36,7 +18,7 @@ std::shared_ptr<const StoredMotion> MotionStore::load(const Scene& scene, MeshSt
   if (scene.motion.file_path.empty())
     return std::make_shared<const StoredMotion>(StoredMotion{load_motion(scene, meshes), ""});
   if (scene.motion.automatic_rate) return read_motion(scene);
-  const std::string key = key_of(scene);
+  const std::string key = motion_key(scene);
   std::promise<std::shared_ptr<const StoredMotion>> promise;
   Pending pending;
   bool ours = false;

@@ -100,12 +100,8 @@ void refuse_unknown_words(const SetAxis& axis, const std::string& path) {
   for (const SetValue& value : axis.values) {
     if (!value.value.is(TomlNode::Type::text) || std::ranges::count(row->words, value.value.text) > 0)
       continue;
-    const std::string nearest = nearest_word(value.value.text, row->words);
-    throw refused(
-        place_text(path, value.value.place),
-        fmt::format("unknown {} '{}' in [[set]]{} (known: {})", row->key, printable(value.value.text),
-                    nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
-                    word_list(row->words)));
+    throw refused(place_text(path, value.value.place),
+                  unknown_word_text(row->key, value.value.text, "in [[set]]", row->words));
   }
 }
 

@@ -26,14 +26,6 @@ bool is_number(const TomlNode& value) {
   return value.is(TomlNode::Type::integer) || value.is(TomlNode::Type::number);
 }
 
-/// A word from the file, cut so that a message stays a line.
-std::string shown(std::string_view word) {
-  std::string out(word.substr(0, 60));
-  std::replace_if(
-      out.begin(), out.end(), [](char c) { return static_cast<unsigned char>(c) < 0x20; }, ' ');
-  return word.size() > 60 ? out + "..." : out;
-}
-
 }  // namespace
 
 TomlTable::TomlTable(const TomlNode& table, std::string file, std::string label,
@@ -41,11 +33,7 @@ TomlTable::TomlTable(const TomlNode& table, std::string file, std::string label,
     : table_(table), file_(std::move(file)), label_(std::move(label)) {
   for (const TomlEntry& entry : table.entries) {
     if (std::find(known.begin(), known.end(), entry.key) != known.end()) continue;
-    const std::string nearest = nearest_word(entry.key, known);
-    throw refused(
-        place_text(file_, entry.place),
-        fmt::format("unknown key '{}' in {}{} (known: {})", shown(entry.key), label_,
-                    nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest), word_list(known)));
+    throw refused(place_text(file_, entry.place), unknown_word_text("key", entry.key, "in " + label_, known));
   }
 }
 
@@ -153,10 +141,7 @@ std::size_t TomlTable::choice(std::string_view key, std::size_t fallback,
   const std::string word = text(key, "");
   const auto found = std::find(words.begin(), words.end(), word);
   if (found != words.end()) return static_cast<std::size_t>(found - words.begin());
-  const std::string nearest = nearest_word(word, words);
-  throw error(key, fmt::format("{}: unknown {} '{}'{} (known: {})", label_, key, shown(word),
-                               nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest),
-                               word_list(words)));
+  throw error(key, fmt::format("{}: {}", label_, unknown_word_text(key, word, "", words)));
 }
 
 }  // namespace fingerpad

@@ -13,7 +13,8 @@ namespace {
 
 StudyTable numbers_table(const ProfileFit& fit) {
   constexpr double none = std::numeric_limits<double>::quiet_NaN();
-  StudyTable table{"numbers", {"number", "value", "low_95", "high_95", "samples", "trials", "refused"}, {}};
+  StudyTable table{
+      "numbers", {"number", "value", "low_95", "high_95", "samples", "trials", "refused", "unit"}, {}};
   for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
     const PadValue& value = fit.values[k];
     const auto& both = fit.interval[k];
@@ -21,7 +22,7 @@ StudyTable numbers_table(const ProfileFit& fit) {
     table.rows.push_back({std::string(pad_number_keys[k]), is_given ? value.value : none,
                           both ? both->first : none, both ? both->second : none,
                           static_cast<double>(value.samples), static_cast<double>(value.trials),
-                          value.refusal});
+                          value.refusal, std::string(unit_of_key(pad_number_keys[k]))});
   }
   return table;
 }
@@ -53,18 +54,18 @@ std::string html_list(const std::string& heading, const std::vector<std::string>
 
 std::string numbers_html(const ProfileFit& fit) {
   std::string out =
-      "<h2>Numbers</h2>\n<table><tr><th>number</th><th>value</th><th>95 "
+      "<h2>Numbers</h2>\n<table><tr><th>number</th><th>value</th><th>unit</th><th>95 "
       "%</th><th>samples</th><th>trials</th></tr>\n";
   for (std::size_t k = 0; k < pad_number_keys.size(); ++k) {
     const PadValue& value = fit.values[k];
     if (!value.refusal.empty()) {
-      out += fmt::format("<tr><td>{}</td><td colspan=\"4\">refused: {}</td></tr>\n", pad_number_keys[k],
+      out += fmt::format("<tr><td>{}</td><td colspan=\"5\">refused: {}</td></tr>\n", pad_number_keys[k],
                          html(value.refusal));
       continue;
     }
     const auto& both = fit.interval[k];
-    out += fmt::format("<tr><td>{}</td><td>{:.5g}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                       pad_number_keys[k], value.value,
+    out += fmt::format("<tr><td>{}</td><td>{:.5g}</td><td>{}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+                       pad_number_keys[k], value.value, unit_of_key(pad_number_keys[k]),
                        both ? fmt::format("{:.5g} to {:.5g}", both->first, both->second)
                             : no_interval_words(fit.no_interval[k]),
                        value.samples, value.trials);

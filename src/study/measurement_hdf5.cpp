@@ -41,11 +41,13 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
   for (std::size_t k = 0; k < names.size(); ++k)
     if (!file.present[k] && is_required(format, k)) missing.push_back(names[k]);
   if (!missing.empty())
-    throw refused(path,
-                  file.chosen.empty()
-                      ? fmt::format("has no dataset '{}'; a measurement has one a column, as t_s, x_m, fx_n",
-                                    missing.front())
-                      : missing_columns_words(missing, file.chosen));
+    throw refused(
+        path,
+        file.chosen.empty()
+            ? fmt::format("has no dataset '{}'; a measurement has one a column at its root, as t_s, x_m, "
+                          "fx_n, of N numbers each, and {}",
+                          missing.front(), file.contents)
+            : missing_columns_words(missing, file.chosen));
   const std::size_t count = file.columns[0].size(),
                     first_direction = static_cast<std::size_t>(MeasuredColumn::dx);
   if (!file.scene_text.empty() && !file.present[first_direction] && !format.markers) {

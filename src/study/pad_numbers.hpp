@@ -55,6 +55,9 @@ inline constexpr std::array<std::string_view, 20> pad_number_keys{"lateral_axis_
                                                                   "normal_stiffness_n_per_m",
                                                                   "normal_exponent"};
 
+/// "m", "1/deg"; "1" of a pure number. Every key ends in its unit.
+std::string_view unit_of_key(std::string_view key) noexcept;
+
 /// Why a number is refused, where advice depends on it.
 enum class RefusalReason {
   other,

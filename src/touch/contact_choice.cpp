@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "scene/scene.hpp"
 #include "touch/contact_case.hpp"
 #include "touch/contact_mend.hpp"
@@ -38,6 +39,17 @@ std::vector<std::string> mends_of(const Scene& scene, ContactReckoning& reckonin
   return mends;
 }
 
+/// Of a rub that presses less hard than `greatest_force_n`, for which the choice is made: which number to
+/// give. Empty for any other motion.
+std::string lighter_press_words(const Scene& scene) {
+  const double asked_n = scene.motion.laid ? scene.motion.laid->normal_force_n : 0;
+  if (!(asked_n > 0) || !(asked_n < scene.contact.greatest_force_n)) return "";
+  return fmt::format(
+      "; this is reckoned for the {0} N of contact.greatest_force_n: with {1} it is for the {1} N that "
+      "the motion asks for",
+      rounded_text(scene.contact.greatest_force_n, 3), rounded_text(asked_n, 3));
+}
+
 }  // namespace
 
 bool leaves_a_choice(const ContactSettings& contact) noexcept {
@@ -60,6 +72,7 @@ ContactChoice choose_contact(const Scene& scene, std::span<const Surface> surfac
   const std::vector<std::string> mends = mends_of(scene, reckoning, verdict);
   for (std::size_t i = 0; i < verdict.cases.size(); ++i) {
     choice.limits.push_back(limit_of(verdict, i, mends[i]));
+    if (!choice.limits[i].said.empty()) choice.limits[i].said += lighter_press_words(scene);
     choice.reasons.push_back(reason_of(verdict, i, choice.limits[i].kept_tolerance));
   }
   for (std::size_t i = 0; i < verdict.cases.size(); ++i) {

@@ -1,6 +1,7 @@
 #include "trace/hdf5_columns.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cstdint>
 #include <filesystem>
@@ -20,6 +21,7 @@ void tell_columns(const std::string& path, const std::vector<std::string>& names
   tell(hdf5::read_text(file, "scene"));
   tell(hdf5::read_texts(file, "columns"));
   tell(hdf5::read_whole(file, "every").value_or(1));
+  tell(hdf5::contents_words(file));
   std::optional<std::uint64_t> rows;
   for (const std::string& name : names) {
     const bool is_there = hdf5::has_link(file, name);
@@ -33,15 +35,19 @@ void tell_columns(const std::string& path, const std::vector<std::string>& names
                                 "'h5repack -f {0}:NONE IN.h5 OUT.h5' undoes that",
                                 name));
     const std::vector<std::uint64_t> extents = hdf5::extents(column);
-    if (extents.size() != 1) throw refused(path, fmt::format("the column '{}' is no row of numbers", name));
-    if (rows && *rows != extents[0])
+    const std::optional<std::uint64_t> length = hdf5::length_of_row(extents);
+    if (!length)
+      throw refused(path, fmt::format("the column '{}' is {}; a column is N numbers (or N x 1)", name,
+                                      extents.empty() ? "of no numbers, or of more than two dimensions"
+                                                      : fmt::format("{}", fmt::join(extents, " x "))));
+    if (rows && *rows != *length)
       throw refused(
-          path, fmt::format("the column '{}' has {} rows, those before it have {}", name, extents[0], *rows));
-    rows = extents[0];
+          path, fmt::format("the column '{}' has {} rows, those before it have {}", name, *length, *rows));
+    rows = length;
     if (*rows > hdf5::stored_values(column))
       throw refused(path, fmt::format("is damaged: the column '{}' has fewer numbers than it says", name));
     std::vector<double> numbers(static_cast<std::size_t>(*rows));
-    if (!hdf5::read_rows(column, 0, numbers))
+    if (!hdf5::read_all(column, numbers))
       throw refused(path, fmt::format("the column '{}' cannot be read as numbers", name));
     tell(numbers);
   }
@@ -54,6 +60,7 @@ Hdf5Columns hear_columns(std::size_t names, Hearer& hear) {
   hear(found.scene_text);
   hear(found.chosen);
   hear(found.every);
+  hear(found.contents);
   for (std::size_t k = 0; k < names; ++k) {
     bool is_there = false;
     hear(is_there);

@@ -13,9 +13,10 @@ struct Hdf5Columns {
   std::string scene_text;                    ///< the scene that a trace keeps; empty where there is none
   std::vector<std::string> chosen;  ///< of a trace: the columns alone that it was written with; else none
   std::uint64_t every = 1;          ///< of a trace: its rows are every so manieth tick
+  std::string contents;             ///< what the file holds: "it holds pos (500 x 3)"
 };
 
-/// Reads one-dimensional datasets of numbers at a file's root. The file is read by a child process, as
+/// Reads datasets of N numbers (or N x 1, 1 x N) at a file's root. The file is read by a child process, as
 /// read_trace does it. Throws Error (refused) for one that keeps anything outside of itself, for columns that
 /// differ in length, and where the first of `names` that is there is compressed: its bytes bound the rows
 /// that the others, shuffled and deflated or not, unfold to.

@@ -227,6 +227,19 @@ bool read_rows(const Handle& column, std::size_t first, std::span<double> out) {
                  out.data()) >= 0;
 }
 
+std::optional<std::uint64_t> length_of_row(const std::vector<std::uint64_t>& extents) {
+  if (extents.size() == 1) return extents[0];
+  if (extents.size() == 2 && (extents[0] == 1 || extents[1] == 1)) return extents[0] * extents[1];
+  return std::nullopt;
+}
+
+bool read_all(const Handle& dataset, std::span<double> out) {
+  const Turn turn;
+  const hsize_t count = out.size();
+  const Handle memory_space = wrapped(H5Screate_simple(1, &count, nullptr), H5Sclose, "");
+  return H5Dread(dataset.id(), H5T_NATIVE_DOUBLE, memory_space.id(), H5S_ALL, H5P_DEFAULT, out.data()) >= 0;
+}
+
 // Eigen's matrices are stored by column, so that 3 x n here is n x 3 there.
 void write_table(const Handle& parent, const std::string& name, const Points& points, const std::string& unit,
                  Packing packing) {

@@ -117,6 +117,9 @@ void append(const Handle& column, std::size_t rows, std::span<const double> valu
 /// deflate, of which nothing is loaded.
 /// @param what  what it is called in messages ("column")
 Handle open_dataset(const Handle& parent, const std::string& name, const std::string& what);
+/// "it holds pos (500 x 3), the group run1 with t_s (500), x_m (500)": the first things in a file and in its
+/// groups, for who looks for something else.
+std::string contents_words(const Handle& file);
 /// The extents of a dataset of numbers; none if it is something else.
 std::vector<std::uint64_t> extents(const Handle& dataset);
 /// Whether its numbers are deflated.
@@ -124,6 +127,12 @@ bool is_deflated(const Handle& dataset);
 /// How many values the file has bytes for, of a deflated dataset chunks. (HDF5 reads zeros where it has
 /// none.)
 std::uint64_t stored_values(const Handle& dataset);
+/// How many numbers a row of them has: of N, and of N x 1 and 1 x N, as some programs write one. None of
+/// another shape.
+std::optional<std::uint64_t> length_of_row(const std::vector<std::uint64_t>& extents);
+/// All numbers of a dataset, as doubles; false if they cannot be read.
+/// @pre out has room for all
+bool read_all(const Handle& dataset, std::span<double> out);
 /// Rows first .. first + out.size() of a column, as doubles; false if they cannot be read.
 bool read_rows(const Handle& column, std::size_t first, std::span<double> out);
 

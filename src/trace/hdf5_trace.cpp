@@ -1,6 +1,7 @@
 #include "trace/hdf5_trace.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -88,7 +89,10 @@ std::uint64_t rows_of(const hdf5::Handle& column, const std::string& name, bool 
                       std::uint64_t file_bytes) {
   const auto size = hdf5::extents(column);
   if (size.size() != 1)
-    throw refused(column.path(), fmt::format("column '{}' is no column of numbers", name));
+    throw refused(column.path(), fmt::format("column '{}' is no column of numbers{}", name,
+                                             size.empty() ? ""
+                                                          : fmt::format(": it is {}, and a trace's is N",
+                                                                        fmt::join(size, " x "))));
   // Every row takes many bytes.
   if (size[0] > file_bytes)
     throw refused(column.path(), fmt::format("is damaged: {} rows in {} bytes", size[0], file_bytes));
@@ -114,7 +118,8 @@ Columns open_columns(const hdf5::Handle& file, bool complete, bool is_partial) {
         columns.handles.emplace_back();
         continue;
       }
-      throw refused(file.path(), fmt::format("is no trace: it has no column '{}'", name));
+      throw refused(file.path(),
+                    fmt::format("is no trace: it has no column '{}'; {}", name, hdf5::contents_words(file)));
     }
     columns.handles.push_back(hdf5::open_dataset(file, name, "column"));
     // A row that takes bytes for certain: so what a file unfolds to has a bound.

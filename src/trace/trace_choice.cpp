@@ -23,6 +23,8 @@ std::vector<std::string> chosen_columns(std::string_view list, const std::string
   for (const std::string_view name : csv_cells(list, ',')) {
     asked.emplace_back(name);
     if (names(known, name)) continue;
+    if (const std::string commas = commas_hint(name); !commas.empty())
+      throw Error(ErrorKind::usage, where, fmt::format("'{}' is no column of a trace{}", name, commas));
     const std::string nearest = nearest_word(name, known);
     throw Error(
         ErrorKind::usage, where,
@@ -31,6 +33,17 @@ std::vector<std::string> chosen_columns(std::string_view list, const std::string
   }
   std::erase_if(known, [&asked](const std::string& name) { return !names(asked, name); });
   return known;
+}
+
+std::string commas_hint(std::string_view name) {
+  constexpr std::string_view other_marks = "; \t|:/+";
+  std::string parted;
+  for (std::size_t at = 0; (at = name.find_first_not_of(other_marks, at)) != std::string_view::npos;) {
+    const std::size_t end = std::min(name.find_first_of(other_marks, at), name.size());
+    parted += (parted.empty() ? "" : ",") + std::string(name.substr(at, end - at));
+    at = end;
+  }
+  return parted.find(',') == std::string::npos ? "" : "; commas part them: " + parted;
 }
 
 void choose(const TraceChoice& choice, TraceInfo& info) {

@@ -21,6 +21,10 @@ struct TraceChoice {
 /// name that no trace has, with the nearest.
 std::vector<std::string> chosen_columns(std::string_view list, const std::string& where);
 
+/// "; commas part them: fn_n,mu", to stand behind what is said of an unknown column that is several, parted
+/// by another mark ("fn_n;mu", "fn_n mu"); "" of any other.
+std::string commas_hint(std::string_view name);
+
 /// Tells the info of a trace what it is written with.
 void choose(const TraceChoice& choice, TraceInfo& info);
 

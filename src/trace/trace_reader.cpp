@@ -14,6 +14,7 @@
 #include "trace/trace.hpp"
 #include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
+#include "trace/trace_folder.hpp"
 
 namespace fingerpad {
 namespace {
@@ -56,6 +57,7 @@ void refuse_false_hdf5(const std::string& path) {
 }
 
 Trace read_trace(const std::string& path, TraceContents contents) {
+  refuse_trace_folder(path);
   if (path.ends_with(".toml") && !is_hdf5(path) && !why_unreadable(path, trace_file))
     throw refused(path, "is a scene, not a trace: `fingerpad replay` makes one of it");
   refuse_false_hdf5(path);

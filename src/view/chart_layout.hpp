@@ -28,9 +28,10 @@ struct ChartLayout {
 /// @param least_left  where the frames begin at the earliest
 ChartLayout stacked_layout(const Chart& chart, const Box& box, double em, double least_left = 0);
 
-/// Size of texts of such a page, and of one of stacked panels that a chart's file has [px].
+/// Size of the texts in a chart that is written to a file, a page or stacked panels [px].
 inline constexpr double chart_page_em = 16;
-inline constexpr double chart_title_ems = 1.35;  ///< of a title, in sizes of its texts
+/// Size of a chart's title, in sizes of its other texts.
+inline constexpr double chart_title_ems = 1.35;
 
 /// A page of panels of one size, as large as it takes: `page` says how large.
 ChartLayout page_layout(const Chart& chart);

@@ -14,6 +14,7 @@
 #include "trace/trace.hpp"
 #include "trace/trace_choice.hpp"
 #include "trace/trace_column.hpp"
+#include "trace/trace_folder.hpp"
 #include "view/left_out_ticks.hpp"
 #include "view/run_title.hpp"
 #include "view/touch_series.hpp"
@@ -196,6 +197,7 @@ bool is_measured_table(const std::string& path) {
 }
 
 ComparedRun read_compared_run(const std::string& path, Over over, double from_s, double to_s) {
+  refuse_trace_folder(path);
   refuse_false_hdf5(path);
   return holds_trace(path) ? of_trace(path, over, from_s, to_s, {}) : of_table(path, over, from_s, to_s);
 }

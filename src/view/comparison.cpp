@@ -1,13 +1,16 @@
 #include "view/comparison.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "touch/tick_record.hpp"
+#include "trace/trace_choice.hpp"
 
 namespace fingerpad {
 namespace {
@@ -141,15 +144,58 @@ bool are_shared(const CommonTicks& ticks) {
   });
 }
 
-std::string note_on(const ComparedRun& first, const ComparedRun& other, const CommonTicks& ticks, Over over) {
+/// "0.35 to 1 s": what two runs have in common.
+std::string span_words(const CommonTicks& ticks, Over over) {
   const char* unit = over == Over::time ? "s" : over == Over::travel ? "mm" : "deg";
-  const std::string span = fmt::format("{}: {} to {} {}", other.name, rounded_text(ticks.from, 4),
-                                       rounded_text(ticks.to, 4), unit);
-  if (first.x == other.x) return span;
+  return fmt::format("{} to {} {}", rounded_text(ticks.from, 4), rounded_text(ticks.to, 4), unit);
+}
+
+/// At which ticks a run is compared with the first; empty where both have the same.
+std::string ticks_words(const ComparedRun& first, const ComparedRun& other, const CommonTicks& ticks) {
+  if (first.x == other.x) return "";
   if (ticks.grid == &other)
-    return span + ", at its own ticks" + (are_shared(ticks) ? "" : ", the first interpolated linearly");
-  return span + (are_shared(ticks) ? ", at the ticks of the first"
-                                   : ", interpolated linearly at the ticks of the first");
+    return std::string("at its own ticks") + (are_shared(ticks) ? "" : ", the first interpolated linearly");
+  return are_shared(ticks) ? "at the ticks of the first" : "interpolated linearly at the ticks of the first";
+}
+
+/// Runs of which the same is told.
+struct NotedRuns {
+  std::vector<std::string> names;
+  std::string span, at;
+};
+
+/// @param who  the runs by name, or that it is all
+std::string note_on(const NotedRuns& runs, const std::string& who, bool tells_span) {
+  std::string words = who + ": ";
+  if (tells_span) words += runs.span + (runs.at.empty() ? "" : ", ");
+  return words + (runs.names.size() > 1 && runs.at.starts_with("at its own") ? "each " : "") + runs.at;
+}
+
+/// Over what, and at which ticks, each run is compared with the first; what several have in common is told
+/// once.
+/// @param ticks  of each run but the first
+std::vector<std::string> common_notes(const std::vector<ComparedRun>& runs,
+                                      const std::vector<CommonTicks>& ticks, Over over) {
+  std::vector<NotedRuns> noted;
+  for (std::size_t i = 1; i < runs.size(); ++i) {
+    const std::string span = span_words(ticks[i - 1], over), at = ticks_words(runs[0], runs[i], ticks[i - 1]);
+    const auto same =
+        std::ranges::find_if(noted, [&](const NotedRuns& one) { return one.span == span && one.at == at; });
+    NotedRuns& of_run = same == noted.end() ? noted.emplace_back(NotedRuns{{}, span, at}) : *same;
+    of_run.names.push_back(runs[i].name);
+  }
+  const bool is_one_span = noted.size() > 1 && std::ranges::all_of(noted, [&](const NotedRuns& one) {
+                             return one.span == noted[0].span;
+                           });
+  std::vector<std::string> notes;
+  if (is_one_span) notes.push_back("all: " + noted[0].span);
+  for (const NotedRuns& one : noted) {
+    const bool are_all = noted.size() == 1 && one.names.size() > 1;
+    const std::string who =
+        are_all ? "all" : fmt::format("{}", fmt::join(one.names, "; "));  // names have commas
+    if (!is_one_span || !one.at.empty()) notes.push_back(note_on(one, who, !is_one_span));
+  }
+  return notes;
 }
 
 std::string left_out_words(const ComparedRun& run) {
@@ -167,7 +213,8 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
   for (const std::string& name : comparison.columns) {
     for (const ComparedRun& run : runs) {
       if (column_of(run, name) == nullptr)
-        throw refused(run.path, fmt::format("has no column '{}'; it has {}", name, names_in(run)));
+        throw refused(run.path,
+                      fmt::format("has no column '{}'{}; it has {}", name, commas_hint(name), names_in(run)));
     }
   }
   if (runs.size() > 1) comparison.notes.push_back("residuals: less the first, " + runs[0].name);
@@ -185,10 +232,8 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
   else if (over != Over::time && std::any_of(runs.begin(), runs.end(), lacks_ticks))
     comparison.notes.emplace_back(shortened_words(over));
   std::vector<CommonTicks> ticks;
-  for (std::size_t i = 1; i < runs.size(); ++i) {
-    ticks.push_back(common_ticks(runs[0], runs[i], over));
-    comparison.notes.push_back(note_on(runs[0], runs[i], ticks.back(), over));
-  }
+  for (std::size_t i = 1; i < runs.size(); ++i) ticks.push_back(common_ticks(runs[0], runs[i], over));
+  for (std::string& note : common_notes(runs, ticks, over)) comparison.notes.push_back(std::move(note));
   for (const std::string& name : comparison.columns) {
     for (std::size_t i = 1; i < runs.size(); ++i)
       comparison.residuals.push_back(residual_of(name, runs[0], runs[i], i, ticks[i - 1]));

@@ -14,7 +14,10 @@ TouchTarget::TouchTarget(std::shared_ptr<const World> world, const Scene& scene,
       radius_m_(scene.finger.radius_m),
       hover_m_(hover_m),
       direction_W_(start.direction_W),
-      spot_W_(start.p_WQ) {}
+      spot_W_(start.p_WQ),
+      most_n_(std::min(20.0, scene.contact.greatest_force_n)),
+      least_n_(std::min(0.05, most_n_)),
+      press_n_(std::min(1.0, most_n_)) {}
 
 void TouchTarget::point_at(const Vec3& point_W, const Vec3& normal_W, int surface) {
   spot_W_ = point_W;
@@ -40,7 +43,7 @@ void TouchTarget::move_by(const Vec3& step_W) {
 }
 
 void TouchTarget::change_force(int steps) {
-  press_n_ = std::clamp(press_n_ * std::pow(1.25, steps), 0.05, 20.0);
+  press_n_ = std::clamp(press_n_ * std::pow(1.25, steps), least_n_, most_n_);
 }
 
 FingerSample TouchTarget::sample() const {

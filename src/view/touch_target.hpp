@@ -20,7 +20,8 @@ class TouchTarget {
   /// Along the surface from the present spot, by a step in space; back onto the surface where it bends.
   void move_by(const Vec3& step_W);
   void press(bool on) { pressing_ = on; }
-  /// The force aimed at, one step of about a quarter up or down; 0.05 to 20 N.
+  /// The force aimed at, one step of about a quarter up or down; 0.05 to 20 N, and never more than the
+  /// scene's `greatest_force_n`, for which the contact was chosen.
   void change_force(int steps);
 
   bool pressing() const noexcept { return pressing_; }
@@ -39,7 +40,7 @@ class TouchTarget {
   Vec3 spot_W_, normal_W_ = Vec3::UnitZ();
   int surface_ = -1;  ///< -1: nothing pointed at yet
   int seed_ = -1;
-  double press_n_ = 1;
+  double most_n_, least_n_, press_n_;
   bool pressing_ = false;
 };
 

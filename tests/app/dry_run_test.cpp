@@ -2,11 +2,14 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
+#include <sstream>
 
 #include "support/mesh_files.hpp"
 #include "support/paths.hpp"
 #include "support/shapes.hpp"
 #include "support/shell.hpp"
+#include "trace/trace.hpp"
 
 // What `replay --dry-run` says before anything is written.
 
@@ -38,6 +41,46 @@ TEST(DryRun, ListsJobsWithTheirTicksAndReckonsTimeAndDisk) {
   }
   const std::size_t at = planned.out.find("thread, ");
   EXPECT_NEAR(std::stod(planned.out.substr(at + 8)) * 1e6, bytes, 0.2 * bytes) << planned.out;
+}
+
+/// The ticks that a dry run lists, by job.
+std::vector<long> listed_ticks(const std::string& plan) {
+  std::vector<long> ticks;
+  std::istringstream lines(plan);
+  for (std::string line; std::getline(lines, line);) {
+    const std::size_t end = line.rfind(" ticks"), begin = line.rfind(": ");
+    if (line.ends_with(" ticks") && begin < end) ticks.push_back(std::stol(line.substr(begin + 2)));
+  }
+  return ticks;
+}
+
+/// Where the rate is chosen, a motion's ticks depend on more than [motion]: on the law, the surface, the
+/// part.
+TEST(DryRun, CountsTheTicksOfMotionsAtAChosenRateByTheWholeScene) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "ball.ply") << test::binary_ply(test::sphere_soup(30, 3));
+  std::ofstream(folder / "plate.ply") << test::binary_ply(test::box_soup({80, 80, 20}));
+  const std::string part = "[[part]]\nmesh = \"plate.ply\"\n[friction]\nlaw = \"finger-pad\"\n";
+  const std::string set =
+      "[[set]]\nmesh = [\"ball.ply\", \"plate.ply\"]\nfriction.law = [\"coulomb\", \"finger-pad\"]\n"
+      "contact.mu_tolerance = [0.02, 0.5]\n";
+  for (const std::string motion :
+       {"[motion]\nkind = \"on_surface\"\nshape = \"circle\"\nsize_m = 0.01\nspeed_m_per_s = 0.02\ndepth_m = "
+        "0.001\nplace = 1\nrate_hz = \"auto\"\n",
+        "[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0.0299]\nto_m = [0.004, 0, 0.0299]\nspeed_m_per_s = "
+        "0.01\n"
+        "rate_hz = \"auto\"\n"}) {
+    std::ofstream(folder / "s.toml") << "name = \"s\"\n" << part << motion << set;
+    const auto planned = test::fingerpad("replay s.toml --out o --dry-run", folder);
+    ASSERT_EQ(planned.exit_code, 0) << planned.err;
+    ASSERT_EQ(test::fingerpad("replay s.toml --out o --quiet", folder).exit_code, 0);
+    std::vector<long> ticks;
+    for (int job = 1; job <= 8; ++job)
+      ticks.push_back(
+          std::ssize(read_trace((folder / ("o/s-000" + std::to_string(job) + ".h5")).string()).rows));
+    EXPECT_EQ(listed_ticks(planned.out), ticks);
+    EXPECT_GT(std::set(ticks.begin(), ticks.end()).size(), 1U) << "rates differ, or this shows nothing";
+  }
 }
 
 TEST(DryRun, SaysOfEachJobOfAMotionThatCannotBeReadThatItWouldFail) {

@@ -34,6 +34,9 @@ TEST_F(Fit, TellsEachNumberAndGivesTheSameProfileEachTime) {
   EXPECT_EQ(first.exit_code, 0) << first.err;
   EXPECT_THAT(first.out, HasSubstr("lateral_axis_m"));
   EXPECT_THAT(first.out, HasSubstr("95 %:"));
+  EXPECT_THAT(first.out, testing::ContainsRegex("\nlateral_axis_m +[0-9.e-]+ +m +95 %: "));
+  EXPECT_THAT(first.out, testing::ContainsRegex("\nv_min_m_per_s +[0-9.e-]+ +m/s +"));
+  EXPECT_THAT(first.out, testing::ContainsRegex("\nmu_static +[0-9.e-]+ +1 +95 %: "));
   EXPECT_THAT(first.out, HasSubstr("wrote one.toml (6 trials of 2 subjects)"));
   const std::string profile = test::bytes_of(folder / "one.toml");
   EXPECT_THAT(profile, HasSubstr("[interval]"));
@@ -226,7 +229,7 @@ TEST_F(Fit, GivesTheNormalLawOfANormalForceAlone) {
   EXPECT_THAT(profile, HasSubstr("To have it, measure the force along the plate too, as fx_n and fy_n"));
   EXPECT_THAT(page, HasSubstr("normal law alone, and nothing of friction"));
   EXPECT_THAT(page,
-              HasSubstr("<td>mu_dynamic</td><td colspan=\"4\">refused: pressed.csv: column fx_n missing"));
+              HasSubstr("<td>mu_dynamic</td><td colspan=\"5\">refused: pressed.csv: column fx_n missing"));
   EXPECT_THAT(page, HasSubstr("<li>figures 3 to 11: pressed.csv: column fx_n missing</li>"));
   const auto both = fit(shipped.string() + " pressed.csv --out both.toml");
   EXPECT_EQ(both.exit_code, 0) << both.err;

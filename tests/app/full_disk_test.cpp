@@ -53,6 +53,36 @@ TEST(FullDisk, ASummaryThatCannotBeWrittenIsToldBesideTheFailedJobs) {
   EXPECT_EQ(lines_of(bad.err), 2) << bad.err;
 }
 
+#ifdef FINGERPAD_VIEW
+/// The program's own failure, exit code 1: neither the call nor an input is wrong.
+TEST(FullDisk, AReportThatHasNoRoomEndsOneAndLeavesTheOldOne) {
+  const fs::path folder = folder_with_scene();
+  ASSERT_EQ(test::fingerpad("replay calm.toml --out o --quiet", folder).exit_code, 0);
+  std::ofstream(folder / "o" / "report.html") << "the old one";
+  const ShellResult full = test::shell("ulimit -f 800; '" + test::program().string() + "' report o", folder);
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_EQ(full.err, "fingerpad: error: o/report.html: cannot be written: File too large\n");
+  EXPECT_EQ(bytes_of(folder / "o" / "report.html"), "the old one");
+  EXPECT_FALSE(fs::exists(folder / "o" / "report.html.part"));
+  const ShellResult device = test::fingerpad("report o --out /dev/full", folder);
+  EXPECT_EQ(device.exit_code, 2) << device.err;  // by its name, which is no page's
+}
+
+/// The same with a file system of its own; where none can be mounted, the limit above has to do.
+TEST(FullDisk, AReportOnASmallFileSystemSaysThatItIsFull) {
+  const fs::path folder = folder_with_scene();
+  ASSERT_EQ(test::fingerpad("replay calm.toml --out o --quiet", folder).exit_code, 0);
+  fs::create_directory(folder / "small");
+  const std::string mount =
+      "unshare --mount --map-root-user sh -c \"mount -t tmpfs -o size=64k none small && ";
+  if (test::shell(mount + "true\"", folder).exit_code != 0) GTEST_SKIP() << "no file system can be mounted";
+  const ShellResult full =
+      test::shell(mount + "'" + test::program().string() + "' report o --out small/r.html\"", folder);
+  EXPECT_EQ(full.exit_code, 1);
+  EXPECT_EQ(full.err, "fingerpad: error: small/r.html: cannot be written: No space left on device\n");
+}
+#endif
+
 TEST(FullDisk, AnOutputFolderThatIsAFileIsSaidSo) {
   const fs::path folder = folder_with_scene();
   std::ofstream(folder / "file") << "x";

@@ -129,6 +129,54 @@ TEST(NearMiss, OfAnHdf5FileByItsNameIsNotReadAsText) {
   }
 }
 
+TEST(NearMiss, OfAnOptionsWordOrASubjectIsTold) {
+  const fs::path folder = folder_with_scenes();
+  const auto told = [&](const std::string& call) {
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 2) << call;
+    return result.err;
+  };
+  EXPECT_THAT(told("study contct --out o"),
+              HasSubstr("SUBJECT: 'contct' is none of friction, contact, stability, scene; did you mean "
+                        "'contact'?\n"));
+  EXPECT_THAT(told("replay scenes/sweep.toml --out o --format cvs"), HasSubstr("did you mean 'csv'?"));
+  EXPECT_THAT(told("keys frict"), HasSubstr("a scene has no key 'frict'; did you mean 'friction'?\n"));
+  EXPECT_THAT(told("keys fric"), HasSubstr("did you mean 'friction'?"));
+  EXPECT_THAT(told("keys part.mu_sttic"), HasSubstr("did you mean 'part.mu_static'?"));
+  EXPECT_THAT(told("check part.stl --unit inch"), HasSubstr("'inch' is none of m, mm, cm, in"));
+#ifdef FINGERPAD_VIEW
+  EXPECT_THAT(told("plot a.h5 --out p.svg --show spectrm"), HasSubstr("did you mean 'spectrum'?"));
+#endif
+}
+
+TEST(NearMiss, OfAFolderForATraceNamesTheTracesInIt) {
+  const fs::path folder = folder_with_scenes();
+  ASSERT_EQ(test::fingerpad("replay scenes/sweep.toml scenes/bracket.toml --out o --quiet", folder).exit_code,
+            0);
+  ASSERT_EQ(test::fingerpad("replay scenes/sweep.toml --format csv --out text --quiet", folder).exit_code, 0);
+  std::vector<std::string> calls{"export {} --out e.csv"};
+#ifdef FINGERPAD_VIEW
+  for (const char* call : {"plot {} --out p.svg", "plot text/sweep.csv {} --out p.svg",
+                           "plot {} --out p.svg --show residual", "view {} --png v.png"})
+    calls.emplace_back(call);
+#endif
+  const auto told = [&](std::string call, const std::string& input) {
+    call.replace(call.find("{}"), 2, input);
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 3) << call;
+    return result.err;
+  };
+  for (const std::string& call : calls) {
+    const bool is_view = call.starts_with("view");
+    const std::string is_folder =
+        std::string(": is a folder, not ") + (is_view ? "a scene, mesh or trace; " : "a trace; ");
+    EXPECT_EQ(told(call, "o"), "fingerpad: error: o" + is_folder + "name one: o/bracket.h5, o/sweep.h5\n")
+        << call;
+    EXPECT_THAT(told(call, "text"), HasSubstr("name one: text/sweep.csv\n")) << "its tables are none";
+    EXPECT_THAT(told(call, "scenes"), HasSubstr("scenes" + is_folder + "no trace is in it\n"));
+  }
+}
+
 TEST(NearMiss, OfADeviceIsToldWithTheDevices) {
   const auto result = test::fingerpad("touch scenes/sweep.toml --device poiner", folder_with_scenes());
   EXPECT_EQ(result.exit_code, 2);

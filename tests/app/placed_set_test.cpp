@@ -73,6 +73,28 @@ TEST(PlacedSet, WhatNoPlaceHoldsFailsWithItsReason) {
               HasSubstr("error: 2 jobs (3, 4): s.toml: plate.ply: none of 300 random places holds"));
 }
 
+/// Each job by its own greatest force, and where the motion asks for less, how to say so.
+TEST(PlacedSet, IsJudgedByAutoForEachJobsGreatestForce) {
+  const fs::path folder = folder_with_set("normal_force_n = 1");
+  std::ofstream(folder / "s.toml", std::ios::app)
+      << "contact.greatest_force_n = [1, 10]\ncontact.method = \"auto\"\ncontact.normals = [\"auto\"]\n"
+         "contact.force_tolerance = 1e-6\n";
+  const auto result = test::fingerpad("replay s.toml --out o --jobs 1", folder);
+  ASSERT_EQ(result.exit_code, 0) << result.err;
+  const auto reasons = [&](int job) {
+    std::string words;
+    for (const std::string& line :
+         read_trace((folder / ("o/s-000" + std::to_string(job) + ".h5")).string()).info.contact_reasons)
+      words += line + "\n";
+    return words;
+  };
+  EXPECT_THAT(reasons(1), testing::AllOf(HasSubstr("cannot be kept"),
+                                         testing::Not(HasSubstr("contact.greatest_force_n"))));
+  EXPECT_THAT(reasons(2),
+              HasSubstr("; this is reckoned for the 10 N of contact.greatest_force_n: with 1 it is for the "
+                        "1 N that the motion asks for (auto)\n"));
+}
+
 TEST(PlacedMotion, InAPartsFrameGoesWithThePart) {
   const fs::path folder = test::scratch_dir();
   test::write_file(folder, "plate.ply", test::binary_ply(test::box_soup({80, 80, 10})));

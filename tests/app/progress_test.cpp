@@ -138,5 +138,26 @@ TEST(JobBar, CountsAJobWhoseMeshIsStillBeingLoadedAsUnderWay) {
   EXPECT_THAT(seen, Not(HasSubstr("0/1 stopped")));
 }
 
+#ifdef FINGERPAD_VIEW
+TEST(Report, TellsHowManyTracesItHasRead) {
+  const bool has_terminal = has_script();  // in the same folder, which it empties
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = "
+         "\"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.4, 0, -0.001]\n"
+         "speed_m_per_s = 0.05\nrate_hz = 5000\n[[set]]\nseed = { from = 1, to = 12, "
+         "steps = 12 }\n";
+  ASSERT_EQ(test::fingerpad("replay s.toml --out o --quiet", folder).exit_code, 0);
+  const std::string lines = test::fingerpad("report o --progress 0", folder).err;
+  EXPECT_THAT(lines, testing::StartsWith("fingerpad: 1 of 12 traces read, 8%"));
+  EXPECT_THAT(lines, HasSubstr("fingerpad: 6 of 12 traces read, 50%"));
+  EXPECT_EQ(test::fingerpad("report o --progress 0 --quiet", folder).err, "");
+  EXPECT_EQ(test::fingerpad("report o", folder).err, "") << "a line every ten seconds";
+  if (!has_terminal) GTEST_SKIP() << "no script(1) to play a terminal";
+  EXPECT_THAT(on_a_terminal("report o", folder), testing::ContainsRegex("\\] +[0-9]+% [0-9]+/12"));
+  EXPECT_EQ(on_a_terminal("report o --quiet", folder), "");
+}
+#endif
+
 }  // namespace
 }  // namespace fingerpad::progress_test

@@ -337,6 +337,7 @@ until document.querySelectorAll("#chart circle").length === 3
 js document.querySelectorAll("#matrix td").length
 js (window.teeth = { inPairs: true, times: [...Array(40).keys()], values: [...Array(40).keys()].map(i => i % 2) }, [denseStretches(teeth).every(Boolean), denseStretches({ inPairs: true, values: teeth.times }).some(Boolean)])
 js (window.fills = 0, curvePlotter(teeth)({ points: teeth.times.map((t, i) => ({ xval: t, yval: teeth.values[i], canvasx: t, canvasy: teeth.values[i] })), drawingContext: new Proxy({}, { get: (_, name) => () => { fills += name === "fill"; }, set: () => true }), color: "red", strokeWidth: 1 }), fills)
+js (window.between = (count, value) => { const up = [...Array(40).keys()].map(i => i % 2), other = [...Array(2 * count).keys()].map(value); return { inPairs: true, values: [...up, ...other, ...up] }; }, [between(4, i => 0.04 * i), between(20, i => 0.04 * i), between(4, i => 0.5)].map(curve => { const dense = denseStretches(curve); return [dense.slice(0, 19).every(Boolean), dense.slice(20, -20).filter(Boolean).length, dense.slice(-19).every(Boolean)]; }))
 js [[1, 1.001, 2], [1, 1.001], [1, 1000], [0, 10, 1, 1000]].map(values => { const scale = colourScale(values); return Math.round(1000 * (scale.share(values[1]) - scale.share(values[0]))); })
 js ["use --unit m", "a_b.stl: bad", "part-0003.csv", "x.stl.txt"].map(text => { const p = element("p", {}, breakable(text)); return [p.textContent === text, p.querySelectorAll("wbr").length, p.querySelectorAll(".option").length]; })
 js axisEnds(0, 0.73, 6).concat(axisEnds(-0.2, 31, 6)).map(end => +end.toPrecision(3))
@@ -344,7 +345,7 @@ js [[0, 255], [255, 0], [6, 249], [1, 254], [64, 64], [0, 0], [255, 1]].map(([sl
 click nav a[href="#licences"]
 until getComputedStyle(document.getElementById("licences")).display === "block"
 )steps");
-  ASSERT_EQ(answers.size(), 22u);
+  ASSERT_EQ(answers.size(), 23u);
   EXPECT_EQ(answers[0], 6) << "rows";
   EXPECT_THAT(answers[1], HasSubstr("failed: ")) << "the worst stand first";
   EXPECT_EQ(answers[2], 2) << "of the law that was typed";
@@ -362,14 +363,16 @@ until getComputedStyle(document.getElementById("licences")).display === "block"
   EXPECT_EQ(answers[14], 3) << "medians, a law each";
   EXPECT_EQ(answers[15], json({true, false})) << "teeth are dense, a rise is not";
   EXPECT_EQ(answers[16], 1) << "a band";
-  EXPECT_EQ(answers[17], json({1, 0, 1000, 433}))
+  EXPECT_EQ(answers[17], json::parse("[[true, 4, true], [true, 0, true], [true, 0, true]]"))
+      << "a few stretches of a rise between dense ones belong to their band; many do not, nor do level ones";
+  EXPECT_EQ(answers[18], json({1, 0, 1000, 433}))
       << "what differs by a thousandth looks alike, and 0 is none";
-  EXPECT_EQ(answers[18], json::parse("[[true, 0, 1], [true, 0, 0], [true, 1, 0], [true, 1, 0]]"))
+  EXPECT_EQ(answers[19], json::parse("[[true, 0, 1], [true, 0, 0], [true, 1, 0], [true, 1, 0]]"))
       << "no break before a file's ending, nor within an option";
-  EXPECT_EQ(answers[19], json({0, 0.8, -10, 40})) << "ends at ticks";
-  EXPECT_EQ(answers[20], json::parse("[[0, 100], [100, 0], [3, 97], [3, 97], [25, 25], [0, 0], [97, 3]]"))
+  EXPECT_EQ(answers[20], json({0, 0.8, -10, 40})) << "ends at ticks";
+  EXPECT_EQ(answers[21], json::parse("[[0, 100], [100, 0], [3, 97], [3, 97], [25, 25], [0, 0], [97, 3]]"))
       << "slip is as high as its share, and never too low to be seen";
-  EXPECT_EQ(answers[21], json({{"requests", json::array()}, {"errors", json::array()}}));
+  EXPECT_EQ(answers[22], json({{"requests", json::array()}, {"errors", json::array()}}));
 }
 
 }  // namespace

@@ -80,6 +80,17 @@ TEST(ChosenColumns, WhatIsNotThereIsNamedByWhoeverNeedsIt) {
   EXPECT_EQ(unknown.exit_code, 2);
   EXPECT_THAT(unknown.err, HasSubstr("--columns: 'fn' is no column of a trace"));
   EXPECT_EQ(replay(folder, "--out u --columns mu --format none").exit_code, 2);
+  for (const char* list : {"'fn_n;mu'", "'fn_n mu'", "'fn_n; mu'"}) {
+    const auto parted = replay(folder, std::string("--out u --columns ") + list);
+    EXPECT_EQ(parted.exit_code, 2);
+    EXPECT_THAT(parted.err, HasSubstr(" is no column of a trace; commas part them: fn_n,mu\n")) << list;
+  }
+  const auto apart = replay(folder, "--out u --columns fn_n mu");
+  EXPECT_EQ(apart.exit_code, 2);
+  EXPECT_EQ(
+      apart.err,
+      "fingerpad: error: --columns: 'mu' stands apart from fn_n, and so for a file; commas part columns, "
+      "without blanks: fn_n,mu\n");
 }
 
 #ifdef FINGERPAD_VIEW

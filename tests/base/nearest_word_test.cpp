@@ -24,5 +24,13 @@ TEST(NearestWord, KnowsAWordByItsPart) {
   EXPECT_EQ(nearest_word("", words), "");
 }
 
+TEST(NearestWord, KnowsAWordByItsStart) {
+  EXPECT_EQ(nearest_word("closes", words), "closest-point");
+  EXPECT_EQ(nearest_word("stick-p", words), "stick-pad");
+  EXPECT_EQ(nearest_word("sti", words), "") << "two begin so";
+  EXPECT_EQ(nearest_word("frict", {"friction", "friction.law", "finger"}), "friction") << "and what is in it";
+  EXPECT_EQ(nearest_word("fr", {"friction"}), "") << "too little";
+}
+
 }  // namespace
 }  // namespace fingerpad::nearest_word_test

@@ -51,7 +51,8 @@ TEST(TraceReader, RefusesWhatIsNoTrace) {
   EXPECT_THAT(refusal(folder / "stub.h5"), HasSubstr("is no HDF5 file that can be read"));
   const auto foreign = folder / "foreign.h5";
   H5Fclose(H5Fcreate(foreign.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT));
-  EXPECT_THAT(refusal(foreign), HasSubstr("foreign.h5: is no trace: it has no column 't_s'"));
+  EXPECT_THAT(refusal(foreign),
+              HasSubstr("foreign.h5: is no trace: it has no column 't_s'; it holds nothing"));
 }
 
 TEST(TraceReader, NamesTheMissingColumn) {

@@ -48,6 +48,28 @@ TEST(Comparison, OfOtherRatesIsAtTheTicksOfTheCoarser) {
   EXPECT_THAT(residual_words(comparison), ElementsAre("fn_n: RMS 0.25 N, 'coarse' less 'fine', 7 ticks"));
 }
 
+/// What several runs have in common is told once.
+TEST(Comparison, TellsTheSpanThatRunsHaveInCommonOnce) {
+  const auto notes = [](std::vector<ComparedRun> others) {
+    std::vector<ComparedRun> runs = {line_run("a.h5", 0, 1, 0.01, 0)};
+    for (ComparedRun& run : others) runs.push_back(std::move(run));
+    std::vector<std::string> all = compare_runs(std::move(runs), {}, Over::time).notes;
+    all.erase(all.begin());  // of which the residuals are
+    return all;
+  };
+  EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.01, 2)}),
+              ElementsAre("all: 0 to 1 s"));
+  EXPECT_THAT(notes({line_run("b.h5", 0.35, 2, 0.1, 1), line_run("c.h5", 0.35, 2, 0.1, 2)}),
+              ElementsAre("all: 0.35 to 1 s, each at its own ticks, the first interpolated linearly"));
+  EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.003, 2)}),
+              ElementsAre("b: 0 to 1 s", "c: 0 to 0.999 s, interpolated linearly at the ticks of the first"));
+  EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.01, 1),
+                     line_run("d.h5", 0.5, 1, 0.01, 2)}),
+              testing::Contains("b; c: 0 to 1 s"));
+  EXPECT_THAT(notes({line_run("b.h5", 0, 1, 0.01, 1), line_run("c.h5", 0, 1, 0.0025, 2)}),
+              ElementsAre("all: 0 to 1 s", "c: at the ticks of the first"));
+}
+
 TEST(Comparison, NamesRunsOfScenesWithLittleInCommonByTheirFiles) {
   std::vector<ComparedRun> runs = {line_run("a.h5", 0, 1, 0.1, 0), line_run("b.h5", 0, 1, 0.1, 0)};
   runs[0].scene_text = "[friction]\nlaw = \"dahl\"\n";

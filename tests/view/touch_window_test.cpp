@@ -255,13 +255,22 @@ TEST(TouchTarget, ArrowKeysKeepTheFingerOnTheSurface) {
   EXPECT_NEAR(distance_to_torus_m(target.sample().p_WQ), 0, 3e-4);
 }
 
-TEST(TouchTarget, ForceStaysWithinReason) {
+TEST(TouchTarget, ForceStaysWithinReasonAndTheScenesGreatest) {
   const ViewInput view = torus_rub(0.0);
-  TouchTarget target(view.world, *view.scene, 0.002, FingerSample{});
-  target.change_force(1000);
-  EXPECT_EQ(target.press_n(), 20);
-  target.change_force(-1000);
-  EXPECT_EQ(target.press_n(), 0.05);
+  struct Case {
+    double greatest_n, at_first_n, most_n, least_n;
+  };
+  for (const Case& one :
+       {Case{100, 1, 20, 0.05}, {10, 1, 10, 0.05}, {0.5, 0.5, 0.5, 0.05}, {0.02, 0.02, 0.02, 0.02}}) {
+    Scene scene = *view.scene;
+    scene.contact.greatest_force_n = one.greatest_n;
+    TouchTarget target(view.world, scene, 0.002, FingerSample{});
+    EXPECT_EQ(target.press_n(), one.at_first_n);
+    target.change_force(1000);
+    EXPECT_EQ(target.press_n(), one.most_n);
+    target.change_force(-1000);
+    EXPECT_EQ(target.press_n(), one.least_n);
+  }
 }
 
 }  // namespace

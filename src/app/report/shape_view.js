@@ -20,16 +20,16 @@ function sampleTimes(series, places) {
  *  often stick gives way in it. */
 function unpackedRun(run) {
   const bytes = bytesOf(run.data);
-  const n = run.path.count, m = run.series.count, shares = run.series.shares, curves = run.series.curves;
+  const n = run.path.count, m = run.series.count, shares = run.series.shares, curves = run.series.curves, names = run.series.bytes;
   const words = new Uint16Array(bytes.buffer, 0, 3 * n + m * curves.length);
-  const rest = bytes.subarray(2 * words.length), places = rest.subarray(2 * n + 3 * shares);
+  const rest = bytes.subarray(2 * words.length), places = rest.subarray(2 * n + names.length * shares);
   return {
     path: words.subarray(0, 3 * n), forces: rest.subarray(0, n), phases: rest.subarray(n, 2 * n),
     span: [run.series.begin, run.series.begin + run.series.step * (run.series.bucket > 0 ? shares : shares - 1)],
     curves: curves.map((curve, c) => ({ name: curve.name, unit: curve.unit, inPairs: run.series.bucket > 0,
       times: sampleTimes(run.series, places.subarray(c * m, (c + 1) * m)),
       values: unpacked(words.subarray(3 * n + c * m, 3 * n + (c + 1) * m), curve.low, curve.span) })),
-    shares: { begin: run.series.begin, step: run.series.step, count: shares, ...Object.fromEntries(["slip", "stick", "ruptures"].map((name, i) =>
+    shares: { begin: run.series.begin, step: run.series.step, count: shares, ...Object.fromEntries(names.map((name, i) =>
       [name, rest.subarray(2 * n + i * shares, 2 * n + (i + 1) * shares)])) }
   };
 }

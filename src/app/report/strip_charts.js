@@ -5,6 +5,9 @@ const stripPanels = [
   { title: "Speed of the finger", label: "speed [mm/s]", curves: ["speed"], scale: 1e3 }
 ];
 
+/** How long [px] a stroke is where stick gives way. It has the upper edge to itself: no curve comes so near. */
+const ruptureHeight = 7;
+
 /** How high [px] the colours of slip and stick stand behind a stretch: each as its share of the ticks, where there is any at
  *  least as high as can be seen. */
 function phaseHeights(slip, stick, height) {
@@ -33,7 +36,7 @@ function paintPhases(canvas, area, plot, shares) {
   canvas.fillStyle = report.colours.phases[2];
   for (let k = 0; k < shares.count; ++k) {
     const middle = plot.toDomXCoord(shares.begin + (k + 0.5) * shares.step);
-    if (shares.ruptures[k] > 0 && middle >= area.x && middle <= area.x + area.w) canvas.fillRect(middle - 0.75, area.y, 1.5, 7);
+    if (shares.ruptures[k] > 0 && middle >= area.x && middle <= area.x + area.w) canvas.fillRect(middle - 0.75, area.y, 1.5, ruptureHeight);
   }
 }
 
@@ -153,7 +156,7 @@ function showStrips(holder, data) {
       series: Object.fromEntries(curves.map(curve => [curve.name, { plotter: curvePlotter(curve) }])),
       labels: ["t [s]", ...panel.curves], ylabel: panel.label, xlabel: "time [s]", connectSeparatedPoints: true,
       colors: report.colours.palette, strokeWidth: 1.4, legend: "always", labelsDiv: names, includeZero: true,
-      dateWindow: [...data.span], yRangePad: 4, axisLabelWidth: 64, highlightCircleSize: 3, digitsAfterDecimal: 4, maxNumberWidth: 9,
+      dateWindow: [...data.span], yRangePad: ruptureHeight + 3, axisLabelWidth: 64, highlightCircleSize: 3, digitsAfterDecimal: 4, maxNumberWidth: 9,
       axisLabelFontSize: 12, xLabelHeight: 18, yLabelWidth: 18, gridLineColor: "#e3e6ea", labelsKMB: false,
       underlayCallback: (canvas, area, plot) => paintPhases(canvas, area, plot, data.shares),
       zoomCallback: () => zoomAll(plots[p]), drawCallback: (plot, initial) => { if (!initial) zoomAll(plot); }

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "replay/batch.hpp"
+#include "replay/motion_store.hpp"
+#include "touch/mesh_store.hpp"
+
+namespace fingerpad {
+
+/// What a kind of jobs costs.
+struct JobCost {
+  double load_s = 0;   ///< its meshes, once for all its jobs
+  double s_a_job = 0;  ///< beside its ticks: choosing the contact, beginning and ending a trace
+  double s_per_tick = 0;
+  double bytes = 0;  ///< of a trace without rows
+  double bytes_per_tick = 0;
+};
+
+/// Runs the beginning of a job, for a fifth of a second at most, and writes its trace to the system's folder
+/// for temporary files, from where it is removed again. Throws Error as the job would.
+JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const BatchOptions& options);
+
+}  // namespace fingerpad
