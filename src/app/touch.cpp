@@ -12,6 +12,7 @@
 #include "app/headless.hpp"
 #include "app/live_window.hpp"
 #include "app/output_name.hpp"
+#include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/stop_signals.hpp"
 #include "app/touch_recording.hpp"
