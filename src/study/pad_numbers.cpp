@@ -240,7 +240,11 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   const PadValue& v_min = value_of(found, PadNumber::v_min);
   next.evidence.v_min_m_per_s = v_min.refusal.empty() ? v_min.value : 0;
   next.slow_slip = speed_step(trials, once);
-  if (next.slow_slip && !is_hidden_stick(found, *next.slow_slip)) next.slow_slip.reset();
+  const bool step_left_no_slip =
+      point.v_min_by_step && !value_of(found, PadNumber::mu_dynamic).refusal.empty();
+  next.distrusts_step = point.distrusts_step || step_left_no_slip;
+  if (next.slow_slip && (next.distrusts_step || !is_hidden_stick(found, *next.slow_slip)))
+    next.slow_slip.reset();
   next.v_min_by_step = next.slow_slip && tells_v_min(*next.slow_slip, seen_v_min(trials, once));
   const PadValue& mu_dynamic = value_of(found, PadNumber::mu_dynamic);
   const bool may_hide = may_hide_stick(trials, next.slow_slip, found);

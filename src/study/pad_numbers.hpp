@@ -104,7 +104,10 @@ struct FitPoint {
   std::optional<SpeedStep> slow_slip;      ///< where slip's friction rises as it slows
   bool has_unseen_slip = false;            ///< what passes for slip may be teeth (unseen_slip_words)
   LoadLaw load_of_slip;                    ///< what evidence.load is where it is not
-  bool v_min_by_step = false;              ///< v_min is the speed at which it does (tells_v_min)
+  /// A step of friction over the speed of slip once left no slip above it: it was none, such as one that a
+  /// load which is not taken out yet makes.
+  bool distrusts_step = false;
+  bool v_min_by_step = false;  ///< v_min is the speed at which it does (tells_v_min)
 };
 
 /// The numbers of the trials' evidence, each counted `times` (a bootstrap's draw; once each for the
