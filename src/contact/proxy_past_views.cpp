@@ -17,7 +17,8 @@ using Limits = ProxyMemoryLimits;
 namespace {
 
 /// The triangle over whose face a place lies, going from one to its neighbour across the edge that the place
-/// is farthest beyond. Where that leads to a border, or back over a convex edge, the last one come to.
+/// is farthest beyond. The way ends at a triangle without a neighbour there, and at one whose neighbour would
+/// lead straight back: over a convex edge a place is beyond both.
 int triangle_under(const Part& part, int triangle, const Vec3& q_P, Looks& looks) noexcept {
   int before = -1;
   for (int k = 0; k < Limits::most_walked; ++k) {
@@ -64,7 +65,7 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   double bent_m = terms.bent_m;
   std::array<ProxyWall, 3> first;
   std::size_t count = 0;
-  // Of two, so that one ahead has room: a corner of three walls is for views.
+  // Two at most: the third place is for a wall that is met on the way. Corners of three walls are for views.
   for (const Blocker& blocker : std::span(blockers_).first<2>()) {
     const std::optional<ProxyWall> here = wall_touched(blocker, place_O);
     if (!here) continue;

@@ -11,10 +11,10 @@
 namespace fingerpad {
 namespace {
 
-/// Coefficients, the constant first, of the polynomial whose roots are the eigenvalues of the loop over one
-/// tick. By the force that is held over a tick, mass and damper go on as
-///   x(z)/F(z) = (n0 + n1 z)/((z - 1)(z - a)), a what is left of a velocity after it;
-/// the wall answers F(z) = -(K + B/T (1 - 1/z)) x(z)/z^d.
+/// The polynomial whose roots are the eigenvalues of the loop over one tick; its coefficients, the constant
+/// first. Mass and damper under a force F that is held over each tick, and the wall's answer, are
+///   x(z)/F(z) = (n0 + n1 z)/((z - 1)(z - a)), where a is the share of a velocity that outlasts a tick,
+///   F(z) = -(K + B/T (1 - 1/z)) x(z)/z^d.
 std::vector<double> loop_polynomial(const HeldWall& wall, double stiffness_n_per_m) {
   const double b = std::max(wall.damping_n_s_per_m, 1e-6), m = wall.mass_kg, t = wall.tick_s;
   const double gone = -std::expm1(-b * t / m), a = 1 - gone;
@@ -48,15 +48,10 @@ bool has_roots_inside_unit_circle(std::vector<double> p) {
 
 }  // namespace
 
-double exact_stable_stiffness(const HeldWall& wall) {
+double stable_stiffness(const HeldWall& wall) {
   return stiffness_border(thumb_stiffness(wall), 1e-12, [&](double stiffness_n_per_m) {
     return has_roots_inside_unit_circle(loop_polynomial(wall, stiffness_n_per_m));
   });
-}
-
-double stable_stiffness(const HeldWall& wall) {
-  constexpr int longest_exact = 1000;  // the test's time grows with the delay's square: a tenth of a second
-  return wall.delay_ticks <= longest_exact ? exact_stable_stiffness(wall) : thumb_stiffness(wall);
 }
 
 double colgate_schenkel_stiffness(const HeldWall& wall) {

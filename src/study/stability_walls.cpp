@@ -70,7 +70,7 @@ void study_walls(StudyReport& report) {
                     {"touched", touched, sweep.values, {}}};
     for (const double value : sweep.values) {
       const HeldWall wall = sweep.wall(value);
-      const double found[] = {exact_stable_stiffness(wall), colgate_schenkel_stiffness(wall),
+      const double found[] = {stable_stiffness(wall), colgate_schenkel_stiffness(wall),
                               abbott_okamura_stiffness(wall), thumb_stiffness(wall),
                               measured_stable_stiffness(wall)};
       for (std::size_t i = 0; i < std::size(found); ++i) panel.curves[i].y.push_back(found[i]);

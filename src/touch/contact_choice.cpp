@@ -45,8 +45,8 @@ std::string lighter_press_words(const Scene& scene) {
   const double asked_n = scene.motion.laid ? scene.motion.laid->normal_force_n : 0;
   if (!(asked_n > 0) || !(asked_n < scene.contact.greatest_force_n)) return "";
   return fmt::format(
-      "; this is reckoned for the {0} N of contact.greatest_force_n: with {1} it is for the {1} N that "
-      "the motion asks for",
+      "; reckoned for contact.greatest_force_n = {0}, though the motion asks for {1} N: with "
+      "greatest_force_n = {1} less has to be kept",
       rounded_text(scene.contact.greatest_force_n, 3), rounded_text(asked_n, 3));
 }
 

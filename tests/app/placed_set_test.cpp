@@ -91,8 +91,8 @@ TEST(PlacedSet, IsJudgedByAutoForEachJobsGreatestForce) {
   EXPECT_THAT(reasons(1), testing::AllOf(HasSubstr("cannot be kept"),
                                          testing::Not(HasSubstr("contact.greatest_force_n"))));
   EXPECT_THAT(reasons(2),
-              HasSubstr("; this is reckoned for the 10 N of contact.greatest_force_n: with 1 it is for the "
-                        "1 N that the motion asks for (auto)\n"));
+              HasSubstr("; reckoned for contact.greatest_force_n = 10, though the motion asks for 1 N: with "
+                        "greatest_force_n = 1 less has to be kept (auto)\n"));
 }
 
 TEST(PlacedMotion, InAPartsFrameGoesWithThePart) {

@@ -17,7 +17,6 @@
 #include "device/device_packet.hpp"
 #include "device/device_table.hpp"
 #include "support/allocations.hpp"
-#include "support/effort.hpp"
 #include "support/paths.hpp"
 #include "support/worlds.hpp"
 
@@ -117,7 +116,6 @@ long with_terminal(const DeviceEntry& entry) {
 }
 
 TEST(ServoSide, OfEveryDeviceAllocatesNothing) {
-  if (test::sanitized()) GTEST_SKIP() << "allocations are counted without the sanitizer";
   for (const DeviceEntry& entry : device_table()) {
     long allocations = -1;
     if (entry.name == "network") {

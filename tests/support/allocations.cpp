@@ -3,21 +3,28 @@
 #include <atomic>
 #include <cerrno>
 #include <cstdlib>
-#include <new>
 
 namespace {
+
 std::atomic<long> of_process{0};
 thread_local long of_thread = 0;
-}  // namespace
 
-#ifndef __SANITIZE_ADDRESS__
-namespace {
 void note_allocation() {
   ++of_process;
   ++of_thread;
 }
+
 }  // namespace
 
+#ifdef __SANITIZE_ADDRESS__
+#include <sanitizer/allocator_interface.h>
+
+namespace {
+// Its allocators stand in the C library's place already, and tell of each call.
+[[maybe_unused]] const int are_told = __sanitizer_install_malloc_and_free_hooks(
+    [](const volatile void*, std::size_t) { note_allocation(); }, [](const volatile void*) {});
+}  // namespace
+#else
 extern "C" {
 void* __libc_malloc(std::size_t size);                           // NOLINT: glibc's names
 void* __libc_memalign(std::size_t alignment, std::size_t size);  // NOLINT

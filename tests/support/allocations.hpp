@@ -3,7 +3,7 @@
 namespace fingerpad::test {
 
 /// How often memory was asked for, of operator new or of the C library's allocators, by which Embree goes
-/// past it. Under the address sanitizer, whose own allocators these would hide, nothing is counted: 0.
+/// past it. What links fingerpad_test_allocations counts; nothing else does.
 long allocations_of_process() noexcept;
 
 /// Of these, those that this thread made.

@@ -9,7 +9,6 @@
 #include "contact/contact_method_table.hpp"
 #include "scene/scene.hpp"
 #include "support/allocations.hpp"
-#include "support/effort.hpp"
 #include "support/shapes.hpp"
 #include "support/worlds.hpp"
 #include "touch/servo_loop.hpp"
@@ -19,7 +18,6 @@ namespace fingerpad::no_allocation_test {
 namespace {
 
 TEST(Allocations, AreCounted) {
-  if (test::sanitized()) GTEST_SKIP() << "allocations are counted without the sanitizer";
   const long of_process = test::allocations_of_process(), of_thread = test::allocations_of_thread();
   const std::vector<double> numbers(100, 1.0);
   void* volatile bytes = std::malloc(100);
