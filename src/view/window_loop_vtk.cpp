@@ -95,9 +95,11 @@ void WindowLoop::run() {
 void WindowLoop::handle_events() {
   using Clock = std::chrono::steady_clock;
   Clock::time_point next_frame = Clock::now();
-  while (!closing_ && !interactor_->GetDone()) {
-    while (!closing_ && !interactor_->GetDone() && queue_.pass_on()) {
+  const auto is_over = [this] { return closing_ || interactor_->GetDone(); };
+  while (!is_over()) {
+    while (!is_over() && queue_.pass_on()) {
     }
+    if (is_over()) return;  // a frame that is drawn now would open another window, and wait for its events
     const double early_s = std::chrono::duration<double>(next_frame - Clock::now()).count();
     if (early_s > 0) {
       queue_.wait(early_s);

@@ -16,6 +16,7 @@
 #include "support/shapes.hpp"
 #include "support/shell.hpp"
 #include "trace/trace.hpp"
+#include "view/close_request.hpp"
 #include "view/layout.hpp"
 #include "view/overlay.hpp"
 #include "view/pixel_statistics.hpp"
@@ -190,6 +191,36 @@ TEST(RealWindow, ShowsAFileThatIsDroppedOntoItAndSaysWhyItCannotShowAnother) {
                       "xdotool mousemove --window $w 100 100 key q\n",
                   folder);
   EXPECT_THAT(shown.out, testing::StartsWith("torus.stl - fingerpad"));
+}
+
+/// Between two frames as well as when one is due.
+TEST(RealWindow, EndsWithItsTraceWholeWhereItsFrameIsClosed) {
+  std::string why;
+  const auto screen = screen_or_why(why);
+  if (!screen) GTEST_SKIP() << "no X server can be started: " << why;
+  const fs::path folder = workshop();
+  for (int time = 0; time < 4; ++time) {
+    const std::string trace = "run" + std::to_string(time) + ".csv";
+    const auto opened = test::shell(hands(*screen) + "$P touch ring.toml --size 600x400 --record " + trace +
+                                        " >touch.log 2>&1 &\necho $!\nwindow || exit 9\necho $w\n"
+                                        "xdotool mousemove --window $w 300 250 mousedown 1\nsleep 0.3\n",
+                                    folder);
+    ASSERT_EQ(opened.exit_code, 0) << test::bytes_of(folder / "touch.log");
+    std::istringstream told(opened.out);
+    unsigned long process = 0, window = 0;
+    ASSERT_TRUE(told >> process >> window) << opened.out;
+    ASSERT_EQ(test::ask_to_close(screen->display(), window), "");
+    const std::string status = "/proc/" + std::to_string(process) + "/status";
+    const auto ended = test::shell(hands(*screen) + "for i in $(seq 200); do grep -q '^State:.*[RSDT] ' " +
+                                       status + " 2>/dev/null || break; sleep 0.05; done\n" +
+                                       "grep -q '^State:.*[RSDT] ' " + status + " 2>/dev/null && { kill -9 " +
+                                       std::to_string(process) + "; exit 1; }\nxdotool mouseup 1\n" +
+                                       "while xdotool search --name ' - fingerpad' >/dev/null 2>&1; do "
+                                       "sleep 0.05; done\n",
+                                   folder);
+    ASSERT_EQ(ended.exit_code, 0) << "closed for the time " << time << ", it went on";
+    EXPECT_GT(read_trace((folder / trace).string()).rows.size(), 100u);
+  }
 }
 
 /// For scripts: how far the servo's thread of the process $p stands back, and the one that draws its window.
