@@ -11,23 +11,46 @@
 namespace fingerpad {
 namespace {
 
-/// The polynomial whose roots are the eigenvalues of the loop over one tick; its coefficients, the constant
-/// first. Mass and damper under a force F that is held over each tick, and the wall's answer, are
-///   x(z)/F(z) = (n0 + n1 z)/((z - 1)(z - a)), where a is the share of a velocity that outlasts a tick,
-///   F(z) = -(K + B/T (1 - 1/z)) x(z)/z^d.
-std::vector<double> loop_polynomial(const HeldWall& wall, double stiffness_n_per_m) {
+/// Mass, damper and the hand's spring under a force F that is held over each tick:
+///   x(z)/F(z) = (n0 + n1 z)/(m0 + m1 z + z^2).
+struct HeldFinger {
+  double n0, n1, m0, m1;
+};
+
+/// Between the hand's spring and none there is no gap: so soft a one moves nothing within a tick.
+bool is_springless(const HeldWall& wall) {
+  return !(wall.hand_stiffness_n_per_m * wall.tick_s * wall.tick_s > 1e-9 * wall.mass_kg);
+}
+
+HeldFinger held_finger(const HeldWall& wall) {
   const double b = std::max(wall.damping_n_s_per_m, 1e-6), m = wall.mass_kg, t = wall.tick_s;
-  const double gone = -std::expm1(-b * t / m), a = 1 - gone;
-  const double v_per_force = gone / b, x_per_force = (t - m / b * gone) / b;
-  const double n0 = m / b * gone * v_per_force - a * x_per_force, n1 = x_per_force;
-  const double before = -wall.wall_damping_n_s_per_m / t, now = stiffness_n_per_m - before;
+  if (is_springless(wall)) {
+    const double gone = -std::expm1(-b * t / m), a = 1 - gone;
+    const double v_per_force = gone / b, x_per_force = (t - m / b * gone) / b;
+    return {m / b * gone * v_per_force - a * x_per_force, x_per_force, a, -(1 + a)};
+  }
+  // x and v after a tick as the matrix exponential of [[0, 1], [-k/m, -b/m]] t gives them.
+  const double k = wall.hand_stiffness_n_per_m, decay = b / (2 * m), turn = k / m - decay * decay;
+  const double s = std::sqrt(std::abs(turn)), left = std::exp(-decay * t);
+  const double c = left * (turn > 0 ? std::cos(s * t) : std::cosh(s * t));
+  const double sine = s * t < 1e-8 ? left * t : left * (turn > 0 ? std::sin(s * t) : std::sinh(s * t)) / s;
+  const double xx = c + decay * sine, xv = sine, vv = c - decay * sine;
+  const double x_per_force = (1 - xx) / k, v_per_force = sine / m;
+  return {xv * v_per_force - vv * x_per_force, x_per_force, left * left, -2 * c};
+}
+
+/// The polynomial whose roots are the eigenvalues of the loop over one tick; its coefficients, the constant
+/// first. The wall answers a held finger by F(z) = -(K + B/T (1 - 1/z)) x(z)/z^d.
+std::vector<double> loop_polynomial(const HeldWall& wall, double stiffness_n_per_m) {
+  const HeldFinger finger = held_finger(wall);
+  const double before = -wall.wall_damping_n_s_per_m / wall.tick_s, now = stiffness_n_per_m - before;
   const auto d = static_cast<std::size_t>(wall.delay_ticks);
   std::vector<double> p(d + 4, 0.0);
-  p[0] = n0 * before;
-  p[1] = n1 * before + n0 * now;
-  p[2] = n1 * now;
-  p[d + 1] += a;
-  p[d + 2] -= 1 + a;
+  p[0] = finger.n0 * before;
+  p[1] = finger.n1 * before + finger.n0 * now;
+  p[2] = finger.n1 * now;
+  p[d + 1] += finger.m0;
+  p[d + 2] += finger.m1;
   p[d + 3] += 1;
   return p;
 }

@@ -79,11 +79,8 @@ std::string ClosedLoop::divergence() const {
   if (last_surface_ < 0)
     return start + ", though it touched nothing: raise rate_hz or mass_kg, or lower [hand] stiffness_n_per_m";
   const SurfaceProperties& surface = world_->surfaces[static_cast<std::size_t>(last_surface_)].properties;
-  const HeldWall wall{.mass_kg = hand_settings_.mass_kg,
-                      .damping_n_s_per_m = hand_settings_.damping_n_s_per_m,
-                      .wall_damping_n_s_per_m = surface.damping_n_s_per_m,
-                      .tick_s = 1 / path_.rate_hz(),
-                      .delay_ticks = hand_settings_.delay_ticks};
+  HeldWall wall = wall_under(hand_settings_, path_.rate_hz());
+  wall.wall_damping_n_s_per_m = surface.damping_n_s_per_m;
   const double limit = stable_stiffness(wall);
   const std::string hand =
       fmt::format("that a hand of {} kg and {} N s/m holds stable on one wall{} at {} Hz{}",

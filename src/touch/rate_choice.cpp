@@ -174,10 +174,7 @@ std::string friction_hidden_because(const ShownFriction& shown, double mu_tolera
 std::string unstable_because(const Scene& scene, double rate_hz) {
   if (!scene.hand) return {};
   const HandSettings& hand = *scene.hand;
-  HeldWall wall{.mass_kg = hand.mass_kg,
-                .damping_n_s_per_m = hand.damping_n_s_per_m,
-                .tick_s = 1 / rate_hz,
-                .delay_ticks = hand.delay_ticks};
+  HeldWall wall = wall_under(hand, rate_hz);
   for (const SurfaceProperties& surface : surfaces_of(scene)) {
     wall.wall_damping_n_s_per_m = surface.damping_n_s_per_m;
     const double most = stable_stiffness(wall);

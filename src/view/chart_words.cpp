@@ -1,8 +1,12 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
 
 #include "view/chart_layout.hpp"
 #include "view/chart_marks.hpp"
+#include "view/overlay_words.hpp"
 
 namespace fingerpad {
 namespace {
@@ -56,33 +60,87 @@ std::string fitted_name(const std::string& name, double size, double room) {
   return "";
 }
 
-/// Entries side by side from the left. Where they do not fit, marks (Dash::none) stand behind lines and
-/// levels, and what does not fit is shortened, or left out.
-void add_stacked_legend(Drawing& drawing, const ChartPanel& panel, const ChartLayout::Panel& placed,
-                        double em) {
-  const double size = 0.92 * em, key = 1.6 * em;
-  double x = placed.frame.left;
-  const auto entry = [&](const std::string& whole_name, const auto& look) {
-    const double room = placed.frame.right() + em - (x + key + 0.3 * em);
-    const std::string name = fitted_name(whole_name, size, room);
-    if (name.empty()) return;
-    const double width = key + 0.3 * em + text_width(name, size);
-    draw_key(drawing, look, {x, placed.title_y}, key, em);
-    drawing.text({x + key + 0.3 * em, placed.title_y}, name, {.size = size, .upright = Upright::middle});
-    x += width + 0.9 * em;
-  };
+/// An entry of a legend whose entries stand side by side.
+struct StackedKey {
+  std::string name;
+  bool is_mark;  ///< which may be left out
+  std::function<void(const Vec2&)> draw;
+};
+
+/// In their order; where they do not fit, marks (Dash::none) stand behind lines and levels.
+/// @param width  of a key, its gap and the gap behind its name
+std::vector<StackedKey> stacked_keys(Drawing& drawing, const ChartPanel& panel, double size, double width,
+                                     double room, double em) {
   double whole = 0;
-  const auto measure = [&](const auto& one) { whole += key + 1.2 * em + text_width(one.name, size); };
+  const auto measure = [&](const auto& one) { whole += width + text_width(one.name, size); };
   std::for_each(panel.curves.begin(), panel.curves.end(), measure);
   std::for_each(panel.levels.begin(), panel.levels.end(), measure);
-  const bool fits = whole - 0.9 * em <= placed.frame.width + em;
+  const bool fits = whole - 0.9 * em <= room;
+  std::vector<StackedKey> keys;
+  const auto add = [&](const std::string& name, const auto& look, bool is_mark) {
+    if (name.empty()) return;
+    keys.push_back(
+        {name, is_mark, [&drawing, look, em](const Vec2& at) { draw_key(drawing, look, at, 1.6 * em, em); }});
+  };
   const auto is_late = [fits](const ChartCurve& curve) { return !fits && curve.style.dash == Dash::none; };
   for (const ChartCurve& curve : panel.curves) {
-    if (!is_late(curve)) entry(curve.name, curve.style);
+    if (!is_late(curve)) add(curve.name, curve.style, curve.style.dash == Dash::none);
   }
-  for (const ChartLevel& level : panel.levels) entry(level.name, level);
+  for (const ChartLevel& level : panel.levels) add(level.name, level, false);
   for (const ChartCurve& curve : panel.curves) {
-    if (is_late(curve)) entry(curve.name, curve.style);
+    if (is_late(curve)) add(curve.name, curve.style, true);
+  }
+  return keys;
+}
+
+/// The names, each shortened where the room behind those before it asks for that, and of marks none where
+/// there is none; of no key, where another than a mark would have none.
+std::vector<std::string> names_in_turn(const std::vector<StackedKey>& keys, double size, double width,
+                                       double room) {
+  std::vector<std::string> names;
+  double left = room;
+  for (const StackedKey& key : keys) {
+    names.push_back(fitted_name(key.name, size, left - width));
+    if (!names.back().empty())
+      left -= width + text_width(names.back(), size);
+    else if (!key.is_mark)
+      return {};
+  }
+  return names;
+}
+
+/// The names, all cut to one width; where that is too little, fewer, and how many more there are.
+std::vector<std::string> names_of_one_width(const std::vector<StackedKey>& keys, double size, double width,
+                                            double room) {
+  constexpr double least_ems = 4;
+  const auto most = static_cast<std::size_t>(std::max(2.0, room / (width + least_ems * size)));
+  const std::size_t shown = keys.size() <= most ? keys.size() : most - 1;
+  const double each = room / static_cast<double>(std::min(keys.size(), most)) - width;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < shown; ++i) {
+    const std::string name = fitted_name(keys[i].name, size, each);
+    names.push_back(name.empty() ? fitted_in_middle(keys[i].name, size, false, each) : name);
+  }
+  if (shown < keys.size()) names.push_back("and " + std::to_string(keys.size() - shown) + " more");
+  return names;
+}
+
+/// Entries side by side from the left.
+void add_stacked_legend(Drawing& drawing, const ChartPanel& panel, const ChartLayout::Panel& placed,
+                        double em) {
+  const double size = 0.92 * em, key = 1.6 * em, gap = 0.3 * em, apart = 0.9 * em;
+  const double room = placed.frame.width + em + apart, width = key + gap + apart;
+  const std::vector<StackedKey> keys = stacked_keys(drawing, panel, size, width, room - apart, em);
+  std::vector<std::string> names = names_in_turn(keys, size, width, room);
+  if (names.empty()) names = names_of_one_width(keys, size, width, room);
+  double x = placed.frame.left;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (names[i].empty()) continue;
+    const bool is_key = i + 1 < names.size() || names.size() == keys.size();
+    if (is_key) keys[i].draw({x, placed.title_y});
+    const double text_x = is_key ? x + key + gap : x;
+    drawing.text({text_x, placed.title_y}, names[i], {.size = size, .upright = Upright::middle});
+    x = text_x + text_width(names[i], size) + apart;
   }
 }
 

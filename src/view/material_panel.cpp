@@ -86,12 +86,9 @@ SidePanel MaterialPanel::panel() const {
 std::string MaterialPanel::unstable_words(const Scene& scene) const {
   if (!has_motors_) return {};
   const SurfaceProperties& surface = surface_properties(scene, surface_);
-  const HandSettings hand = scene.hand.value_or(HandSettings{});
-  const double most = stable_stiffness({.mass_kg = hand.mass_kg,
-                                        .damping_n_s_per_m = hand.damping_n_s_per_m,
-                                        .wall_damping_n_s_per_m = surface.damping_n_s_per_m,
-                                        .tick_s = 1 / scene.motion.rate_hz,
-                                        .delay_ticks = hand.delay_ticks});
+  HeldWall wall = wall_under(scene.hand.value_or(HandSettings{}), scene.motion.rate_hz);
+  wall.wall_damping_n_s_per_m = surface.damping_n_s_per_m;
+  const double most = stable_stiffness(wall);
   if (surface.stiffness_n_per_m <= most) return {};
   const std::string limit = most < 100 ? rounded_text(most, 3) : number_text(10 * std::round(most / 10));
   return fmt::format("motors shake over {} N/m at {} Hz", limit, number_text(scene.motion.rate_hz));

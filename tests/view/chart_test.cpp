@@ -164,6 +164,35 @@ TEST(Chart, StaysOnItsPageWhateverTheValues) {
   }
 }
 
+/// What the legend above a panel of so many curves says.
+std::vector<std::string> legend_of_curves(int count) {
+  ChartPanel panel;
+  for (int i = 0; i < count; ++i) {
+    const std::string name =
+        "law stick-slip, place " + std::to_string(i) + ", handle.stl: RMS 0.0" + std::to_string(i);
+    panel.curves.push_back({name, blue_line(), {0, 1}, {0, 1}});
+  }
+  Drawing drawing;
+  draw_chart(drawing, stacked({panel}), {0, 0, 600, 300}, 10);
+  std::vector<std::string> words;
+  for (const auto& mark : drawing.marks()) {
+    const auto* const text = std::get_if<Drawing::Text>(&mark);
+    if (text != nullptr && (text->words.starts_with("law") || text->words.ends_with(" more")))
+      words.push_back(text->words);
+  }
+  return words;
+}
+
+TEST(Chart, NamesEachCurveThoughShortenedAndCountsThoseForWhichThereIsNoRoom) {
+  EXPECT_THAT(legend_of_curves(1), testing::ElementsAre("law stick-slip, place 0, handle.stl: RMS 0.00"));
+  const auto five = legend_of_curves(5);
+  ASSERT_EQ(five.size(), 5u);
+  for (int i = 0; i < 5; ++i) EXPECT_TRUE(five[i].ends_with(std::to_string(i))) << five[i];
+  const auto forty = legend_of_curves(40);
+  ASSERT_GT(forty.size(), 3u);
+  EXPECT_EQ(forty.back(), "and " + std::to_string(41 - forty.size()) + " more");
+}
+
 TEST(Chart, PlacesTimeBothWays) {
   const ChartCurve curve{"", blue_line(), {2, 3, 6}, {0, 1, 2}};
   Drawing drawing;
