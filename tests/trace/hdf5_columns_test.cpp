@@ -133,7 +133,7 @@ struct MadeFile {
   }
 };
 
-/// HDF5 opens the source of a virtual dataset that grows with it to tell its size: of a pipe without end.
+/// HDF5 may open the source of a virtual dataset to tell its size. Of a pipe it would wait for ever.
 TEST(Hdf5Contents, OpenNoOtherFile) {
   const std::string pipe = test::scratch_dir() / "pipe.h5";
   ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
