@@ -12,7 +12,6 @@
 #include "study/measurement.hpp"
 #include "study/position_delay.hpp"
 #include "study/profile_fit.hpp"
-#include "study/six_axis_sensor.hpp"
 #include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
@@ -119,17 +118,6 @@ TEST(Cleaning, TakesNoNoiseOfAPlaceThatRestsForATrackedFinger) {
   EXPECT_THAT(cleaned.steps, Contains(HasSubstr("told from force and torque in 3 trials, after the tare")));
   EXPECT_THAT(cleaned.steps, Not(Contains(HasSubstr("passed over"))));
   EXPECT_EQ(cleaned.trials.size(), 3U);
-}
-
-/// The axes along the plate are none of W's where the plate stands upright.
-TEST(Cleaning, SeesAFingerThatIsTrackedOnAnUprightPlate) {
-  RecordedTrial trial = sensed_by_torque(1, Vec3::Zero(), Vec3::Zero(), false).trials[0];
-  EXPECT_FALSE(is_tracked_along_plate(trial));
-  trial.tracked_W = trial.position_W;
-  EXPECT_TRUE(is_tracked_along_plate(trial));
-  trial.tracked_W << trial.position_W.row(2), trial.position_W.row(0), trial.position_W.row(1);
-  trial.normal_W = Vec3::UnitX();
-  EXPECT_TRUE(is_tracked_along_plate(trial));
 }
 
 TEST(Cleaning, TellsHowFarContactPointsLieFromATrackedFingerThatPresses) {
