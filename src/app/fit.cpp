@@ -128,6 +128,7 @@ int fit(const FitOptions& options) {
   bool has_any = false;
   for (const PadValue& value : found.values) has_any = has_any || value.refusal.empty();
   if (!has_any) {
+    for (const std::string& step : measurement.contact_steps) print_err("fingerpad: {}\n", step);
     // Of what was read, the first number's reason speaks of stick alone; slip is what friction is told by.
     const PadValue& slip = value_of(found.values, PadNumber::mu_dynamic);
     const std::string press =

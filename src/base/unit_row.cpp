@@ -7,15 +7,17 @@
 #include "base/error.hpp"
 #include "base/number_text.hpp"
 #include "base/printable_text.hpp"
+#include "base/unit_ending.hpp"
 
 namespace fingerpad {
 namespace {
 
+constexpr std::string_view si_symbols[quantities] = {"s", "m", "N", "N m", "m/s"};
+
 /// The unit that a column's name ends in, as x_m and tx_n_m of the program's own tables, x_mm and f_mN of
 /// others.
 std::optional<double> unit_in_name(Quantity quantity, std::string_view name) {
-  constexpr std::string_view own[quantities] = {"_s", "_m", "_n", "_n_m", "_m_per_s"};
-  if (name.ends_with(own[static_cast<std::size_t>(quantity)])) return 1;
+  if (unit_in_ending(name) == si_symbols[static_cast<std::size_t>(quantity)]) return 1;
   const std::size_t bar = name.rfind('_');
   return bar == std::string_view::npos ? std::nullopt : si_per_unit(quantity, name.substr(bar + 1));
 }
@@ -75,12 +77,11 @@ double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& na
 
 std::string told_units_words(const ToldUnits& told) {
   constexpr std::string_view things[quantities] = {"time", "position", "force", "torque", "speed"};
-  constexpr std::string_view symbols[quantities] = {"s", "m", "N", "N m", "m/s"};
   std::string words;
   for (std::size_t q = 0; q < quantities; ++q) {
     if (told[q])
       words += fmt::format("{}a {} is {} {}", words.empty() ? "" : ", ", things[q], rounded_text(*told[q], 6),
-                           symbols[q]);
+                           si_symbols[q]);
   }
   return words.empty() ? words : "units as the line below its header has them: " + words;
 }

@@ -122,15 +122,26 @@ std::string contact_text(const std::vector<TrialCleaning>& trials) {
 
 /// What contact points are beside a finger that was tracked; empty where none was.
 std::string tracked_text(const std::vector<TrialCleaning>& trials) {
+  std::size_t tracked = 0;
   std::vector<double> off_m;
-  for (const TrialCleaning& trial : trials)
+  for (const TrialCleaning& trial : trials) {
+    tracked += trial.is_tracked ? 1 : 0;
     if (trial.contact_off_m) off_m.push_back(*trial.contact_off_m);
-  if (off_m.empty()) return {};
+  }
+  if (tracked == 0) return {};
+  const std::string how_far =
+      off_m.empty()
+          ? "where they lie is not told, as the finger presses in none"
+          : fmt::format(
+                "they lie {} mm from the tracked finger (RMS, median of {}), where centimetres would "
+                "tell of another --sensor-at, --sensor-turned or --plate-height",
+                rounded_text(1e3 * median_of(off_m), 2),
+                off_m.size() == tracked ? "the trials"
+                                        : fmt::format("the {} in which it presses", off_m.size()));
   return fmt::format(
       "contact points: passed over in {} trial{} whose finger is tracked along the plate: the skin holds on "
-      "there in stick, while the finger moves on; they lie {} mm from the tracked finger (RMS, median of the "
-      "trials), where centimetres would tell of another --sensor-at, --sensor-turned or --plate-height",
-      off_m.size(), off_m.size() == 1 ? "" : "s", rounded_text(1e3 * median_of(off_m), 2));
+      "there in stick, while the finger moves on; {}",
+      tracked, tracked == 1 ? "" : "s", how_far);
 }
 
 /// What was taken off for the sensor's zero, and why from no more.
@@ -179,10 +190,7 @@ std::vector<std::string> steps_text(const Measurement& measurement, const Cleani
                                 measurement.knows_delay ? "" : ", of which the delay is left in"));
   steps.insert(steps.end(), hum.begin(), hum.end());
   steps.push_back(settings.takes_tare ? tare_text(measurement.cleanings) : "tare: left as it is (off)");
-  if (const std::string contact = contact_text(measurement.cleanings); !contact.empty())
-    steps.push_back(contact);
-  if (const std::string tracked = tracked_text(measurement.cleanings); !tracked.empty())
-    steps.push_back(tracked);
+  steps.insert(steps.end(), measurement.contact_steps.begin(), measurement.contact_steps.end());
   if (!measurement.delays.empty() || pressed == 0 || settings.delay_s)
     steps.push_back(delay_text(measurement.delays, settings));
   steps.push_back(settings.smoothing_hz > 0
@@ -255,7 +263,8 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
   std::vector<std::string> hum = remove_hum(recorded.trials, settings.mains, measurement.cleanings);
   for (std::size_t i = 0; i < recorded.trials.size(); ++i) {
     if (settings.takes_tare) take_tare(recorded.trials[i], measurement.cleanings[i]);
-    if (is_tracked_along_plate(recorded.trials[i])) {
+    measurement.cleanings[i].is_tracked = is_tracked_along_plate(recorded.trials[i]);
+    if (measurement.cleanings[i].is_tracked) {
       measurement.cleanings[i].contact_off_m = take_tracked_places(recorded.trials[i]);
     } else if (recorded.trials[i].sensor) {
       take_contact_points(recorded.trials[i]);
@@ -280,6 +289,8 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
   }
   const std::vector<std::string> hum_of_pressed = clean_pressed(std::move(pressed), settings, measurement);
   hum.insert(hum.end(), hum_of_pressed.begin(), hum_of_pressed.end());
+  for (const std::string& step : {contact_text(measurement.cleanings), tracked_text(measurement.cleanings)})
+    if (!step.empty()) measurement.contact_steps.push_back(step);
   measurement.steps = steps_text(measurement, settings, hum);
   return measurement;
 }

@@ -48,8 +48,8 @@ struct TrialCleaning {
   double hum_hz = 0;           ///< of the mains hum taken off; 0: none was found
   double hum_n = 0;            ///< its greatest amplitude of an axis
   bool tells_contact = false;  ///< its positions are told from its torques
-  /// How far the contact points of its torques lie from the tracked finger, RMS; none where there are none,
-  /// or no finger was tracked along the plate.
+  bool is_tracked = false;     ///< its contact points are passed over for a finger that is tracked beside
+  /// Then: how far those lie from the tracked finger, RMS; none where the finger never presses.
   std::optional<double> contact_off_m;
 };
 
@@ -82,6 +82,7 @@ struct Measurement {
   std::vector<std::string> untouched;      ///< names of trials whose finger never presses
   std::vector<std::string> without_force;  ///< as RecordedMeasurement
   std::vector<std::string> steps;          ///< what was done to the samples, in order, for people
+  std::vector<std::string> contact_steps;  ///< of these, which places a six-axis sensor's fingers were given
 };
 
 /// Makes a recorded measurement clean. In this order, each step as `settings` has it and told in

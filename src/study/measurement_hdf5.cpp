@@ -46,7 +46,7 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
         file.chosen.empty()
             ? fmt::format("has no dataset '{}'; a measurement has one a column at its root, as t_s, x_m, "
                           "fx_n, of N numbers each, and {}",
-                          missing.front(), file.contents)
+                          missing.front(), read_hdf5_contents(path))
             : missing_columns_words(missing, file.chosen));
   const std::size_t count = file.columns[0].size(),
                     first_direction = static_cast<std::size_t>(MeasuredColumn::dx);

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "base/number_text.hpp"
+#include "base/unit_ending.hpp"
 #include "study/hidden_stick.hpp"
 #include "study/impossible_numbers.hpp"
 #include "study/load_exponent.hpp"
@@ -257,15 +258,8 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
 }
 
 std::string_view unit_of_key(std::string_view key) noexcept {
-  struct Ending {
-    std::string_view ending, unit;
-  };
-  // A longer ending before one that it ends in.
-  constexpr Ending endings[] = {{"_n_per_m", "N/m"}, {"_m_per_s", "m/s"}, {"_per_deg", "1/deg"},
-                                {"_per_m", "1/m"},   {"_hz", "Hz"},       {"_m", "m"}};
-  for (const Ending& one : endings)
-    if (key.ends_with(one.ending)) return one.unit;
-  return "1";
+  const std::string_view unit = unit_in_ending(key);
+  return unit.empty() ? "1" : unit;
 }
 
 }  // namespace fingerpad

@@ -106,9 +106,10 @@ DelaySums no_sums(const MeasuredTrial& trial) {
   return sums;
 }
 
-/// Where the force ratio ends falling after a rupture: as long again, and a sample, as it falls by more than
-/// its noise. A sensor that passes a drop in some samples falls on while the finger moves on, as if the force
-/// came before the position. Of one that passes it within a sample it is the rupture itself.
+/// Where the force ratio has settled after a rupture: k samples over which it falls by more than its noise
+/// are followed by k + 1 more. A sensor that takes some samples to show a drop still falls while the finger
+/// moves on, as if the force came before the position. Where the drop takes one sample, it is the rupture
+/// itself.
 std::size_t settled_after(const MeasuredTrial& trial, const StickSegments& segments, std::size_t rupture) {
   constexpr double deviations = 3;
   const std::size_t last = rupture + static_cast<std::size_t>(segments.half_window);

@@ -41,6 +41,12 @@ HiddenReach hidden_reach(const ProfileFit& fit, const FitPoint& point) {
   return reach;
 }
 
+double greatest_rate_hz(const std::vector<TrialEvidence>& trials) {
+  double rate_hz = 0;
+  for (const TrialEvidence& trial : trials) rate_hz = std::max(rate_hz, trial.rate_hz);
+  return rate_hz;
+}
+
 /// How many samples a tooth of stick and slip takes at v_min, from mu_dynamic to mu_static along the spring;
 /// nothing where that is not known.
 std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& about) {
@@ -49,8 +55,7 @@ std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& 
                  &v_min = value(PadNumber::v_min);
   if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty() || !v_min.refusal.empty())
     return std::nullopt;
-  double rate_hz = 0, way_m = 0, axes = 0;
-  for (const TrialEvidence& trial : fit.evidence) rate_hz = std::max(rate_hz, trial.rate_hz);
+  double way_m = 0, axes = 0;
   for (const auto& [number, axis] :
        {std::pair(PadNumber::lateral_axis, 0), std::pair(PadNumber::longitudinal_axis, 1)}) {
     if (!value(number).refusal.empty()) continue;
@@ -60,16 +65,14 @@ std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& 
     ++axes;
   }
   if (axes == 0) return std::nullopt;
-  return way_m / axes / v_min.value * rate_hz;
+  return way_m / axes / v_min.value * greatest_rate_hz(fit.evidence);
 }
 
 /// A tooth that is seen for certain: six samples, and as long as half a window of stick_segments. The end of
 /// slip may be seen a tooth late where teeth are shorter.
 double long_tooth_samples(const ProfileFit& fit) {
   constexpr double fewest = 6;
-  double rate_hz = 0;
-  for (const TrialEvidence& trial : fit.evidence) rate_hz = std::max(rate_hz, trial.rate_hz);
-  return std::max(fewest, slope_half_window_s * rate_hz);
+  return std::max(fewest, slope_half_window_s * greatest_rate_hz(fit.evidence));
 }
 
 /// What lines that are left in may add to the force ratio at ruptures, which come early where they pull: the

@@ -21,7 +21,6 @@ void tell_columns(const std::string& path, const std::vector<std::string>& names
   tell(hdf5::read_text(file, "scene"));
   tell(hdf5::read_texts(file, "columns"));
   tell(hdf5::read_whole(file, "every").value_or(1));
-  tell(hdf5::contents_words(file));
   std::optional<std::uint64_t> rows;
   for (const std::string& name : names) {
     const bool is_there = hdf5::has_link(file, name);
@@ -60,7 +59,6 @@ Hdf5Columns hear_columns(std::size_t names, Hearer& hear) {
   hear(found.scene_text);
   hear(found.chosen);
   hear(found.every);
-  hear(found.contents);
   for (std::size_t k = 0; k < names; ++k) {
     bool is_there = false;
     hear(is_there);
@@ -86,6 +84,21 @@ Hdf5Columns read_hdf5_columns(const std::string& path, const std::vector<std::st
        .memory_bytes = (std::uint64_t{256} << 20) + 8 * bytes},
       told_bytes, [&](Teller& tell) { tell_columns(path, names, tell); },
       [&](Hearer& hear) { return hear_columns(names.size(), hear); });
+}
+
+std::string read_hdf5_contents(const std::string& path) {
+  constexpr std::uint64_t room = std::uint64_t{1} << 20;
+  return read_in_trial(
+      path, {.seconds = 2, .memory_bytes = std::uint64_t{256} << 20}, room,
+      [&](Teller& tell) {
+        tell(hdf5::contents_words(hdf5::open_file(path)));
+        tell.flush();
+      },
+      [](Hearer& hear) {
+        std::string words;
+        hear(words);
+        return words;
+      });
 }
 
 }  // namespace fingerpad

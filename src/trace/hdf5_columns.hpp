@@ -13,7 +13,6 @@ struct Hdf5Columns {
   std::string scene_text;                    ///< the scene that a trace keeps; empty where there is none
   std::vector<std::string> chosen;  ///< of a trace: the columns alone that it was written with; else none
   std::uint64_t every = 1;          ///< of a trace: its rows are every so manieth tick
-  std::string contents;             ///< what the file holds: "it holds pos (500 x 3)"
 };
 
 /// Reads datasets of N numbers (or N x 1, 1 x N) at a file's root. The file is read by a child process, as
@@ -21,5 +20,10 @@ struct Hdf5Columns {
 /// differ in length, and where the first of `names` that is there is compressed: its bytes bound the rows
 /// that the others, shuffled and deflated or not, unfold to.
 Hdf5Columns read_hdf5_columns(const std::string& path, const std::vector<std::string>& names);
+
+/// "it holds pos (500 x 3), the group run1 with t_s (500), and 40 more": the first things in an HDF5 file and
+/// in its groups, for who looks for something else. Read by a child process too; nothing outside of the file
+/// is opened. Throws Error (refused) where the file cannot be read.
+std::string read_hdf5_contents(const std::string& path);
 
 }  // namespace fingerpad

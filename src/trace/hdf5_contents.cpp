@@ -2,6 +2,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 
 #include "base/printable_text.hpp"
 #include "trace/hdf5_internal.hpp"
@@ -9,7 +11,8 @@
 namespace fingerpad::hdf5 {
 namespace {
 
-constexpr hsize_t most_named = 12;  // of each group
+constexpr std::size_t most_named = 12;        // of each group
+constexpr std::size_t most_looked_at = 1000;  // likewise
 constexpr std::size_t longest_name = 40;
 
 /// What a link leads to, where that is an object of the file's own; nothing is followed to find out.
@@ -22,29 +25,53 @@ H5O_type_t type_of(const Handle& parent, const std::string& name) {
   return is_own ? object.type : H5O_TYPE_UNKNOWN;
 }
 
-/// Names by the alphabet, the first of them.
-std::vector<std::string> names_in(const Handle& group, bool& are_more) {
-  H5G_info_t info{};
-  std::vector<std::string> names;
-  if (H5Gget_info(group.id(), &info) < 0) return names;
-  are_more = info.nlinks > most_named;
-  for (hsize_t i = 0; i < std::min(info.nlinks, most_named); ++i) {
-    std::string name(200, '\0');
-    const ssize_t length = H5Lget_name_by_idx(group.id(), ".", H5_INDEX_NAME, H5_ITER_INC, i, name.data(),
-                                              name.size(), H5P_DEFAULT);
-    if (length <= 0) continue;
-    name.resize(std::min(static_cast<std::size_t>(length), name.size() - 1));
-    names.push_back(std::move(name));
-  }
+/// Some names of a group's links.
+struct Names {
+  std::vector<std::string> looked_at;
+  bool is_cut = false;  ///< there are more
+};
+
+herr_t add_name(hid_t, const char* name, const H5L_info_t*, void* into) {
+  auto& names = *static_cast<Names*>(into);
+  names.is_cut = names.looked_at.size() == most_looked_at;
+  if (names.is_cut) return 1;  // ends the walk
+  names.looked_at.emplace_back(name);
+  return 0;
+}
+
+/// By the alphabet. Of very many those that the file keeps first: to put all in order takes seconds.
+Names names_in(const Handle& group) {
+  Names names;
+  hsize_t at = 0;
+  H5Literate(group.id(), H5_INDEX_NAME, H5_ITER_NATIVE, &at, add_name, &names);
+  std::sort(names.looked_at.begin(), names.looked_at.end());
   return names;
+}
+
+/// "500 x 3", or why it has no such shape. HDF5 opens the other files of a virtual dataset to tell its
+/// extents, whatever these files are: so its storage is asked first.
+std::string shape_words(const Handle& dataset) {
+  const Handle creation = wrapped(H5Dget_create_plist(dataset.id()), H5Pclose, dataset.path());
+  if (!creation.open()) return "unreadable";
+  if (H5Pget_layout(creation.id()) == H5D_VIRTUAL) return "a virtual dataset, put together from others";
+  if (H5Pget_external_count(creation.id()) != 0) return "in another file, as external storage";
+  const Handle type = wrapped(H5Dget_type(dataset.id()), H5Tclose, dataset.path());
+  const Handle space = wrapped(H5Dget_space(dataset.id()), H5Sclose, dataset.path());
+  const H5T_class_t kind = H5Tget_class(type.id());
+  const std::string_view no_numbers = kind == H5T_INTEGER || kind == H5T_FLOAT ? "" : ", no numbers";
+  const H5S_class_t shape = H5Sget_simple_extent_type(space.id());
+  if (shape == H5S_SCALAR) return fmt::format("a scalar{}", no_numbers);
+  std::array<hsize_t, H5S_MAX_RANK> size{};
+  const int rank = shape == H5S_SIMPLE ? H5Sget_simple_extent_dims(space.id(), size.data(), nullptr) : 0;
+  if (rank < 1) return "empty";
+  return fmt::format("{}{}", fmt::join(size.begin(), size.begin() + rank, " x "), no_numbers);
 }
 
 /// "pos (500 x 3)".
 std::string dataset_words(const Handle& parent, const std::string& name) {
   const Handle dataset = wrapped(H5Dopen2(parent.id(), name.c_str(), H5P_DEFAULT), H5Dclose, parent.path());
-  const std::vector<std::uint64_t> size = dataset.open() ? extents(dataset) : std::vector<std::uint64_t>();
-  const std::string shape = size.empty() ? "no numbers" : fmt::format("{}", fmt::join(size, " x "));
-  return fmt::format("{} ({})", printable(name, longest_name), shape);
+  return fmt::format("{} ({})", printable(name, longest_name),
+                     dataset.open() ? shape_words(dataset) : "unreadable");
 }
 
 std::string group_words(const Handle& group, int deeper);
@@ -60,11 +87,12 @@ std::string object_words(const Handle& parent, const std::string& name, int deep
 }
 
 std::string group_words(const Handle& group, int deeper) {
-  bool are_more = false;
+  const Names names = names_in(group);
+  const std::size_t named = std::min(names.looked_at.size(), most_named),
+                    left = names.looked_at.size() - named;
   std::vector<std::string> words;
-  for (const std::string& name : names_in(group, are_more))
-    words.push_back(object_words(group, name, deeper));
-  if (are_more) words.emplace_back("...");
+  for (std::size_t i = 0; i < named; ++i) words.push_back(object_words(group, names.looked_at[i], deeper));
+  if (left > 0) words.push_back(fmt::format("and {}{} more", names.is_cut ? "more than " : "", left));
   return fmt::format("{}", fmt::join(words, ", "));
 }
 

@@ -117,8 +117,7 @@ void append(const Handle& column, std::size_t rows, std::span<const double> valu
 /// deflate, of which nothing is loaded.
 /// @param what  what it is called in messages ("column")
 Handle open_dataset(const Handle& parent, const std::string& name, const std::string& what);
-/// "it holds pos (500 x 3), the group run1 with t_s (500), x_m (500)": the first things in a file and in its
-/// groups, for who looks for something else.
+/// See read_hdf5_contents.
 std::string contents_words(const Handle& file);
 /// The extents of a dataset of numbers; none if it is something else.
 std::vector<std::uint64_t> extents(const Handle& dataset);

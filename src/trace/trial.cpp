@@ -124,14 +124,6 @@ std::uint64_t wait_seconds(const TrialLimits& limits) noexcept {
   return patience + 10 * limits.seconds;
 }
 
-int hdf5_trials() noexcept {
-#ifdef __SANITIZE_ADDRESS__
-  return 4;
-#else
-  return 1;
-#endif
-}
-
 Trial::Trial(const std::function<void(const Say&)>& work, const TrialLimits& limits) {
   const Pipe words = make_pipe(), ending = make_pipe();
   child_ = ending.in >= 0 && words.in >= 0 ? fork() : -1;

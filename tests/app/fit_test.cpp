@@ -308,6 +308,15 @@ TEST_F(Fit, RefusesWhatHoldsNothingForIt) {
   EXPECT_EQ(motionless.exit_code, 3);
   EXPECT_THAT(motionless.err,
               HasSubstr("error: still.csv: nothing can be fitted: mu_dynamic: no slip was found"));
+  std::ofstream drawn(folder / "drawn.csv");
+  drawn << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n,tx_n_m,ty_n_m,tz_n_m\n";
+  for (int i = 0; i < 400; ++i) drawn << 0.001 * i << ',' << 2e-5 * i << ",0,0,0,0,1,0,0,0\n";
+  drawn.close();
+  const auto tracked = fit("drawn.csv --out none.toml --sensor-at 0,0,0");
+  EXPECT_EQ(tracked.exit_code, 3);
+  EXPECT_THAT(tracked.err,
+              AllOf(HasSubstr("nothing can be fitted"),
+                    HasSubstr("contact points: passed over in 1 trial whose finger is tracked")));
   EXPECT_EQ(fit("absent.csv --out none.toml").exit_code, 3);
   EXPECT_EQ(fit(shipped.string() + " --out no/such/folder.toml").exit_code, 2);
 }

@@ -18,8 +18,10 @@
 namespace fingerpad::cleaning_test {
 namespace {
 
+using testing::AllOf;
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 const std::vector<test::KnownTrial> rubs{{1, 45, 0}, {1, 45, 90}, {1, 45, 45, 0.003, 1.0}};
 
@@ -99,6 +101,37 @@ TEST(Cleaning, TakesATrackedFingersPlacesAndNotItsContactPoints) {
   EXPECT_THAT(tracked.steps, Contains(HasSubstr("contact points: passed over in 3 trials")));
   ASSERT_EQ(tracked.trials.size(), plain.trials.size());
   EXPECT_EQ(tracked.trials[0].position_m, plain.trials[0].position_m);
+}
+
+/// A marker that is lost for a sample is seen elsewhere; one that rests is seen with noise.
+TEST(Cleaning, TakesNoNoiseOfAPlaceThatRestsForATrackedFinger) {
+  RecordedMeasurement recorded = sensed_by_torque(1, Vec3::Zero(), Vec3::Zero(), true);
+  RandomStream random(1);
+  recorded.trials[0].tracked_W(0, 700) += 2e-3;
+  for (const std::size_t trial : {1, 2}) {
+    const double noise_m = trial == 1 ? 0.2e-3 : 0.6e-3;
+    Points& places = recorded.trials[trial].tracked_W;
+    for (Eigen::Index i = 0; i < places.cols(); ++i)
+      places.col(i) += noise_m * Vec3(random.normal(), random.normal(), 0);
+  }
+  const Measurement cleaned = clean(recorded, {});
+  EXPECT_THAT(cleaned.steps, Contains(HasSubstr("told from force and torque in 3 trials, after the tare")));
+  EXPECT_THAT(cleaned.steps, Not(Contains(HasSubstr("passed over"))));
+  EXPECT_EQ(cleaned.trials.size(), 3U);
+}
+
+TEST(Cleaning, TellsHowFarContactPointsLieFromATrackedFingerThatPresses) {
+  RecordedMeasurement recorded = sensed_by_torque(1, Vec3::Zero(), Vec3::Zero(), true);
+  for (RecordedTrial& trial : recorded.trials) trial.tracked_W.topRows(2) = trial.position_W.topRows(2);
+  recorded.trials[1].force_W.row(2).setConstant(-1);
+  CleaningSettings untared;
+  untared.takes_tare = false;
+  EXPECT_THAT(clean(recorded, untared).steps,
+              Contains(AllOf(HasSubstr("passed over in 3 trials"), HasSubstr("mm from the tracked finger"),
+                             HasSubstr("median of the 2 in which it presses"), Not(HasSubstr("nan")))));
+  for (RecordedTrial& trial : recorded.trials) trial.force_W.row(2).setConstant(-1);
+  EXPECT_THAT(clean(recorded, untared).steps, Contains(AllOf(HasSubstr("passed over in 3 trials"),
+                                                             HasSubstr("as the finger presses in none"))));
 }
 
 TEST(Cleaning, SaysWhereContactPointsRestOnNoTare) {

@@ -1,8 +1,15 @@
 #include "trace/hdf5_columns.hpp"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <hdf5.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "base/error.hpp"
 #include "support/paths.hpp"
@@ -74,7 +81,9 @@ std::string shaped(const std::vector<hsize_t>& shape, bool is_nested) {
   const hid_t parent = is_nested ? H5Gcreate2(file, "run1", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT) : file;
   const std::vector<double> numbers{0, 1, 2, 3, 4, 5, 6, 7};
   for (const char* name : {"t_s", "x_m"}) {
-    const hid_t space = H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
+    const hid_t space = shape.empty()
+                            ? H5Screate(H5S_SCALAR)
+                            : H5Screate_simple(static_cast<int>(shape.size()), shape.data(), nullptr);
     const hid_t column =
         H5Dcreate2(parent, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     H5Dwrite(column, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
@@ -105,11 +114,63 @@ TEST(Hdf5Columns, OfAnotherShapeAreRefusedWithIt) {
   }
 }
 
-TEST(Hdf5Columns, SayWhatTheFileHolds) {
-  EXPECT_EQ(read_hdf5_columns(shaped({4, 1}, false), {"t_s"}).contents, "it holds t_s (4 x 1), x_m (4 x 1)");
-  const Hdf5Columns nested = read_hdf5_columns(shaped({4}, true), {"t_s"});
-  EXPECT_FALSE(nested.present[0]);
-  EXPECT_EQ(nested.contents, "it holds the group run1 with t_s (4), x_m (4)");
+TEST(Hdf5Contents, AreDatasetsWithTheirShapesAndGroups) {
+  EXPECT_EQ(read_hdf5_contents(shaped({4, 1}, false)), "it holds t_s (4 x 1), x_m (4 x 1)");
+  const std::string nested = shaped({4}, true);
+  EXPECT_FALSE(read_hdf5_columns(nested, {"t_s"}).present[0]);
+  EXPECT_EQ(read_hdf5_contents(nested), "it holds the group run1 with t_s (4), x_m (4)");
+  EXPECT_EQ(read_hdf5_contents(shaped({2, 2, 2}, false)), "it holds t_s (2 x 2 x 2), x_m (2 x 2 x 2)");
+  EXPECT_EQ(read_hdf5_contents(shaped({}, false)), "it holds t_s (a scalar), x_m (a scalar)");
+}
+
+/// A file that this test fills.
+struct MadeFile {
+  std::string path = test::scratch_dir() / "made.h5";
+  hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+
+  void add(const char* name, hid_t type, hid_t space, hid_t creation) const {
+    H5Dclose(H5Dcreate2(id, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT));
+  }
+};
+
+/// HDF5 may open the source of a virtual dataset to tell its size. Of a pipe it would wait for ever.
+TEST(Hdf5Contents, OpenNoOtherFile) {
+  const std::string pipe = test::scratch_dir() / "pipe.h5";
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+  const MadeFile file;
+  constexpr hsize_t few = 4, none = 0, one = 1, unlimited = H5S_UNLIMITED;
+  const hid_t space = H5Screate_simple(1, &few, nullptr), growing = H5Screate_simple(1, &few, &unlimited);
+  H5Sselect_hyperslab(growing, H5S_SELECT_SET, &none, nullptr, &unlimited, &one);
+  const hid_t put_together = H5Pcreate(H5P_DATASET_CREATE), elsewhere = H5Pcreate(H5P_DATASET_CREATE);
+  ASSERT_GE(H5Pset_virtual(put_together, growing, pipe.c_str(), "x", growing), 0);
+  ASSERT_GE(H5Pset_external(elsewhere, pipe.c_str(), 0, few * sizeof(double)), 0);
+  file.add("a", H5T_IEEE_F64LE, growing, put_together);
+  file.add("b", H5T_IEEE_F64LE, space, elsewhere);
+  file.add("c", H5T_C_S1, space, H5P_DEFAULT);
+  for (const hid_t list : {put_together, elsewhere}) H5Pclose(list);
+  for (const hid_t shape : {space, growing}) H5Sclose(shape);
+  H5Fclose(file.id);
+  const auto begin = std::chrono::steady_clock::now();
+  EXPECT_EQ(read_hdf5_contents(file.path),
+            "it holds a (a virtual dataset, put together from others), b (in another file, as external "
+            "storage), c (4, no numbers)");
+  // A child that waits for the pipe is ended after more than a minute.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+}
+
+TEST(Hdf5Contents, SayHowManyMoreThereAre) {
+  const MadeFile file;
+  for (const auto& [group_name, count] : {std::pair("few", 15), std::pair("many", 2000)}) {
+    const hid_t group = H5Gcreate2(file.id, group_name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    for (int i = 0; i < count; ++i)
+      H5Lcreate_soft("/nowhere", group, fmt::format("link{:05}", i).c_str(), H5P_DEFAULT, H5P_DEFAULT);
+    H5Gclose(group);
+  }
+  H5Fclose(file.id);
+  const std::string words = read_hdf5_contents(file.path);
+  EXPECT_THAT(words, HasSubstr("the group few with link00000, link00001"));
+  EXPECT_THAT(words, HasSubstr("link00011, and 3 more, the group many with link00000"));
+  EXPECT_THAT(words, testing::EndsWith("link00011, and more than 988 more"));
 }
 
 }  // namespace
