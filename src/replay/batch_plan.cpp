@@ -24,7 +24,8 @@ std::string kind_of(const Scene& scene) {
          meshes_of(scene);
 }
 
-PlannedJob planned(const BatchJob& batch_job, const BatchOptions& options, PlannedTicks& ticks) {
+PlannedJob planned(const BatchJob& batch_job, const BatchOptions& options, TimedMeshes& meshes,
+                   PlannedTicks& ticks) {
   const SceneJob& job = batch_job.job;
   PlannedJob plan{trace_name(job, options.format), "", job.scene.motion.file, "", 0, job.error};
   if (!job.scene.parts.empty()) plan.mesh = job.scene.parts.front().mesh;
@@ -35,11 +36,21 @@ PlannedJob planned(const BatchJob& batch_job, const BatchOptions& options, Plann
   if (!plan.error.empty()) return plan;
   try {
     refuse_missing_inputs(job.scene);
-    plan.ticks = ticks.of(job.scene);
+    if (job.scene.motion.laid && job.scene.motion.automatic_rate) meshes.load(job.scene);
+    plan.ticks = ticks.of(job.scene, meshes.store());
   } catch (const Error& error) {
     plan.error = error.what();
   }
   return plan;
+}
+
+/// Places in `ours` from one mesh to the next, so that each is loaded once.
+std::vector<std::size_t> by_meshes(const std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours) {
+  std::map<std::string, std::vector<std::size_t>> groups;
+  for (std::size_t k = 0; k < ours.size(); ++k) groups[meshes_of(jobs[ours[k]].job.scene)].push_back(k);
+  std::vector<std::size_t> order;
+  for (const auto& [meshes, group] : groups) order.insert(order.end(), group.begin(), group.end());
+  return order;
 }
 
 /// Of the files of a scene's meshes: by these loading takes longer and traces grow.
@@ -174,7 +185,9 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
   PlannedTicks ticks;
   TimedMeshes meshes(8, options.on_load);
   const std::vector<std::size_t> ours = jobs_of_shard(jobs.size(), options);
-  for (const std::size_t i : ours) plan.jobs.push_back(planned(jobs[i], options, ticks));
+  plan.jobs.resize(ours.size());
+  for (const std::size_t k : by_meshes(jobs, ours))
+    plan.jobs[k] = planned(jobs[ours[k]], options, meshes, ticks);
   std::map<std::string, Kind> kinds;
   std::vector<Kind*> in_order;
   for (std::size_t k = 0; k < ours.size(); ++k) {

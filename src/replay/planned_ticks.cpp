@@ -28,10 +28,9 @@ bool PlannedTicks::is_reckoned(const Scene& scene) noexcept {
   return scene.motion.laid && !scene.motion.automatic_rate;
 }
 
-long PlannedTicks::of(const Scene& scene) {
+long PlannedTicks::of(const Scene& scene, MeshStore& meshes) {
   if (is_reckoned(scene))
     return tick_count(duration_s(*scene.motion.laid, pressed_depth_m(scene)), scene.motion.rate_hz);
-  MeshStore meshes(1);
   return made(motion_key(scene), scene, meshes);
 }
 

@@ -17,7 +17,8 @@ class PlannedTicks {
  public:
   /// Throws Error (refused) as load_motion() does: again for each scene whose motion is refused. Of a motion
   /// laid on a part at a given rate they are reckoned without the part, which need not be loaded for it.
-  long of(const Scene& scene);
+  /// @param meshes  where the part comes from on which a motion is laid
+  long of(const Scene& scene, MeshStore& meshes);
   /// Whether of() does not lay the motion, and so does not see whether it can be laid.
   static bool is_reckoned(const Scene& scene) noexcept;
   /// Of a scene whose ticks are reckoned: lays its motion. Throws Error (refused) where it cannot be laid.
