@@ -163,6 +163,7 @@ void measure(const std::vector<Kind*>& kinds, const BatchOptions& options, Timed
     lay(*kind, meshes.store(), ticks, plan);
     if (is_next) try_jobs(*kind, meshes.store(), motions, options);
     if (kind->is_tried) tried_kinds.push_back(kind);
+    if (plan.bytes_unknown.empty()) plan.bytes_unknown = kind->cost.unwritten;
   }
   plan.kinds = static_cast<int>(kinds.size());
   plan.measured = static_cast<int>(tried_kinds.size());

@@ -21,6 +21,7 @@ struct BatchPlan {
   double ticks = 0;
   double seconds = 0;  ///< on the batch's threads
   double bytes = 0;
+  std::string bytes_unknown = {};  ///< why they are not, if so: what the folder for temporary files said
   std::vector<std::string> warnings = {};  ///< of its motions' files, each once
   int measured = 0, kinds = 0;  ///< of so many kinds of jobs, by their parts and contact, so many were tried
   int not_laid = 0;  ///< jobs of which it was not seen whether their motion can be laid on the part

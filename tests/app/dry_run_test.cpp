@@ -199,6 +199,27 @@ TEST(DryRun, SaysOfEachJobOverAMeshThatCannotBeTouchedThatItWouldFail) {
               HasSubstr("s-0099.h5: bad.stl, seed 99: would fail as s-0001.h5\nall 99 jobs would fail; "));
 }
 
+/// What the try's own file meets is nothing of the jobs.
+TEST(DryRun, PlansWithoutItsOwnFileWhereThereIsNoPlaceForIt) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\n"
+         "from_m = [0, 0, -0.001]\nto_m = [0.1, 0, -0.001]\nspeed_m_per_s = 0.01\n";
+  const std::string call = "'" + test::program().string() + "' replay s.toml --out o --dry-run --format ";
+  for (const std::string limit : {"TMPDIR=/proc ", "TMPDIR=/nonexistent ", "ulimit -f 8; "}) {
+    for (const std::string format : {"h5", "csv"}) {
+      const auto planned = test::shell(limit + call + format, folder);
+      EXPECT_EQ(planned.exit_code, 0) << limit << format << planned.err;
+      EXPECT_THAT(planned.out,
+                  testing::ContainsRegex("1 job, 10001 ticks: about [^,]*, unknown bytes in o "));
+      EXPECT_THAT(planned.err,
+                  HasSubstr("warning: no trace could be tried, so the disk is not reckoned: " +
+                            std::string(limit == "TMPDIR=/nonexistent " ? "TMPDIR names" : "/")));
+    }
+  }
+  EXPECT_EQ(test::shell("TMPDIR=/proc " + call + "none", folder).err, "") << "nothing to try";
+}
+
 TEST(DryRun, RefusesAFolderThatCannotBeWritten) {
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "s.toml")
