@@ -10,29 +10,26 @@
 namespace fingerpad {
 
 CountBar::CountBar(std::size_t total, std::string many, std::string done, ShownProgress shown,
-                   std::chrono::milliseconds between_lines)
+                   std::chrono::milliseconds between_lines, std::chrono::milliseconds patience)
     : total_(total),
       many_(std::move(many)),
       done_(std::move(done)),
       shown_(shown),
-      between_lines_(between_lines),
+      next_line_(between_lines),
       start_(Clock::now()),
-      last_line_(start_),
-      bar_(shown == ShownProgress::bar, std::chrono::milliseconds(500), ProgressBar::End::wiped) {}
+      bar_(shown == ShownProgress::bar, patience, ProgressBar::End::wiped) {}
 
 void CountBar::advance() {
   ++count_;
-  const Clock::time_point now = Clock::now();
-  const bool is_due = shown_ == ShownProgress::lines && now - last_line_ >= between_lines_;
+  const bool is_due = shown_ == ShownProgress::lines && next_line_.is_due();
   if (shown_ != ShownProgress::bar && !is_due) return;
   const auto count = static_cast<double>(count_), total = static_cast<double>(total_);
   const std::string pace =
-      pace_words(count, total, std::chrono::duration<double>(now - start_).count(), many_);
+      pace_words(count, total, std::chrono::duration<double>(Clock::now() - start_).count(), many_);
   if (shown_ == ShownProgress::bar) {
     bar_.show(count / total, fmt::format("{}/{}{}", count_, total_, pace));
     return;
   }
-  last_line_ = now;
   print_err("fingerpad: {} of {} {} {}, {:.0f}%{}\n", count_, total_, many_, done_, 100 * count / total,
             pace);
 }

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <string>
 
+#include "app/next_line.hpp"
 #include "app/progress_bar.hpp"
 
 namespace fingerpad {
@@ -16,8 +17,10 @@ class CountBar {
   /// @param many           what is counted: "traces"
   /// @param done           what becomes of them: "read"
   /// @param between_lines  at least so long passes from one line to the next
+  /// @param patience       no bar is drawn for so long
   CountBar(std::size_t total, std::string many, std::string done, ShownProgress shown,
-           std::chrono::milliseconds between_lines);
+           std::chrono::milliseconds between_lines,
+           std::chrono::milliseconds patience = std::chrono::milliseconds(500));
 
   /// One more is done.
   void advance();
@@ -30,8 +33,8 @@ class CountBar {
   std::size_t total_, count_ = 0;
   std::string many_, done_;
   ShownProgress shown_;
-  std::chrono::milliseconds between_lines_;
-  Clock::time_point start_, last_line_;
+  NextLine next_line_;
+  Clock::time_point start_;
   ProgressBar bar_;
 };
 

@@ -12,9 +12,8 @@ namespace fingerpad {
 JobBar::JobBar(std::size_t total, Shown shown, std::chrono::milliseconds between_lines)
     : total_(std::max<std::size_t>(total, 1)),
       shown_(shown),
-      between_lines_(between_lines),
+      next_line_(between_lines),
       start_(Clock::now()),
-      last_line_(start_),
       bar_(shown == Shown::bar, std::chrono::milliseconds(0), ProgressBar::End::kept) {}
 
 void JobBar::advance(const BatchJob& job) {
@@ -50,9 +49,8 @@ void JobBar::show(const std::string& what) {
   auto done = static_cast<double>(ended);
   for (const auto& [job, share] : under_way_) done += share;
   const double share = std::min(1.0, done / static_cast<double>(total_));
-  const Clock::time_point now = Clock::now();
   const std::string pace = pace_words(done, static_cast<double>(total_),
-                                      std::chrono::duration<double>(now - start_).count(), "jobs");
+                                      std::chrono::duration<double>(Clock::now() - start_).count(), "jobs");
   const bool is_stopping = is_told_to_stop_ && is_told_to_stop_();
   if (shown_ == Shown::bar) {
     bar_.show(share, is_stopping ? fmt::format("{}/{} {}", ended, total_, stop_words())
@@ -60,8 +58,7 @@ void JobBar::show(const std::string& what) {
   } else if (is_stopping && !has_told_stop_ && !under_way_.empty()) {
     has_told_stop_ = true;
     print_err("fingerpad: {} of {} jobs done, {}\n", ended, total_, stop_words());
-  } else if (now - last_line_ >= between_lines_) {
-    last_line_ = now;
+  } else if (next_line_.is_due()) {
     print_err("fingerpad: {} of {} jobs done, {:.0f}%{}\n", ended, total_, 100 * share, pace);
   }
 }
@@ -69,8 +66,9 @@ void JobBar::show(const std::string& what) {
 /// Of a batch that is told to stop: what it has begun it ends.
 std::string JobBar::stop_words() const {
   if (under_way_.empty()) return "stopped";
-  return fmt::format("stopping: {} under way {} first (Ctrl-C again ends at once)", under_way_.size(),
-                     under_way_.size() == 1 ? "ends" : "end");
+  const bool may_type = shown_ == Shown::bar && by_ctrl_c_ && by_ctrl_c_();
+  return fmt::format("stopping: {} under way {} first{}", under_way_.size(),
+                     under_way_.size() == 1 ? "ends" : "end", may_type ? " (Ctrl-C again ends at once)" : "");
 }
 
 }  // namespace fingerpad

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "app/next_line.hpp"
 #include "app/progress_bar.hpp"
 #include "replay/batch.hpp"
 
@@ -22,7 +23,11 @@ class JobBar {
   JobBar(std::size_t total, Shown shown, std::chrono::milliseconds between_lines);
 
   /// From when the batch is told to stop, what it still waits for is said. Before the first job.
-  void watch_stop(std::function<bool()> is_told_to_stop) { is_told_to_stop_ = std::move(is_told_to_stop); }
+  /// @param by_ctrl_c  whether Ctrl-C told it, so that a second one ends it at once
+  void watch_stop(std::function<bool()> is_told_to_stop, std::function<bool()> by_ctrl_c) {
+    is_told_to_stop_ = std::move(is_told_to_stop);
+    by_ctrl_c_ = std::move(by_ctrl_c);
+  }
 
   void advance(const BatchJob& job);
   /// So many jobs have been ended by other ranks.
@@ -39,10 +44,10 @@ class JobBar {
   std::mutex mutex_;
   std::size_t total_, done_ = 0, elsewhere_ = 0;
   Shown shown_;
-  std::chrono::milliseconds between_lines_;
-  Clock::time_point start_, last_line_;
+  NextLine next_line_;
+  Clock::time_point start_;
   std::map<const BatchJob*, double> under_way_;  ///< the share that is done of each
-  std::function<bool()> is_told_to_stop_;
+  std::function<bool()> is_told_to_stop_, by_ctrl_c_;
   bool has_told_stop_ = false;  ///< in a line of its own
   ProgressBar bar_;
 };

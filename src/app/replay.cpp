@@ -110,7 +110,7 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
              std::chrono::milliseconds(std::lround(1e3 * options.progress_s)));
   const StopRequest stop;
   batch.should_stop = [&stop] { return stop.come(); };
-  bar.watch_stop(batch.should_stop);
+  bar.watch_stop(batch.should_stop, [&stop] { return stop.come_by_interrupt(); });
   batch.on_load = [&](std::string_view stage, double done) { bar.load(stage, done); };
   batch.on_ticks = [&](const BatchJob& job, double share_done) { bar.run(job, share_done); };
   batch.on_unfinished = [](const std::string& what) { print_err("fingerpad: warning: {}\n", what); };

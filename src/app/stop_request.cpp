@@ -6,16 +6,17 @@ namespace fingerpad {
 namespace {
 
 // A handler reaches nothing but what is global.
-std::atomic<bool> stop_requested{false};
+std::atomic<bool> stop_requested{false}, interrupt_come{false};
 
-void request_stop(int) {
+void request_stop(int signal) {
+  if (signal == SIGINT) interrupt_come = true;
   stop_requested = true;
 }
 
 }  // namespace
 
 StopRequest::StopRequest() {
-  stop_requested = false;
+  stop_requested = interrupt_come = false;
   struct sigaction action {};
   action.sa_handler = request_stop;
   action.sa_flags = SA_RESETHAND | SA_RESTART;
@@ -31,6 +32,10 @@ StopRequest::~StopRequest() {
 
 bool StopRequest::come() const noexcept {
   return stop_requested;
+}
+
+bool StopRequest::come_by_interrupt() const noexcept {
+  return interrupt_come;
 }
 
 }  // namespace fingerpad

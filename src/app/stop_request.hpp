@@ -15,6 +15,8 @@ class StopRequest {
 
   /// Whether one has come.
   bool come() const noexcept;
+  /// Whether SIGINT has.
+  bool come_by_interrupt() const noexcept;
 
  private:
   struct sigaction before_int_ {

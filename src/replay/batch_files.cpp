@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -81,6 +82,17 @@ TableNames table_names(int shard, int shard_count) {
   const std::string which = shard_count > 1 ? fmt::format("-{}of{}", shard, shard_count) : std::string();
   return {"summary" + which + ".csv", "timing" + which + ".csv", "jobs" + which + ".csv",
           "summary" + which + ".schema.json"};
+}
+
+std::optional<ShardNumber> shard_of_table(const std::string& file, const std::string& table) {
+  ShardNumber number;
+  if (!file.starts_with(table) ||
+      std::sscanf(file.c_str() + table.size(), "-%dof%d.csv", &number.shard, &number.count) != 2)
+    return std::nullopt;
+  const bool is_one = 1 <= number.shard && number.shard <= number.count;
+  // Written back, as the numbers may have been read from " 02".
+  if (!is_one || file != fmt::format("{}-{}of{}.csv", table, number.shard, number.count)) return std::nullopt;
+  return number;
 }
 
 bool has_index(const std::vector<BatchJob>& jobs) noexcept {

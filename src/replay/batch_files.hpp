@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -19,6 +20,14 @@ struct TableNames {
   std::string summary, timing, jobs, schema;
 };
 TableNames table_names(int shard, int shard_count);
+
+/// K of N.
+struct ShardNumber {
+  int shard = 0, count = 0;
+};
+/// Whose table a file is by its name, "summary-2of8.csv" of the tables called "summary"; nothing where no
+/// shard would call its own so.
+std::optional<ShardNumber> shard_of_table(const std::string& file, const std::string& table);
 
 /// Whether a batch has jobs that are numbered, and so an index of them.
 bool has_index(const std::vector<BatchJob>& jobs) noexcept;

@@ -12,6 +12,7 @@
 #include "base/number_text.hpp"
 #include "base/path_words.hpp"
 #include "base/text_lines.hpp"
+#include "replay/batch_files.hpp"
 #include "replay/residual_warnings.hpp"
 #include "replay/summary_column.hpp"
 #include "touch/tick_record.hpp"
@@ -72,8 +73,7 @@ std::vector<std::string> tables_named(const std::string& folder, const std::stri
        at.increment(failure)) {
     const std::string file = at->path().filename().string();
     if (file == name + ".csv") return {at->path().string()};
-    if (file.starts_with(name + "-") && file.ends_with(".csv") && file.find(".kept-") == std::string::npos)
-      shards.push_back(at->path().string());
+    if (shard_of_table(file, name)) shards.push_back(at->path().string());
   }
   if (failure) throw refused(folder, "cannot be read: " + folder_words(folder, failure.value()));
   std::sort(shards.begin(), shards.end());
@@ -189,18 +189,26 @@ std::string trouble_words(const JobOutcome& job, const std::vector<double>& bad)
   return fmt::format("{}", fmt::join(words, ", "));
 }
 
+/// Of a folder without a summary: why there is none, and what to do.
+std::string missing_summary(const std::string& folder) {
+  const std::vector<std::string> indices = tables_named(folder, "jobs");  // written before the jobs are run
+  if (indices.empty()) return "holds no summary.csv: name the folder that `fingerpad replay --out` wrote";
+  bool has_traces = false;  // an index names none where --format none was asked for
+  for (const std::string& path : indices) {
+    const auto rows = read_result_table(path).rows;
+    has_traces |= std::ranges::any_of(rows, [](const Row& row) { return !cell_of(row, "file").empty(); });
+  }
+  return fmt::format("holds no summary.csv, since its replay did not end: the same `fingerpad replay` {}",
+                     has_traces ? "with --resume does the rest and writes it"
+                                : "does all its jobs again, of which it keeps no traces, and writes it");
+}
+
 }  // namespace
 
 BatchResults read_batch_results(const std::string& folder) {
   BatchResults results;
   results.files = tables_named(folder, "summary");
-  if (results.files.empty()) {
-    const bool is_unfinished = !tables_named(folder, "jobs").empty();  // which is written before the jobs
-    throw refused(folder, is_unfinished ? "holds no summary.csv, since its replay did not end: the same "
-                                          "`fingerpad replay` with --resume does the rest and writes it"
-                                        : "holds no summary.csv: name the folder that `fingerpad replay "
-                                          "--out` wrote");
-  }
+  if (results.files.empty()) throw refused(folder, missing_summary(folder));
   std::vector<ResultTable> tables;
   for (const std::string& path : results.files) {
     tables.push_back(read_result_table(path));

@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <memory>
 
+#include "base/error.hpp"
 #include "replay/figures.hpp"
 #include "touch/closed_loop.hpp"
 #include "trace/column_chunks.hpp"
@@ -22,28 +24,61 @@ double seconds_since(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-/// Where a try writes its trace; it goes with the object.
-struct TryFile {
-  explicit TryFile(TraceFormat format)
-      : path((std::filesystem::temp_directory_path() /
-              fmt::format("fingerpad-try-{}.{}", getpid(), format == TraceFormat::csv ? "csv" : "h5"))
-                 .string()) {}
-  TryFile(const TryFile&) = delete;
-  TryFile& operator=(const TryFile&) = delete;
-  ~TryFile() {
+/// The trace that a try writes to the system's folder for temporary files; it goes with the object. Where
+/// that refuses, the try goes on without it.
+class TryTrace {
+ public:
+  TryTrace() = default;
+  TryTrace(const TryTrace&) = delete;
+  TryTrace& operator=(const TryTrace&) = delete;
+  ~TryTrace() {
+    writer_.reset();
     std::error_code ignored;
-    std::filesystem::remove(path, ignored);
-    std::filesystem::remove(path + ".part", ignored);
+    for (const std::string& name : {path_, path_ + ".part"}) std::filesystem::remove(name, ignored);
   }
+  void begin(TraceFormat format, const TraceInfo& info, const World& world, long rows) {
+    attempt([&] {
+      const char* ending = format == TraceFormat::csv ? "csv" : "h5";
+      path_ = (std::filesystem::temp_directory_path() / fmt::format("fingerpad-try-{}.{}", getpid(), ending))
+                  .string();
+      writer_ = TraceWriter::create(path_, format, info, world, static_cast<std::uint64_t>(rows));
+      writer_->flush();
+    });
+  }
+  void append(const std::vector<TickRecord>& rows) {
+    if (writer_) attempt([&] { writer_->append(rows); });
+  }
+  void finish() {
+    if (writer_) attempt([&] { writer_->finish(); });
+  }
+  /// 0 where it could not be written.
   double bytes() const {
+    if (!refusal_.empty()) return 0;
     std::error_code none;
-    for (const std::string& name : {path + ".part", path}) {
+    for (const std::string& name : {path_ + ".part", path_}) {
       const auto size = std::filesystem::file_size(name, none);
       if (!none) return static_cast<double>(size);
     }
     return 0;
   }
-  std::string path;
+  const std::string& refusal() const noexcept { return refusal_; }
+
+ private:
+  template <typename Step>
+  void attempt(const Step& step) {
+    try {
+      step();
+      return;
+    } catch (const Error& error) {
+      refusal_ = error.what();
+    } catch (const std::filesystem::filesystem_error& error) {
+      refusal_ = "TMPDIR names no folder that can be used: " + error.code().message();
+    }
+    writer_.reset();
+  }
+
+  std::string path_, refusal_;
+  std::unique_ptr<TraceWriter> writer_;
 };
 
 /// The rows that a try's file has room for: the last chunk of a plain HDF5 trace is there whole.
@@ -73,7 +108,7 @@ struct ReadyJob {
 };
 
 /// Ticks until it has lasted long enough. @returns how many
-long tick_for_a_while(ClosedLoop& loop, Figures& figures, TraceWriter* writer, Clock::time_point start) {
+long tick_for_a_while(ClosedLoop& loop, Figures& figures, TryTrace& trace, Clock::time_point start) {
   constexpr double long_enough_s = 0.2;
   constexpr long block_ticks = 64;  // as run_job()
   std::vector<TickRecord> block;
@@ -86,7 +121,7 @@ long tick_for_a_while(ClosedLoop& loop, Figures& figures, TraceWriter* writer, C
       block.push_back(loop.next());
       figures.observe(block.back());
     }
-    if (writer != nullptr) writer->append(block);
+    trace.append(block);
   }
   return ticks;
 }
@@ -104,28 +139,24 @@ JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, con
   const ReadyJob job(scene, meshes, motions, options);
   JobCost cost;
   cost.load_s = std::max(0.0, first_s - seconds_since(again));
-  const TryFile file(options.format);
+  TryTrace trace;
   ClosedLoop loop(job.world, job.scene, job.path());
   Figures figures(job.world);
-  std::unique_ptr<TraceWriter> writer;
-  if (options.traces) {
-    writer = TraceWriter::create(file.path, options.format, job.info, *job.world,
-                                 static_cast<std::uint64_t>(loop.tick_count()));
-    writer->flush();
-  }
+  if (options.traces) trace.begin(options.format, job.info, *job.world, loop.tick_count());
   cost.s_a_job = seconds_since(again);
-  cost.bytes = file.bytes();
+  cost.bytes = trace.bytes();
 
   const Clock::time_point run = Clock::now();
-  const long ticks = tick_for_a_while(loop, figures, writer.get(), run);
+  const long ticks = tick_for_a_while(loop, figures, trace, run);
   const double run_s = seconds_since(run);
   const Clock::time_point ending = Clock::now();
-  if (writer) writer->finish();
+  trace.finish();
   cost.s_a_job += seconds_since(ending);
+  cost.unwritten = trace.refusal();
   if (ticks == 0) return cost;
   cost.s_per_tick = run_s / static_cast<double>(ticks);
   // The try writes all its rows.
-  cost.bytes_per_tick = std::max(0.0, file.bytes() - cost.bytes) /
+  cost.bytes_per_tick = std::max(0.0, trace.bytes() - cost.bytes) /
                         static_cast<double>(rows_on_disk(ticks, loop.tick_count(), options)) /
                         static_cast<double>(options.choice.every);
   return cost;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "replay/batch.hpp"
 #include "replay/motion_store.hpp"
 #include "touch/mesh_store.hpp"
@@ -13,10 +15,12 @@ struct JobCost {
   double s_per_tick = 0;
   double bytes = 0;  ///< of a trace without rows
   double bytes_per_tick = 0;
+  std::string unwritten = {};  ///< why no trace could be written for the try, whose bytes are not known then
 };
 
 /// Runs the beginning of a job, for a fifth of a second at most, and writes its trace to the system's folder
-/// for temporary files, from where it is removed again. Throws Error as the job would.
+/// for temporary files, from where it is removed again. Where that
+/// folder refuses it does without. Throws Error as the job would.
 JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const BatchOptions& options);
 
 }  // namespace fingerpad

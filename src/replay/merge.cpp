@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
 #include <filesystem>
 #include <map>
 
@@ -48,10 +47,8 @@ void find_shards(const std::string& folder, std::vector<FoundShard>& found) {
   const std::size_t before = found.size();
   for (fs::directory_iterator at(folder, failure); !failure && at != fs::directory_iterator();
        at.increment(failure)) {
-    int shard = 0, count = 0, end = 0;
-    const std::string name = at->path().filename().string();
-    if (std::sscanf(name.c_str(), "summary-%dof%d.csv%n", &shard, &count, &end) != 2) continue;
-    if (end == static_cast<int>(name.size())) found.push_back({folder, shard, count});
+    const auto number = shard_of_table(at->path().filename().string(), "summary");
+    if (number) found.push_back({folder, number->shard, number->count});
   }
   if (failure) throw refused(folder, "cannot be read: " + folder_words(folder, failure.value()));
   if (found.size() == before)

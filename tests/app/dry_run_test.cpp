@@ -96,6 +96,48 @@ TEST(DryRun, SaysOfEachJobOfAMotionThatCannotBeReadThatItWouldFail) {
   EXPECT_THAT(told, HasSubstr("4 jobs, of which 2 would fail, "));
 }
 
+/// A rub over a part of 182 mm, as `set` varies it.
+std::string scene_of_rubs(const fs::path& folder, const std::string& set) {
+  fs::copy_file(test::source_dir() / "scenes/parts/housing_coarse.stl", folder / "housing.stl");
+  return "name = \"s\"\n[[part]]\nmesh = \"housing.stl\"\n[motion]\nkind = \"on_surface\"\nshape = \"line\"\n"
+         "size_m = 0.004\nspeed_m_per_s = 0.02\ndepth_m = 0.001\nrate_hz = 1000\n[[set]]\n" +
+         set;
+}
+
+/// One fails since its own rub has no room, whichever is the first over their part.
+TEST(DryRun, SaysThatAJobWouldFailOfThoseAloneThatDo) {
+  const fs::path folder = test::scratch_dir();
+  const std::string sizes[] = {"[5, 0.004]", "[0.004, 5]"};
+  const std::string scene = scene_of_rubs(folder, "seed = [1, 2]\nmotion.size_m = ");
+  for (const std::string& size : sizes) {
+    std::ofstream(folder / "s.toml") << scene << size << "\n";
+    const auto planned = test::fingerpad("replay s.toml --out o --dry-run", folder);
+    const auto done = test::fingerpad("replay s.toml --out o --quiet", folder);
+    EXPECT_EQ(planned.exit_code, 4);
+    EXPECT_EQ(done.exit_code, 4);
+    EXPECT_THAT(planned.out, HasSubstr("seed 1, size_m 5: would fail: s.toml: housing.stl: none of 300 "));
+    EXPECT_THAT(planned.out, HasSubstr("seed 2, size_m 5: would fail as "));
+    EXPECT_THAT(planned.out, HasSubstr("4 jobs, of which 2 would fail, "));
+    EXPECT_THAT(planned.out, HasSubstr("(from 1 of 1 kinds of jobs tried; nothing was written)"));
+    std::vector<long> ticks;
+    for (int job = 1; job <= 4; ++job) {
+      const fs::path trace = folder / ("o/s-000" + std::to_string(job) + ".h5");
+      if (fs::exists(trace)) ticks.push_back(std::ssize(read_trace(trace.string()).rows));
+    }
+    EXPECT_EQ(listed_ticks(planned.out), ticks);
+    EXPECT_EQ(ticks.size(), 2U);
+    fs::remove_all(folder / "o");
+  }
+}
+
+TEST(DryRun, SaysOfHowManyMotionsItDoesNotKnowWhetherTheyCanBeLaid) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml") << scene_of_rubs(
+      folder, "motion.size_m = { from = 0.001, to = 0.002, steps = 258 }\nseed = [1, 2]\n");
+  EXPECT_THAT(test::fingerpad("replay s.toml --out o --dry-run", folder).out,
+              HasSubstr("tried; not tried whether the motion of 4 jobs can be laid; nothing was written)"));
+}
+
 TEST(DryRun, TellsWhatIsOddInAMotion) {
   const fs::path folder = test::scratch_dir();
   std::ofstream(folder / "s.toml") << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nfile = "
@@ -142,6 +184,40 @@ TEST(DryRun, TellsTheJobsThatWouldFail) {
               HasSubstr("s-0001.h5: none.stl, seed 1: would fail: s.toml: [[part]] mesh names none.stl, "
                         "which cannot be read: there is no such file\n"));
   EXPECT_THAT(planned.out, HasSubstr("s-0002.h5: none.stl, seed 2: would fail as s-0001.h5\n"));
+}
+
+TEST(DryRun, SaysOfEachJobOverAMeshThatCannotBeTouchedThatItWouldFail) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "bad.stl") << "no mesh at all\n";
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[part]]\nmesh = \"bad.stl\"\n[motion]\nkind = \"line\"\n"
+         "from_m = [0, 0, 0]\nto_m = [0.1, 0, 0]\nspeed_m_per_s = 1\n[[set]]\n"
+         "seed = { from = 1, to = 99, steps = 99 }\n";
+  const std::string told = test::fingerpad("replay s.toml --out o --dry-run", folder).out;
+  EXPECT_THAT(told, HasSubstr("s-0001.h5: bad.stl, seed 1: would fail: bad.stl"));
+  EXPECT_THAT(told,
+              HasSubstr("s-0099.h5: bad.stl, seed 99: would fail as s-0001.h5\nall 99 jobs would fail; "));
+}
+
+/// What the try's own file meets is nothing of the jobs.
+TEST(DryRun, PlansWithoutItsOwnFileWhereThereIsNoPlaceForIt) {
+  const fs::path folder = test::scratch_dir();
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\n"
+         "from_m = [0, 0, -0.001]\nto_m = [0.1, 0, -0.001]\nspeed_m_per_s = 0.01\n";
+  const std::string call = "'" + test::program().string() + "' replay s.toml --out o --dry-run --format ";
+  for (const std::string limit : {"TMPDIR=/proc ", "TMPDIR=/nonexistent ", "ulimit -f 8; "}) {
+    for (const std::string format : {"h5", "csv"}) {
+      const auto planned = test::shell(limit + call + format, folder);
+      EXPECT_EQ(planned.exit_code, 0) << limit << format << planned.err;
+      EXPECT_THAT(planned.out,
+                  testing::ContainsRegex("1 job, 10001 ticks: about [^,]*, unknown bytes in o "));
+      EXPECT_THAT(planned.err,
+                  HasSubstr("warning: no trace could be tried, so the disk is not reckoned: " +
+                            std::string(limit == "TMPDIR=/nonexistent " ? "TMPDIR names" : "/")));
+    }
+  }
+  EXPECT_EQ(test::shell("TMPDIR=/proc " + call + "none", folder).err, "") << "nothing to try";
 }
 
 TEST(DryRun, RefusesAFolderThatCannotBeWritten) {

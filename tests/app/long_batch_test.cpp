@@ -64,6 +64,7 @@ TEST(LongBatch, ToldToStopFinishesWhatItBeganAndIsResumedToTheSameBytes) {
                                      folder);
     EXPECT_EQ(stopped.exit_code, 4) << signal;
     EXPECT_THAT(stopped.err, HasSubstr("jobs were begun; the same command with --resume does the rest in o"));
+    EXPECT_THAT(stopped.err, Not(HasSubstr("Ctrl-C"))) << "nobody types into a log";
     EXPECT_THAT(stopped.out, HasSubstr(" of 30 jobs done, traces and summary.csv in o"));
     EXPECT_FALSE(fs::exists(folder / "o" / "s-0030.h5")) << "or the signal came too late for this test";
     for (const fs::directory_entry& entry : fs::directory_iterator(folder / "o")) {

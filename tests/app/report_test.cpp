@@ -154,12 +154,40 @@ TEST(Report, DrawsTheWorstOfTheJobsThatHaveATrace) {
   EXPECT_THAT(told.out, HasSubstr("6 jobs, 2 of them drawn")) << "those that failed take no place";
 }
 
+/// What it says is done here, and mends the folder.
 TEST(Report, SaysOfAReplayThatWasKilledHowItEnds) {
-  const fs::path folder = folder_with_set("--format none");
-  for (const char* table : {"summary.csv", "timing.csv"}) fs::remove(folder / "a<b" / table);
-  const auto told = test::fingerpad("report 'a<b'", folder);
-  EXPECT_EQ(told.exit_code, 3);
-  EXPECT_THAT(told.err, HasSubstr("its replay did not end: the same `fingerpad replay` with --resume does"));
+  for (const std::string format : {"h5", "none"}) {
+    for (const std::string shard : {"", " --shard 1/2"}) {
+      const std::string options = "--format " + format + shard;
+      const fs::path folder = folder_with_set(options);
+      const std::string of_shard = shard.empty() ? ".csv" : "-1of2.csv";
+      for (const char* table : {"summary", "timing"})
+        ASSERT_TRUE(fs::remove(folder / "a<b" / (table + of_shard)));
+      const auto told = test::fingerpad("report 'a<b'", folder);
+      EXPECT_EQ(told.exit_code, 3);
+      const std::string begin = "its replay did not end: the same `fingerpad replay` ";
+      ASSERT_THAT(told.err, HasSubstr(begin));
+      const std::string advice = told.err.substr(told.err.find(begin) + begin.size());
+      EXPECT_EQ(advice, format == "h5"
+                            ? "with --resume does the rest and writes it\n"
+                            : "does all its jobs again, of which it keeps no traces, and writes it\n");
+      const std::string resume = advice.find("--resume") == std::string::npos ? "" : " --resume";
+      const auto again = test::fingerpad("replay s.toml --quiet --out 'a<b' " + options + resume, folder);
+      EXPECT_EQ(again.exit_code, 4) << "one mesh is none: " << again.err;
+      EXPECT_EQ(test::fingerpad("report 'a<b' --quiet", folder).exit_code, 0);
+    }
+  }
+}
+
+TEST(Report, TakesNoOtherTableForASignOfAReplay) {
+  const fs::path folder = test::scratch_dir();
+  fs::create_directory(folder / "o");
+  for (const char* name :
+       {"jobs-list.csv", "jobs-3of2.csv", "jobs-1of2x.csv", "jobs-01of2.csv", "jobs-1of2.csv.csv"})
+    std::ofstream(folder / "o" / name) << "a,b\n1,2\n";
+  EXPECT_THAT(test::fingerpad("report o", folder).err, HasSubstr("o: holds no summary.csv: name the folder"));
+  std::ofstream(folder / "o" / "summary-of-mine.csv") << "a,b\n1,2\n";
+  EXPECT_THAT(test::fingerpad("report o", folder).err, HasSubstr("o: holds no summary.csv: name the folder"));
 }
 
 TEST(Report, LooksAtTheEndsOfTheTracesThatItDoesNotDraw) {

@@ -3,8 +3,12 @@
 
 #include <filesystem>
 #include <fstream>
+#include <set>
 
+#include "replay/batch_files.hpp"
+#include "replay/batch_plan.hpp"
 #include "replay/motion_store.hpp"
+#include "replay/planned_ticks.hpp"
 #include "scene/scene_file.hpp"
 #include "support/mesh_files.hpp"
 #include "support/paths.hpp"
@@ -138,6 +142,35 @@ TEST(MeshStore, HasRoomForAnotherMeshWhereOneAsLargeAsTheLargestFits) {
   EXPECT_TRUE(store.has_room_for_another()) << "what could not be loaded takes no room";
   store.load(b);
   EXPECT_FALSE(store.has_room_for_another());
+}
+
+/// Those of motions that are laid at a rate that is chosen: each must be laid for its ticks.
+TEST(PlannedBatch, LoadsEachMeshOnceWhereItLaysMotions) {
+  const fs::path folder = test::scratch_dir();
+  const int meshes = 10;  // more than stay loaded
+  for (int k = 0; k < meshes; ++k)
+    std::ofstream(folder / (std::to_string(k) + ".stl")) << test::binary_stl(test::sphere_soup(30, 2));
+  std::ofstream(folder / "s.toml")
+      << "[[part]]\nmesh = \"0.stl\"\n[motion]\nkind = \"on_surface\"\nshape = \"line\"\nsize_m = "
+         "0.01\nspeed_m_per_s = 0.1\ndepth_m = 0.001\nrate_hz = \"auto\"\n[[set]]\nseed = [1, 2, 3]\nmesh = "
+         "\"*.stl\"\n";
+  BatchOptions options;
+  std::multiset<std::string> loaded;
+  options.on_load = [&loaded](std::string_view stage, double) {
+    if (stage.ends_with(": hashing")) loaded.emplace(stage);
+  };
+  options.out_dir = (folder / "o").string();
+  const BatchPlan plan = plan_batch(batch_jobs({(folder / "s.toml").string()}), options);
+  EXPECT_EQ(plan.jobs.size(), 3U * meshes);
+  for (const PlannedJob& job : plan.jobs) EXPECT_EQ(job.error, "");
+  for (const std::string& mesh : std::set(loaded.begin(), loaded.end()))
+    EXPECT_LE(loaded.count(mesh), 2U) << mesh << ": for its ticks, and for a try if it did not stay";
+  EXPECT_LE(loaded.size(), 2U * meshes);
+
+  MeshStore store(1);
+  PlannedTicks ticks;
+  for (const BatchJob& job : batch_jobs({(folder / "s.toml").string()})) ticks.of(job.job.scene, store);
+  EXPECT_EQ(store.kept_count(), 1U) << "its meshes are those of who asks";
 }
 
 }  // namespace
