@@ -131,9 +131,32 @@ void doubt_forces(FileTrials trials, const MeasurementFormat& format, std::vecto
   }
 }
 
+/// How far from a six-axis sensor's origin the forces act that make its torques, at least: of each sample the
+/// torque by the force. 0 without torques.
+double lever_m(const RecordedTrial& trial) {
+  if (trial.torque_W_n_m.cols() == 0) return 0;
+  const double force_n = trial.force_W.colwise().norm().mean();
+  return force_n > 0 ? trial.torque_W_n_m.colwise().norm().mean() / force_n : 0;
+}
+
+void doubt_torques(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+  constexpr double longest_m = 1;
+  const double lever = usual(trials, lever_m);
+  if (lever <= longest_m) return;
+  const std::string of_forces =
+      fmt::format("its torques are those of forces {} m from the sensor's origin: ", rounded_text(lever, 3));
+  if (format.says_torque_unit) {
+    doubts.push_back({false, of_forces + std::string(units_checked)});
+  } else {
+    doubts.push_back({true, "taken as newton metres, " + of_forces +
+                                "say --torque-unit N.mm, or --torque-unit N.m if they are newton metres"});
+  }
+}
+
 std::vector<UnitDoubt> unit_doubts(FileTrials trials, const MeasurementFormat& format) {
   std::vector<UnitDoubt> doubts;
   doubt_times(trials, format, doubts);
+  doubt_torques(trials, format, doubts);  // which places may be told from
   doubt_positions(trials, format, doubts);
   doubt_forces(trials, format, doubts);
   return doubts;
@@ -150,6 +173,7 @@ MeasurementFormat with_told(const RecordedMeasurement& recorded, const std::stri
   format.says_time_unit = format.says_time_unit || tells(Quantity::time);
   format.says_unit = format.says_unit || tells(Quantity::length);
   format.says_force_unit = format.says_force_unit || tells(Quantity::force);
+  format.says_torque_unit = format.says_torque_unit || tells(Quantity::torque);
   return format;
 }
 

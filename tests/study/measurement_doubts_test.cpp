@@ -37,13 +37,17 @@ TEST(MeasurementDoubts, AForgottenUnitIsAskedFor) {
               AllOf(HasSubstr("lighter than a finger rubs"), HasSubstr("--force-unit kN")));
   EXPECT_THAT(asked([](RecordedTrial& trial) { trial.rate_hz *= 1e-3; }),
               AllOf(HasSubstr("1 samples a second"), HasSubstr("--time-unit ms")));
+  EXPECT_THAT(asked([](RecordedTrial& trial) { trial.torque_W_n_m = 12 * trial.force_W; }),
+              AllOf(HasSubstr("forces 12 m from the sensor's origin"), HasSubstr("--torque-unit N.mm")));
+  EXPECT_EQ(asked([](RecordedTrial& trial) { trial.torque_W_n_m = 0.012 * trial.force_W; }), "taken");
 }
 
 TEST(MeasurementDoubts, WhatIsSaidIsBelieved) {
   MeasurementFormat format;
-  format.says_unit = format.says_time_unit = format.says_force_unit = true;
+  format.says_unit = format.says_time_unit = format.says_force_unit = format.says_torque_unit = true;
   EXPECT_EQ(asked(
                 [](RecordedTrial& trial) {
+                  trial.torque_W_n_m = 12 * trial.force_W;
                   trial.position_W *= 1e3;
                   trial.force_W *= 102;
                   trial.rate_hz *= 1e-3;
