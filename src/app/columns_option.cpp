@@ -20,8 +20,8 @@ void refuse_columns_as_inputs(const std::vector<std::string>& inputs, const std:
     throw Error(
         ErrorKind::usage, "--columns",
         fmt::format("'{}' stands apart from {}, and so for a file; commas part columns, without blanks: "
-                    "{},{}",
-                    input, columns, columns, input));
+                    "{}{}{}",
+                    input, columns, columns, columns.ends_with(',') ? "" : ",", input));
   }
 }
 

@@ -1,10 +1,14 @@
 #include "replay/trace_comparison.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <string>
+#include <string_view>
+#include <vector>
 
 #include "base/number_text.hpp"
 #include "trace/trace_column.hpp"
@@ -101,6 +105,17 @@ JobChange whole_change(std::string words) {
   return {"", std::move(words), TickRecord::nan, "", TickRecord::nan};
 }
 
+/// Of the columns that one of two traces lacks: nothing, or a line.
+void tell_columns_of_one(const std::vector<std::string>& names, std::string_view which,
+                         std::vector<JobChange>& changes) {
+  if (names.empty()) return;
+  if (names.size() == 1)
+    return changes.push_back(
+        whole_change(fmt::format("{} is in the {} trace alone, and not compared", names[0], which)));
+  changes.push_back(whole_change(fmt::format("{} columns are in the {} trace alone, and not compared: {}",
+                                             names.size(), which, fmt::join(names, " "))));
+}
+
 std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tolerance,
                                      bool are_of_two_formats) {
   std::vector<JobChange> changes;
@@ -109,15 +124,18 @@ std::vector<JobChange> trace_changes(const Trace& a, const Trace& b, double tole
   if (pairs.size() < most_rows)
     changes.push_back(whole_change(fmt::format("{} ticks, then {}; {} times are in both, and compared",
                                                a.rows.size(), b.rows.size(), pairs.size())));
+  std::vector<std::string> of_a, of_b;
+  std::vector<JobChange> of_columns;
   for (const TraceColumn& column : trace_columns()) {
     if (are_of_two_formats && column.of == ColumnOf::hdf5) continue;
     const bool lacks_a = lacks(a, column), lacks_b = lacks(b, column);
-    if (lacks_a != lacks_b)
-      changes.push_back(whole_change(fmt::format("{} is in the {} trace alone, and not compared", column.name,
-                                                 lacks_a ? "second" : "first")));
+    if (lacks_a != lacks_b) (lacks_a ? of_b : of_a).emplace_back(column.name);
     if (lacks_a || lacks_b || column.name == "t_s") continue;  // by which they were set side by side
-    compare_column(column, a, b, pairs, tolerance, changes);
+    compare_column(column, a, b, pairs, tolerance, of_columns);
   }
+  tell_columns_of_one(of_a, "first", changes);
+  tell_columns_of_one(of_b, "second", changes);
+  changes.insert(changes.end(), of_columns.begin(), of_columns.end());
   tell_the_way(a, b, changes);
   return changes;
 }

@@ -342,6 +342,12 @@ TEST(Compare, TellsAColumnThatOneSideLacksAsAbsent) {
   EXPECT_EQ(walls.out,
             "s-0001.csv (seed 1): walls is in the second trace alone, and not compared\n"
             "1 of 1 trace changed from c to d\n");
+
+  replay_into(folder, "e --format csv --columns fn_n,mu --shard 1/5");
+  EXPECT_THAT(
+      test::fingerpad("compare c e", folder).out,
+      testing::ContainsRegex("^s-0001.csv \\(seed 1\\): [0-9]+ columns are in the first trace alone, and "
+                             "not compared: x_m y_m z_m .*\n1 of 1 trace changed"));
 }
 
 TEST(Compare, TellsTheWorstJobsAndListsAllInATable) {

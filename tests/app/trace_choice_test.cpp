@@ -91,6 +91,7 @@ TEST(ChosenColumns, WhatIsNotThereIsNamedByWhoeverNeedsIt) {
       apart.err,
       "fingerpad: error: --columns: 'mu' stands apart from fn_n, and so for a file; commas part columns, "
       "without blanks: fn_n,mu\n");
+  EXPECT_THAT(replay(folder, "--out u --columns fn_n, mu").err, HasSubstr("without blanks: fn_n,mu\n"));
 }
 
 #ifdef FINGERPAD_VIEW
