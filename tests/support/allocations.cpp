@@ -17,7 +17,9 @@ void note_allocation() {
 }  // namespace
 
 #ifdef __SANITIZE_ADDRESS__
-#include <sanitizer/allocator_interface.h>
+// Of the sanitizer's library; g++ 12 comes without its header.
+extern "C" int __sanitizer_install_malloc_and_free_hooks(  // NOLINT
+    void (*on_malloc)(const volatile void*, std::size_t), void (*on_free)(const volatile void*));
 
 namespace {
 // Its allocators stand in the C library's place already, and tell of each call.
