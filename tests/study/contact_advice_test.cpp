@@ -121,7 +121,7 @@ TEST(ContactAdvice, OnRealPartsIsTrue) {
     const Measured measured(file.filename().string(), part);
     // With the forces by turns, the other way round on the next part.
     int turn = ++touched;
-    for (const double radius_m : test::cases({0.003, 0.0, 0.007})) {
+    for (const double radius_m : {0.0, 0.003, 0.007}) {
       const double greatest_force_n = ++turn % 2 == 0 ? 10 : 1;
       SCOPED_TRACE(testing::Message() << radius_m << " m, " << greatest_force_n << " N");
       Scene scene = open_scene(radius_m);
@@ -138,10 +138,10 @@ TEST(ContactAdvice, OnTheStudysSurfacesIsTrue) {
   for (ExactSurface& small : small_exact_surfaces()) surfaces.push_back(std::move(small));
   Met met;
   for (const ExactSurface& surface : surfaces) {
-    for (const int level : test::cases({surface.levels.front(), surface.levels[surface.levels.size() / 2]})) {
+    for (const int level : {surface.levels.front(), surface.levels[surface.levels.size() / 2]}) {
       const Measured measured(surface.name,
                               std::make_shared<const Part>(make_part(surface.mesh(level), crease_rad)));
-      for (const double radius_m : test::cases({0.007, 0.0})) {
+      for (const double radius_m : test::cases({0.0, 0.007})) {
         SCOPED_TRACE(radius_m);
         expect_true(measured, open_scene(radius_m), met);
         Scene insists = open_scene(radius_m);
