@@ -110,9 +110,9 @@ std::size_t add_runs(const ReportOptions& options, const BatchResults& batch,
   CountBar bar(static_cast<std::size_t>(traced), "traces", "read", shown_progress(options.quiet),
                std::chrono::milliseconds(std::lround(1e3 * options.progress_s)));
   std::size_t drawn = 0;
-  for (std::size_t rank = 0; rank < order.size(); ++rank) {
-    const JobOutcome& job = batch.jobs[order[rank].job];
-    nlohmann::ordered_json& row = results["jobs"][order[rank].job];
+  for (const JobTrouble& trouble : order) {
+    const JobOutcome& job = batch.jobs[trouble.job];
+    nlohmann::ordered_json& row = results["jobs"][trouble.job];
     std::string note = missing_run(job, drawn, options.details);
     if (!note.empty() && !job.trace.empty()) look_at_undrawn(job, row);
     if (traced > 0 && job.trace.empty() && job.done()) flag_missing(options.folder, job, row);

@@ -69,7 +69,7 @@ struct KindsJob {
   PlannedJob* plan = nullptr;
 };
 
-struct Kind {
+struct JobKind {
   std::vector<KindsJob> jobs;
   double mesh_bytes = 0;
   JobCost cost = {};
@@ -77,11 +77,11 @@ struct Kind {
 };
 
 /// Kinds from the smallest mesh to the largest, those first that stand in even steps from end to end.
-std::vector<Kind*> in_order_of_trying(std::vector<Kind*> kinds, std::size_t count) {
+std::vector<JobKind*> in_order_of_trying(std::vector<JobKind*> kinds, std::size_t count) {
   std::stable_sort(kinds.begin(), kinds.end(),
-                   [](const Kind* a, const Kind* b) { return a->mesh_bytes < b->mesh_bytes; });
+                   [](const JobKind* a, const JobKind* b) { return a->mesh_bytes < b->mesh_bytes; });
   if (kinds.size() <= count) return kinds;
-  std::vector<Kind*> first, others;
+  std::vector<JobKind*> first, others;
   for (std::size_t i = 0, next = 0; i < kinds.size(); ++i) {
     const bool is_next = i == next * (kinds.size() - 1) / (count - 1);
     (is_next ? first : others).push_back(kinds[i]);
@@ -92,13 +92,13 @@ std::vector<Kind*> in_order_of_trying(std::vector<Kind*> kinds, std::size_t coun
 }
 
 /// What the kinds that were tried cost, as a straight line over their meshes' bytes, at least none.
-double on_line(const std::vector<const Kind*>& tried, double JobCost::*what, double mesh_bytes) {
+double on_line(const std::vector<const JobKind*>& tried, double JobCost::*what, double mesh_bytes) {
   double mean_x = 0, mean_y = 0, xx = 0, xy = 0;
-  for (const Kind* kind : tried) {
+  for (const JobKind* kind : tried) {
     mean_x += kind->mesh_bytes / static_cast<double>(tried.size());
     mean_y += kind->cost.*what / static_cast<double>(tried.size());
   }
-  for (const Kind* kind : tried) {
+  for (const JobKind* kind : tried) {
     xx += (kind->mesh_bytes - mean_x) * (kind->mesh_bytes - mean_x);
     xy += (kind->mesh_bytes - mean_x) * (kind->cost.*what - mean_y);
   }
@@ -106,7 +106,7 @@ double on_line(const std::vector<const Kind*>& tried, double JobCost::*what, dou
 }
 
 /// Loads a kind's meshes; where that fails all its jobs would fail.
-bool load(Kind& kind, TimedMeshes& meshes) {
+bool load(JobKind& kind, TimedMeshes& meshes) {
   const Scene& scene = *kind.jobs.front().scene;
   try {
     meshes.load(scene);
@@ -119,7 +119,7 @@ bool load(Kind& kind, TimedMeshes& meshes) {
 }
 
 /// Sees which of a kind's jobs have a motion that cannot be laid.
-void lay(const Kind& kind, MeshStore& meshes, PlannedTicks& ticks, BatchPlan& plan) {
+void lay(const JobKind& kind, MeshStore& meshes, PlannedTicks& ticks, BatchPlan& plan) {
   for (const KindsJob& job : kind.jobs) {
     if (!job.plan->error.empty() || !PlannedTicks::is_reckoned(*job.scene)) continue;
     try {
@@ -133,7 +133,7 @@ void lay(const Kind& kind, MeshStore& meshes, PlannedTicks& ticks, BatchPlan& pl
 }
 
 /// Tries a kind's jobs until one does not fail.
-void try_jobs(Kind& kind, MeshStore& meshes, MotionStore& motions, const BatchOptions& options) {
+void try_jobs(JobKind& kind, MeshStore& meshes, MotionStore& motions, const BatchOptions& options) {
   int most_failing = 64;
   for (const KindsJob& job : kind.jobs) {
     if (!job.plan->error.empty()) continue;
@@ -152,12 +152,12 @@ void try_jobs(Kind& kind, MeshStore& meshes, MotionStore& motions, const BatchOp
 
 /// Tries some of the kinds, and reckons what the others cost: a tick what it does on average, the rest by
 /// their meshes.
-void measure(const std::vector<Kind*>& kinds, const BatchOptions& options, TimedMeshes& meshes,
+void measure(const std::vector<JobKind*>& kinds, const BatchOptions& options, TimedMeshes& meshes,
              PlannedTicks& ticks, BatchPlan& plan) {
   constexpr std::size_t most_tried = 8;
   MotionStore motions(std::size_t{256} << 20);
-  std::vector<const Kind*> tried_kinds;
-  for (Kind* kind : in_order_of_trying(kinds, most_tried)) {
+  std::vector<const JobKind*> tried_kinds;
+  for (JobKind* kind : in_order_of_trying(kinds, most_tried)) {
     const bool is_next = tried_kinds.size() < most_tried;
     if (is_next && !load(*kind, meshes)) continue;
     lay(*kind, meshes.store(), ticks, plan);
@@ -167,14 +167,14 @@ void measure(const std::vector<Kind*>& kinds, const BatchOptions& options, Timed
   }
   plan.kinds = static_cast<int>(kinds.size());
   plan.measured = static_cast<int>(tried_kinds.size());
-  for (Kind* kind : kinds) {
+  for (JobKind* kind : kinds) {
     const bool has_jobs =
         std::ranges::any_of(kind->jobs, [](const KindsJob& job) { return job.plan->error.empty(); });
     if (kind->is_tried || !has_jobs) continue;
     for (double JobCost::*const what : {&JobCost::load_s, &JobCost::s_a_job, &JobCost::bytes})
       kind->cost.*what = on_line(tried_kinds, what, kind->mesh_bytes);
     for (double JobCost::*const what : {&JobCost::s_per_tick, &JobCost::bytes_per_tick})
-      for (const Kind* other : tried_kinds)
+      for (const JobKind* other : tried_kinds)
         kind->cost.*what += other->cost.*what / static_cast<double>(tried_kinds.size());
   }
 }
@@ -189,12 +189,12 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
   plan.jobs.resize(ours.size());
   for (const std::size_t k : by_meshes(jobs, ours))
     plan.jobs[k] = planned(jobs[ours[k]], options, meshes, ticks);
-  std::map<std::string, Kind> kinds;
-  std::vector<Kind*> in_order;
+  std::map<std::string, JobKind> kinds;
+  std::vector<JobKind*> in_order;
   for (std::size_t k = 0; k < ours.size(); ++k) {
     if (!plan.jobs[k].error.empty()) continue;
     const Scene& scene = jobs[ours[k]].job.scene;
-    const auto [entry, is_new] = kinds.try_emplace(kind_of(scene), Kind{{}, mesh_bytes(scene)});
+    const auto [entry, is_new] = kinds.try_emplace(kind_of(scene), JobKind{{}, mesh_bytes(scene)});
     if (is_new) in_order.push_back(&entry->second);
     entry->second.jobs.push_back({&scene, &plan.jobs[k]});
   }
@@ -202,7 +202,7 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
   measure(in_order, options, meshes, ticks, plan);
   double work_s = 0;
   double longest_s = 0;  // of what no second thread shortens
-  for (const Kind* kind : in_order) {
+  for (const JobKind* kind : in_order) {
     const JobCost& cost = kind->cost;
     work_s += cost.load_s;
     for (const KindsJob& job : kind->jobs) {
