@@ -17,26 +17,41 @@ struct HeldFinger {
   double n0, n1, m0, m1;
 };
 
-/// Between the hand's spring and none there is no gap: so soft a one moves nothing within a tick.
+/// Whether the hand's spring is none, or moves so little within a tick that what it does is lost in rounding.
 bool is_springless(const HeldWall& wall) {
   return !(wall.hand_stiffness_n_per_m * wall.tick_s * wall.tick_s > 1e-9 * wall.mass_kg);
 }
 
+HeldFinger held_without_spring(double b, double m, double t) {
+  const double gone = -std::expm1(-b * t / m), a = 1 - gone;
+  const double v_per_force = gone / b, x_per_force = (t - m / b * gone) / b;
+  return {m / b * gone * v_per_force - a * x_per_force, x_per_force, a, -(1 + a)};
+}
+
+/// A finger whose free motion is a sum of exp(-slow t) and exp(-fast t), which are apart: each by itself, as
+/// a strong damper makes one of them nothing and the other hardly any change within a tick.
+HeldFinger held_by_strong_damper(double k, double m, double t, double slow, double fast) {
+  const double apart = fast - slow, slow_gone = -std::expm1(-slow * t), fast_gone = -std::expm1(-fast * t);
+  const double x_per_force = (fast * slow_gone - slow * fast_gone) / (apart * k),
+               v_from_v = (fast * (1 - fast_gone) - slow * (1 - slow_gone)) / apart,
+               x_from_v = (fast_gone - slow_gone) / apart;
+  return {x_from_v * x_from_v / m - v_from_v * x_per_force, x_per_force, (1 - slow_gone) * (1 - fast_gone),
+          slow_gone + fast_gone - 2};
+}
+
+/// As the exponential of [[0, 1], [-k/m, -b/m]] t takes x and v over a tick.
 HeldFinger held_finger(const HeldWall& wall) {
-  const double b = std::max(wall.damping_n_s_per_m, 1e-6), m = wall.mass_kg, t = wall.tick_s;
-  if (is_springless(wall)) {
-    const double gone = -std::expm1(-b * t / m), a = 1 - gone;
-    const double v_per_force = gone / b, x_per_force = (t - m / b * gone) / b;
-    return {m / b * gone * v_per_force - a * x_per_force, x_per_force, a, -(1 + a)};
-  }
-  // x and v after a tick as the matrix exponential of [[0, 1], [-k/m, -b/m]] t gives them.
-  const double k = wall.hand_stiffness_n_per_m, decay = b / (2 * m), turn = k / m - decay * decay;
-  const double s = std::sqrt(std::abs(turn)), left = std::exp(-decay * t);
-  const double c = left * (turn > 0 ? std::cos(s * t) : std::cosh(s * t));
-  const double sine = s * t < 1e-8 ? left * t : left * (turn > 0 ? std::sin(s * t) : std::sinh(s * t)) / s;
-  const double xx = c + decay * sine, xv = sine, vv = c - decay * sine;
-  const double x_per_force = (1 - xx) / k, v_per_force = sine / m;
-  return {xv * v_per_force - vv * x_per_force, x_per_force, left * left, -2 * c};
+  constexpr double apart = 1e-3;  // of exponents: closer ones would leave little of their difference
+  const double b = std::max(wall.damping_n_s_per_m, 1e-6), m = wall.mass_kg, t = wall.tick_s,
+               k = wall.hand_stiffness_n_per_m;
+  if (is_springless(wall)) return held_without_spring(b, m, t);
+  const double decay = b / (2 * m), turn = k / m - decay * decay, s = std::sqrt(std::abs(turn));
+  if (turn < 0 && s * t > apart) return held_by_strong_damper(k, m, t, k / m / (decay + s), decay + s);
+  const double left = std::exp(-decay * t), c = left * (turn > 0 ? std::cos(s * t) : std::cosh(s * t));
+  const double x_from_v =
+      s * t < 1e-8 ? left * t : left * (turn > 0 ? std::sin(s * t) : std::sinh(s * t)) / s;
+  const double x_per_force = (1 - c - decay * x_from_v) / k, v_from_v = c - decay * x_from_v;
+  return {x_from_v * x_from_v / m - v_from_v * x_per_force, x_per_force, left * left, -2 * c};
 }
 
 /// The polynomial whose roots are the eigenvalues of the loop over one tick; its coefficients, the constant

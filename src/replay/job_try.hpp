@@ -19,8 +19,8 @@ struct JobCost {
 };
 
 /// Runs the beginning of a job, for a fifth of a second at most, and writes its trace to the system's folder
-/// for temporary files, from where it is removed again. Where that
-/// folder refuses it does without. Throws Error as the job would.
+/// for temporary files, from where it is removed again. Where that folder refuses it does without. Throws
+/// Error as the job would.
 JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const BatchOptions& options);
 
 }  // namespace fingerpad

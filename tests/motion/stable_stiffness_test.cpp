@@ -80,6 +80,16 @@ TEST(StableStiffness, BelowItTheLoopCalmsDownAndAboveItGrowsWhateverTheDelay) {
   EXPECT_EQ(stable_stiffness({.wall_damping_n_s_per_m = 0.6, .delay_ticks = 1500}), 0);
 }
 
+/// Without a mass to speak of x goes to F/k by e = exp(-k T/b) a tick: K = k (1 + e)/(1 - e).
+TEST(StableStiffness, OfAFingerThatIsAllDamperIsInClosedForm) {
+  for (const double damping : {1.0, 1e3, 1e9}) {
+    const HeldWall wall{
+        .mass_kg = 1e-6, .damping_n_s_per_m = damping, .hand_stiffness_n_per_m = 200, .tick_s = 1e-2};
+    const double gone = -std::expm1(-200 * wall.tick_s / damping), exact = 200 * (2 - gone) / gone;
+    EXPECT_NEAR(stable_stiffness(wall), exact, 1e-4 * exact) << damping;
+  }
+}
+
 TEST(StableStiffness, PublishedConditionsStandAtOrBelowTheExactValue) {
   for (const Row& row : rows) {
     if (row.wall.delay_ticks > 0) continue;  // they are for a loop without delay

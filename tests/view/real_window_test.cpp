@@ -215,10 +215,10 @@ TEST(RealWindow, EndsWithItsTraceWholeWhereItsFrameIsClosed) {
                                        status + " 2>/dev/null || break; sleep 0.05; done\n" +
                                        "grep -q '^State:.*[RSDT] ' " + status + " 2>/dev/null && { kill -9 " +
                                        std::to_string(process) + "; exit 1; }\nxdotool mouseup 1\n" +
-                                       "while xdotool search --name ' - fingerpad' >/dev/null 2>&1; do "
-                                       "sleep 0.05; done\n",
+                                       "for i in $(seq 200); do xdotool search --name ' - fingerpad' "
+                                       ">/dev/null 2>&1 || exit 0; sleep 0.05; done\nexit 2\n",
                                    folder);
-    ASSERT_EQ(ended.exit_code, 0) << "closed for the time " << time << ", it went on";
+    ASSERT_EQ(ended.exit_code, 0) << "at closing " << time << ": 1, it went on; 2, a window stayed";
     EXPECT_GT(read_trace((folder / trace).string()).rows.size(), 100u);
   }
 }
