@@ -132,8 +132,9 @@ struct ClosestSearch : ScaledPoint {
   bool is_beside_winner() const noexcept { return won_in != nullptr && best <= 4 * won_in->radius; }
 
   /// Whether none of a packet's triangles can win, by the disc around them.
-  bool passes_over(const TrianglePacket& packet) const noexcept {
-    return packet.least_distance(scaled) > static_cast<double>(best + exact_margin);
+  template <class PacketOrDisc>
+  bool passes_over(const PacketOrDisc& seen) const noexcept {
+    return seen.least_distance(scaled) > static_cast<double>(best + exact_margin);
   }
 
   ClosestTriangle answer() const noexcept {

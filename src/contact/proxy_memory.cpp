@@ -138,7 +138,7 @@ bool ProxyMemory::make_room(std::span<const ProxyWall> walls, const Vec3& centre
 /// proxy.
 bool ProxyMemory::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                               const ProxyWall& here) noexcept {
-  if (is_outrun(far.norm())) return false;
+  if (is_outrun(place_O, far.norm())) return false;
   look_over_edge(place_O, over, far);
   const Vec3 edge_O = place_O + over;
   const bool is_in_room =

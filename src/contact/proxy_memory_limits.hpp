@@ -15,6 +15,9 @@ struct ProxyMemoryLimits {
   /// ... and where a ball fits so well into its surroundings that no view has so few: a bore of its own
   /// radius with 1,440 facets. Of more than these the trees are asked anew with each pass.
   static constexpr int richest_view = 3072;
+  /// Where there are too many for that, no view is looked for within this share of the clearance about the
+  /// place: what is near changes as the ball goes on by about its own size.
+  static constexpr double crowded_share = 0.5;
   /// Up to so many triangles, in so many packets, are looked for first: mostly there are no more.
   static constexpr int small_view = 64, small_packets = 64;
   /// ... and again where a search that found more came to so few packets: a quarter, so that it does not go
@@ -33,6 +36,8 @@ struct ProxyMemoryLimits {
   /// However rich, a view reaches as far as the finger goes in so many ticks, and by this share of the
   /// clearance: facets much smaller than either are many at any reach.
   static constexpr double least_ticks = 2, least_share = 1.0 / 32;
+  /// One that was cut shorter than that grows again to where it is expected to be filled so far.
+  static constexpr double filled_view = 0.5;
   /// The first view's reach, as a share of the extent.
   static constexpr double first_view = 0.01;
   /// A view that still shows this share of what was asked for serves again.

@@ -51,9 +51,15 @@ void ProxyViews::note_short_step(const ProxyStep& step, long looks) noexcept {
   short_step_looks_ = looks;
 }
 
-bool ProxyViews::is_outrun(double way_m) const noexcept {
-  return Limits::eager * way_m * static_cast<double>(short_step_looks_) >
-         short_step_m_ * static_cast<double>(looks_.left());
+bool ProxyViews::is_outrun(const Vec3& place_O, double way_m) const noexcept {
+  return is_crowded_about(place_O) || Limits::eager * way_m * static_cast<double>(short_step_looks_) >
+                                          short_step_m_ * static_cast<double>(looks_.left());
+}
+
+/// Whether the richest view found too many not far from there: it would again.
+bool ProxyViews::is_crowded_about(const Vec3& place_O) const noexcept {
+  const double near_m = Limits::crowded_share * world_.clearance_m();
+  return (place_O - crowded_place_O_).squaredNorm() <= near_m * near_m;
 }
 
 /// A step that the trees are asked for along its whole way, as the plain sight does; but it begins with the
@@ -117,7 +123,7 @@ std::optional<ProxyWall> ProxyViews::wall_touched(const Blocker& blocker, const 
 
 /// Of a triangle that is about the closest to the place.
 std::optional<ProxyWall> ProxyViews::wall_below(const Vec3& place_O, double way_m) noexcept {
-  const Blocker below = about_closest(place_O, world_.clearance_m() + way_m);
+  const Blocker below = about_closest(place_O, world_.clearance_m() + way_m, blockers_[0]);
   if (below.triangle < 0) return std::nullopt;
   return world_.tangent_wall(below.surface, below.triangle, place_O, place_O);
 }
@@ -127,7 +133,8 @@ std::optional<ProxyWall> ProxyViews::wall_below(const Vec3& place_O, double way_
 std::optional<ProxyWall> ProxyViews::wall_ahead(const Vec3& place_O, const Vec3& goal_O,
                                                 double way_m) noexcept {
   if (ahead_goal_O_ != goal_O) {
-    ahead_ = about_closest(goal_O, std::max(way_m, world_.clearance_m()));
+    ahead_ = about_closest(goal_O, std::max(way_m, world_.clearance_m()),
+                           ahead_.triangle < 0 ? blockers_[0] : ahead_);
     if (!looks_.are_spent()) ahead_goal_O_ = goal_O;
   }
   if (ahead_.triangle < 0) return std::nullopt;
@@ -142,11 +149,14 @@ std::optional<ProxyWall> ProxyViews::wall_ahead(const Vec3& place_O, const Vec3&
                    ahead_.surface, ahead_.triangle};
 }
 
-Blocker ProxyViews::about_closest(const Vec3& place_O, double reach_m) noexcept {
+/// @param near  where to begin, if the surface goes on from there
+Blocker ProxyViews::about_closest(const Vec3& place_O, double reach_m, const Blocker& near) noexcept {
   Blocker closest;
   for (const int i : world_.parts()) {
-    const ClosestTriangle found = world_.surface(i).tree->about_closest(world_.in_part(i, place_O), reach_m,
-                                                                        Limits::closest_packets, looks_);
+    const Vec3 place_P = world_.in_part(i, place_O);
+    const int seed = near.surface == i ? triangle_under(world_.part(i), near.triangle, place_P, looks_) : -1;
+    const ClosestTriangle found =
+        world_.surface(i).tree->about_closest(place_P, seed, reach_m, Limits::closest_packets, looks_);
     if (found.triangle < 0) continue;
     closest = {i, found.triangle};
     reach_m = std::sqrt(found.at.distance2_m2);

@@ -31,11 +31,6 @@ ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(wor
   seeds_.assign(static_cast<std::size_t>(world_.surface_count()), -1);
 }
 
-/// Without parts there is nothing to be looked for, however far.
-double ProxyViews::widest_view_m() const noexcept {
-  return world_.extent_m() > 0 ? world_.extent_m() : std::numeric_limits<double>::infinity();
-}
-
 void ProxyViews::forget() noexcept {
   ProxySight::forget();
   near_.clear();
@@ -46,6 +41,7 @@ void ProxyViews::forget() noexcept {
   is_cut_ = is_rich_ = overflow_ = falls_short_ = is_past_views_ = goes_past_views_ = false;
   short_step_m_ = 0;
   short_step_looks_ = 0;
+  crowded_place_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   ahead_goal_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   ahead_ = {};
   view_reach_m_ = Limits::first_view * widest_view_m();
@@ -62,13 +58,14 @@ ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTe
     note_blockers(step);
     return step;
   }
-  if (goes_past_views_ || is_outrun(std::min(terms.aside_m, terms.most_m)))
+  if (goes_past_views_ || is_outrun(place_O, std::min(terms.aside_m, terms.most_m)))
     return step_past_views(place_O, goal_O, terms);
   const long before = looks_.spent();
   if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= Limits::wider_view;
   asked_m_ = look_around(place_O, asked_m_, falls_short_);
   if (is_blind()) return broken_off_step();
   if (place_O_ == search_place_O_) suit_view();
+  if (is_crowded_about(place_O)) return step_past_views(place_O, goal_O, terms);
   if (overflow_) reach_m_ = (goal_O - place_O).norm() * rounded_up;
   ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * rounded_up), terms.bent_m);
   note_blockers(step);
@@ -87,23 +84,13 @@ ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const Pr
 
 bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                              const ProxyWall& here) noexcept {
-  if (is_outrun(far.norm())) return false;
+  if (is_outrun(place_O, far.norm())) return false;
   look_over_edge(place_O, over, far);
   return is_seen_free(over, here);
 }
 
 bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept {
   return !overflow_ && reach_m_ >= over.norm() && is_free(over, std::span(&here, 1));
-}
-
-/// Makes the next views wider or narrower, after what a search has found.
-void ProxyViews::suit_view() noexcept {
-  const int count = near_.count();
-  if (is_cut_) view_reach_m_ = std::min(view_reach_m_, search_reach_m_);
-  if (count > Limits::rich_view)
-    view_reach_m_ = std::min(view_reach_m_, std::max(Limits::shrinkage * search_reach_m_, least_view_m()));
-  if (count < Limits::poor_view && search_reach_m_ >= view_reach_m_)
-    view_reach_m_ = std::min(Limits::growth * view_reach_m_, widest_view_m());
 }
 
 void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept {
@@ -126,59 +113,6 @@ bool ProxyViews::look_again(const Vec3& place_O, double need_m) noexcept {
   reach_m_ = left_m;
   near_.look_from(world_, place_O);
   return true;
-}
-
-/// Fills the view. False where it is too rich.
-bool ProxyViews::search(const Vec3& place_O, double reach_m, int most) noexcept {
-  is_past_views_ = false;
-  place_O_ = place_O;
-  reach_m_ = search_reach_m_ = reach_m;
-  return near_.search(world_, place_O, reach_m, most, blockers_[0], looks_);
-}
-
-/// However rich, a view reaches so far.
-double ProxyViews::least_view_m() const noexcept {
-  return std::max(Limits::least_ticks * finger_m_, Limits::least_share * world_.clearance_m());
-}
-
-/// The looks are spent; the next tick goes on with this reach.
-void ProxyViews::see_nothing(double next_reach_m) noexcept {
-  view_reach_m_ = std::min(view_reach_m_, next_reach_m);
-  reach_m_ = search_reach_m_ = -1;
-}
-
-/// Looks at less where there is too much within reach. Where a ball fits its surroundings so well that no
-/// reach is short enough, at more triangles than usual; where these are too many, the trees will be asked
-/// instead.
-void ProxyViews::search_around(const Vec3& place_O, double reach_m) noexcept {
-  is_past_views_ = false;
-  place_O_ = place_O;
-  if (overflow_ && place_O == search_place_O_) return;
-  search_place_O_ = place_O;
-  is_cut_ = overflow_ = false;
-  double shorter_m = reach_m;
-  for (int cut = 0; cut <= Limits::most_cuts && !is_rich_; ++cut, shorter_m *= Limits::cut) {
-    if (looks_.are_spent()) return see_nothing(shorter_m);
-    const bool begins_late = looks_.are_half_spent();
-    if (search(place_O, shorter_m, usual_view_)) return;
-    if (looks_.are_spent() && begins_late) return see_nothing(shorter_m);
-    is_cut_ = true;
-    if (shorter_m < Limits::hopeless_share * world_.clearance_m()) break;
-  }
-  is_rich_ = true;
-  const long before = looks_.spent();
-  const bool begins_late = before > Limits::late;
-  if (begins_late && (looks_.are_half_spent() || looks_.left() < rich_looks_))
-    return see_nothing(view_reach_m_);
-  is_cut_ = false;
-  view_reach_m_ = std::max(view_reach_m_, least_view_m());
-  overflow_ = !search(place_O, std::max(reach_m, view_reach_m_), Limits::richest_view);
-  if (overflow_ && looks_.are_spent() && begins_late) {
-    overflow_ = false;
-    return see_nothing(view_reach_m_);
-  }
-  rich_looks_ = looks_.spent() - before;
-  is_rich_ = overflow_ || near_.count() > usual_view_;
 }
 
 /// Looks at everything within `reach_m`, or, where that is too much, within less; returns how far. What the

@@ -34,8 +34,9 @@ class ProxyViews : public ProxySight {
   void look_ahead(const Vec3& place_O, double need_m, const Vec3& ahead) noexcept;
   /// Sees to a view that shows the way by `over` to an edge and on to `far`, and some more in this direction.
   void look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept;
-  /// Whether steps from view to view over such a way would take more looks than are left.
-  bool is_outrun(double way_m) const noexcept;
+  /// Whether steps from view to view over such a way would take more looks than are left, or no view about
+  /// the place shows all that is near it.
+  bool is_outrun(const Vec3& place_O, double way_m) const noexcept;
   /// The last step went past all views: what they show is not where the proxy is.
   bool is_past_views() const noexcept { return is_past_views_; }
   bool is_seen_free(const Vec3& over, const ProxyWall& here) noexcept;
@@ -62,7 +63,7 @@ class ProxyViews : public ProxySight {
   std::optional<ProxyWall> wall_touched(const Blocker& blocker, const Vec3& place_O) noexcept;
   std::optional<ProxyWall> wall_below(const Vec3& place_O, double way_m) noexcept;
   std::optional<ProxyWall> wall_ahead(const Vec3& place_O, const Vec3& goal_O, double way_m) noexcept;
-  Blocker about_closest(const Vec3& place_O, double reach_m) noexcept;
+  Blocker about_closest(const Vec3& place_O, double reach_m, const Blocker& near) noexcept;
   double look_around(const Vec3& place_O, double reach_m, bool anew) noexcept;
   bool see_from(const Vec3& place_O, double need_m, double reach_m, const Vec3& ahead) noexcept;
   bool look_again(const Vec3& place_O, double need_m) noexcept;
@@ -70,6 +71,7 @@ class ProxyViews : public ProxySight {
   bool search(const Vec3& place_O, double reach_m, int most) noexcept;
   /// No search showed anything before the looks were spent.
   bool is_blind() const noexcept { return reach_m_ < 0; }
+  bool is_crowded_about(const Vec3& place_O) const noexcept;
   void suit_view() noexcept;
   double least_view_m() const noexcept;
   void see_nothing(double next_reach_m) noexcept;
@@ -92,6 +94,7 @@ class ProxyViews : public ProxySight {
   bool is_rich_ = false;   // it found more than usual however near
   long rich_looks_ = 0;    // what the last search for the richest view cost
   bool overflow_ = false;  // there are more than can be listed: every pass asks the trees again
+  Vec3 crowded_place_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());  // where there were, last
   int usual_view_ = ProxyMemoryLimits::usual_view;  // triangles; more with large fans
   NearTriangles near_;
   std::vector<int> seeds_;  // per surface: the triangle that was closest last

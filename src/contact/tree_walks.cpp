@@ -1,4 +1,5 @@
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "contact/ball_shadow.hpp"
@@ -10,6 +11,9 @@
 
 namespace fingerpad {
 namespace {
+
+/// Packets, the likeliest first, that are looked at for a triangle to begin with.
+constexpr int seed_packets = 8;
 
 struct LimitedSearch : WithinSearch {
   SearchLimit* limit;
@@ -117,10 +121,15 @@ bool TriangleTree::each_within(const Vec3& q, double reach_m, const KeptPoint* k
   if (kept != nullptr && BallShadow::is_cast(q, reach_m - kept->clearance_m, *kept))
     search.shadow.emplace(q, reach_m - kept->clearance_m, *kept, packed.scale);
   const double radius = search.bound_m * packed.scale;
+  const double grown = radius * (1 + 1e-12);
   WindingNumber::NearPackets near(impl.winding, search.scaled, radius);
   std::size_t index = 0;
   const long tests = limit.tests;
   while (!limit.is_exceeded() && near.next(index)) {
+    if (packed.discs[index].least_distance(search.scaled) > grown) {
+      ++limit.passed_over;
+      continue;
+    }
     const TrianglePacket& packet = packed.packets[index];
     if (!is_box_near(packet, search.scaled, radius)) continue;
     ++limit.packets;
@@ -153,7 +162,12 @@ bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, s
     next = impl.winding.next_near(next, search.scaled, radius, tests, half);
     looks.spend(tests);
     if (next >= packed.packets.size()) return true;
-    const TrianglePacket& packet = packed.packets[next++];
+    const std::size_t index = next++;
+    if (sieve != nullptr && sieve->passes_over(sieve->context, packed.discs[index], 1 / packed.scale)) {
+      looks.spend(LookCosts::passed_over);
+      continue;
+    }
+    const TrianglePacket& packet = packed.packets[index];
     if (sieve != nullptr && sieve->leaves_out(sieve->context, packet, 1 / packed.scale)) {
       looks.spend(LookCosts::left_out);
       continue;
@@ -179,8 +193,11 @@ std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach
   ClosestSearch search(packed, impl.filter, q, reach_m);
   const int count = static_cast<int>(packed.slot_of.size());
   if (walk.triangle < 0 || walk.triangle >= count) {
-    const TrianglePacket& packet = packed.packets[impl.winding.some_near(search.scaled)];
-    walk.triangle = packet.exact[0].triangle;
+    // Near the answer, so that it is about right wherever it is broken off.
+    walk.triangle =
+        about_closest(q, -1, std::numeric_limits<double>::infinity(), seed_packets, looks).triangle;
+    if (walk.triangle < 0)
+      walk.triangle = packed.packets[impl.winding.some_near(search.scaled)].exact[0].triangle;
   }
   search.look_at_seed(walk.triangle);
   const TrianglePacket* const seen = search.looked_at;
@@ -204,19 +221,21 @@ std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach
   return std::nullopt;
 }
 
-ClosestTriangle TriangleTree::about_closest(const Vec3& q, double reach_m, int most_packets,
+ClosestTriangle TriangleTree::about_closest(const Vec3& q, int seed, double reach_m, int most_packets,
                                             Looks& looks) const noexcept {
   const Impl& impl = *impl_;
+  const PackedPart& packed = impl.packed;
   if (!impl.is_searched(q, reach_m)) return {};
-  ClosestSearch search(impl.packed, impl.filter, q, reach_m);
+  ClosestSearch search(packed, impl.filter, q, reach_m);
+  if (seed >= 0) search.look_at_seed(seed);
   WindingNumber::NearestPackets nearest(impl.winding, search.scaled);
   std::size_t index = 0;
   for (int k = 0; k < most_packets && !looks.are_spent();) {
-    const double radius = std::sqrt(search.winner.at.distance2_m2) * impl.packed.scale;
+    const double radius = std::sqrt(search.winner.at.distance2_m2) * packed.scale;
     if (!nearest.next(index, radius)) break;
     looks.spend(LookCosts::passed_over);
-    if (search.passes_over(impl.packed.packets[index])) continue;
-    search.look_at(impl.packed.packets[index]);
+    if (search.passes_over(packed.discs[index])) continue;
+    search.look_at(packed.packets[index]);
     looks.spend(impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest);
     ++k;
   }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -12,6 +13,15 @@ namespace fingerpad {
 
 /// How many triangles a packet holds: a vector register of floats.
 inline constexpr int packet_width = 8;
+
+/// How far a flat disc reaches beyond its centre in a direction (unit).
+/// @param across  about a unit vector, normal to the disc
+inline double highest_of_disc(const Vec3& direction, const Vec3& across, double radius,
+                              double half_thickness) noexcept {
+  const double per_length2 = 1 / across.squaredNorm();
+  return std::abs(direction.dot(across)) * per_length2 * half_thickness +
+         std::sqrt(direction.cross(across).squaredNorm() * per_length2) * radius;
+}
 
 /// Eight neighbouring triangles prepared for closest-point queries: rough frames in float that a filter
 /// compares all at once, and what the exact answer in double needs.
@@ -52,13 +62,12 @@ struct alignas(64) TrianglePacket {
                             ///< to than this share of the radius, in 65,535ths
   float across[3];          ///< about a unit vector: the triangles' mean normal
 
+  /// No corner is farther from the plane through `origin` across `across`, scaled.
+  double half_thickness() const noexcept { return static_cast<double>(radius) * thickness * (1.0 / 65535); }
+
   /// How far at most a corner stands beyond `origin` in a direction (unit), scaled.
   double highest(const Vec3& direction) const noexcept {
-    const Vec3 normal(across[0], across[1], across[2]);
-    const double along = direction.dot(normal), per_length2 = 1 / normal.squaredNorm();
-    const double sine2 = std::max(0.0, 1 - along * along * per_length2) + 1e-14;
-    return static_cast<double>(radius) *
-           (std::abs(along) * per_length2 * thickness * (1.0 / 65535) + std::sqrt(sine2));
+    return highest_of_disc(direction, Vec3(across[0], across[1], across[2]), radius, half_thickness());
   }
 
   /// How far its triangles are from a point at least, scaled: by the flat disc around them, as `radius` and
@@ -69,7 +78,7 @@ struct alignas(64) TrianglePacket {
     const Vec3 normal(across[0], across[1], across[2]), off = at - origin;
     const double height = std::abs(normal.dot(off)), size = static_cast<double>(radius);
     const double along2 = off.squaredNorm() - height * height / normal.squaredNorm();
-    const double above = std::max(0.0, (height - size * thickness * (1.0 / 65535)) * shorter);
+    const double above = std::max(0.0, (height - half_thickness()) * shorter);
     const double beside = std::max(0.0, std::sqrt(std::max(0.0, along2)) - size);
     return std::sqrt(above * above + beside * beside);
   }
@@ -83,6 +92,11 @@ struct alignas(32) PacketDisc {
   float radius;     ///< along its plane nothing of the packet is farther from the centre
   float across[3];  ///< about a unit vector
   float thick;      ///< nothing of the packet is farther from the plane through the centre
+
+  /// How far at most something of the packet stands beyond the centre in a direction (unit).
+  double highest(const Vec3& direction) const noexcept {
+    return highest_of_disc(direction, Vec3(across[0], across[1], across[2]), radius, thick);
+  }
 
   /// How far the packet's triangles are from a point at least.
   double least_distance(const Vec3& at) const noexcept {

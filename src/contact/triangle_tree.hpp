@@ -12,11 +12,14 @@ namespace fingerpad {
 
 class ClosestMemory;
 struct KeptPoint;
+struct PacketDisc;
 struct TrianglePacket;
 
 /// Says of which packets of triangles nothing is wanted.
 struct PacketSieve {
+  /// By the disc around one, which is soon at hand.
   /// @param scaled_m  how long a length of 1 in the packet is [m], a power of two
+  bool (*passes_over)(const void* context, const PacketDisc& disc, double scaled_m) noexcept;
   bool (*leaves_out)(const void* context, const TrianglePacket& packet, double scaled_m) noexcept;
   const void* context;
 };
@@ -57,10 +60,14 @@ struct SearchLimit {
   int most_triangles, most_packets;
   long most_looks = Looks::unlimited;
   int triangles = 0, packets = 0;  ///< found
+  long passed_over = 0;            ///< packets, by the discs around them
   long tests = 0, shadowed = 0;    ///< of clusters of packets; of triangles against a shadow
   double at_least_m = 0;           ///< while a triangle is visited: its distance is no smaller
 
-  long looks() const noexcept { return tests + LookCosts::packet * packets + LookCosts::shadowed * shadowed; }
+  long looks() const noexcept {
+    return tests + LookCosts::passed_over * passed_over + LookCosts::packet * packets +
+           LookCosts::shadowed * shadowed;
+  }
   bool is_exceeded() const noexcept {
     return triangles > most_triangles || packets > most_packets || looks() > most_looks;
   }
@@ -115,8 +122,10 @@ class TriangleTree {
 
   /// The closest triangle to q of so many packets, the likeliest first, and of no more than `looks` allow: it
   /// is the part's closest, or about as close. None where q is far from the part. The same on every machine.
+  /// @param seed  a triangle that is likely close, or -1: the closer, the fewer packets are looked at
   /// noexcept, allocates nothing.
-  ClosestTriangle about_closest(const Vec3& q, double reach_m, int most_packets, Looks& looks) const noexcept;
+  ClosestTriangle about_closest(const Vec3& q, int seed, double reach_m, int most_packets,
+                                Looks& looks) const noexcept;
 
   /// Calls `visit(context, triangle)` once for every triangle whose distance to q is at most `reach_m`, as
   /// `closest` measures it (closest_on_triangle's distance2_m2 <= reach_m * reach_m, in double): those and no

@@ -16,6 +16,12 @@ namespace fingerpad {
 /// f|. Where all corners lie within r of a packet's middle m, and D = |q - m| > r, |q - f| is at least D - r,
 /// and q - f is turned off q - m by at most asin(r/D), so that the last term is at least
 /// w.(q - m)/D cos(asin(r/D)) - |w| r/D.
+///
+/// Neighbours on a fine smooth surface lie in a flat disc besides. With m now its centre, u a unit
+/// vector and h how far the disc reaches beyond m along u, each of them is at least u.(x - m) - h from any x:
+/// where that is the clearance at both ends of the way, it is all along. With u from m to the middle of the
+/// way this leaves, of a surface that the ball lies on, what is within about a disc's width of where it
+/// touches.
 class WaySieve {
  public:
   /// @param before  the walls, seen from the way's start
@@ -30,10 +36,23 @@ class WaySieve {
         way_m_(way.way_P.norm()) {}
 
   PacketSieve asked() const noexcept {
-    return {[](const void* sieve, const TrianglePacket& packet, double scaled_m) noexcept {
+    return {[](const void* sieve, const PacketDisc& disc, double scaled_m) noexcept {
+              return static_cast<const WaySieve*>(sieve)->passes_over(disc, scaled_m);
+            },
+            [](const void* sieve, const TrianglePacket& packet, double scaled_m) noexcept {
               return static_cast<const WaySieve*>(sieve)->leaves_out(packet, scaled_m);
             },
             this};
+  }
+
+  /// @param scaled_m  PacketSieve's
+  bool passes_over(const PacketDisc& disc, double scaled_m) const noexcept {
+    const Vec3 centre_m = scaled_m * Vec3(disc.centre[0], disc.centre[1], disc.centre[2]);
+    const Vec3 off = way_.from_P + 0.5 * way_.way_P - centre_m;
+    const double distance_m = off.norm();
+    const Vec3 out = off / distance_m;
+    const double nearer_m = distance_m - 0.5 * std::abs(out.dot(way_.way_P));
+    return nearer_m - scaled_m * disc.highest(out) >= clearance_m_ - rounding_m_;
   }
 
   /// @param scaled_m  PacketSieve's

@@ -4,8 +4,7 @@
 #include <numbers>
 #include <vector>
 
-#include "contact/proxies.hpp"
-#include "support/shapes.hpp"
+#include "contact/fine_sheets.hpp"
 
 // A finger that goes over many facets in a tick, against closed forms: the proxy keeps up within its looks.
 
@@ -14,50 +13,13 @@ namespace {
 
 constexpr double radius_m = 0.003, dt_s = 0.004;
 
-/// A sheet of nu x nv quads, each cut in two.
-template <class Point>
-TriangleSoup sheet(int nu, int nv, Point point) {
-  TriangleSoup soup;
-  soup.vertices_P.resize(3, (nu + 1) * (nv + 1));
-  soup.triangles.resize(3, 2 * nu * nv);
-  for (int j = 0; j <= nv; ++j) {
-    for (int i = 0; i <= nu; ++i)
-      soup.vertices_P.col(j * (nu + 1) + i) = point(static_cast<double>(i) / nu, static_cast<double>(j) / nv);
-  }
-  for (int j = 0; j < nv; ++j) {
-    for (int i = 0; i < nu; ++i) {
-      const int a = j * (nu + 1) + i, t = 2 * (j * nu + i);
-      soup.triangles.col(t) << a, a + 1, a + nu + 2;
-      soup.triangles.col(t + 1) << a, a + nu + 2, a + nu + 1;
-    }
-  }
-  return soup;
-}
+using test::push_of;
+using test::sheet;
+using test::Worst;
 
-Vec3 push_of(const ProxyContact& contact) {
-  return contact.touching ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
-}
-
-struct Worst {
-  double push = 0;      ///< how far the push was off, as a share of the depth
-  int unsettled = 0;    ///< ticks after the first ones
-  long most_looks = 0;  ///< of a tick
-};
-
-/// @param path  depth_m deep all along, but for its first places
-/// @param push  the true one at a place of it
 template <class Push>
 Worst worst_along(const TriangleSoup& soup, const std::vector<Vec3>& path, double depth_m, Push push) {
-  Proxy proxy = fast_proxy({surface_of(soup)}, radius_m, Normals::facet);
-  Worst worst;
-  for (std::size_t k = 0; k < path.size(); ++k) {
-    const ProxyContact& c = proxy.move(path[k], dt_s);
-    worst.most_looks = std::max(worst.most_looks, proxy.looks().spent());
-    if (k < 5) continue;
-    worst.unsettled += c.settled ? 0 : 1;
-    worst.push = std::max(worst.push, (push_of(c) - push(path[k])).norm() / depth_m);
-  }
-  return worst;
+  return test::worst_along(soup, radius_m, dt_s, path, depth_m, push);
 }
 
 TEST(ProxyOutrun, OnAFinePlateItKeepsUp) {

@@ -82,7 +82,7 @@ TEST(ProxyLooks, ABallThatFitsNowhereTakesLittleOfATickUntilItIsOut) {
 
 TEST(ProxyLooks, AStartThatTakesLongTakesLittleOfATick) {
   const PlacedSurface ball = surface_of(test::sphere_soup(0.02, 4));
-  constexpr long looks = 100;
+  constexpr long looks = 80;
   Proxy proxy = limited_proxy(true, ball, 0.002, Normals::smooth, looks);
   int ticks = 0;
   for (long spent = 0; !proxy.state().placed; ++ticks) {

@@ -96,10 +96,10 @@ TEST(TreeWalks, FindTheClosestTriangleAmongTheNearestPackets) {
       const double reach_m = k % 5 == 0 ? 0.3 : unbounded;
       const ClosestTriangle closest = tree.closest(q, -1, reach_m);
       Looks all(Looks::unlimited), few(200);
-      const ClosestTriangle found = tree.about_closest(q, reach_m, tree.part().triangle_count(), all);
+      const ClosestTriangle found = tree.about_closest(q, -1, reach_m, tree.part().triangle_count(), all);
       ASSERT_EQ(found.triangle, closest.triangle) << k;
       ASSERT_EQ(found.at.distance2_m2, closest.at.distance2_m2);
-      const ClosestTriangle about = tree.about_closest(q, reach_m, 2, few);
+      const ClosestTriangle about = tree.about_closest(q, -1, reach_m, 2, few);
       EXPECT_LE(few.spent(), 200 + 100) << "a packet too many at most, and the clusters on the way to it";
       if (about.triangle < 0) continue;
       ASSERT_GE(about.at.distance2_m2, closest.at.distance2_m2);
@@ -185,7 +185,7 @@ TEST(TreeWalks, ABriefSearchAnswersWithTheClosestOfWhatItLookedAt) {
   for (int k = 0; k < 200; ++k) {
     const Vec3 q = k % 10 == 0 ? Vec3::Zero() : any(random, 0.5);
     const ClosestTriangle exact = tree.closest(q, -1, unbounded);
-    BriefSearch brief{60}, ample{1000000};
+    BriefSearch brief{100}, ample{1000000};
     const ClosestTriangle found = tree.closest(q, brief, unbounded);
     ASSERT_GE(found.triangle, 0);
     EXPECT_EQ(found.at.distance2_m2, closest_on_triangle(tree.part(), found.triangle, q).distance2_m2);
@@ -195,7 +195,21 @@ TEST(TreeWalks, ABriefSearchAnswersWithTheClosestOfWhatItLookedAt) {
     EXPECT_EQ(tree.closest(Vec3(9, 0, 0), brief, 0.1).triangle, -1) << "out of reach";
   }
   EXPECT_GT(same, 100);
-  EXPECT_LT(same, 200) << "60 looks are too few for the middle";
+  EXPECT_LT(same, 200) << "100 looks are too few for the middle";
+}
+
+/// Whatever is broken off tells about how far the part is: else a finger in its hole would be far inside.
+TEST(TreeWalks, ABriefSearchFromNothingBeginsNearTheAnswer) {
+  const TriangleTree tree(
+      std::make_shared<const Part>(make_part(test::torus_soup(0.06, 0.025, 400, 200), 0.5)));
+  RandomStream random(17);
+  for (int k = 0; k < 200; ++k) {
+    const double angle = 6.3 * random.uniform(), out_m = 0.03 * random.uniform();
+    const Vec3 q(out_m * std::cos(angle), out_m * std::sin(angle), 0.03 * random.uniform() - 0.015);
+    BriefSearch brief{300};
+    const ClosestTriangle found = tree.closest(q, brief, unbounded), exact = tree.closest(q, -1, unbounded);
+    EXPECT_LT(found.at.distance2_m2, 1.1 * exact.at.distance2_m2) << q.transpose();
+  }
 }
 
 TEST(TreeWalks, ALimitIsExceededWhereMoreIsWithinReach) {

@@ -62,14 +62,17 @@ struct Stand {
 
 TEST(WaySieve, LeavesOutNothingThatMatters) {
   RandomStream random(31);
-  long left_out = 0, matter = 0;
+  long passed_over = 0, left_out = 0, matter = 0;
   for (const PlacedSurface& surface : trial_surfaces()) {
     const PackedPart packed = pack(std::make_shared<const Part>(surface.tree->part()));
     for (int k = 0; k < 300; ++k) {
       const Stand s(surface, random);
       const WaySieve sieve(s.world, s.way, s.before, s.worst);
-      for (const TrianglePacket& packet : packed.packets) {
-        const bool is_left_out = sieve.leaves_out(packet, 1 / packed.scale);
+      for (std::size_t i = 0; i < packed.packets.size(); ++i) {
+        const TrianglePacket& packet = packed.packets[i];
+        const bool is_passed_over = sieve.passes_over(packed.discs[i], 1 / packed.scale);
+        const bool is_left_out = is_passed_over || sieve.leaves_out(packet, 1 / packed.scale);
+        passed_over += is_passed_over ? 1 : 0;
         left_out += is_left_out ? 1 : 0;
         for (int lane = 0; lane < packet_width && (packet.used >> lane & 1) != 0; ++lane) {
           const bool does_matter = s.matters(packet.exact[static_cast<std::size_t>(lane)].triangle);
@@ -81,6 +84,7 @@ TEST(WaySieve, LeavesOutNothingThatMatters) {
   }
   EXPECT_GT(matter, 1000);
   EXPECT_GT(left_out, 20 * matter) << "most of a part";
+  EXPECT_GT(passed_over, 10 * matter);
 }
 
 TEST(FacetSide, ClearsNoTriangleThatMatters) {
