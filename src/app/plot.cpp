@@ -9,6 +9,7 @@
 
 #include "app/columns_option.hpp"
 #include "app/commands.hpp"
+#include "app/number_option.hpp"
 #include "app/output_name.hpp"
 #include "app/pad_charts.hpp"
 #include "app/standard_streams.hpp"
@@ -179,7 +180,7 @@ void add_plot(CLI::App& program, Action& action) {
   command
       ->add_option("--width", options->width,
                    "Width of a history, spectrum or overlay in pixels; 10000 take a gigabyte of memory")
-      ->check(CLI::Range(300, 10000))
+      ->check(whole_number_in(300, 10000))
       ->capture_default_str();
   command->footer(
       "history: position, speed, forces, coefficient of friction and phase against time, and the spectra of "
