@@ -21,6 +21,7 @@
 #include "base/number_text.hpp"
 #include "base/output_place.hpp"
 #include "trace/trace.hpp"
+#include "view/clock_doubts.hpp"
 #include "view/measured_run.hpp"
 
 namespace fingerpad {
@@ -71,6 +72,7 @@ void plot_alone(const PlotOptions& options) {
 /// Runs over one another, and what each has beyond the first.
 void plot_runs(const PlotOptions& options, std::vector<ComparedRun> runs) {
   for (const ComparedRun& run : runs) tell_early_end(run.path, run.ends_early);
+  for (const std::string& words : clock_doubts(runs)) print_err("fingerpad: warning: {}\n", words);
   const Over over = over_of(options.over);
   const Comparison comparison = compare_runs(std::move(runs), options.columns, over);
   write_comparison(comparison, over, options.out, options.width);
