@@ -166,6 +166,7 @@ int touch(const TouchOptions& options) {
                 fmt::format("--device {} is moved in a window: choose another device", options.device));
   }
   refuse_unread(options);
+  refuse_missing_subject(options.subject);
   if (!options.headless) need_live_window(window_choice(options, options.subject));
   KeptThread kept;
   std::optional<Touched> next = load_touched(options, options.subject);
