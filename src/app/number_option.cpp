@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string_view>
 
 #include "base/printable_text.hpp"
@@ -23,7 +24,7 @@ CLI::Validator in_range(Number least, Number most, const char* what, const char*
   const std::string low = bound_text(least), high = bound_text(most);
   const auto fault = [=](const std::string& text) {
     Number value{};
-    const bool is_number = CLI::detail::lexical_cast(text, value) && value == value;
+    const bool is_number = CLI::detail::lexical_cast(text, value) && !std::isnan(static_cast<double>(value));
     if (is_number && value >= least && value <= most) return std::string();
     return fmt::format("'{}' is {}; a {} from {} to {} is asked for", printable(text, longest_shown),
                        is_number ? "out of range" : fmt::format("no {}", what), what, low, high);

@@ -21,6 +21,7 @@ double processors_for(int threads) {
   const double before_s = processor_s();
   {
     std::vector<std::jthread> busy;
+    busy.reserve(static_cast<std::size_t>(threads));
     for (int i = 0; i < threads; ++i)
       busy.emplace_back([=] {
         while (Clock::now() - start < long_enough) {
