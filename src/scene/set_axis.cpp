@@ -119,7 +119,7 @@ std::string nearest_set_key(const std::string& key) {
   return nearest.empty() ? "" : table + nearest;
 }
 
-/// " (did you mean 'part.mu_dynamic' or 'plane.mu_dynamic'?)" of a key that lacks its table, else with the
+/// "; did you mean 'part.mu_dynamic' or 'plane.mu_dynamic'?" of a key that lacks its table, else with the
 /// nearest; empty where none is like it.
 std::string meant_keys(const std::string& key) {
   std::vector<std::string> meant;
@@ -128,7 +128,7 @@ std::string meant_keys(const std::string& key) {
   }
   const std::string nearest = meant.empty() ? nearest_set_key(key) : "";
   if (!nearest.empty()) meant.push_back(fmt::format("'{}'", nearest));
-  return meant.empty() ? "" : fmt::format(" (did you mean {}?)", fmt::join(meant, " or "));
+  return meant.empty() ? "" : fmt::format("; did you mean {}?", fmt::join(meant, " or "));
 }
 
 }  // namespace

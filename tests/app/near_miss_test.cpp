@@ -111,8 +111,8 @@ TEST(NearMiss, OfAKeyWithSwappedLettersOrAPartOfAWordIsTold) {
               HasSubstr("unknown key 'lwa' in [friction]; did you mean 'law'?"));
   EXPECT_THAT(told("[[set]]\nfriction.lwa = [\"coulomb\"]\n"), HasSubstr("did you mean 'friction.law'?"));
   EXPECT_THAT(told("[[set]]\nmu_dynamic = [0.1]\n"),
-              HasSubstr("unknown key 'mu_dynamic' in [[set]] (did you mean 'part.mu_dynamic' or "
-                        "'plane.mu_dynamic'?); a set has"));
+              HasSubstr("unknown key 'mu_dynamic' in [[set]]; did you mean 'part.mu_dynamic' or "
+                        "'plane.mu_dynamic'?"));
   EXPECT_THAT(told("[contact]\nmethod = \"point\"\n"),
               HasSubstr("unknown method 'point'; did you mean 'closest-point'?"));
   EXPECT_THAT(told("[friction]\nlaw = \"pad\"\n"), HasSubstr("did you mean 'finger-pad'?"));
