@@ -8,6 +8,7 @@
 #include <cmath>
 #include <iterator>
 
+#include "app/number_option.hpp"
 #include "app/output_name.hpp"
 #include "app/quantity_option.hpp"
 #include "app/word_option.hpp"
@@ -207,7 +208,7 @@ void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
   take_units(command.add_option("--fill", options.fill_ms,
                                 "Gaps of samples up to this are filled with a line [ms]; 0: none"),
              factors_of(Quantity::time, 1e-3), times)
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(number_in(0, 1000))
       ->capture_default_str();
   command.add_option("--mains", options.mains, "Mains hum to take out of forces: any, 50, 60 or off")
       ->check(one_of({"any", "50", "60", "off"}))

@@ -6,6 +6,7 @@
 
 #include "app/pace_words.hpp"
 #include "app/standard_streams.hpp"
+#include "base/printable_text.hpp"
 
 namespace fingerpad {
 
@@ -22,7 +23,7 @@ void JobBar::advance(const BatchJob& job) {
     ++done_;
     under_way_.erase(&job);
   }
-  show(job.job.scene.name);
+  show(job.job.scene.name, "");
 }
 
 void JobBar::elsewhere(std::size_t count) {
@@ -31,7 +32,7 @@ void JobBar::elsewhere(std::size_t count) {
 }
 
 void JobBar::load(std::string_view stage, double done) {
-  show(fmt::format("{} {:.0f}%", stage, 100 * done));
+  show(stage, fmt::format(" {:.0f}%", 100 * done));
 }
 
 void JobBar::run(const BatchJob& job, double share_done) {
@@ -39,10 +40,10 @@ void JobBar::run(const BatchJob& job, double share_done) {
     const std::lock_guard lock(mutex_);
     under_way_[&job] = share_done;
   }
-  show(fmt::format("{} {:.0f}%", job.job.scene.name, 100 * share_done));
+  show(job.job.scene.name, fmt::format(" {:.0f}%", 100 * share_done));
 }
 
-void JobBar::show(const std::string& what) {
+void JobBar::show(std::string_view name, const std::string& behind_it) {
   if (shown_ == Shown::nothing) return;
   const std::lock_guard lock(mutex_);
   const std::size_t ended = done_ + elsewhere_;
@@ -53,8 +54,13 @@ void JobBar::show(const std::string& what) {
                                       std::chrono::duration<double>(Clock::now() - start_).count(), "jobs");
   const bool is_stopping = is_told_to_stop_ && is_told_to_stop_();
   if (shown_ == Shown::bar) {
+    const std::string lead = fmt::format("{}/{}{} ", ended, total_, pace);
+    constexpr std::size_t least_of_name = 12;
+    const auto width = static_cast<std::size_t>(ProgressBar::words_width());
+    const std::size_t beside = lead.size() + behind_it.size();
+    const std::size_t room = std::max(least_of_name, width - std::min(width, beside));
     bar_.show(share, is_stopping ? fmt::format("{}/{} {}", ended, total_, stop_words())
-                                 : fmt::format("{}/{}{} {}", ended, total_, pace, what));
+                                 : lead + middle_left_out(name, room) + behind_it);
   } else if (is_stopping && !has_told_stop_ && !under_way_.empty()) {
     has_told_stop_ = true;
     print_err("fingerpad: {} of {} jobs done, {}\n", ended, total_, stop_words());

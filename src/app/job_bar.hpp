@@ -38,7 +38,8 @@ class JobBar {
 
  private:
   using Clock = std::chrono::steady_clock;
-  void show(const std::string& what);
+  /// @param name  of which the middle is left out where the line has no room for it
+  void show(std::string_view name, const std::string& behind_it);
   std::string stop_words() const;
 
   std::mutex mutex_;

@@ -8,6 +8,7 @@
 
 #include "app/commands.hpp"
 #include "app/manual.hpp"
+#include "app/number_option.hpp"
 #include "app/standard_streams.hpp"
 #include "app/version_words.hpp"
 #include "base/error.hpp"
@@ -70,21 +71,14 @@ std::string unknown_option(const CLI::App& program, int argc, char** argv) {
   return {};
 }
 
-/// "--at: 'foo' is no number": of a value that is none, as CLI11 tells it.
-std::string no_number(const std::string& told) {
-  constexpr std::string_view begin = "Could not convert: ", between = " = ";
-  const std::size_t at = told.find(between);
-  if (!told.starts_with(begin) || at == std::string::npos) return told;
-  return fmt::format("{}: '{}' is no number", told.substr(begin.size(), at - begin.size()),
-                     fingerpad::printable(told.substr(at + between.size()), 60));
-}
-
 /// What is told of a command line that is not understood: a word that is spelled wrong before what is missing
 /// for it.
 std::string words_of(const CLI::ParseError& error, const CLI::App& program, int argc, char** argv) {
   const std::string command = unknown_subcommand(program, argc, argv);
   if (!command.empty()) return command;
-  if (dynamic_cast<const CLI::ConversionError*>(&error) != nullptr) return no_number(error.what());
+  const auto* const no_number = dynamic_cast<const CLI::ConversionError*>(&error);
+  if (no_number != nullptr && !program.get_subcommands().empty())
+    return fingerpad::no_number_words(*no_number, *program.get_subcommands().front());
   const bool may_be_unknown = dynamic_cast<const CLI::ExtrasError*>(&error) != nullptr ||
                               dynamic_cast<const CLI::RequiredError*>(&error) != nullptr;
   const std::string option = may_be_unknown ? unknown_option(program, argc, argv) : "";

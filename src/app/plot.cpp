@@ -9,6 +9,7 @@
 
 #include "app/columns_option.hpp"
 #include "app/commands.hpp"
+#include "app/number_option.hpp"
 #include "app/output_name.hpp"
 #include "app/pad_charts.hpp"
 #include "app/standard_streams.hpp"
@@ -20,6 +21,7 @@
 #include "base/number_text.hpp"
 #include "base/output_place.hpp"
 #include "trace/trace.hpp"
+#include "view/clock_doubts.hpp"
 #include "view/measured_run.hpp"
 
 namespace fingerpad {
@@ -70,6 +72,7 @@ void plot_alone(const PlotOptions& options) {
 /// Runs over one another, and what each has beyond the first.
 void plot_runs(const PlotOptions& options, std::vector<ComparedRun> runs) {
   for (const ComparedRun& run : runs) tell_early_end(run.path, run.ends_early);
+  for (const std::string& words : clock_doubts(runs)) print_err("fingerpad: warning: {}\n", words);
   const Over over = over_of(options.over);
   const Comparison comparison = compare_runs(std::move(runs), options.columns, over);
   write_comparison(comparison, over, options.out, options.width);
@@ -179,7 +182,7 @@ void add_plot(CLI::App& program, Action& action) {
   command
       ->add_option("--width", options->width,
                    "Width of a history, spectrum or overlay in pixels; 10000 take a gigabyte of memory")
-      ->check(CLI::Range(300, 10000))
+      ->check(whole_number_in(300, 10000))
       ->capture_default_str();
   command->footer(
       "history: position, speed, forces, coefficient of friction and phase against time, and the spectra of "

@@ -1,6 +1,7 @@
 #include "app/progress_bar.hpp"
 
 #include <fmt/format.h>
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,8 +15,8 @@
 namespace fingerpad {
 namespace {
 
-// Together less than the 80 columns of the narrowest terminal.
-constexpr int bar_width = 20, stage_width = 50;
+// Beside the words of the line: "\r[====    ]  40% ", and a column that stays free.
+constexpr int bar_width = 20, beside_words = bar_width + 9;
 
 /// Of SIGINT, once: what the line said last stays, and the prompt stands below it.
 void end_line_and_program(int signal) {
@@ -28,6 +29,13 @@ void end_line_and_program(int signal) {
 
 bool stderr_is_terminal() noexcept {
   return isatty(STDERR_FILENO) != 0;
+}
+
+int ProgressBar::words_width() noexcept {
+  constexpr int usual_columns = 80, least_width = 16, most_width = 200;
+  winsize size{};
+  const bool is_known = ioctl(STDERR_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 0;
+  return std::clamp((is_known ? size.ws_col : usual_columns) - beside_words, least_width, most_width);
 }
 
 ShownProgress shown_progress(bool quiet) noexcept {
@@ -74,7 +82,7 @@ void ProgressBar::finish() {
     draw(*state_);
     print_err("\n");
   } else if (is_drawn_) {
-    print_err("\r{:{}}\r", "", bar_width + stage_width + 8);
+    print_err("\r{:{}}\r", "", drawn_columns_);
   }
   std::fflush(stderr);
 }
@@ -91,8 +99,10 @@ void ProgressBar::draw_now_and_then(std::chrono::milliseconds patience) {
 
 void ProgressBar::draw(const State& state) {
   const int filled = static_cast<int>(std::floor(bar_width * state.share_done));
+  const int width = words_width();
   print_err("\r[{:=<{}}{: <{}}] {:3.0f}% {:<{}.{}}", "", filled, "", bar_width - filled,
-            std::floor(100 * state.share_done), state.what, stage_width, stage_width);
+            std::floor(100 * state.share_done), state.what, width, width);
+  drawn_columns_ = width + beside_words - 1;
   std::fflush(stderr);
   is_drawn_ = true;
 }

@@ -38,6 +38,9 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
 
+  /// How many columns its words have, by the terminal as it is now; further ones are not drawn.
+  static int words_width() noexcept;
+
   /// What the bar shows from now on. @param share_done  0 .. 1
   void show(double share_done, std::string what);
 
@@ -58,6 +61,7 @@ class ProgressBar {
   std::condition_variable woken_;
   std::optional<State> state_;  ///< none before the first show()
   bool finished_ = false, is_drawn_ = false;
+  int drawn_columns_ = 0;   ///< of the line, as it was last drawn
   bool ends_line_ = false;  ///< Ctrl-C ends the line, then the program
   struct sigaction before_ {};
   std::thread drawer_;

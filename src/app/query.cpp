@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 
@@ -15,6 +18,7 @@
 #include "base/input_file.hpp"
 #include "base/number_text.hpp"
 #include "base/output_place.hpp"
+#include "base/unit.hpp"
 #include "contact/surface_point.hpp"
 #include "contact/triangle_tree.hpp"
 #include "part/import.hpp"
@@ -43,22 +47,53 @@ void append_row(std::string& text, const SurfacePoint& near, const Part& part) {
 }
 
 /// Writes the table in pieces, since it can be ten times as large as the points.
-void write_answers(const TriangleTree& tree, const CsvColumns& points,
-                   const std::function<void(std::string_view)>& write) {
+/// @returns how far the nearest point is from the surface [m]; infinite without one
+double write_answers(const TriangleTree& tree, const CsvColumns& points,
+                     const std::function<void(std::string_view)>& write) {
   constexpr std::size_t piece_bytes = std::size_t{1} << 20;
   std::string text = header;
   int seed = -1;
+  double least_m = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < points.lines.size(); ++i) {
     const Vec3 p(points.columns[0][i], points.columns[1][i], points.columns[2][i]);
     const SurfacePoint near =
         nearest_surface_point(tree, p, Normals::facet, seed, std::numeric_limits<double>::infinity());
     seed = near.triangle;
+    least_m = std::min(least_m, std::abs(near.signed_distance_m));
     append_row(text, near, tree.part());
     if (text.size() < piece_bytes) continue;
     write(text);
     text.clear();
   }
   write(text);
+  return least_m;
+}
+
+/// The unit in which the points would lie about the part; empty where it is none.
+std::string likelier_unit(const Eigen::AlignedBox3d& part, const CsvColumns& points) {
+  for (const LengthUnit& unit : length_units) {
+    Eigen::AlignedBox3d box;
+    for (std::size_t i = 0; i < points.lines.size(); ++i)
+      box.extend(unit.metres * Vec3(points.columns[0][i], points.columns[1][i], points.columns[2][i]));
+    if (unit.metres != 1 && part.exteriorDistance(box) <= part.diagonal().norm())
+      return std::string(unit.name);
+  }
+  return {};
+}
+
+/// What to say of points that are all far away from the part, many times its size: mostly a unit.
+void tell_far_points(const QueryOptions& options, const Part& part, const CsvColumns& points,
+                     double least_m) {
+  constexpr double far = 10;
+  const Eigen::AlignedBox3d box(part.centre_P - part.half_extent, part.centre_P + part.half_extent);
+  const double size_m = part.size_m();
+  if (points.lines.empty() || !(least_m > far * size_m)) return;
+  const std::string unit = likelier_unit(box, points);
+  print_err("fingerpad: {}: {} {} m or more from {}, which is {} m large; points are in metres{}\n",
+            input_name(options.points),
+            points.lines.size() == 1 ? "its point is" : fmt::format("all {} points are", points.lines.size()),
+            rounded_text(least_m, 3), input_name(options.mesh), rounded_text(size_m, 3),
+            unit.empty() ? " (is --unit that of the mesh?)" : fmt::format(": are these in {}?", unit));
 }
 
 int query(const QueryOptions& options) {
@@ -87,12 +122,14 @@ int query(const QueryOptions& options) {
   const std::string hint = unit_hint(imported.verdict, how.metres_per_unit);
   if (!hint.empty()) print_err("fingerpad: {}: {}\n", options.mesh, hint);
   if (options.out == "-") {
-    write_answers(tree, points, [](std::string_view text) { write_stream(stdout, text); });
+    tell_far_points(options, tree.part(), points,
+                    write_answers(tree, points, [](std::string_view text) { write_stream(stdout, text); }));
     return 0;
   }
   OutputFile file(options.out);
-  write_answers(tree, points, [&file](std::string_view text) { file.write(text); });
+  const double least_m = write_answers(tree, points, [&file](std::string_view text) { file.write(text); });
   file.commit();
+  tell_far_points(options, tree.part(), points, least_m);
   return 0;
 }
 

@@ -6,12 +6,14 @@
 #include <charconv>
 #include <chrono>
 #include <cmath>
+#include <optional>
 #include <set>
 #include <thread>
 
 #include "app/columns_option.hpp"
 #include "app/commands.hpp"
 #include "app/job_bar.hpp"
+#include "app/number_option.hpp"
 #include "app/output_folder.hpp"
 #include "app/output_name.hpp"
 #include "app/plan_words.hpp"
@@ -101,7 +103,8 @@ int run_replay(const ReplayOptions& options, BatchOptions batch, const Ranks& ra
   std::vector<BatchJob> jobs = batch_jobs(options.scenes);
   if (options.dry_run) {
     if (!ranks.is_root()) return 0;
-    const OutputFolder tried(batch.out_dir);  // gone again: what is planned could be written
+    std::optional<OutputFolder> tried;  // gone again: what is planned could be written
+    if (!batch.out_dir.empty()) tried.emplace(batch.out_dir);
     const bool would_do = tell_plan(plan_batch(jobs, batch), batch);
     return would_do ? 0 : is_lone_scene(jobs) ? static_cast<int>(ErrorKind::refused) : jobs_failed_code;
   }
@@ -188,12 +191,12 @@ void add_replay(CLI::App& program, Action& action) {
                    "whose paths start in the current folder")
       ->required();
   refuse_empty(command->add_option("--out", options->batch.out_dir,
-                                   "Folder for the traces, summary.csv and timing.csv"))
-      ->required();
+                                   "Folder for the traces, summary.csv and timing.csv; required, but with "
+                                   "--dry-run"));
   command
       ->add_option("--jobs", options->batch.threads,
                    "Threads that share the jobs; results do not depend on it")
-      ->check(CLI::Range(1, 1024))
+      ->check(whole_number_in(1, 1024))
       ->capture_default_str();
   command->add_option("--format", options->format, "h5, csv, or none: summary.csv alone")
       ->check(one_of({"h5", "csv", "none"}))
@@ -208,7 +211,7 @@ void add_replay(CLI::App& program, Action& action) {
       ->type_name("LIST");
   command->add_option("--every", options->batch.choice.every, "Write every N-th tick alone, and the last")
       ->type_name("N")
-      ->check(CLI::Range(1L, 1000000000L))
+      ->check(whole_number_in(1, 1'000'000'000))
       ->capture_default_str();
   command
       ->add_option("--memory", options->batch.memory_bytes,
@@ -216,7 +219,7 @@ void add_replay(CLI::App& program, Action& action) {
                    "and begin with no further one beyond it while jobs of those are left; without it those "
                    "of one job more than --jobs")
       ->type_name("SIZE")
-      ->transform(CLI::AsSizeValue(false));
+      ->transform(memory_size());
   command->add_flag(
       "--compress", options->batch.choice.deflated,
       "Deflate the traces' columns and meshes (h5): smaller files that take longer to write, and "
@@ -230,7 +233,7 @@ void add_replay(CLI::App& program, Action& action) {
   command
       ->add_option("--progress", options->progress_s,
                    "Where standard error is no terminal, tell how far the jobs are every so many seconds")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_in(0, 1e6))
       ->capture_default_str();
   command
       ->add_option_function<double>(
@@ -239,7 +242,7 @@ void add_replay(CLI::App& program, Action& action) {
           "How many seconds ranks wait for those that have not come: all for the first, the last for the "
           "others")
       ->type_name("SECONDS")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_in(0, 1e6))
       ->default_str("30");
   command->add_flag(
       "--quiet", options->quiet,
@@ -257,7 +260,10 @@ void add_replay(CLI::App& program, Action& action) {
       laws_text() + contact_help_text() +
       "\nA scene file, each key with its default (mesh, file, profile and set: with an example):\n\n" +
       scene_keys_text());
-  command->callback([options, &action] { action = [options] { return replay(*options); }; });
+  command->callback([options, &action] {
+    if (options->batch.out_dir.empty() && !options->dry_run) throw CLI::RequiredError("--out");
+    action = [options] { return replay(*options); };
+  });
 }
 
 }  // namespace fingerpad

@@ -9,6 +9,7 @@
 
 #include "app/distinct_lines.hpp"
 #include "app/standard_streams.hpp"
+#include "base/count_words.hpp"
 #include "base/number_text.hpp"
 #include "contact/contact_method_table.hpp"
 #include "replay/batch_files.hpp"
@@ -49,8 +50,8 @@ void tell_left_behind(const std::vector<const BatchJob*>& failed) {
   if (left.size() == 1)
     print_err("fingerpad: warning: {}: is an earlier run's, since this one failed\n", left[0]);
   if (left.size() > 1)
-    print_err("fingerpad: warning: {} and {} more traces: are an earlier run's, since these jobs failed\n",
-              left[0], left.size() - 1);
+    print_err("fingerpad: warning: {} and {}: are an earlier run's, since these jobs failed\n", left[0],
+              count_words(left.size() - 1, "more trace"));
 }
 
 /// Each reason once, in the order of the first job that it stopped.

@@ -9,6 +9,7 @@
 
 #include "app/commands.hpp"
 #include "app/count_bar.hpp"
+#include "app/number_option.hpp"
 #include "app/output_name.hpp"
 #include "app/report_page.hpp"
 #include "app/report_run.hpp"
@@ -186,7 +187,7 @@ void add_report(CLI::App& program, Action& action) {
   command
       ->add_option("--progress", options->progress_s,
                    "Seconds from one line on how far it is to the next, where standard error is no terminal")
-      ->check(CLI::Range(0.0, 86400.0))
+      ->check(number_in(0, 86400))
       ->capture_default_str();
   add_quiet_flag(*command, options->quiet);
   command->footer(

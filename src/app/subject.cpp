@@ -2,20 +2,32 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <filesystem>
+#include <limits>
 
 #include "app/standard_streams.hpp"
 #include "base/error.hpp"
+#include "base/input_file.hpp"
 #include "scene/scene_file.hpp"
 #include "touch/unit_hints.hpp"
 #include "touch/world.hpp"
 #include "trace/trace.hpp"
 
 namespace fingerpad {
+
 SubjectKind subject_kind(const std::string& path) {
   if (path.ends_with(".toml") || path == "-") return SubjectKind::scene;
   refuse_false_hdf5(path);
   if (path.ends_with(".csv") || is_hdf5(path)) return SubjectKind::trace;
   return SubjectKind::mesh;
+}
+
+void refuse_missing_subject(const std::string& path) {
+  std::error_code none;
+  if (stream_descriptor(path) || std::filesystem::exists(path, none)) return;
+  if (path.ends_with(".toml")) read_scene_file(path);  // with the scene that is meant
+  const InputFile refuses(path, {"a scene, mesh or trace", std::numeric_limits<std::uint64_t>::max()});
 }
 
 Scene single_scene(const std::string& path) {

@@ -13,6 +13,10 @@ struct World;
 enum class SubjectKind { scene, mesh, trace };
 SubjectKind subject_kind(const std::string& path);
 
+/// Throws Error (refused) where there is no such file: told before what is missing to show it, such as a
+/// display.
+void refuse_missing_subject(const std::string& path);
+
 /// A scene file's scene; of a set, its first job's. Throws Error (refused).
 Scene single_scene(const std::string& path);
 

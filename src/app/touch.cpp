@@ -11,10 +11,12 @@
 #include "app/commands.hpp"
 #include "app/headless.hpp"
 #include "app/live_window.hpp"
+#include "app/number_option.hpp"
 #include "app/output_name.hpp"
 #include "app/progress_bar.hpp"
 #include "app/standard_streams.hpp"
 #include "app/stop_signals.hpp"
+#include "app/subject.hpp"
 #include "app/touch_recording.hpp"
 #include "app/touch_subject.hpp"
 #include "app/unit_option.hpp"
@@ -164,6 +166,7 @@ int touch(const TouchOptions& options) {
                 fmt::format("--device {} is moved in a window: choose another device", options.device));
   }
   refuse_unread(options);
+  refuse_missing_subject(options.subject);
   if (!options.headless) need_live_window(window_choice(options, options.subject));
   KeptThread kept;
   std::optional<Touched> next = load_touched(options, options.subject);
@@ -205,17 +208,17 @@ void add_touch(CLI::App& program, Action& action) {
   command->add_flag("--headless", options->headless,
                     "Without a window, for a rig or a robot; a signal ends it, its trace whole");
   command->add_option("--seconds", options->seconds, "End after so long [s]; default: when told to")
-      ->check(CLI::Range(0.0, 1e9));
+      ->check(number_in(0, 1e9));
   command
       ->add_option("--port", options->link.port,
                    "Port of a device outside of the program; 0: a free one; default: the device's")
-      ->check(CLI::Range(0, 65535));
+      ->check(whole_number_in(0, 65535));
   refuse_empty(
       command->add_option("--bind", options->link.bind,
                           "Address that is listened on; default: 127.0.0.1; another lets others in"));
   add_live_window_options(*command, options->size);
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
-      ->check(CLI::Range(1.0, 100000.0));
+      ->check(number_in(1, 100000));
   command->add_flag("--realtime", options->real_time,
                     "Ask for SCHED_FIFO, a core and locked memory; goes on without what is not permitted");
   add_unit_option(*command, options->unit);

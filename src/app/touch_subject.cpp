@@ -51,6 +51,8 @@ Touched load_touched(const TouchOptions& options, const std::string& subject) {
   warn_of_unread(options, scene);
   touched.hand = std::exchange(scene.hand, std::nullopt);
   if (!options.record.empty()) refuse_unrecordable(options.record, scene, options.force);
+  const DeviceEntry& device = *find_device(options.device);
+  if (device.refuse != nullptr) device.refuse(scene, options.link);
   LoadBar bar(stderr_is_terminal());
   touched.world = load_world(scene, bar.progress());
   bar.finish();

@@ -12,6 +12,7 @@
 #include "app/shown_subject.hpp"
 #include "app/size_option.hpp"
 #include "app/standard_streams.hpp"
+#include "app/subject.hpp"
 #include "app/unit_option.hpp"
 #include "base/error.hpp"
 #include "base/file_identity.hpp"
@@ -128,6 +129,7 @@ int view(const ViewOptions& options) {
     throw Error(ErrorKind::usage, "--at", "is no moment in seconds");
   if (!options.camera.empty()) read_look(options.camera);  // before a long import
   const MovieChoice movie{size.width, size.height, options.frames_per_s, options.speed};
+  refuse_missing_subject(options.subject);
   options.output().empty() ? need_display() : refuse_output(options, movie);
   LoadBar bar(stderr_is_terminal());
   ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);

@@ -71,6 +71,7 @@ struct Chart {
   /// The panels stand over one another and share one x axis, which ends with its values; each has a legend of
   /// its own above it. Otherwise each has its own axes and one legend stands beside them all.
   bool stacked = false;
+  int legend_rows = 1;  ///< of a stacked chart: so many lines at most take the entries of a panel's legend
   std::optional<ChartBand> band = {};  ///< of a stacked chart: a strip above the panels, with its legend
 };
 

@@ -37,6 +37,14 @@ bool has_between_hyphens(std::string_view whole, std::string_view part) {
   return part.size() > 1 && fmt::format("-{}-", whole).find(fmt::format("-{}-", part)) != std::string::npos;
 }
 
+/// "fx_n" of "fx": the only word that goes on with an underscore, as a quantity's name does with its unit.
+std::string only_one_with_unit(std::string_view word, const std::vector<std::string>& known) {
+  const std::string start = std::string(word) + '_';
+  const auto goes_on = [&](const std::string& whole) { return whole.starts_with(start); };
+  const auto found = std::ranges::find_if(known, goes_on);
+  return !word.empty() && std::ranges::count_if(known, goes_on) == 1 ? *found : "";
+}
+
 std::string only_one_with_part(std::string_view part, const std::vector<std::string>& known) {
   const auto has_part = [&](const std::string& whole) { return has_between_hyphens(whole, part); };
   const auto found = std::ranges::find_if(known, has_part);
@@ -60,7 +68,8 @@ std::string only_one_with_start(std::string_view start, const std::vector<std::s
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   if (word.size() > 100) return {};
-  std::string nearest;
+  std::string nearest = only_one_with_unit(word, known);
+  if (!nearest.empty()) return nearest;
   std::size_t least = 2 * (std::max<std::size_t>(word.size() / 3, 1) + 1);
   for (const std::string& candidate : known) {
     const std::size_t distance = edit_distance(word, candidate);

@@ -6,7 +6,8 @@
 
 namespace fingerpad {
 
-/// The known word that is spelled most like `word`: at most a third of its letters are changed, left out, put
+/// The known word that `word` is without its unit ("fx" of "fx_n"), where it is the only one; else the one
+/// that is spelled most like it: at most a third of its letters are changed, left out, put
 /// in or swapped with their neighbour. If none is, the only one that has it between its hyphens ("point" of
 /// "closest-point"), or that begins with it ("frict" of "friction"); "" if there is none, or are two.
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <vector>
 
 namespace fingerpad {
 namespace {
@@ -65,6 +66,18 @@ std::string printable(std::string_view text, std::size_t longest) {
     text.remove_prefix(next.bytes);
   }
   return out;
+}
+
+std::string middle_left_out(std::string_view text, std::size_t most) {
+  constexpr std::string_view dots = "...";
+  std::vector<std::size_t> begins;  // of its characters
+  for (std::size_t at = 0; at < text.size(); at += first_character(text.substr(at)).bytes)
+    begins.push_back(at);
+  if (begins.size() <= most) return std::string(text);
+  const std::size_t tail = (most - dots.size()) / 2, head = most - dots.size() - tail;
+  return std::string(text.substr(0, begins[head]))
+      .append(dots)
+      .append(text.substr(begins[begins.size() - tail]));
 }
 
 bool is_utf8(std::string_view text) noexcept {

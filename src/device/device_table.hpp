@@ -21,6 +21,9 @@ struct DeviceEntry {
   bool reads_settings = false;                  ///< [device] of the scene: all of it, or how it lies
   /// The rate of its own motion, where it has one; null: the scene's.
   double (*rate_hz)(const Scene& scene) = nullptr;
+  /// Throws Error, as make() would, where the scene or the link will not do; before the scene's parts are
+  /// loaded, which may take long. Null: nothing is looked at.
+  void (*refuse)(const Scene& scene, const DeviceLink& link) = nullptr;
 };
 
 /// All live devices, the default one first.

@@ -17,6 +17,22 @@ constexpr int inventory_patience_ms = 2000, look_again_ms = 500;
 /// A service of this machine answers within milliseconds, or not at all.
 constexpr std::int64_t lost_after_ns = 500'000'000;
 
+/// The same of no service there, with the mend.
+Error no_service(const Error& error) {
+  return Error(
+      error.kind(), "",
+      error.what() +
+          std::string("; start Haply's Inverse Service on this machine first, or say its port with --port"));
+}
+
+void refuse_no_service(const DeviceLink& link) {
+  try {
+    const WebSocket refuses(haply_host, link.port.value_or(haply_port));
+  } catch (const Error& error) {
+    throw no_service(error);
+  }
+}
+
 }  // namespace
 
 HaplyDevice::HaplyDevice(const DeviceSetup& setup, DeviceClock clock)
@@ -30,9 +46,7 @@ void HaplyDevice::connect() {
   try {
     socket_.emplace(haply_host, port_);
   } catch (const Error& error) {
-    constexpr const char* mend =
-        "; start Haply's Inverse Service on this machine first, or say its port with --port";
-    throw Error(error.kind(), "", error.what() + std::string(mend));
+    throw no_service(error);
   }
   const std::string place = fmt::format("{}:{}", haply_host, port_);
   std::string inventory;
@@ -180,7 +194,8 @@ DeviceEntry haply_device() noexcept {
             return std::make_unique<HaplyDevice>(setup);
           },
           .takes_port = true,
-          .reads_settings = true};
+          .reads_settings = true,
+          .refuse = [](const Scene&, const DeviceLink& link) { refuse_no_service(link); }};
 }
 
 }  // namespace fingerpad

@@ -58,7 +58,8 @@ DeviceEntry keyboard_device() noexcept {
           .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<KeyboardFinger>(setup);
           },
-          .reads_settings = true};
+          .reads_settings = true,
+          .refuse = [](const Scene&, const DeviceLink&) { need_terminal_keys(); }};
 }
 
 }  // namespace fingerpad

@@ -34,6 +34,10 @@ AnswerPacket packet_for(const DeviceAnswer& answer, std::uint32_t sequence) noex
   return packet;
 }
 
+UdpSocket socket_for(const DeviceLink& link) {
+  return UdpSocket(link.bind.value_or(local_address), link.port.value_or(network_port));
+}
+
 }  // namespace
 
 DevicePlace place_of(const DevicePacket& packet) noexcept {
@@ -48,8 +52,7 @@ DevicePlace place_of(const DevicePacket& packet) noexcept {
 }
 
 NetworkDevice::NetworkDevice(const DeviceSetup& setup, DeviceClock clock)
-    : RemoteDevice(setup, Answers::to_readings, clock),
-      socket_(setup.link.bind.value_or(local_address), setup.link.port.value_or(network_port)) {
+    : RemoteDevice(setup, Answers::to_readings, clock), socket_(socket_for(setup.link)) {
   start();
 }
 
@@ -133,7 +136,8 @@ DeviceEntry network_device() noexcept {
           },
           .takes_port = true,
           .takes_bind = true,
-          .reads_settings = true};
+          .reads_settings = true,
+          .refuse = [](const Scene&, const DeviceLink& link) { const UdpSocket refuses = socket_for(link); }};
 }
 
 }  // namespace fingerpad

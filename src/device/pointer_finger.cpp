@@ -13,7 +13,8 @@ namespace fingerpad {
 using namespace pointer_limits;
 
 PointerFinger::PointerFinger(const DeviceSetup& setup)
-    : around_(setup.world, setup.scene),
+    : greatest_n_(setup.scene.contact.greatest_force_n),
+      around_(setup.world, setup.scene),
       foresight_(setup.world, setup.scene),
       path_({setup.start, Vec3::UnitZ()}),
       last_put_{setup.start, Vec3::UnitZ()},
@@ -76,11 +77,11 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
   }
   // Rarely, between two answers that lie within rounding, the step is not what it was when it was tried.
   const Vec3 from_W = finger_.p_WQ;
-  const double allowed_n = std::max(surely_share * wanted_n_, touched_.normal_force_n);
+  const double allowed_n = std::max(within(surely_share), touched_.normal_force_n);
   if (foresight_.go_n(flight_.place_W(), dt_s) > allowed_n) {
     foresight_.take_back();
     flight_.put(from_W, Vec3::Zero());
-    give_way(tried_share * wanted_n_, dt_s);
+    give_way(within(tried_share), dt_s);
     foresight_.go_n(flight_.place_W(), dt_s);
   }
   finger_.p_WQ = flight_.place_W();
@@ -195,7 +196,7 @@ void PointerFinger::land(double dt_s) noexcept {
   const Vec3 way_W = down_m * down_W + steep * aside_W;
   Vec3 step_W = std::min(far_m, 0.5 * free_m + into_m) * way_W.normalized();
   for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
-    if (try_step(step_W, tried_share * wanted_n_, dt_s)) return;
+    if (try_step(step_W, within(tried_share), dt_s)) return;
   }
   try_step(Vec3::Zero(), std::numeric_limits<double>::infinity(), dt_s);
 }
@@ -219,9 +220,14 @@ void PointerFinger::press(double dt_s) noexcept {
       touched_.normal_W;
   Vec3 aside_W = aside(dt_s);
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
-    if (try_step(deeper_W + aside_W, tried_share * wanted_n_, dt_s)) return;
+    if (try_step(deeper_W + aside_W, within(tried_share), dt_s)) return;
   }
-  give_way(tried_share * wanted_n_, dt_s);
+  give_way(within(tried_share), dt_s);
+}
+
+/// So many times what is asked for, but no more than the scene's greatest force where no more is asked for.
+double PointerFinger::within(double share) const noexcept {
+  return wanted_n_ > greatest_n_ ? share * wanted_n_ : std::min(share * wanted_n_, greatest_n_);
 }
 
 /// Straight out, as little as is enough.

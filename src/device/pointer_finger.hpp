@@ -13,7 +13,9 @@ namespace fingerpad {
 /// surface by more than the finger can follow, it lifts, goes over and lands.
 ///
 /// The bound on the force does not rest on what the pointer does: a step is tried before it is made
-/// (Foresight), and one that would press too hard is made shorter, or out of the surface instead.
+/// (Foresight), and one that would press too hard is made shorter, or out of the surface instead. What it is
+/// asked for, and no more than the scene's greatest force, is not exceeded where a surface is made stiffer
+/// either.
 class PointerFinger final : public LiveDevice {
  public:
   explicit PointerFinger(const DeviceSetup& setup);
@@ -50,8 +52,10 @@ class PointerFinger final : public LiveDevice {
   void lift(double dt_s) noexcept;
   bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
   void give_way(double most_n, double dt_s) noexcept;
+  double within(double share) const noexcept;
   Vec3 aside(double dt_s) const noexcept;
 
+  const double greatest_n_;  // of the scene
   Surroundings around_;
   Foresight foresight_;
   PointerPath path_;

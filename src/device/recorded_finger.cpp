@@ -48,7 +48,11 @@ DeviceEntry recorded_device() noexcept {
           .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<RecordedFinger>(setup);
           },
-          .rate_hz = rate_of_motion_hz};
+          .rate_hz = rate_of_motion_hz,
+          .refuse =
+              [](const Scene& scene, const DeviceLink&) {
+                if (!scene.motion.given()) load_motion(scene);  // which says what is missing
+              }};
 }
 
 }  // namespace fingerpad

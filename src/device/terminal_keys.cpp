@@ -38,13 +38,17 @@ bool has_terminal_keys() noexcept {
   return isatty(STDIN_FILENO) == 1 && tcgetpgrp(STDIN_FILENO) == getpgrp();
 }
 
+void need_terminal_keys() {
+  termios unread{};
+  if (has_terminal_keys() && tcgetattr(STDIN_FILENO, &unread) == 0) return;
+  throw Error(ErrorKind::usage, "standard input",
+              "is no terminal of this program's, and --device keyboard is moved by the keys of one: start it "
+              "in one, in the foreground");
+}
+
 TerminalKeys::TerminalKeys(std::function<void(std::string_view)> take) : take_(std::move(take)) {
-  if (!has_terminal_keys() || tcgetattr(STDIN_FILENO, &terminal_before) != 0) {
-    throw Error(
-        ErrorKind::usage, "standard input",
-        "is no terminal of this program's, and --device keyboard is moved by the keys of one: start it "
-        "in one, in the foreground");
-  }
+  need_terminal_keys();
+  tcgetattr(STDIN_FILENO, &terminal_before);
   termios raw = terminal_before;
   raw.c_lflag &= ~static_cast<tcflag_t>(ICANON | ECHO);  // key by key, unseen; Ctrl-C still ends the program
   raw.c_cc[VMIN] = 1;

@@ -28,6 +28,9 @@ class TerminalKeys {
   std::thread thread_;
 };
 
+/// Throws Error (usage) where it is none.
+void need_terminal_keys();
+
 /// Whether standard input is a terminal that this program may read now: it is none of the background.
 bool has_terminal_keys() noexcept;
 

@@ -13,6 +13,7 @@
 #include "replay/job_try.hpp"
 #include "replay/missing_inputs.hpp"
 #include "replay/planned_ticks.hpp"
+#include "replay/processor_time.hpp"
 #include "replay/timed_meshes.hpp"
 
 namespace fingerpad {
@@ -215,7 +216,9 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
       plan.bytes += cost.bytes + job_ticks * cost.bytes_per_tick;
     }
   }
-  plan.seconds = std::max(longest_s, work_s / options.threads);
+  const int threads = std::clamp(static_cast<int>(ours.size()), 1, std::max(1, options.threads));
+  plan.processors = processors_for(threads);
+  plan.seconds = shared_seconds(work_s, longest_s, threads, plan.processors);
   return plan;
 }
 

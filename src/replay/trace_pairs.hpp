@@ -14,7 +14,8 @@ struct TracePair {
   bool are_of_two_formats() const noexcept { return !a.empty() && !b.empty() && a != b; }
 };
 
-/// The names of the traces in a folder. Throws Error (refused) where it cannot be read.
+/// The names of the traces in a folder; not those of other programs' tables. Throws Error (refused) where it
+/// cannot be read.
 std::set<std::string> traces_in(const std::string& folder);
 
 /// Adds the files of a folder that have the name of a trace in the other one and are none themselves: empty,

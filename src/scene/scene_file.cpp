@@ -119,6 +119,17 @@ constexpr const char* what_a_scene_is =
     "is it a scene? That is a .toml file, which names its mesh ([[part]] mesh) and its recording ([motion] "
     "file)";
 
+/// A profile's axes stand at the top of its file, where a scene has none of these keys.
+void refuse_profile(const TomlNode& root, const std::string& path) {
+  if (find_entry(root, "lateral_axis_m") == nullptr && find_entry(root, "longitudinal_axis_m") == nullptr)
+    return;
+  throw refused(
+      path,
+      fmt::format("is the profile of a finger pad, not a scene: a scene names it, with profile = \"{}\" in "
+                  "[finger]",
+                  path));
+}
+
 bool begins_as_hdf5(const std::string& path) {
   constexpr InputKind any{"a file", std::numeric_limits<std::uint64_t>::max()};
   if (stream_descriptor(path) || why_unreadable(path, any)) return false;
@@ -151,6 +162,7 @@ SceneFile read_scene_file(const std::string& path) {
 SceneFile read_scene_text(const std::string& text, const std::string& path, Unread unread) {
   if (text.size() > max_text_bytes) throw refused(path, "is larger than 4 MiB, which no scene file is");
   TomlNode root = parse_toml(text, path);
+  refuse_profile(root, path);
   SceneFile file;
   UnreadKeys unread_keys;
   const TomlEntry* set = find_entry(root, "set");

@@ -1,6 +1,7 @@
 #include "scene/set_axis.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <glob.h>
 
 #include <algorithm>
@@ -118,17 +119,28 @@ std::string nearest_set_key(const std::string& key) {
   return nearest.empty() ? "" : table + nearest;
 }
 
+/// "; did you mean 'part.mu_dynamic' or 'plane.mu_dynamic'?" of a key that lacks its table, else with the
+/// nearest; empty where none is like it.
+std::string meant_keys(const std::string& key) {
+  std::vector<std::string> meant;
+  for (const std::string& known : set_keys()) {
+    if (known.ends_with('.' + key)) meant.push_back(fmt::format("'{}'", known));
+  }
+  const std::string nearest = meant.empty() ? nearest_set_key(key) : "";
+  if (!nearest.empty()) meant.push_back(fmt::format("'{}'", nearest));
+  return meant.empty() ? "" : fmt::format("; did you mean {}?", fmt::join(meant, " or "));
+}
+
 }  // namespace
 
 SetAxis read_axis(const SetLeaf& leaf, const std::string& path) {
   const auto target = set_key_target(leaf.key);
   if (!target) {
-    const std::string nearest = nearest_set_key(leaf.key);
     throw refused(
         place_text(path, leaf.place),
         fmt::format("unknown key '{}' in [[set]]{}; a set has 'mesh', 'motion', 'seed' and the dotted keys "
                     "of a scene, such as 'friction.law'",
-                    leaf.key, nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest)));
+                    leaf.key, meant_keys(leaf.key)));
   }
   SetAxis axis{leaf.key, *target, leaf.place, {}};
   const bool is_range = is_set_range(*leaf.value);

@@ -10,6 +10,7 @@
 #include "base/error.hpp"
 #include "base/printable_text.hpp"
 #include "trace/trace.hpp"
+#include "trace/trace_glance.hpp"
 
 namespace fingerpad {
 namespace {
@@ -32,7 +33,7 @@ std::vector<std::string> candidates_in(const std::string& folder) {
 }
 
 bool is_trace(const std::string& path) {
-  return is_hdf5(path) || is_csv_trace(path) || is_partial_csv_trace(path);
+  return (is_hdf5(path) && !is_foreign_hdf5(path)) || is_csv_trace(path) || is_partial_csv_trace(path);
 }
 
 }  // namespace

@@ -10,4 +10,8 @@ namespace fingerpad {
 /// leave no seal.
 bool looks_whole(const std::string& path);
 
+/// Whether an HDF5 file is another program's: it can be read, says of no scene, and lacks a column that every
+/// trace has. A child process looks (read_trace). False for what is damaged, which may have been a trace.
+bool is_foreign_hdf5(const std::string& path);
+
 }  // namespace fingerpad

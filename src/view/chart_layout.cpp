@@ -138,7 +138,10 @@ ChartLayout stacked_layout(const Chart& chart, const Box& box, double em, double
   layout.page = box;
   const auto count = static_cast<int>(chart.panels.size());
   layout.rows = std::max(1, count);
-  const double above = std::ceil(1.75 * em), foot = std::ceil(2.9 * em);
+  constexpr double beside_frame_ems = 9;  // about: how wide the axis' numbers are is not known yet
+  layout.legend_rows = legend_rows(chart, box.width - beside_frame_ems * em, em);
+  const double above = std::ceil((1.75 + legend_line_ems * (layout.legend_rows - 1)) * em),
+               foot = std::ceil(2.9 * em);
   const double top = std::floor(box.top() - (chart.band ? 2.6 * em : 0));
   const double bottom = std::ceil(box.bottom + foot);
   const double height = std::max(2.0, std::floor((top - bottom) / layout.rows - above));

@@ -125,12 +125,67 @@ std::vector<std::string> names_of_one_width(const std::vector<StackedKey>& keys,
   return names;
 }
 
+/// Where whole entries stand that go on in a further line where one is full: each one's line, from the top.
+/// @param width  of a key, its gap and the gap behind its name
+template <typename NameOf>
+std::vector<int> wrapped(std::size_t count, const NameOf& name_of, double size, double width, double room) {
+  std::vector<int> lines;
+  double left = room;
+  int line = 0;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double takes = width + text_width(name_of(i), size);
+    if (takes > left && left < room) {
+      ++line;
+      left = room;
+    }
+    left -= takes;
+    lines.push_back(line);
+  }
+  return lines;
+}
+
+/// Sizes of a stacked legend: of its words, of a key, of the gap behind that and of the one behind a name.
+struct StackedSizes {
+  explicit StackedSizes(double em) : size(0.92 * em), key(1.6 * em), gap(0.3 * em), apart(0.9 * em) {}
+  double size, key, gap, apart;
+  double beside_name() const { return key + gap + apart; }
+};
+
+/// Entries in several lines: whole, or cut to one width where they take more than there are.
+void add_legend_lines(Drawing& drawing, const std::vector<StackedKey>& keys, const ChartLayout::Panel& placed,
+                      int rows, double room, double em) {
+  const StackedSizes sizes(em);
+  const auto name_of = [&](std::size_t i) -> const std::string& { return keys[i].name; };
+  const auto count = keys.size(), lines = static_cast<std::size_t>(rows),
+             a_line = (count + lines - 1) / lines;
+  std::vector<int> line_of = wrapped(count, name_of, sizes.size, sizes.beside_name(), room);
+  const bool are_whole = line_of.back() < rows;
+  const int last_line = are_whole ? line_of.back() : rows - 1;  // which stands upon the frame
+  const double each = room / static_cast<double>(a_line) - sizes.beside_name();
+  double x = placed.frame.left;
+  for (std::size_t i = 0; i < count; ++i) {
+    const int line = are_whole ? line_of[i] : static_cast<int>(i / a_line);
+    const bool is_first = i == 0 || line != (are_whole ? line_of[i - 1] : static_cast<int>((i - 1) / a_line));
+    if (is_first) x = placed.frame.left;
+    const double y = placed.title_y + legend_line_ems * em * (last_line - line);
+    const std::string name =
+        are_whole ? keys[i].name : fitted_in_middle(keys[i].name, sizes.size, false, each);
+    keys[i].draw({x, y});
+    drawing.text({x + sizes.key + sizes.gap, y}, name, {.size = sizes.size, .upright = Upright::middle});
+    x += sizes.beside_name() + (are_whole ? text_width(name, sizes.size) : each);
+  }
+}
+
 /// Entries side by side from the left.
-void add_stacked_legend(Drawing& drawing, const ChartPanel& panel, const ChartLayout::Panel& placed,
+void add_stacked_legend(Drawing& drawing, const ChartPanel& panel, const ChartLayout::Panel& placed, int rows,
                         double em) {
-  const double size = 0.92 * em, key = 1.6 * em, gap = 0.3 * em, apart = 0.9 * em;
+  const auto [size, key, gap, apart] = StackedSizes(em);
   const double room = placed.frame.width + em + apart, width = key + gap + apart;
   const std::vector<StackedKey> keys = stacked_keys(drawing, panel, size, width, room - apart, em);
+  if (rows > 1 && !keys.empty()) {
+    add_legend_lines(drawing, keys, placed, rows, room, em);
+    return;
+  }
   std::vector<std::string> names = names_in_turn(keys, size, width, room);
   if (names.empty()) names = names_of_one_width(keys, size, width, room);
   double x = placed.frame.left;
@@ -160,6 +215,18 @@ void add_band_words(Drawing& drawing, const ChartBand& band, const ChartLayout& 
 
 }  // namespace
 
+int legend_rows(const Chart& chart, double width_px, double em) {
+  const StackedSizes sizes(em);
+  int rows = 1;
+  for (const ChartPanel& panel : chart.panels) {
+    if (panel.curves.empty() || chart.legend_rows < 2) continue;
+    const auto name_of = [&](std::size_t i) -> const std::string& { return panel.curves[i].name; };
+    rows = std::max(
+        rows, 1 + wrapped(panel.curves.size(), name_of, sizes.size, sizes.beside_name(), width_px).back());
+  }
+  return std::min(rows, chart.legend_rows);
+}
+
 double legend_width(const Chart& chart, double em) {
   double widest = has_front(chart) ? text_width(front_name, em) : 0;
   for (const ChartCurve* entry : legend_of(chart)) widest = std::max(widest, text_width(entry->name, em));
@@ -171,7 +238,7 @@ Drawing chart_words(const Chart& chart, const ChartLayout& layout) {
   const double em = layout.em;
   if (chart.stacked) {
     for (std::size_t i = 0; i < layout.panels.size(); ++i) {
-      add_stacked_legend(drawing, chart.panels[i], layout.panels[i], em);
+      add_stacked_legend(drawing, chart.panels[i], layout.panels[i], layout.legend_rows, em);
     }
     if (chart.band) add_band_words(drawing, *chart.band, layout);
     return drawing;

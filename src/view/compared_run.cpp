@@ -103,6 +103,8 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   const bool lacks_ticks = ticks_a_row(trace) > 1;
   const std::uint64_t every = trace.info.every;
   std::string ends_early = early_end_words(trace);
+  const double lasts_s = trace.rows.back().t_s - trace.rows.front().t_s;
+  const std::size_t file_rows = trace.rows.size();
   std::erase_if(trace.rows, [&](const TickRecord& row) { return row.t_s < from_s || row.t_s > to_s; });
   const std::string title = scene_title(trace.info, path);
   const std::string scene = trace.info.scene_name.empty() ? title : trace.info.scene_name;
@@ -112,6 +114,8 @@ ComparedRun of_trace(const std::string& path, Over over, double from_s, double t
   run.lacks_ticks = lacks_ticks;
   run.every = every;
   run.ends_early = std::move(ends_early);
+  run.lasts_s = lasts_s;
+  run.file_rows = file_rows;
   for (const TraceColumn& column : trace_columns(trace.info)) {
     if (!is_comparable(column)) continue;
     ComparedColumn values{std::string(column.name), std::string(column.unit), {}};
@@ -168,6 +172,8 @@ ComparedRun of_table(const std::string& path, Over over, double from_s, double t
   if (run.columns.empty())
     throw refused(path, "is no trace, and none of its columns has a trace's name (fx_n, fn_n, x_m)");
   run.ends_early = table.cut;
+  run.lasts_s = times.back() - times.front();
+  run.file_rows = times.size();
   run.every = every_of_csv(path);
   run.lacks_ticks = run.every > 1;
   return run;

@@ -32,6 +32,8 @@ struct ComparedRun {
   bool lacks_ticks = false;      ///< of its ticks some were left out, as far as its trace tells
   std::uint64_t every = 1;       ///< its rows are every so manieth tick, as its trace says
   std::string ends_early = {};   ///< early_end_words() of its trace
+  double lasts_s = 0;            ///< the whole file, what is left out too
+  std::size_t file_rows = 0;     ///< likewise
 };
 
 /// Reads a trace, or a table with a column t_s and others named as a trace's (fx_n, fn_n, x_m). Over

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "base/error.hpp"
+#include "base/nearest_word.hpp"
 #include "base/number_text.hpp"
 #include "touch/tick_record.hpp"
 #include "trace/trace_choice.hpp"
@@ -54,6 +55,17 @@ std::vector<std::string> usual_columns(const std::vector<ComparedRun>& runs) {
   throw refused(runs.back().path,
                 fmt::format("has no column in common with {}: {} there, {} here", runs.front().path,
                             names_in(runs.front()), names_in(runs.back())));
+}
+
+/// "has no column 'fx'; did you mean 'fx_n'? It has t_s, fx_n".
+std::string no_column_words(const ComparedRun& run, const std::string& name) {
+  std::string hint = commas_hint(name);
+  std::vector<std::string> known;
+  for (const ComparedColumn& column : run.columns) known.push_back(column.name);
+  if (hint.empty()) hint = near_miss_hint(name, known);
+  return fmt::format("has no column '{}'{}{}it has {}", name, hint, hint.ends_with('?') ? " (" : "; ",
+                     names_in(run)) +
+         (hint.ends_with('?') ? ")" : "");
 }
 
 /// The value at x, linearly between the ticks beside it; of several ticks at x, as of a finger that rests,
@@ -212,9 +224,7 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
   comparison.columns = columns.empty() ? usual_columns(runs) : columns;
   for (const std::string& name : comparison.columns) {
     for (const ComparedRun& run : runs) {
-      if (column_of(run, name) == nullptr)
-        throw refused(run.path,
-                      fmt::format("has no column '{}'{}; it has {}", name, commas_hint(name), names_in(run)));
+      if (column_of(run, name) == nullptr) throw refused(run.path, no_column_words(run, name));
     }
   }
   if (runs.size() > 1) comparison.notes.push_back("residuals: less the first, " + runs[0].name);

@@ -95,6 +95,7 @@ std::string title_of(const std::vector<ComparedRun>& runs) {
 Chart comparison_chart(const Comparison& comparison, Over over) {
   Chart chart;
   chart.stacked = true;
+  chart.legend_rows = 4;  // of eight runs with long names
   chart.title = title_of(comparison.runs);
   chart.notes = comparison.notes;
   for (const std::string& name : comparison.columns) add_column_panels(chart, comparison, name, over);

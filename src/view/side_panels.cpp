@@ -1,5 +1,7 @@
 #include "view/side_panels.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -10,9 +12,23 @@ namespace {
 
 constexpr double panel_width_em = 21, row_em = 1.75, head_em = 2.1, button_em = 1.6;
 
-/// As many rows as fit; the panel's foot may fall out of a small window.
-double height_of(const SidePanel& panel, double em) {
-  return em * (head_em + row_em * static_cast<double>(panel.rows.size()) + 0.5);
+constexpr double panel_foot_em = 0.5, panel_gap_em = 0.7;
+
+double height_of(std::size_t rows, double em) {
+  return em * (head_em + row_em * static_cast<double>(rows) + panel_foot_em);
+}
+
+/// How many lines a panel of this height has.
+std::size_t panel_lines_in(double height, double em) {
+  constexpr double rounding = 1e-6;  // of a line
+  return static_cast<std::size_t>(std::max(0.0, (height / em - head_em - panel_foot_em) / row_em + rounding));
+}
+
+/// How many of a panel's rows it shows in its box: all, or as many as leave a line for how many more there
+/// are.
+std::size_t panel_rows_shown(const SidePanel& panel, const Box& box, double em) {
+  const std::size_t lines = panel_lines_in(box.height, em);
+  return panel.rows.size() <= lines ? panel.rows.size() : lines - std::min<std::size_t>(lines, 1);
 }
 
 Box row_box(const Box& panel, std::size_t row, double em) {
@@ -57,6 +73,10 @@ void paint_value(Drawing& drawing, const PanelRow& row, const Box& box, double e
                {.size = em, .across = Across::right, .upright = Upright::middle});
 }
 
+PanelRow more_rows(std::size_t count) {
+  return {PanelRow::Kind::note, fmt::format("and {} more: make the window larger", count), "", false, false};
+}
+
 }  // namespace
 
 void SidePanels::show(SidePanel panel) {
@@ -81,11 +101,18 @@ bool SidePanels::shows(const std::string& name) const {
 std::vector<Box> SidePanels::boxes(const Layout& layout) const {
   const double em = layout.em, width = std::min(panel_width_em * em, layout.scene.width - 1.4 * em);
   std::vector<Box> boxes;
-  double top = layout.scene.top() - 0.7 * em;
+  constexpr std::size_t fewest_lines = 2;  // of a panel that is cut: a row, and how many more there are
+  const double foot = layout.scene.bottom + axes_foot_em * em;  // below stand the axes and the scale
+  double top = layout.scene.top() - panel_gap_em * em;
   for (const SidePanel& panel : panels_) {
-    const double height = height_of(panel, em);
-    boxes.push_back({layout.scene.right() - 0.7 * em - width, top - height, width, height});
-    top -= height + 0.7 * em;
+    const std::size_t lines = std::min(panel.rows.size(), panel_lines_in(top - foot, em));
+    if (lines < std::min(panel.rows.size(), fewest_lines)) {
+      boxes.push_back({});
+      continue;
+    }
+    const double height = height_of(lines, em);
+    boxes.push_back({layout.scene.right() - panel_gap_em * em - width, top - height, width, height});
+    top -= height + panel_gap_em * em;
   }
   return boxes;
 }
@@ -95,13 +122,15 @@ void SidePanels::paint(Drawing& drawing, const Layout& layout) const {
   const std::vector<Box> places = boxes(layout);
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     const Box& box = places[i];
+    if (box.width == 0) continue;
     drawing.box(box, Colour{255, 255, 255, 0.94});
     drawing.frame(box, {colours::grey, 1});
     drawing.text({box.left + 0.7 * em, box.top() - head_em * em / 2},
                  fitted(panels_[i].title, em, true, box.width - 1.4 * em),
                  {.size = em, .upright = Upright::middle, .bold = true});
-    for (std::size_t k = 0; k < panels_[i].rows.size(); ++k) {
-      const PanelRow& row = panels_[i].rows[k];
+    const std::size_t shown = panel_rows_shown(panels_[i], box, em), more = panels_[i].rows.size() - shown;
+    for (std::size_t k = 0; k < shown + (more > 0 ? 1 : 0); ++k) {
+      const PanelRow row = k < shown ? panels_[i].rows[k] : more_rows(more);
       const Box at = row_box(box, k, em);
       if (row.kind == PanelRow::Kind::check) {
         paint_check(drawing, row, at, em);
@@ -121,7 +150,7 @@ std::optional<PanelHit> SidePanels::hit(const Layout& layout, double x, double y
   for (std::size_t i = 0; i < panels_.size(); ++i) {
     if (!places[i].holds(x, y)) continue;
     PanelHit hit{panels_[i].name};
-    for (std::size_t k = 0; k < panels_[i].rows.size(); ++k) {
+    for (std::size_t k = 0; k < panel_rows_shown(panels_[i], places[i], layout.em); ++k) {
       const Box row = row_box(places[i], k, layout.em);
       if (!row.holds(x, y)) continue;
       hit.row = static_cast<int>(k);

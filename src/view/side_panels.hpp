@@ -33,7 +33,8 @@ struct PanelHit {
 };
 
 /// The panels of a window, one under the other at the upper right of the scene. They stay where they are,
-/// whatever is touched: who clicks must not be fled from.
+/// whatever is touched: who clicks must not be fled from. One that does not fit into the scene has as many of
+/// its rows as do, and says how many more there are; without room for one it is not there.
 class SidePanels {
  public:
   /// Shows a panel, or what is new in it.

@@ -3,9 +3,12 @@
 
 #include <algorithm>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 #include "support/paths.hpp"
 #include "support/shell.hpp"
+#include "trace/hdf5_file.hpp"
 
 // Shards put together, and results set against each other.
 
@@ -165,6 +168,34 @@ TEST(Compare, SetsHdf5TracesAgainstThoseOfCsvAndSaysSo) {
   replay_into(folder, "a --format csv");
   EXPECT_THAT(test::fingerpad("compare a b", folder).out,
               testing::AllOf(Not(HasSubstr("here and")), HasSubstr("5 jobs are in a alone: s-0001.h5")));
+}
+
+/// A table as other programs write one, which has names of a trace's columns.
+void write_foreign_table(const fs::path& path) {
+  hdf5::Handle file = hdf5::create_file(path.string());
+  for (const char* name : {"t_s", "fx_n"}) {
+    const hdf5::Handle column = hdf5::create_column(file, name, hdf5::NumberType::float64, "");
+    hdf5::append(column, 0, std::vector<double>{0, 1, 2});
+  }
+  hdf5::close_file(std::move(file));
+}
+
+TEST(Compare, CountsNoTableOfAnotherProgram) {
+  const fs::path folder = folder_with_set();
+  replay_into(folder, "a");
+  replay_into(folder, "b");
+  write_foreign_table(folder / "a" / "forces.h5");
+  const auto alike = test::fingerpad("compare a b", folder);
+  EXPECT_EQ(alike.exit_code, 0);
+  EXPECT_EQ(alike.out, "0 of 5 traces changed from a to b\n");
+  fs::create_directory(folder / "tables");
+  write_foreign_table(folder / "tables" / "forces.h5");
+  EXPECT_THAT(test::fingerpad("compare tables tables", folder).err, HasSubstr("tables: holds no traces"));
+  // In the place of a trace it is told, as what is damaged.
+  write_foreign_table(folder / "b" / "s-0003.h5");
+  const auto replaced = test::fingerpad("compare a b", folder);
+  EXPECT_EQ(replaced.exit_code, 4);
+  EXPECT_THAT(replaced.out, HasSubstr("1 of 5 traces changed from a to b\n"));
 }
 
 TEST(Compare, TellsADamagedTraceAndComparesTheRest) {

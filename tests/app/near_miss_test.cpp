@@ -110,6 +110,9 @@ TEST(NearMiss, OfAKeyWithSwappedLettersOrAPartOfAWordIsTold) {
   EXPECT_THAT(told("[friction]\nlwa = \"coulomb\"\n"),
               HasSubstr("unknown key 'lwa' in [friction]; did you mean 'law'?"));
   EXPECT_THAT(told("[[set]]\nfriction.lwa = [\"coulomb\"]\n"), HasSubstr("did you mean 'friction.law'?"));
+  EXPECT_THAT(told("[[set]]\nmu_dynamic = [0.1]\n"),
+              HasSubstr("unknown key 'mu_dynamic' in [[set]]; did you mean 'part.mu_dynamic' or "
+                        "'plane.mu_dynamic'?"));
   EXPECT_THAT(told("[contact]\nmethod = \"point\"\n"),
               HasSubstr("unknown method 'point'; did you mean 'closest-point'?"));
   EXPECT_THAT(told("[friction]\nlaw = \"pad\"\n"), HasSubstr("did you mean 'finger-pad'?"));
@@ -148,6 +151,58 @@ TEST(NearMiss, OfAnOptionsWordOrASubjectIsTold) {
   EXPECT_THAT(told("plot a.h5 --out p.svg --show spectrm"), HasSubstr("did you mean 'spectrum'?"));
 #endif
 }
+
+TEST(NearMiss, OfAColumnIsToldWithTheColumn) {
+  const fs::path folder = folder_with_scenes();
+  const auto replayed = test::fingerpad("replay scenes/sweep.toml --out o --columns fx", folder);
+  EXPECT_EQ(replayed.exit_code, 2);
+  EXPECT_THAT(replayed.err, HasSubstr("'fx' is no column of a trace (did you mean 'fx_n'?)"));
+#ifdef FINGERPAD_VIEW
+  ASSERT_EQ(test::fingerpad("replay scenes/sweep.toml --out o --quiet", folder).exit_code, 0);
+  const auto plotted = test::fingerpad("plot o/sweep.h5 --columns fx --out p.svg", folder);
+  EXPECT_EQ(plotted.exit_code, 3);
+  EXPECT_THAT(plotted.err, HasSubstr("o/sweep.h5: has no column 'fx'; did you mean 'fx_n'? (it has x_m, "));
+  const auto other = test::fingerpad("plot o/sweep.h5 --columns pressure --out p.svg", folder);
+  EXPECT_THAT(other.err, HasSubstr("has no column 'pressure'; it has x_m, "));
+#endif
+}
+
+TEST(NearMiss, OfAProfileForASceneSaysWhereAProfileGoes) {
+  const fs::path folder = folder_with_scenes();
+  test::write_file(folder, "pad.toml", "lateral_axis_m = 3e-4\nlongitudinal_axis_m = 2.4e-4\n");
+  std::vector<std::string> calls{"replay pad.toml --out o", "check pad.toml",
+                                 "touch pad.toml --headless --device recorded"};
+#ifdef FINGERPAD_VIEW
+  calls.emplace_back("view pad.toml --png p.png");
+#endif
+  for (const std::string& call : calls) {
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 3) << call;
+    EXPECT_THAT(result.err,
+                HasSubstr("pad.toml: is the profile of a finger pad, not a scene: a scene names it, "
+                          "with profile = \"pad.toml\" in [finger]\n"))
+        << call;
+  }
+}
+
+#ifdef FINGERPAD_VIEW
+TEST(NearMiss, OfASubjectIsToldBeforeThatThereIsNoDisplay) {
+  const fs::path folder = folder_with_scenes();
+  for (const char* call : {"view scenes/swep.toml", "touch scenes/swep.toml"}) {
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 3) << call;
+    EXPECT_THAT(result.err, HasSubstr("there is no such file; did you mean scenes/sweep.toml?")) << call;
+  }
+  for (const char* call : {"view absent.h5", "view absent.stl", "touch absent.stl"}) {
+    const auto result = test::fingerpad(call, folder);
+    EXPECT_EQ(result.exit_code, 3) << call;
+    EXPECT_THAT(result.err, HasSubstr("cannot be read: there is no such file")) << call;
+  }
+  const auto there = test::fingerpad("view scenes/sweep.toml", folder);
+  EXPECT_EQ(there.exit_code, 2);
+  EXPECT_THAT(there.err, HasSubstr("no display: a window needs a screen"));
+}
+#endif
 
 TEST(NearMiss, OfAFolderForATraceNamesTheTracesInIt) {
   const fs::path folder = folder_with_scenes();

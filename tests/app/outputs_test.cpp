@@ -117,13 +117,16 @@ TEST(Outputs, OfAnEarlierRunAreToldWhereThisOneFailed) {
 
 TEST(Outputs, OfAnEarlierRunAreToldInOneLineWhereManyJobsFailed) {
   const fs::path folder = folder_with_inputs();
-  const std::string set = "[[set]]\nseed = [1, 2, 3]\n";
-  std::ofstream(folder / "calm.toml") << calm_scene("calm") + set;
-  ASSERT_EQ(test::fingerpad("replay calm.toml --out o --format csv", folder).exit_code, 0);
-  std::ofstream(folder / "calm.toml") << calm_scene("calm") + "[[part]]\nmesh = \"none.stl\"\n" + set;
-  expect_told(test::fingerpad("replay calm.toml --out o --format csv", folder), 4,
-              "fingerpad: warning: o/calm-0001.csv and 2 more traces: are an earlier run's, since these jobs "
-              "failed\n");
+  for (const char* seeds : {"[1, 2, 3]", "[1, 2]"}) {
+    const std::string set = std::string("[[set]]\nseed = ") + seeds + "\n";
+    std::ofstream(folder / "calm.toml") << calm_scene("calm") + set;
+    ASSERT_EQ(test::fingerpad("replay calm.toml --out o --format csv", folder).exit_code, 0);
+    std::ofstream(folder / "calm.toml") << calm_scene("calm") + "[[part]]\nmesh = \"none.stl\"\n" + set;
+    const std::string more = *(seeds + 5) == ']' ? "1 more trace" : "2 more traces";
+    expect_told(test::fingerpad("replay calm.toml --out o --format csv", folder), 4,
+                "fingerpad: warning: o/calm-0001.csv and " + more +
+                    ": are an earlier run's, since these jobs failed\n");
+  }
 }
 
 TEST(Outputs, AnHdf5TraceIntoADeviceIsRefusedAndACsvIsNot) {

@@ -51,6 +51,34 @@ TEST(Overlay, LaysMeasuredForcesOverATrace) {
   EXPECT_EQ(test::fingerpad("plot measured.csv --out q.svg", folder).exit_code, 0) << "a table alone";
 }
 
+/// A table of 0.5 s at 100 Hz, with its time in seconds times `per_second`.
+void write_table(const fs::path& path, double per_second) {
+  std::ofstream file(path);
+  file << "t_s,fz_n\n";
+  for (int k = 0; k <= 50; ++k) file << 0.01 * k * per_second << "," << k << "\n";
+}
+
+TEST(Overlay, DoubtsATableWhoseTimeIsHardlyInSeconds) {
+  const fs::path folder = folder_with_set();
+  const auto told = [&](const std::string& call) {
+    const auto result = test::fingerpad("plot " + call + " --out p.svg", folder);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    return result.err;
+  };
+  write_table(folder / "ms.csv", 1e3);
+  EXPECT_EQ(told("o/t-0001.h5 ms.csv --columns fz_n"),
+            "fingerpad: warning: ms.csv: its rows are 10 s apart, 500 s in all, beside 0.5 s of o/t-0001.h5: "
+            "t_s is "
+            "in seconds; if it holds ms, divide it by 1000\n");
+  EXPECT_THAT(told("ms.csv o/t-0001.h5 --columns fz_n --to 0.4"), HasSubstr("divide it by 1000"))
+      << "whatever is left out";
+  write_table(folder / "us.csv", 1e6);
+  EXPECT_THAT(told("o/t-0001.h5 us.csv --columns fz_n"), HasSubstr("if it holds us, divide it by 1000000"));
+  write_table(folder / "s.csv", 1);
+  EXPECT_EQ(told("o/t-0001.h5 s.csv --columns fz_n"), "");
+  EXPECT_EQ(told("ms.csv s.csv --columns fz_n"), "") << "nothing tells which is right";
+}
+
 TEST(Overlay, OfColumnsOfOneTraceSaysWhichThereAre) {
   const fs::path folder = folder_with_set();
   const auto result = test::fingerpad("plot o/t-0001.h5 --columns fn_n,mu --out p.svg", folder);

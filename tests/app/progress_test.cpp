@@ -120,6 +120,25 @@ TEST(JobBar, ShowsHowFarALongJobIs) {
   EXPECT_THAT(seen, testing::ContainsRegex("====\\] 100% 1/1(, [^ ]+ jobs/s, 0 s left)? long"));
 }
 
+TEST(JobBar, KeepsBothEndsOfANameThatIsTooLong) {
+  if (!has_script()) GTEST_SKIP() << "no script(1) to play a terminal";
+  const fs::path folder = test::scratch_dir();
+  const std::string name = "a_scene_of_a_name_that_is_longer_than_any_line_has_room_for_beside_its_bar_12345";
+  std::ofstream(folder / "s.toml")
+      << "name = \"" << name << "\"\n[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n"
+      << "[motion]\nkind = \"line\"\nfrom_m = [0, 0, -0.001]\nto_m = [0.01, 0, -0.001]\n"
+         "speed_m_per_s = 0.1\n";
+  const std::string narrow = on_a_terminal("replay s.toml --out o", folder);
+  EXPECT_THAT(narrow, HasSubstr("100% 1/1"));
+  EXPECT_THAT(narrow, HasSubstr("..."));
+  EXPECT_THAT(narrow, HasSubstr("_12345"));
+  EXPECT_THAT(narrow, Not(HasSubstr(name)));
+  const std::string call = "stty cols 180; '" + test::program().string() + "' replay s.toml --out o";
+  const std::string wide =
+      test::shell("script --quiet --return --command \"" + call + "\" /dev/null", folder).out;
+  EXPECT_THAT(wide, HasSubstr(name)) << "where the terminal has room";
+}
+
 TEST(LoadBar, ThatCtrlCEndsLeavesAWholeLine) {
   const fs::path folder = folder_with_meshes(1);  // a bar comes after half a second, and then Ctrl-C is typed
   const std::string seen =

@@ -55,6 +55,26 @@ void expect_plain(const std::string& told) {
   EXPECT_THAT(told, Not(HasSubstr("\xe9")));
 }
 
+TEST(Words, OfPointsThatAreAllFarFromTheMeshDoubtTheirUnit) {
+  const fs::path folder = folder_with_inputs();  // a box of 10 x 20 x 30 mm, 37 mm from corner to corner
+  const auto told = [&](const std::string& points, const std::string& options = "") {
+    std::ofstream(folder / "p.csv") << "x_m,y_m,z_m\n" << points;
+    const ShellResult result = run("query box.stl p.csv" + options, folder);
+    EXPECT_EQ(result.exit_code, 0) << result.err;
+    EXPECT_THAT(result.out, HasSubstr(options.empty() ? "distance_m" : ""));
+    return result.err;
+  };
+  EXPECT_THAT(told("12,0,0\n0,-20,3\n"),
+              HasSubstr("fingerpad: p.csv: all 2 points are 12 m or more from box.stl, "
+                        "which is 0.0374 m large; points are in metres: are these in mm?\n"));
+  EXPECT_THAT(told("12,0,0\n", " --out o.csv"), HasSubstr("p.csv: its point is 12 m or more"));
+  EXPECT_THAT(told("1e6,0,0\n"), HasSubstr("points are in metres (is --unit that of the mesh?)"));
+  const auto no_doubt = Not(HasSubstr("points are in metres"));
+  EXPECT_THAT(told("12,0,0\n0,0,0.02\n"), no_doubt) << "one is near";
+  EXPECT_THAT(told("0.3,0,0\n"), no_doubt) << "ten times its size at most";
+  EXPECT_THAT(told(""), no_doubt);
+}
+
 TEST(Words, OfACheckedSceneNameBodiesThatOverlap) {
   const fs::path folder = folder_with_inputs();
   std::ofstream(folder / "s.toml")

@@ -24,6 +24,14 @@ TEST(NearestWord, KnowsAWordByItsPart) {
   EXPECT_EQ(nearest_word("", words), "");
 }
 
+TEST(NearestWord, KnowsAQuantityWithoutItsUnit) {
+  const std::vector<std::string> columns{"t_s", "nx", "fn_n", "fx_n", "ffx_n", "rfx_n", "mu", "hx_n", "hx_m"};
+  EXPECT_EQ(nearest_word("fx", columns), "fx_n") << "not nx, which is one letter away";
+  EXPECT_EQ(nearest_word("t", columns), "t_s");
+  EXPECT_EQ(nearest_word("fn", columns), "fn_n");
+  EXPECT_NE(nearest_word("hx", columns), "hx_n") << "two go on so";
+}
+
 TEST(NearestWord, KnowsAWordByItsStart) {
   EXPECT_EQ(nearest_word("closes", words), "closest-point");
   EXPECT_EQ(nearest_word("stick-p", words), "stick-pad");

@@ -108,6 +108,49 @@ TEST(PointerFinger, RestsWithTheForceAskedForWithinAPercent) {
   }
 }
 
+/// Presses on a floor of 1000 N/m whose stiffness is turned up fivefold meanwhile, a quarter or two at a
+/// time, as the window's panel does. @returns the normal forces of its ticks
+std::vector<double> press_while_turned(double wanted_n, double greatest_n) {
+  Scene scene = test::plane_scene("finger-pad");
+  scene.contact.greatest_force_n = greatest_n;
+  if (scene.planes.empty()) scene.planes.emplace_back();
+  const auto world = test::plane_world();
+  FingerSample start, target;
+  start.p_WQ = Vec3(0, 0, 0.02);
+  PointerFinger finger({scene, world, start});
+  Touch touch(world, scene);
+  TouchSwap swap(world, scene);
+  swap.change_too([&](const World& on, const Scene& by) { return finger.ready_for(on, by); });
+  finger.look_from(Vec3::UnitZ());
+  std::vector<double> felt_n;
+  double stiffness_n_per_m = 1000;
+  for (int k = 0; k < 3000; ++k) {
+    target.t_s = k * 1e-3;
+    target.p_WQ = Vec3(2e-5 * k, 0, 0);  // it goes on meanwhile
+    target.push_W_n = Vec3(0, 0, -wanted_n);
+    finger.set_target(target);
+    if (k >= 1000 && k < 2000 && k % 200 == 0) {
+      stiffness_n_per_m *= k % 400 == 0 ? 1.25 : 1.5;
+      swap.change({0, surface_key(0, "stiffness_n_per_m"), fmt::format("{}", stiffness_n_per_m)});
+    }
+    swap.before_tick(touch, target.t_s);
+    const TickRecord row = touch.tick(finger.advance(1e-3));
+    finger.feel(row);
+    felt_n.push_back(row.normal_force_n);
+  }
+  EXPECT_EQ(swap.taken(0).size(), 5u);
+  return felt_n;
+}
+
+TEST(PointerFinger, PressesNoHarderThanTheScenesGreatestWhileTheStiffnessIsTurned) {
+  for (const double wanted_n : {3.0, 2.4}) {
+    const auto felt_n = press_while_turned(wanted_n, 3);
+    EXPECT_LE(*std::max_element(felt_n.begin(), felt_n.end()), 3 * (1 + 1e-9)) << "but for rounding";
+    EXPECT_NEAR(felt_n[999], wanted_n, 0.01 * wanted_n);
+    EXPECT_NEAR(felt_n.back(), wanted_n, 0.01 * wanted_n);
+  }
+}
+
 /// A soft floor with a hard block standing in it, 1000 times as stiff.
 World soft_and_hard() {
   World world = *test::world_of(test::box_soup({0.04, 0.04, 0.04}));

@@ -165,7 +165,7 @@ TEST(Chart, StaysOnItsPageWhateverTheValues) {
 }
 
 /// What the legend above a panel of so many curves says.
-std::vector<std::string> legend_of_curves(int count) {
+std::vector<std::string> legend_of_curves(int count, int rows = 1) {
   ChartPanel panel;
   for (int i = 0; i < count; ++i) {
     const std::string name =
@@ -173,7 +173,9 @@ std::vector<std::string> legend_of_curves(int count) {
     panel.curves.push_back({name, blue_line(), {0, 1}, {0, 1}});
   }
   Drawing drawing;
-  draw_chart(drawing, stacked({panel}), {0, 0, 600, 300}, 10);
+  Chart chart = stacked({panel});
+  chart.legend_rows = rows;
+  draw_chart(drawing, chart, {0, 0, 600, 300}, 10);
   std::vector<std::string> words;
   for (const auto& mark : drawing.marks()) {
     const auto* const text = std::get_if<Drawing::Text>(&mark);
@@ -191,6 +193,30 @@ TEST(Chart, NamesEachCurveThoughShortenedAndCountsThoseForWhichThereIsNoRoom) {
   const auto forty = legend_of_curves(40);
   ASSERT_GT(forty.size(), 3u);
   EXPECT_EQ(forty.back(), "and " + std::to_string(41 - forty.size()) + " more");
+}
+
+TEST(Chart, GoesOnInFurtherLinesWhereALegendMayHaveThem) {
+  const auto eight = legend_of_curves(8, 4);
+  ASSERT_EQ(eight.size(), 8u);
+  for (int i = 0; i < 8; ++i) {
+    const std::string number = std::to_string(i);
+    EXPECT_EQ(eight[i], "law stick-slip, place " + number + ", handle.stl: RMS 0.0" + number) << "whole";
+  }
+  EXPECT_EQ(legend_of_curves(12, 4).size(), 12u) << "cut, but each there";
+}
+
+TEST(Chart, GivesFurtherLinesOfALegendTheirRoomAboveTheFrame) {
+  const auto frame_top = [](int count, int rows) {
+    ChartPanel panel;
+    for (int i = 0; i < count; ++i)
+      panel.curves.push_back(
+          {"a curve with a name of its own, " + std::to_string(i), blue_line(), {0, 1}, {0, 1}});
+    Chart chart = stacked({panel});
+    chart.legend_rows = rows;
+    return stacked_layout(chart, {0, 0, 600, 300}, 10).panels[0].frame.top();
+  };
+  EXPECT_LT(frame_top(8, 4), frame_top(8, 1) - 2 * legend_line_ems * 10);
+  EXPECT_EQ(frame_top(1, 4), frame_top(1, 1)) << "one line is enough";
 }
 
 TEST(Chart, PlacesTimeBothWays) {

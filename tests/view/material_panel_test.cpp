@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+#include <variant>
+
 #include "view/rub.hpp"
 #include "view/screen.hpp"
 #include "view/touch_window.hpp"
@@ -104,6 +107,45 @@ TEST(SidePanels, AreHitWhereTheyAreDrawn) {
   panels.hide("a");
   EXPECT_FALSE(panels.shows("a"));
   EXPECT_EQ(panels.boxes(layout).front().top(), boxes[0].top()) << "the other one moves up";
+}
+
+TEST(SidePanels, StayWithinASmallSceneAndSayHowManyRowsAreLeftOut) {
+  const Layout layout = layout_for(620, 420, true, false);
+  SidePanels panels;
+  SidePanel first{"a", "first", {}}, second{"b", "second", {}};
+  for (int k = 0; k < 10; ++k) first.rows.push_back({PanelRow::Kind::value, "x", "1", false, false});
+  for (int k = 0; k < 30; ++k)
+    second.rows.push_back({PanelRow::Kind::check, "part " + std::to_string(k), "", true, false});
+  panels.show(first);
+  panels.show(second);
+  const auto boxes = panels.boxes(layout);
+  ASSERT_EQ(boxes.size(), 2u);
+  EXPECT_GE(boxes[1].bottom, layout.scene.bottom + axes_foot_em * layout.em) << "over the axes and the scale";
+  EXPECT_LT(boxes[1].top(), boxes[0].bottom);
+  Drawing drawing;
+  panels.paint(drawing, layout);
+  std::string words;
+  int parts = 0;
+  for (const auto& mark : drawing.marks()) {
+    const auto* const text = std::get_if<Drawing::Text>(&mark);
+    if (text == nullptr) continue;
+    words += text->words + "\n";
+    parts += text->words.starts_with("part ") ? 1 : 0;
+    EXPECT_GE(text->at.y(), layout.scene.bottom) << text->words;
+  }
+  EXPECT_GT(parts, 2);
+  EXPECT_NE(words.find("and " + std::to_string(30 - parts) + " more: make the window larger"),
+            std::string::npos)
+      << words;
+  const auto foot = panels.hit(layout, boxes[1].left + 1, boxes[1].bottom + 1.3 * layout.em);
+  ASSERT_TRUE(foot);
+  EXPECT_EQ(foot->row, -1) << "it is no row to click";
+  // Where the first takes all the room, the second is not there.
+  first.rows = second.rows;
+  panels.show(first);
+  EXPECT_GT(panels.boxes(layout)[0].width, 0);
+  EXPECT_EQ(panels.boxes(layout)[1].width, 0);
+  EXPECT_FALSE(panels.hit(layout, 1, 1));
 }
 
 /// A live window on the torus whose servo stands still.

@@ -1,0 +1,59 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "support/mesh_files.hpp"
+#include "support/paths.hpp"
+#include "support/shell.hpp"
+
+// Numbers of the command line that are none, or out of range, are told with what is asked for.
+
+namespace fingerpad::number_words_test {
+namespace {
+
+using testing::HasSubstr;
+
+/// The line of an error of usage.
+std::string told(const std::string& call) {
+  const auto result = test::fingerpad(call, test::scratch_dir());
+  EXPECT_EQ(result.exit_code, 2) << call;
+  EXPECT_EQ(result.out, "") << call;
+  return result.err.substr(0, result.err.find('\n'));
+}
+
+TEST(NumberWords, NameTheOptionWhatWasGivenAndWhatIsAllowed) {
+  EXPECT_EQ(
+      told("replay s.toml --out o --jobs zwei"),
+      "fingerpad: error: --jobs: 'zwei' is no whole number; a whole number from 1 to 1024 is asked for");
+  EXPECT_EQ(told("replay s.toml --out o --jobs 0"),
+            "fingerpad: error: --jobs: '0' is out of range; a whole number from 1 to 1024 is asked for");
+  EXPECT_EQ(told("replay s.toml --out o --jobs 1.5"),
+            "fingerpad: error: --jobs: '1.5' is no whole number; a whole number from 1 to 1024 is asked for");
+  EXPECT_EQ(
+      told("replay s.toml --out o --every -3"),
+      "fingerpad: error: --every: '-3' is out of range; a whole number from 1 to 1000000000 is asked for");
+  EXPECT_EQ(told("replay s.toml --out o --progress nan"),
+            "fingerpad: error: --progress: 'nan' is no number; a number from 0 to 1e+06 is asked for");
+  EXPECT_EQ(told("touch s.toml --rate 1e9"),
+            "fingerpad: error: --rate: '1e9' is out of range; a number from 1 to 100000 is asked for");
+  EXPECT_EQ(
+      told("touch s.toml --port http"),
+      "fingerpad: error: --port: 'http' is no whole number; a whole number from 0 to 65535 is asked for");
+  EXPECT_EQ(told("compare a b --most few"), "fingerpad: error: --most: 'few' is no whole number from 0");
+  EXPECT_EQ(told("compare a b --tolerance wide"), "fingerpad: error: --tolerance: 'wide' is no number");
+}
+
+TEST(NumberWords, OfMemoryNameASize) {
+  for (const char* word : {"viel", "4X", "1.5G", "-1M", "99999999999999999999G"}) {
+    EXPECT_EQ(told("replay s.toml --out o --memory " + std::string(word)),
+              "fingerpad: error: --memory: '" + std::string(word) +
+                  "' is no size of memory; 500M or 4G is one: a whole number with K, M, G or T behind it");
+  }
+}
+
+TEST(NumberWords, OfHelpKeepTheirRange) {
+  const auto help = test::fingerpad("replay --help", test::scratch_dir());
+  EXPECT_THAT(help.out, HasSubstr("INT in [1 - 1024]"));
+}
+
+}  // namespace
+}  // namespace fingerpad::number_words_test
