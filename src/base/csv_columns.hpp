@@ -9,10 +9,15 @@
 
 namespace fingerpad {
 
-/// What a line below a table's header says its columns are measured in, as in "s,mm,mm,mm,N,N,N".
+/// What says in what columns are measured: a line below a table's header, or an attribute `unit` of each
+/// HDF5 dataset.
+enum class UnitSource { line, attributes };
+
+/// What a table says its columns are measured in, as in "s,mm,mm,mm,N,N,N".
 struct UnitRow {
-  std::vector<std::string> words;  ///< per asked-for name, without brackets; empty: no such line
-  std::string place;               ///< "table.csv:2"
+  std::vector<std::string> words;  ///< per asked-for name, without brackets; empty: nothing says it
+  std::string place;               ///< "table.csv:2", or an HDF5 file's path
+  UnitSource source = UnitSource::line;
 };
 
 /// Columns of numbers picked from a CSV file by name.

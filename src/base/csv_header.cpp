@@ -71,6 +71,22 @@ char separator_of(const CsvHeader& header, const CsvRequest& request) {
   return most_cells < 2 || names_all(header.line, ' ', request.required) ? ' ' : most;
 }
 
+/// Whether a line that holds zero bytes is one of UTF-16 without its mark: every other byte of a letter that
+/// ASCII has is zero.
+bool is_wide_text(std::string_view line) {
+  constexpr std::size_t fewest = 2;
+  const auto zeros = static_cast<std::size_t>(std::count(line.begin(), line.end(), '\0'));
+  return zeros >= fewest && 5 * zeros >= 2 * line.size() &&
+         line.find(std::string_view("\0\0", 2)) == line.npos;
+}
+
+/// What to do about a header whose letters are no UTF-8: no name that is typed in is found in it.
+std::string_view encoding_mend(std::string_view line) {
+  return is_utf8(line)
+             ? ""
+             : "; its header is no UTF-8 (Latin-1?): save the table as UTF-8, or its names are not found";
+}
+
 }  // namespace
 
 bool is_passed_over(std::string_view line) noexcept {
@@ -84,9 +100,9 @@ CsvHeader read_csv_header(TextLines& lines, const CsvRequest& request) {
   for (std::string_view line; lines.next(line);) {
     const std::string_view text = trimmed(line);
     if (text.empty()) continue;
-    if (text.find('\0') != std::string_view::npos) {
-      throw refused(lines.where(), "is no text: it holds a zero byte");
-    }
+    if (text.find('\0') != std::string_view::npos)
+      throw refused(lines.where(), is_wide_text(text) ? "is a UTF-16 text: save it as UTF-8 or ASCII"
+                                                      : "is no text: it holds a zero byte");
     if (is_xml(text, request.dialect.separator))
       throw refused(lines.where(), fmt::format("is XML and no table{}{}",
                                                request.xml_mend.empty() ? "" : ": ", request.xml_mend));
@@ -124,11 +140,11 @@ Error missing_column(const CsvHeader& header, std::string_view name, const CsvRe
   const bool has_none = is_row_of_numbers(trimmed(header.line));
   const std::string mend = has_none ? "put a line of names above these numbers" : request.mend;
   return refused(header.place,
-                 fmt::format("no column '{}'{}; its header must name the columns {}, and it names {}{}{}",
+                 fmt::format("no column '{}'{}; its header must name the columns {}, and it names {}{}{}{}",
                              printable(name, 60),
                              nearest.empty() || has_none ? "" : fmt::format(" (did you mean '{}'?)", nearest),
                              fmt::join(request.required, ","), printable(word_list(there), most_shown_bytes),
-                             mend.empty() ? "" : ": ", mend));
+                             mend.empty() ? "" : ": ", mend, encoding_mend(header.line)));
 }
 
 }  // namespace fingerpad

@@ -31,14 +31,15 @@ std::vector<NamedUnit> units_of(Quantity quantity) {
   return units;
 }
 
-/// How people write some of them too.
+/// How people write some of them too; micro in Latin-1 as well.
 struct Spelling {
   std::string_view written, name;
 };
-constexpr Spelling spellings[] = {{"sec", "s"},      {"seconds", "s"},  {"msec", "ms"},       {"usec", "us"},
-                                  {"\u00b5s", "us"}, {"\u03bcs", "us"}, {"inch", "in"},       {"Nm", "N.m"},
-                                  {"N m", "N.m"},    {"N*m", "N.m"},    {"N\u00b7m", "N.m"},  {"Nmm", "N.mm"},
-                                  {"N mm", "N.mm"},  {"N*mm", "N.mm"},  {"N\u00b7mm", "N.mm"}};
+constexpr Spelling spellings[] = {
+    {"sec", "s"},      {"seconds", "s"},  {"msec", "ms"},   {"usec", "us"},
+    {"\u00b5s", "us"}, {"\u03bcs", "us"}, {"\xb5s", "us"},  {"inch", "in"},
+    {"Nm", "N.m"},     {"N m", "N.m"},    {"N*m", "N.m"},   {"N\u00b7m", "N.m"},
+    {"Nmm", "N.mm"},   {"N mm", "N.mm"},  {"N*mm", "N.mm"}, {"N\u00b7mm", "N.mm"}};
 
 /// "mm/s" of "mm s^-1", "mm.s-1" and the like; any other word as it is.
 std::string with_stroke(std::string_view word) {

@@ -39,12 +39,14 @@ std::optional<double> told_unit(const UnitRow& row, const std::vector<std::strin
   std::optional<double> found;
   std::string first;
   // Where people cannot say a unit, numbers must be in SI.
+  const bool is_line = row.source == UnitSource::line;
+  const std::string_view leave_out = is_line ? "put # before the line" : "delete the attribute";
   const std::string si = fmt::format("turn the column into {}", si_words(group.quantity));
-  const std::string mend = group.option.empty()
-                               ? si + " and put # before the line"
-                               : fmt::format("put # before the line, and say {}", group.option);
+  const std::string mend = group.option.empty() ? fmt::format("{} and {}", si, leave_out)
+                                                : fmt::format("{}, and say {}", leave_out, group.option);
   const auto fault = [&](std::size_t column, const std::string& what) {
-    return refused(row.place, fmt::format("has '{}' below '{}', {}", printable(row.words[column], 40),
+    return refused(row.place, fmt::format("has {}'{}' {} '{}', {}", is_line ? "" : "the unit ",
+                                          printable(row.words[column], 40), is_line ? "below" : "at",
                                           printable(names[column], 60), what));
   };
   for (const std::size_t column : group.columns) {
@@ -55,16 +57,17 @@ std::optional<double> told_unit(const UnitRow& row, const std::vector<std::strin
       throw fault(column, fmt::format("which is no unit of {} that is known ({}): {}",
                                       quantity_words(group.quantity), unit_list(group.quantity), mend));
     if (group.is_said && *unit != group.si_per_unit)
-      throw fault(column,
-                  fmt::format("and {} says another unit: leave that out, or put # before the line if it "
-                              "is wrong",
-                              group.option));
+      throw fault(column, fmt::format("and {} says another unit: leave that out, or {} if it is wrong",
+                                      group.option, leave_out));
     if (!group.is_said && unit_in_name(group.quantity, names[column]).value_or(*unit) != *unit)
       throw fault(column, fmt::format("whose name says another unit: {}", mend));
     if (found && *unit != *found)
-      throw fault(column, fmt::format("and '{}' below another column of that kind, which all have one unit "
+      throw fault(column, fmt::format("and '{}' {} another column of that kind, which all have one unit "
                                       "here: turn them into one, and {}",
-                                      first, group.option.empty() ? "let the line say it" : mend));
+                                      first, is_line ? "below" : "at",
+                                      !group.option.empty() ? mend
+                                      : is_line             ? "let the line say it"
+                                                            : "let the attributes say it"));
     found = *unit;
     first = word;
   }
@@ -75,7 +78,7 @@ double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& na
   return told_unit(row, names, group).value_or(group.si_per_unit);
 }
 
-std::string told_units_words(const ToldUnits& told) {
+std::string told_units_words(const ToldUnits& told, UnitSource source) {
   constexpr std::string_view things[quantities] = {"time", "position", "force", "torque", "speed"};
   std::string words;
   for (std::size_t q = 0; q < quantities; ++q) {
@@ -83,7 +86,11 @@ std::string told_units_words(const ToldUnits& told) {
       words += fmt::format("{}a {} is {} {}", words.empty() ? "" : ", ", things[q], rounded_text(*told[q], 6),
                            si_symbols[q]);
   }
-  return words.empty() ? words : "units as the line below its header has them: " + words;
+  if (words.empty()) return words;
+  return fmt::format("units as {}: {}",
+                     source == UnitSource::line ? "the line below its header has them"
+                                                : "the attributes of its datasets have them",
+                     words);
 }
 
 }  // namespace fingerpad

@@ -35,6 +35,6 @@ double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& na
 
 /// "units as the line below its header has them: a time is 0.001 s, a force 9.80665 N", for people; empty
 /// where the row tells none.
-std::string told_units_words(const ToldUnits& told);
+std::string told_units_words(const ToldUnits& told, UnitSource source = UnitSource::line);
 
 }  // namespace fingerpad

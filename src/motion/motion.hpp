@@ -5,6 +5,7 @@
 
 #include "base/types.hpp"
 #include "fingerpad/attitude.hpp"
+#include "motion/recorded_table.hpp"
 #include "motion/recording_format.hpp"
 
 namespace fingerpad {
@@ -29,6 +30,10 @@ std::string sample_fault(double t_s, const Vec3& p_W);
 std::string force_fault(double normal_force_n);
 /// Throws Error (refused) where a format says on what a force acts (forces_on_surface) and names none.
 void refuse_side_of_no_force(const std::string& path, const RecordingFormat& format);
+
+/// The motion that a table has in its rows. A measured force is taken where the table has all of fx, fy, fz.
+/// Throws Error (refused, at the row) as read_motion_csv.
+Motion motion_of_table(const RecordedTable& recording, const RecordingFormat& format);
 
 /// Reads a motion table: a header line naming t_s,x_m,y_m,z_m and optionally dx,dy,dz and qw,qx,qy,qz, or the
 /// names that `format` gives them, in any order; other columns are passed over, so a trace written as CSV is

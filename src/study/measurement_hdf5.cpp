@@ -2,9 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <numeric>
+#include <utility>
+
 #include "base/error.hpp"
 #include "scene/toml_tree.hpp"
 #include "study/measured_row.hpp"
+#include "study/measured_units.hpp"
 #include "trace/hdf5_columns.hpp"
 #include "trace/trace.hpp"
 #include "trace/trace_choice.hpp"
@@ -21,6 +25,15 @@ Vec3 scene_direction(const std::string& scene_text, const std::string& path) {
   if (direction == nullptr || direction->value.items.size() != 3) return found;
   for (std::size_t k = 0; k < 3; ++k) found[static_cast<Eigen::Index>(k)] = direction->value.items[k].number;
   return found.normalized();
+}
+
+/// Takes the units that the datasets' attributes name.
+ToldUnits told_units(const std::string& path, const std::vector<std::string>& names,
+                     std::vector<std::string> units, MeasurementFormat& format) {
+  std::vector<std::size_t> places(names.size());
+  std::iota(places.begin(), places.end(), std::size_t{0});
+  const UnitRow row{std::move(units), path, UnitSource::attributes};
+  return take_measured_units(row, {names.begin(), names.end()}, places, format);
 }
 
 }  // namespace
@@ -48,6 +61,7 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
                           "fx_n, of N numbers each, and {}",
                           missing.front(), read_hdf5_contents(path))
             : missing_columns_words(missing, file.chosen));
+  if (file.columns[0].empty()) throw refused(path, "has columns but no rows");
   const std::size_t count = file.columns[0].size(),
                     first_direction = static_cast<std::size_t>(MeasuredColumn::dx);
   if (!file.scene_text.empty() && !file.present[first_direction] && !format.markers) {
@@ -57,7 +71,12 @@ void read_measured_hdf5(const std::string& path, const MeasurementFormat& format
       file.columns[first_direction + axis].assign(count, direction[static_cast<Eigen::Index>(axis)]);
     }
   }
-  const RowReader rows(path, format, file.present);
+  MeasurementFormat read_as = format;
+  const ToldUnits told = told_units(path, names, std::move(file.units), read_as);
+  into.told_units[path] = told;
+  const std::string words = told_units_words(told, UnitSource::attributes);
+  if (!words.empty() && !file.is_trace) into.notes.push_back(fmt::format("{}: {}", path, words));
+  const RowReader rows(path, read_as, file.present);
   const std::string lacks = rows.missing_force();
   if (!lacks.empty()) {
     into.force_mend = rows.missing_force_mend();

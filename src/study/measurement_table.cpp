@@ -6,8 +6,8 @@
 #include "base/error.hpp"
 #include "base/nearest_word.hpp"
 #include "base/printable_text.hpp"
-#include "base/unit_row.hpp"
 #include "study/measured_row.hpp"
+#include "study/measured_units.hpp"
 #include "trace/trace.hpp"
 
 namespace fingerpad {
@@ -23,35 +23,6 @@ std::vector<std::size_t> asked_columns(const MeasurementFormat& format, CsvReque
   }
   required.insert(required.end(), optional.begin(), optional.end());
   return required;
-}
-
-/// Takes the units that a line below the header names, and tells them.
-/// @param asked  as asked_columns
-ToldUnits take_units(MeasurementFormat& format, const CsvRequest& request, const UnitRow& row,
-                     const std::vector<std::size_t>& asked) {
-  std::vector<std::string_view> names = request.required;
-  names.insert(names.end(), request.optional.begin(), request.optional.end());
-  ToldUnits told;
-  const auto take = [&](Quantity quantity, std::initializer_list<std::pair<MeasuredColumn, std::size_t>> runs,
-                        bool is_said, double& si_per_unit, const char* option) {
-    UnitGroup group{quantity, {}, is_said, si_per_unit, option};
-    for (std::size_t k = 0; k < asked.size(); ++k) {
-      for (const auto& [first, count] : runs) {
-        const auto place = static_cast<std::size_t>(first);
-        if (asked[k] >= place && asked[k] < place + count) group.columns.push_back(k);
-      }
-    }
-    told[static_cast<std::size_t>(quantity)] = told_unit(row, names, group);
-    si_per_unit = told[static_cast<std::size_t>(quantity)].value_or(si_per_unit);
-  };
-  using enum MeasuredColumn;
-  take(Quantity::time, {{time, 1}}, format.says_time_unit, format.seconds_per_unit, "--time-unit");
-  take(Quantity::length, {{x, 3}, {marker_1, 3}, {marker_2, 3}}, format.says_unit, format.metres_per_unit,
-       "--unit");
-  take(Quantity::force, {{fx, 3}, {fn, 1}}, format.says_force_unit, format.newtons_per_unit, "--force-unit");
-  take(Quantity::torque, {{torque, 3}}, format.says_torque_unit, format.newton_metres_per_unit,
-       "--torque-unit");
-  return told;
 }
 
 }  // namespace
@@ -73,7 +44,9 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   std::vector<bool> present(measurement_columns.size());
   for (std::size_t k = 0; k < asked.size(); ++k) present[asked[k]] = table.present()[k];
   MeasurementFormat read_as = format;
-  const ToldUnits told = take_units(read_as, request, table.units(), asked);
+  std::vector<std::string_view> names = request.required;
+  names.insert(names.end(), request.optional.begin(), request.optional.end());
+  const ToldUnits told = take_measured_units(table.units(), names, asked, read_as);
   into.told_units[path] = told;
   if (const std::string words = told_units_words(told); !words.empty())
     into.notes.push_back(fmt::format("{}: {}", path, words));
@@ -92,10 +65,13 @@ void read_measured_table(const std::string& path, const MeasurementFormat& forma
   const std::size_t before = into.trials.size();
   TrialCollector trials(path, rows, missing, into);
   std::vector<double> numbers(measurement_columns.size());
+  bool has_rows = false;
   while (table.next()) {
+    has_rows = true;
     for (std::size_t k = 0; k < asked.size(); ++k) numbers[asked[k]] = table.number(k);
     trials.add(numbers, {path, table.line()});
   }
+  if (!has_rows) throw refused(path, "has a header but no rows");
   if (!table.cut().empty()) into.warnings.push_back(fmt::format("{}: {}", path, table.cut()));
   trials.finish();
   warn_of_normal_force_alone(path, rows, before, into);

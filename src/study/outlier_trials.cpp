@@ -47,22 +47,55 @@ Alike alike(const TrialEvidence& trial, PadNumber number) {
   return {trial.subject, by_angle ? static_cast<int>(std::lround(trial.inclination_deg / 10)) : 0};
 }
 
+/// A trial's place in the evidence, and what it alone says.
+using OwnNumber = std::pair<std::size_t, double>;
+
+/// What the others say, of three or four trials one of which is far off by Dixon's test (two-sided, 1 %:
+/// Rorabacher 1991, table 2): its gap to the nearest is so much of the whole range. Of three trials the two
+/// others must agree to a hundred and sixtieth of that gap.
+struct FewOutlier {
+  std::size_t trial;
+  double value, usual;
+};
+
+std::optional<FewOutlier> outlier_of_few(std::vector<OwnNumber> trials, double least_share) {
+  const double least_gap = trials.size() == 3 ? 0.994 : 0.926;
+  std::sort(trials.begin(), trials.end(),
+            [](const OwnNumber& a, const OwnNumber& b) { return a.second < b.second; });
+  const std::size_t last = trials.size() - 1;
+  const double range = trials[last].second - trials[0].second, below = trials[1].second - trials[0].second,
+               above = trials[last].second - trials[last - 1].second;
+  const bool is_first = below > above;
+  if (!(std::max(below, above) > least_gap * range)) return std::nullopt;
+  if (is_first) std::rotate(trials.begin(), trials.begin() + 1, trials.end());
+  std::vector<double> others;
+  for (std::size_t i = 0; i < last; ++i) others.push_back(trials[i].second);
+  const double usual = quantile(others, 0.5);
+  if (!(std::abs(trials[last].second - usual) > least_share * std::abs(usual))) return std::nullopt;
+  return FewOutlier{trials[last].first, trials[last].second, usual};
+}
+
 }  // namespace
 
 std::vector<OutlierTrial> outlier_trials(const Measurement& measurement,
                                          const std::vector<TrialEvidence>& evidence) {
-  constexpr std::size_t fewest = 5;
+  constexpr std::size_t fewest = 3, fewest_of_many = 5;
   constexpr double deviations = 5;
   std::vector<OutlierTrial> found;
   for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::v_min,
                                  PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {
     const double least_share = number == PadNumber::v_min ? 0.25 : 0.1;  // it rests on a few ends of slip
-    std::map<Alike, std::vector<std::pair<std::size_t, double>>> groups;
+    std::map<Alike, std::vector<OwnNumber>> groups;
     for (std::size_t i = 0; i < evidence.size(); ++i)
       if (const auto own = own_number(evidence[i], number))
         groups[alike(evidence[i], number)].emplace_back(i, *own);
     for (const auto& [key, trials] : groups) {
       if (trials.size() < fewest) continue;
+      if (trials.size() < fewest_of_many) {
+        if (const auto one = outlier_of_few(trials, least_share))
+          found.push_back({one->trial, measurement.trials[one->trial].name, number, one->value, one->usual});
+        continue;
+      }
       std::vector<double> values, offs;
       for (const auto& [trial, value] : trials) values.push_back(value);
       const double usual = quantile(values, 0.5);

@@ -13,6 +13,7 @@
 #include "study/impossible_numbers.hpp"
 #include "study/load_exponent.hpp"
 #include "study/press_fit.hpp"
+#include "study/rupture_sums.hpp"
 #include "study/spring_fit.hpp"
 #include "study/unseen_slip.hpp"
 #include "study/vibration_peak.hpp"
@@ -252,6 +253,7 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.evidence.hidden_stick_ratio = may_hide && mu_dynamic.refusal.empty() ? mu_dynamic.value : 0;
   if (next.slow_slip)
     next.evidence.v_min_m_per_s = std::max(next.evidence.v_min_m_per_s, next.slow_slip->speed_m_per_s);
+  next.evidence.rupture_lag = rupture_lag(trials);
   next.has_unseen_slip = false;
   if (!unseen_slip_words(trials, found, next).empty()) doubt_slip(trials, next);
   return next;

@@ -16,7 +16,8 @@ std::vector<PhaseStretch> phase_stretches(const StickSegments& segments, PadPhas
 
 /// Without one and a half half windows (StickSegments::half_window) at an end where another phase is next:
 /// the windows there reach into it, and it may begin a little sooner than they tell. At a rupture, a gap, or
-/// the trial's end nothing is left out. Empty where the stretch is shorter.
+/// the trial's end nothing is left out, but what a slow sensor makes of a rupture (StickSegments::drop_tail).
+/// Empty where the stretch is shorter.
 PhaseStretch inner_stretch(PhaseStretch stretch, const StickSegments& segments);
 
 }  // namespace fingerpad

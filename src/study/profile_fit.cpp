@@ -1,9 +1,12 @@
 #include "study/profile_fit.hpp"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
 
+#include "base/number_text.hpp"
 #include "study/few_trials.hpp"
 #include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
@@ -57,6 +60,20 @@ bool tells_delay_left(double left_s, const std::vector<TrialEvidence>& trials,
   return deviation_s > 0 && std::abs(left_s) > deviations * deviation_s;
 }
 
+/// How far numbers would move were friction to rise as a Hertz pad's does where the load falls, n^(-1/3), of
+/// which nothing is told where no slip is surely seen: then loads that differ bend a spring, and lengthen it.
+NumberReaches moved_by_load(const Measurement& measurement, const std::vector<StickSegments>& segments,
+                            const ProfileFit& fit, const FitPoint& point) {
+  constexpr double of_hertz_pad = -1.0 / 3;
+  FitPoint rising = point;
+  rising.evidence.load.exponent = of_hertz_pad;
+  std::vector<TrialEvidence> evidence;
+  evidence.reserve(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    evidence.push_back(trial_evidence(measurement.trials[i], segments[i], rising.evidence));
+  return moved_by(evidence, fit, rising);
+}
+
 /// The fit to the trials whose forces were measured whole.
 ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
@@ -70,8 +87,10 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   point.evidence.knows_delay = measurement.knows_delay;
   const auto gather = [&] {
     fit.evidence.clear();
-    for (std::size_t i = 0; i < segments.size(); ++i)
+    for (std::size_t i = 0; i < segments.size(); ++i) {
+      segments[i].drop_tail = drop_tail_samples(point.evidence.rupture_lag);
       fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
+    }
   };
   // The normal law's exponent comes last, where it is far from the half that it is looked for from.
   constexpr int passes = 4, most_passes = 10;
@@ -116,6 +135,12 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
+  if (const double lag = point.evidence.rupture_lag; lag > 0)
+    fit.steps.push_back(fmt::format(
+        "ruptures: the force sensor shows their drops over some samples, as a low pass does; they are taken "
+        "to lie in the middle of the drops, {} samples later than where these begin, and {} samples behind "
+        "them tell no stick",
+        rounded_text(lag, 2), drop_tail_samples(lag)));
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
   std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
@@ -147,7 +172,16 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
     by_delay.add(delayed_evidence(measurement, segments, point.evidence, fit.delay_left_s, times), fit,
                  point);
   }
-  add_intervals(subject_of, by_delay.moved, settings, point, fit);
+  NumberReaches unsure = by_delay.moved;
+  if (point.has_unseen_slip) {
+    const NumberReaches by_load = moved_by_load(measurement, segments, fit, point);
+    for (std::size_t k = 0; k < unsure.size(); ++k) unsure[k] += by_load[k];
+    fit.doubts.emplace_back(
+        "how friction changes with the load is not told, as no slip is surely seen: intervals are wider by "
+        "what "
+        "a rise with the load's power of -1/3 would move, as a pad has it that flattens like a ball");
+  }
+  add_intervals(subject_of, unsure, settings, point, fit);
   if (!is_delay_told && !settings.keeps_told_by_few) {
     refuse_by_delay(by_delay.moved, fit);
     refuse_law_lost_by_delay(by_delay, fit);

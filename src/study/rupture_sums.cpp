@@ -10,15 +10,18 @@
 namespace fingerpad {
 namespace {
 
-constexpr std::size_t fewest = 5;  // samples of a line
+constexpr std::size_t fewest = 5;        // samples of a line
+constexpr std::size_t usual_tail = 2;    // samples in which a drop that is not at once is over
+constexpr std::size_t drop_samples = 5;  // of a drop and what it comes to: no tooth that counts is shorter
 
 /// Whether the teeth of a finger that moves on so have enough samples, wherever between two of them each
 /// gives way: did the tooth's own number decide, those that give way late would be kept.
 /// @param tooth_m  the spring's way from where it is entered to where it gives way; a bent spring's is soft
 ///                 in its beginning, so that its stiffness at the end would make it too short
 /// @param step_m   the finger's from sample to sample
-bool has_long_teeth(double tooth_m, double step_m) {
-  return tooth_m >= static_cast<double>(fewest) * step_m;
+/// @param left_out  samples of a tooth that no line takes
+bool has_long_teeth(double tooth_m, double step_m, std::size_t left_out) {
+  return tooth_m >= static_cast<double>(fewest + left_out) * step_m;
 }
 
 /// How far springs give way along a direction, for a unit of the force ratio.
@@ -47,48 +50,98 @@ class GivingWay {
   Vec2 forward_;
 };
 
+/// The spring's own way g(q) at some samples of stick, as a line over the finger's.
+struct GivenLine {
+  Vec2 mean_q{0, 0}, slope{0, 0};
+  double mean_s = 0, squares = 0, count = 0;
+
+  template <typename Given, typename Way>
+  GivenLine(std::size_t from, std::size_t to, const Given& given_at, const Way& way_at)
+      : count(static_cast<double>(to - from)) {
+    for (std::size_t j = from; j < to; ++j) {
+      mean_q += given_at(j) / count;
+      mean_s += way_at(static_cast<double>(j)) / count;
+    }
+    for (std::size_t j = from; j < to; ++j) {
+      const double off = way_at(static_cast<double>(j)) - mean_s;
+      squares += off * off;
+      slope += off * (given_at(j) - mean_q);
+    }
+    if (squares > 0) slope /= squares;
+  }
+  Vec2 at(double way_m) const { return mean_q + (way_m - mean_s) * slope; }
+};
+
+/// What the samples around a rupture tell.
+struct RuptureLine {
+  double ratio = 0;                 ///< |q| where stick gives way
+  std::optional<double> late = {};  ///< samples by which the middle of the drop is later than half a sample
+                                    ///< before the first that is seen to drop
+};
+
+/// How late a drop's middle is: where stick goes on at once behind it, by what the samples around are above
+/// the line before it, lowered by the drop from there on. The last sample before may have dropped a little,
+/// and is none of the line's.
+template <typename Given, typename Way>
+std::optional<double> drop_lateness(const MeasuredTrial& trial, std::size_t from, std::size_t i,
+                                    const Given& given_at, const Way& way_at) {
+  if (i + drop_samples > trial.force_ratio.size() || i < from + fewest)
+    return std::nullopt;  // one is left out
+  for (std::size_t j = i + 1; j < i + drop_samples; ++j)
+    if (trial.starts_anew[j]) return std::nullopt;
+  const GivenLine line(from, i - 1, given_at, way_at);
+  const Vec2 along = line.at(way_at(static_cast<double>(i) - 0.5)).normalized();
+  const auto above = [&](std::size_t j) {
+    return (given_at(j) - line.at(way_at(static_cast<double>(j)))).dot(along);
+  };
+  const double drop = -(above(i + drop_samples - 2) + above(i + drop_samples - 1)) / 2;
+  if (!(drop > 0)) return std::nullopt;
+  double late = above(i - 1) / drop;
+  for (std::size_t j = i; j + 2 < i + drop_samples; ++j) late += above(j) / drop + 1;
+  return late;
+}
+
 /// |q| where stick gives way. The spring's own way at the last samples is a line over the finger's, which is
 /// taken on to half a sample after the last: of a bent spring the ratio itself is none. The finger's way is
 /// the parabola through the positions around, so that their noise does not flatten the line; what the noise
 /// of q adds to its length on the average is taken off.
-std::optional<double> ratio_at_rupture(const MeasuredTrial& trial, const StickSegments& segments,
-                                       const std::vector<Vec2>& ratio, const std::array<SpringBend, 2>& bend,
-                                       std::size_t i) {
+///
+/// A sensor whose low pass takes some samples for the drop shows the line as late as the drop's middle (its
+/// mean delay, whatever the filter): so the line goes on to there, `lag` samples later, and is told without
+/// the last sample before, which may have dropped a little.
+/// @param goes_on  stick goes on at once behind it, which tells the drop's lateness
+std::optional<RuptureLine> rupture_line(const MeasuredTrial& trial, const StickSegments& segments,
+                                        const std::vector<Vec2>& ratio, const std::array<SpringBend, 2>& bend,
+                                        std::size_t i, double lag, bool goes_on) {
   constexpr std::size_t most = 8;
   std::size_t from = i - 1;
   const auto half = static_cast<std::size_t>(segments.half_window);
   while (from > 0 && i - from < most + half && !segments.begins_run[from] &&
          segments.phase[from - 1] == PadPhase::stick)
     --from;
-  if (!segments.begins_run[from]) from += half;  // slip before it may reach so far
-  from = std::max(from, i > most ? i - most : 0);
+  // Slip before it may reach so far; and so far what a slow sensor shows of the drop that began the tooth.
+  const std::size_t own = from + (segments.begins_run[from] ? segments.drop_tail : half),
+                    clean = from + (segments.begins_run[from] ? usual_tail : half);
+  const std::size_t first = i > most ? i - most : 0;
+  from = std::max(own, first);
   if (i < from + fewest || !(segments.velocity_m_per_s[i].norm() > 0)) return std::nullopt;
   const auto way = position_parabola(trial, i, 2 * static_cast<std::size_t>(segments.half_window),
                                      segments.velocity_m_per_s[i].normalized());
   if (!way) return std::nullopt;
-  const auto count = static_cast<double>(i - from);
   const auto way_at = [&](double j) { return way->at(j - static_cast<double>(i)); };
   const GivingWay spring(bend, segments.velocity_m_per_s[i].normalized());
   const auto given_at = [&](std::size_t j) -> Vec2 { return spring.at(ratio[j].norm()) * ratio[j]; };
-  Vec2 mean_q(0, 0), slope(0, 0);
-  double mean_s = 0, squares = 0;
-  for (std::size_t j = from; j < i; ++j) {
-    mean_q += given_at(j) / count;
-    mean_s += way_at(static_cast<double>(j)) / count;
-  }
-  for (std::size_t j = from; j < i; ++j) {
-    const double off = way_at(static_cast<double>(j)) - mean_s;
-    squares += off * off;
-    slope += off * (given_at(j) - mean_q);
-  }
-  if (!(squares > 0)) return std::nullopt;
-  slope /= squares;
-  const double ahead = way_at(static_cast<double>(i) - 0.5) - mean_s;
-  const Vec2 at_rupture = mean_q + ahead * slope;
-  if (!(slope.dot(at_rupture) > 0)) return std::nullopt;  // not pulled until then
-  const double variance = segments.ratio_noise * segments.ratio_noise * (1 / count + ahead * ahead / squares),
+  const GivenLine line(from, lag > 0 ? i - 1 : i, given_at, way_at);
+  if (!(line.squares > 0)) return std::nullopt;
+  const double at_m = way_at(static_cast<double>(i) - 0.5 + lag), ahead = at_m - line.mean_s;
+  const Vec2 at_rupture = line.at(at_m);
+  if (!(line.slope.dot(at_rupture) > 0)) return std::nullopt;  // not pulled until then
+  const double variance = segments.ratio_noise * segments.ratio_noise *
+                          (1 / line.count + ahead * ahead / line.squares),
                pull = spring.ratio_of(at_rupture.norm());
-  return pull - variance / (2 * pull);
+  RuptureLine found{pull - variance / (2 * pull)};
+  if (goes_on) found.late = drop_lateness(trial, std::max(clean, first), i, given_at, way_at);
+  return found;
 }
 
 }  // namespace
@@ -110,18 +163,38 @@ void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
                      knows_tooth ? evidence.slip_ratio / static_cast<double>(evidence.slip_samples) : after;
     const double tooth_m =
         spring_way_m(evidence, bend, forward, top) - spring_way_m(evidence, bend, forward, foot);
-    if (rise > 0 && !has_long_teeth(tooth_m, step_m)) {
+    const std::size_t left_out = segments.drop_tail > 0 ? segments.drop_tail + 1 : 0;
+    if (rise > 0 && !has_long_teeth(tooth_m, step_m, left_out)) {
       ++evidence.short_teeth;
       evidence.short_drop += before - after;
       continue;
     }
-    const auto at_rupture = ratio_at_rupture(trial, segments, ratio, bend, i);
+    // Above v_min slip follows, which has another line.
+    constexpr double surely_below = 0.8;
+    const bool goes_on = knows_tooth && velocity.norm() < surely_below * about.v_min_m_per_s;
+    const auto at_rupture = rupture_line(trial, segments, ratio, bend, i, about.rupture_lag, goes_on);
     if (!at_rupture) continue;
+    evidence.drop_lag += at_rupture->late.value_or(0);
+    evidence.drop_lags += at_rupture->late ? 1 : 0;
     evidence.rupture_rise += rise;
-    evidence.rupture_ratio += *at_rupture;
+    evidence.rupture_ratio += at_rupture->ratio;
     evidence.rupture_log_load += std::log(trial.normal_force_n[i - 1]);
     ++evidence.ruptures;
   }
+}
+
+double seen_rupture_lag(const std::vector<TrialEvidence>& trials) {
+  constexpr long fewest = 20;
+  double sum = 0;
+  long drops = 0;
+  for (const TrialEvidence& trial : trials) sum += trial.drop_lag, drops += trial.drop_lags;
+  return drops >= fewest ? std::clamp(sum / static_cast<double>(drops), 0.0, 2.0) : 0;
+}
+
+double rupture_lag(const std::vector<TrialEvidence>& trials) {
+  constexpr double least = 0.1;  // samples
+  const double late = seen_rupture_lag(trials);
+  return late > least ? late : 0;
 }
 
 }  // namespace fingerpad

@@ -9,4 +9,10 @@ namespace fingerpad {
 void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
                       const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence);
 
+/// By how many samples the force sensor's drops at ruptures are late, as of a low pass; 0 where too few tell
+/// it. Two at the most.
+double seen_rupture_lag(const std::vector<TrialEvidence>& trials);
+/// The same, where it is more than a tenth of a sample, and so is taken out (EvidencePoint); else 0.
+double rupture_lag(const std::vector<TrialEvidence>& trials);
+
 }  // namespace fingerpad

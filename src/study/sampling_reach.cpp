@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "study/rupture_sums.hpp"
 #include "study/slope_window.hpp"
 #include "study/unseen_slip.hpp"
 
@@ -69,10 +70,11 @@ std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& 
 }
 
 /// A tooth that is seen for certain: six samples, and as long as half a window of stick_segments. The end of
-/// slip may be seen a tooth late where teeth are shorter.
-double long_tooth_samples(const ProfileFit& fit) {
+/// slip may be seen a tooth late where teeth are shorter, and where a slow sensor's drop takes much of them.
+double long_tooth_samples(const ProfileFit& fit, const FitPoint& point) {
   constexpr double fewest = 6;
-  return std::max(fewest, slope_half_window_s * greatest_rate_hz(fit.evidence));
+  return static_cast<double>(drop_tail_samples(point.evidence.rupture_lag)) +
+         std::max(fewest, slope_half_window_s * greatest_rate_hz(fit.evidence));
 }
 
 /// What lines that are left in may add to the force ratio at ruptures, which come early where they pull: the
@@ -183,8 +185,10 @@ void DelayReach::add(const std::vector<TrialEvidence>& delayed, const ProfileFit
 
 NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_delay, const FitPoint& point,
                                 bool has_slow_slip) {
-  constexpr double unsure = 0.1, later = 0.05, beside = 0.025;
-  const double long_tooth = long_tooth_samples(fit);
+  constexpr double unsure = 0.1, beside = 0.025;
+  // And what drops seem to be late, where it is too little to be taken out.
+  const double later = 0.05 + (point.evidence.rupture_lag > 0 ? 0 : seen_rupture_lag(fit.evidence));
+  const double long_tooth = long_tooth_samples(fit, point);
   const double earlier =
       0.5 + std::max(0.0, long_tooth - tooth_samples(fit, point.evidence).value_or(long_tooth));
   const double bent = (point.evidence.bend[0].cubic_share + point.evidence.bend[1].cubic_share) / 2;

@@ -39,11 +39,12 @@ struct DelayReach {
 };
 
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
-/// lie a twentieth of a sample later than in its middle (of a bent spring by its share more); ends of slip
-/// that pass for stick bend a spring by a thousandth and lengthen it by half of that; a
-/// mains line that is left in pulls at ruptures with all of its amplitude; slow slip that is left
-/// in mu_dynamic is half a thousandth of it, and twice as much where stick hides in it.
-/// @param by_delay  how far the delay moves it (delayed_evidence)
+/// lie a twentieth of a sample later than in its middle (and what a slow sensor shows them late, where that
+/// is not taken out; of a bent spring by its share more); ends of slip that pass for stick bend a spring by a
+/// thousandth and lengthen it by half of that; a mains line that is left in pulls at ruptures with all of its
+/// amplitude; slow slip that is left in mu_dynamic is half a thousandth of it, and twice as much where stick
+/// hides in it.
+/// @param by_delay  how far the delay moves it (delayed_evidence), and what else is known of that kind
 NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_delay, const FitPoint& point,
                                 bool has_slow_slip);
 

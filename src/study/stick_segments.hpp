@@ -20,7 +20,10 @@ struct StickSegments {
   double ratio_noise = 0;              ///< likewise, of q
   double usual_normal_n = 0;           ///< median of the normal force, at which q has that noise
   double border_per_m = 0;             ///< local stiffness that parts slip (below) from stick
-  int half_window = 0;                 ///< samples
+  /// Samples behind a rupture in which the force sensor still shows its drop (and one before it); 0: it shows
+  /// it at once.
+  std::size_t drop_tail = 0;
+  int half_window = 0;        ///< samples
   bool is_too_noisy = false;  ///< noise of q may hide ruptures wherever it is pressed: all is unknown
 };
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "study/speed_step.hpp"
@@ -64,6 +65,8 @@ struct TrialEvidence {
   double rupture_rise = 0;      ///< sum of what |q| rises from sample to sample before them
   double rupture_log_load = 0;  ///< sum of ln(n/1 N) just before them
   long ruptures = 0;
+  double drop_lag = 0;  ///< sum over drop_lags of the samples by which a drop's middle is late (rupture_lag)
+  long drop_lags = 0;   ///< ruptures after which stick surely goes on, which tell it
   double short_drop = 0;  ///< sum of what |q| falls at short_teeth
   long short_teeth = 0;   ///< ruptures of teeth with too few samples to tell where they gave way
   double slip_ratio = 0;  ///< sum over slip of r = -q.v/|v|, which and n are means over 20 ms here
@@ -107,8 +110,15 @@ struct EvidencePoint {
   /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then
   /// the springs are told from where it surely does not (surest_pull). 0: where all of it is seen.
   double hidden_stick_ratio = 0;
+  double rupture_lag = 0;    ///< samples by which the sensor's drop at a rupture is later than at once
   bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
 };
+
+/// Samples behind a rupture in which a sensor whose drops are so late still shows them (StickSegments); 0: it
+/// shows them at once.
+inline std::size_t drop_tail_samples(double rupture_lag) noexcept {
+  return rupture_lag > 0 ? 1 + static_cast<std::size_t>(std::ceil(2 * rupture_lag)) : 0;
+}
 
 /// Gathers a trial's evidence.
 ///

@@ -33,6 +33,26 @@ Handle open_attribute(const Handle& object, const std::string& name, std::size_t
   return attribute;
 }
 
+constexpr hssize_t max_texts = 100000;
+constexpr std::size_t max_padded_bytes = std::size_t{1} << 20;
+
+/// Texts that have one length in the file, padded with zeros or blanks, as NumPy's bytes and MATLAB's have.
+std::vector<std::string> read_padded_texts(const Handle& attribute, const Handle& type, std::size_t count) {
+  const std::size_t bytes = H5Tget_size(type.id());
+  if (bytes == 0 || count > max_padded_bytes / bytes) throw read_error(attribute.path(), "an attribute");
+  const Handle memory_type = made(H5Tcopy(type.id()), H5Tclose, attribute.path());
+  std::vector<char> room(bytes * count);
+  if (H5Aread(attribute.id(), memory_type.id(), room.data()) < 0)
+    throw read_error(attribute.path(), "an attribute");
+  std::vector<std::string> texts;
+  for (std::size_t i = 0; i < count; ++i) {
+    const std::string padded(room.data() + i * bytes, bytes);
+    const std::string whole = padded.substr(0, padded.find('\0'));
+    texts.push_back(whole.substr(0, whole.find_last_not_of(' ') + 1));
+  }
+  return texts;
+}
+
 }  // namespace
 
 void write_text(const Handle& object, const std::string& name, const std::string& text) {
@@ -88,15 +108,16 @@ bool has_attribute(const Handle& object, const std::string& name) {
 
 std::vector<std::string> read_texts(const Handle& object, const std::string& name) {
   const Turn turn;
-  constexpr hssize_t max_texts = 100000;
   if (!has_attribute(object, name)) return {};
-  const Handle attribute = wrapped(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT), H5Aclose, "");
+  const Handle attribute = wrapped(H5Aopen(object.id(), name.c_str(), H5P_DEFAULT), H5Aclose, object.path());
   if (!attribute.open()) throw read_error(object.path(), name);
   const Handle space = wrapped(H5Aget_space(attribute.id()), H5Sclose, "");
   const Handle type = wrapped(H5Aget_type(attribute.id()), H5Tclose, "");
   const hssize_t count = H5Sget_simple_extent_npoints(space.id());
-  if (H5Tis_variable_str(type.id()) <= 0 || count < 0 || count > max_texts)
+  if (H5Tget_class(type.id()) != H5T_STRING || count < 0 || count > max_texts)
     throw read_error(object.path(), name);
+  if (H5Tis_variable_str(type.id()) <= 0)
+    return read_padded_texts(attribute, type, static_cast<std::size_t>(count));
 
   const Handle memory_type = text_type(object.path());
   H5Tset_cset(memory_type.id(), H5Tget_cset(type.id()));

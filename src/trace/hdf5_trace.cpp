@@ -104,6 +104,14 @@ std::uint64_t rows_of(const hdf5::Handle& column, const std::string& name, bool 
   return std::min(size[0], stored);  // a killed writer may have left a column longer than its bytes
 }
 
+/// What to do with an HDF5 file that this program has not written.
+std::string own_table_mend(const hdf5::Handle& file) {
+  return hdf5::has_attribute(file, "scene")
+             ? ""
+             : "; a table of your own is touched as a scene's motion ([motion] file = ...), and fitted by "
+               "`fingerpad fit`";
+}
+
 /// @param is_partial  the file says that it was written without some columns
 Columns open_columns(const hdf5::Handle& file, bool complete, bool is_partial) {
   const std::uint64_t file_bytes = std::filesystem::file_size(file.path());
@@ -118,13 +126,14 @@ Columns open_columns(const hdf5::Handle& file, bool complete, bool is_partial) {
         columns.handles.emplace_back();
         continue;
       }
-      throw refused(file.path(),
-                    fmt::format("is no trace: it has no column '{}'; {}", name, hdf5::contents_words(file)));
+      throw refused(file.path(), fmt::format("is no trace: it has no column '{}'; {}{}", name,
+                                             hdf5::contents_words(file), own_table_mend(file)));
     }
     columns.handles.push_back(hdf5::open_dataset(file, name, "column"));
     // A row that takes bytes for certain: so what a file unfolds to has a bound.
     if (name == "t_s" && hdf5::is_deflated(*columns.handles.back()))
-      throw refused(file.path(), "is refused: column 't_s' is compressed, which no trace's is");
+      throw refused(file.path(),
+                    "is refused: column 't_s' is compressed, which no trace's is" + own_table_mend(file));
     const std::uint64_t rows = rows_of(*columns.handles.back(), name, complete, file_bytes);
     columns.rows = std::min(columns.rows, rows);
     longest = std::max(longest, rows);

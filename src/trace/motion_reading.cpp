@@ -4,6 +4,7 @@
 #include "base/printable_text.hpp"
 #include "base/unit.hpp"
 #include "motion/field_format.hpp"
+#include "trace/hdf5_motion.hpp"
 #include "trace/motion_of_trace.hpp"
 #include "trace/trace.hpp"
 
@@ -47,37 +48,58 @@ void warn_of_thinned(MotionReading& reading, std::uint64_t every) {
       every));
 }
 
+FieldRecording read_table_of_hdf5(const MotionSettings& settings) {
+  FieldRecording recording;
+  recording.read_as = settings.format;
+  recording.motion = read_motion_hdf5(settings.file_path, recording.read_as);
+  recording.read_as.dialect.separator = ',';  // which parts no cells
+  return recording;
+}
+
+FieldRecording read_table_of_text(MotionReading& reading) {
+  const std::string& path = reading.settings.file_path;
+  RecordingFormat format = reading.settings.format;
+  format.ends_each_row = is_own_csv_trace(path);
+  FieldRecording recording = read_field_recording(path, format);
+  reading.says_time_unit = format.ends_each_row || !format.name.empty();
+  if (!recording.read_as.cut.empty()) reading.warn(recording.read_as.cut);
+  warn_of_thinned(reading, every_of_csv(path));
+  return recording;
+}
+
+/// What the program has written itself says all of itself.
+void read_own_trace(MotionReading& reading) {
+  const MotionSettings& settings = reading.settings;
+  if (!settings.table_key.empty()) {
+    throw refused(reading.scene.path,
+                  fmt::format("'{}' in [motion] says how a table is to be read, and {} is a trace of this "
+                              "program (HDF5), which says itself what it holds: leave the key out",
+                              settings.table_key, settings.file));
+  }
+  reading.says_time_unit = true;
+  Trace trace = read_trace(settings.file_path, TraceContents::rows);
+  reading.motion = motion_of_trace(trace, settings.file_path, settings.format.reads_normal_force);
+  warn_of_thinned(reading, trace.info.every);
+  if (const std::string words = early_end_words(trace); !words.empty()) reading.warn(words);
+  reading.changes = std::move(trace.info.changes);
+  if (!reading.changes.empty())
+    reading.note(fmt::format("with the {} changes of the scene that were made while it was touched",
+                             reading.changes.size()));
+}
+
 }  // namespace
 
 void read_file(MotionReading& reading) {
   const MotionSettings& settings = reading.settings;
   const bool reads_force = settings.format.reads_normal_force;
   refuse_false_hdf5(settings.file_path);
-  const bool hdf5 = is_hdf5(settings.file_path);
-  if (hdf5 || (settings.table_key.empty() && is_csv_trace(settings.file_path))) {
-    if (!settings.table_key.empty()) {
-      throw refused(reading.scene.path,
-                    fmt::format("'{}' in [motion] says how a table of text is to be read, and {} is a trace "
-                                "(HDF5), which says itself what it holds: leave the key out",
-                                settings.table_key, settings.file));
-    }
-    reading.says_time_unit = true;
-    Trace trace = read_trace(settings.file_path, TraceContents::rows);
-    reading.motion = motion_of_trace(trace, settings.file_path, reads_force);
-    warn_of_thinned(reading, trace.info.every);
-    if (const std::string words = early_end_words(trace); !words.empty()) reading.warn(words);
-    reading.changes = std::move(trace.info.changes);
-    if (!reading.changes.empty())
-      reading.note(fmt::format("with the {} changes of the scene that were made while it was touched",
-                               reading.changes.size()));
+  const bool hdf5 = is_hdf5(settings.file_path), hdf5_table = hdf5 && is_hdf5_table(settings.file_path);
+  if (!hdf5_table && (hdf5 || (settings.table_key.empty() && is_csv_trace(settings.file_path)))) {
+    read_own_trace(reading);
     return;
   }
-  RecordingFormat format = settings.format;
-  format.ends_each_row = is_own_csv_trace(settings.file_path);
-  FieldRecording recording = read_field_recording(settings.file_path, format);
-  reading.says_time_unit = format.ends_each_row || !format.name.empty() || recording.read_as.says_time_unit;
-  if (!recording.read_as.cut.empty()) reading.warn(recording.read_as.cut);
-  warn_of_thinned(reading, every_of_csv(settings.file_path));
+  FieldRecording recording = hdf5_table ? read_table_of_hdf5(settings) : read_table_of_text(reading);
+  reading.says_time_unit = reading.says_time_unit || recording.read_as.says_time_unit;
   reading.motion = std::move(recording.motion);
   if (!reads_force) reading.motion.normal_force_n.clear();
   if (reads_force && reading.motion.normal_force_n.empty())

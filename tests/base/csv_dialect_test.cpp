@@ -271,6 +271,23 @@ TEST(UnitRow, SaysTheUnitOfAGroupOrWhatToDo) {
               HasSubstr("whose name says another unit"));
 }
 
+/// A spreadsheet's "Unicode text", and Western Europe's old tables.
+TEST(CsvDialect, AnotherEncodingIsToldSo) {
+  const auto wide = [](const std::string& text, bool is_little) {
+    std::string bytes;
+    for (const char c : text) bytes += is_little ? std::string{c, '\0'} : std::string{'\0', c};
+    return bytes;
+  };
+  for (const bool is_little : {true, false})
+    EXPECT_THAT(refusal(wide("t,x\n0,1\n", is_little)), HasSubstr("is a UTF-16 text: save it as UTF-8"));
+  EXPECT_THAT(
+      refusal("t,Gr\xf6\xdf\n0,1\n"),
+      EndsWith("; its header is no UTF-8 (Latin-1?): save the table as UTF-8, or its names are not found"));
+  EXPECT_EQ(si_per_unit(Quantity::time, "\xb5s"), 1e-6) << "micro in Latin-1";
+  EXPECT_EQ(refusal("# gemessen in Z\xfcrich\nt,x,Gr\xf6\xdf\n0,1,2\n"), "taken")
+      << "nothing reads that column";
+}
+
 TEST(CsvDialect, AnotherSeparatorThanTheNamedOneIsToldSo) {
   EXPECT_THAT(refusal("t,x\n1,2\n", ';'), HasSubstr("its cells are parted by ',', not by ';'"));
   EXPECT_THAT(refusal("t;x\n1;2\n", ' '), HasSubstr("parted by ';', not by blanks"));

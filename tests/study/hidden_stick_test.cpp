@@ -67,6 +67,29 @@ TEST(HiddenStick, TheSpeedAtWhichFrictionStepsIsVMin) {
   EXPECT_NEAR(of(fit, PadNumber::mu_dynamic).value, 0.12, 0.0005);
 }
 
+/// A finger that is hardly faster than v_min: beyond the margin about the speed at which friction steps no
+/// slip is left. That step is then no v_min, and slip is told by what there is. Did each pass only undo the
+/// one before, the number of passes would decide, which the normal law's exponent changes.
+TEST(HiddenStick, AStepThatLeavesNoSlipIsNotTrusted) {
+  std::vector<test::KnownTrial> trials = rubs();
+  constexpr double fastest_m_per_s = 0.105;
+  for (test::KnownTrial& trial : trials)
+    trial.amplitude_m = fastest_m_per_s / (2 * M_PI * trial.frequency_hz);
+  test::KnownSensors sensors = sensors_with(0.005);
+  sensors.air_s = 0.3;
+  for (const double press_exponent : {1.0, 3.0}) {
+    test::KnownFinger finger = finger_of(0.15, 0.12, 150);
+    finger.press_exponent = press_exponent;
+    const ProfileFit fit = fitted(trials, 1, finger, sensors);
+    EXPECT_FALSE(fit.v_min_by_step) << press_exponent;
+    EXPECT_NE(of(fit, PadNumber::v_min).refusal, "") << press_exponent;
+    EXPECT_EQ(of(fit, PadNumber::mu_dynamic).refusal, "") << press_exponent;
+    EXPECT_TRUE(holds(fit, PadNumber::mu_dynamic, 0.12)) << of(fit, PadNumber::mu_dynamic).value;
+    for (const PadNumber number : spring_numbers)
+      EXPECT_NE(of(fit, number).refusal, "") << pad_number_keys[static_cast<std::size_t>(number)];
+  }
+}
+
 TEST(HiddenStick, FrictionThatRisesByAndByHasNoStep) {
   // A trial whose friction falls with the logarithm of its speed, and one in which it falls at once.
   TrialEvidence slowly, at_once;

@@ -96,6 +96,12 @@ TEST_F(Reading, TrialsArePartedAndUnnumberedOnesCutWhereTheRecordingStopped) {
               HasSubstr("2 of the columns dx, dy, dz"));
 }
 
+TEST_F(Reading, ATableWithoutRowsIsToldSo) {
+  const std::string path = written("empty.csv", "# none yet\nt_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n\n");
+  EXPECT_THAT(test::why_not([&] { read_measurements({path}, {}); }),
+              HasSubstr("empty.csv: has a header but no rows"));
+}
+
 TEST_F(Reading, Hdf5ColumnsAreReadAsThoseOfATable) {
   const std::string path = (folder / "columns.h5").string();
   {
@@ -119,6 +125,41 @@ TEST_F(Reading, Hdf5ColumnsAreReadAsThoseOfATable) {
   MeasurementFormat named;
   named.headers[0] = "when";
   EXPECT_THAT(test::why_not([&] { read_measurements({path}, named); }), HasSubstr("has no dataset 'when'"));
+}
+
+TEST_F(Reading, AnHdf5DatasetsUnitIsReadAndToldOrRefusedByName) {
+  const auto read_with = [this](const std::string& length, const MeasurementFormat& format) {
+    const std::string path = (folder / "units.h5").string();
+    hdf5::Handle file = hdf5::create_file(path);
+    const std::pair<const char*, std::string> columns[] = {{"time", "ms"}, {"X", length}, {"Y", length},
+                                                           {"Z", length},  {"fx_n", "N"}, {"fy_n", "N"},
+                                                           {"fz_n", "N"}};
+    for (const auto& [name, unit] : columns) {
+      std::vector<double> values;
+      for (int i = 0; i < 20; ++i) values.push_back(i);
+      hdf5::append(hdf5::create_column(file, name, hdf5::NumberType::float64, unit), 0, values);
+    }
+    hdf5::close_file(std::move(file));
+    return read_measurements({path}, format);
+  };
+  MeasurementFormat format;
+  const char* const names[] = {"time", "X", "Y", "Z"};
+  std::copy(std::begin(names), std::end(names), format.headers.begin());
+  const RecordedMeasurement read = read_with("mm", format);
+  ASSERT_EQ(read.trials.size(), 1u);
+  EXPECT_EQ(read.trials.front().rate_hz, 1000);
+  EXPECT_NEAR(read.trials.front().position_W(1, 3), 3e-3, 1e-12);  // rounding
+  EXPECT_NEAR(read.trials.front().force_W(2, 3), 3, 1e-12);
+  EXPECT_THAT(read.notes,
+              testing::Contains(HasSubstr(
+                  "units as the attributes of its datasets have them: a time is 0.001 s, a position is "
+                  "0.001 m, a force is 1 N")));
+  EXPECT_THAT(
+      test::why_not([&] { read_with("ell", format); }),
+      HasSubstr("has the unit 'ell' at 'X', which is no unit of length that is known (m, mm, cm, in): "
+                "delete the attribute, and say --unit"));
+  format.says_unit = true;
+  EXPECT_THAT(test::why_not([&] { read_with("mm", format); }), HasSubstr("and --unit says another unit"));
 }
 
 TEST_F(Reading, TwoMarkersGiveTheFingertipAndItsAngle) {

@@ -12,7 +12,9 @@
 #include <vector>
 
 #include "base/error.hpp"
+#include "base/random_stream.hpp"
 #include "support/paths.hpp"
+#include "support/refusal.hpp"
 
 namespace fingerpad::hdf5_columns_test {
 namespace {
@@ -21,6 +23,16 @@ using testing::AllOf;
 using testing::HasSubstr;
 
 constexpr hsize_t column_rows = 200000;
+
+/// A file that this test fills.
+struct MadeFile {
+  std::string path = test::scratch_dir() / "made.h5";
+  hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
+
+  void add(const char* name, hid_t type, hid_t space, hid_t creation) const {
+    H5Dclose(H5Dcreate2(id, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT));
+  }
+};
 
 void write_column(hid_t file, const std::string& name, bool is_deflated) {
   const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
@@ -69,9 +81,71 @@ TEST(Hdf5Columns, ADeflatedTimeIsRefusedWithItsMend) {
     read_hdf5_columns(path, column_names());
     FAIL() << "is read";
   } catch (const Error& error) {
-    EXPECT_THAT(error.what(), AllOf(HasSubstr("the column 't_s' is compressed"),
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("its columns are compressed to less than one part in 32"),
                                     HasSubstr("h5repack -f t_s:NONE IN.h5 OUT.h5")));
   }
+}
+
+/// All of them compressed, as many programs write them, but full of noise: they are read.
+TEST(Hdf5Columns, CompressedOnesOfNoiseAreReadWithoutAPlainOne) {
+  const MadeFile file;
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE), space = H5Screate_simple(1, &column_rows, nullptr);
+  constexpr hsize_t chunk = 50000;
+  H5Pset_chunk(creation, 1, &chunk);
+  H5Pset_shuffle(creation);
+  H5Pset_deflate(creation, 9);
+  RandomStream random(1);
+  for (const std::string name : {"t_s", "x_m", "nz"}) {
+    std::vector<float> numbers(column_rows, 1);
+    for (std::size_t i = 0; i < column_rows && name != "nz"; ++i)
+      numbers[i] = static_cast<float>(name == "t_s" ? 1e-3 * static_cast<double>(i) : random.normal());
+    const hid_t column =
+        H5Dcreate2(file.id, name.c_str(), H5T_IEEE_F32LE, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    H5Dwrite(column, H5T_NATIVE_FLOAT, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers.data());
+    H5Dclose(column);
+  }
+  H5Sclose(space);
+  H5Pclose(creation);
+  H5Fclose(file.id);
+  const Hdf5Columns read = read_hdf5_columns(file.path, {"t_s", "x_m", "nz"});
+  EXPECT_EQ(read.columns[0].at(1000), static_cast<double>(1e-3f * 1000));
+  EXPECT_EQ(read.columns[2].back(), 1);
+  EXPECT_FALSE(read.is_trace);
+}
+
+/// A unit as NumPy's bytes and MATLAB write one: of a length, padded; or of h5py, of any length.
+TEST(Hdf5Columns, TellTheirUnitHoweverItIsWritten) {
+  const MadeFile file;
+  constexpr hsize_t few = 2;
+  const hid_t space = H5Screate_simple(1, &few, nullptr), scalar = H5Screate(H5S_SCALAR);
+  const hid_t padded = H5Tcopy(H5T_C_S1), blanks = H5Tcopy(H5T_C_S1);
+  for (const hid_t type : {padded, blanks}) H5Tset_size(type, 4);
+  H5Tset_strpad(padded, H5T_STR_NULLPAD);
+  H5Tset_strpad(blanks, H5T_STR_SPACEPAD);
+  const auto add = [&](const char* name, const char* attribute, hid_t type, const char* text) {
+    const hid_t column =
+        H5Dcreate2(file.id, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+    const double numbers[few] = {1, 2};
+    H5Dwrite(column, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers);
+    const hid_t unit = H5Acreate2(column, attribute, type, scalar, H5P_DEFAULT, H5P_DEFAULT);
+    H5Awrite(unit, type, text);
+    H5Aclose(unit);
+    H5Dclose(column);
+  };
+  add("a", "unit", padded, "mm\0\0");
+  add("b", "units", blanks, "ms  ");
+  add("c", "note", padded, "mm\0\0");
+  const double number = 1e-3;
+  add("d", "unit", H5T_NATIVE_DOUBLE, reinterpret_cast<const char*>(&number));
+  for (const hid_t type : {padded, blanks}) H5Tclose(type);
+  for (const hid_t shape : {space, scalar}) H5Sclose(shape);
+  H5Fclose(file.id);
+  const auto units = [&](const std::vector<std::string>& names) {
+    return read_hdf5_columns(file.path, names).units;
+  };
+  EXPECT_THAT(units({"a", "b", "c"}), testing::ElementsAre("mm", "ms", ""));
+  EXPECT_THAT(test::why_not([&] { units({"d"}); }),
+              HasSubstr("the column 'd' has an attribute 'unit' that is no text, as m or mm are"));
 }
 
 /// Columns t_s and x_m of four numbers in these shapes, at the root or in a group.
@@ -122,16 +196,6 @@ TEST(Hdf5Contents, AreDatasetsWithTheirShapesAndGroups) {
   EXPECT_EQ(read_hdf5_contents(shaped({2, 2, 2}, false)), "it holds t_s (2 x 2 x 2), x_m (2 x 2 x 2)");
   EXPECT_EQ(read_hdf5_contents(shaped({}, false)), "it holds t_s (a scalar), x_m (a scalar)");
 }
-
-/// A file that this test fills.
-struct MadeFile {
-  std::string path = test::scratch_dir() / "made.h5";
-  hid_t id = H5Fcreate(path.c_str(), H5F_ACC_TRUNC, H5P_DEFAULT, H5P_DEFAULT);
-
-  void add(const char* name, hid_t type, hid_t space, hid_t creation) const {
-    H5Dclose(H5Dcreate2(id, name, type, space, H5P_DEFAULT, creation, H5P_DEFAULT));
-  }
-};
 
 /// HDF5 may open the source of a virtual dataset to tell its size. Of a pipe it would wait for ever.
 TEST(Hdf5Contents, OpenNoOtherFile) {
