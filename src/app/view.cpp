@@ -129,8 +129,12 @@ int view(const ViewOptions& options) {
     throw Error(ErrorKind::usage, "--at", "is no moment in seconds");
   if (!options.camera.empty()) read_look(options.camera);  // before a long import
   const MovieChoice movie{size.width, size.height, options.frames_per_s, options.speed};
-  refuse_missing_subject(options.subject);
-  options.output().empty() ? need_display() : refuse_output(options, movie);
+  if (options.output().empty()) {
+    refuse_missing_subject(options.subject);
+    need_display();
+  } else {
+    refuse_output(options, movie);
+  }
   LoadBar bar(stderr_is_terminal());
   ViewInput input = load_subject(options.subject, metres_of(options.unit), bar);
   bar.finish();

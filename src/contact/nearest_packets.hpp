@@ -5,31 +5,38 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <utility>
 
 #include "contact/winding_number.hpp"
 
 namespace fingerpad {
 
-/// The packets of a part, those first whose boxes are nearest to a point. The order is the part's alone.
+/// The packets of a part, those about first whose boxes are nearest to a point. Where very many are about as
+/// near, as from the middle of a ball, no more than a few clusters are gone into before a packet is found.
+/// The order is the part's alone.
 class WindingNumber::NearestPackets {
  public:
   /// @param at  scaled
   NearestPackets(const WindingNumber& clusters, const Vec3& at) noexcept : clusters_(&clusters), at_(at) {
-    look_into(clusters.top(), 0);
+    look_into(clusters.top(), 0, false);
   }
 
   /// The next packet whose box comes within the radius (scaled, up to rounding); false when there is none.
   bool next(std::size_t& packet, double radius) noexcept {
-    while (count_ > 0) {
-      const Open nearest = open_[0];
+    for (int gone_into = 0; count_ > 0; ++gone_into) {
+      Open nearest = open_[0];
       if (!(nearest.beyond2 <= radius * radius)) return false;
       std::pop_heap(open_.begin(), open_.begin() + count_, is_farther);
       --count_;
-      if (nearest.level == 0) {
-        packet = nearest.index;
-        return true;
+      while (nearest.level > 0) {
+        const bool straight_on = gone_into >= most_gone_into;
+        const Open child = look_into(nearest.level - 1, branching * std::size_t{nearest.index}, straight_on);
+        if (!straight_on) break;
+        nearest = child;
       }
-      look_into(nearest.level - 1, branching * std::size_t{nearest.index});
+      if (nearest.level > 0) continue;
+      packet = nearest.index;
+      return true;
     }
     return false;
   }
@@ -44,15 +51,19 @@ class WindingNumber::NearestPackets {
   };
   /// More are open only where thousands are about as near; those that do not fit are left out.
   static constexpr std::ptrdiff_t most_open = 1024;
+  /// Clusters that are gone into one after the other, the nearest first, before the way goes straight down.
+  static constexpr int most_gone_into = 16;
 
   static bool is_farther(const Open& a, const Open& b) noexcept {
     if (a.beyond2 != b.beyond2) return a.beyond2 > b.beyond2;
     return a.level != b.level ? a.level > b.level : a.index > b.index;
   }
 
-  void look_into(std::size_t level, std::size_t first) noexcept {
+  /// @param takes_nearest  the nearest of the four is returned, and not kept among those that are open
+  Open look_into(std::size_t level, std::size_t first, bool takes_nearest) noexcept {
     ++tests_;
     const Four& four = clusters_->four(level, first);
+    std::array<Open, branching> seen;
     for (std::size_t k = 0; k < branching; ++k) {
       double beyond2 = 0;
       for (int i = 0; i < 3; ++i) {
@@ -60,11 +71,21 @@ class WindingNumber::NearestPackets {
                                                 static_cast<double>(four.half[i][k]));
         beyond2 += beyond * beyond;
       }
-      if (!(beyond2 < std::numeric_limits<double>::infinity()) || count_ == most_open) continue;
-      open_[static_cast<std::size_t>(count_++)] = {beyond2, static_cast<std::uint32_t>(level),
-                                                   static_cast<std::uint32_t>(first + k)};
+      seen[k] = {beyond2, static_cast<std::uint32_t>(level), static_cast<std::uint32_t>(first + k)};
+    }
+    std::size_t kept = 0;
+    if (takes_nearest) {
+      std::swap(seen[0], *std::min_element(seen.begin(), seen.end(),
+                                           [](const Open& a, const Open& b) { return is_farther(b, a); }));
+      kept = 1;
+    }
+    for (; kept < branching; ++kept) {
+      // Where the last of a level has fewer than four, those that are not are infinitely far away.
+      if (!(seen[kept].beyond2 < std::numeric_limits<double>::infinity()) || count_ == most_open) continue;
+      open_[static_cast<std::size_t>(count_++)] = seen[kept];
       std::push_heap(open_.begin(), open_.begin() + count_, is_farther);
     }
+    return seen[0];
   }
 
   const WindingNumber* clusters_;

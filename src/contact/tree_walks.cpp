@@ -227,19 +227,27 @@ ClosestTriangle TriangleTree::about_closest(const Vec3& q, int seed, double reac
   const PackedPart& packed = impl.packed;
   if (!impl.is_searched(q, reach_m)) return {};
   ClosestSearch search(packed, impl.filter, q, reach_m);
-  if (seed >= 0) search.look_at_seed(seed);
+  const long price = impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest;
+  if (seed >= 0) {
+    search.look_at_seed(seed);
+    looks.spend(price);
+  }
+  const TrianglePacket* const seen = search.looked_at;
   WindingNumber::NearestPackets nearest(impl.winding, search.scaled);
   std::size_t index = 0;
+  long opened = 0;
   for (int k = 0; k < most_packets && !looks.are_spent();) {
     const double radius = std::sqrt(search.winner.at.distance2_m2) * packed.scale;
-    if (!nearest.next(index, radius)) break;
+    const bool is_found = nearest.next(index, radius);
+    looks.spend(LookCosts::opened * (nearest.tests() - std::exchange(opened, nearest.tests())));
+    if (!is_found) break;
+    const TrianglePacket& packet = packed.packets[index];
     looks.spend(LookCosts::passed_over);
-    if (search.passes_over(packed.discs[index])) continue;
-    search.look_at(packed.packets[index]);
-    looks.spend(impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest);
+    if (&packet == seen || search.passes_over(packed.discs[index])) continue;
+    search.look_at(packet);
+    looks.spend(price);
     ++k;
   }
-  looks.spend(nearest.tests());
   return search.answer();
 }
 

@@ -39,7 +39,7 @@ class WindingNumber {
   /// The same packets one after the other, for a search that is not broken off: no cluster is looked at
   /// twice.
   class NearPackets;
-  /// All of them, the nearest first.
+  /// Them with about the nearest first; where thousands are about as near, not all.
   class NearestPackets;
   /// A packet that is likely near a point. @pre there is one
   std::size_t some_near(const Vec3& at) const noexcept;

@@ -32,20 +32,17 @@ bool has_hung_up(int descriptor) noexcept {
   return count == 0 || (count < 0 && errno != EAGAIN && errno != EWOULDBLOCK && errno != EINTR);
 }
 
-/// Throws Error (usage) where no daemon answers.
-void open_daemon() {
-  if (spnav_open() == 0) return;
-  const char* named = std::getenv("SPNAV_SOCKET");
-  throw Error(ErrorKind::usage, named != nullptr ? named : "/var/run/spnav.sock",
-              "no daemon of a space mouse answers there: install and start spacenavd, or name its socket in "
-              "SPNAV_SOCKET");
-}
-
 }  // namespace
 
 SpacemouseFinger::SpacemouseFinger(const DeviceSetup& setup)
     : axes_W_(setup.scene.device.scale * setup.scene.device.rotation), finger_(setup.start) {
-  open_daemon();
+  if (spnav_open() != 0) {
+    const char* named = std::getenv("SPNAV_SOCKET");
+    throw Error(
+        ErrorKind::usage, named != nullptr ? named : "/var/run/spnav.sock",
+        "no daemon of a space mouse answers there: install and start spacenavd, or name its socket in "
+        "SPNAV_SOCKET");
+  }
   thread_ = std::thread([this] { run(); });
 }
 
@@ -98,12 +95,7 @@ DeviceEntry spacemouse_device() noexcept {
           .make = [](const DeviceSetup& setup) -> std::unique_ptr<LiveDevice> {
             return std::make_unique<SpacemouseFinger>(setup);
           },
-          .reads_settings = true,
-          .refuse =
-              [](const Scene&, const DeviceLink&) {
-                open_daemon();
-                spnav_close();
-              }};
+          .reads_settings = true};
 }
 
 }  // namespace fingerpad

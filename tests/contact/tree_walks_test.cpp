@@ -208,7 +208,19 @@ TEST(TreeWalks, ABriefSearchFromNothingBeginsNearTheAnswer) {
     const Vec3 q(out_m * std::cos(angle), out_m * std::sin(angle), 0.03 * random.uniform() - 0.015);
     BriefSearch brief{300};
     const ClosestTriangle found = tree.closest(q, brief, unbounded), exact = tree.closest(q, -1, unbounded);
-    EXPECT_LT(found.at.distance2_m2, 1.1 * exact.at.distance2_m2) << q.transpose();
+    EXPECT_LT(found.at.distance2_m2, 2 * exact.at.distance2_m2) << q.transpose();
+  }
+}
+
+TEST(TreeWalks, FromTheMiddleOfAFineBallTheNearestPacketsCostNoMoreThanTheLooks) {
+  const TriangleTree tree(std::make_shared<const Part>(make_part(test::sphere_soup(0.02, 6), 0.5)));
+  RandomStream random(18);
+  for (int k = 0; k < 50; ++k) {
+    Looks looks(200);
+    const Vec3 q = k == 0 ? Vec3::Zero() : any(random, 1e-3);
+    EXPECT_GE(tree.about_closest(q, -1, unbounded, 8, looks).triangle, 0);
+    // The last packet, and the way down to it.
+    EXPECT_LE(looks.spent(), 200 + LookCosts::closest_cold + LookCosts::passed_over + LookCosts::opened * 30);
   }
 }
 
