@@ -47,16 +47,6 @@ void tell_job(const PlannedJob& job, std::map<std::string, std::string>& first) 
   print_out("{}: {}{}{}\n", job.file, what, what.empty() ? "" : ": ", end);
 }
 
-/// A line where threads have far fewer processors than one each: the time is reckoned by that.
-void tell_share(const BatchPlan& plan, int threads) {
-  constexpr double nearly_all = 0.8;
-  const int busy = std::clamp(static_cast<int>(plan.jobs.size()), 1, std::max(1, threads));
-  if (plan.processors >= nearly_all * busy) return;
-  print_out("the time is by what {} now: {} of a processor, for the machine has no more, or other work\n",
-            busy == 1 ? "1 thread gets" : fmt::format("{} threads get together", busy),
-            rounded_text(plan.processors, 2));
-}
-
 /// The room on the disk of a folder that may not be there yet.
 double room_for(const std::string& folder) {
   std::error_code none;
@@ -82,21 +72,19 @@ bool tell_plan(const BatchPlan& plan, const BatchOptions& batch) {
     return false;
   }
   print_out(
-      "{} {}{}, {:.0f} ticks: about {} on {} {}, {}{} (from {} of {} kinds of jobs tried{}; nothing "
+      "{} {}{}, {:.0f} ticks: about {} on {} {}, {} in {} (from {} of {} kinds of jobs tried{}; nothing "
       "was written)\n",
       plan.jobs.size(), plan.jobs.size() == 1 ? "job" : "jobs",
       failing > 0 ? fmt::format(", of which {} would fail", failing) : "", plan.ticks,
       duration_words(plan.seconds), batch.threads, batch.threads == 1 ? "thread" : "threads",
-      plan.bytes_unknown.empty() ? size_words(plan.bytes) : "unknown bytes",
-      batch.out_dir.empty() ? "" : " in " + batch.out_dir, plan.measured, plan.kinds,
+      plan.bytes_unknown.empty() ? size_words(plan.bytes) : "unknown bytes", batch.out_dir, plan.measured,
+      plan.kinds,
       plan.not_laid > 0 ? fmt::format("; not tried whether the motion of {} can be laid",
                                       plan.not_laid == 1 ? "1 job" : fmt::format("{} jobs", plan.not_laid))
                         : "");
-  tell_share(plan, batch.threads);
   if (!plan.bytes_unknown.empty())
     print_err("fingerpad: warning: no trace could be tried, so the disk is not reckoned: {}\n",
               plan.bytes_unknown);
-  if (batch.out_dir.empty()) return failing == 0;
   const double room = room_for(batch.out_dir);
   if (plan.bytes > room)
     print_err("fingerpad: warning: {}: the disk has room for {} only\n", batch.out_dir, size_words(room));

@@ -13,7 +13,6 @@
 #include "replay/job_try.hpp"
 #include "replay/missing_inputs.hpp"
 #include "replay/planned_ticks.hpp"
-#include "replay/processor_time.hpp"
 #include "replay/timed_meshes.hpp"
 
 namespace fingerpad {
@@ -216,9 +215,7 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
       plan.bytes += cost.bytes + job_ticks * cost.bytes_per_tick;
     }
   }
-  const int threads = std::clamp(static_cast<int>(ours.size()), 1, std::max(1, options.threads));
-  plan.processors = processors_for(threads);
-  plan.seconds = shared_seconds(work_s, longest_s, threads, plan.processors);
+  plan.seconds = std::max(longest_s, work_s / options.threads);
   return plan;
 }
 

@@ -19,8 +19,7 @@ struct PlannedJob {
 struct BatchPlan {
   std::vector<PlannedJob> jobs;  ///< of this call's shard
   double ticks = 0;
-  double seconds = 0;     ///< on the batch's threads, as far as they get processors now
-  double processors = 0;  ///< that they get, all together
+  double seconds = 0;  ///< on the batch's threads
   double bytes = 0;
   std::string bytes_unknown = {};  ///< why they are not, if so: what the folder for temporary files said
   std::vector<std::string> warnings = {};  ///< of its motions' files, each once
@@ -29,11 +28,11 @@ struct BatchPlan {
 };
 
 /// Plans a batch without writing into its folder. The ticks are counted; time and disk are reckoned from a
-/// short try, by the processors' time that it takes, of one job for each set of parts with its contact
-/// method, at most eight, from the smallest mesh to the largest (where that job fails, of the next that does
-/// not), whose trace goes to the system's folder for temporary files and is removed again. Of further kinds a
-/// tick is taken for an average one, loading and disk go by the size of their meshes' files. On the parts
-/// that are loaded for a try the motions of the other jobs are laid too, as far as that is asked for.
+/// short try of one job for each set of parts with its contact method, at most eight, from the smallest mesh
+/// to the largest (where that job fails, of the next that does not), whose trace goes to the system's folder
+/// for temporary files and is removed again. Of further kinds a tick is taken for an average one, loading and
+/// disk go by the size of their meshes' files. On the parts that are loaded for a try the motions of the
+/// other jobs are laid too, as far as that is asked for.
 BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& options);
 
 }  // namespace fingerpad

@@ -10,7 +10,6 @@
 
 #include "base/error.hpp"
 #include "replay/figures.hpp"
-#include "replay/processor_time.hpp"
 #include "touch/closed_loop.hpp"
 #include "trace/column_chunks.hpp"
 #include "trace/motion_source.hpp"
@@ -130,29 +129,29 @@ long tick_for_a_while(ClosedLoop& loop, Figures& figures, TryTrace& trace, Clock
 }  // namespace
 
 JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const BatchOptions& options) {
-  const double start_s = processor_s();
+  const Clock::time_point start = Clock::now();
   { const ReadyJob first(scene, meshes, motions, options); }
-  const double first_s = processor_s() - start_s;
+  const double first_s = seconds_since(start);
 
   // Its meshes, and its motion where that is read from a file, are there from now on, as for the jobs after
   // it.
-  const double again_s = processor_s();
+  const Clock::time_point again = Clock::now();
   const ReadyJob job(scene, meshes, motions, options);
   JobCost cost;
-  cost.load_s = std::max(0.0, first_s - (processor_s() - again_s));
+  cost.load_s = std::max(0.0, first_s - seconds_since(again));
   TryTrace trace;
   ClosedLoop loop(job.world, job.scene, job.path());
   Figures figures(job.world);
   if (options.traces) trace.begin(options.format, job.info, *job.world, loop.tick_count());
-  cost.s_a_job = processor_s() - again_s;
+  cost.s_a_job = seconds_since(again);
   cost.bytes = trace.bytes();
 
-  const double run_begin_s = processor_s();
-  const long ticks = tick_for_a_while(loop, figures, trace, Clock::now());
-  const double run_end_s = processor_s();
-  const double run_s = run_end_s - run_begin_s;
+  const Clock::time_point run = Clock::now();
+  const long ticks = tick_for_a_while(loop, figures, trace, run);
+  const double run_s = seconds_since(run);
+  const Clock::time_point ending = Clock::now();
   trace.finish();
-  cost.s_a_job += processor_s() - run_end_s;
+  cost.s_a_job += seconds_since(ending);
   cost.unwritten = trace.refusal();
   if (ticks == 0) return cost;
   cost.s_per_tick = run_s / static_cast<double>(ticks);

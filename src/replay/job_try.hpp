@@ -8,7 +8,7 @@
 
 namespace fingerpad {
 
-/// What a kind of jobs costs, in seconds of a processor.
+/// What a kind of jobs costs.
 struct JobCost {
   double load_s = 0;   ///< its meshes, once for all its jobs
   double s_a_job = 0;  ///< beside its ticks: choosing the contact, beginning and ending a trace

@@ -1,17 +1,21 @@
 #include "replay/timed_meshes.hpp"
 
+#include <chrono>
 #include <utility>
 
 #include "base/error.hpp"
 #include "replay/job_order.hpp"
-#include "replay/processor_time.hpp"
 #include "scene/scene.hpp"
 
 namespace fingerpad {
 
 void TimedMeshes::load(const Scene& scene) {
-  const double start_s = processor_s();
-  const auto note = [&] { load_s_.try_emplace(meshes_of(scene), processor_s() - start_s); };
+  using Clock = std::chrono::steady_clock;
+  const Clock::time_point start = Clock::now();
+  const auto note = [&] {
+    const std::chrono::duration<double> taken = Clock::now() - start;
+    load_s_.try_emplace(meshes_of(scene), taken.count());
+  };
   try {
     for (const PartEntry& part : scene.parts) store_.load(part);
   } catch (const Error&) {

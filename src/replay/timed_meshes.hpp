@@ -7,7 +7,7 @@
 
 namespace fingerpad {
 
-/// The meshes of a batch that is planned, and how long they took to load, in seconds of a processor.
+/// The meshes of a batch that is planned, and how long they took to load.
 class TimedMeshes {
  public:
   /// @param keep, progress  as MeshStore's

@@ -43,21 +43,6 @@ TEST(DryRun, ListsJobsWithTheirTicksAndReckonsTimeAndDisk) {
   EXPECT_NEAR(std::stod(planned.out.substr(at + 8)) * 1e6, bytes, 0.2 * bytes) << planned.out;
 }
 
-TEST(DryRun, NeedsNoFolder) {
-  const fs::path folder = test::scratch_dir();
-  std::ofstream(folder / "s.toml")
-      << "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, "
-         "-0.001]\nto_m = [0.001, 0, -0.001]\nspeed_m_per_s = 0.1\n";
-  const auto planned = test::fingerpad("replay s.toml --dry-run", folder);
-  EXPECT_EQ(planned.exit_code, 0) << planned.err;
-  EXPECT_THAT(planned.out, testing::ContainsRegex(
-                               "1 job, 11 ticks: about .* on [0-9]+ threads?, [0-9.]+ kB \\(from 1 of 1 "));
-  EXPECT_EQ(std::distance(fs::directory_iterator(folder), {}), 1) << "nothing is written";
-  const auto real = test::fingerpad("replay s.toml", folder);
-  EXPECT_EQ(real.exit_code, 2);
-  EXPECT_THAT(real.err, HasSubstr("--out is required"));
-}
-
 /// The ticks that a dry run lists, by job.
 std::vector<long> listed_ticks(const std::string& plan) {
   std::vector<long> ticks;
