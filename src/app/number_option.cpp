@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -52,8 +53,12 @@ CLI::Validator memory_size() {
   const CLI::AsSizeValue size(false);
   const auto to_bytes = [size](std::string& text) -> std::string {
     const std::string given = text;
+    const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+    constexpr std::size_t most_digits = 9;  // of terabytes even these are a number
+    const bool is_number = digits > 0 && text.find_first_not_of('0') < digits &&
+                           (digits <= most_digits || (digits == text.size() && digits <= 2 * most_digits));
     try {
-      if (size(text).empty()) return {};
+      if (is_number && size(text).empty()) return {};
     } catch (const CLI::ValidationError&) {  // told below, with what is allowed
     }
     return fmt::format(

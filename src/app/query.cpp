@@ -6,6 +6,9 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "app/commands.hpp"
 #include "app/output_name.hpp"
@@ -69,16 +72,24 @@ double write_answers(const TriangleTree& tree, const CsvColumns& points,
   return least_m;
 }
 
-/// The unit in which the points would lie about the part; empty where it is none.
-std::string likelier_unit(const Eigen::AlignedBox3d& part, const CsvColumns& points) {
+/// The units in which the points would lie about the part, the likeliest first: in which both are about as
+/// large.
+std::string likelier_units(const Eigen::AlignedBox3d& part, const CsvColumns& points) {
+  Eigen::AlignedBox3d box;
+  for (std::size_t i = 0; i < points.lines.size(); ++i)
+    box.extend(Vec3(points.columns[0][i], points.columns[1][i], points.columns[2][i]));
+  std::vector<std::pair<double, std::string>> units;
   for (const LengthUnit& unit : length_units) {
-    Eigen::AlignedBox3d box;
-    for (std::size_t i = 0; i < points.lines.size(); ++i)
-      box.extend(unit.metres * Vec3(points.columns[0][i], points.columns[1][i], points.columns[2][i]));
-    if (unit.metres != 1 && part.exteriorDistance(box) <= part.diagonal().norm())
-      return std::string(unit.name);
+    const Eigen::AlignedBox3d scaled(unit.metres * box.min(), unit.metres * box.max());
+    if (unit.metres == 1 || part.exteriorDistance(scaled) > part.diagonal().norm()) continue;
+    const double farthest_m = part.center().norm() + part.diagonal().norm() / 2,
+                 reach_m = std::max(scaled.min().norm(), scaled.max().norm());
+    units.emplace_back(std::abs(std::log(reach_m / farthest_m)), unit.name);
   }
-  return {};
+  std::sort(units.begin(), units.end());
+  std::string words;
+  for (const auto& [unlike, name] : units) words += (words.empty() ? "" : " or ") + name;
+  return words;
 }
 
 /// What to say of points that are all far away from the part, many times its size: mostly a unit.
@@ -88,7 +99,7 @@ void tell_far_points(const QueryOptions& options, const Part& part, const CsvCol
   const Eigen::AlignedBox3d box(part.centre_P - part.half_extent, part.centre_P + part.half_extent);
   const double size_m = part.size_m();
   if (points.lines.empty() || !(least_m > far * size_m)) return;
-  const std::string unit = likelier_unit(box, points);
+  const std::string unit = likelier_units(box, points);
   print_err("fingerpad: {}: {} {} m or more from {}, which is {} m large; points are in metres{}\n",
             input_name(options.points),
             points.lines.size() == 1 ? "its point is" : fmt::format("all {} points are", points.lines.size()),

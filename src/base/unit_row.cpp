@@ -14,14 +14,6 @@ namespace {
 
 constexpr std::string_view si_symbols[quantities] = {"s", "m", "N", "N m", "m/s"};
 
-/// The unit that a column's name ends in, as x_m and tx_n_m of the program's own tables, x_mm and f_mN of
-/// others.
-std::optional<double> unit_in_name(Quantity quantity, std::string_view name) {
-  if (unit_in_ending(name) == si_symbols[static_cast<std::size_t>(quantity)]) return 1;
-  const std::size_t bar = name.rfind('_');
-  return bar == std::string_view::npos ? std::nullopt : si_per_unit(quantity, name.substr(bar + 1));
-}
-
 std::string_view si_words(Quantity quantity) {
   constexpr std::string_view words[quantities] = {"seconds", "metres", "newtons", "newton metres",
                                                   "metres a second"};
@@ -33,6 +25,12 @@ bool is_unitless(std::string_view word) {
 }
 
 }  // namespace
+
+std::optional<double> unit_in_name(Quantity quantity, std::string_view name) {
+  if (unit_in_ending(name) == si_symbols[static_cast<std::size_t>(quantity)]) return 1;
+  const std::size_t bar = name.rfind('_');
+  return bar == std::string_view::npos ? std::nullopt : si_per_unit(quantity, name.substr(bar + 1));
+}
 
 std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,
                                 const UnitGroup& group) {

@@ -20,6 +20,10 @@ struct UnitGroup {
   std::string option;  ///< how that is said, for people: "--unit"; empty: it cannot be said
 };
 
+/// The unit that a column's name ends in, in SI, as x_m and tx_n_m of the program's own tables, x_mm and f_mN
+/// of others.
+std::optional<double> unit_in_name(Quantity quantity, std::string_view name);
+
 /// What a row of units tells, in SI, by Quantity; nothing where it has no word for it.
 using ToldUnits = std::array<std::optional<double>, quantities>;
 

@@ -225,9 +225,11 @@ void PointerFinger::press(double dt_s) noexcept {
   give_way(within(tried_share), dt_s);
 }
 
-/// So many times what is asked for, but no more than the scene's greatest force where no more is asked for.
+/// So many times what is asked for, but hardly more than the scene's greatest force where no more is asked
+/// for. (Asked for that itself, a finger that gave way to every facet would judder.)
 double PointerFinger::within(double share) const noexcept {
-  return wanted_n_ > greatest_n_ ? share * wanted_n_ : std::min(share * wanted_n_, greatest_n_);
+  constexpr double hardly_more = 1.01;
+  return wanted_n_ > greatest_n_ ? share * wanted_n_ : std::min(share * wanted_n_, hardly_more * greatest_n_);
 }
 
 /// Straight out, as little as is enough.

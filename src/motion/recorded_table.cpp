@@ -7,6 +7,8 @@
 #include <optional>
 #include <utility>
 
+#include "base/printable_text.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -44,8 +46,31 @@ void keep_one_trial(const RecordingFormat& format, RecordedTable& table) {
                                         format.trial ? fmt::format(" trial {}", *format.trial) : ""));
 }
 
-void take_units(const UnitRow& row, const AskedColumns& asked, RecordingFormat& format) {
-  if (row.words.empty()) return;
+/// A column named x_mm is not to be taken for metres because nobody said a unit.
+void refuse_named_unit(const std::string& path, const AskedColumns& asked, Quantity quantity,
+                       std::size_t column, double si_per_unit, const char* option) {
+  const auto named = unit_in_name(quantity, asked.names[column]);
+  if (!named || *named == si_per_unit) return;
+  const std::string_view name = asked.names[column];
+  throw refused(path,
+                fmt::format("has the column '{}', whose name says a unit that is not said: say {} in "
+                            "[motion], \"{}\" if it is right",
+                            printable(name, 60), option, printable(name.substr(name.rfind('_') + 1), 20)));
+}
+
+void refuse_named_units(const std::string& path, const AskedColumns& asked, const RecordingFormat& format) {
+  for (std::size_t k = 0; k < asked.places.size(); ++k) {
+    const std::size_t place = asked.places[k];
+    if (place == 0 && !format.says_time_unit)
+      refuse_named_unit(path, asked, Quantity::time, k, format.seconds_per_unit, "time_unit");
+    if (place >= place_of_x && place < place_of_x + 3 && !format.says_unit)
+      refuse_named_unit(path, asked, Quantity::length, k, format.metres_per_unit, "unit");
+  }
+}
+
+void take_units(const std::string& path, const UnitRow& row, const AskedColumns& asked,
+                RecordingFormat& format) {
+  if (row.words.empty()) return refuse_named_units(path, asked, format);
   const auto unit = [&](Quantity quantity, std::initializer_list<std::size_t> columns, bool is_said,
                         double si_per_unit, const char* option) {
     UnitGroup group{quantity, {}, is_said, si_per_unit, option};
@@ -103,7 +128,7 @@ Points RecordedTable::points(std::size_t first) const {
 RecordedTable recorded_table(const std::string& path, std::vector<std::vector<double>> columns,
                              std::vector<long> lines, const AskedColumns& asked, const UnitRow& units,
                              RecordingFormat& format) {
-  take_units(units, asked, format);
+  take_units(path, units, asked, format);
   RecordedTable table{path, std::vector<std::vector<double>>(recording_columns.size()), std::move(lines)};
   if (table.lines.empty())
     throw refused(path,

@@ -126,8 +126,8 @@ void refuse_profile(const TomlNode& root, const std::string& path) {
   throw refused(
       path,
       fmt::format("is the profile of a finger pad, not a scene: a scene names it, with profile = \"{}\" in "
-                  "[finger]",
-                  path));
+                  "[finger], which is a path from the scene's own folder",
+                  std::filesystem::path(path).filename().string()));
 }
 
 bool begins_as_hdf5(const std::string& path) {

@@ -141,6 +141,13 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
         "to lie in the middle of the drops, {} samples later than where these begin, and {} samples behind "
         "them tell no stick",
         rounded_text(lag, 2), drop_tail_samples(lag)));
+  // Over more samples the end of a drop is not seen, and how late its middle is told too small.
+  constexpr double surely_seen_lag = 0.4;
+  if (point.evidence.rupture_lag > surely_seen_lag)
+    fit.doubts.emplace_back(
+        "the force sensor's low pass takes so many samples for a drop that its middle cannot be told: "
+        "mu_static, and "
+        "what follows from it, is likely too low; sample faster, or turn the sensor's filter off");
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
   std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
@@ -178,8 +185,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
     for (std::size_t k = 0; k < unsure.size(); ++k) unsure[k] += by_load[k];
     fit.doubts.emplace_back(
         "how friction changes with the load is not told, as no slip is surely seen: intervals are wider by "
-        "what "
-        "a rise with the load's power of -1/3 would move, as a pad has it that flattens like a ball");
+        "what a rise with the load's power of -1/3 would move, as a pad has it that flattens like a ball");
   }
   add_intervals(subject_of, unsure, settings, point, fit);
   if (!is_delay_told && !settings.keeps_told_by_few) {

@@ -186,8 +186,9 @@ void DelayReach::add(const std::vector<TrialEvidence>& delayed, const ProfileFit
 NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_delay, const FitPoint& point,
                                 bool has_slow_slip) {
   constexpr double unsure = 0.1, beside = 0.025;
-  // And what drops seem to be late, where it is too little to be taken out.
-  const double later = 0.05 + (point.evidence.rupture_lag > 0 ? 0 : seen_rupture_lag(fit.evidence));
+  // And what drops seem to be late: where it is taken out, that is unsure by about as much, for of a slow
+  // drop only the beginning is seen.
+  const double later = 0.05 + seen_rupture_lag(fit.evidence);
   const double long_tooth = long_tooth_samples(fit, point);
   const double earlier =
       0.5 + std::max(0.0, long_tooth - tooth_samples(fit, point.evidence).value_or(long_tooth));

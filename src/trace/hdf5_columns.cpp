@@ -22,11 +22,13 @@ std::string unit_of(const hdf5::Handle& column, const std::string& path, const s
   for (const char* attribute : {"unit", "units"}) {
     if (!hdf5::has_attribute(column, attribute)) continue;
     try {
-      return hdf5::read_text(column, attribute);
-    } catch (const Error&) {
-      throw refused(path, fmt::format("the column '{}' has an attribute '{}' that is no text, as m or mm are",
-                                      name, attribute));
+      const std::vector<std::string> words = hdf5::read_texts(column, attribute);
+      if (words.size() == 1) return words.front();
+    } catch (const Error&) {  // told below
     }
+    throw refused(path,
+                  fmt::format("the column '{}' has an attribute '{}' that is no single text, as m or mm are",
+                              name, attribute));
   }
   return {};
 }

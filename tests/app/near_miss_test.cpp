@@ -178,9 +178,10 @@ TEST(NearMiss, OfAProfileForASceneSaysWhereAProfileGoes) {
   for (const std::string& call : calls) {
     const auto result = test::fingerpad(call, folder);
     EXPECT_EQ(result.exit_code, 3) << call;
-    EXPECT_THAT(result.err,
-                HasSubstr("pad.toml: is the profile of a finger pad, not a scene: a scene names it, "
-                          "with profile = \"pad.toml\" in [finger]\n"))
+    EXPECT_THAT(
+        result.err,
+        HasSubstr("pad.toml: is the profile of a finger pad, not a scene: a scene names it, "
+                  "with profile = \"pad.toml\" in [finger], which is a path from the scene's own folder\n"))
         << call;
   }
 }

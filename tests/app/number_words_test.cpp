@@ -43,7 +43,8 @@ TEST(NumberWords, NameTheOptionWhatWasGivenAndWhatIsAllowed) {
 }
 
 TEST(NumberWords, OfMemoryNameASize) {
-  for (const char* word : {"viel", "4X", "1.5G", "-1M", "99999999999999999999G"}) {
+  for (const char* word :
+       {"viel", "4X", "1.5G", "-1M", "99999999999999999999G", "-3", "0", "K", "99999999999999999999"}) {
     EXPECT_EQ(told("replay s.toml --out o --memory " + std::string(word)),
               "fingerpad: error: --memory: '" + std::string(word) +
                   "' is no size of memory; 500M or 4G is one: a whole number with K, M, G or T behind it");

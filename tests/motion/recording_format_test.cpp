@@ -46,6 +46,21 @@ TEST(RecordingFormat, ReadsARowOfUnitsOrSaysWhatToDo) {
               HasSubstr("unit in [motion] says another unit"));
 }
 
+TEST(RecordingFormat, TakesNoColumnInAnotherUnitThanItsNameSays) {
+  RecordingFormat format;
+  format.headers = {"t_s", "x_m", "y_mm", "z_m"};
+  const std::string text = "t_s,x_m,y_mm,z_m,t_ms\n0,1,2,3,0\n1,1,2,3,1000\n";
+  EXPECT_THAT(
+      test::why_not([&] { read(text, format); }),
+      HasSubstr("has the column 'y_mm', whose name says a unit that is not said: say unit in [motion], "
+                "\"mm\" if it is right"));
+  format.headers = {"t_ms", "x_m", "x_m", "z_m"};
+  EXPECT_THAT(test::why_not([&] { read(text, format); }), HasSubstr("say time_unit in [motion], \"ms\""));
+  format.seconds_per_unit = 1e-3;
+  format.says_time_unit = true;
+  EXPECT_THAT(read(text, format).t_s, ElementsAre(0, 1));
+}
+
 TEST(RecordingFormat, ReadsALaboratorysTableAsItIs) {
   const Motion motion = read(
       "\xef\xbb\xbf# Versuch 3; Finger 2\r\nX;Y;Z;Zeit;\"Fz\"\r\n1,5;0;-2;0;-0,1\r\n2,5;0,25;-2;4,2;0,75\r\n",
