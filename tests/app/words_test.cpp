@@ -66,7 +66,8 @@ TEST(Words, OfPointsThatAreAllFarFromTheMeshDoubtTheirUnit) {
   };
   EXPECT_THAT(told("12,0,0\n0,-20,3\n"),
               HasSubstr("fingerpad: p.csv: all 2 points are 12 m or more from box.stl, "
-                        "which is 0.0374 m large; points are in metres: are these in mm?\n"));
+                        "which is 0.0374 m large; points are in metres: are these in mm or cm or in?\n"));
+  EXPECT_THAT(told("0.25,0.35,0.55\n"), HasSubstr("are these in in or cm or mm?\n")) << "the likeliest first";
   EXPECT_THAT(told("12,0,0\n", " --out o.csv"), HasSubstr("p.csv: its point is 12 m or more"));
   EXPECT_THAT(told("1e6,0,0\n"), HasSubstr("points are in metres (is --unit that of the mesh?)"));
   const auto no_doubt = Not(HasSubstr("points are in metres"));

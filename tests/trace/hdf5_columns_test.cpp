@@ -122,21 +122,22 @@ TEST(Hdf5Columns, TellTheirUnitHoweverItIsWritten) {
   for (const hid_t type : {padded, blanks}) H5Tset_size(type, 4);
   H5Tset_strpad(padded, H5T_STR_NULLPAD);
   H5Tset_strpad(blanks, H5T_STR_SPACEPAD);
-  const auto add = [&](const char* name, const char* attribute, hid_t type, const char* text) {
+  const auto add = [&](const char* name, const char* attribute, hid_t type, const char* text, hid_t shape) {
     const hid_t column =
         H5Dcreate2(file.id, name, H5T_IEEE_F64LE, space, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
     const double numbers[few] = {1, 2};
     H5Dwrite(column, H5T_NATIVE_DOUBLE, H5S_ALL, H5S_ALL, H5P_DEFAULT, numbers);
-    const hid_t unit = H5Acreate2(column, attribute, type, scalar, H5P_DEFAULT, H5P_DEFAULT);
+    const hid_t unit = H5Acreate2(column, attribute, type, shape, H5P_DEFAULT, H5P_DEFAULT);
     H5Awrite(unit, type, text);
     H5Aclose(unit);
     H5Dclose(column);
   };
-  add("a", "unit", padded, "mm\0\0");
-  add("b", "units", blanks, "ms  ");
-  add("c", "note", padded, "mm\0\0");
+  add("a", "unit", padded, "mm\0\0", scalar);
+  add("b", "units", blanks, "ms  ", scalar);
+  add("c", "note", padded, "mm\0\0", scalar);
+  add("e", "unit", padded, "mm\0\0m\0\0\0", space);
   const double number = 1e-3;
-  add("d", "unit", H5T_NATIVE_DOUBLE, reinterpret_cast<const char*>(&number));
+  add("d", "unit", H5T_NATIVE_DOUBLE, reinterpret_cast<const char*>(&number), scalar);
   for (const hid_t type : {padded, blanks}) H5Tclose(type);
   for (const hid_t shape : {space, scalar}) H5Sclose(shape);
   H5Fclose(file.id);
@@ -144,8 +145,11 @@ TEST(Hdf5Columns, TellTheirUnitHoweverItIsWritten) {
     return read_hdf5_columns(file.path, names).units;
   };
   EXPECT_THAT(units({"a", "b", "c"}), testing::ElementsAre("mm", "ms", ""));
-  EXPECT_THAT(test::why_not([&] { units({"d"}); }),
-              HasSubstr("the column 'd' has an attribute 'unit' that is no text, as m or mm are"));
+  for (const std::string name : {"d", "e"}) {
+    EXPECT_THAT(test::why_not([&] { units({name}); }),
+                testing::HasSubstr("the column '" + name +
+                                   "' has an attribute 'unit' that is no single text, as m or mm are"));
+  }
 }
 
 /// Columns t_s and x_m of four numbers in these shapes, at the root or in a group.
