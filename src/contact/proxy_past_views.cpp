@@ -42,11 +42,11 @@ int triangle_under(const Part& part, int triangle, const Vec3& q_P, Looks& looks
 
 }  // namespace
 
-/// Of a step that ended where its rich view did. A view that reaches less than `hopeless_share` does not
-/// count: the richest view comes next, which shows more.
+/// Of a step that ended where its rich view did. A view that was cut to less than `hopeless_share` does
+/// not count: the richest view comes next, which shows more.
 void ProxyViews::note_short_step(const ProxyStep& step, long looks) noexcept {
   if (!falls_short_ || step.broken_off || near_.count() <= Limits::rich_view) return;
-  if (reach_m_ < Limits::hopeless_share * world_.clearance_m()) return;
+  if (is_cut_ && reach_m_ < Limits::hopeless_share * world_.clearance_m()) return;
   short_step_m_ = step.z.norm();
   short_step_looks_ = looks;
 }
