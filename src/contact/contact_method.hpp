@@ -27,6 +27,7 @@ struct Contact {
   bool started = false;              ///< a method that remembers has begun anew here: see ContactMethodEntry
   bool placed = true;  ///< false: it found no place where the finger fits, and tries again with each tick
   bool broken_off = false;  ///< the method stopped before it was at rest, so that the tick's work has a bound
+  bool behind = false;      ///< that was so in this tick or before, and it has not been at rest since
 };
 
 /// How contact is found: one tick of a finger to where it touches. It may keep what it likes from tick to

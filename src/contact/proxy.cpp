@@ -47,6 +47,7 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
   state_.rest_share = std::min(1.0, dt_s / ProxyLimits::release_s);
   state_.hopped = false;
   state_.contact.started = !state_.placed;
+  const bool was_behind = state_.contact.behind;
   const bool steps_first = std::exchange(state_.contact.broken_off, false) && state_.placed;
   if (!state_.placed) start(goal_O);
   if (!state_.placed) return state_.contact;
@@ -55,6 +56,7 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
   state_.goal_O = goal_O;
   // What was broken off is gone on with; all else is declined, so that no two ticks end at the same step.
   if (steps_first || !sight_->carry(state_)) follow(leash, steps_first);
+  state_.contact.behind = state_.contact.broken_off || (was_behind && !state_.contact.settled);
   return state_.contact;
 }
 
@@ -63,7 +65,7 @@ void Proxy::start(const Vec3& goal_O) noexcept {
   state_.contact.started = true;
   const auto found = start_.go_on(world(), goal_O, sight_->looks());
   state_.contact.placed = state_.placed = found == ProxyStart::End::placed;
-  state_.contact.broken_off = found == ProxyStart::End::broken_off;
+  state_.contact.behind = state_.contact.broken_off = found == ProxyStart::End::broken_off;
   if (!state_.placed) return;
   state_.place_O = start_.place_O();
   state_.goal_O = goal_O;

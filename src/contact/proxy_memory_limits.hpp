@@ -4,8 +4,9 @@
 
 namespace fingerpad {
 
-/// The numbers that only the speed of a proxy depends on; `eager` and `closest_packets` also say where steps
-/// go past views, whose first walls may lead them to an end by other walls.
+/// The numbers that only the speed of a proxy depends on. Those that decide where steps go past views, whose
+/// first walls may lead them to an end by other walls, are more: `eager` and `crowded_share`, through these
+/// what makes views rich or short, and `closest_packets`.
 struct ProxyMemoryLimits {
   /// Triangles in view that are kept at hand; a vertex with a larger fan asks for more, but for no more than
   /// the second ...

@@ -26,6 +26,7 @@ class ProxyMethod final : public ContactMethod {
     unplaced_.started = proxy.started;
     unplaced_.placed = false;
     unplaced_.broken_off = proxy.broken_off;
+    unplaced_.behind = proxy.behind;
     return unplaced_;
   }
 

@@ -71,7 +71,8 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   double bent_m = terms.bent_m;
   std::array<ProxyWall, 3> first;
   std::size_t count = 0;
-  // Two at most: the third place is for a wall that is met on the way. Corners of three walls are for views.
+  // Two at most: the third place is for a wall that is met on the way. Of a corner of three walls it may take
+  // steps.
   for (const Blocker& blocker : std::span(blockers_).first<2>()) {
     const std::optional<ProxyWall> here = wall_touched(blocker, place_O);
     if (!here) continue;

@@ -62,7 +62,7 @@ struct alignas(64) TrianglePacket {
                             ///< to than this share of the radius, in 65,535ths
   float across[3];          ///< about a unit vector: the triangles' mean normal
 
-  /// No corner is farther from the plane through `origin` across `across`, scaled.
+  /// No corner is farther from the plane of `thickness`, scaled.
   double half_thickness() const noexcept { return static_cast<double>(radius) * thickness * (1.0 / 65535); }
 
   /// How far at most a corner stands beyond `origin` in a direction (unit), scaled.

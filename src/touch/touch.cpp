@@ -219,7 +219,7 @@ TickRecord Touch::tick(const FingerSample& sample) noexcept {
   const SkinMotion skin = skin_motion(sample);
   record.velocity_W = skin.velocity_W;
   const Contact& contact = method_->touch(sample.p_WQ, dt_s_);
-  record.unsettled = contact.broken_off;
+  record.unsettled = contact.behind;
   // A search for a place that goes on with the next tick has not found that there is none.
   const bool unplaced_before = unplaced_;
   unplaced_ = !contact.placed && (unplaced_before || !contact.broken_off);

@@ -10,26 +10,6 @@
 
 namespace fingerpad::test {
 
-/// A sheet of nu x nv quads, each cut in two.
-template <class Point>
-TriangleSoup sheet(int nu, int nv, Point point) {
-  TriangleSoup soup;
-  soup.vertices_P.resize(3, (nu + 1) * (nv + 1));
-  soup.triangles.resize(3, 2 * nu * nv);
-  for (int j = 0; j <= nv; ++j) {
-    for (int i = 0; i <= nu; ++i)
-      soup.vertices_P.col(j * (nu + 1) + i) = point(static_cast<double>(i) / nu, static_cast<double>(j) / nv);
-  }
-  for (int j = 0; j < nv; ++j) {
-    for (int i = 0; i < nu; ++i) {
-      const int a = j * (nu + 1) + i, t = 2 * (j * nu + i);
-      soup.triangles.col(t) << a, a + 1, a + nu + 2;
-      soup.triangles.col(t + 1) << a, a + nu + 2, a + nu + 1;
-    }
-  }
-  return soup;
-}
-
 inline Vec3 push_of(const ProxyContact& contact) {
   return contact.touching ? Vec3(contact.depth_m * contact.normal_W) : Vec3::Zero();
 }

@@ -22,8 +22,8 @@ void expect_kept_up(const test::Worst& worst, double way_m, int most_unsettled) 
 }
 
 TEST(ProxyCrowd, OnAPlateABigBallKeepsUp) {
-  const TriangleSoup plate =
-      test::sheet(600, 300, [](double u, double v) { return Vec3(0.03 * u - 0.015, 0.015 * v - 0.0075, 0); });
+  const TriangleSoup plate = test::sheet_soup(
+      600, 300, [](double u, double v) { return Vec3(0.03 * u - 0.015, 0.015 * v - 0.0075, 0); });
   for (const double facets_per_tick : {0.5, 1.0, 2.0}) {
     const auto at = [&](int k, double deep_m) {
       const double x_m = -0.004 + facets_per_tick * facet_m * k;
@@ -43,7 +43,7 @@ TEST(ProxyCrowd, OnAPlateABigBallKeepsUp) {
 TEST(ProxyCrowd, InAGrooveOfAboutItsSizeItKeepsUp) {
   for (const double groove_m : {0.008, 0.010}) {
     const int across = static_cast<int>(2 * groove_m / facet_m);
-    const TriangleSoup groove = test::sheet(200, across, [&](double u, double v) {
+    const TriangleSoup groove = test::sheet_soup(200, across, [&](double u, double v) {
       const double angle = 2 * v - 1;
       return Vec3(0.01 * u - 0.005, groove_m * std::sin(angle), -groove_m * std::cos(angle));
     });
@@ -71,6 +71,28 @@ TEST(ProxyCrowd, InAGrooveOfAboutItsSizeItKeepsUp) {
       }
     }
   }
+}
+
+/// With looks for one step in several ticks: what it pushes while it catches up under a resting finger is no
+/// more right than what it pushed before.
+TEST(ProxyCrowd, ThatWasOutrunIsBehindUntilItHasComeToRest) {
+  const TriangleSoup plate = test::sheet_soup(
+      300, 300, [](double u, double v) { return Vec3(0.015 * u - 0.0075, 0.015 * v - 0.0075, 0); });
+  Proxy proxy = fast_proxy({surface_of(plate)}, radius_m, Normals::facet, Looks(400));
+  for (int k = 0; k < 200; ++k)
+    proxy.move(Vec3(-0.004, 0, radius_m - depth_m * std::min(1.0, k / 100.0)), dt_s);
+  int off = 0, off_unbroken = 0;
+  for (int k = 0; k < 400; ++k) {
+    const Vec3 finger(-0.004 + 1e-4 * std::min(k, 60), 0, radius_m - depth_m);
+    const ProxyContact& c = proxy.move(finger, dt_s);
+    if ((test::push_of(c) - depth_m * Vec3::UnitZ()).norm() <= 0.03 * depth_m) continue;
+    ++off;
+    off_unbroken += c.broken_off ? 0 : 1;
+    EXPECT_TRUE(c.behind) << k;
+  }
+  EXPECT_GT(off, 60) << "it was outrun";
+  EXPECT_GT(off_unbroken, 10) << "and caught up";
+  EXPECT_FALSE(proxy.state().contact.behind);
 }
 
 }  // namespace

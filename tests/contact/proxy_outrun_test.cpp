@@ -14,7 +14,7 @@ namespace {
 constexpr double radius_m = 0.003, dt_s = 0.004;
 
 using test::push_of;
-using test::sheet;
+using test::sheet_soup;
 using test::Worst;
 
 template <class Push>
@@ -25,7 +25,7 @@ Worst worst_along(const TriangleSoup& soup, const std::vector<Vec3>& path, doubl
 TEST(ProxyOutrun, OnAFinePlateItKeepsUp) {
   // Facets of .15 mm, of which it passes eight in a tick.
   const TriangleSoup plate =
-      sheet(120, 120, [](double u, double v) { return Vec3(0.018 * u - 0.009, 0.018 * v - 0.009, 0); });
+      sheet_soup(120, 120, [](double u, double v) { return Vec3(0.018 * u - 0.009, 0.018 * v - 0.009, 0); });
   constexpr double depth_m = 0.001;
   std::vector<Vec3> path = {Vec3(-0.004, -0.001, radius_m + 5e-4), Vec3(-0.004, -0.001, radius_m)};
   for (int k = 0; k < 60; ++k) {
@@ -44,7 +44,7 @@ TEST(ProxyOutrun, AlongAnInnerEdgeOfFineFacetsItKeepsUp) {
   constexpr double depth_m = 0.001;
   for (const double lean_rad : {1.0, 1.5708, 2.2}) {
     const Vec3 floor = Vec3::UnitZ(), wall(0, std::sin(lean_rad), -std::cos(lean_rad));
-    const TriangleSoup soup = sheet(160, 200, [&](double u, double v) {
+    const TriangleSoup soup = sheet_soup(160, 200, [&](double u, double v) {
       const double up_m = 0.01 - 0.02 * v;
       const Vec3 across =
           up_m < 0 ? Vec3(0, -up_m, 0) : Vec3(0, std::cos(lean_rad), std::sin(lean_rad)) * up_m;
@@ -69,7 +69,7 @@ TEST(ProxyOutrun, AlongAnInnerEdgeOfFineFacetsItKeepsUp) {
 /// tick steps are broken off, and gone on with while the finger waits.
 TEST(ProxyOutrun, OverAFinePlatesRimItIsHeldAsByThePlainProxy) {
   const TriangleSoup plate =
-      sheet(120, 120, [](double u, double v) { return Vec3(0.018 * u - 0.009, 0.018 * v - 0.009, 0); });
+      sheet_soup(120, 120, [](double u, double v) { return Vec3(0.018 * u - 0.009, 0.018 * v - 0.009, 0); });
   constexpr double depth_m = 0.0025;
   const auto hold_against_plain = [&](double way_m, long looks, int ticks) {
     Proxy fast = fast_proxy({surface_of(plate)}, radius_m, Normals::facet, Looks(looks));
@@ -96,7 +96,7 @@ TEST(ProxyOutrun, OverAFinePlatesRimItIsHeldAsByThePlainProxy) {
 
 TEST(ProxyOutrun, InABoreOfFineFacetsItKeepsUp) {
   constexpr double bore_m = 0.004, depth_m = 6e-4;
-  const TriangleSoup bore = sheet(1000, 1, [](double u, double v) {
+  const TriangleSoup bore = sheet_soup(1000, 1, [](double u, double v) {
     const double angle = -2 * std::numbers::pi * u;
     return Vec3(bore_m * std::cos(angle), bore_m * std::sin(angle), 0.03 * v - 0.015);
   });

@@ -37,4 +37,24 @@ TriangleSoup reversed(TriangleSoup soup);
 /// The soup as an STL holds it: three vertices of its own for each triangle, none shared.
 TriangleSoup unshared(const TriangleSoup& soup);
 
+/// A sheet of nu x nv quads, each cut in two.
+template <class Point>
+TriangleSoup sheet_soup(int nu, int nv, Point point) {
+  TriangleSoup soup;
+  soup.vertices_P.resize(3, (nu + 1) * (nv + 1));
+  soup.triangles.resize(3, 2 * nu * nv);
+  for (int j = 0; j <= nv; ++j) {
+    for (int i = 0; i <= nu; ++i)
+      soup.vertices_P.col(j * (nu + 1) + i) = point(static_cast<double>(i) / nu, static_cast<double>(j) / nv);
+  }
+  for (int j = 0; j < nv; ++j) {
+    for (int i = 0; i < nu; ++i) {
+      const int a = j * (nu + 1) + i, t = 2 * (j * nu + i);
+      soup.triangles.col(t) << a, a + 1, a + nu + 2;
+      soup.triangles.col(t + 1) << a, a + nu + 2, a + nu + 1;
+    }
+  }
+  return soup;
+}
+
 }  // namespace fingerpad::test
