@@ -6,8 +6,9 @@ namespace fingerpad {
 /// nanoseconds, with room for memory that is slower than a part in a cache.
 struct LookCosts {
   static constexpr long packet = 6;           ///< a float filter looks at eight triangles at once
+  static constexpr long cluster = 2;          ///< four clusters are held against a ball, or a way
   static constexpr long passed_over = 3;      ///< the disc around eight triangles is held against a distance
-  static constexpr long opened = 3;           ///< four clusters are put among those that are nearest
+  static constexpr long opened = 4;           ///< four clusters are put among those that are nearest
   static constexpr long left_out = 6;         ///< a sieve leaves out eight: mostly the way to them
   static constexpr long shadowed = 3;         ///< a triangle within reach is held against a shadow
   static constexpr long listed = 1;           ///< one that is found

@@ -2,56 +2,64 @@
 #include <bit>
 #include <limits>
 
-#include "contact/winding_number.hpp"
+#include "contact/near_packets.hpp"
 
 // Which packets are near a point or a way, from cluster to cluster.
 
 namespace fingerpad {
 
-/// Of some of four clusters those of which a ball around comes within a radius of a way.
-unsigned WindingNumber::beside(const Four& four, unsigned among, const Vec3& at, const Vec3& half,
-                               double radius) noexcept {
-  constexpr double rounding = 1e-5;
-  const double per_length2 = 1 / half.squaredNorm();
-  unsigned near = 0;
-  for (; among != 0; among &= among - 1) {
-    const int k = std::countr_zero(among);
-    const Vec3 off = Vec3(four.middle[0][k], four.middle[1][k], four.middle[2][k]) - at;
-    const double size = Vec3(four.half[0][k], four.half[1][k], four.half[2][k]).norm();
-    const double share = std::clamp(off.dot(half) * per_length2, -1.0, 1.0);
-    const double reach = radius + size + rounding * (1 + radius + size);
-    if ((off - share * half).squaredNorm() <= reach * reach) near |= 1U << k;
-  }
-  return near;
+namespace {
+
+// A float holds the square of no length beyond about this.
+constexpr double beyond_floats = 1e15;
+// A way that is shorter is a point, of which clusters tell no more than of its box.
+constexpr double shortest_way = 1e-6;
+
+bool fits_floats(const Vec3& at) noexcept {
+  return at.cwiseAbs().maxCoeff() < beyond_floats;
 }
 
-std::size_t WindingNumber::next_near(std::size_t packet, const Vec3& at, double radius, long& tests,
-                                     const Vec3& half) const noexcept {
-  constexpr double beyond_floats = 1e15;
-  if (!(at.cwiseAbs().maxCoeff() < beyond_floats)) return std::min(packet, packet_count_);
-  const Around around(at, radius, half);
-  constexpr double shortest2 = 1e-12;
-  const bool is_way = half.squaredNorm() > shortest2;
-  while (packet < packet_count_) {
-    // The largest cluster that begins here, beside those after it; of the first that is near, its parts.
-    for (std::size_t level = widest_level(packet);; --level) {
-      const std::size_t index = packet >> (branching_bits * level);
-      ++tests;
-      unsigned near = around.near(four(level, index)) >> (index % branching);
-      if (is_way && near != 0) {
-        ++tests;
-        near =
-            beside(four(level, index), near << (index % branching), at, half, radius) >> (index % branching);
-      }
-      if (near == 0) {
-        packet = (index / branching + 1) << (branching_bits * (level + 1));
-        break;
-      }
-      packet = (index + static_cast<unsigned>(std::countr_zero(near))) << (branching_bits * level);
-      if (level == 0) return packet;
-    }
+}  // namespace
+
+WindingNumber::NearPackets::NearPackets(const WindingNumber& clusters, const Vec3& at, double radius,
+                                        const Vec3& half, About about, std::size_t from) noexcept
+    : clusters_(&clusters),
+      // Of a point that is farther off than floats go all packets count as near.
+      around_(fits_floats(at) ? Around(at, radius, half) : Around(Vec3::Zero(), beyond_floats)),
+      is_way_(about == About::way && fits_floats(at) && half.squaredNorm() > shortest_way * shortest_way),
+      level_(clusters.top()),
+      at_(at),
+      half_(half),
+      radius_(radius) {
+  if (from == 0) {
+    look_into(0);
+    return;
   }
-  return packet_count_;
+  near_[level_] = 0;
+  if (from >= clusters.packet_count_) return;
+  // On each level the cluster that `from` is in has been gone into; on the lowest it is yet to be.
+  for (level_ = 0;; ++level_) {
+    const std::size_t index = from >> (branching_bits * level_), lane = index % branching;
+    look_into(index - lane);
+    near_[level_] &= ~0U << (level_ == 0 ? lane : lane + 1);
+    if (level_ == clusters.top()) break;
+  }
+  level_ = 0;
+}
+
+/// Of the four clusters those of which no ball around comes within the radius of the way.
+void WindingNumber::NearPackets::leave_beside(const Four& four) noexcept {
+  constexpr double rounding = 1e-5;
+  ++tests_;
+  const double per_length2 = 1 / half_.squaredNorm();
+  for (unsigned among = near_[level_]; among != 0; among &= among - 1) {
+    const int k = std::countr_zero(among);
+    const Vec3 off = Vec3(four.middle[0][k], four.middle[1][k], four.middle[2][k]) - at_;
+    const double size = Vec3(four.half[0][k], four.half[1][k], four.half[2][k]).norm();
+    const double share = std::clamp(off.dot(half_) * per_length2, -1.0, 1.0);
+    const double reach = radius_ + size + rounding * (1 + radius_ + size);
+    if ((off - share * half_).squaredNorm() > reach * reach) near_[level_] &= ~(1U << k);
+  }
 }
 
 std::size_t WindingNumber::some_near(const Vec3& at) const noexcept {

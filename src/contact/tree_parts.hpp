@@ -5,6 +5,7 @@
 
 #include "contact/closest_memory.hpp"
 #include "contact/closest_search.hpp"
+#include "contact/near_packets.hpp"
 #include "contact/packet_gathering.hpp"
 #include "contact/triangle_tree.hpp"
 #include "contact/winding_number.hpp"

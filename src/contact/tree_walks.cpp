@@ -157,12 +157,14 @@ bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, s
   const WithinSearch search(packed, impl.filter, middle, around_m, count_and_visit, &counting);
   const double radius = std::min(search.bound_m, reach_m) * packed.scale;
   const Vec3 half = 0.5 * packed.scale * way, half_box = half.cwiseAbs();
-  while (!looks.are_spent()) {
-    long tests = 0;
-    next = impl.winding.next_near(next, search.scaled, radius, tests, half);
-    looks.spend(tests);
-    if (next >= packed.packets.size()) return true;
-    const std::size_t index = next++;
+  using Near = WindingNumber::NearPackets;
+  Near near(impl.winding, search.scaled, radius, half, Near::About::way, next);
+  for (long paid = 0; !looks.are_spent();) {
+    std::size_t index = packed.packets.size();
+    const bool is_found = near.next(index);
+    looks.spend(LookCosts::cluster * (near.tests() - std::exchange(paid, near.tests())));
+    next = index + 1;
+    if (!is_found) return true;
     if (sieve != nullptr && sieve->passes_over(sieve->context, packed.discs[index], 1 / packed.scale)) {
       looks.spend(LookCosts::passed_over);
       continue;
@@ -201,18 +203,24 @@ std::optional<ClosestTriangle> TriangleTree::closest(const Vec3& q, double reach
   }
   search.look_at_seed(walk.triangle);
   const TrianglePacket* const seen = search.looked_at;
-  while (!looks.are_spent()) {
-    long tests = 0;
-    const double radius =
-        std::min(std::sqrt(search.winner.at.distance2_m2) * packed.scale, static_cast<double>(far_off));
-    walk.next = impl.winding.next_near(walk.next, search.scaled, radius, tests);
-    looks.spend(tests);
-    if (walk.next >= packed.packets.size()) {
+  const auto radius_left = [&] {
+    return std::min(std::sqrt(search.winner.at.distance2_m2) * packed.scale, static_cast<double>(far_off));
+  };
+  WindingNumber::NearPackets near(impl.winding, search.scaled, radius_left(), Vec3::Zero(),
+                                  WindingNumber::NearPackets::About::box, walk.next);
+  for (long paid = 0; !looks.are_spent();) {
+    const double radius = radius_left();
+    near.shrink(radius);
+    std::size_t index = packed.packets.size();
+    const bool is_found = near.next(index);
+    looks.spend(LookCosts::cluster * (near.tests() - std::exchange(paid, near.tests())));
+    walk.next = index + 1;
+    if (!is_found) {
       const ClosestTriangle answer = search.answer();
       if (answer.triangle >= 0) walk.triangle = answer.triangle;
       return answer;
     }
-    const TrianglePacket& packet = packed.packets[walk.next++];
+    const TrianglePacket& packet = packed.packets[index];
     if (&packet == seen || !is_box_near(packet, search.scaled, radius)) continue;
     search.look_at(packet);
     looks.spend(impl.is_cold() ? LookCosts::closest_cold : LookCosts::closest);
@@ -235,11 +243,11 @@ ClosestTriangle TriangleTree::about_closest(const Vec3& q, int seed, double reac
   const TrianglePacket* const seen = search.looked_at;
   WindingNumber::NearestPackets nearest(impl.winding, search.scaled);
   std::size_t index = 0;
-  long opened = 0;
+  long paid = 0;
   for (int k = 0; k < most_packets && !looks.are_spent();) {
     const double radius = std::sqrt(search.winner.at.distance2_m2) * packed.scale;
     const bool is_found = nearest.next(index, radius);
-    looks.spend(LookCosts::opened * (nearest.tests() - std::exchange(opened, nearest.tests())));
+    looks.spend(LookCosts::opened * (nearest.tests() - std::exchange(paid, nearest.tests())));
     if (!is_found) break;
     const TrianglePacket& packet = packed.packets[index];
     looks.spend(LookCosts::passed_over);

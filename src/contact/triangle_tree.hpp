@@ -65,7 +65,7 @@ struct SearchLimit {
   double at_least_m = 0;           ///< while a triangle is visited: its distance is no smaller
 
   long looks() const noexcept {
-    return tests + LookCosts::passed_over * passed_over + LookCosts::packet * packets +
+    return LookCosts::cluster * tests + LookCosts::passed_over * passed_over + LookCosts::packet * packets +
            LookCosts::shadowed * shadowed;
   }
   bool is_exceeded() const noexcept {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <algorithm>
-#include <array>
 #include <bit>
 #include <optional>
 #include <vector>
@@ -30,14 +29,7 @@ class WindingNumber {
   std::optional<bool> encloses(const PackedPart& packed, const Vec3& q, WindingWalk& walk,
                                Looks& looks) const noexcept;
 
-  /// The first packet from `packet` on that may come within a radius of a point, or how many there are. Goes
-  /// from cluster to cluster in the packets' order, so that a search can be broken off anywhere.
-  /// @param at, radius, half  scaled; see NearPackets
-  /// @param tests             grows by the clusters that were looked at
-  std::size_t next_near(std::size_t packet, const Vec3& at, double radius, long& tests,
-                        const Vec3& half = Vec3::Zero()) const noexcept;
-  /// The same packets one after the other, for a search that is not broken off: no cluster is looked at
-  /// twice.
+  /// The packets that may come near a point or a way, from cluster to cluster, in the part's order.
   class NearPackets;
   /// Them with about the nearest first; where thousands are about as near, not all.
   class NearestPackets;
@@ -83,8 +75,6 @@ class WindingNumber {
     unsigned near(const Four& four) const noexcept;
   };
 
-  static unsigned beside(const Four& four, unsigned among, const Vec3& at, const Vec3& half,
-                         double radius) noexcept;
   const Four& four(std::size_t level, std::size_t index) const noexcept {
     return fours_[level_start_[level] + index / 4];
   }
@@ -107,57 +97,6 @@ class WindingNumber {
   std::vector<Four> fours_;               // level by level, the packets' first
   std::vector<Dipole> dipoles_;           // four of each
   std::vector<std::size_t> level_start_;  // of each level in fours_
-};
-
-class WindingNumber::NearPackets {
- public:
-  /// @param at, half, radius  scaled: of the point, or of a way from `at - half` to `at + half`, all packets
-  /// that may come within the radius, and perhaps some more
-  /// @pre all within a float's range; `clusters` outlives this
-  NearPackets(const WindingNumber& clusters, const Vec3& at, double radius,
-              const Vec3& half = Vec3::Zero()) noexcept
-      : clusters_(&clusters), around_(at, radius, half), level_(clusters.top()) {
-    look_into(0);
-  }
-
-  /// From now on those within a smaller radius alone, but for what has been looked at.
-  void shrink(double radius) noexcept { around_.shrink(radius); }
-
-  /// False when there is no more.
-  bool next(std::size_t& packet) noexcept {
-    for (;;) {
-      while (near_[level_] == 0) {
-        if (level_ == clusters_->top()) return false;
-        ++level_;
-      }
-      const std::size_t index = first_[level_] + static_cast<unsigned>(std::countr_zero(near_[level_]));
-      near_[level_] &= near_[level_] - 1;
-      if (level_ == 0) {
-        packet = index;
-        return true;
-      }
-      --level_;
-      look_into(4 * index);
-    }
-  }
-
-  long tests() const noexcept { return tests_; }  ///< of four clusters
-
- private:
-  static constexpr std::size_t most_levels = 33;  // four to the 32nd packets
-
-  void look_into(std::size_t first) noexcept {
-    ++tests_;
-    first_[level_] = first;
-    near_[level_] = around_.near(clusters_->four(level_, first));
-  }
-
-  const WindingNumber* clusters_;
-  Around around_;
-  std::size_t level_;
-  long tests_ = 0;
-  std::array<std::size_t, most_levels> first_;  // of the four clusters that are open on each level
-  std::array<unsigned, most_levels> near_;      // those of them that are still to be gone into, a bit each
 };
 
 }  // namespace fingerpad

@@ -78,7 +78,7 @@ TEST(ProxyCrowd, InAGrooveOfAboutItsSizeItKeepsUp) {
 TEST(ProxyCrowd, ThatWasOutrunIsBehindUntilItHasComeToRest) {
   const TriangleSoup plate = test::sheet_soup(
       300, 300, [](double u, double v) { return Vec3(0.015 * u - 0.0075, 0.015 * v - 0.0075, 0); });
-  Proxy proxy = fast_proxy({surface_of(plate)}, radius_m, Normals::facet, Looks(400));
+  Proxy proxy = fast_proxy({surface_of(plate)}, radius_m, Normals::facet, Looks(500));
   for (int k = 0; k < 200; ++k)
     proxy.move(Vec3(-0.004, 0, radius_m - depth_m * std::min(1.0, k / 100.0)), dt_s);
   int off = 0, off_unbroken = 0;

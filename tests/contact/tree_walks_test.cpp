@@ -206,7 +206,7 @@ TEST(TreeWalks, ABriefSearchFromNothingBeginsNearTheAnswer) {
   for (int k = 0; k < 200; ++k) {
     const double angle = 6.3 * random.uniform(), out_m = 0.03 * random.uniform();
     const Vec3 q(out_m * std::cos(angle), out_m * std::sin(angle), 0.03 * random.uniform() - 0.015);
-    BriefSearch brief{300};
+    BriefSearch brief{400};
     const ClosestTriangle found = tree.closest(q, brief, unbounded), exact = tree.closest(q, -1, unbounded);
     EXPECT_LT(found.at.distance2_m2, 2 * exact.at.distance2_m2) << q.transpose();
   }

@@ -38,50 +38,6 @@ TEST(WindingNumber, IsTheSumOverAllTriangles) {
   }
 }
 
-TEST(WindingNumber, GoesThroughNearPacketsInOneWayOrAnother) {
-  for (const TriangleSoup& soup : {test::torus_soup(1, 0.4, 200, 80), test::box_soup(Vec3(1, 2, 3))}) {
-    const auto part = std::make_shared<const Part>(make_part(soup, 0.5));
-    const PackedPart packed = pack(part);
-    const WindingNumber winding(packed);
-    RandomStream random(5);
-    long tests = 0, tests_at_once = 0;
-    for (int k = 0; k < test::samples(2000); ++k) {
-      const Vec3 at = packed.scale * random_in_box(*part, 1.2, random);
-      double radius = std::pow(10.0, -3 * random.uniform());
-      WindingNumber::NearPackets near(winding, at, radius);
-      std::size_t next = 0, expected = 0;
-      for (;; ++expected) {
-        expected = winding.next_near(expected, at, radius, tests);
-        if (expected >= packed.packets.size()) break;
-        ASSERT_TRUE(near.next(next));
-        ASSERT_EQ(next, expected);
-      }
-      ASSERT_FALSE(near.next(next));
-      tests_at_once += near.tests();
-    }
-    EXPECT_LE(tests_at_once, tests);
-  }
-}
-
-TEST(WindingNumber, PassesOverWhatAShrunkBallHasLeft) {
-  const auto part = std::make_shared<const Part>(make_part(test::torus_soup(1, 0.4, 200, 80), 0.5));
-  const PackedPart packed = pack(part);
-  const WindingNumber winding(packed);
-  const Vec3 at = packed.scale * Vec3(part->vertices.col(0));
-  const auto count = [&](double then) {
-    WindingNumber::NearPackets near(winding, at, 10);
-    std::size_t next = 0;
-    long found = 0;
-    while (near.next(next)) {
-      near.shrink(then);
-      ++found;
-    }
-    return found;
-  };
-  EXPECT_EQ(count(10), static_cast<long>(packed.packets.size()));
-  EXPECT_LT(count(0.1), static_cast<long>(packed.packets.size()) / 4);
-}
-
 TEST(WindingNumber, FarOffItVanishes) {
   const auto part = std::make_shared<const Part>(make_part(test::sphere_soup(1, 4), 0.5));
   const PackedPart packed = pack(part);
