@@ -75,7 +75,8 @@ constexpr SummaryColumn figure_columns[] = {
     {"nonfinite_ticks", "1", "ticks whose force was not a finite number; 0 is promised",
      count<&T::nonfinite_ticks>, Kind::count},
     {"unsettled_ticks", "1",
-     "ticks on which the proxy stopped before it was at rest, because a tick's work is bounded",
+     "ticks on which the proxy stopped before it was at rest, because a tick's work is bounded, and that "
+     "followed until it was",
      count<&T::unsettled_ticks>, Kind::count},
     {"residual_rms_n", "N",
      "of a motion with a measured force: the root mean square of the model's whole force less the measured "
