@@ -14,6 +14,7 @@
 #include <utility>
 
 #include "trace/hdf5_internal.hpp"
+#include "trace/held_writes.hpp"
 
 namespace fingerpad::hdf5 {
 namespace {
@@ -24,6 +25,9 @@ struct Disk {
   int failure = 0;  // errno of the first write that failed
   haddr_t eoa = 0;  // end of what HDF5 has allotted
   haddr_t eof = 0;  // end of the file
+  haddr_t length = 0;  // of the file as it is, without what is held
+  bool holds = false;
+  HeldWrites held;  // while it holds
   struct stat identity {};
 };
 
@@ -49,7 +53,7 @@ H5FD_t* disk_open(const char* name, unsigned flags, hid_t, haddr_t) {
   }
   auto* disk = new Disk;
   disk->file = file;
-  if (fstat(file, &disk->identity) == 0) disk->eof = static_cast<haddr_t>(disk->identity.st_size);
+  if (fstat(file, &disk->identity) == 0) disk->eof = disk->length = static_cast<haddr_t>(disk->identity.st_size);
   return &disk->base;
 }
 
@@ -88,12 +92,42 @@ haddr_t disk_eof(const H5FD_t* file, H5FD_mem_t) {
   return disk_of(file).eof;
 }
 
-herr_t disk_failure(H5FD_t* file, hid_t, void** out) {
-  *out = &disk_of(file).failure;
+herr_t disk_itself(H5FD_t* file, hid_t, void** out) {
+  *out = &disk_of(file);
   return 0;
 }
 
+void write_now(Disk& disk, haddr_t at, std::size_t size, const void* from) noexcept {
+  const auto* bytes = static_cast<const char*>(from);
+  while (size > 0 && disk.failure == 0) {
+    const ssize_t count = pwrite(disk.file, bytes, size, static_cast<off_t>(at));
+    if (count < 0 && errno == EINTR) continue;
+    if (count <= 0) {
+      disk.failure = count < 0 ? errno : ENOSPC;
+      break;
+    }
+    bytes += count;
+    at += static_cast<haddr_t>(count);
+    size -= static_cast<std::size_t>(count);
+  }
+  disk.length = std::max(disk.length, at);
+}
+
+void set_length(Disk& disk, haddr_t length) noexcept {
+  if (disk.failure == 0 && ftruncate(disk.file, static_cast<off_t>(length)) != 0) disk.failure = errno;
+  disk.length = length;
+}
+
+void release(Disk& disk) noexcept {
+  // The file is to be as long as it will say that it is.
+  if (disk.length < disk.eof) set_length(disk, disk.eof);
+  disk.held.release([&disk](std::uint64_t at, std::span<const std::byte> bytes) {
+    write_now(disk, at, bytes.size(), bytes.data());
+  });
+}
+
 herr_t disk_read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, void* out) {
+  release(disk_of(file));
   auto* bytes = static_cast<char*>(out);
   while (size > 0) {
     const ssize_t count = pread(disk_of(file).file, bytes, size, static_cast<off_t>(at));
@@ -110,25 +144,16 @@ herr_t disk_read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, 
 
 thread_local LateBytes* late_bytes = nullptr;
 
-void write_now(Disk& disk, haddr_t at, std::size_t size, const void* from) noexcept {
-  const auto* bytes = static_cast<const char*>(from);
-  while (size > 0 && disk.failure == 0) {
-    const ssize_t count = pwrite(disk.file, bytes, size, static_cast<off_t>(at));
-    if (count < 0 && errno == EINTR) continue;
-    if (count <= 0) {
-      disk.failure = count < 0 ? errno : ENOSPC;
-      break;
-    }
-    bytes += count;
-    at += static_cast<haddr_t>(count);
-    size -= static_cast<std::size_t>(count);
-  }
-}
-
 herr_t disk_write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, const void* from) {
   Disk& disk = disk_of(file);
   const bool is_late = late_bytes != nullptr && late_bytes->notes(file, at, size, from);
-  if (!is_late) write_now(disk, at, size, from);
+  if (is_late) {
+  } else if (!disk.holds) {
+    write_now(disk, at, size, from);
+  } else if (!disk.held.hold(at, {static_cast<const std::byte*>(from), size})) {
+    release(disk);
+    write_now(disk, at, size, from);
+  }
   disk.eof = std::max(disk.eof, at + size);
   return 0;
 }
@@ -136,7 +161,7 @@ herr_t disk_write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size,
 herr_t disk_truncate(H5FD_t* file, hid_t, hbool_t) {
   Disk& disk = disk_of(file);
   if (disk.eoa == disk.eof) return 0;
-  if (disk.failure == 0 && ftruncate(disk.file, static_cast<off_t>(disk.eoa)) != 0) disk.failure = errno;
+  set_length(disk, disk.eoa);
   disk.eof = disk.eoa;
   return 0;
 }
@@ -153,7 +178,7 @@ H5FD_class_t disk_class() {
   driver.get_eoa = disk_eoa;
   driver.set_eoa = disk_set_eoa;
   driver.get_eof = disk_eof;
-  driver.get_handle = disk_failure;
+  driver.get_handle = disk_itself;
   driver.read = disk_read;
   driver.write = disk_write;
   driver.truncate = disk_truncate;
@@ -201,10 +226,25 @@ int last_close_failure() {
   return std::exchange(close_failure, 0);
 }
 
+/// Null where the file is not open.
+Disk* disk_of(const Handle& file) noexcept {
+  void* disk = nullptr;
+  return H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &disk) < 0 ? nullptr : static_cast<Disk*>(disk);
+}
+
 int write_failure(const Handle& file) {
-  void* failure = nullptr;
-  if (H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &failure) < 0 || failure == nullptr) return 0;
-  return *static_cast<const int*>(failure);
+  const Disk* const disk = disk_of(file);
+  return disk == nullptr ? 0 : disk->failure;
+}
+
+bool flush_in_order(const Handle& file) {
+  Disk* const disk = disk_of(file);
+  if (disk != nullptr) disk->holds = true;
+  const bool flushed = H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0;
+  if (disk == nullptr) return flushed;
+  disk->holds = false;
+  release(*disk);
+  return flushed;
 }
 
 }  // namespace fingerpad::hdf5

@@ -80,10 +80,13 @@ void Handle::close() noexcept {
   closer_(std::exchange(id_, -1));
 }
 
-Handle create_file(const std::string& path) {
+Handle create_file(const std::string& path, Layout layout) {
+  // A list of 64 chunks of one dimension has 2096 bytes.
+  constexpr hsize_t list_bytes = 2048, page_bytes = 4096;
   const Turn turn;
   refuse_irregular(path);
   const Handle access = access_properties(path);
+  if (layout == Layout::paged) H5Pset_alignment(access.id(), list_bytes, page_bytes);
   const Handle creation = made(H5Pcreate(H5P_FILE_CREATE), H5Pclose, path);
   H5Pset_obj_track_times(creation.id(), 0);
   if (!write_through_disk(access)) throw Error(ErrorKind::fault, path, "HDF5 failed");
@@ -105,7 +108,7 @@ Handle open_file(const std::string& path) {
 
 void flush(const Handle& file) {
   const Turn turn;
-  const bool flushed = H5Fflush(file.id(), H5F_SCOPE_LOCAL) >= 0;
+  const bool flushed = flush_in_order(file);
   if (const int failure = write_failure(file)) throw disk_error(file.path(), failure);
   if (!flushed) throw write_error(file.path(), "to the disk");
 }

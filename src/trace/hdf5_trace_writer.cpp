@@ -63,7 +63,9 @@ class Hdf5TraceWriter final : public TraceWriter {
   Hdf5TraceWriter(const std::string& path, const TraceInfo& info, const World& world,
                   std::uint64_t rows_to_come)
       : chunks_(trace_columns(info), chunk_rows_for(rows_to_come)), deflated_(info.deflated) {
-    file_ = hdf5::create_file(path);
+    // A recording is to be read up to where it was killed; of a replay's job that was, another is made.
+    const bool is_recording = rows_to_come == 0 && !deflated_;
+    file_ = hdf5::create_file(path, is_recording ? hdf5::Layout::paged : hdf5::Layout::tight);
     write_info(file_, info);
     write_surfaces(file_, world, info.scene_text, deflated_ ? hdf5::Packing::deflated : hdf5::Packing::plain);
     const hdf5::Turn turn;
