@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "view/chart.hpp"
 #include "view/chart_layout.hpp"
 #include "view/flat_picture.hpp"
@@ -46,8 +47,8 @@ std::string subtitle_of(const ViewInput& input, const Vec3& direction_W, const c
     words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thinned, tail);
   const double largest = direction_W.cwiseAbs().maxCoeff();
   if (largest < 0.99996192) {
-    words += fmt::format("{}s along ({:.2f}, {:.2f}, {:.2f})", words.empty() ? "" : "; ", direction_W.x(),
-                         direction_W.y(), direction_W.z());
+    words += fmt::format("{}s along ({}, {}, {})", words.empty() ? "" : "; ", fixed_text(direction_W.x(), 2),
+                         fixed_text(direction_W.y(), 2), fixed_text(direction_W.z(), 2));
   }
   return words;
 }
