@@ -161,12 +161,12 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
 int touch(const TouchOptions& options) {
   if (!options.record.empty() && options.record != "-")
     refuse_other_endings(options.record, "touch --record", {".h5", ".csv"});
+  refuse_unfit_subject(options.subject);
   if (options.headless && find_device(options.device)->needs_window) {
     throw Error(ErrorKind::usage, "--headless",
                 fmt::format("--device {} is moved in a window: choose another device", options.device));
   }
   refuse_unread(options);
-  refuse_missing_subject(options.subject);
   if (!options.headless) need_live_window(window_choice(options, options.subject));
   KeptThread kept;
   std::optional<Touched> next = load_touched(options, options.subject);
