@@ -23,7 +23,7 @@ std::string too_deep_words(const World& world, const TickRecord& row) {
   const auto exit = line_hit(touched, from_W, to_W);
   if (!exit) return {};
   const double thick_m = (exit->point_W - row.contact_W).norm();
-  return fmt::format("{} mm deep, where the part is {} mm thick: press less, or make it stiffer",
+  return fmt::format("{} mm deep in {} mm of part: press less, or stiffen it",
                      rounded_text(1e3 * row.depth_m, 2), rounded_text(1e3 * thick_m, 2));
 }
 

@@ -7,9 +7,9 @@
 
 namespace fingerpad {
 
-/// Of a finger that is pressed in farther than the part is thick below the contact: "20 mm deep, where the
-/// part is 3 mm thick: press less, or make it stiffer". Empty of any other, over a plane, and where the way
-/// inwards meets no other side, as in an open part.
+/// Of a finger that is pressed in farther than the part is thick below the contact: "20 mm deep in 3 mm of
+/// part: press less, or stiffen it". Empty of any other, over a plane, and where the way inwards meets no
+/// other side, as in an open part.
 std::string too_deep_words(const World& world, const TickRecord& row);
 
 /// Whether a finger that just touches a spot would reach well into other surfaces, or into other places of
