@@ -213,7 +213,10 @@ int compare(const CompareOptions& options) {
   tell_early_ends(found.early_ends);
   for (const std::string& words : found.damaged) print_err("fingerpad: error: {}\n", words);
   if (!file || !options.quiet) tell_changes(options, found, worst, alone);  // else the table has them all
-  if (!options.quiet) tell_comparison(options, found);
+  if (!options.quiet) {
+    for (const std::string& words : found.passed_over) print_out("{}\n", words);
+    tell_comparison(options, found);
+  }
   if (file) tell_written(options.quiet, options.out, "a row for each job and column that differs");
   return found.differing == 0 ? 0 : changed_code;
 }
@@ -243,7 +246,9 @@ void add_compare(CLI::App& program, Action& action) {
       "columns, and before it where its motion is another; --out has a row for each column. Rows are set "
       "against each other by their time, those of an HDF5 trace "
       "against those of a CSV one too. Where a folder holds no trace, a line for each job and its figures "
-      "of summary.csv. Jobs of one folder alone are counted. With --quiet --out nothing is printed. "
+      "of summary.csv. Jobs of one folder alone are counted, and files that are no traces named. With "
+      "--quiet "
+      "--out nothing is printed. "
       "Ends 0 where all are alike, 4 where something changed.");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }

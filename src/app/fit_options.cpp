@@ -205,10 +205,9 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
 }
 
 void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
-  take_units(command.add_option("--fill", options.fill_ms,
-                                "Gaps of samples up to this are filled with a line [ms]; 0: none"),
-             factors_of(Quantity::time, 1e-3), times)
-      ->check(number_in(0, 1000))
+  take_units_within(command.add_option("--fill", options.fill_ms,
+                                       "Gaps of samples up to this are filled with a line [ms]; 0: none"),
+                    factors_of(Quantity::time, 1e-3), times, {0, 1000, "ms"})
       ->capture_default_str();
   command.add_option("--mains", options.mains, "Mains hum to take out of forces: any, 50, 60 or off")
       ->check(one_of({"any", "50", "60", "off"}))

@@ -59,22 +59,29 @@ void JobBar::show(std::string_view name, const std::string& behind_it) {
     const auto width = static_cast<std::size_t>(ProgressBar::words_width());
     const std::size_t beside = lead.size() + behind_it.size();
     const std::size_t room = std::max(least_of_name, width - std::min(width, beside));
+    if (is_stopping && !has_told_stop_ && !under_way_.empty()) tell_stop();
     bar_.show(share, is_stopping ? fmt::format("{}/{} {}", ended, total_, stop_words())
                                  : lead + middle_left_out(name, room) + behind_it);
   } else if (is_stopping && !has_told_stop_ && !under_way_.empty()) {
     has_told_stop_ = true;
-    print_err("fingerpad: {} of {} jobs done, {}\n", ended, total_, stop_words());
+    print_err("fingerpad: {} of {} jobs done, {} first\n", ended, total_, stop_words());
   } else if (next_line_.is_due()) {
     print_err("fingerpad: {} of {} jobs done, {:.0f}%{}\n", ended, total_, 100 * share, pace);
   }
 }
 
-/// Of a batch that is told to stop: what it has begun it ends.
+/// Of a batch that is told to stop: what it has begun it ends. Short enough for the bar of a narrow terminal.
 std::string JobBar::stop_words() const {
   if (under_way_.empty()) return "stopped";
-  const bool may_type = shown_ == Shown::bar && by_ctrl_c_ && by_ctrl_c_();
-  return fmt::format("stopping: {} under way {} first{}", under_way_.size(),
-                     under_way_.size() == 1 ? "ends" : "end", may_type ? " (Ctrl-C again ends at once)" : "");
+  return fmt::format("stopping: {} under way {}", under_way_.size(), under_way_.size() == 1 ? "ends" : "end");
+}
+
+/// Above the bar, which has no room for it.
+void JobBar::tell_stop() {
+  has_told_stop_ = true;
+  const bool may_type = by_ctrl_c_ && by_ctrl_c_();
+  bar_.tell(
+      fmt::format("fingerpad: {} first{}", stop_words(), may_type ? "; Ctrl-C again ends at once" : ""));
 }
 
 }  // namespace fingerpad

@@ -41,6 +41,7 @@ class JobBar {
   /// @param name  of which the middle is left out where the line has no room for it
   void show(std::string_view name, const std::string& behind_it);
   std::string stop_words() const;
+  void tell_stop();
 
   std::mutex mutex_;
   std::size_t total_, done_ = 0, elsewhere_ = 0;

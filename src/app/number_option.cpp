@@ -3,9 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <string_view>
+#include <utility>
 
+#include "base/number_text.hpp"
 #include "base/printable_text.hpp"
 
 namespace fingerpad {
@@ -20,15 +23,31 @@ std::string bound_text(double bound) {
   return fmt::format("{:g}", bound);
 }
 
+/// Whether it is a number with a word behind it, "2 s".
+bool has_unit(std::string_view text) {
+  if (parse_number(text)) return false;
+  for (std::size_t length = text.size(); length-- > 1;) {
+    if (!parse_number(text.substr(0, length))) continue;
+    return std::isalpha(static_cast<unsigned char>(text[length])) != 0;
+  }
+  return false;
+}
+
+constexpr const char* without_unit = ", without a unit";
+
+/// @param unit  "seconds"; empty: of a pure number
 template <typename Number>
-CLI::Validator in_range(Number least, Number most, const char* what, const char* type_name) {
-  const std::string low = bound_text(least), high = bound_text(most);
+CLI::Validator in_range(Number least, Number most, const std::string& what, const std::string& unit,
+                        const char* type_name) {
+  const std::string low = bound_text(least), high = bound_text(most),
+                    asked = unit.empty() ? what : what + " of " + unit;
   const auto fault = [=](const std::string& text) {
     Number value{};
     const bool is_number = CLI::detail::lexical_cast(text, value) && !std::isnan(static_cast<double>(value));
     if (is_number && value >= least && value <= most) return std::string();
-    return fmt::format("'{}' is {}; a {} from {} to {} is asked for", printable(text, longest_shown),
-                       is_number ? "out of range" : fmt::format("no {}", what), what, low, high);
+    return fmt::format("'{}' is {}; a {} from {} to {} is asked for{}", printable(text, longest_shown),
+                       is_number ? "out of range" : fmt::format("no {}", what), asked, low, high,
+                       !is_number && !unit.empty() && has_unit(text) ? without_unit : "");
   };
   return CLI::Validator(fault, fmt::format("{} in [{} - {}]", type_name, low, high));
 }
@@ -39,14 +58,24 @@ std::string_view number_words(std::string_view type_name) {
   return type_name.starts_with("INT") ? "whole number" : "number";
 }
 
+/// "seconds" of an option that says "[s]"; empty where it says no unit that is known.
+std::string_view unit_in(std::string_view description) {
+  constexpr std::pair<std::string_view, std::string_view> units[] = {
+      {"[s]", "seconds"}, {"[ms]", "milliseconds"}, {"[Hz]", "hertz"}, {"[m]", "metres"}, {"[N]", "newtons"}};
+  for (const auto& [mark, words] : units) {
+    if (description.find(mark) != std::string_view::npos) return words;
+  }
+  return "";
+}
+
 }  // namespace
 
 CLI::Validator whole_number_in(long least, long most) {
-  return in_range(least, most, "whole number", "INT");
+  return in_range(least, most, "whole number", "", "INT");
 }
 
-CLI::Validator number_in(double least, double most) {
-  return in_range(least, most, "number", "FLOAT");
+CLI::Validator number_in(double least, double most, const std::string& unit) {
+  return in_range(least, most, "number", unit, "FLOAT");
 }
 
 CLI::Validator memory_size() {
@@ -75,8 +104,13 @@ std::string no_number_words(const CLI::ConversionError& error, const CLI::App& c
   if (!told.starts_with(begin) || at == std::string::npos) return told;
   const std::string name = told.substr(begin.size(), at - begin.size());
   const CLI::Option* const option = command.get_option_no_throw(name);
-  return fmt::format("{}: '{}' is no {}", name, printable(told.substr(at + between.size()), longest_shown),
-                     number_words(option != nullptr ? option->get_type_name() : ""));
+  const std::string given = told.substr(at + between.size());
+  const std::string_view unit = unit_in(option != nullptr ? option->get_description() : "");
+  const std::string mend = !has_unit(given) ? ""
+                           : unit.empty()   ? "; it is written without a unit"
+                                            : fmt::format("; it is in {}{}", unit, without_unit);
+  return fmt::format("{}: '{}' is no {}{}", name, printable(given, longest_shown),
+                     number_words(option != nullptr ? option->get_type_name() : ""), mend);
 }
 
 }  // namespace fingerpad

@@ -69,6 +69,13 @@ void ProgressBar::show(double share_done, std::string what) {
   state_ = {std::clamp(share_done, 0.0, 1.0), std::move(what)};
 }
 
+void ProgressBar::tell(const std::string& line) {
+  const std::lock_guard lock(mutex_);
+  wipe();
+  print_err("{}\n", line);
+  if (state_) draw(*state_);
+}
+
 void ProgressBar::finish() {
   if (!drawer_.joinable()) return;
   {
@@ -81,10 +88,14 @@ void ProgressBar::finish() {
   if (end_ == End::kept && state_) {
     draw(*state_);
     print_err("\n");
-  } else if (is_drawn_) {
-    print_err("\r{:{}}\r", "", drawn_columns_);
+  } else {
+    wipe();
   }
   std::fflush(stderr);
+}
+
+void ProgressBar::wipe() {
+  if (is_drawn_) print_err("\r{:{}}\r", "", drawn_columns_);
 }
 
 void ProgressBar::draw_now_and_then(std::chrono::milliseconds patience) {

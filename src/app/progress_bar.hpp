@@ -44,6 +44,9 @@ class ProgressBar {
   /// What the bar shows from now on. @param share_done  0 .. 1
   void show(double share_done, std::string what);
 
+  /// A line of its own, whole, above the bar.
+  void tell(const std::string& line);
+
   /// Ends the line, and the thread. Must come before anything else is written to the terminal.
   void finish();
 
@@ -55,6 +58,7 @@ class ProgressBar {
   void end_line_on_interrupt();
   void draw_now_and_then(std::chrono::milliseconds patience);
   void draw(const State& state);
+  void wipe();
 
   End end_;
   std::mutex mutex_;

@@ -47,4 +47,18 @@ CLI::Option* take_units(CLI::Option* option, const UnitFactor& factor, const std
   return option->transform(CLI::Validator(in_own_unit, ""));
 }
 
+CLI::Option* take_units_within(CLI::Option* option, const UnitFactor& factor, const std::string& units,
+                               const NumberLimits& limits) {
+  const auto refuse_beyond = [factor, limits](std::string& text) -> std::string {
+    const auto number = number_with_unit(text, factor);  // what is none take_units() refuses
+    if (!number || (*number >= limits.least && *number <= limits.most)) return {};
+    return fmt::format("'{}' is out of range; {} to {} {} is asked for", printable(text, 40),
+                       number_text(limits.least), number_text(limits.most), limits.unit);
+  };
+  take_units(option, factor, units);
+  // Before it is turned into the option's own unit.
+  return option->transform(
+      CLI::Validator(refuse_beyond, fmt::format("FLOAT in [{:g} - {:g}]", limits.least, limits.most)));
+}
+
 }  // namespace fingerpad

@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "base/unit.hpp"
@@ -22,5 +23,14 @@ std::optional<double> number_with_unit(std::string_view text, const UnitFactor& 
 /// Lets each number of an option have its unit behind it. Refuses what is no such number.
 /// @param units  for people: "ms, s"
 CLI::Option* take_units(CLI::Option* option, const UnitFactor& factor, const std::string& units);
+
+/// What an option's numbers may be, in its own unit.
+struct NumberLimits {
+  double least = 0, most = 0;
+  std::string unit;  ///< for people: "ms"
+};
+/// As take_units(), of numbers within limits: another is refused as it was given, unit and all.
+CLI::Option* take_units_within(CLI::Option* option, const UnitFactor& factor, const std::string& units,
+                               const NumberLimits& limits);
 
 }  // namespace fingerpad

@@ -107,6 +107,13 @@ void tell_far_points(const QueryOptions& options, const Part& part, const CsvCol
             unit.empty() ? " (is --unit that of the mesh?)" : fmt::format(": are these in {}?", unit));
 }
 
+/// A table without points has an answer: one without rows, which may look like nothing.
+void tell_no_points(const QueryOptions& options, const CsvColumns& points) {
+  if (points.lines.empty())
+    print_err("fingerpad: {}: has a header and no point below it, so the answer is a header alone\n",
+              input_name(options.points));
+}
+
 int query(const QueryOptions& options) {
   if (stream_descriptor(options.mesh) &&
       stream_descriptor(options.mesh) == stream_descriptor(options.points)) {
@@ -132,6 +139,7 @@ int query(const QueryOptions& options) {
   }
   const std::string hint = unit_hint(imported.verdict, how.metres_per_unit);
   if (!hint.empty()) print_err("fingerpad: {}: {}\n", options.mesh, hint);
+  tell_no_points(options, points);
   if (options.out == "-") {
     tell_far_points(options, tree.part(), points,
                     write_answers(tree, points, [](std::string_view text) { write_stream(stdout, text); }));

@@ -233,7 +233,7 @@ void add_replay(CLI::App& program, Action& action) {
   command
       ->add_option("--progress", options->progress_s,
                    "Where standard error is no terminal, tell how far the jobs are every so many seconds")
-      ->check(number_in(0, 1e6))
+      ->check(number_in(0, 1e6, "seconds"))
       ->capture_default_str();
   command
       ->add_option_function<double>(
@@ -242,7 +242,7 @@ void add_replay(CLI::App& program, Action& action) {
           "How many seconds ranks wait for those that have not come: all for the first, the last for the "
           "others")
       ->type_name("SECONDS")
-      ->check(number_in(0, 1e6))
+      ->check(number_in(0, 1e6, "seconds"))
       ->default_str("30");
   command->add_flag(
       "--quiet", options->quiet,

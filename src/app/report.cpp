@@ -187,7 +187,7 @@ void add_report(CLI::App& program, Action& action) {
   command
       ->add_option("--progress", options->progress_s,
                    "Seconds from one line on how far it is to the next, where standard error is no terminal")
-      ->check(number_in(0, 86400))
+      ->check(number_in(0, 86400, "seconds"))
       ->capture_default_str();
   add_quiet_flag(*command, options->quiet);
   command->footer(

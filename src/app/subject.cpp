@@ -23,10 +23,14 @@ SubjectKind subject_kind(const std::string& path) {
   return SubjectKind::mesh;
 }
 
-void refuse_missing_subject(const std::string& path) {
+void refuse_unfit_subject(const std::string& path) {
   std::error_code none;
-  if (stream_descriptor(path) || std::filesystem::exists(path, none)) return;
-  if (path.ends_with(".toml")) read_scene_file(path);  // with the scene that is meant
+  if (stream_descriptor(path)) return;
+  const bool is_toml = path.ends_with(".toml");
+  // A pipe can be read once.
+  if (is_toml && std::filesystem::is_regular_file(path, none)) refuse_profile(path);
+  if (std::filesystem::exists(path, none)) return;
+  if (is_toml) read_scene_file(path);  // with the scene that is meant
   const InputFile refuses(path, {"a scene, mesh or trace", std::numeric_limits<std::uint64_t>::max()});
 }
 

@@ -161,12 +161,12 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
 int touch(const TouchOptions& options) {
   if (!options.record.empty() && options.record != "-")
     refuse_other_endings(options.record, "touch --record", {".h5", ".csv"});
+  refuse_unfit_subject(options.subject);
   if (options.headless && find_device(options.device)->needs_window) {
     throw Error(ErrorKind::usage, "--headless",
                 fmt::format("--device {} is moved in a window: choose another device", options.device));
   }
   refuse_unread(options);
-  refuse_missing_subject(options.subject);
   if (!options.headless) need_live_window(window_choice(options, options.subject));
   KeptThread kept;
   std::optional<Touched> next = load_touched(options, options.subject);
@@ -208,7 +208,7 @@ void add_touch(CLI::App& program, Action& action) {
   command->add_flag("--headless", options->headless,
                     "Without a window, for a rig or a robot; a signal ends it, its trace whole");
   command->add_option("--seconds", options->seconds, "End after so long [s]; default: when told to")
-      ->check(number_in(0, 1e9));
+      ->check(number_in(0, 1e9, "seconds"));
   command
       ->add_option("--port", options->link.port,
                    "Port of a device outside of the program; 0: a free one; default: the device's")
@@ -218,7 +218,7 @@ void add_touch(CLI::App& program, Action& action) {
                           "Address that is listened on; default: 127.0.0.1; another lets others in"));
   add_live_window_options(*command, options->size);
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
-      ->check(number_in(1, 100000));
+      ->check(number_in(1, 100000, "hertz"));
   command->add_flag("--realtime", options->real_time,
                     "Ask for SCHED_FIFO, a core and locked memory; goes on without what is not permitted");
   add_unit_option(*command, options->unit);

@@ -130,7 +130,7 @@ int view(const ViewOptions& options) {
   if (!options.camera.empty()) read_look(options.camera);  // before a long import
   const MovieChoice movie{size.width, size.height, options.frames_per_s, options.speed};
   if (options.output().empty()) {
-    refuse_missing_subject(options.subject);
+    refuse_unfit_subject(options.subject);
     need_display();
   } else {
     refuse_output(options, movie);

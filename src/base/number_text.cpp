@@ -23,11 +23,19 @@ std::string number_text(double value) {
 }
 
 std::string rounded_text(double value, int digits) {
-  std::string text = fmt::format("{:.{}g}", value, digits);
   if (std::isnan(value)) return "nan";
+  if (value == 0) return "0";
+  std::string text = fmt::format("{:.{}g}", value, digits);
   constexpr double most = 1e9;
   if (text.find('e') == std::string::npos || std::abs(value) < 1 || !(std::abs(value) < most)) return text;
   return fmt::format("{:.0f}", parse_number(text).value_or(value));
+}
+
+std::string fixed_text(double value, int digits) {
+  if (std::isnan(value)) return "nan";
+  std::string text = fmt::format("{:.{}f}", value, digits);
+  if (text.front() == '-' && text.find_first_not_of("-0.") == std::string::npos) text.erase(0, 1);
+  return text;
 }
 
 std::optional<double> parse_number(std::string_view text) noexcept {

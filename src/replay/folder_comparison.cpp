@@ -13,19 +13,20 @@
 
 #include "base/content_hash.hpp"
 #include "base/error.hpp"
-#include "replay/batch_results.hpp"
+#include "base/number_text.hpp"
+#include "replay/folder_outcomes.hpp"
+#include "replay/passed_over.hpp"
 #include "replay/summary_column.hpp"
 #include "replay/trace_comparison.hpp"
 #include "replay/trace_pairs.hpp"
 #include "trace/job_index.hpp"
 #include "trace/trace.hpp"
+#include "trace/trace_glance.hpp"
 
 namespace fingerpad {
 namespace {
 
 namespace fs = std::filesystem;
-
-using JobWords = std::map<std::string, std::string>;
 
 /// "s-0003.h5 (plate.stl, mu_static 0.3)", and what it is in the other folder where that is another job.
 std::string name_of_job(const JobWords& in_a, const JobWords& in_b, const TracePair& pair) {
@@ -78,45 +79,6 @@ class Changes {
   const std::function<void(ChangedJob&&)>& on_changed_;
 };
 
-using JobName = std::pair<std::string, int>;
-
-/// What a folder's summaries say; of no job where it has none.
-struct Outcomes {
-  std::map<JobName, JobOutcome> by_job;
-  std::map<std::string, JobName> by_trace;  ///< its file's name
-  std::vector<std::string> absent_figures;
-
-  bool empty() const noexcept { return by_job.empty(); }
-  const JobOutcome* find(const JobName& name) const {
-    const auto found = by_job.find(name);
-    return found == by_job.end() ? nullptr : &found->second;
-  }
-  bool lacks(std::string_view figure) const {
-    return std::find(absent_figures.begin(), absent_figures.end(), figure) != absent_figures.end();
-  }
-};
-
-Outcomes outcomes_in(const std::string& folder) {
-  Outcomes outcomes;
-  if (!has_summary(folder)) return outcomes;
-  BatchResults results = read_batch_results(folder);
-  outcomes.absent_figures = std::move(results.absent_figures);
-  for (JobOutcome& job : results.jobs) {
-    const JobName name(job.scene, job.number);
-    if (!job.trace.empty()) outcomes.by_trace[fs::path(job.trace).filename().string()] = name;
-    outcomes.by_job[name] = std::move(job);
-  }
-  return outcomes;
-}
-
-/// Whether the summaries tell of a trace's job that it ended otherwise in the other folder.
-bool ended_otherwise(const std::string& trace, const Outcomes& in_one, const Outcomes& in_other) {
-  const auto name = in_one.by_trace.find(trace);
-  if (name == in_one.by_trace.end()) return false;
-  const JobOutcome *one = in_one.find(name->second), *other = in_other.find(name->second);
-  return one != nullptr && other != nullptr && one->status != other->status;
-}
-
 /// "s job 3 (seed 3)".
 std::string words_of(const JobOutcome& job) {
   std::string values;
@@ -126,8 +88,8 @@ std::string words_of(const JobOutcome& job) {
   return values.empty() ? name : fmt::format("{} ({})", name, values);
 }
 
-std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, const Outcomes& in_a,
-                                      const Outcomes& in_b, double tolerance) {
+std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, const FolderOutcomes& in_a,
+                                      const FolderOutcomes& in_b, double tolerance) {
   std::vector<JobChange> changes;
   const auto columns = summary_figure_columns();
   for (std::size_t i = 0; i < columns.size(); ++i) {
@@ -135,7 +97,8 @@ std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, 
     const double apart = distance_between(a.figures[i], b.figures[i]);
     if (!(apart > tolerance)) continue;
     changes.push_back({std::string(columns[i].name),
-                       fmt::format("{} was {:.9g}, is {:.9g}{}", columns[i].name, a.figures[i], b.figures[i],
+                       fmt::format("{} was {}, is {}{}", columns[i].name, rounded_text(a.figures[i], 9),
+                                   rounded_text(b.figures[i], 9),
                                    columns[i].unit == "1" ? "" : " " + std::string(columns[i].unit)),
                        apart, columns[i].unit, TickRecord::nan});
   }
@@ -143,7 +106,7 @@ std::vector<JobChange> figure_changes(const JobOutcome& a, const JobOutcome& b, 
 }
 
 /// Figures that one summary alone has a column for, as where another version wrote it: they are not compared.
-void tell_absent_figures(const Outcomes& in_a, const Outcomes& in_b, Changes& found) {
+void tell_absent_figures(const FolderOutcomes& in_a, const FolderOutcomes& in_b, Changes& found) {
   std::vector<JobChange> changes;
   for (const SummaryColumn& column : summary_figure_columns()) {
     const bool lacks_a = in_a.lacks(column.name);
@@ -156,8 +119,8 @@ void tell_absent_figures(const Outcomes& in_a, const Outcomes& in_b, Changes& fo
 
 /// Jobs whose status differs or which one folder's summary does not have; and where there are no traces their
 /// figures.
-void compare_outcomes(const Outcomes& in_a, const Outcomes& in_b, bool has_traces, double tolerance,
-                      FolderComparison& comparison, Changes& found) {
+void compare_outcomes(const FolderOutcomes& in_a, const FolderOutcomes& in_b, bool has_traces,
+                      double tolerance, FolderComparison& comparison, Changes& found) {
   std::set<JobName> all;
   for (const auto& [name, job] : in_a.by_job) all.insert(name);
   for (const auto& [name, job] : in_b.by_job) all.insert(name);
@@ -188,7 +151,8 @@ void compare_outcomes(const Outcomes& in_a, const Outcomes& in_b, bool has_trace
 
 /// Without traces on both sides it takes both summaries.
 void refuse_nothing_to_compare(const std::string& folder, const std::set<std::string>& traces,
-                               const Outcomes& outcomes, const std::string& other, const Outcomes& of_other) {
+                               const FolderOutcomes& outcomes, const std::string& other,
+                               const FolderOutcomes& of_other) {
   if (!traces.empty() || (!outcomes.empty() && !of_other.empty())) return;
   if (outcomes.empty()) throw refused(folder, "holds no traces, and no summary of jobs: nothing to compare");
   throw refused(folder, fmt::format("holds no traces, and {} no summary of jobs to compare by", other));
@@ -239,10 +203,13 @@ std::vector<JobChange> changes_of(const std::string& a, const std::string& b, bo
 
 FolderComparison compare_folders(const std::string& folder_a, const std::string& folder_b, double tolerance,
                                  const std::function<void(ChangedJob&&)>& on_changed) {
+  const FolderOutcomes outcomes_a = outcomes_in(folder_a), outcomes_b = outcomes_in(folder_b);
+  const auto jobs_a = jobs_in_folder(folder_a), jobs_b = jobs_in_folder(folder_b);
   std::set<std::string> in_a = traces_in(folder_a), in_b = traces_in(folder_b);
+  add_traces_of_jobs(folder_a, outcomes_a, jobs_a, in_a);
+  add_traces_of_jobs(folder_b, outcomes_b, jobs_b, in_b);
   add_damaged(folder_a, in_b, in_a);
   add_damaged(folder_b, in_a, in_b);
-  const Outcomes outcomes_a = outcomes_in(folder_a), outcomes_b = outcomes_in(folder_b);
   refuse_nothing_to_compare(folder_a, in_a, outcomes_a, folder_b, outcomes_b);
   refuse_nothing_to_compare(folder_b, in_b, outcomes_b, folder_a, outcomes_a);
   std::vector<TracePair> pairs = trace_pairs(in_a, in_b);
@@ -257,7 +224,10 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
   }
   tell_formats(folder_a, folder_b, pairs, found);
   comparison.traces = pairs.size();
-  const auto jobs_a = jobs_in_folder(folder_a), jobs_b = jobs_in_folder(folder_b);
+  for (const auto& [folder, traces] : {std::pair(&folder_a, &in_a), std::pair(&folder_b, &in_b)}) {
+    for (std::string& words : passed_over_words(*folder, *traces))
+      comparison.passed_over.push_back(std::move(words));
+  }
   for (const TracePair& pair : pairs) {
     if (pair.a.empty() || pair.b.empty()) {
       ++comparison.changed;
@@ -268,7 +238,7 @@ FolderComparison compare_folders(const std::string& folder_a, const std::string&
       continue;
     }
     const std::string a = (fs::path(folder_a) / pair.a).string(), b = (fs::path(folder_b) / pair.b).string();
-    if (file_hash(a) == file_hash(b)) continue;
+    if (file_hash(a) == file_hash(b) && looks_whole(a)) continue;
     std::vector<JobChange> changes = changes_of(a, b, pair.are_of_two_formats(), tolerance, comparison);
     comparison.changed += changes.empty() ? 0 : 1;
     found.tell(name_of_job(jobs_a, jobs_b, pair), std::move(changes), false);

@@ -31,15 +31,16 @@ struct FolderComparison {
   std::size_t notes = 0;  ///< told of what is no change
   /// Traces that were read and end early: "DIR/s-0003.csv: ends within a row (line 12); ...".
   std::vector<std::string> early_ends = {};
-  std::vector<std::string> damaged = {};  ///< those that could not be read: which and why
+  std::vector<std::string> damaged = {};      ///< those that could not be read: which and why
+  std::vector<std::string> passed_over = {};  ///< passed_over_words() of both folders
 };
 
 /// Compares the traces of two folders by their names: those that only one has, the columns that differ and by
 /// how much, and the jobs whose status in summary.csv differs. A job is told once: one that failed in one
 /// folder by its status, not by the trace that it lacks. Rows are set against each other by their time,
 /// so that a trace of every tenth tick goes with a whole one, and an HDF5 trace with one as CSV, where the
-/// folders are of these. Files whose bytes are equal are not read further; a trace that cannot be read is a
-/// change of its job.
+/// folders are of these. Whole files whose bytes are equal are not read further; a trace that cannot be read
+/// is a change of its job, alike on both sides too.
 /// @param tolerance   what a column may differ by, in its own unit; nan is equal to nan alone
 /// @param on_changed  told each job that differs, as it is found: they may be many
 /// Throws Error (refused) for a folder that cannot be read; and where one has no trace and

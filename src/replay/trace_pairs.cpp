@@ -35,7 +35,7 @@ std::set<std::string> traces_in(const std::string& folder) {
     std::error_code none;
     if (!at->is_regular_file(none)) continue;
     const std::string path = at->path().string();
-    if ((path.ends_with(".h5") && !is_foreign_hdf5(path)) ||
+    if ((path.ends_with(".h5") && is_hdf5(path) && !is_foreign_hdf5(path)) ||
         (path.ends_with(".csv") && (is_csv_trace(path) || is_partial_csv_trace(path))))
       names.insert(at->path().filename().string());
   }

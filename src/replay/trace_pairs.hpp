@@ -14,7 +14,7 @@ struct TracePair {
   bool are_of_two_formats() const noexcept { return !a.empty() && !b.empty() && a != b; }
 };
 
-/// The names of the traces in a folder; not those of other programs' tables. Throws Error (refused) where it
+/// The names of the traces in a folder; not those of other programs' files. Throws Error (refused) where it
 /// cannot be read.
 std::set<std::string> traces_in(const std::string& folder);
 

@@ -1,11 +1,15 @@
 #include "scene/pad_profile_file.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
+#include <vector>
 
 #include "base/error.hpp"
+#include "scene/scene_key.hpp"
 #include "scene/toml_tree.hpp"
 
 namespace fingerpad {
@@ -45,6 +49,31 @@ constexpr std::string_view fitted_numbers[] = {"mu_load_exponent",
                                                "longitudinal_hysteresis_area_m"};
 constexpr std::string_view fitted_tables[] = {"interval", "samples", "refused"};
 
+/// All that a profile knows, as it is told: "source", ..., "[interval]".
+std::vector<std::string> profile_keys() {
+  std::vector<std::string> keys = {"source"};
+  for (const NumberKey& number : number_keys) keys.emplace_back(number.key);
+  for (const std::string_view fitted : fitted_sizes) keys.emplace_back(fitted);
+  for (const std::string_view fitted : fitted_numbers) keys.emplace_back(fitted);
+  for (const std::string_view fitted : fitted_tables) keys.push_back(fmt::format("[{}]", fitted));
+  return keys;
+}
+
+bool has_profile_key(const TomlNode& file) {
+  const std::vector<std::string> keys = profile_keys();
+  return std::ranges::any_of(file.entries, [&](const TomlEntry& entry) {
+    return std::ranges::count(keys, entry.key) + std::ranges::count(keys, '[' + entry.key + ']') > 0;
+  });
+}
+
+bool has_scene_table(const TomlNode& file) {
+  return std::ranges::any_of(file.entries, [](const TomlEntry& entry) {
+    return entry.key == "set" || std::ranges::any_of(scene_tables(), [&](const SceneTable& table) {
+             return !table.name.empty() && table.name == entry.key;
+           });
+  });
+}
+
 double number_of(const std::string& path, const NumberKey& key, const TomlNode& node) {
   const auto where = place_text(path, node.place);
   if (!node.is(TomlNode::Type::number) && !node.is(TomlNode::Type::integer))
@@ -81,13 +110,8 @@ void read_entry(const std::string& path, const TomlEntry& entry, PadProfile& pro
     return;
   }
   if (entry.key != "source") {
-    std::string known = "source";
-    for (const NumberKey& number : number_keys) known += fmt::format(", {}", number.key);
-    for (const std::string_view fitted : fitted_sizes) known += fmt::format(", {}", fitted);
-    for (const std::string_view fitted : fitted_numbers) known += fmt::format(", {}", fitted);
-    for (const std::string_view fitted : fitted_tables) known += fmt::format(", [{}]", fitted);
-    throw refused(place_text(path, entry.place),
-                  fmt::format("unknown key '{}'; a profile knows {}", entry.key, known));
+    throw refused(place_text(path, entry.place), fmt::format("unknown key '{}'; a profile knows {}",
+                                                             entry.key, fmt::join(profile_keys(), ", ")));
   }
   if (!node.is(TomlNode::Type::text)) throw refused(place_text(path, node.place), "source must be a text");
   profile.source = node.text;
@@ -130,6 +154,11 @@ PadProfile read_profile(const std::string& path) {
 
 PadProfile read_profile_text(const std::string& text, const std::string& path) {
   const TomlNode file = parse_toml(text, path);
+  if (has_scene_table(file) && !has_profile_key(file))
+    throw refused(path,
+                  "is a scene, not the profile of a finger pad: that is a file of the pad's own numbers "
+                  "(lateral_axis_m, longitudinal_axis_m and so on), as `fingerpad fit` writes one and "
+                  "scenes/profiles/default.toml is; without `profile` the built-in pad serves");
   PadProfile profile;
   for (const TomlEntry& entry : file.entries) read_entry(path, entry, profile);
   refuse_missing(path, file);
@@ -138,6 +167,10 @@ PadProfile read_profile_text(const std::string& text, const std::string& path) {
   refuse_vanishing_axis(path, file, "longitudinal_axis_m", "longitudinal_slope_per_deg",
                         profile.longitudinal_axis_m, profile.longitudinal_slope_per_deg);
   return profile;
+}
+
+bool is_profile(const TomlNode& file) {
+  return has_profile_key(file) && !has_scene_table(file);
 }
 
 }  // namespace fingerpad

@@ -23,6 +23,7 @@ namespace fs = std::filesystem;
 
 // Far above any scene, far below what would fill the memory.
 constexpr std::size_t max_text_bytes = std::size_t{4} << 20;
+constexpr InputKind scene_kind{"a scene file", max_text_bytes, true};
 constexpr std::size_t max_job_text_bytes = std::size_t{512} << 20;
 
 std::size_t count_jobs(const std::vector<SetEntry>& entries, const std::string& path,
@@ -119,10 +120,8 @@ constexpr const char* what_a_scene_is =
     "is it a scene? That is a .toml file, which names its mesh ([[part]] mesh) and its recording ([motion] "
     "file)";
 
-/// A profile's axes stand at the top of its file, where a scene has none of these keys.
-void refuse_profile(const TomlNode& root, const std::string& path) {
-  if (find_entry(root, "lateral_axis_m") == nullptr && find_entry(root, "longitudinal_axis_m") == nullptr)
-    return;
+void refuse_profile_of(const TomlNode& root, const std::string& path) {
+  if (!is_profile(root)) return;
   throw refused(
       path,
       fmt::format("is the profile of a finger pad, not a scene: a scene names it, with profile = \"{}\" in "
@@ -140,7 +139,6 @@ bool begins_as_hdf5(const std::string& path) {
 }  // namespace
 
 SceneFile read_scene_file(const std::string& path) {
-  const InputKind kind{"a scene file", max_text_bytes, true};
   if (begins_as_hdf5(path)) {
     throw refused(
         path,
@@ -148,7 +146,7 @@ SceneFile read_scene_file(const std::string& path) {
         "its finger again by [motion] file");
   }
   try {
-    return read_scene_text(read_whole_file(path, kind), path);
+    return read_scene_text(read_whole_file(path, scene_kind), path);
   } catch (const Error& error) {
     const bool missing = is_missing(path);
     if (!missing && !stream_descriptor(path) && fs::path(path).extension() != ".toml")
@@ -159,10 +157,14 @@ SceneFile read_scene_file(const std::string& path) {
   }
 }
 
+void refuse_profile(const std::string& path) {
+  if (!begins_as_hdf5(path)) refuse_profile_of(parse_toml(read_whole_file(path, scene_kind), path), path);
+}
+
 SceneFile read_scene_text(const std::string& text, const std::string& path, Unread unread) {
   if (text.size() > max_text_bytes) throw refused(path, "is larger than 4 MiB, which no scene file is");
   TomlNode root = parse_toml(text, path);
-  refuse_profile(root, path);
+  refuse_profile_of(root, path);
   SceneFile file;
   UnreadKeys unread_keys;
   const TomlEntry* set = find_entry(root, "set");

@@ -33,6 +33,9 @@ enum class Unread { refused, passed_over };
 /// like it.
 SceneFile read_scene_file(const std::string& path);
 
+/// Throws Error (refused) where a file is the profile of a finger pad, or no TOML.
+void refuse_profile(const std::string& path);
+
 /// As above from text; relative paths are resolved against `path`'s folder. The text of a set's job, which a
 /// trace keeps, may hold keys that only other jobs of its set read: pass them over.
 SceneFile read_scene_text(const std::string& text, const std::string& path, Unread unread = Unread::refused);

@@ -6,6 +6,7 @@
 #include <iterator>
 #include <tuple>
 
+#include "base/count_words.hpp"
 #include "base/error.hpp"
 #include "scene/scene_key.hpp"
 #include "scene/set_range.hpp"
@@ -25,15 +26,19 @@ void collect_leaves(const TomlNode& table, const std::string& prefix, std::vecto
   }
 }
 
-/// Lists that go side by side are equally long.
+/// Lists that go side by side are equally long; a list of one among them may be meant for all, and is not.
 void refuse_other_lengths(const std::vector<SetAxis>& axes, const std::string& place) {
   const SetAxis* first = nullptr;
   for (const SetAxis& axis : axes) {
-    if (axis.values.size() < 2) continue;
+    if (!axis.is_list) continue;
     if (first == nullptr) first = &axis;
-    if (axis.values.size() == first->values.size()) continue;
-    throw refused(place, fmt::format("with zip the lists go side by side, but '{}' has {} values and '{}' {}",
-                                     first->key, first->values.size(), axis.key, axis.values.size()));
+    const std::size_t count = axis.values.size(), first_count = first->values.size();
+    if (count == first_count) continue;
+    const std::string mend = count == 1 || first_count == 1
+                                 ? "; a value that is to go with all of them is written without a list"
+                                 : "";
+    throw refused(place, fmt::format("with zip the lists go side by side, but '{}' has {} and '{}' {}{}",
+                                     first->key, count_words(first_count, "value"), axis.key, count, mend));
   }
 }
 

@@ -11,7 +11,7 @@
 namespace fingerpad {
 
 /// One [[set]] entry: its keys in the order written. Its jobs are their product, last key fastest; with
-/// `zip = true` its lists go side by side, and a key of one value goes with all of them.
+/// `zip = true` its lists go side by side, and a key of one value that is no list goes with all of them.
 struct SetEntry {
   std::vector<SetAxis> axes;
   bool zip = false;

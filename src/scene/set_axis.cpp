@@ -50,7 +50,7 @@ std::string written_text(const TomlNode& value) {
   return value.written.empty() ? write_toml_value(value) : value.written;
 }
 
-/// Adds one value of a key; a glob adds all its files.
+/// Adds one value of a key; a glob adds all its files, and is a list however many it finds.
 void add_value(SetAxis& axis, const TomlNode& value, const std::string& path) {
   const bool names_file = axis.target == "part.mesh" || axis.target == "motion.file";
   const bool glob =
@@ -60,6 +60,7 @@ void add_value(SetAxis& axis, const TomlNode& value, const std::string& path) {
     axis.values.push_back({value, written_text(value)});
     return;
   }
+  axis.is_list = true;
   const std::vector<std::string> files = matching_files(value.text, path);
   if (files.empty()) {
     throw refused(place_text(path, value.place), fmt::format("no file matches '{}'", value.text));
@@ -142,13 +143,14 @@ SetAxis read_axis(const SetLeaf& leaf, const std::string& path) {
                     "of a scene, such as 'friction.law'",
                     leaf.key, meant_keys(leaf.key)));
   }
-  SetAxis axis{leaf.key, *target, leaf.place, {}};
+  SetAxis axis{leaf.key, *target, leaf.place, {}, false};
   const bool is_range = is_set_range(*leaf.value);
   const TomlNode value =
       is_range ? range_values(*leaf.value, leaf.key, find_whole_key(*target) != nullptr, path) : *leaf.value;
   const auto is_list = [](const TomlNode& item) { return item.is(TomlNode::Type::array); };
   const bool list = is_list(value) && (is_range || !is_vector_key(*target) || value.items.empty() ||
                                        std::any_of(value.items.begin(), value.items.end(), is_list));
+  axis.is_list = list;
   if (!list) add_value(axis, value, path);
   for (const TomlNode& item : list ? value.items : std::vector<TomlNode>{}) {
     if (axis.values.size() > max_jobs) break;

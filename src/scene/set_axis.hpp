@@ -23,6 +23,7 @@ struct SetAxis {
   std::string target;            ///< full dotted name in the scene
   Place place;                   ///< of the key
   std::vector<SetValue> values;  ///< no more than max_jobs + 1: that many are too many whatever they are
+  bool is_list = false;          ///< written as a list, a range or a glob, and not as one value
 };
 
 /// A key of a set with its dots written out.

@@ -131,10 +131,11 @@ std::string estimate_text(const DelayEstimate& delay) {
   constexpr double slow_s = 1.5e-3;
   if (!delay.refusal.empty())
     return fmt::format("the delay of force behind position cannot be told: {}", delay.refusal);
-  std::string told = fmt::format("force lags position by {:.3f} ms", 1e3 * delay.delay_s);
+  std::string told = fmt::format("force lags position by {} ms", fixed_text(1e3 * delay.delay_s, 3));
   if (!delay.interval_s) return told;
-  told += fmt::format(" (95 %: {:.3f} .. {:.3f} ms, {} samples of stick", 1e3 * delay.interval_s->first,
-                      1e3 * delay.interval_s->second, delay.samples);
+  told +=
+      fmt::format(" (95 %: {} .. {} ms, {} samples of stick", fixed_text(1e3 * delay.interval_s->first, 3),
+                  fixed_text(1e3 * delay.interval_s->second, 3), delay.samples);
   if (delay.by_parts)
     told += fmt::format(" of {} trial{} alone, by whose stretches it may be so far off", delay.trials,
                         delay.trials == 1 ? "" : "s");

@@ -117,7 +117,20 @@ double left_of_frame(const ChartLayout& layout) {
   return std::ceil(1.3 * layout.em + 0.55 * layout.em + numbers + 0.45 * layout.em);
 }
 
+constexpr double beside_frame_ems = 9;  // about: how wide the axis' numbers are is not known yet
+
+double further_lines_px(int lines, double em) {
+  return std::ceil(legend_line_ems * (lines - 1) * em);
+}
+
 }  // namespace
+
+double further_legend_lines_px(const Chart& chart, double box_width_px, double em) {
+  double sum = 0;
+  for (const int lines : legend_rows(chart, box_width_px - beside_frame_ems * em, em))
+    sum += further_lines_px(lines, em);
+  return sum;
+}
 
 int marks_along_x(double length_px, double em) {
   return std::clamp(static_cast<int>(length_px / (4.3 * em)), 2, 12);
@@ -138,19 +151,25 @@ ChartLayout stacked_layout(const Chart& chart, const Box& box, double em, double
   layout.page = box;
   const auto count = static_cast<int>(chart.panels.size());
   layout.rows = std::max(1, count);
-  constexpr double beside_frame_ems = 9;  // about: how wide the axis' numbers are is not known yet
-  layout.legend_rows = legend_rows(chart, box.width - beside_frame_ems * em, em);
-  const double above = std::ceil((1.75 + legend_line_ems * (layout.legend_rows - 1)) * em),
-               foot = std::ceil(2.9 * em);
+  const std::vector<int> rows = legend_rows(chart, box.width - beside_frame_ems * em, em);
+  const double above = std::ceil(1.75 * em), foot = std::ceil(2.9 * em);
   const double top = std::floor(box.top() - (chart.band ? 2.6 * em : 0));
   const double bottom = std::ceil(box.bottom + foot);
-  const double height = std::max(2.0, std::floor((top - bottom) / layout.rows - above));
-  layout.gutter_y = above;
+  const double legends = further_legend_lines_px(chart, box.width, em);
+  const double height = std::max(2.0, std::floor((top - bottom - legends) / layout.rows - above));
+  layout.gutter_y = above + (rows.size() > 1 ? further_lines_px(rows.back(), em) : 0);
+  double frame_bottom = top;
   for (int i = 0; i < count; ++i) {
     const ChartPanel& panel = chart.panels[static_cast<std::size_t>(i)];
-    const double frame_bottom = top - (above + height) * (i + 1);
-    layout.panels.push_back(
-        {{0, frame_bottom, 0, height}, {}, y_axis(panel, marks_along_y(height, em)), i + 1 == count, 0, 0});
+    const int lines = rows[static_cast<std::size_t>(i)];
+    frame_bottom -= above + further_lines_px(lines, em) + height;
+    layout.panels.push_back({{0, frame_bottom, 0, height},
+                             {},
+                             y_axis(panel, marks_along_y(height, em)),
+                             i + 1 == count,
+                             0,
+                             0,
+                             lines});
   }
   double left = left_of_frame(layout);
   if (chart.band) left = std::max(left, std::ceil(text_width(chart.band->title, em) + 0.8 * em));

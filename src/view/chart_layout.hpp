@@ -14,6 +14,7 @@ struct ChartLayout {
     bool foot = true;      ///< the x axis has its labels here
     double y_label_x = 0;  ///< middle of the line that the y label stands on
     double title_y = 0;  ///< baseline of the title, or middle of the legend's last line above a stacked panel
+    int legend_rows = 1;  ///< lines that the legend above a stacked panel has room for
   };
   double em = 12;  ///< size of texts [px]
   Box page;        ///< the whole of it
@@ -21,7 +22,6 @@ struct ChartLayout {
   Box strip;          ///< of the band; empty where there is none
   Vec2 legend{0, 0};  ///< of a page: left end, middle of the first line
   int columns = 1, rows = 1;
-  int legend_rows = 1;                ///< lines that the legend above each stacked panel has room for
   double gutter_x = 0, gutter_y = 0;  ///< between frames
 };
 
@@ -50,9 +50,13 @@ double legend_width(const Chart& chart, double em);
 /// From one line of a stacked panel's legend to the next, in sizes of the texts.
 inline constexpr double legend_line_ems = 1.4;
 
-/// In how many lines, at most chart.legend_rows, the legends above stacked panels of this width have their
-/// entries whole.
-int legend_rows(const Chart& chart, double width_px, double em);
+/// In how many lines, at most chart.legend_rows, the legend above each stacked panel of this width has its
+/// entries whole: the first one's, and below it as many above each.
+std::vector<int> legend_rows(const Chart& chart, double width_px, double em);
+
+/// What the lines of all legends take that have more than one, in a stacked chart in a box of this width
+/// [px].
+double further_legend_lines_px(const Chart& chart, double box_width_px, double em);
 
 /// Titles, notes and legends: all but what stands in the frames and along them.
 Drawing chart_words(const Chart& chart, const ChartLayout& layout);

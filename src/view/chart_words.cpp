@@ -215,16 +215,24 @@ void add_band_words(Drawing& drawing, const ChartBand& band, const ChartLayout& 
 
 }  // namespace
 
-int legend_rows(const Chart& chart, double width_px, double em) {
+std::vector<int> legend_rows(const Chart& chart, double width_px, double em) {
   const StackedSizes sizes(em);
-  int rows = 1;
+  std::vector<int> rows;
   for (const ChartPanel& panel : chart.panels) {
-    if (panel.curves.empty() || chart.legend_rows < 2) continue;
-    const auto name_of = [&](std::size_t i) -> const std::string& { return panel.curves[i].name; };
-    rows = std::max(
-        rows, 1 + wrapped(panel.curves.size(), name_of, sizes.size, sizes.beside_name(), width_px).back());
+    std::vector<std::string> names;
+    for (const ChartCurve& curve : panel.curves) {
+      if (!curve.name.empty()) names.push_back(curve.name);
+    }
+    rows.push_back(1);
+    if (names.empty() || chart.legend_rows < 2) continue;
+    const auto name_of = [&](std::size_t i) -> const std::string& { return names[i]; };
+    const int last = wrapped(names.size(), name_of, sizes.size, sizes.beside_name(), width_px).back();
+    rows.back() = std::min(1 + last, chart.legend_rows);
   }
-  return std::min(rows, chart.legend_rows);
+  // Panels that stand evenly apart have as much room as the one with the most lines takes.
+  if (rows.size() > 1)
+    std::fill(rows.begin() + 1, rows.end(), *std::max_element(rows.begin() + 1, rows.end()));
+  return rows;
 }
 
 double legend_width(const Chart& chart, double em) {
@@ -238,7 +246,7 @@ Drawing chart_words(const Chart& chart, const ChartLayout& layout) {
   const double em = layout.em;
   if (chart.stacked) {
     for (std::size_t i = 0; i < layout.panels.size(); ++i) {
-      add_stacked_legend(drawing, chart.panels[i], layout.panels[i], layout.legend_rows, em);
+      add_stacked_legend(drawing, chart.panels[i], layout.panels[i], layout.panels[i].legend_rows, em);
     }
     if (chart.band) add_band_words(drawing, *chart.band, layout);
     return drawing;

@@ -131,8 +131,8 @@ const std::vector<double>& compared_values(const ComparedRun& run, const std::st
 Residual residual_of(const std::string& name, const ComparedRun& first, const ComparedRun& other,
                      std::size_t run, const CommonTicks& ticks) {
   const std::vector<double>&a = compared_values(first, name, other), &b = compared_values(other, name, first);
-  Residual residual{run, name, column_of(first, name)->unit, {}, {}, 0};
-  double squares = 0, count = 0;
+  Residual residual{run, name, column_of(first, name)->unit, {}, {}, 0, 0};
+  double squares = 0;
   for (std::size_t i = 0; i < ticks.grid->x.size(); ++i) {
     const double x = ticks.grid->x[i];
     if (x < ticks.from || x > ticks.to) continue;
@@ -142,9 +142,10 @@ Residual residual_of(const std::string& name, const ComparedRun& first, const Co
     residual.values.push_back(left);
     if (!std::isfinite(left)) continue;
     squares += left * left;
-    ++count;
+    ++residual.ticks;
   }
-  residual.rms = count > 0 ? std::sqrt(squares / count) : TickRecord::nan;
+  const auto count = static_cast<double>(residual.ticks);
+  residual.rms = count > 1 ? std::sqrt(squares / count) : TickRecord::nan;
   return residual;
 }
 

@@ -12,7 +12,8 @@ struct Residual {
   std::size_t run = 0;  ///< index of the other; the first is what it is compared with
   std::string column, unit;
   std::vector<double> x, values;  ///< other less first
-  double rms = 0;
+  std::size_t ticks = 0;          ///< at which both have a number
+  double rms = 0;                 ///< over these; nan of fewer than two
 };
 
 /// Runs laid over one another.
@@ -34,7 +35,7 @@ Comparison compare_runs(std::vector<ComparedRun> runs, const std::vector<std::st
 /// A panel of each column, and below it one of what is left.
 Chart comparison_chart(const Comparison& comparison, Over over);
 
-/// "fn_n: RMS 0.0123 N, b less a, 1000 ticks", a line each.
+/// "fn_n: RMS 0.0123 N, b less a, 1000 ticks", a line each; of one tick alone what is left there.
 std::vector<std::string> residual_words(const Comparison& comparison);
 
 }  // namespace fingerpad

@@ -10,6 +10,9 @@
 namespace fingerpad {
 namespace {
 
+/// Of more runs each is named once, above the first panel: further down its colour and dashes tell it.
+constexpr std::size_t most_named_everywhere = 3;
+
 /// Told apart by colour, and by dashes where colours are not seen.
 CurveStyle style_of(std::size_t run) {
   constexpr Dash dashes[] = {Dash::solid, Dash::dashed, Dash::dotted, Dash::dash_dot};
@@ -44,6 +47,16 @@ std::string unit_words(const std::string& unit) {
   return unit == "1" ? "" : " " + unit;
 }
 
+/// What is left: "RMS 0.25 N", "0.25 N at one tick alone, no RMS". A mean over one tick is that tick.
+std::string left_words(const Residual& residual, double factor, const std::string& unit, int digits) {
+  if (residual.ticks == 0) return "no tick at which both have a number";
+  if (residual.ticks > 1)
+    return fmt::format("RMS {}{}", rounded_text(factor * residual.rms, digits), unit_words(unit));
+  const double left =
+      *std::ranges::find_if(residual.values, [](double value) { return std::isfinite(value); });
+  return fmt::format("{}{} at one tick alone, no RMS", rounded_text(factor * left, digits), unit_words(unit));
+}
+
 ChartPanel panel_of(const std::string& y_label, const std::string& short_y_label, Over over) {
   ChartPanel panel{"", std::string(abscissa_label(over)), y_label, false, false, {}};
   panel.short_y_label = short_y_label;
@@ -57,10 +70,13 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
   ChartPanel values = panel_of(fmt::format("{} [{}]", words_for_column(name), shown.unit),
                                fmt::format("{} [{}]", name, shown.unit), over);
   values.y_from_zero = name == "friction";  // its sign says which way it acts
+  const bool names_once = comparison.runs.size() > most_named_everywhere;
   for (std::size_t i = 0; i < comparison.runs.size(); ++i) {
     const ComparedRun& run = comparison.runs[i];
     const auto column = std::find_if(run.columns.begin(), run.columns.end(), of_name);
-    values.curves.push_back({run.name, style_of(i), run.x, scaled_by(column->values, shown.factor)});
+    const bool is_named = !names_once || chart.panels.empty();
+    values.curves.push_back(
+        {is_named ? run.name : "", style_of(i), run.x, scaled_by(column->values, shown.factor)});
   }
   chart.panels.push_back(std::move(values));
   if (comparison.runs.size() < 2) return;
@@ -68,9 +84,8 @@ void add_column_panels(Chart& chart, const Comparison& comparison, const std::st
                              fmt::format("res. {} [{}]", name, shown.unit), over);
   for (const Residual& residual : comparison.residuals) {
     if (residual.column != name) continue;
-    const std::string legend =
-        fmt::format("{}: RMS {}{}", comparison.runs[residual.run].name,
-                    rounded_text(shown.factor * residual.rms, 4), unit_words(shown.unit));
+    const std::string name = names_once ? "" : comparison.runs[residual.run].name + ": ";
+    const std::string legend = name + left_words(residual, shown.factor, shown.unit, 4);
     left.curves.push_back(
         {legend, style_of(residual.run), residual.x, scaled_by(residual.values, shown.factor)});
   }
@@ -95,7 +110,7 @@ std::string title_of(const std::vector<ComparedRun>& runs) {
 Chart comparison_chart(const Comparison& comparison, Over over) {
   Chart chart;
   chart.stacked = true;
-  chart.legend_rows = 4;  // of eight runs with long names
+  chart.legend_rows = 8;  // of eight runs with long names
   chart.title = title_of(comparison.runs);
   chart.notes = comparison.notes;
   for (const std::string& name : comparison.columns) add_column_panels(chart, comparison, name, over);
@@ -105,12 +120,10 @@ Chart comparison_chart(const Comparison& comparison, Over over) {
 std::vector<std::string> residual_words(const Comparison& comparison) {
   std::vector<std::string> words;
   for (const Residual& residual : comparison.residuals) {
-    const auto ticks = std::count_if(residual.values.begin(), residual.values.end(),
-                                     [](double value) { return std::isfinite(value); });
-    words.push_back(fmt::format("{}: RMS {}{}, '{}' less '{}', {}", residual.column,
-                                rounded_text(residual.rms, 6), unit_words(residual.unit),
-                                comparison.runs[residual.run].name, comparison.runs[0].name,
-                                count_words(static_cast<std::size_t>(ticks), "tick")));
+    words.push_back(
+        fmt::format("{}: {}, '{}' less '{}'{}", residual.column, left_words(residual, 1, residual.unit, 6),
+                    comparison.runs[residual.run].name, comparison.runs[0].name,
+                    residual.ticks > 1 ? fmt::format(", {}", count_words(residual.ticks, "tick")) : ""));
   }
   return words;
 }

@@ -68,11 +68,10 @@ SidePanel MaterialPanel::panel() const {
     const auto i = static_cast<std::size_t>(row);
     panel.rows.push_back({PanelRow::Kind::value, row_labels[i], shown[i], false, row == selected_});
   }
-  const std::string unstable = unstable_words(swap_.scene());
-  if (!unstable.empty()) panel.rows.push_back({PanelRow::Kind::note, unstable, "", false, false});
-  const auto note = [&panel](const char* words) {
+  const auto note = [&panel](const std::string& words) {
     panel.rows.push_back({PanelRow::Kind::note, words, "", false, false});
   };
+  for (const std::string& words : doubts(swap_.scene())) note(words);
   if (swap_.is_scheduled()) {
     note("as recorded: the recording changes it");
   } else {  // in two lines, which a small window has room for
@@ -92,6 +91,28 @@ std::string MaterialPanel::unstable_words(const Scene& scene) const {
   if (surface.stiffness_n_per_m <= most) return {};
   const std::string limit = most < 100 ? rounded_text(most, 3) : number_text(10 * std::round(most / 10));
   return fmt::format("motors shake over {} N/m at {} Hz", limit, number_text(scene.motion.rate_hz));
+}
+
+/// Whether a press of 1 N goes through the whole part; empty: not, or an open part, which has no inside.
+std::string MaterialPanel::soft_words(const Scene& scene) const {
+  const auto index = static_cast<std::size_t>(surface_);
+  const Surface& surface = world_.surfaces[index];
+  if (surface.is_plane() || !surface.part || index >= world_.verdicts.size() ||
+      !world_.verdicts[index].closed)
+    return {};
+  const double across_m = 2 * surface.part->half_extent.minCoeff();
+  const double deep_m = 1 / surface_properties(scene, surface_).stiffness_n_per_m;
+  if (deep_m <= across_m) return {};
+  return fmt::format("1 N goes {} mm in, through all its {} mm", rounded_text(1e3 * deep_m, 2),
+                     rounded_text(1e3 * across_m, 2));
+}
+
+std::vector<std::string> MaterialPanel::doubts(const Scene& scene) const {
+  std::vector<std::string> words;
+  for (std::string& doubt : std::vector{unstable_words(scene), soft_words(scene)}) {
+    if (!doubt.empty()) words.push_back(std::move(doubt));
+  }
+  return words;
 }
 
 /// The row's value so many steps on, and the key that it is the value of.
@@ -144,9 +165,11 @@ std::string MaterialPanel::step(int row, int steps) {
   } catch (const Error& error) {
     return error.what();
   }
-  const std::string unstable = row == stiffness || row == damping ? unstable_words(swap_.scene()) : "";
-  return fmt::format("{}: {}{}{}", row_labels[row], values(swap_.scene())[static_cast<std::size_t>(row)],
-                     unstable.empty() ? "" : "; ", unstable);
+  std::string told =
+      fmt::format("{}: {}", row_labels[row], values(swap_.scene())[static_cast<std::size_t>(row)]);
+  if (row != stiffness && row != damping) return told;
+  for (const std::string& words : doubts(swap_.scene())) told += "; " + words;
+  return told;
 }
 
 }  // namespace fingerpad

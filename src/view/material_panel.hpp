@@ -29,6 +29,8 @@ class MaterialPanel {
  private:
   std::vector<std::string> values(const Scene& scene) const;
   std::string unstable_words(const Scene& scene) const;
+  std::string soft_words(const Scene& scene) const;
+  std::vector<std::string> doubts(const Scene& scene) const;
   std::string stepped(int row, int steps, const Scene& scene, std::string& key) const;
 
   TouchSwap& swap_;

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <optional>
 
+#include "base/number_text.hpp"
 #include "view/axis.hpp"
 #include "view/colours.hpp"
 #include "view/overlay_help.hpp"
@@ -158,7 +159,7 @@ class OverlayPainter {
     drawing_.box({slider.left, y - 0.15 * em_, slider.width, 0.3 * em_}, colours::pale_grey);
     drawing_.box({slider.left, y - 0.15 * em_, slider.width * share, 0.3 * em_}, colours::blue);
     drawing_.disc({slider.left + slider.width * share, y}, 0.55 * em_, colours::blue);
-    std::string time = fmt::format("{:.3f} / {:.3f} s", t_s, facts_.t_last_s);
+    std::string time = fmt::format("{} / {} s", fixed_text(t_s, 3), fixed_text(facts_.t_last_s, 3));
     if (state_.speed != 1) time += fmt::format("  {}x", plain_number(state_.speed));
     drawing_.text({slider.right() + 1.2 * em_, y}, time, {.size = em_, .upright = Upright::middle});
   }

@@ -18,7 +18,7 @@ constexpr double reading_line_em = 1.5, bars_em = 4.4, legend_line_em = 1.4;
 
 std::string number_with_unit(double value, int digits, const char* unit) {
   if (!std::isfinite(value)) return "-";
-  return fmt::format("{:.{}f}{}{}", value, digits, *unit != '\0' ? " " : "", unit);
+  return fmt::format("{}{}{}", fixed_text(value, digits), *unit != '\0' ? " " : "", unit);
 }
 
 std::vector<Reading> all_readings(const OverlayFacts& facts) {

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "base/error.hpp"
+#include "base/number_text.hpp"
 #include "view/chart.hpp"
 #include "view/chart_layout.hpp"
 #include "view/flat_picture.hpp"
@@ -46,8 +47,8 @@ std::string subtitle_of(const ViewInput& input, const Vec3& direction_W, const c
     words += fmt::format("{}{}{}", words.empty() ? "" : ", ", thinned, tail);
   const double largest = direction_W.cwiseAbs().maxCoeff();
   if (largest < 0.99996192) {
-    words += fmt::format("{}s along ({:.2f}, {:.2f}, {:.2f})", words.empty() ? "" : "; ", direction_W.x(),
-                         direction_W.y(), direction_W.z());
+    words += fmt::format("{}s along ({}, {}, {})", words.empty() ? "" : "; ", fixed_text(direction_W.x(), 2),
+                         fixed_text(direction_W.y(), 2), fixed_text(direction_W.z(), 2));
   }
   return words;
 }
@@ -158,10 +159,18 @@ void refuse_other_widths(const std::string& path, int page_width) {
     throw Error(ErrorKind::usage, path, "a page is 300 to 10000 pixels wide");
 }
 
+/// As high as its words and its panels take, which of many curves are higher.
 void write_stacked(const Chart& chart, const std::string& path, int page_width) {
+  constexpr std::size_t few_curves = 3;
   const auto panels = static_cast<int>(chart.panels.size());
   const auto notes = static_cast<int>(chart.notes.size());
-  const int height = page_width * (16 + 6 * notes + 36 * panels) / 200;
+  const bool are_many =
+      chart.legend_rows > 1 && std::ranges::any_of(chart.panels, [](const ChartPanel& panel) {
+        return panel.curves.size() > few_curves;
+      });
+  const double em = page_width / ems_a_page;
+  const int height = page_width * (16 + 6 * notes + (are_many ? 50 : 36) * panels) / 200 +
+                     static_cast<int>(further_legend_lines_px(chart, page_width - 1.6 * em, em));
   write_drawing(stacked_drawing(chart, page_width, height), page_width, height, chart.title, path);
 }
 

@@ -150,4 +150,9 @@ Vec3 PointerTouch::pressed_W() const {
   return target_.pressed_W();
 }
 
+bool PointerTouch::is_kept_from_spot(const Vec3& finger_W) const {
+  const std::lock_guard lock(mutex_);
+  return (over_ || latched_) && target_.is_kept_from_spot(finger_W);
+}
+
 }  // namespace fingerpad

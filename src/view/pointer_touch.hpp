@@ -33,6 +33,8 @@ class PointerTouch {
   bool turns_view() const;
   double press_n() const;
   Vec3 pressed_W() const;
+  /// Whether a finger that is there cannot reach what is under the pointer, since it is too large.
+  bool is_kept_from_spot(const Vec3& finger_W) const;
 
  private:
   bool take_key(KeyAction action, double t_s);

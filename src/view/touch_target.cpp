@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "contact/placed_surface.hpp"
+#include "view/touch_doubts.hpp"
 
 namespace fingerpad {
 
@@ -54,6 +55,15 @@ FingerSample TouchTarget::sample() const {
   finger.p_WQ += normal_W_ * (radius_m_ + (pressing_ ? 0.0 : hover_m_));
   if (pressing_) finger.push_W_n = -press_n_ * normal_W_;
   return finger;
+}
+
+bool TouchTarget::is_kept_from_spot(const Vec3& finger_W) const {
+  // In a corner of two walls a ball stays 0.41 of its radius away.
+  constexpr double well_away_share = 0.5;
+  if (surface_ < 0) return false;
+  const double touching_m = radius_m_ + (pressing_ ? 0 : hover_m_);
+  return (finger_W - spot_W_).norm() > touching_m + well_away_share * radius_m_ &&
+         is_too_large_for(*world_, spot_W_, normal_W_, radius_m_);
 }
 
 Vec3 TouchTarget::pressed_W() const {

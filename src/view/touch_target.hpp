@@ -31,6 +31,8 @@ class TouchTarget {
   FingerSample sample() const;
   /// How far in that presses it.
   Vec3 pressed_W() const;
+  /// Whether a finger that is there stays clear of the spot, since it is too large for it.
+  bool is_kept_from_spot(const Vec3& finger_W) const;
 
  private:
   std::shared_ptr<const World> world_;

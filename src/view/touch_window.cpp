@@ -10,6 +10,7 @@
 #include "view/screen.hpp"
 #include "view/tick_readings.hpp"
 #include "view/touch_chart.hpp"
+#include "view/touch_doubts.hpp"
 #include "view/window_loop_vtk.hpp"
 
 namespace fingerpad {
@@ -81,6 +82,7 @@ class TouchWindow {
       report.target_W = pointer_.pressed_W();
       report.pressing = pointer_.pressing();
       report.press_n = pointer_.press_n();
+      report.hint = stage_.words().hint;
       report.invites = input_.pointer_leads && !pointer_.has_pressed();
     };
     return handlers;
@@ -131,6 +133,7 @@ class TouchWindow {
     warn();
     pointer_.show(stage_.pointed());
     invite();
+    look_at_reach(elapsed_s);
     follow();
     follow_changes();
     since_chart_s_ += elapsed_s;
@@ -160,6 +163,20 @@ class TouchWindow {
     stage_.words().invitation = !is_new ? "" : pointer_.turns_view() ? turning_words : invitation;
   }
 
+  /// A finger on its way is not there yet: told is what has stayed so for a moment.
+  void look_at_reach(double elapsed_s) {
+    const bool is_kept_away = input_.pointer_leads && !history_.rows().empty() &&
+                              pointer_.is_kept_from_spot(history_.rows().back().p_WQ);
+    kept_away_s_ = is_kept_away ? kept_away_s_ + elapsed_s : 0;
+  }
+
+  /// What somebody may wonder about; empty: nothing.
+  std::string doubt(const TickRecord& row) const {
+    constexpr double patience_s = 0.4;
+    if (kept_away_s_ > patience_s) return "the finger is too large for what is under the pointer";
+    return input_.view.world ? too_deep_words(*input_.view.world, row) : "";
+  }
+
   const char* what_it_does() const {
     return pointer_.pressing() ? "pressing" : pointer_.turns_view() ? "turning the view" : "hovering";
   }
@@ -174,7 +191,9 @@ class TouchWindow {
     // What must be read comes first: a long name may be cut.
     const std::string press =
         input_.pointer_leads ? fmt::format("press {:.2f} N ({})", pointer_.press_n(), what_it_does()) : "";
-    const std::string line = fmt::format("{}{}   h help{}{}", press, held, note.empty() ? "" : "   ", note);
+    const std::string doubts = doubt(row);
+    const std::string line = fmt::format("{}{}{}{}   h help{}{}", press, doubts.empty() ? "" : "   ", doubts,
+                                         held, note.empty() ? "" : "   ", note);
     stage_.words().hint = line.substr(line.find_first_not_of(' '));
   }
 
@@ -186,6 +205,7 @@ class TouchWindow {
   TouchLevels levels_;
   std::optional<MaterialPanel> material_;
   double since_chart_s_ = live_chart_period_s;
+  double kept_away_s_ = 0;  ///< for how long the finger has been too large for its spot
   WindowLoop loop_;
   DrawingThreads drawing_;  ///< after the loop, whose listener is none of them
 };

@@ -35,6 +35,7 @@ struct WindowReport {
   Vec3 towards_eye_W = Vec3::UnitZ();   ///< from where it is looked
   double half_height_mm = 0;            ///< how much of the scene is seen
   std::string message;                  ///< what has just been told
+  std::string hint;                     ///< touch windows: the title line
   std::string alarm;                    ///< touch windows: what stands in red
   std::string chart_tells;              ///< the value of the curve under the mouse; empty: none
 };

@@ -53,5 +53,34 @@ TEST(CompareWords, SaysFirstWhereTheMotionIsAnother) {
   EXPECT_THAT(found.out, Not(HasSubstr(" y_m by"))) << "that is the motion's";
 }
 
+TEST(CompareWords, NameWhatIsPassedOver) {
+  const fs::path folder = folder_with_two("", "");
+  for (const char* name : {"a/junk.h5", "b/junk.h5", "b/k1.csv", "b/k2.h5", "b/k3.h5", "b/notes.txt"})
+    std::ofstream(folder / name) << "junk\n";
+  fs::create_directory(folder / "b/older");
+  const auto found = test::fingerpad("compare a b", folder);
+  EXPECT_EQ(found.exit_code, 0) << found.err;
+  EXPECT_EQ(found.out,
+            "a: 1 file with a trace's ending but no trace in it is passed over: junk.h5\n"
+            "b: 4 files with a trace's ending but no trace in it are passed over: junk.h5, k1.csv, k2.h5 and "
+            "1 more\n"
+            "b: 2 other files are passed over: notes.txt, older/\n"
+            "0 of 1 trace changed from a to b\n")
+      << "tables, proofs and the page of a report are known";
+  EXPECT_EQ(test::fingerpad("compare a b --quiet", folder).out, "");
+}
+
+TEST(CompareWords, OfAJobsTraceThatIsNoneOnBothSidesSayThatItIsNotCompared) {
+  const fs::path folder = folder_with_two("", "");
+  for (const std::string words : {"junk\n", ""}) {
+    for (const char* name : {"a/s.h5", "b/s.h5"}) std::ofstream(folder / name) << words;
+    const auto found = test::fingerpad("compare a b", folder);
+    EXPECT_EQ(found.exit_code, 4) << found.out;
+    EXPECT_THAT(found.out, HasSubstr("s.h5: cannot be compared: a/s.h5"));
+    EXPECT_THAT(found.out, HasSubstr("1 of 1 trace changed"));
+    EXPECT_THAT(found.err, HasSubstr("fingerpad: error: b/s.h5"));
+  }
+}
+
 }  // namespace
 }  // namespace fingerpad::compare_words_test

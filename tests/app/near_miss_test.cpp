@@ -171,9 +171,10 @@ TEST(NearMiss, OfAProfileForASceneSaysWhereAProfileGoes) {
   const fs::path folder = folder_with_scenes();
   test::write_file(folder, "pad.toml", "lateral_axis_m = 3e-4\nlongitudinal_axis_m = 2.4e-4\n");
   std::vector<std::string> calls{"replay pad.toml --out o", "check pad.toml",
-                                 "touch pad.toml --headless --device recorded"};
+                                 "touch pad.toml --headless --device recorded", "touch pad.toml --headless"};
 #ifdef FINGERPAD_VIEW
   calls.emplace_back("view pad.toml --png p.png");
+  calls.emplace_back("touch pad.toml");
 #endif
   for (const std::string& call : calls) {
     const auto result = test::fingerpad(call, folder);
@@ -184,6 +185,23 @@ TEST(NearMiss, OfAProfileForASceneSaysWhereAProfileGoes) {
                   "with profile = \"pad.toml\" in [finger], which is a path from the scene's own folder\n"))
         << call;
   }
+}
+
+TEST(NearMiss, OfASceneForAProfileSaysWhatAProfileIs) {
+  const fs::path folder = folder_with_scenes();
+  test::write_file(folder, "s.toml",
+                   "[[plane]]\npoint_m = [0, 0, 0]\nnormal = [0, 0, 1]\n[finger]\nprofile = \"s.toml\"\n"
+                   "[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0]\nto_m = [1, 0, 0]\nspeed_m_per_s = 1\n");
+  const auto result = test::fingerpad("replay s.toml --out o", folder);
+  EXPECT_EQ(result.exit_code, 3);
+  EXPECT_THAT(result.err,
+              HasSubstr("s.toml: is a scene, not the profile of a finger pad: that is a file of the "
+                        "pad's own numbers (lateral_axis_m, longitudinal_axis_m and so on), as "
+                        "`fingerpad fit` writes one"));
+  test::write_file(folder, "s.toml", "source = \"x\"\n[refused]\nlateral_axis_m = \"too few trials\"\n");
+  EXPECT_THAT(test::fingerpad("replay s.toml --out o", folder).err,
+              HasSubstr("s.toml: is the profile of a finger pad, not a scene"))
+      << "though it has no axes";
 }
 
 #ifdef FINGERPAD_VIEW

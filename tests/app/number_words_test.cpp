@@ -31,15 +31,44 @@ TEST(NumberWords, NameTheOptionWhatWasGivenAndWhatIsAllowed) {
   EXPECT_EQ(
       told("replay s.toml --out o --every -3"),
       "fingerpad: error: --every: '-3' is out of range; a whole number from 1 to 1000000000 is asked for");
-  EXPECT_EQ(told("replay s.toml --out o --progress nan"),
-            "fingerpad: error: --progress: 'nan' is no number; a number from 0 to 1e+06 is asked for");
-  EXPECT_EQ(told("touch s.toml --rate 1e9"),
-            "fingerpad: error: --rate: '1e9' is out of range; a number from 1 to 100000 is asked for");
+  EXPECT_EQ(
+      told("replay s.toml --out o --progress nan"),
+      "fingerpad: error: --progress: 'nan' is no number; a number of seconds from 0 to 1e+06 is asked for");
+  EXPECT_EQ(
+      told("touch s.toml --rate 1e9"),
+      "fingerpad: error: --rate: '1e9' is out of range; a number of hertz from 1 to 100000 is asked for");
   EXPECT_EQ(
       told("touch s.toml --port http"),
       "fingerpad: error: --port: 'http' is no whole number; a whole number from 0 to 65535 is asked for");
   EXPECT_EQ(told("compare a b --most few"), "fingerpad: error: --most: 'few' is no whole number from 0");
   EXPECT_EQ(told("compare a b --tolerance wide"), "fingerpad: error: --tolerance: 'wide' is no number");
+}
+
+TEST(NumberWords, SayWhatUnitANumberIsInWhereOneIsWrittenBehindIt) {
+  EXPECT_EQ(told("touch s.toml --seconds '2 s'"),
+            "fingerpad: error: --seconds: '2 s' is no number; a number of seconds from 0 to 1e+09 is asked "
+            "for, without a unit");
+  EXPECT_EQ(told("replay s.toml --out o --progress 2min"),
+            "fingerpad: error: --progress: '2min' is no number; a number of seconds from 0 to 1e+06 is asked "
+            "for, without a unit");
+  EXPECT_EQ(told("compare a b --tolerance 1N"),
+            "fingerpad: error: --tolerance: '1N' is no number; it is written without a unit");
+  EXPECT_EQ(told("compare a b --tolerance 1,5"), "fingerpad: error: --tolerance: '1,5' is no number");
+#ifdef FINGERPAD_VIEW
+  EXPECT_EQ(told("plot a.h5 --out p.png --from '2 s'"),
+            "fingerpad: error: --from: '2 s' is no number; it is in seconds, without a unit");
+  EXPECT_EQ(told("view a.h5 --png p.png --at 2s"),
+            "fingerpad: error: --at: '2s' is no number; it is in seconds, without a unit");
+#endif
+}
+
+TEST(NumberWords, OfAQuantityTellTheNumberAsItWasGiven) {
+  EXPECT_EQ(told("fit m.csv --out p.toml --fill '2 s'"),
+            "fingerpad: error: --fill: '2 s' is out of range; 0 to 1000 ms is asked for");
+  EXPECT_EQ(told("fit m.csv --out p.toml --fill 2000"),
+            "fingerpad: error: --fill: '2000' is out of range; 0 to 1000 ms is asked for");
+  EXPECT_EQ(told("fit m.csv --out p.toml --fill '2 m'"),
+            "fingerpad: error: --fill: '2 m' is no number, nor one of ms, us, s");
 }
 
 TEST(NumberWords, OfMemoryNameASize) {

@@ -150,7 +150,11 @@ TEST(JobBar, SaysThatItStopsAndWhatItWaitsFor) {
   const fs::path folder = folder_with_long_job(12);
   const std::string seen =
       interrupted_on_a_terminal("0/1 long ", "replay long.toml --out o --format none", folder);
-  EXPECT_THAT(seen, HasSubstr("0/1 stopping: 1 under way ends first (Ctrl-C again"));
+  const std::string told = "fingerpad: stopping: 1 under way ends first; Ctrl-C again ends at once";
+  EXPECT_LE(told.size(), 80u);
+  EXPECT_THAT(seen, HasSubstr("\r" + told + "\r\n\r[")) << "whole, in a line above the bar";
+  EXPECT_EQ(seen.find(told), seen.rfind(told)) << "once";
+  EXPECT_THAT(seen, HasSubstr("0/1 stopping: 1 under way ends "));
 }
 
 TEST(JobBar, CountsAJobWhoseMeshIsStillBeingLoadedAsUnderWay) {
@@ -159,7 +163,7 @@ TEST(JobBar, CountsAJobWhoseMeshIsStillBeingLoadedAsUnderWay) {
       << "[[part]]\nmesh = \"ball.ply\"\n[motion]\nkind = \"line\"\nfrom_m = [0, 0, 0.051]\n"
          "to_m = [0, 0, 0.0499]\nspeed_m_per_s = 0.1\n";
   const std::string seen = interrupted_on_a_terminal("0/1 ball.ply: ", "replay ball.toml --out o", folder);
-  EXPECT_THAT(seen, HasSubstr("0/1 stopping: 1 under way ends first"));
+  EXPECT_THAT(seen, HasSubstr("0/1 stopping: 1 under way ends "));
   EXPECT_THAT(seen, Not(HasSubstr("0/1 stopped")));
 }
 

@@ -15,12 +15,12 @@
 namespace fingerpad::test {
 
 /// Eight rubs over two parts and a plane, in two scenes, one with a mesh that cannot be read.
-inline std::filesystem::path folder_with_batch(int rate_hz = 1000) {
+inline std::filesystem::path folder_with_batch(int rate_hz = 1000, int duration_s = 2) {
   const std::filesystem::path folder = scratch_dir();
   const std::string rub =
       "[motion]\nkind = \"sine\"\ncentre_m = [0, 0, -0.001]\ndirection = [1, 0, 0]\n"
-      "amplitude_m = 0.02\nfrequency_hz = 1\nduration_s = 2\nrate_hz = " +
-      std::to_string(rate_hz) + "\n";
+      "amplitude_m = 0.02\nfrequency_hz = 1\nduration_s = " +
+      std::to_string(duration_s) + "\nrate_hz = " + std::to_string(rate_hz) + "\n";
   std::ofstream(folder / "few.off")
       << "OFF\n4 4 0\n0 0 0\n40 0 0\n0 40 0\n0 0 40\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n";
   std::ofstream(folder / "broken.off") << "OFF\n";

@@ -68,7 +68,7 @@ TEST(Ranks, LeaveTheBytesOfOneProcessAndOfShards) {
 }
 
 TEST(Ranks, WithoutTracesALostJobNamesNoResume) {
-  const fs::path folder = folder_with_batch(100000);
+  const fs::path folder = folder_with_batch(100000, 40);  // a job that writes nothing ends soon
   const ShellResult run = test::shell(
       support("kill_rank") + "o 1 worker env " + as_ranks(2) + "replay plane.toml --out o --format none",
       folder);

@@ -76,6 +76,19 @@ TEST(Words, OfPointsThatAreAllFarFromTheMeshDoubtTheirUnit) {
   EXPECT_THAT(told(""), no_doubt);
 }
 
+TEST(Words, OfATableWithoutPointsSaySo) {
+  const fs::path folder = folder_with_inputs();
+  std::ofstream(folder / "p.csv") << "x_m,y_m,z_m\n";
+  for (const char* options : {"", " --out o.csv"}) {
+    const ShellResult result = run(std::string("query box.stl p.csv") + options, folder);
+    EXPECT_EQ(result.exit_code, 0) << "it has its answer";
+    EXPECT_THAT(result.err,
+                HasSubstr("fingerpad: p.csv: has a header and no point below it, so the answer is a "
+                          "header alone\n"));
+  }
+  EXPECT_EQ(test::bytes_of(folder / "o.csv"), "distance_m,px_m,py_m,pz_m,nx,ny,nz,triangle\n");
+}
+
 TEST(Words, OfACheckedSceneNameBodiesThatOverlap) {
   const fs::path folder = folder_with_inputs();
   std::ofstream(folder / "s.toml")

@@ -37,6 +37,17 @@ TEST(RoundedText, IsWrittenOutForAPerson) {
   EXPECT_EQ(rounded_text(std::numeric_limits<double>::infinity(), 3), "inf");
 }
 
+TEST(NumberText, ForPeopleHasNoNegativeZero) {
+  EXPECT_EQ(rounded_text(-0.0, 3), "0");
+  EXPECT_EQ(fixed_text(-0.0, 3), "0.000");
+  EXPECT_EQ(fixed_text(-0.0004, 3), "0.000");
+  EXPECT_EQ(fixed_text(-0.0006, 3), "-0.001");
+  EXPECT_EQ(fixed_text(-0.4, 0), "0");
+  EXPECT_EQ(fixed_text(-10, 1), "-10.0");
+  EXPECT_EQ(fixed_text(-std::nan(""), 1), "nan");
+  EXPECT_EQ(number_text(-0.0), "-0") << "files keep the double";
+}
+
 TEST(NumberText, IsTheShortestForm) {
   EXPECT_EQ(number_text(0.1), "0.1");
   EXPECT_EQ(number_text(1.0 / 3), "0.3333333333333333");

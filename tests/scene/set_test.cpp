@@ -288,6 +288,22 @@ TEST(SceneSet, ZippedListsGoSideBySide) {
               HasSubstr("'zip' in [[set]] is true or false"));
 }
 
+TEST(SceneSet, AZippedListOfOneBesideLongerOnesIsNoValueForAll) {
+  const std::string zipped = plane_scene + "[[set]]\nzip = true\nseed = [1, 2]\n";
+  EXPECT_THAT(
+      refusal(zipped + "motion.rate_hz = [700]\n"),
+      HasSubstr("s.toml:5:1: with zip the lists go side by side, but 'seed' has 2 values and "
+                "'motion.rate_hz' 1; a value that is to go with all of them is written without a list"));
+  EXPECT_THAT(refusal(zipped + "motion.rate_hz = { values = [700] }\n"), HasSubstr("'motion.rate_hz' 1;"));
+  EXPECT_THAT(refusal(zipped + "plane.point_m = [[0, 0, 0]]\n"), HasSubstr("'plane.point_m' 1;"));
+  EXPECT_THAT(jobs_of(zipped + "motion.rate_hz = 700\n"), ElementsAre("1 700", "2 700"));
+  EXPECT_EQ(read_scene_text(zipped + "plane.point_m = [0, 0, 0]\n", "s.toml").jobs.size(), 2u);
+  EXPECT_EQ(
+      read_scene_text(plane_scene + "[[set]]\nzip = true\nseed = [1]\nmotion.rate_hz = [700]\n", "s.toml")
+          .jobs.size(),
+      1u);
+}
+
 /// A set's values as its jobs have them, and as the jobs' own texts say, which must be the same.
 template <class Of>
 std::vector<double> values_in_jobs(const std::string& set, Of of) {

@@ -219,6 +219,31 @@ TEST(Chart, GivesFurtherLinesOfALegendTheirRoomAboveTheFrame) {
   EXPECT_EQ(frame_top(1, 4), frame_top(1, 1)) << "one line is enough";
 }
 
+TEST(Chart, PutsItsPanelsEvenlyApartWhateverLinesTheirLegendsHave) {
+  Chart chart = stacked({});
+  chart.legend_rows = 8;
+  for (const int count : {12, 1, 8}) {
+    ChartPanel panel;
+    for (int i = 0; i < count; ++i)
+      panel.curves.push_back(
+          {"a curve with a name of its own, " + std::to_string(i), blue_line(), {0, 1}, {0, 1}});
+    chart.panels.push_back(panel);
+  }
+  const ChartLayout layout = stacked_layout(chart, {0, 0, 600, 900}, 10);
+  ASSERT_EQ(layout.panels.size(), 3u);
+  for (std::size_t i = 0; i + 1 < 3; ++i) {
+    const Box &above = layout.panels[i].frame, &below = layout.panels[i + 1].frame;
+    EXPECT_NEAR(above.bottom - below.top(), layout.gutter_y, 1e-9) << "as VTK puts them";
+    EXPECT_EQ(above.height, below.height);
+    EXPECT_GT(above.bottom - below.top(), legend_line_ems * 10 * layout.panels[i + 1].legend_rows);
+  }
+  EXPECT_GT(layout.panels[0].legend_rows, layout.panels[2].legend_rows);
+  EXPECT_GT(layout.panels[2].legend_rows, 1);
+  EXPECT_GE(layout.panels[2].frame.bottom, 0);
+  EXPECT_EQ(further_legend_lines_px(chart, 600, 10),
+            legend_line_ems * 10 * (layout.panels[0].legend_rows + 2 * layout.panels[2].legend_rows - 3));
+}
+
 TEST(Chart, PlacesTimeBothWays) {
   const ChartCurve curve{"", blue_line(), {2, 3, 6}, {0, 1, 2}};
   Drawing drawing;

@@ -48,6 +48,24 @@ TEST(Comparison, OfOtherRatesIsAtTheTicksOfTheCoarser) {
   EXPECT_THAT(residual_words(comparison), ElementsAre("fn_n: RMS 0.25 N, 'coarse' less 'fine', 7 ticks"));
 }
 
+TEST(Comparison, OfOneTickAloneTellsWhatIsLeftThereAndNoMean) {
+  ComparedRun first = line_run("a.h5", 0, 1, 0.1, 0), other = line_run("b.h5", 0, 1, 0.1, -0.25);
+  const auto keep_one = [](ComparedRun& run) {
+    for (std::size_t i = 0; i < run.x.size(); ++i) {
+      if (i != 3) run.columns[0].values[i] = std::numeric_limits<double>::quiet_NaN();
+    }
+  };
+  keep_one(other);
+  const Comparison one = compare_runs({first, other}, {}, Over::time);
+  EXPECT_THAT(residual_words(one), ElementsAre("fn_n: -0.25 N at one tick alone, no RMS, 'b' less 'a'"));
+  EXPECT_EQ(comparison_chart(one, Over::time).panels[1].curves[0].name,
+            "b: -0.25 N at one tick alone, no RMS");
+  other.columns[0].values[3] = std::numeric_limits<double>::quiet_NaN();
+  const Comparison none = compare_runs({first, other}, {}, Over::time);
+  EXPECT_THAT(residual_words(none), ElementsAre("fn_n: no tick at which both have a number, 'b' less 'a'"));
+  EXPECT_TRUE(std::isnan(none.residuals[0].rms));
+}
+
 /// What several runs have in common is told once.
 TEST(Comparison, TellsTheSpanThatRunsHaveInCommonOnce) {
   const auto notes = [](std::vector<ComparedRun> others) {
@@ -189,6 +207,30 @@ TEST(Comparison, HasAResidualUnderEachPanelAndOneLegendForWhatDiffers) {
   EXPECT_NE(chart.panels[0].curves[0].style.dash, chart.panels[0].curves[1].style.dash)
       << "not by colour alone";
   EXPECT_EQ(chart.panels[1].curves[0].name, "mu_static 0.4: RMS 1 N");
+}
+
+TEST(Comparison, OfManyRunsNamesEachOnceAndTellsItsResidualsShortly) {
+  const auto legends_of = [](int count) {
+    std::vector<ComparedRun> runs;
+    for (int i = 0; i < count; ++i) {
+      runs.push_back(line_run(std::string(1, static_cast<char>('a' + i)) + ".h5", 0, 1, 0.1, i));
+      runs.back().columns.push_back({"mu", "1", runs.back().x});
+    }
+    std::vector<std::vector<std::string>> legends;
+    for (const ChartPanel& panel :
+         comparison_chart(compare_runs(std::move(runs), {"fn_n", "mu"}, Over::time), Over::time).panels) {
+      legends.emplace_back();
+      for (const ChartCurve& curve : panel.curves) legends.back().push_back(curve.name);
+    }
+    return legends;
+  };
+  const auto four = legends_of(4);
+  ASSERT_EQ(four.size(), 4u);
+  EXPECT_THAT(four[0], ElementsAre("a", "b", "c", "d"));
+  EXPECT_THAT(four[1], ElementsAre("RMS 1 N", "RMS 2 N", "RMS 3 N"));
+  EXPECT_THAT(four[2], ElementsAre("", "", "", ""));
+  EXPECT_THAT(four[3], ElementsAre("RMS 0", "RMS 0", "RMS 0"));
+  EXPECT_THAT(legends_of(3)[3], ElementsAre("b: RMS 0", "c: RMS 0")) << "few are named everywhere";
 }
 
 TEST(ComparedRun, OfATableHasItsMeasuredColumns) {

@@ -77,6 +77,22 @@ TEST(MaterialPanel, SaysNothingOfMotorsWhereThereAreNone) {
   EXPECT_EQ(by_mouse.step(Row::stiffness, 1), "stiffness: 6250 N/m");
 }
 
+TEST(MaterialPanel, SaysWhereAPressGoesThroughTheWholePart) {
+  const ViewInput view = test::torus_rub(0.0);  // 140 mm wide, 40 mm high
+  auto world = std::make_shared<World>(*view.world);
+  world->verdicts.emplace_back().closed = true;
+  Scene scene = torus_scene();
+  scene.parts[0].surface.stiffness_n_per_m = 26;
+  TouchSwap swap(world, scene);
+  MaterialPanel material(swap, *world, false);
+  EXPECT_EQ(material.step(Row::stiffness, -1),
+            "stiffness: 20.8 N/m; 1 N goes 48 mm in, through all its 40 mm");
+  EXPECT_EQ(material.panel().rows.size(), static_cast<std::size_t>(MaterialPanel::row_count) + 3);
+  EXPECT_EQ(material.step(Row::stiffness, 1), "stiffness: 26 N/m");
+  world->verdicts[0].closed = false;
+  EXPECT_EQ(material.step(Row::stiffness, -1), "stiffness: 20.8 N/m") << "an open part has no inside";
+}
+
 TEST(MaterialPanel, LeavesARecordingsOwnChangesAlone) {
   const ViewInput view = test::torus_rub(0.0);
   TouchSwap swap(view.world, torus_scene());
