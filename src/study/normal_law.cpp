@@ -7,6 +7,7 @@
 #include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
 #include "study/impossible_numbers.hpp"
+#include "study/next_point.hpp"
 #include "study/slope_window.hpp"
 #include "study/zero_doubt.hpp"
 

@@ -12,6 +12,7 @@
 #include "study/fit_refusals.hpp"
 #include "study/hidden_stick.hpp"
 #include "study/impossible_numbers.hpp"
+#include "study/next_point.hpp"
 #include "study/normal_law.hpp"
 #include "study/sampling_reach.hpp"
 #include "study/stretch_reach.hpp"
