@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "base/number_text.hpp"
@@ -119,7 +120,11 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   }
   tell_impossible_numbers(fit.values);
   fit.mu_load_n = point.evidence.load.load_n;
-  fit.outliers = outlier_trials(measurement, fit.evidence);
+  std::vector<std::string> names;
+  for (const MeasuredTrial& trial : measurement.trials) names.push_back(trial.name);
+  const bool tells_press = value_of(fit.values, PadNumber::normal_stiffness).refusal.empty();
+  fit.outliers = outlier_trials(names, fit.evidence,
+                                tells_press ? std::optional(point.evidence.press_exponent) : std::nullopt);
   fit.offset = sensor_offset(measurement, segments);
   const SpringFit lateral = fit_spring(fit.evidence, once, 0),
                   longitudinal = fit_spring(fit.evidence, once, 1);
@@ -155,11 +160,8 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   if (no_slip.empty() && point.has_unseen_slip) no_slip = hardly_seen_slip;
   const LawSpring spring{point.evidence, {lateral.shape, longitudinal.shape}, point.v_min_by_step};
   std::vector<TrialResidual> residuals;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
+  for (std::size_t i = 0; i < segments.size(); ++i)
     residuals.push_back(trial_residual(measurement.trials[i], segments[i], fit.evidence[i], spring));
-    names.push_back(measurement.trials[i].name);
-  }
   fit.residual = law_verdict(residuals, names,
                              {point.v_min_by_step || !hidden.empty(), point.v_min_by_step,
                               unseen_drop_share(fit.evidence), no_slip});

@@ -110,6 +110,7 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
 TrialEvidence press_evidence(const MeasuredTrial& trial, double exponent) {
   TrialEvidence evidence;
   evidence.subject = trial.subject;
+  evidence.inclination_deg = trial.inclination_deg;
   add_press(trial, exponent, evidence);
   return evidence;
 }
