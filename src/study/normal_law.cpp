@@ -4,6 +4,7 @@
 #include <cmath>
 #include <set>
 
+#include "study/delayed_evidence.hpp"
 #include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
 #include "study/impossible_numbers.hpp"

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "base/number_text.hpp"
+#include "study/delayed_evidence.hpp"
 #include "study/few_trials.hpp"
 #include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
@@ -148,7 +149,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
         "them tell no stick",
         rounded_text(lag, 2), drop_tail_samples(lag)));
   // Over more samples the end of a drop is not seen, and how late its middle is told too small.
-  constexpr double surely_seen_lag = 0.4;
+  constexpr double surely_seen_lag = 0.3;
   if (point.evidence.rupture_lag > surely_seen_lag)
     fit.doubts.emplace_back(
         "the force sensor's low pass takes so many samples for a drop that its middle cannot be told: "
