@@ -72,10 +72,6 @@ std::optional<double> told_unit(const UnitRow& row, const std::vector<std::strin
   return found;
 }
 
-double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& names, const UnitGroup& group) {
-  return told_unit(row, names, group).value_or(group.si_per_unit);
-}
-
 std::string told_units_words(const ToldUnits& told, UnitSource source) {
   constexpr std::string_view things[quantities] = {"time", "position", "force", "torque", "speed"};
   std::string words;

@@ -34,8 +34,6 @@ using ToldUnits = std::array<std::optional<double>, quantities>;
 /// @param names  of the columns, as UnitRow::words has them
 std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,
                                 const UnitGroup& group);
-/// That of the group where the row has none for it.
-double unit_of_group(const UnitRow& row, const std::vector<std::string_view>& names, const UnitGroup& group);
 
 /// "units as the line below its header has them: a time is 0.001 s, a force 9.80665 N", for people; empty
 /// where the row tells none.

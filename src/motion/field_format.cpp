@@ -12,8 +12,8 @@ namespace fingerpad {
 namespace {
 
 // A table of the program's own kind has positions in itself.
-constexpr std::array<std::string_view, 8> own_table_keys{"columns", "unit",     "time_unit", "separator",
-                                                         "decimal", "force_on", "subject",   "trial"};
+constexpr std::array<std::string_view, 9> own_table_keys{
+    "columns", "unit", "time_unit", "force_unit", "separator", "decimal", "force_on", "subject", "trial"};
 
 std::span<const std::string_view> keys_of(std::string_view name) noexcept {
   const FieldFormat* row = find_field_format(name);
@@ -32,6 +32,7 @@ std::vector<std::string_view> said_keys(const RecordingFormat& format) {
   say("columns", names);
   say("unit", format.says_unit);
   say("time_unit", format.says_time_unit);
+  say("force_unit", format.says_force_unit);
   say("separator", format.dialect.separator != plain.separator);
   say("decimal", format.dialect.decimal != plain.decimal);
   say("positions", !format.positions_path.empty());

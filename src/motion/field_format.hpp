@@ -32,13 +32,12 @@ struct FieldFormat {
   /// Throws Error (refused) for what is not as its description says, and, where that leaves something open
   /// that the user's `format` does not say, with the question.
   FieldRecording (*read)(const std::string& path, const RecordingFormat& format);
-  /// Of the keys that say how a file is read (columns, unit, time_unit, separator, decimal, positions,
-  /// force_on, subject, trial) those that `read` asks for; no other is taken.
+  /// Of the keys that say how a file is read (columns, unit, time_unit, force_unit, separator, decimal,
+  /// positions, force_on, subject, trial) those that `read` asks for; no other is taken.
   std::span<const std::string_view> keys;
   /// Forces and positions are in the same axes: then a fit may take both.
   bool has_one_frame = true;
-  bool takes_torque = false;      ///< and speed: RecordingFormat::torque_headers, speed_header
-  bool takes_force_unit = false;  ///< RecordingFormat::newtons_per_unit; else forces are read as newtons
+  bool takes_torque = false;  ///< and speed: RecordingFormat::torque_headers, speed_header
 };
 
 /// All named formats, in the order of the documentation.

@@ -134,14 +134,15 @@ std::string force_fault(double normal_force_n) {
   return fmt::format("the normal force is {} N; at most {} N are taken", normal_force_n, hardest_n);
 }
 
-void refuse_side_of_no_force(const std::string& path, const RecordingFormat& format) {
-  if (!format.forces_on_surface || format.reads_normal_force) return;
+void refuse_words_of_no_force(const std::string& path, const RecordingFormat& format) {
+  if (!(format.forces_on_surface || format.says_force_unit) || format.reads_normal_force) return;
   for (const std::size_t k : {place_of_fx, place_of_fx + 1, place_of_fx + 2, place_of_fn})
     if (!format.headers[k].empty()) return;
   throw refused(
-      path,
-      "force_on = \"plate\" says what a measured force acts on, and none is read of it: name fx, fy and "
-      "fz, or fn, in columns, or leave force_on out");
+      path, fmt::format("{}, and none is read of it: name fx, fy and fz, or fn, in columns, or leave {} out",
+                        format.forces_on_surface ? "force_on = \"plate\" says what a measured force acts on"
+                                                 : "force_unit says what a measured force is in",
+                        format.forces_on_surface ? "force_on" : "force_unit"));
 }
 
 Motion motion_of_table(const RecordedTable& recording, const RecordingFormat& format) {
@@ -159,7 +160,7 @@ Motion motion_of_table(const RecordedTable& recording, const RecordingFormat& fo
 }
 
 Motion read_motion_csv(const std::string& path, RecordingFormat& format) {
-  refuse_side_of_no_force(path, format);
+  refuse_words_of_no_force(path, format);
   const RecordedTable recording = read_table(path, format);
   return motion_of_table(recording, format);
 }

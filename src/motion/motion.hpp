@@ -28,8 +28,9 @@ struct Motion {
 std::string sample_fault(double t_s, const Vec3& p_W);
 /// Why a finger cannot press with such a normal force; empty where it can.
 std::string force_fault(double normal_force_n);
-/// Throws Error (refused) where a format says on what a force acts (forces_on_surface) and names none.
-void refuse_side_of_no_force(const std::string& path, const RecordingFormat& format);
+/// Throws Error (refused) where a format says on what a force acts (forces_on_surface) or in what unit it is,
+/// and names none.
+void refuse_words_of_no_force(const std::string& path, const RecordingFormat& format);
 
 /// The motion that a table has in its rows. A measured force is taken where the table has all of fx, fy, fz.
 /// Throws Error (refused, at the row) as read_motion_csv.

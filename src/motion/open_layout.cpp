@@ -53,8 +53,7 @@ void ask_for_columns(const std::string& path, const RecordingFormat& format, con
 
 void refuse_other_columns(const std::string& path, const RecordingFormat& format, const OpenLayout& layout) {
   constexpr std::string_view taken[] = {"t", "x", "y", "z", "fx", "fy", "fz", "fn"};
-  // A motion has no use for these.
-  const std::string_view beside = format.takes_force_unit ? ", tx, ty, tz, speed" : "";
+  const std::string_view beside = format.takes_torque ? ", tx, ty, tz, speed" : "";
   for (std::size_t k = 0; k < recording_columns.size(); ++k) {
     const std::string_view key = recording_columns[k].key;
     if (format.headers[k].empty() || std::find(std::begin(taken), std::end(taken), key) != std::end(taken))
@@ -119,7 +118,7 @@ void take_torques(const std::string& path, const RecordingFormat& format,
 
 void take_forces(const std::string& path, const RecordingFormat& format,
                  const std::vector<std::string_view>& keys, const Eigen::MatrixXd& values, Motion& motion) {
-  refuse_side_of_no_force(path, format);
+  refuse_words_of_no_force(path, format);
   const double sign = format.forces_on_surface ? -1 : 1;
   std::size_t components = 0;
   for (std::size_t k = 0; k < keys.size(); ++k) {

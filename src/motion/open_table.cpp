@@ -34,8 +34,8 @@ OpenUnits known_units(const RecordingFormat& format, const OpenLayout& layout) {
 OpenUnits table_units(const std::string& path, const RecordingFormat& format, const OpenLayout& layout,
                       const std::vector<std::string_view>& keys, const CsvRequest& request,
                       const UnitRow& row) {
-  const std::string_view options[] = {"time_unit (--time-unit)", "unit (--unit)",
-                                      format.takes_force_unit ? "--force-unit" : "", "--torque-unit", ""};
+  constexpr std::string_view options[] = {"time_unit (--time-unit)", "unit (--unit)",
+                                          "force_unit (--force-unit)", "--torque-unit", ""};
   constexpr std::string_view open[] = {
       "", "the unit of its positions: say unit = \"mm\" (or m, cm, in) in [motion], or --unit", "",
       "the unit of its torques: say --torque-unit", "the unit of its positions: say --unit"};

@@ -29,7 +29,6 @@ FieldFormat finger_friction_4tu_format() noexcept {
           read_finger_friction,
           open_layout_keys,
           true,
-          true,
           true};
 }
 

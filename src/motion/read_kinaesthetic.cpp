@@ -27,7 +27,6 @@ FieldFormat kinaesthetic_format() noexcept {
           read_kinaesthetic,
           open_layout_keys,
           true,
-          true,
           true};
 }
 

@@ -31,7 +31,6 @@ FieldFormat sens3_format() noexcept {
           read_sens3,
           open_layout_keys,
           true,
-          true,
           true};
 }
 

@@ -65,6 +65,9 @@ void refuse_named_units(const std::string& path, const AskedColumns& asked, cons
       refuse_named_unit(path, asked, Quantity::time, k, format.seconds_per_unit, "time_unit");
     if (place >= place_of_x && place < place_of_x + 3 && !format.says_unit)
       refuse_named_unit(path, asked, Quantity::length, k, format.metres_per_unit, "unit");
+    const bool is_force = (place >= place_of_fx && place < place_of_fx + 3) || place == place_of_fn;
+    if (is_force && !format.says_force_unit)
+      refuse_named_unit(path, asked, Quantity::force, k, format.newtons_per_unit, "force_unit");
   }
 }
 
@@ -72,21 +75,24 @@ void take_units(const std::string& path, const UnitRow& row, const AskedColumns&
                 RecordingFormat& format) {
   if (row.words.empty()) return refuse_named_units(path, asked, format);
   const auto unit = [&](Quantity quantity, std::initializer_list<std::size_t> columns, bool is_said,
-                        double si_per_unit, const char* option) {
+                        double si_per_unit, const char* option) -> std::optional<double> {
     UnitGroup group{quantity, {}, is_said, si_per_unit, option};
     for (std::size_t k = 0; k < asked.places.size(); ++k)
       if (std::find(columns.begin(), columns.end(), asked.places[k]) != columns.end())
         group.columns.push_back(k);
-    return unit_of_group(row, asked.names, group);
+    return told_unit(row, asked.names, group);
   };
   format.seconds_per_unit =
-      unit(Quantity::time, {0}, format.says_time_unit, format.seconds_per_unit, "time_unit in [motion]");
+      unit(Quantity::time, {0}, format.says_time_unit, format.seconds_per_unit, "time_unit in [motion]")
+          .value_or(format.seconds_per_unit);
   format.says_time_unit = format.says_time_unit || !row.words[0].empty();
   format.metres_per_unit = unit(Quantity::length, {place_of_x, place_of_x + 1, place_of_x + 2},
-                                format.says_unit, format.metres_per_unit, "unit in [motion]");
-  format.newtons_per_unit =
-      unit(Quantity::force, {place_of_fx, place_of_fx + 1, place_of_fx + 2, place_of_fn}, false,
-           format.newtons_per_unit, "");
+                                format.says_unit, format.metres_per_unit, "unit in [motion]")
+                               .value_or(format.metres_per_unit);
+  const auto newtons = unit(Quantity::force, {place_of_fx, place_of_fx + 1, place_of_fx + 2, place_of_fn},
+                            format.says_force_unit, format.newtons_per_unit, "force_unit in [motion]");
+  format.newtons_per_unit = newtons.value_or(format.newtons_per_unit);
+  format.says_force_unit = format.says_force_unit || newtons.has_value();
 }
 
 }  // namespace

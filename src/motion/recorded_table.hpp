@@ -39,7 +39,7 @@ struct RecordedTable {
 /// A table that has the columns asked for. Takes the units that it names into `format`, and keeps the rows of
 /// the subject and the trial that the format names.
 /// @param columns  per asked.places; empty where absent
-/// Throws Error (refused) for units as unit_of_group, for a table without rows, and where no row is left.
+/// Throws Error (refused) for units as told_unit, for a table without rows, and where no row is left.
 RecordedTable recorded_table(const std::string& path, std::vector<std::vector<double>> columns,
                              std::vector<long> lines, const AskedColumns& asked, const UnitRow& units,
                              RecordingFormat& format);

@@ -56,7 +56,7 @@ struct RecordingFormat {
   std::string speed_header;
   double newton_metres_per_unit = 1;  ///< of torques
   bool says_torque_unit = false;      ///< else a named format's own holds
-  bool takes_force_unit = false;      ///< its user can say it (--force-unit), and is told so
+  bool takes_torque = false;          ///< a measurement does, and a speed; a motion has no use of them
   bool says_force_unit = false;       ///< else newtons, or what the table says
 };
 

@@ -32,6 +32,7 @@ std::vector<SceneKey> recording_keys() {
       table_key("columns", "", read_recording_columns),
       recording_unit_key("unit"),
       time_unit_key("time_unit"),
+      force_unit_key("force_unit"),
       text_key("separator", "\"auto\"", "or \",\", \";\", \"tab\", \"space\", between the file's cells",
                read_separator),
       text_key("decimal", "\".\"", "or \",\", in the file's numbers", read_decimal),

@@ -50,8 +50,8 @@ void refuse_one_mark(const TomlTable& table, const CsvDialect& dialect) {
 
 /// A key by which a table is read, if one stands there.
 std::string first_table_key(const TomlTable& table) {
-  for (const char* key : {"columns", "unit", "time_unit", "separator", "decimal", "format", "positions",
-                          "force_on", "subject", "trial"}) {
+  for (const char* key : {"columns", "unit", "time_unit", "force_unit", "separator", "decimal", "format",
+                          "positions", "force_on", "subject", "trial"}) {
     if (table.has(key)) return key;
   }
   return {};

@@ -44,6 +44,11 @@ void take_time_unit(Scene& scene, std::size_t word) {
   scene.motion.format.seconds_per_unit = time_units[word].seconds;
 }
 
+void take_force_unit(Scene& scene, std::size_t word) {
+  scene.motion.format.says_force_unit = true;
+  scene.motion.format.newtons_per_unit = force_units[word].newtons;
+}
+
 void take_normal_force(Scene& scene, std::size_t word) {
   scene.motion.format.reads_normal_force = word == 1;
 }
@@ -185,6 +190,13 @@ SceneKey time_unit_key(std::string_view key) {
   return choice_key<take_time_unit>(key, names, "s", "of the file's times");
 }
 
+SceneKey force_unit_key(std::string_view key) {
+  std::vector<std::string> names;
+  names.reserve(std::size(force_units));
+  for (const ForceUnit& unit : force_units) names.emplace_back(unit.name);
+  return choice_key<take_force_unit>(key, names, "N", "of the file's forces");
+}
+
 void read_positions_file(const SceneKey& row, const TomlTable& motion, Scene& scene) {
   scene.motion.format.positions_path = resolved_path(scene.path, text_that_is_there(row, motion));
 }
@@ -230,7 +242,7 @@ void read_chosen_trial(const SceneKey& row, const TomlTable& motion, Scene& scen
 
 SceneKey normal_force_key(std::string_view key) {
   return choice_key<take_normal_force>(key, {"model", "measured"}, "model",
-                                       "the file's fn [N] in place of the model's");
+                                       "the file's fn in place of the model's");
 }
 
 }  // namespace fingerpad

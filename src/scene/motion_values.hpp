@@ -23,6 +23,7 @@ SceneKey shape_key(std::string_view key);
 SceneKey frame_key(std::string_view key);
 SceneKey recording_unit_key(std::string_view key);
 SceneKey time_unit_key(std::string_view key);
+SceneKey force_unit_key(std::string_view key);
 SceneKey normal_force_key(std::string_view key);
 SceneKey field_format_key(std::string_view key);
 SceneKey force_on_key(std::string_view key);

@@ -109,7 +109,7 @@ void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::ve
 }
 
 void doubt_forces(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
-  constexpr double hardest_n = 40, lightest_n = 0.01, greatest_n = 100;
+  constexpr double hardest_n = hardest_rub_n, lightest_n = lightest_rub_n, greatest_n = 100;
   const double press_n = std::abs(usual(trials, pressing_n)), most_n = usual(trials, largest_force_n);
   if (!format.says_force_unit && press_n > hardest_n) {
     doubts.push_back(

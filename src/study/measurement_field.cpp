@@ -27,7 +27,7 @@ RecordingFormat recording_format(const FieldFormat& layout, const MeasurementFor
   said.positions_path = format.positions_path;
   said.says_unit = format.says_unit;
   said.says_time_unit = format.says_time_unit;
-  said.takes_force_unit = true;
+  said.takes_torque = true;
   said.says_force_unit = format.says_force_unit;
   said.forces_on_surface = format.force_on_plate;
   said.is_sensor_turned = format.sensor.has_value();
@@ -101,13 +101,12 @@ void read_measured_field(const FieldFormat& layout, const std::string& path, con
     into.warnings.push_back(
         fmt::format("{}: was touched with {}: the numbers of the fit are of that, not of a finger pad", path,
                     layout.touched_with));
-  const double newtons_per_unit = layout.takes_force_unit ? 1 : format.newtons_per_unit;
   TrialRows trial(path, 0, static_cast<int>(into.trials.size()) + 1, false);
   for (Eigen::Index i = 0; i < motion.p_WQ.cols(); ++i) {
     RecordedRow row;
     row.t_s = motion.t_s[static_cast<std::size_t>(i)];
     row.position_W = motion.p_WQ.col(i);
-    row.force_W = newtons_per_unit * motion.force_W_n.col(i);
+    row.force_W = motion.force_W_n.col(i);
     if (format.sensor) {
       const Vec3 torque_S_n_m = recording.torque_W_n_m.col(i);
       take_wrench(*format.sensor, format.sensor->says_place ? &torque_S_n_m : nullptr, row);

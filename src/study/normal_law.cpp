@@ -4,9 +4,12 @@
 #include <cmath>
 #include <set>
 
+#include "study/delayed_evidence.hpp"
 #include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
 #include "study/impossible_numbers.hpp"
+#include "study/next_point.hpp"
+#include "study/sampling_reach.hpp"
 #include "study/slope_window.hpp"
 #include "study/zero_doubt.hpp"
 
@@ -85,6 +88,12 @@ ProfileFit fit_to(const PressedTrials& presses, const Measurement& measurement, 
   }
   fit.values = pad_numbers(fit.evidence, std::vector<int>(presses.size(), 1), point);
   tell_impossible_numbers(fit.values);
+  if (value_of(fit.values, PadNumber::normal_stiffness).refusal.empty()) {
+    std::vector<std::string> names;
+    names.reserve(presses.size());
+    for (const MeasuredTrial* trial : presses) names.push_back(trial->name);
+    fit.outliers = outlier_trials(names, fit.evidence, exponent);
+  }
   fit.mu_load_n = usual_load_n(presses);
   fit.offset.untared = untared_of(presses, measurement);
   const bool is_delay_told = std::all_of(presses.begin(), presses.end(),
@@ -114,6 +123,9 @@ void take_normal_law(const Measurement& measurement, const FitSettings& settings
     fit.interval[k] = pressed.interval[k];
     fit.no_interval[k] = pressed.no_interval[k];
   }
+  std::erase_if(fit.outliers,
+                [](const OutlierTrial& one) { return one.number == PadNumber::normal_stiffness; });
+  fit.outliers.insert(fit.outliers.end(), pressed.outliers.begin(), pressed.outliers.end());
   fit.subjects = pressed.subjects;
   fit.trials = pressed.trials;
   fit.doubts.insert(fit.doubts.end(), pressed.doubts.begin(), pressed.doubts.end());

@@ -5,13 +5,15 @@
 #include <map>
 #include <optional>
 
+#include "study/press_fit.hpp"
 #include "study/sample_noise.hpp"
 
 namespace fingerpad {
 namespace {
 
 /// What a trial alone says of a number; nothing where it says little.
-std::optional<double> own_number(const TrialEvidence& trial, PadNumber number) {
+std::optional<double> own_number(const TrialEvidence& trial, PadNumber number,
+                                 const std::optional<double>& press_exponent) {
   const auto mean = [](double sum, long count, long fewest) -> std::optional<double> {
     if (count < fewest) return std::nullopt;
     return sum / static_cast<double>(count);
@@ -34,6 +36,10 @@ std::optional<double> own_number(const TrialEvidence& trial, PadNumber number) {
       return stiffness(0);
     case PadNumber::longitudinal_stiffness:
       return stiffness(1);
+    case PadNumber::normal_stiffness: {
+      const auto depth_m = press_exponent ? own_depth_at_1_n_m(trial) : std::nullopt;
+      return depth_m ? std::optional(1 / (*depth_m * *press_exponent)) : std::nullopt;
+    }
     default:
       return std::nullopt;
   }
@@ -43,7 +49,8 @@ std::optional<double> own_number(const TrialEvidence& trial, PadNumber number) {
 using Alike = std::pair<int, int>;
 
 Alike alike(const TrialEvidence& trial, PadNumber number) {
-  const bool by_angle = number == PadNumber::stick_stiffness || number == PadNumber::longitudinal_stiffness;
+  const bool by_angle = number == PadNumber::stick_stiffness || number == PadNumber::longitudinal_stiffness ||
+                        number == PadNumber::normal_stiffness;
   return {trial.subject, by_angle ? static_cast<int>(std::lround(trial.inclination_deg / 10)) : 0};
 }
 
@@ -52,7 +59,7 @@ using OwnNumber = std::pair<std::size_t, double>;
 
 /// What the others say, of three or four trials one of which is far off by Dixon's test (two-sided, 1 %:
 /// Rorabacher 1991, table 2): its gap to the nearest is so much of the whole range. Of three trials the two
-/// others must agree to a hundred and sixtieth of that gap.
+/// others must agree to 0.6 % of that gap, of four the three others to 8 %.
 struct FewOutlier {
   std::size_t trial;
   double value, usual;
@@ -77,23 +84,25 @@ std::optional<FewOutlier> outlier_of_few(std::vector<OwnNumber> trials, double l
 
 }  // namespace
 
-std::vector<OutlierTrial> outlier_trials(const Measurement& measurement,
-                                         const std::vector<TrialEvidence>& evidence) {
+std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
+                                         const std::vector<TrialEvidence>& evidence,
+                                         const std::optional<double>& press_exponent) {
   constexpr std::size_t fewest = 3, fewest_of_many = 5;
   constexpr double deviations = 5;
   std::vector<OutlierTrial> found;
-  for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::v_min,
-                                 PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {
+  for (const PadNumber number :
+       {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::v_min, PadNumber::stick_stiffness,
+        PadNumber::longitudinal_stiffness, PadNumber::normal_stiffness}) {
     const double least_share = number == PadNumber::v_min ? 0.25 : 0.1;  // it rests on a few ends of slip
     std::map<Alike, std::vector<OwnNumber>> groups;
     for (std::size_t i = 0; i < evidence.size(); ++i)
-      if (const auto own = own_number(evidence[i], number))
+      if (const auto own = own_number(evidence[i], number, press_exponent))
         groups[alike(evidence[i], number)].emplace_back(i, *own);
     for (const auto& [key, trials] : groups) {
       if (trials.size() < fewest) continue;
       if (trials.size() < fewest_of_many) {
         if (const auto one = outlier_of_few(trials, least_share))
-          found.push_back({one->trial, measurement.trials[one->trial].name, number, one->value, one->usual});
+          found.push_back({one->trial, names[one->trial], number, one->value, one->usual});
         continue;
       }
       std::vector<double> values, offs;
@@ -102,8 +111,7 @@ std::vector<OutlierTrial> outlier_trials(const Measurement& measurement,
       for (const double value : values) offs.push_back(std::abs(value - usual));
       const double most = std::max(deviations * quantile(offs, 0.5) / 0.6745, least_share * std::abs(usual));
       for (const auto& [trial, value] : trials) {
-        if (std::abs(value - usual) > most)
-          found.push_back({trial, measurement.trials[trial].name, number, value, usual});
+        if (std::abs(value - usual) > most) found.push_back({trial, names[trial], number, value, usual});
       }
     }
   }

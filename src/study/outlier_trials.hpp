@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,16 +11,20 @@ namespace fingerpad {
 /// A trial whose number is far from those of its subject's other trials. It is listed, and counted all the
 /// same.
 struct OutlierTrial {
-  std::size_t trial = 0;  ///< of Measurement::trials
+  std::size_t trial = 0;  ///< its place in the evidence
   std::string name;
   PadNumber number = PadNumber::mu_static;
   double value = 0, usual = 0;  ///< its own, and the median of the subject's
 };
 
-/// Trials whose mu_static, mu_dynamic, v_min or stiffness (against the angle's usual) is off their subject's
-/// median by more than a tenth (v_min a quarter) and five times the usual distance from it (median absolute
-/// deviation, as a standard deviation). Subjects of fewer than five trials with the number are passed over.
-std::vector<OutlierTrial> outlier_trials(const Measurement& measurement,
-                                         const std::vector<TrialEvidence>& evidence);
+/// Trials whose mu_static, mu_dynamic, v_min or stiffness, along the plate or into it (against the angle's
+/// usual), is off their subject's median by more than a tenth (v_min a quarter) and five times the usual
+/// distance from it (median absolute deviation, as a standard deviation). Of three or four alike that one is
+/// taken that Dixon's test parts from the others; of fewer none.
+/// @param names           of the trials of the evidence
+/// @param press_exponent  that their presses' sums were taken about; nothing where no normal law is told
+std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
+                                         const std::vector<TrialEvidence>& evidence,
+                                         const std::optional<double>& press_exponent);
 
 }  // namespace fingerpad

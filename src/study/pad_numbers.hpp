@@ -151,13 +151,4 @@ inline constexpr std::array<PadNumber, 12> spring_numbers{PadNumber::lateral_axi
                                                           PadNumber::lateral_hysteresis_area,
                                                           PadNumber::longitudinal_hysteresis_area};
 
-/// Leaves the coefficients as they were measured where what passes for slip may be teeth: how those change
-/// with the load is no exponent of friction. They hold at the ruptures' load then, where there are any.
-void doubt_slip(const std::vector<TrialEvidence>& trials, FitPoint& point);
-/// Takes that back.
-void trust_slip(FitPoint& point);
-
-/// What the next pass is to be taken about.
-FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& point);
-
 }  // namespace fingerpad

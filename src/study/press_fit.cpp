@@ -8,12 +8,28 @@
 #include <map>
 
 namespace fingerpad {
+namespace {
+
+constexpr double least_own_rms_m = 2e-5;  // of a trial's height: else it does not move, and none was measured
+constexpr double least_spread = 0.1;      // standard deviation of ln n within trials
+
+bool has_height(const TrialEvidence& trial) {
+  return trial.press(0, 0) > least_own_rms_m * least_own_rms_m * static_cast<double>(trial.press_groups);
+}
+
+}  // namespace
+
+std::optional<double> own_depth_at_1_n_m(const TrialEvidence& trial) {
+  const double groups = static_cast<double>(trial.press_groups), term_2 = trial.press(1, 1);
+  if (!has_height(trial) || !(trial.press_load_2 > least_spread * least_spread * groups) || !(term_2 > 0))
+    return std::nullopt;
+  return trial.press(0, 1) / term_2;
+}
 
 PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, double about) {
   // Height that the force does not explain says nothing of the pad: the hand moves, or the plate is not
   // square.
-  constexpr double least_explained = 0.5, least_rms_m = 5e-5, least_own_rms_m = 2e-5;
-  constexpr double least_spread = 0.1;                        // standard deviation of ln n within trials
+  constexpr double least_explained = 0.5, least_rms_m = 5e-5;
   constexpr double least_exponent = 0.5, most_exponent = 10;  // of n over the depth
   PressFit fit;
   /// Sums over a subject's trials.
@@ -24,9 +40,7 @@ PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<i
   };
   std::map<int, Presses> subjects;
   for (std::size_t i = 0; i < trials.size(); ++i) {
-    // A trial whose height does not move at all has none that was measured.
-    const double groups = static_cast<double>(trials[i].press_groups);
-    if (times[i] == 0 || !(trials[i].press(0, 0) > least_own_rms_m * least_own_rms_m * groups)) continue;
+    if (times[i] == 0 || !has_height(trials[i])) continue;
     Presses& own = subjects[trials[i].subject];
     own.sums += times[i] * trials[i].press;
     own.load2 += times[i] * trials[i].press_load_2;

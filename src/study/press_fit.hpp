@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,5 +18,9 @@ struct PressFit {
 
 /// @param about  the exponent w that the trials' sums were taken about
 PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, double about);
+
+/// B as one trial alone says it at the exponent that its sums were taken about; nothing where its height does
+/// not move or its load hardly changes. Below 0 where it rises as it is pressed.
+std::optional<double> own_depth_at_1_n_m(const TrialEvidence& trial);
 
 }  // namespace fingerpad

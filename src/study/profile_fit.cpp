@@ -4,14 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "base/number_text.hpp"
+#include "study/delayed_evidence.hpp"
 #include "study/few_trials.hpp"
 #include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
 #include "study/hidden_stick.hpp"
 #include "study/impossible_numbers.hpp"
+#include "study/next_point.hpp"
 #include "study/normal_law.hpp"
 #include "study/sampling_reach.hpp"
 #include "study/stretch_reach.hpp"
@@ -118,7 +121,11 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   }
   tell_impossible_numbers(fit.values);
   fit.mu_load_n = point.evidence.load.load_n;
-  fit.outliers = outlier_trials(measurement, fit.evidence);
+  std::vector<std::string> names;
+  for (const MeasuredTrial& trial : measurement.trials) names.push_back(trial.name);
+  const bool tells_press = value_of(fit.values, PadNumber::normal_stiffness).refusal.empty();
+  fit.outliers = outlier_trials(names, fit.evidence,
+                                tells_press ? std::optional(point.evidence.press_exponent) : std::nullopt);
   fit.offset = sensor_offset(measurement, segments);
   const SpringFit lateral = fit_spring(fit.evidence, once, 0),
                   longitudinal = fit_spring(fit.evidence, once, 1);
@@ -142,7 +149,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
         "them tell no stick",
         rounded_text(lag, 2), drop_tail_samples(lag)));
   // Over more samples the end of a drop is not seen, and how late its middle is told too small.
-  constexpr double surely_seen_lag = 0.4;
+  constexpr double surely_seen_lag = 0.3;
   if (point.evidence.rupture_lag > surely_seen_lag)
     fit.doubts.emplace_back(
         "the force sensor's low pass takes so many samples for a drop that its middle cannot be told: "
@@ -154,11 +161,8 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   if (no_slip.empty() && point.has_unseen_slip) no_slip = hardly_seen_slip;
   const LawSpring spring{point.evidence, {lateral.shape, longitudinal.shape}, point.v_min_by_step};
   std::vector<TrialResidual> residuals;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < segments.size(); ++i) {
+  for (std::size_t i = 0; i < segments.size(); ++i)
     residuals.push_back(trial_residual(measurement.trials[i], segments[i], fit.evidence[i], spring));
-    names.push_back(measurement.trials[i].name);
-  }
   fit.residual = law_verdict(residuals, names,
                              {point.v_min_by_step || !hidden.empty(), point.v_min_by_step,
                               unseen_drop_share(fit.evidence), no_slip});

@@ -70,6 +70,23 @@ double most_friction(const MeasuredTrial& trial, double least_n) {
   return quantile(frictions, 0.98);
 }
 
+bool drops_below_its_tooth(const MeasuredTrial& trial, const StickSegments& segments, std::size_t from,
+                           std::size_t i) {
+  constexpr std::size_t top_samples = 4;  // the last of them may have dropped already
+  constexpr double deviations = 3, share = 0.1, like_load = 1.25;
+  double top = 0, greatest = 0;
+  for (std::size_t j = i > from + top_samples ? i - top_samples : from; j < i; ++j)
+    top = std::max(top, trial.force_ratio[j].norm());
+  const double load_n = trial.normal_force_n[i - 1];
+  for (std::size_t j = from + 1; j + 1 < i; ++j) {
+    const double here_n = trial.normal_force_n[j];
+    if (here_n * like_load < load_n || here_n > like_load * load_n) continue;
+    greatest = std::max(
+        greatest, (trial.force_ratio[j - 1] + trial.force_ratio[j] + trial.force_ratio[j + 1]).norm() / 3);
+  }
+  return greatest > top + std::max(deviations * ratio_noise_at(trial, segments, i - 1), share * greatest);
+}
+
 void find_ruptures(const MeasuredTrial& trial, StickSegments& found) {
   found.begins_run = trial.starts_anew;
   found.is_rupture.assign(trial.force_ratio.size(), false);

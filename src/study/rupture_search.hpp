@@ -23,4 +23,12 @@ double most_friction(const MeasuredTrial& trial, double least_n);
 /// @pre  half_window and ratio_noise are known
 void find_ruptures(const MeasuredTrial& trial, StickSegments& found);
 
+/// Whether the ratio was surely greater within the same tooth and under about the same load than where it
+/// drops before sample i: stick gives way where it is pulled most. A spring that is pushed back through its
+/// middle drops so too, and so does one in a thousand samples' noise, which a filter of the force joins
+/// together.
+/// @param from  the tooth's first sample
+bool drops_below_its_tooth(const MeasuredTrial& trial, const StickSegments& segments, std::size_t from,
+                           std::size_t i);
+
 }  // namespace fingerpad

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <utility>
 
 #include "study/rupture_sums.hpp"
 #include "study/slope_window.hpp"
@@ -11,6 +10,10 @@
 
 namespace fingerpad {
 namespace {
+
+constexpr PadNumber reach_axes[] = {PadNumber::lateral_axis, PadNumber::longitudinal_axis},
+                    reach_stiffnesses[] = {PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness},
+                    reach_shares[] = {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share};
 
 /// How far coefficients may be off where stick hides: slip may hold teeth, whose mean is half way up to
 /// mu_static, and of ruptures that noise hides half the time those are seen that noise raises.
@@ -56,25 +59,30 @@ std::optional<double> tooth_samples(const ProfileFit& fit, const EvidencePoint& 
                  &v_min = value(PadNumber::v_min);
   if (!mu_static.refusal.empty() || !mu_dynamic.refusal.empty() || !v_min.refusal.empty())
     return std::nullopt;
-  double way_m = 0, axes = 0;
-  for (const auto& [number, axis] :
-       {std::pair(PadNumber::lateral_axis, 0), std::pair(PadNumber::longitudinal_axis, 1)}) {
-    if (!value(number).refusal.empty()) continue;
-    const SpringBend& bend = about.bend[static_cast<std::size_t>(axis)];
-    const auto way = [&](double ratio) { return bend.at(ratio)[0] * ratio; };
-    way_m += value(number).value * (1 - way(mu_dynamic.value) / way(mu_static.value));
-    ++axes;
+  double way_m = 0, told = 0;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    if (!value(reach_axes[axis]).refusal.empty()) continue;
+    const auto way = [&](double ratio) { return about.bend[axis].at(ratio)[0] * ratio; };
+    way_m += value(reach_axes[axis]).value * (1 - way(mu_dynamic.value) / way(mu_static.value));
+    ++told;
   }
-  if (axes == 0) return std::nullopt;
-  return way_m / axes / v_min.value * greatest_rate_hz(fit.evidence);
+  if (told == 0) return std::nullopt;
+  return way_m / told / v_min.value * greatest_rate_hz(fit.evidence);
 }
 
-/// A tooth that is seen for certain: six samples, and as long as half a window of stick_segments. The end of
-/// slip may be seen a tooth late where teeth are shorter, and where a slow sensor's drop takes much of them.
+/// A tooth that is seen for certain: six samples, and as long as half a window of stick_segments, which grows
+/// until a finger at v_min has moved beyond the noise of positions in it. The end of slip may be seen a tooth
+/// late where teeth are shorter, and where a slow sensor's drop takes much of them.
 double long_tooth_samples(const ProfileFit& fit, const FitPoint& point) {
   constexpr double fewest = 6;
+  const double speed = value_of(fit.values, PadNumber::v_min).value;
+  double half_s = slope_half_window_s;
+  for (const TrialEvidence& trial : fit.evidence)  // a line's spread is its length squared over twelve
+    if (speed > 0)
+      half_s =
+          std::max(half_s, std::sqrt(2 * 12.0) * least_window_spread * trial.position_noise_m / speed / 2);
   return static_cast<double>(drop_tail_samples(point.evidence.rupture_lag)) +
-         std::max(fewest, slope_half_window_s * greatest_rate_hz(fit.evidence));
+         std::max(fewest, half_s * greatest_rate_hz(fit.evidence));
 }
 
 /// What lines that are left in may add to the force ratio at ruptures, which come early where they pull: the
@@ -91,27 +99,18 @@ double reach_by_lines(const std::vector<TrialEvidence>& trials) {
   return ruptures > 0 ? sum / ruptures : 0;
 }
 
-/// A trial's velocities of a moment later (or earlier), as far as it goes on without a gap.
-std::vector<Vec2> later_velocities(const MeasuredTrial& trial, const StickSegments& segments, double by_s) {
-  const double samples = by_s * trial.rate_hz, whole = std::floor(samples), rest = samples - whole;
-  const std::vector<Vec2>& now = segments.velocity_m_per_s;
-  std::vector<Vec2> later;
-  later.reserve(now.size());
-  std::ptrdiff_t from = 0, to = 0;  // of the run that a sample is of
-  for (std::size_t k = 0; k < now.size(); ++k) {
-    const auto here = static_cast<std::ptrdiff_t>(k);
-    if (here >= to) {
-      from = here;
-      for (to = from + 1; to < static_cast<std::ptrdiff_t>(now.size()); ++to)
-        if (trial.starts_anew[static_cast<std::size_t>(to)]) break;
+/// How far springs may be off by ends of slip that pass for stick, and bent ones by being told from weak
+/// pulls alone, where stick may hide: their ends lie beyond.
+void add_bend_reach(const ProfileFit& fit, const EvidencePoint& about, NumberReaches& moved) {
+  constexpr double bends = 1e-3, of_share = 0.08;
+  for (std::size_t axis = 0; axis < 2; ++axis) {
+    const double bent = bends + (about.hidden_stick_ratio > 0 ? of_share * about.bend[axis].cubic_share : 0);
+    moved[static_cast<std::size_t>(reach_shares[axis])] += bent;
+    for (const PadNumber number : {reach_axes[axis], reach_stiffnesses[axis]}) {
+      const auto k = static_cast<std::size_t>(number);
+      moved[k] += bent / 2 * std::abs(fit.values[k].value);
     }
-    const auto at = [&](std::ptrdiff_t i) {
-      return now[static_cast<std::size_t>(std::clamp(i, from, to - 1))];
-    };
-    const std::ptrdiff_t moved = here + static_cast<std::ptrdiff_t>(whole);
-    later.emplace_back(at(moved) + rest * (at(moved + 1) - at(moved)));
   }
-  return later;
 }
 
 }  // namespace
@@ -127,36 +126,6 @@ double unseen_drop_share(const std::vector<TrialEvidence>& trials) {
 
 double teeth_reach(const ProfileFit& fit, const FitPoint& point) {
   return hidden_reach(fit, point).mu_dynamic;
-}
-
-void delay_heights(MeasuredTrial& trial, std::size_t half_window, double by_s) {
-  const std::vector<double> heights = trial.height_m;
-  for (std::size_t k = 0; k < heights.size(); ++k) {
-    std::size_t from = k, to = k;
-    while (k - from < half_window && from > 0 && !trial.starts_anew[from]) --from;
-    while (to - k < half_window && to + 1 < heights.size() && !trial.starts_anew[to + 1]) ++to;
-    if (to > from)
-      trial.height_m[k] +=
-          by_s * trial.rate_hz * (heights[to] - heights[from]) / static_cast<double>(to - from);
-  }
-}
-
-std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
-                                            const std::vector<StickSegments>& segments,
-                                            const EvidencePoint& about, double delay_left_s, double times) {
-  std::vector<TrialEvidence> delayed;
-  delayed.reserve(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    MeasuredTrial trial = measurement.trials[i];
-    const double by_s = times * (trial.delay_unsure_s + std::abs(delay_left_s));
-    for (std::size_t k = 0; k < trial.position_m.size(); ++k)
-      trial.position_m[k] += by_s * segments[i].velocity_m_per_s[k];
-    delay_heights(trial, static_cast<std::size_t>(segments[i].half_window), by_s);
-    StickSegments moved = segments[i];
-    moved.velocity_m_per_s = later_velocities(trial, segments[i], by_s);
-    delayed.push_back(trial_evidence(trial, moved, about));
-  }
-  return delayed;
 }
 
 NumberReaches moved_by(const std::vector<TrialEvidence>& evidence, const ProfileFit& fit,
@@ -218,15 +187,7 @@ NumberReaches moved_by_sampling(const ProfileFit& fit, const NumberReaches& by_d
   const HiddenReach hidden = hidden_reach(fit, point);
   moved[static_cast<std::size_t>(PadNumber::mu_static)] += hidden.mu_static;
   moved[static_cast<std::size_t>(PadNumber::mu_dynamic)] += hidden.mu_dynamic;
-  constexpr double bends = 1e-3;
-  for (const PadNumber share : {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share})
-    moved[static_cast<std::size_t>(share)] += bends;
-  constexpr double stretches = 5e-4;
-  for (const PadNumber length : {PadNumber::lateral_axis, PadNumber::longitudinal_axis,
-                                 PadNumber::stick_stiffness, PadNumber::longitudinal_stiffness}) {
-    const auto k = static_cast<std::size_t>(length);
-    moved[k] += stretches * std::abs(fit.values[k].value);
-  }
+  add_bend_reach(fit, point.evidence, moved);
   constexpr double slow_share = 5e-4;  // of slip's friction: what slow slip is left in it
   const auto dynamic = static_cast<std::size_t>(PadNumber::mu_dynamic);
   moved[dynamic] += (has_slow_slip ? 2 : 1) * slow_share * std::abs(fit.values[dynamic].value);

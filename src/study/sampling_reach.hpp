@@ -13,15 +13,6 @@ double unseen_drop_share(const std::vector<TrialEvidence>& trials);
 /// How far mu_dynamic may be off where what passes for slip may hold teeth.
 double teeth_reach(const ProfileFit& fit, const FitPoint& point);
 
-/// What the trials say where the delay is as much more as it may be off: positions of a moment later.
-/// @param times  as much; below 0: earlier
-std::vector<TrialEvidence> delayed_evidence(const Measurement& measurement,
-                                            const std::vector<StickSegments>& segments,
-                                            const EvidencePoint& about, double delay_left_s, double times);
-
-/// A trial's heights of a moment later, by their slope over so many samples either way.
-void delay_heights(MeasuredTrial& trial, std::size_t half_window, double by_s);
-
 /// How far each number moves.
 using NumberReaches = std::array<double, pad_number_keys.size()>;
 
@@ -41,7 +32,8 @@ struct DelayReach {
 /// How far each number moves where the noise of the sensors is a tenth more than was taken off, and ruptures
 /// lie a twentieth of a sample later than in its middle (and what a slow sensor shows them late, where that
 /// is not taken out; of a bent spring by its share more); ends of slip that pass for stick bend a spring by a
-/// thousandth and lengthen it by half of that; a mains line that is left in pulls at ruptures with all of its
+/// thousandth and lengthen it by half of that, and one that is told by weak pulls alone, as where stick may
+/// hide, by a twelfth of its own share more; a mains line that is left in pulls at ruptures with all of its
 /// amplitude; slow slip that is left in mu_dynamic is half a thousandth of it, and twice as much where stick
 /// hides in it.
 /// @param by_delay  how far the delay moves it (delayed_evidence), and what else is known of that kind

@@ -103,7 +103,8 @@ class WindowSums {
     const double spread = to.xx - from.xx - x.squaredNorm() / count;
     const double pull = x.dot(to.q - from.q) / count - (to.xq - from.xq);
     LocalStiffness local;
-    local.is_known = w.to - w.from >= 4 && spread > std::max(16 * 2 * noise_m * noise_m * count, least_m2);
+    local.is_known = w.to - w.from >= 4 &&
+                     spread > std::max(2 * std::pow(least_window_spread * noise_m, 2) * count, least_m2);
     if (local.is_known) local.per_m = pull / spread;
     return local;
   }
@@ -183,11 +184,17 @@ std::vector<LocalStiffness> local_stiffnesses(const MeasuredTrial& trial, const 
   return locals;
 }
 
-/// A drop out of slip is a vibration or noise: ruptures come out of stick.
+/// A drop out of slip is a vibration or noise: ruptures come out of stick, and where it is pulled most.
 void drop_false_ruptures(const MeasuredTrial& trial, const std::vector<LocalStiffness>& locals,
                          StickSegments& found) {
+  const auto slips = [&](std::size_t j) {
+    return locals[j].is_known && locals[j].per_m <= found.border_per_m;
+  };
   for (std::size_t i = 1; i < locals.size(); ++i) {
-    if (!found.is_rupture[i] || !locals[i - 1].is_known || locals[i - 1].per_m > found.border_per_m) continue;
+    if (!found.is_rupture[i]) continue;
+    std::size_t from = i - 1;
+    while (from > 0 && !found.begins_run[from] && !slips(from - 1)) --from;
+    if (!slips(i - 1) && !drops_below_its_tooth(trial, found, from, i)) continue;
     found.is_rupture[i] = false;
     found.begins_run[i] = trial.starts_anew[i];
   }

@@ -10,6 +10,9 @@ namespace fingerpad {
 /// What the pad was doing at a sample; unknown where it moved too little to tell.
 enum class PadPhase : unsigned char { unknown, stick, slip };
 
+/// A window tells a local stiffness where the spread of its positions is beyond so many times their noise.
+inline constexpr double least_window_spread = 4;
+
 /// A trial told apart into stick and slip.
 struct StickSegments {
   std::vector<PadPhase> phase;         ///< per sample
@@ -35,7 +38,8 @@ struct StickSegments {
 /// noise of positions tells nothing.
 ///
 /// A rupture is a step in which |q| falls by a twelfth, and more than in the steps around it by four and a
-/// half standard deviations and by their size (medians). So a sensor must pass the drop within one sample.
+/// half standard deviations and by their size (medians), from where the tooth was pulled most
+/// (drops_below_its_tooth). So a sensor must pass the drop within one sample.
 /// Where noise may hide it so, steps are those between means of three samples; where these hide it too,
 /// nothing is told. Noise is told from second differences (sample_noise), so that ruptures do not count.
 StickSegments stick_segments(const MeasuredTrial& trial);

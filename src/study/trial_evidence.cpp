@@ -96,6 +96,7 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
   evidence.has_direction = trial.has_direction;
   evidence.inclination_deg = trial.inclination_deg;
   evidence.rate_hz = trial.rate_hz;
+  evidence.position_noise_m = segments.position_noise_m;
   evidence.lines_left_in = trial.lines_left_in;
   const std::vector<Vec2> ratio = ratio_at_load(trial, about.load);
   add_slip_sums(trial, segments, ratio, about, evidence);
@@ -110,6 +111,7 @@ TrialEvidence trial_evidence(const MeasuredTrial& trial, const StickSegments& se
 TrialEvidence press_evidence(const MeasuredTrial& trial, double exponent) {
   TrialEvidence evidence;
   evidence.subject = trial.subject;
+  evidence.inclination_deg = trial.inclination_deg;
   add_press(trial, exponent, evidence);
   return evidence;
 }

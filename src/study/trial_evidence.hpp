@@ -57,6 +57,7 @@ struct TrialEvidence {
   bool has_direction = false;
   double inclination_deg = 0;
   double rate_hz = 0;
+  double position_noise_m = 0;  ///< StickSegments::position_noise_m
   std::array<SpringSums, 2> spring{SpringSums::Zero(), SpringSums::Zero()};  ///< lateral, longitudinal
   /// What was taken off `spring` for the sensors' noise, which is itself an estimate.
   std::array<SpringSums, 2> spring_noise{SpringSums::Zero(), SpringSums::Zero()};

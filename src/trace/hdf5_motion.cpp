@@ -60,7 +60,7 @@ bool is_hdf5_table(const std::string& path) {
 
 Motion read_motion_hdf5(const std::string& path, RecordingFormat& format) {
   refuse_keys_of_text(path, format);
-  refuse_side_of_no_force(path, format);
+  refuse_words_of_no_force(path, format);
   const AskedColumns asked = asked_columns(format);
   Hdf5Columns file = read_hdf5_columns(path, {asked.names.begin(), asked.names.end()});
   refuse_missing(path, asked, file.present);

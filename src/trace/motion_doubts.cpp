@@ -1,5 +1,8 @@
 #include "trace/motion_doubts.hpp"
 
+#include <cmath>
+#include <string>
+
 #include "base/number_text.hpp"
 #include "base/unit.hpp"
 #include "motion/driving_share.hpp"
@@ -61,7 +64,6 @@ void warn_of_slow_clock(MotionReading& reading) {
 void warn_of_odd_force(MotionReading& reading) {
   const std::vector<double>& forces_n = reading.motion.normal_force_n;
   if (forces_n.empty()) return;
-  constexpr double hardest_n = 40;
   const double usual_n = pressed_median_n(forces_n);
   if (usual_n < 0)
     reading.warn(
@@ -72,11 +74,26 @@ void warn_of_odd_force(MotionReading& reading) {
   if (usual_n == 0)
     reading.warn(
         "its measured normal force is 0 throughout, so that no force acts: is its column the right one?");
-  if (usual_n > hardest_n)
-    reading.warn(
-        fmt::format("its measured normal force is {} N where it presses, harder than a finger rubs: "
-                    "forces are read as newtons",
-                    rounded_text(usual_n, 3)));
+}
+
+void warn_of_force_unit(MotionReading& reading) {
+  const Motion& motion = reading.motion;
+  const bool is_normal = !motion.normal_force_n.empty();
+  if (!is_normal && motion.force_W_n.cols() == 0) return;
+  const Eigen::RowVectorXd sizes_n = motion.force_W_n.colwise().norm();
+  const double usual_n =
+      std::abs(is_normal ? pressed_median_n(motion.normal_force_n)
+                         : pressed_median_n({sizes_n.data(), static_cast<std::size_t>(sizes_n.size())}));
+  const bool is_hard = usual_n > hardest_rub_n;
+  if (!is_hard && (usual_n == 0 || usual_n >= lightest_rub_n || reading.says_force_unit)) return;
+  const std::string words = fmt::format("its measured {} is {} N where it presses, {} than a finger rubs",
+                                        is_normal ? "normal force" : "force", rounded_text(usual_n, 3),
+                                        is_hard ? "harder" : "lighter");
+  reading.warn(reading.says_force_unit
+                   ? words + ": is its unit the right one?"
+                   : fmt::format("taken as newtons, {}: say force_unit = \"{}\" in [motion], or "
+                                 "force_unit = \"N\" if it is newtons",
+                                 words, is_hard ? "mN" : "kN"));
 }
 
 void warn_of_driving_force(MotionReading& reading) {

@@ -18,8 +18,10 @@ void warn_of_odd_steps(MotionReading& reading);
 /// slower than a thousandth of 2 m/s on average; ms or us, whichever gives 20 Hz to 20 kHz, is likely if the
 /// finger stays under 2 m/s so. A few samples far apart are a motion that was written by hand.
 void warn_of_slow_clock(MotionReading& reading);
-/// Of a measured normal force that no finger rubs with.
+/// Of a measured normal force that presses nothing.
 void warn_of_odd_force(MotionReading& reading);
+/// Of a measured force that no finger rubs with: its unit is asked for, where nothing says it.
+void warn_of_force_unit(MotionReading& reading);
 /// Of a measured force that drives the finger: the residual would be that of a wrong sign.
 void warn_of_driving_force(MotionReading& reading);
 

@@ -62,6 +62,8 @@ FieldRecording read_table_of_text(MotionReading& reading) {
   format.ends_each_row = is_own_csv_trace(path);
   FieldRecording recording = read_field_recording(path, format);
   reading.says_time_unit = format.ends_each_row || !format.name.empty();
+  reading.says_force_unit = format.ends_each_row || !asks_for_key(format.name, "force_unit") ||
+                            recording.told_units[static_cast<std::size_t>(Quantity::force)].has_value();
   if (!recording.read_as.cut.empty()) reading.warn(recording.read_as.cut);
   warn_of_thinned(reading, every_of_csv(path));
   return recording;
@@ -76,7 +78,7 @@ void read_own_trace(MotionReading& reading) {
                               "program (HDF5), which says itself what it holds: leave the key out",
                               settings.table_key, settings.file));
   }
-  reading.says_time_unit = true;
+  reading.says_time_unit = reading.says_force_unit = true;
   Trace trace = read_trace(settings.file_path, TraceContents::rows);
   reading.motion = motion_of_trace(trace, settings.file_path, settings.format.reads_normal_force);
   warn_of_thinned(reading, trace.info.every);
@@ -100,6 +102,7 @@ void read_file(MotionReading& reading) {
   }
   FieldRecording recording = hdf5_table ? read_table_of_hdf5(settings) : read_table_of_text(reading);
   reading.says_time_unit = reading.says_time_unit || recording.read_as.says_time_unit;
+  reading.says_force_unit = reading.says_force_unit || recording.read_as.says_force_unit;
   reading.motion = std::move(recording.motion);
   if (!reads_force) reading.motion.normal_force_n.clear();
   if (reads_force && reading.motion.normal_force_n.empty())

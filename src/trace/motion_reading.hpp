@@ -18,7 +18,8 @@ struct MotionReading {
   const MotionSettings& settings;
   Motion motion;
   RecordingClock clock;
-  bool says_time_unit = false;  ///< the scene does, its layout, its line of units, or it is a trace
+  bool says_time_unit = false;   ///< the scene does, its layout, its line of units, or it is a trace
+  bool says_force_unit = false;  ///< likewise
   std::vector<SceneChange> changes;
   std::vector<std::string> notes, warnings;
 

@@ -46,7 +46,7 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   }
   if (settings.scripted) return at_chosen_rate(scene, scripted_motion(scene));
   if (settings.laid) return laid_at_chosen_rate(scene, meshes);
-  MotionReading reading{scene, settings, {}, {}, false, {}, {}, {}};
+  MotionReading reading{scene, settings, {}, {}, false, false, {}, {}, {}};
   read_file(reading);
   reading.clock = recording_clock(reading.motion.t_s);
   warn_of_slow_clock(reading);
@@ -57,6 +57,7 @@ LoadedMotion load_motion(const Scene& scene, MeshStore& meshes) {
   if (scene.hand && settings.has_own_rate()) refuse_hand_too_quick(*scene.hand, rate_hz, scene.path);
   if (settings.has_own_rate() || is_refined(settings)) warn_of_odd_steps(reading);
   warn_of_odd_force(reading);
+  warn_of_force_unit(reading);
   warn_of_driving_force(reading);
   if (is_refined(settings)) refine(reading);
   if (!settings.placement.is_world()) {

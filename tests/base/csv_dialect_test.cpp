@@ -244,7 +244,7 @@ TEST(UnitRow, SaysTheUnitOfAGroupOrWhatToDo) {
   const std::vector<std::string_view> names{"t", "x", "y", "z", "k", "tx", "x_m"};
   const auto unit = [&](Quantity quantity, std::vector<std::size_t> columns, bool is_said = false,
                         double said = 1) {
-    return unit_of_group(row, names, {quantity, std::move(columns), is_said, said, "--unit"});
+    return told_unit(row, names, {quantity, std::move(columns), is_said, said, "--unit"}).value_or(said);
   };
   EXPECT_EQ(unit(Quantity::time, {0}), 1e-3);
   EXPECT_EQ(unit(Quantity::time, {6}), 1e-6);
@@ -262,11 +262,11 @@ TEST(UnitRow, SaysTheUnitOfAGroupOrWhatToDo) {
   EXPECT_EQ(why(Quantity::length, {1}, true, 1e-3), "taken");
   const UnitRow mixed{{"mm", "m"}, "t.csv:2"};
   EXPECT_THAT(test::why_not([&] {
-                unit_of_group(mixed, {"x", "y"}, {Quantity::length, {0, 1}, false, 1, ""});
+                told_unit(mixed, {"x", "y"}, {Quantity::length, {0, 1}, false, 1, ""});
               }),
               HasSubstr("which all have one unit"));
   EXPECT_THAT(test::why_not([&] {
-                unit_of_group(mixed, {"x_m", "y_m"}, {Quantity::length, {0}, false, 1, ""});
+                told_unit(mixed, {"x_m", "y_m"}, {Quantity::length, {0}, false, 1, ""});
               }),
               HasSubstr("whose name says another unit"));
 }

@@ -249,6 +249,20 @@ TEST(FieldFormat, OneTableOfFingerFrictionNeedsNoOtherFile) {
   EXPECT_NEAR(motion.p_WQ(0, 1), 1e-4, 1e-18);
 }
 
+TEST(FieldFormat, AnOpenLayoutsForcesAreInTheUnitThatIsSaid) {
+  const fs::path path = test::scratch_dir() / "P03.csv";
+  write(path, "s,Fn,px,py\n0,400,0,1\n0.002,500,0.1,1\n");
+  RecordingFormat format = named("4tu-finger-friction", {{"t", "s"}, {"x", "px"}, {"y", "py"}, {"fn", "Fn"}});
+  format.says_unit = format.says_force_unit = true;
+  format.metres_per_unit = format.newtons_per_unit = 1e-3;
+  EXPECT_THAT(recording(path, format).motion.normal_force_n, ElementsAre(0.4, 0.5));
+  format.name = "hatt";
+  EXPECT_THAT(refusal_of(path, format), HasSubstr("'columns' is said of it"));
+  format.headers.fill("");
+  format.says_unit = false;
+  EXPECT_THAT(refusal_of(path, format), HasSubstr("'force_unit' is said of it"));
+}
+
 TEST(FieldFormat, KinaestheticPositionsHaveAHeight) {
   const fs::path path = test::scratch_dir() / "k.csv";
   write(path, "t,x,y,z,vx,vy,vz,fx,fy,fz\n0,1,2,3,0,0,0,0,0,1\n0.001,1,2,3.5,0,0,0,0,0,1\n");

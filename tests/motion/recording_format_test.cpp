@@ -61,6 +61,31 @@ TEST(RecordingFormat, TakesNoColumnInAnotherUnitThanItsNameSays) {
   EXPECT_THAT(read(text, format).t_s, ElementsAre(0, 1));
 }
 
+TEST(RecordingFormat, ForcesAreInTheUnitThatIsSaid) {
+  RecordingFormat format;
+  for (std::size_t k = 11; k < 14; ++k) format.headers[k] = recording_columns[k].header;
+  format.headers.back() = "fz_n";
+  format.reads_normal_force = true;
+  format.says_force_unit = true;
+  format.newtons_per_unit = 9.80665e-3;
+  const std::string table = "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n", row = "0,0,0,0,-30,0,100\n";
+  const Motion motion = read(table + row, format);
+  EXPECT_LT((motion.force_W_n.col(0) - Vec3(-0.2941995, 0, 0.980665)).norm(), 1e-15);
+  EXPECT_THAT(motion.normal_force_n, ElementsAre(testing::DoubleEq(0.980665)));
+  EXPECT_THAT(test::why_not([&] { read(table + "s,m,m,m,N,N,N\n" + row, format); }),
+              HasSubstr("'N' below 'fx_n', and force_unit in [motion] says another unit"));
+  format.newtons_per_unit = 1;
+  EXPECT_EQ(read(table + "s,m,m,m,N,N,N\n" + row, format).force_W_n(2, 0), 100);
+  format.headers[13] = "fz_mN";
+  format.headers.back() = "fz_mN";
+  const std::string named = "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_mN\n";
+  EXPECT_EQ(read(named + row, format).force_W_n(2, 0), 100) << "it is said";
+  format.says_force_unit = false;
+  EXPECT_THAT(test::why_not([&] { read(named + row, format); }),
+              HasSubstr("has the column 'fz_mN', whose name says a unit that is not said: say force_unit in "
+                        "[motion], \"mN\" if it is right"));
+}
+
 TEST(RecordingFormat, ReadsALaboratorysTableAsItIs) {
   const Motion motion = read(
       "\xef\xbb\xbf# Versuch 3; Finger 2\r\nX;Y;Z;Zeit;\"Fz\"\r\n1,5;0;-2;0;-0,1\r\n2,5;0,25;-2;4,2;0,75\r\n",
@@ -111,11 +136,16 @@ TEST(RecordingFormat, ANormalForceOnThePlateIsTurnedRound) {
   EXPECT_THAT(read(header + "0,0,0,0,1.5\n1,0,0,0,2\n", format).normal_force_n, ElementsAre(1.5, 2));
 }
 
-TEST(RecordingFormat, TheSideOfAForceIsRefusedWhereNoneIsRead) {
+TEST(RecordingFormat, TheSideOrTheUnitOfAForceIsRefusedWhereNoneIsRead) {
   RecordingFormat format;
   format.forces_on_surface = true;
   EXPECT_THAT(test::why_not([&] { read("t_s,x_m,y_m,z_m\n0,0,0,0\n", format); }),
               AllOf(HasSubstr("force_on"), HasSubstr("name fx, fy and fz, or fn, in columns")));
+  format.forces_on_surface = false;
+  format.says_force_unit = true;
+  EXPECT_THAT(test::why_not([&] { read("t_s,x_m,y_m,z_m\n0,0,0,0\n", format); }),
+              AllOf(HasSubstr("force_unit says what a measured force is in"),
+                    HasSubstr("name fx, fy and fz, or fn, in columns, or leave force_unit out")));
 }
 
 TEST(RecordingFormat, SaysWhatToDoAboutGapsAndSeveralTrials) {

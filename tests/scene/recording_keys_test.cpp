@@ -20,7 +20,8 @@ std::string motion(const std::string& lines) {
 TEST(RecordingKeys, SayHowAFileIsRead) {
   const MotionSettings settings =
       test::read_scene(motion("columns = { t = \"time\", x = \"X\", fn = \"Fz\" }\nunit = \"mm\"\n"
-                              "time_unit = \"us\"\nseparator = \";\"\ndecimal = \",\"\nencoder_m = 1e-4\n"
+                              "time_unit = \"us\"\nforce_unit = \"mN\"\nseparator = \";\"\ndecimal = "
+                              "\",\"\nencoder_m = 1e-4\n"
                               "smoothing_hz = 20\nnormal_force = \"measured\""))
           .motion;
   EXPECT_EQ(settings.format.headers[0], "time");
@@ -29,6 +30,8 @@ TEST(RecordingKeys, SayHowAFileIsRead) {
   EXPECT_EQ(settings.format.headers.back(), "Fz");
   EXPECT_EQ(settings.format.metres_per_unit, 1e-3);
   EXPECT_EQ(settings.format.seconds_per_unit, 1e-6);
+  EXPECT_EQ(settings.format.newtons_per_unit, 1e-3);
+  EXPECT_TRUE(settings.format.says_force_unit);
   EXPECT_EQ(settings.format.dialect.separator, ';');
   EXPECT_EQ(settings.format.dialect.decimal, ',');
   EXPECT_EQ(settings.encoder_m, 1e-4);
@@ -41,6 +44,8 @@ TEST(RecordingKeys, AreTheProgramsOwnFormWhereNotWritten) {
   const MotionSettings settings = test::read_scene(motion("")).motion;
   EXPECT_EQ(settings.format.metres_per_unit, 1);
   EXPECT_EQ(settings.format.seconds_per_unit, 1);
+  EXPECT_EQ(settings.format.newtons_per_unit, 1);
+  EXPECT_FALSE(settings.format.says_force_unit);
   EXPECT_EQ(settings.format.dialect.separator, found_separator);
   EXPECT_FALSE(settings.format.reads_normal_force);
   EXPECT_EQ(settings.table_key, "");
@@ -74,6 +79,7 @@ TEST(RecordingKeys, AreRefusedAtTheirPlaceWithWhatTheyMayBe) {
       {"columns = \"X\"", "s.toml:7:11: 'columns' in [motion] must be a table such as { t = \"time\""},
       {"unit = \"ft\"", "unknown unit 'ft'"},
       {"time_unit = \"min\"", "(known: s, ms, us)"},
+      {"force_unit = \"lbf\"", "(known: N, mN, kN, gf, kgf)"},
       {"separator = \"|\"", "s.toml:7:13: 'separator' in [motion] must be \"auto\", \",\", \";\", \"tab\""},
       {"decimal = \"'\"", "'decimal' in [motion] must be"},
       {"separator = \",\"\ndecimal = \",\"",
@@ -91,7 +97,8 @@ TEST(RecordingKeys, DoNotGoWithAFormula) {
   const std::string sine =
       plane_scene +
       "[motion]\nkind = \"sine\"\ncentre_m = [0,0,0]\namplitude_m = 1\nfrequency_hz = 1\nduration_s = 1\n";
-  for (const char* key : {"unit = \"mm\"", "columns = { t = \"T\" }", "smoothing_hz = 5", "encoder_m = 0"}) {
+  for (const char* key : {"unit = \"mm\"", "force_unit = \"mN\"", "columns = { t = \"T\" }",
+                          "smoothing_hz = 5", "encoder_m = 0"}) {
     EXPECT_THAT(
         refusal(sine + key + "\n"),
         AllOf(StartsWith("s.toml:11:"), EndsWith("goes with 'file', and the motion is made from its 'kind'")))

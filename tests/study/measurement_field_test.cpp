@@ -63,8 +63,9 @@ TEST_F(MeasurementField, AForceUnitIsTakenOnceWhetherTheRowSaysItOrAnOption) {
   EXPECT_LT(off(rows(head + "s,mm,mm,mm,-,-,-", force)), 1e-15);
   format.newtons_per_unit = 1;
   EXPECT_THAT(why(rows(head + "s,mm,mm,mm,mN,mN,mN", force), format),
-              HasSubstr("'mN' below 'fx', and --force-unit says another unit"));
-  EXPECT_THAT(why(rows(head + "s,mm,mm,mm,V,V,V", force), named(plain_keys)), HasSubstr("say --force-unit"));
+              HasSubstr("'mN' below 'fx', and force_unit (--force-unit) says another unit"));
+  EXPECT_THAT(why(rows(head + "s,mm,mm,mm,V,V,V", force), named(plain_keys)),
+              HasSubstr("say force_unit (--force-unit)"));
 }
 
 /// A sensor that hangs over head has its z downwards: only in the plate's axes does the plate push the finger

@@ -240,6 +240,36 @@ TEST_F(NormalLaw, IsToldByAllOfAMixedSetAndFrictionByThoseThatHaveIt) {
   }
 }
 
+/// Of one trial's press the pad seems a third stiffer, as of a finger that is bent or a plate that gives way.
+TEST_F(NormalLaw, ATrialWhosePadIsStifferIsListedAndCounted) {
+  test::KnownFinger stiffer;
+  stiffer.depth_at_1_n_m /= 1.3;
+  RecordedMeasurement recorded = test::known_measurement(some_trials(), {}, watching_the_air(), 7);
+  const RecordedMeasurement other = test::known_measurement(some_trials(), stiffer, watching_the_air(), 8);
+  const auto told = [](const ProfileFit& fit) {
+    std::vector<std::string> names;
+    for (const OutlierTrial& one : fit.outliers) {
+      EXPECT_EQ(one.number, PadNumber::normal_stiffness) << one.name;
+      EXPECT_NEAR(one.usual, true_stiffness_n_per_m, 0.02 * true_stiffness_n_per_m);
+      EXPECT_NEAR(one.value, 1.3 * true_stiffness_n_per_m, 0.03 * true_stiffness_n_per_m);
+      names.push_back(one.name);
+    }
+    return names;
+  };
+  EXPECT_THAT(told(fit_profile(clean(recorded, {}), {})), testing::IsEmpty());
+  recorded.trials[2] = other.trials[2];
+  const ProfileFit fit = fit_profile(clean(recorded, {}), {});
+  EXPECT_THAT(told(fit), ElementsAre(HasSubstr("trial 3")));
+  EXPECT_EQ(of(fit, PadNumber::normal_stiffness).trials, 12);
+  EXPECT_THAT(fit_notes(fit), Contains(HasSubstr("trial 3: its normal_stiffness_n_per_m is 17")));
+  const ProfileFit alone = fit_profile(clean(test::of_normal_force_alone(recorded), {}), {});
+  EXPECT_THAT(told(alone), ElementsAre(HasSubstr("trial 3")));
+  RecordedMeasurement mixed = recorded;  // one trial has the normal force alone
+  mixed.trials[5].force_W.topRows(2).setZero();
+  mixed.trials[5].lacks = "column fx_n missing";
+  EXPECT_THAT(told(fit_profile(clean(mixed, {}), {})), ElementsAre(HasSubstr("trial 3")));
+}
+
 TEST_F(NormalLaw, IsToldOfHdf5Too) {
   const RecordedMeasurement read = read_measurements({written("whole.csv", some_table(5))}, {});
   const std::string path = (folder / "normal.h5").string();

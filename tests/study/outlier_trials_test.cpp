@@ -18,19 +18,18 @@ using testing::IsEmpty;
 
 /// Names of the outliers among trials of one subject that slip with these coefficients.
 std::vector<std::string> outliers(const std::vector<double>& coefficients) {
-  Measurement measurement;
+  std::vector<std::string> trials;
   std::vector<TrialEvidence> evidence;
   for (const double mu : coefficients) {
-    MeasuredTrial trial;
-    trial.name = fmt::format("trial {}", evidence.size() + 1);
-    measurement.trials.push_back(trial);
+    trials.push_back(fmt::format("trial {}", evidence.size() + 1));
     TrialEvidence own;
     own.slip_samples = 1000;
     own.slip_ratio = 1000 * mu;
     evidence.push_back(own);
   }
   std::vector<std::string> names;
-  for (const OutlierTrial& outlier : outlier_trials(measurement, evidence)) names.push_back(outlier.name);
+  for (const OutlierTrial& outlier : outlier_trials(trials, evidence, std::nullopt))
+    names.push_back(outlier.name);
   return names;
 }
 
@@ -40,6 +39,11 @@ TEST(OutlierTrials, OfThreeOrFourAreTheOneThatIsFarOffTrialsThatAgree) {
   EXPECT_THAT(outliers({0.2, 0.202, 0.3}), IsEmpty()) << "those two differ too much to say so";
   EXPECT_THAT(outliers({0.2, 0.202, 0.3, 0.203}), ElementsAre("trial 3"));
   EXPECT_THAT(outliers({0.2, 0.202, 0.3, 0.21}), IsEmpty());
+  // As the README says: 0.6 % of its distance, and of four 8 %.
+  EXPECT_THAT(outliers({1, 1.0059, 2}), ElementsAre("trial 3"));
+  EXPECT_THAT(outliers({1, 1.0061, 2}), IsEmpty());
+  EXPECT_THAT(outliers({1, 1.03, 1.073, 2}), ElementsAre("trial 4"));
+  EXPECT_THAT(outliers({1, 1.03, 1.075, 2}), IsEmpty());
   EXPECT_THAT(outliers({0.2, 0.3}), IsEmpty()) << "which of two is off, nobody can tell";
   EXPECT_THAT(outliers({0.2, 0.2, 0.21}), IsEmpty()) << "less than a tenth is not worth a word";
 }

@@ -6,6 +6,8 @@
 #include <string_view>
 #include <vector>
 
+#include "study/next_point.hpp"
+
 namespace fingerpad::pad_numbers_test {
 namespace {
 

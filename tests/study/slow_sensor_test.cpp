@@ -2,8 +2,13 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 
+#include "study/rupture_sums.hpp"
+#include "study/sampling_reach.hpp"
+#include "study/stick_segments.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::slow_sensor_test {
@@ -43,6 +48,107 @@ TEST(SlowSensor, RupturesLieInTheMiddleOfTheirDrops) {
   EXPECT_THAT(fit.steps, Contains(HasSubstr("the force sensor shows their drops over some samples")));
   sensors.low_pass_hz = 0;
   EXPECT_THAT(fitted({}, sensors, 1).steps, Not(Contains(HasSubstr("shows their drops"))));
+}
+
+/// Of a slower one the end of a drop is not seen, and its middle is told too early.
+TEST(SlowSensor, OneWhoseDropsTakeTooManySamplesIsDoubted) {
+  const auto doubt =
+      Contains(HasSubstr("so many samples for a drop that its middle cannot be told: mu_static"));
+  test::KnownSensors sensors = fine_sensors();
+  sensors.low_pass_hz = 150;
+  const ProfileFit slow = fitted({}, sensors, 1);
+  EXPECT_GT(rupture_lag(slow.evidence), 0.3);
+  EXPECT_THAT(slow.doubts, doubt);
+  EXPECT_LT(value_of(slow.values, PadNumber::mu_static).value, 0.3) << "as the doubt says";
+  sensors.low_pass_hz = 300;
+  const ProfileFit quicker = fitted({}, sensors, 1);
+  EXPECT_GT(rupture_lag(quicker.evidence), 0.1) << "it is seen, and taken out";
+  EXPECT_THAT(quicker.doubts, Not(doubt));
+}
+
+/// A spring that is pushed back through its middle drops its force from sample to sample, which a low pass
+/// leaves standing out of the noise; and noise that it has joined together drops here and there.
+TEST(SlowSensor, OnlyWhereAToothIsPulledMostItGivesWay) {
+  std::vector<test::KnownTrial> rubs;
+  for (int i = 0; i < 4; ++i) rubs.push_back({2, 45, 90.0 * (i % 2), 0.06, 1.5, 3, 2});
+  test::KnownSensors sensors = fine_sensors();
+  sensors.low_pass_hz = 300;
+  long ruptures = 0;
+  for (const MeasuredTrial& trial : clean(test::known_measurement(rubs, {}, sensors, 303), {}).trials) {
+    const StickSegments segments = stick_segments(trial);
+    for (std::size_t i = 4; i < trial.force_ratio.size(); ++i) {
+      if (!segments.is_rupture[i]) continue;
+      double top = 0;
+      for (std::size_t j = i - 4; j < i; ++j) top = std::max(top, trial.force_ratio[j].norm());
+      EXPECT_GT(top, 0.2) << trial.name << " at " << i << ": mu_dynamic is the least a tooth comes to";
+      ++ruptures;
+    }
+  }
+  EXPECT_GT(ruptures, 40);
+}
+
+/// One drop in noise where nothing gives way was counted among trial 22's five ruptures, which came to
+/// 0.2475.
+TEST(SlowSensor, AGoodTrialIsNoOutlier) {
+  test::KnownSensors sensors = fine_sensors();
+  sensors.low_pass_hz = 300;
+  sensors.force_noise_n = 0.01;
+  const auto outliers = [&](RecordedMeasurement recorded) {
+    std::vector<std::string> names;
+    for (const OutlierTrial& one : fit_profile(clean(std::move(recorded), {}), {}).outliers)
+      if (one.number == PadNumber::mu_static) names.push_back(one.name);
+    return names;
+  };
+  RecordedMeasurement recorded = test::known_measurement(test::known_trials(), {}, sensors, 11);
+  EXPECT_THAT(outliers(recorded), testing::IsEmpty());
+  // One that sticks better is.
+  test::KnownFinger sticky;
+  sticky.pad.mu_static = 0.36;
+  sticky.pad.lateral_axis_m *= 1.2;
+  sticky.pad.longitudinal_axis_m *= 1.2;
+  recorded.trials[21] = test::known_measurement(test::known_trials(), sticky, sensors, 12).trials[21];
+  EXPECT_THAT(outliers(std::move(recorded)), testing::ElementsAre(HasSubstr("trial 22")));
+}
+
+/// At 500 Hz teeth are too short to be seen, and springs are told by weak pulls: of a share of 0.3 by some
+/// hundredths too little.
+TEST(SlowSensor, ABentSpringThatWeakPullsTellHasItsShareInTheInterval) {
+  test::KnownFinger bent;
+  bent.cubic_share = 0.3;
+  test::KnownSensors sensors = test::bad_sensors();
+  sensors.rate_hz = 500;
+  for (const std::uint64_t seed : test::cases<std::uint64_t>({405, 403})) {
+    const ProfileFit fit =
+        fit_profile(clean(test::known_measurement(test::known_trials(), bent, sensors, seed), {}), {});
+    const auto truth = test::known_numbers(bent, fit.mu_load_n);
+    for (const PadNumber number :
+         {PadNumber::lateral_cubic_share, PadNumber::longitudinal_cubic_share, PadNumber::lateral_axis,
+          PadNumber::longitudinal_axis, PadNumber::longitudinal_stiffness})
+      EXPECT_TRUE(holds(fit, number, truth[static_cast<std::size_t>(number)]))
+          << seed << " " << pad_number_keys[static_cast<std::size_t>(number)];
+  }
+}
+
+/// Where a drop's middle lies is as unsure as it seems to be late: by so many samples of the ratio's rise.
+TEST(SlowSensor, WhatDropsSeemToBeLateWidensMuStatic) {
+  const auto reach = [](double late, long drops) {
+    ProfileFit fit;
+    TrialEvidence trial;
+    trial.ruptures = 40;
+    trial.rupture_ratio = 40 * 0.3;
+    trial.rupture_rise = 40 * 0.01;
+    trial.drop_lags = drops;
+    trial.drop_lag = late * static_cast<double>(drops);
+    fit.evidence = {trial};
+    fit.values = pad_numbers(fit.evidence, {1}, {});
+    return moved_by_sampling(fit, {}, {}, false)[static_cast<std::size_t>(PadNumber::mu_static)];
+  };
+  constexpr double usual = 0.05;  // of a sample, that any rupture may lie later than in its middle
+  EXPECT_NEAR(reach(0, 40), usual * 0.01, 1e-12);
+  EXPECT_NEAR(reach(0.3, 40), (usual + 0.3) * 0.01, 1e-12);
+  EXPECT_NEAR(reach(0.08, 40), (usual + 0.08) * 0.01, 1e-12) << "too little to be taken out";
+  EXPECT_NEAR(reach(-0.3, 40), usual * 0.01, 1e-12);
+  EXPECT_NEAR(reach(0.3, 19), usual * 0.01, 1e-12) << "too few tell it";
 }
 
 /// The model that is made at the samples' own ticks falls more steeply above its peak: fitted without a

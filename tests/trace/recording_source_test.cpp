@@ -154,7 +154,7 @@ TEST(RecordingSource, SaysHowATableWasRead) {
 
 TEST(RecordingSource, ATraceSaysItselfWhatItHolds) {
   for (const char* key : {"unit = \"m\"", "columns = { t = \"t_s\" }", "separator = \",\"", "decimal = \".\"",
-                          "time_unit = \"s\""}) {
+                          "time_unit = \"s\"", "force_unit = \"N\""}) {
     const Scene scene = scene_with(std::string("file = \"t.h5\"\n") + key + "\n");
     test::write_trace(test::scratch_dir() / "t.h5", TraceFormat::hdf5, test::some_rows(20));
     EXPECT_THAT(test::why_not([&] { load_motion(scene); }),
@@ -207,6 +207,42 @@ TEST(RecordingSource, WarnsOfAForceThatDrivesTheFingerOrIsTooHard) {
   EXPECT_THAT(warnings(-0.3, 1), IsEmpty());
   EXPECT_THAT(warnings(0.3, 1), ElementsAre(HasSubstr("drives the finger along its way")));
   EXPECT_THAT(warnings(-30, 100), ElementsAre(HasSubstr("its measured normal force is 100 N")));
+}
+
+/// A sensor in mN. Forces that are only compared with the model's are asked about too.
+TEST(RecordingSource, AsksForTheUnitOfForcesThatNoFingerRubsWith) {
+  const auto warnings = [](const std::string& keys, double normal, const std::string& units = "") {
+    const Scene scene = scene_with(
+        "file = \"m.csv\"\ncolumns = { fx = \"fx_n\", fy = \"fy_n\", fz = \"fz_n\", fn = \"fz_n\" }\n" +
+        keys);
+    std::ofstream file(test::scratch_dir() / "m.csv");
+    file << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n" << units;
+    for (int i = 0; i < 100; ++i)
+      file << fmt::format("{},{},0,0,{},0,{}\n", 0.01 * i, 1e-4 * i, -0.75 * normal, normal);
+    file.close();
+    return load_motion(scene).warnings;
+  };
+  const std::string measured = "normal_force = \"measured\"\n";
+  const auto mend = [](const char* unit) {
+    return HasSubstr(
+        fmt::format("say force_unit = \"{}\" in [motion], or force_unit = \"N\" if it is newtons", unit));
+  };
+  EXPECT_THAT(
+      warnings(measured, 1000),
+      ElementsAre(AllOf(HasSubstr("m.csv: taken as newtons, its measured normal force is 1000 N where "
+                                  "it presses, harder than a finger rubs"),
+                        mend("mN"))));
+  EXPECT_THAT(warnings("", 1000), ElementsAre(AllOf(HasSubstr("its measured force is 1250 N"), mend("mN"))));
+  EXPECT_THAT(warnings("", 1e-3),
+              ElementsAre(AllOf(HasSubstr("is 0.00125 N where it presses, lighter"), mend("kN"))));
+  EXPECT_THAT(warnings("", 1), IsEmpty());
+  for (const std::string& keys : {measured, std::string()}) {
+    EXPECT_THAT(warnings(keys + "force_unit = \"mN\"\n", 1000), IsEmpty()) << keys;
+    EXPECT_THAT(warnings(keys + "force_unit = \"N\"\n", 1e-3), IsEmpty()) << "it is said";
+    EXPECT_THAT(warnings(keys, 1e-3, "s,m,m,m,N,N,N\n"), IsEmpty()) << "the table says it";
+    EXPECT_THAT(warnings(keys + "force_unit = \"N\"\n", 1000),
+                ElementsAre(HasSubstr("harder than a finger rubs: is its unit the right one?")));
+  }
 }
 
 TEST(RecordingSource, AHandIsAskedWhetherItIsTooQuickForTheFilesOwnRate) {
