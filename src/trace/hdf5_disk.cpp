@@ -22,9 +22,9 @@ namespace {
 struct Disk {
   H5FD_t base{};  // first: HDF5 knows a Disk by it
   int file = -1;
-  int failure = 0;  // errno of the first write that failed
-  haddr_t eoa = 0;  // end of what HDF5 has allotted
-  haddr_t eof = 0;  // end of the file
+  int failure = 0;     // errno of the first write that failed
+  haddr_t eoa = 0;     // end of what HDF5 has allotted
+  haddr_t eof = 0;     // end of the file
   haddr_t length = 0;  // of the file as it is, without what is held
   bool holds = false;
   HeldWrites held;  // while it holds
@@ -53,7 +53,8 @@ H5FD_t* disk_open(const char* name, unsigned flags, hid_t, haddr_t) {
   }
   auto* disk = new Disk;
   disk->file = file;
-  if (fstat(file, &disk->identity) == 0) disk->eof = disk->length = static_cast<haddr_t>(disk->identity.st_size);
+  if (fstat(file, &disk->identity) == 0)
+    disk->eof = disk->length = static_cast<haddr_t>(disk->identity.st_size);
   return &disk->base;
 }
 

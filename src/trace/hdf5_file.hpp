@@ -53,8 +53,8 @@ class Handle {
 enum class NumberType { float64, int32, uint8 };
 
 // Files and groups. No times are kept, so that equal contents are equal bytes.
-/// How what HDF5 notes of a file lies in it: side by side; or what is as long as a list of chunks at the start of
-/// a page of memory, so that a killed process has written all of it or nothing.
+/// How what HDF5 notes of a file lies in it: side by side; or what is as long as a list of chunks at the
+/// start of a page of memory, so that a killed process has written all of it or nothing.
 enum class Layout { tight, paged };
 Handle create_file(const std::string& path, Layout layout = Layout::tight);
 Handle open_file(const std::string& path);

@@ -28,9 +28,8 @@ bool HeldWrites::hold(std::uint64_t at, std::span<const std::byte> bytes) noexce
 }
 
 void HeldWrites::put_in_order() noexcept {
-  std::sort(held_.begin(), held_.end(), [](const Held& a, const Held& b) {
-    return a.at == 0 ? b.at > 0 : b.at > 0 && a.at > b.at;
-  });
+  std::sort(held_.begin(), held_.end(),
+            [](const Held& a, const Held& b) { return a.at == 0 ? b.at > 0 : b.at > 0 && a.at > b.at; });
 }
 
 /// Where the last page begins of the first `end` bytes of what is written to `at`.

@@ -9,9 +9,9 @@ namespace fingerpad {
 
 /// Writes to an HDF5 file that are held back, and then made in an order that leaves the file whole wherever a
 /// process is killed: first what the file begins with, which says how long it is, then from its end to its
-/// start, page by page. What was added stands behind what points to it, and how many entries a list has stands
-/// in front of them; so what is new is there before anything says that it is. (A killed process may have
-/// written a part of what it was about to, but only up to the end of a page of memory.)
+/// start, page by page. What was added stands behind what points to it, and how many entries a list has
+/// stands in front of them; so what is new is there before anything says that it is. (A killed process may
+/// have written a part of what it was about to, but only up to the end of a page of memory.)
 class HeldWrites {
  public:
   /// Holds a copy. False if it overlaps what is held, or there is no memory: release() first, then write it.

@@ -1,5 +1,5 @@
-// A writer that is killed at any of its writes, and amid them: what a test that kills by the clock meets once in
-// two thousand times.
+// A writer that is killed at any of its writes, and amid them: what a test that kills by the clock meets once
+// in two thousand times.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -103,7 +103,9 @@ TEST(HeldWrites, BeginWithTheStartAndGoFromTheEndTowardsItPageByPage) {
   HeldWrites held;
   std::vector<std::byte> bytes(10000);
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i * 7 % 251);
-  const auto part = [&](std::size_t first, std::size_t size) { return std::span(bytes).subspan(first, size); };
+  const auto part = [&](std::size_t first, std::size_t size) {
+    return std::span(bytes).subspan(first, size);
+  };
   EXPECT_TRUE(held.hold(100, part(100, 50)));
   EXPECT_TRUE(held.hold(4000, part(4000, 5000)));
   EXPECT_TRUE(held.hold(0, part(0, 100)));
