@@ -1,5 +1,7 @@
 #include "app/touch_recording.hpp"
 
+#include <fmt/format.h>
+
 #include <filesystem>
 
 #include "app/commands.hpp"
@@ -56,10 +58,13 @@ void refuse_unrecordable(const std::string& path, const Scene& scene, bool force
     throw Error(ErrorKind::usage, scene.name, "its name is not UTF-8, as a trace's must be: rename it");
   refuse_unwritable(path);
   std::error_code ignored;
-  if (!force && std::filesystem::is_regular_file(path, ignored)) {
-    throw Error(ErrorKind::usage, path,
-                "exists already; --force writes over it, or give --record another name");
-  }
+  const auto refuse = [&](const std::string& file, const char* what) {
+    if (force || !std::filesystem::is_regular_file(file, ignored)) return;
+    throw Error(ErrorKind::usage, file,
+                fmt::format("{}; --force writes over it, or give --record another name", what));
+  };
+  refuse(path, "exists already");
+  refuse(path + ".part", "is of a recording by that name that was cut short");
 }
 
 TickRecord as_recorded(TickRecord tick, const FingerSample& sample, const LiveDevice& device) noexcept {

@@ -24,9 +24,9 @@ bool fits_floats(const Vec3& at) noexcept {
 WindingNumber::NearPackets::NearPackets(const WindingNumber& clusters, const Vec3& at, double radius,
                                         const Vec3& half, About about, std::size_t from) noexcept
     : clusters_(&clusters),
-      // Of a point that is farther off than floats go all packets count as near.
-      around_(fits_floats(at) ? Around(at, radius, half) : Around(Vec3::Zero(), beyond_floats)),
-      is_way_(about == About::way && fits_floats(at) && half.squaredNorm() > shortest_way * shortest_way),
+      is_far_(!fits_floats(at) || !fits_floats(half)),
+      around_(is_far_ ? Around(Vec3::Zero(), beyond_floats) : Around(at, radius, half)),
+      is_way_(about == About::way && !is_far_ && half.squaredNorm() > shortest_way * shortest_way),
       level_(clusters.top()),
       at_(at),
       half_(half),

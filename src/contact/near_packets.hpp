@@ -26,6 +26,7 @@ class WindingNumber::NearPackets {
 
   /// From now on those within a smaller radius alone, but for what has been looked at.
   void shrink(double radius) noexcept {
+    if (is_far_) return;
     around_.shrink(radius);
     radius_ = radius;
   }
@@ -63,6 +64,7 @@ class WindingNumber::NearPackets {
   void leave_beside(const Four& four) noexcept;
 
   const WindingNumber* clusters_;
+  bool is_far_;  // than floats go: all packets count as near
   Around around_;
   bool is_way_;
   std::size_t level_;

@@ -41,6 +41,13 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
 
 }  // namespace
 
+/// Nothing where it was broken off; no triangle where none is within reach.
+std::optional<ClosestTriangle> ProxyStart::closest_within(const TriangleTree& tree, const Vec3& q_P,
+                                                          double reach_m, Looks& looks) noexcept {
+  if (looks.is_unlimited()) return tree.closest(q_P, -1, reach_m);
+  return tree.closest(q_P, reach_m, closest_, looks);
+}
+
 /// False where it was broken off.
 bool ProxyStart::lack_of_part(const ProxyWorld& world, int part_number, Looks& looks, Lack& lack) noexcept {
   const PlacedSurface& s = world.surface(part_number);
@@ -48,10 +55,22 @@ bool ProxyStart::lack_of_part(const ProxyWorld& world, int part_number, Looks& l
   const Vec3 q_P = world.in_part(part_number, place_O_);
   lack = {-1, Vec3::UnitZ()};
   if ((q_P.cwiseAbs() - part.half_extent).maxCoeff() > world.clearance_m()) return true;
+  // Of what is not near, all that counts is whether the place is inside, which takes far fewer looks to tell
+  // than what is closest.
+  std::optional<ClosestTriangle> closest;
+  if (!is_deep_) {
+    closest = closest_within(*s.tree, q_P, world.clearance_m(), looks);
+    if (!closest) return false;
+    if (closest->triangle < 0) {
+      const auto inside = s.tree->encloses(q_P, winding_, looks);
+      if (!inside) return false;
+      if (!*inside) return true;
+      is_deep_ = true;
+      closest_ = {};
+    }
+  }
   // What lies deep inside is pushed out, however far it is to the surface.
-  constexpr double any_distance = std::numeric_limits<double>::infinity();
-  const auto closest = looks.is_unlimited() ? s.tree->closest(q_P, -1, any_distance)
-                                            : s.tree->closest(q_P, any_distance, closest_, looks);
+  if (is_deep_) closest = closest_within(*s.tree, q_P, std::numeric_limits<double>::infinity(), looks);
   if (!closest) return false;
   const SurfacePoint near =
       surface_point_at(*s.tree, *closest, q_P + part.centre_P, Normals::facet, world.clearance_m());
@@ -79,6 +98,7 @@ bool ProxyStart::find_worst(const ProxyWorld& world, Looks& looks) noexcept {
   for (; part_ < world.parts().size(); ++part_) {
     Lack lack;
     if (!lack_of_part(world, world.parts()[part_], looks, lack)) return false;
+    is_deep_ = false;
     closest_ = {};
     winding_ = {};
     note(lack);

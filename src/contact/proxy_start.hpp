@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 
 #include "contact/looks.hpp"
 #include "contact/proxy_world.hpp"
@@ -37,6 +38,8 @@ class ProxyStart {
   End push_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
   bool is_going_round() const noexcept;
   bool find_worst(const ProxyWorld& world, Looks& looks) noexcept;
+  std::optional<ClosestTriangle> closest_within(const TriangleTree& tree, const Vec3& q_P, double reach_m,
+                                                Looks& looks) noexcept;
   bool lack_of_part(const ProxyWorld& world, int part, Looks& looks, Lack& lack) noexcept;
   void note(const Lack& lack) noexcept;
 
@@ -48,7 +51,8 @@ class ProxyStart {
   int pushes_ = 0;
   int ticks_ = 0;         // that it was gone on with in
   std::size_t part_ = 0;  // of the world's parts, to be looked at next ...
-  ClosestWalk closest_;   // ... and how far that has come
+  bool is_deep_ = false;  // it is farther than the clearance, and the place inside of it
+  ClosestWalk closest_;   // how far that has come
   WindingWalk winding_;
   Lack worst_;
   bool lacks_ = false;  // a surface is nearer than the clearance: worst_

@@ -9,6 +9,7 @@
 
 #include "base/count_words.hpp"
 #include "replay/batch_files.hpp"
+#include "trace/change_log.hpp"
 
 namespace fingerpad {
 namespace {
@@ -44,6 +45,13 @@ void add_words(const std::string& folder, std::vector<std::string> names, const 
                               fmt::join(names, ", "), more == 0 ? "" : fmt::format(" and {} more", more)));
 }
 
+/// Whether it holds the changes of a scene while a trace was recorded, which a CSV trace has beside it.
+bool is_change_file(const std::string& name, const std::set<std::string>& traces) {
+  return std::ranges::any_of(traces, [&](const std::string& trace) {
+    return trace.ends_with(".csv") && change_file_name(trace) == name;
+  });
+}
+
 }  // namespace
 
 std::vector<std::string> passed_over_words(const std::string& folder, const std::set<std::string>& traces) {
@@ -52,7 +60,9 @@ std::vector<std::string> passed_over_words(const std::string& folder, const std:
   for (fs::directory_iterator at(folder, failure); !failure && at != fs::directory_iterator();
        at.increment(failure)) {
     const std::string name = at->path().filename().string();
-    if (traces.contains(name) || name.starts_with('.') || is_of_the_batch(name)) continue;
+    if (traces.contains(name) || name.starts_with('.') || is_of_the_batch(name) ||
+        is_change_file(name, traces))
+      continue;
     if (at->is_directory(none)) {
       others.push_back(name + "/");
     } else {

@@ -11,7 +11,7 @@ namespace fingerpad {
 /// A trial whose number is far from those of its subject's other trials. It is listed, and counted all the
 /// same.
 struct OutlierTrial {
-  std::size_t trial = 0;  ///< its place in the evidence
+  std::size_t trial = 0;  ///< its place among those that were judged
   std::string name;
   PadNumber number = PadNumber::mu_static;
   double value = 0, usual = 0;  ///< its own, and the median of the subject's

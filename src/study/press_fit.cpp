@@ -12,6 +12,8 @@ namespace {
 
 constexpr double least_own_rms_m = 2e-5;  // of a trial's height: else it does not move, and none was measured
 constexpr double least_spread = 0.1;      // standard deviation of ln n within trials
+// Height that the force does not explain says nothing of the pad: the hand moves, or the plate is not square.
+constexpr double least_explained = 0.5;
 
 bool has_height(const TrialEvidence& trial) {
   return trial.press(0, 0) > least_own_rms_m * least_own_rms_m * static_cast<double>(trial.press_groups);
@@ -23,13 +25,14 @@ std::optional<double> own_depth_at_1_n_m(const TrialEvidence& trial) {
   const double groups = static_cast<double>(trial.press_groups), term_2 = trial.press(1, 1);
   if (!has_height(trial) || !(trial.press_load_2 > least_spread * least_spread * groups) || !(term_2 > 0))
     return std::nullopt;
-  return trial.press(0, 1) / term_2;
+  const double depth_m = trial.press(0, 1) / term_2;
+  if (!(depth_m > 0) || depth_m * trial.press(0, 1) < least_explained * trial.press(0, 0))
+    return std::nullopt;
+  return depth_m;
 }
 
 PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, double about) {
-  // Height that the force does not explain says nothing of the pad: the hand moves, or the plate is not
-  // square.
-  constexpr double least_explained = 0.5, least_rms_m = 5e-5;
+  constexpr double least_rms_m = 5e-5;
   constexpr double least_exponent = 0.5, most_exponent = 10;  // of n over the depth
   PressFit fit;
   /// Sums over a subject's trials.

@@ -143,7 +143,7 @@ void write_chunks(std::span<const ColumnChunk> chunks, std::uint64_t first_row, 
   const Handle* refused = nullptr;  // the first column that HDF5 does not take
   {
     const Turn turn;
-    // Of a full list of chunks all stay in it, and the next begins with the new one: nothing is ever moved.
+    // Of a full list of chunks all but the last stay in it: HDF5 would move a tenth of them.
     const Handle transfer = made(H5Pcreate(H5P_DATASET_XFER), H5Pclose, "");
     H5Pset_btree_ratios(transfer.id(), 0.1, 0.5, 1);
     for (const auto& [column, chunk] : chunks) {

@@ -3,7 +3,7 @@
 // HDF5 1.10 cannot close a file whose last writes failed: it leaves the file half closed and crashes when the
 // library ends, at exit or in MPI_Finalize. So a trace is written through a driver that never refuses: it
 // keeps the first errno, drops what comes after, and the writer asks for that errno after each flush
-// (`write_failure`).
+// (`write_failure`). What a flush writes it holds back, and writes in an order of its own (HeldWrites).
 #include <fcntl.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -22,10 +22,11 @@ namespace {
 struct Disk {
   H5FD_t base{};  // first: HDF5 knows a Disk by it
   int file = -1;
-  int failure = 0;     // errno of the first write that failed
-  haddr_t eoa = 0;     // end of what HDF5 has allotted
-  haddr_t eof = 0;     // end of the file
-  haddr_t length = 0;  // of the file as it is, without what is held
+  int failure = 0;       // errno of the first write that failed
+  haddr_t eoa = 0;       // end of what HDF5 has allotted
+  haddr_t eof = 0;       // end of the file
+  haddr_t length = 0;    // of the file as it is, without what is held
+  haddr_t new_from = 0;  // all before it was there when what was held last had been written
   bool holds = false;
   HeldWrites held;  // while it holds
   struct stat identity {};
@@ -39,6 +40,12 @@ Disk& disk_of(H5FD_t* file) {
 }
 const Disk& disk_of(const H5FD_t* file) {
   return *reinterpret_cast<const Disk*>(file);
+}
+
+/// Null where the file is not open.
+Disk* disk_of(const Handle& file) noexcept {
+  void* disk = nullptr;
+  return H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &disk) < 0 ? nullptr : static_cast<Disk*>(disk);
 }
 
 H5FD_t* disk_open(const char* name, unsigned flags, hid_t, haddr_t) {
@@ -122,7 +129,7 @@ void set_length(Disk& disk, haddr_t length) noexcept {
 void release(Disk& disk) noexcept {
   // The file is to be as long as it will say that it is.
   if (disk.length < disk.eof) set_length(disk, disk.eof);
-  disk.held.release([&disk](std::uint64_t at, std::span<const std::byte> bytes) {
+  disk.held.release(disk.new_from, [&disk](std::uint64_t at, std::span<const std::byte> bytes) {
     write_now(disk, at, bytes.size(), bytes.data());
   });
 }
@@ -145,16 +152,18 @@ herr_t disk_read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, 
 
 thread_local LateBytes* late_bytes = nullptr;
 
+/// Whether that could be done.
+bool holds_back(Disk& disk, haddr_t at, std::span<const std::byte> bytes) noexcept {
+  if (disk.held.hold(at, bytes)) return true;
+  release(disk);
+  return disk.held.hold(at, bytes);
+}
+
 herr_t disk_write(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, const void* from) {
   Disk& disk = disk_of(file);
   const bool is_late = late_bytes != nullptr && late_bytes->notes(file, at, size, from);
-  if (is_late) {
-  } else if (!disk.holds) {
+  if (!is_late && !(disk.holds && holds_back(disk, at, {static_cast<const std::byte*>(from), size})))
     write_now(disk, at, size, from);
-  } else if (!disk.held.hold(at, {static_cast<const std::byte*>(from), size})) {
-    release(disk);
-    write_now(disk, at, size, from);
-  }
   disk.eof = std::max(disk.eof, at + size);
   return 0;
 }
@@ -227,12 +236,6 @@ int last_close_failure() {
   return std::exchange(close_failure, 0);
 }
 
-/// Null where the file is not open.
-Disk* disk_of(const Handle& file) noexcept {
-  void* disk = nullptr;
-  return H5Fget_vfd_handle(file.id(), H5P_DEFAULT, &disk) < 0 ? nullptr : static_cast<Disk*>(disk);
-}
-
 int write_failure(const Handle& file) {
   const Disk* const disk = disk_of(file);
   return disk == nullptr ? 0 : disk->failure;
@@ -245,6 +248,7 @@ bool flush_in_order(const Handle& file) {
   if (disk == nullptr) return flushed;
   disk->holds = false;
   release(*disk);
+  disk->new_from = disk->eof;
   return flushed;
 }
 

@@ -52,10 +52,11 @@ class Handle {
 
 enum class NumberType { float64, int32, uint8 };
 
-// Files and groups. No times are kept, so that equal contents are equal bytes.
-/// How what HDF5 notes of a file lies in it: side by side; or what is as long as a list of chunks at the
-/// start of a page of memory, so that a killed process has written all of it or nothing.
+/// Where HDF5's lists of chunks lie in a file: anywhere; or each at the start of a page of memory, so that a
+/// killed process has written all of it or nothing.
 enum class Layout { tight, paged };
+
+// Files and groups. No times are kept, so that equal contents are equal bytes.
 Handle create_file(const std::string& path, Layout layout = Layout::tight);
 Handle open_file(const std::string& path);
 /// Throws Error (fault) if what was written so far, or any of it, has not reached the file.

@@ -30,7 +30,8 @@ int last_open_failure();
 int last_close_failure();
 /// errno of the first write of this file that failed; 0 if none has.
 int write_failure(const Handle& file);
-/// H5Fflush in an order that leaves the file whole wherever the process is killed; see HeldWrites.
+/// H5Fflush in an order that leaves a file of Layout::paged whole wherever the process is killed; see
+/// HeldWrites. (Not one whose chunks are deflated: they move when they are written again.)
 bool flush_in_order(const Handle& file);
 
 /// Of a chunk that HDF5 is asked to write as it lies in memory: the driver notes where it belongs, and writes

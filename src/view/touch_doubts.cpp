@@ -20,11 +20,10 @@ std::string too_deep_words(const World& world, const TickRecord& row) {
   const Vec3 from_W = row.contact_W - below_m * row.normal_W,
              to_W = row.contact_W - row.depth_m * row.normal_W;
   if (!(row.depth_m > below_m)) return {};
-  const auto exit = line_hit(touched, from_W, to_W);
-  if (!exit) return {};
-  const double thick_m = (exit->point_W - row.contact_W).norm();
-  return fmt::format("{} mm deep in {} mm of part: press less, or stiffen it",
-                     rounded_text(1e3 * row.depth_m, 2), rounded_text(1e3 * thick_m, 2));
+  // How thick it is there is not told: beside an edge the line leaves by the side.
+  if (!line_hit(touched, from_W, to_W)) return {};
+  return fmt::format("{} mm deep, through the part: press less, or stiffen it",
+                     rounded_text(1e3 * row.depth_m, 2));
 }
 
 bool is_too_large_for(const World& world, const Vec3& spot_W, const Vec3& normal_W, double radius_m) {

@@ -182,6 +182,21 @@ TEST(ExistingTrace, OfEitherFormIsKeptUnlessForced) {
   }
 }
 
+TEST(ExistingTrace, ThatWasCutShortIsKeptUnlessForced) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "floor.toml", rubbed_floor);
+  test::write_file(folder, "t.csv.part", "precious");
+  const std::string call =
+      "touch floor.toml --headless --device network --port 0 --seconds 0.05 --record t.csv";
+  const auto refused = test::fingerpad(call, folder);
+  EXPECT_EQ(refused.exit_code, 2);
+  EXPECT_THAT(refused.err,
+              HasSubstr("t.csv.part: is of a recording by that name that was cut short; --force"));
+  EXPECT_EQ(test::bytes_of(folder / "t.csv.part"), "precious");
+  EXPECT_EQ(test::fingerpad(call + " --force", folder).exit_code, 0);
+  EXPECT_FALSE(fs::exists(folder / "t.csv.part"));
+}
+
 }  // namespace
 }  // namespace fingerpad::killed_recording_test
 #endif

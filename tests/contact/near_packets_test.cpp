@@ -105,6 +105,11 @@ TEST(NearPackets, LookAtNoClusterTwice) {
   const auto count = static_cast<long>(packets.packed.packets.size());
   // Fours of packets, of fours, and so on: a third of the packets, and a rest a level.
   EXPECT_LE(near.tests(), count / 3 + 10);
+  // Along a way each is held against its box and against the way.
+  Near beside(packets.winding, Vec3::Zero(), 10, Vec3(0.1, 0, 0), Near::About::way);
+  for (std::size_t packet = 0; beside.next(packet);) {
+  }
+  EXPECT_LE(beside.tests(), 2 * (count / 3 + 10));
 }
 
 TEST(NearPackets, PassOverWhatAShrunkBallHasLeft) {
@@ -129,6 +134,10 @@ TEST(NearPackets, FarOffAllCount) {
   const Vec3 far(1e200, 0, 0);
   EXPECT_EQ(rest_of(Near(packets.winding, far, 1e200)), packets.all());
   EXPECT_EQ(rest_of(Near(packets.winding, far, 1e200, 0.1 * far, Near::About::way)), packets.all());
+  EXPECT_EQ(rest_of(Near(packets.winding, Vec3::Zero(), 1, far, Near::About::way)), packets.all());
+  Near shrunk(packets.winding, far, 1e200);
+  shrunk.shrink(1);
+  EXPECT_EQ(rest_of(shrunk), packets.all());
 }
 
 }  // namespace

@@ -56,6 +56,16 @@ TEST(ProxyLooks, AStartInTheMiddleOfASphereIsFoundInAFewTicks) {
   EXPECT_GT(ticks, 1) << "32,768 triangles are as near as each other";
 }
 
+TEST(ProxyLooks, AFreeFingerIsPlacedAtOnceHoweverManyTrianglesAreAsNear) {
+  const PlacedSurface ring = surface_of(test::torus_soup(0.06, 0.025, 400, 200));
+  for (const Vec3& off : {Vec3(0, 0, 0), Vec3(1e-3, 2e-3, -1e-3), Vec3(0.01, 0, 5e-3)}) {
+    Proxy proxy = fast_proxy({ring}, 0.001, Normals::smooth);
+    proxy.move(ring.tree->part().centre_P + off, 1e-3);
+    EXPECT_TRUE(proxy.state().placed) << off.transpose();
+    EXPECT_FALSE(proxy.state().contact.behind);
+  }
+}
+
 TEST(ProxyLooks, ABallThatFitsNowhereTakesLittleOfATickUntilItIsOut) {
   const TriangleSoup plate = test::box_soup(Vec3(0.04, 0.04, 0.002));
   const PlacedSurface slot =

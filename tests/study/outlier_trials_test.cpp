@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "base/random_stream.hpp"
+#include "study/press_fit.hpp"
 
 namespace fingerpad::outlier_trials_test {
 namespace {
@@ -61,6 +62,23 @@ TEST(OutlierTrials, OfFewTrialsThatDifferByChanceAreHardlyEver) {
     }
     EXPECT_LT(named, 0.02 * sets) << count;  // the test's level is one in a hundred; three deviations above
   }
+}
+
+/// Of a trial in which the hand moves, and the force says nothing of the height, nothing is judged.
+TEST(OutlierTrials, APressThatExplainsNothingIsNoStiffness) {
+  TrialEvidence trial;
+  trial.press_groups = 100;
+  trial.press_load_2 = 100;
+  trial.press(0, 0) = 100 * 1e-6;
+  trial.press(1, 1) = 100;
+  const auto depth = [&](double depth_m) {
+    trial.press(0, 1) = depth_m * trial.press(1, 1);
+    return own_depth_at_1_n_m(trial);
+  };
+  ASSERT_TRUE(depth(9e-4).has_value());
+  EXPECT_DOUBLE_EQ(*depth(9e-4), 9e-4);
+  EXPECT_FALSE(depth(5e-4).has_value()) << "a quarter of the height";
+  EXPECT_FALSE(depth(-9e-4).has_value());
 }
 
 }  // namespace

@@ -62,7 +62,7 @@ void write_and_die(const std::string& path, const TraceInfo& info, const std::ve
 void expect_whole(const TraceInfo& info, std::size_t rows_a_flush, std::size_t grown_over, long from,
                   long to) {
   const std::string path = (test::scratch_dir() / "t.h5").string();
-  const auto rows = test::some_rows(100 * static_cast<long>(rows_a_flush));
+  const auto rows = test::some_rows(150 * static_cast<long>(rows_a_flush));
   for (const bool amid : {false, true}) {
     dies_amid = amid;
     std::size_t before = 0;
@@ -99,26 +99,32 @@ TEST(KilledWriter, LeavesItWhereTheListOfChunksIsParted) {
   expect_whole(info, 1024, 64 * 1024, 250, 300);
 }
 
-TEST(HeldWrites, BeginWithTheStartAndGoFromTheEndTowardsItPageByPage) {
+/// Of the tree's last list, which is full again, the last chunk moves to a new one.
+TEST(KilledWriter, LeavesItWhereAListOfTheTreeIsParted) {
+  TraceInfo info = test::some_info();
+  info.columns = {"t_s"};
+  expect_whole(info, 1024, 126 * 1024, 500, 560);
+}
+
+TEST(HeldWrites, BeginWithTheStartGoOnWithWhatIsNewAndEndWithWhatWasThere) {
   HeldWrites held;
   std::vector<std::byte> bytes(10000);
   for (std::size_t i = 0; i < bytes.size(); ++i) bytes[i] = static_cast<std::byte>(i * 7 % 251);
-  const auto part = [&](std::size_t first, std::size_t size) {
-    return std::span(bytes).subspan(first, size);
-  };
-  EXPECT_TRUE(held.hold(100, part(100, 50)));
+  const auto part = [&](std::size_t at, std::size_t size) { return std::span(bytes).subspan(at, size); };
   EXPECT_TRUE(held.hold(4000, part(4000, 5000)));
+  EXPECT_TRUE(held.hold(100, part(100, 50)));
+  EXPECT_TRUE(held.hold(9500, part(9500, 20)));
   EXPECT_TRUE(held.hold(0, part(0, 100)));
   EXPECT_FALSE(held.hold(149, part(149, 1))) << "it overlaps";
   EXPECT_TRUE(held.hold(150, part(150, 1)));
   std::vector<std::pair<std::uint64_t, std::size_t>> written;
-  held.release([&](std::uint64_t at, std::span<const std::byte> some) {
+  held.release(200, [&](std::uint64_t at, std::span<const std::byte> some) {
     EXPECT_TRUE(std::equal(some.begin(), some.end(), bytes.begin() + static_cast<long>(at)));
     written.emplace_back(at, some.size());
   });
-  const decltype(written) expected = {{0, 100}, {8192, 808}, {4096, 4096}, {4000, 96}, {150, 1}, {100, 50}};
+  const decltype(written) expected = {{0, 100}, {4000, 5000}, {9500, 20}, {100, 50}, {150, 1}};
   EXPECT_EQ(written, expected);
-  held.release([](std::uint64_t, std::span<const std::byte>) { ADD_FAILURE() << "nothing is held"; });
+  held.release(200, [](std::uint64_t, std::span<const std::byte>) { ADD_FAILURE() << "nothing is held"; });
 }
 
 }  // namespace

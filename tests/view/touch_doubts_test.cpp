@@ -42,7 +42,7 @@ TEST(TooDeep, IsToldWhereThePartIsThinnerThanThePressIsDeep) {
   World world;
   world.surfaces = {box_of(Vec3(0.04, 0.04, 0.003), Vec3::Zero()), Surface{}};
   EXPECT_EQ(too_deep_words(world, pressed(0.0029)), "");
-  EXPECT_EQ(too_deep_words(world, pressed(0.02)), "20 mm deep in 3 mm of part: press less, or stiffen it");
+  EXPECT_EQ(too_deep_words(world, pressed(0.02)), "20 mm deep, through the part: press less, or stiffen it");
   TickRecord row = pressed(0.02);
   row.surface = 1;
   EXPECT_EQ(too_deep_words(world, row), "") << "a plane has no other side";
