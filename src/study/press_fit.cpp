@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -14,6 +13,36 @@ constexpr double least_own_rms_m = 2e-5;  // of a trial's height: else it does n
 constexpr double least_spread = 0.1;      // standard deviation of ln n within trials
 // Height that the force does not explain says nothing of the pad: the hand moves, or the plate is not square.
 constexpr double least_explained = 0.5;
+
+/// Sums over a subject's trials, for depth = d n^w with one w, and a d of each trial: trials that differ by
+/// how the finger lies, at other loads, would else pass for another exponent.
+struct Presses {
+  double height2 = 0, by_load = 0;    // the heights' squares; what each trial's d explains of them
+  double depth_load = 0, load = 0;    // of d
+  double bend_m = 0;                  // of what is left beside n^w along n^w ln n
+  double bend_depth = 0, depth2 = 0;  // the same by each trial's d
+  double load2 = 0, groups = 0;
+  long samples = 0, trials = 0;
+
+  /// @param m  sums of (depth, n^w, n^w ln n) with themselves
+  void add(const Mat3& m, int times) {
+    height2 += times * m(0, 0);
+    if (!(m(1, 1) > 0)) return;
+    const double depth = m(0, 1) / m(1, 1), left = m(0, 2) - depth * m(1, 2),
+                 left2 = m(2, 2) - m(1, 2) * m(1, 2) / m(1, 1);
+    depth_load += times * m(0, 1);
+    load += times * m(1, 1);
+    by_load += times * depth * m(0, 1);
+    if (!(left2 > 0)) return;
+    bend_m += times * left;
+    bend_depth += times * depth * left;
+    depth2 += times * depth * depth * left2;
+  }
+  double depth_m() const { return load > 0 ? depth_load / load : 0; }
+  /// How much larger w is than the one that the sums were taken about.
+  double step() const { return depth2 > 0 ? bend_depth / depth2 : 0; }
+  double explained() const { return by_load + step() * bend_depth; }
+};
 
 bool has_height(const TrialEvidence& trial) {
   return trial.press(0, 0) > least_own_rms_m * least_own_rms_m * static_cast<double>(trial.press_groups);
@@ -35,48 +64,38 @@ PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<i
   constexpr double least_rms_m = 5e-5;
   constexpr double least_exponent = 0.5, most_exponent = 10;  // of n over the depth
   PressFit fit;
-  /// Sums over a subject's trials.
-  struct Presses {
-    Mat3 sums = Mat3::Zero();
-    double load2 = 0, groups = 0;
-    long samples = 0, trials = 0;
-  };
   std::map<int, Presses> subjects;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     if (times[i] == 0 || !has_height(trials[i])) continue;
     Presses& own = subjects[trials[i].subject];
-    own.sums += times[i] * trials[i].press;
+    own.add(trials[i].press, times[i]);
     own.load2 += times[i] * trials[i].press_load_2;
     own.groups += static_cast<double>(times[i] * trials[i].press_groups);
     own.samples += times[i] * trials[i].press_samples;
     own.trials += times[i];
   }
   std::erase_if(subjects, [](const auto& one) {
-    return !(one.second.sums(0, 0) > least_rms_m * least_rms_m * one.second.groups);
+    return !(one.second.height2 > least_rms_m * least_rms_m * one.second.groups);
   });
   const auto count = static_cast<double>(subjects.size());
   double height2 = 0, explained = 0, groups = 0, load2 = 0;
   double exponent = 0;
   bool is_settled = true;
   for (const auto& [subject, own] : subjects) {
-    const Mat3& m = own.sums;
     groups += own.groups;
     load2 += own.load2;
     fit.samples += own.samples;
     fit.trials += own.trials;
-    const Eigen::Matrix2d normal = m.bottomRightCorner<2, 2>();
-    const Vec2 right = m.bottomLeftCorner<2, 1>();
-    const Vec2 found = normal.ldlt().solve(right);
-    height2 += m(0, 0);
-    explained += found.dot(right);
+    height2 += own.height2;
+    explained += own.explained();
     // Far from the exponent the height may seem to fall with n^w: then w is on the other side.
     constexpr double most_step = 1.5;
     const double least = about / most_step, most = about * most_step;
     const double next =
-        found[0] > 0 ? std::clamp(about + found[1] / found[0], least, most) : (found[1] > 0 ? most : least);
-    fit.depth_at_1_n_m += std::max(0.0, found[0]) / count;
+        own.depth_m() > 0 ? std::clamp(about + own.step(), least, most) : (own.bend_m > 0 ? most : least);
+    fit.depth_at_1_n_m += std::max(0.0, own.depth_m()) / count;
     exponent += next / count;
-    is_settled = is_settled && found[0] > 0;
+    is_settled = is_settled && own.depth_m() > 0;
   }
   if (subjects.empty()) {
     fit.refusal =
