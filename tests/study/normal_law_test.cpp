@@ -145,8 +145,7 @@ TEST_F(NormalLaw, OfADelayThatHidesItIsRefused) {
   const ProfileFit known = fit_profile(clean(recorded, given), {});
   for (const PadNumber number : {PadNumber::normal_stiffness, PadNumber::normal_exponent}) {
     EXPECT_EQ(of(fit, number).reason, RefusalReason::unknown_delay);
-    EXPECT_THAT(of(fit, number).refusal,
-                HasSubstr("one of 25 ms, as sensors' filters have it, would move it"));
+    EXPECT_THAT(of(fit, number).refusal, HasSubstr("give --delay 7ms"));
     EXPECT_FALSE(fit.interval[static_cast<std::size_t>(number)]);
     EXPECT_EQ(of(known, number).refusal, "");
   }
