@@ -19,7 +19,8 @@ namespace fingerpad {
 SubjectKind subject_kind(const std::string& path) {
   if (path.ends_with(".toml") || path == "-") return SubjectKind::scene;
   refuse_false_hdf5(path);
-  if (path.ends_with(".csv") || is_hdf5(path)) return SubjectKind::trace;
+  const bool is_csv = path.ends_with(".csv") || path.ends_with(".csv.part");  // one that was cut short
+  if (is_csv || is_hdf5(path)) return SubjectKind::trace;
   return SubjectKind::mesh;
 }
 

@@ -66,7 +66,7 @@ bool ProxyStart::lack_of_part(const ProxyWorld& world, int part_number, Looks& l
       if (!inside) return false;
       if (!*inside) return true;
       is_deep_ = true;
-      closest_ = {};
+      closest_.next = 0;  // from the triangle that it began near
     }
   }
   // What lies deep inside is pushed out, however far it is to the surface.

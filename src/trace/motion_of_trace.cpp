@@ -25,7 +25,8 @@ void take_attitude(const std::string& path, std::size_t i, const TickRecord& row
 }  // namespace
 
 Motion motion_of_trace(const Trace& trace, const std::string& path, bool reads_normal_force) {
-  if (trace.rows.empty()) throw refused(path, "the trace has no rows");
+  if (trace.rows.empty())
+    throw refused(path, "the trace has no rows" + (trace.complete ? "" : ": it " + trace.cut));
   const auto count = static_cast<Eigen::Index>(trace.rows.size());
   Motion motion;
   motion.p_WQ.resize(3, count);

@@ -143,6 +143,14 @@ TEST_F(CutTrace, IsPlottedAndShownWithAWarning) {
     EXPECT_EQ(told(call), "fingerpad: warning: cut/s.csv" + words) << call;
   EXPECT_EQ(told("plot whole/s.csv --out p.svg"), "");
 }
+
+TEST_F(CutTrace, ThatARecordingLeftIsShown) {
+  test::write_file(folder, "mine.csv.part", bytes_of(folder / "whole/s.csv"));
+  EXPECT_THAT(
+      told("view mine.csv.part --png v.png"),
+      HasSubstr("fingerpad: warning: mine.csv.part: is of a recording that was cut short; read up to"));
+  EXPECT_TRUE(fs::exists(folder / "v.png"));
+}
 #endif
 
 }  // namespace

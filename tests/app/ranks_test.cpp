@@ -168,7 +168,7 @@ TEST(Ranks, WhoseLauncherIsGoneBeforeTheyBeginWriteNothing) {
 }
 
 TEST(Ranks, ShareABatchUnderSlurmByTheScriptsInTools) {
-  const fs::path folder = folder_with_batch(100000);
+  const fs::path folder = folder_with_batch(250000);
   const std::string tool = "'" + (test::source_dir() / "tools").string() + "/";
   // As `sbatch --wait`, which looks after 2 s and then after 8 more.
   std::ofstream(folder / "batch") << R"sh(job=$(sbatch --parsable "$@")

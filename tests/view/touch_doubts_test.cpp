@@ -85,7 +85,7 @@ std::string hint_of(double radius_m, bool in_hole) {
   WindowOptions options;
   options.width = 600;
   options.height = 400;
-  options.events = {{0.1, Kind::move, "", 189, in_hole ? 242 : 90}, {1.5, Kind::key, "q"}};
+  options.events = {{0.1, Kind::move, "", 189, in_hole ? 242 : 90}, {3.0, Kind::key, "q"}};
   std::string hint;
   options.on_frame = [&](const WindowReport& report) { hint = report.hint; };
   run_touch_window(input, options);
