@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <optional>
 
@@ -11,19 +12,21 @@
 namespace fingerpad {
 namespace {
 
-/// What a trial alone says of a number; nothing where it says little.
-std::optional<double> own_number(const TrialEvidence& trial, PadNumber number,
-                                 const std::optional<double>& press_exponent) {
-  const auto mean = [](double sum, long count, long fewest) -> std::optional<double> {
-    if (count < fewest) return std::nullopt;
-    return sum / static_cast<double>(count);
-  };
-  const auto stiffness = [&](std::size_t axis) -> std::optional<double> {
-    const SpringSums &sums = trial.spring[axis], &other = trial.spring[1 - axis];
-    if (!(sums(spring_straight, spring_straight) > 0.1 * other(spring_straight, spring_straight)) ||
-        trial.stick_samples < 20)
-      return std::nullopt;
-    return sums(spring_straight, spring_straight) / sums(spring_position, spring_straight);
+constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
+
+/// The stiffness that a trial's stick has along an axis.
+double own_stiffness(const TrialEvidence& trial, std::size_t axis) {
+  const SpringSums &sums = trial.spring[axis], &other = trial.spring[1 - axis];
+  if (!(sums(spring_straight, spring_straight) > 0.1 * other(spring_straight, spring_straight)) ||
+      trial.stick_samples < 20)
+    return nothing;
+  return sums(spring_straight, spring_straight) / sums(spring_position, spring_straight);
+}
+
+/// What a trial alone says of a number; `nothing` where it says little.
+double own_number(const TrialEvidence& trial, PadNumber number, const std::optional<double>& press_exponent) {
+  const auto mean = [](double sum, long count, long fewest) {
+    return count < fewest ? nothing : sum / static_cast<double>(count);
   };
   switch (number) {
     case PadNumber::mu_static:
@@ -33,15 +36,13 @@ std::optional<double> own_number(const TrialEvidence& trial, PadNumber number,
     case PadNumber::v_min:
       return mean(trial.stop_speed_m_per_s, trial.stops, 2);
     case PadNumber::stick_stiffness:
-      return stiffness(0);
+      return own_stiffness(trial, 0);
     case PadNumber::longitudinal_stiffness:
-      return stiffness(1);
-    case PadNumber::normal_stiffness: {
-      const auto depth_m = press_exponent ? own_depth_at_1_n_m(trial) : std::nullopt;
-      return depth_m ? std::optional(1 / (*depth_m * *press_exponent)) : std::nullopt;
-    }
+      return own_stiffness(trial, 1);
+    case PadNumber::normal_stiffness:
+      return press_exponent ? 1 / (own_depth_at_1_n_m(trial).value_or(nothing) * *press_exponent) : nothing;
     default:
-      return std::nullopt;
+      return nothing;
   }
 }
 
@@ -95,9 +96,10 @@ std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
         PadNumber::longitudinal_stiffness, PadNumber::normal_stiffness}) {
     const double least_share = number == PadNumber::v_min ? 0.25 : 0.1;  // it rests on a few ends of slip
     std::map<Alike, std::vector<OwnNumber>> groups;
-    for (std::size_t i = 0; i < evidence.size(); ++i)
-      if (const auto own = own_number(evidence[i], number, press_exponent))
-        groups[alike(evidence[i], number)].emplace_back(i, *own);
+    for (std::size_t i = 0; i < evidence.size(); ++i) {
+      const double own = own_number(evidence[i], number, press_exponent);
+      if (!std::isnan(own)) groups[alike(evidence[i], number)].emplace_back(i, own);
+    }
     for (const auto& [key, trials] : groups) {
       if (trials.size() < fewest) continue;
       if (trials.size() < fewest_of_many) {
