@@ -246,9 +246,8 @@ void add_compare(CLI::App& program, Action& action) {
       "columns, and before it where its motion is another; --out has a row for each column. Rows are set "
       "against each other by their time, those of an HDF5 trace "
       "against those of a CSV one too. Where a folder holds no trace, a line for each job and its figures "
-      "of summary.csv. Jobs of one folder alone are counted, and files that are no traces named. With "
-      "--quiet "
-      "--out nothing is printed. "
+      "of summary.csv. Jobs of one folder alone are counted, and files that are no traces named. "
+      "With --quiet --out nothing is printed. "
       "Ends 0 where all are alike, 4 where something changed.");
   command->callback([options, &action] { action = [options] { return compare(*options); }; });
 }

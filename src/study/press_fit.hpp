@@ -20,7 +20,8 @@ struct PressFit {
 PressFit fit_press(const std::vector<TrialEvidence>& trials, const std::vector<int>& times, double about);
 
 /// B as one trial alone says it at the exponent that its sums were taken about; nothing where its height does
-/// not move or its load hardly changes. Below 0 where it rises as it is pressed.
+/// not move, rises as it is pressed or is explained by the force to less than a half, or its load hardly
+/// changes.
 std::optional<double> own_depth_at_1_n_m(const TrialEvidence& trial);
 
 }  // namespace fingerpad

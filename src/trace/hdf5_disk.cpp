@@ -135,7 +135,7 @@ void release(Disk& disk) noexcept {
 }
 
 herr_t disk_read(H5FD_t* file, H5FD_mem_t, hid_t, haddr_t at, std::size_t size, void* out) {
-  release(disk_of(file));
+  if (disk_of(file).holds) release(disk_of(file));
   auto* bytes = static_cast<char*>(out);
   while (size > 0) {
     const ssize_t count = pread(disk_of(file).file, bytes, size, static_cast<off_t>(at));

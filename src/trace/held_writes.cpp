@@ -12,10 +12,10 @@ bool HeldWrites::hold(std::uint64_t at, std::span<const std::byte> bytes) noexce
   });
   if (overlaps) return false;
   try {
-    held_.push_back({at, bytes_.size(), bytes.size()});
+    const std::size_t first = bytes_.size();
     bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
-  } catch (const std::bad_alloc&) {
-    if (!held_.empty() && held_.back().at == at) held_.pop_back();
+    held_.push_back({at, first, bytes.size()});
+  } catch (const std::bad_alloc&) {  // bytes that nothing names go with the rest
     return false;
   }
   return true;
