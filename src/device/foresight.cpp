@@ -46,13 +46,18 @@ double Foresight::normal_force_n(const Contact& contact, const Vec3& p_W, double
   return sum_n;
 }
 
+double Foresight::tried_n(const Contact& contact, const Vec3& p_W, double dt_s) noexcept {
+  held_W_ = contact.hold_count > 0 ? Vec3(p_W + contact.depth_m * contact.normal_W) : p_W;
+  return normal_force_n(contact, p_W, dt_s);
+}
+
 double Foresight::try_n(const Vec3& p_W, double dt_s) noexcept {
-  if (method_->plain) return normal_force_n(method_->plain->touch(p_W, dt_s), p_W, dt_s);
+  if (method_->plain) return tried_n(method_->plain->touch(p_W, dt_s), p_W, dt_s);
   if (!method_->tries) return 0;
   if (strayed_) method_->tries->resume(method_->goes->state());
   strayed_ = true;
   tried_W_ = p_W;
-  return normal_force_n(method_->tries->move(p_W, dt_s), p_W, dt_s);
+  return tried_n(method_->tries->move(p_W, dt_s), p_W, dt_s);
 }
 
 double Foresight::go_n(const Vec3& p_W, double dt_s) noexcept {

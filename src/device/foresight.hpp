@@ -25,6 +25,9 @@ class Foresight {
   /// tried; what a try gives may differ from what go() gives where two answers lie within rounding.
   /// noexcept, allocates nothing, as all here.
   double try_n(const Vec3& p_W, double dt_s) noexcept;
+  /// Where on the surface's outer side the last try held the finger's centre; the tried place itself where it
+  /// touched nothing.
+  const Vec3& held_W() const noexcept { return held_W_; }
   /// The finger goes there. @returns the normal force that its tick will give
   double go_n(const Vec3& p_W, double dt_s) noexcept;
   /// Another way of touching, as it begins.
@@ -38,12 +41,14 @@ class Foresight {
 
  private:
   double normal_force_n(const Contact& contact, const Vec3& p_W, double dt_s) noexcept;
+  double tried_n(const Contact& contact, const Vec3& p_W, double dt_s) noexcept;
 
   std::shared_ptr<const World> kept_;
   const World* world_;  ///< kept_, until its surfaces have other properties
   std::unique_ptr<Method> method_;
-  ProxyState before_;     ///< of the proxy that goes, before its last step
-  bool strayed_ = false;  ///< the one for trying stands elsewhere than the one that goes
+  ProxyState before_;           ///< of the proxy that goes, before its last step
+  bool strayed_ = false;        ///< the one for trying stands elsewhere than the one that goes
+  Vec3 held_W_ = Vec3::Zero();  ///< of the last try
   Vec3 tried_W_ = Vec3::Zero(), last_W_ = Vec3::Zero(), last_but_one_W_ = Vec3::Zero();
   Walls walls_;
 };

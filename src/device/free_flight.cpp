@@ -38,6 +38,7 @@ FreeFlight::FreeFlight(Surroundings& around, const Vec3& start_W) noexcept
       trail_(0.5 * soft_m_),
       least_left_m_(without_end),
       goal_W_(start_W),
+      went_up_for_W_(Vec3::Constant(without_end)),
       given_up_W_(Vec3::Constant(without_end)) {
   trail_.begin(start_W);
 }
@@ -125,7 +126,16 @@ void FreeFlight::choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& 
   const bool rested = std::exchange(rests_, way_ == Way::straight && (left_m < 0.5 * soft_m_ || near_enough));
   // The clock of one that rested has run on: when its goal sets out, by however little at first, it begins
   // anew. Else a finger that hovers and is pressed would be taken for one to whose goal nothing leads.
-  if (held_up && !rests_) take(rested ? Way::straight : Way::up);
+  if (held_up && !rests_) take_another(rested);
+}
+
+/// Once above all parts and down again is enough: what is held up for the same goal after that as well has
+/// come as near as it can.
+void FreeFlight::take_another(bool rested) noexcept {
+  if (rested) return take(Way::straight);
+  if ((goal_W_ - went_up_for_W_).norm() < 2 * soft_m_) return give_up();
+  went_up_for_W_ = goal_W_;
+  take(Way::up);
 }
 
 void FreeFlight::give_up() noexcept {

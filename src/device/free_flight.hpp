@@ -52,6 +52,7 @@ class FreeFlight {
   void choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& towards_eye_W, bool blocked,
                   double dt_s) noexcept;
   bool is_held_up(double left_m, double dt_s) noexcept;
+  void take_another(bool rested) noexcept;
   void give_up() noexcept;
   void take(Way way) noexcept;
 
@@ -65,6 +66,7 @@ class FreeFlight {
   double least_left_m_;  ///< how near the goal it has come on this way ...
   double delay_s_ = 0;   ///< ... and for how long no nearer
   Vec3 goal_W_;          ///< the last one
+  Vec3 went_up_for_W_;   ///< one for which it went up above all parts
   Vec3 given_up_W_;      ///< one to which no way has led
 };
 

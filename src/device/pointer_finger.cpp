@@ -64,6 +64,7 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
   const Vec3 last_W = aim_.finger.p_WQ;
   aim_ = path_.advance(dt_s);
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_W) / dt_s - pace_W_);
+  still_s_ = aim_.finger.p_WQ == last_W ? still_s_ + dt_s : 0;
   wanted_n_ = aim_.finger.push_W_n.norm();
   doing_ = next_doing(dt_s);
   if (doing_ == Doing::flies) {
@@ -201,16 +202,29 @@ void PointerFinger::land(double dt_s) noexcept {
   try_step(Vec3::Zero(), std::numeric_limits<double>::infinity(), dt_s);
 }
 
-/// Along the surface after the pointer; slowly where that has led no nearer for a while.
+/// Along the surface after the pointer; slowly where that has led no nearer for a while, and ever less after
+/// one that rests: a still pointer has a still finger in the end, also where it is pressed in so deep that no
+/// place holds it.
 Vec3 PointerFinger::aside(double dt_s) const noexcept {
   if (touched_.normal_force_n > press_too_hard * wanted_n_) return Vec3::Zero();
   const Vec3& normal_W = touched_.normal_W;
   const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W();
   const Vec3 along_W = way_W - way_W.dot(normal_W) * normal_W;
-  const double pull = delay_s_ > leash_s ? slow_share : 1;
+  const double fades = std::exp(-std::max(0.0, still_s_ - following_s) / fading_s);
+  const double pull = fades * (delay_s_ > leash_s ? slow_share : 1);
   const double share = pull * (1 - std::exp(-aside_per_s * dt_s)), length_m = along_W.norm();
   const double most_m = pull * fastest_per_s * around_.radius_m() * dt_s;
   return length_m * share > most_m ? Vec3(along_W * (most_m / length_m)) : Vec3(along_W * share);
+}
+
+/// Whether a step aside takes the finger's skin the other way: pressed in deeper than its radius over an
+/// edge, the finger turns about it as a lever. Steps that follow the pointer would swing it to and fro
+/// without end.
+bool PointerFinger::turns_about_edge(const Vec3& deeper_W, const Vec3& aside_W, double dt_s) noexcept {
+  const Vec3 from_W = flight_.place_W();
+  if (aside_W.isZero(0) || foresight_.try_n(from_W + deeper_W + aside_W, dt_s) == 0) return false;
+  const Vec3 held_W = from_W + touched_.depth_m * touched_.normal_W;
+  return (foresight_.held_W() - held_W).dot(aside_W) < 0;
 }
 
 void PointerFinger::press(double dt_s) noexcept {
@@ -219,6 +233,7 @@ void PointerFinger::press(double dt_s) noexcept {
       -deeper_m(touched_, wanted_n_, around_.properties(std::max(touched_.surface, 0)), dt_s) *
       touched_.normal_W;
   Vec3 aside_W = aside(dt_s);
+  if (turns_about_edge(deeper_W, aside_W, dt_s)) aside_W.setZero();
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
     if (try_step(deeper_W + aside_W, within(tried_share), dt_s)) return;
   }

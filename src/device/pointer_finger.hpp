@@ -48,6 +48,7 @@ class PointerFinger final : public LiveDevice {
   bool can_follow(double dt_s) noexcept;
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;
+  bool turns_about_edge(const Vec3& deeper_W, const Vec3& aside_W, double dt_s) noexcept;
   void press(double dt_s) noexcept;
   void lift(double dt_s) noexcept;
   bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
@@ -63,6 +64,7 @@ class PointerFinger final : public LiveDevice {
   // The servo's thread's.
   PointerAim aim_;
   Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]
+  double still_s_ = 0;          // so long it has rested
   FreeFlight flight_;
   FingerSample finger_;
   Doing doing_ = Doing::flies;
