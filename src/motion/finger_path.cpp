@@ -25,9 +25,9 @@ long ticks_between(double start_s, double end_s, double rate_hz) {
 
 /// The sample after `t_s`, or one behind the last. Clocks are mostly even: the place that an even one has is
 /// tried before the search.
-Eigen::Index sample_after(const std::vector<double>& t_s, double at_s) noexcept {
+Eigen::Index sample_after(const std::vector<double>& t_s, double at_s, double samples_per_s) noexcept {
   const auto count = static_cast<Eigen::Index>(t_s.size());
-  const double place = (at_s - t_s.front()) / (t_s.back() - t_s.front()) * static_cast<double>(count - 1);
+  const double place = (at_s - t_s.front()) * samples_per_s;
   if (place >= 0 && place < static_cast<double>(count - 1)) {
     const auto guess = static_cast<Eigen::Index>(place);
     for (Eigen::Index right = std::max<Eigen::Index>(1, guess); right < std::min(count, guess + 3); ++right) {
@@ -44,17 +44,20 @@ struct Between {
   double share;
 };
 
-Between between(const std::vector<double>& t_s, double at_s) noexcept {
+Between between(const std::vector<double>& t_s, double at_s, double samples_per_s) noexcept {
   const auto last = static_cast<Eigen::Index>(t_s.size()) - 1;
-  const auto right = std::clamp<Eigen::Index>(sample_after(t_s, at_s), std::min<Eigen::Index>(1, last), last);
+  const auto right =
+      std::clamp<Eigen::Index>(sample_after(t_s, at_s, samples_per_s), std::min<Eigen::Index>(1, last), last);
   const Eigen::Index left = std::max<Eigen::Index>(right - 1, 0);
   const double t_left = t_s[static_cast<std::size_t>(left)];
+  if (at_s == t_left) return {left, right, 0};
   const double span = t_s[static_cast<std::size_t>(right)] - t_left;
   return {left, right, span > 0 ? std::clamp((at_s - t_left) / span, 0.0, 1.0) : 0.0};
 }
 
-FingerSample interpolated(const Motion& motion, double t_s, const Vec3& direction_W) noexcept {
-  const auto [left, right, u] = between(motion.t_s, t_s);
+FingerSample interpolated(const Motion& motion, double t_s, double samples_per_s,
+                          const Vec3& direction_W) noexcept {
+  const auto [left, right, u] = between(motion.t_s, t_s, samples_per_s);
 
   FingerSample sample;
   sample.t_s = t_s;
@@ -98,6 +101,7 @@ FingerPath::FingerPath(Motion motion, double rate_hz, const Vec3& direction_W)
       direction_W_(direction_W),
       t0_s_(motion.t_s.front()),
       end_s_(motion.t_s.back()),
+      samples_per_s_(static_cast<double>(motion.t_s.size() - 1) / (end_s_ - t0_s_)),
       tick_count_(ticks_between(motion.t_s.front(), motion.t_s.back(), rate_hz)) {
   motion_ = std::make_shared<const Motion>(std::move(motion));
 }
@@ -168,7 +172,8 @@ bool FingerPath::has_measured_force() const noexcept {
 
 Vec3 FingerPath::measured_force_W_n(long k) const noexcept {
   const Motion& motion = *recording();
-  const auto [left, right, u] = between(motion.t_s, t0_s_ + static_cast<double>(k) / rate_hz_);
+  const auto [left, right, u] =
+      between(motion.t_s, t0_s_ + static_cast<double>(k) / rate_hz_, samples_per_s_);
   return (1 - u) * motion.force_W_n.col(left) + u * motion.force_W_n.col(right);
 }
 
@@ -179,7 +184,7 @@ FingerSample FingerPath::at(long k) const noexcept {
 FingerSample FingerPath::at_time(double t_s) const noexcept {
   if (const auto* scripted = std::get_if<ScriptedMotion>(&motion_))
     return {t_s, scripted->at(t_s), direction_W_};
-  return interpolated(*recording(), t_s, direction_W_);
+  return interpolated(*recording(), t_s, samples_per_s_, direction_W_);
 }
 
 }  // namespace fingerpad

@@ -62,6 +62,7 @@ class FingerPath {
   double rate_hz_;
   Vec3 direction_W_;
   double t0_s_ = 0, end_s_ = 0;
+  double samples_per_s_ = 0;  // of a recording, on average
   long tick_count_ = 0;
 };
 

@@ -35,4 +35,18 @@ TangentialMotion tangential_motion(const SkinMotion& skin, const FingerStand& fi
 /// How steeply a finger stands on a surface, 0 .. pi/2; both of unit length.
 double inclination_rad(const Vec3& direction_W, const Vec3& normal_W) noexcept;
 
+/// The same, tick by tick: of a finger that lies on a facet as it lay before, it is not reckoned again.
+class LastInclination {
+ public:
+  double of(const Vec3& direction_W, const Vec3& normal_W) noexcept {
+    if (direction_W.dot(normal_W) == cosine_) return inclination_rad_;
+    cosine_ = direction_W.dot(normal_W);
+    return inclination_rad_ = inclination_rad(direction_W, normal_W);
+  }
+
+ private:
+  double cosine_ = 2;  ///< that no two directions have
+  double inclination_rad_ = 0;
+};
+
 }  // namespace fingerpad

@@ -186,7 +186,7 @@ void Touch::answer(const Contact& contact, const FingerSample& sample, const Ski
   memories_.follow(walls_, finger.direction_W);
   double pushed_n = push(skin.velocity_W);
   if (sample.normal_force_n) pushed_n = press(usable_force_n(*sample.normal_force_n), pushed_n);
-  record.inclination_rad = inclination_rad(finger.direction_W, contact.normal_W);
+  record.inclination_rad = inclination_.of(finger.direction_W, contact.normal_W);
   Forces sum = forces(skin, finger, pushed_n, record);
   if (vibration_) vibrate(sum);
 

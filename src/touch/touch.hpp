@@ -86,7 +86,8 @@ class Touch {
   bool has_last_ = false;
   Vec3 last_W_ = Vec3::Zero();  ///< Q at the last tick
   FingerSample last_lay_;       ///< how the finger lay then; of a finger with a radius
-  Walls walls_;                 ///< of this tick
+  LastInclination inclination_;
+  Walls walls_;  ///< of this tick
   WallMemories memories_;
   FacetsAtHand facets_;  ///< that stick centres came to lie on last
 
