@@ -61,7 +61,8 @@ class OverlayPainter {
   void paint_title() {
     drawing_.box(with_rim(layout_.title), colours::white);
     const double middle = layout_.title.centre().y(), right = layout_.title.right() - 0.7 * em_;
-    const std::string hint = fitted(facts_.hint, 0.95 * em_, false, 0.5 * layout_.title.width);
+    // A name that is cut is known all the same; what a recording or a press comes to is not.
+    const std::string hint = fitted(facts_.hint, 0.95 * em_, false, 0.65 * layout_.title.width);
     const double room = right - text_width(hint, 0.95 * em_) - 2 * em_;
     const std::string title = fitted(facts_.title, 1.15 * em_, true, room);
     drawing_.text({0.7 * em_, middle}, title, {.size = 1.15 * em_, .upright = Upright::middle, .bold = true});

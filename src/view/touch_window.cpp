@@ -177,8 +177,9 @@ class TouchWindow {
     return input_.view.world ? too_deep_words(*input_.view.world, row) : "";
   }
 
-  const char* what_it_does() const {
-    return pointer_.pressing() ? "pressing" : pointer_.turns_view() ? "turning the view" : "hovering";
+  const char* what_it_does(const TickRecord& row) const {
+    if (pointer_.pressing()) return row.walls > 0 ? "pressing" : "pressing, touches nothing";
+    return pointer_.turns_view() ? "turning the view" : "hovering";
   }
 
   void follow() {
@@ -190,7 +191,7 @@ class TouchWindow {
     const char* const held = stage_.charts().zoomed() ? "   charts held: r lets them run on" : "";
     // What must be read comes first: a long name may be cut.
     const std::string press =
-        input_.pointer_leads ? fmt::format("press {:.2f} N ({})", pointer_.press_n(), what_it_does()) : "";
+        input_.pointer_leads ? fmt::format("press {:.2f} N ({})", pointer_.press_n(), what_it_does(row)) : "";
     const std::string doubts = doubt(row);
     const std::string line = fmt::format("{}{}{}{}   h help{}{}", press, doubts.empty() ? "" : "   ", doubts,
                                          held, note.empty() ? "" : "   ", note);
