@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "study/fit_report.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::fit_figures_test {
@@ -43,9 +44,15 @@ std::vector<test::KnownTrial> rubs_of_two() {
   return trials;
 }
 
+/// Of rubs_of_two(), which several tests look at.
+const Pictured& pictured_rubs() {
+  static const Pictured of(rubs_of_two());
+  return of;
+}
+
 /// Windows are as long in time at either rate.
 TEST(FitFigures, RingsStandWhereSlipEndsAtVMin) {
-  for (const double rate_hz : {1000.0, 500.0}) {
+  for (const double rate_hz : test::cases({1000.0, 500.0})) {
     test::KnownSensors sensors;
     sensors.rate_hz = rate_hz;
     const Pictured of(rubs_of_two(), sensors);
@@ -72,7 +79,7 @@ TEST(FitFigures, RingsStandWhereSlipEndsAtVMin) {
 }
 
 TEST(FitFigures, LevelsStandEitherWayOfTheMotionAndHaveNames) {
-  const Pictured of(rubs_of_two());
+  const Pictured& of = pictured_rubs();
   const Chart chart = phase_change_figure(of.source);
   const auto names = [](const ChartPanel& panel) {
     std::vector<std::string> found;
@@ -117,7 +124,7 @@ TEST(FitFigures, APictureSaysWhichOfItsNumbersAreRefused) {
               HasSubstr("vibration_hz, vibration_bandwidth_hz refused: 2 trials"));
   const Chart spectrum = slip_spectrum_figure(two.source);
   EXPECT_EQ(spectrum.panels[0].curves.size(), 2U);  // no line where a vibration would be
-  const Pictured whole(rubs_of_two());
+  const Pictured& whole = pictured_rubs();
   EXPECT_THAT(slip_spectrum_figure(whole.source).panels[0].curves[2].name, HasSubstr("vibration, 8"));
   EXPECT_THAT(slip_spectrum_figure(whole.source).notes, testing::IsEmpty());
 }
@@ -129,7 +136,8 @@ std::string all_notes(const Chart& chart) {
 }
 
 TEST(FitFigures, WhatTheLevelsOverOneTrialAreOfIsSaid) {
-  const Pictured two(rubs_of_two()), one({{2, 45, 0}, {2, 45, 90}, {2, 45, 45}});
+  const Pictured& two = pictured_rubs();
+  const Pictured one({{2, 45, 0}, {2, 45, 90}, {2, 45, 45}});
   EXPECT_THAT(
       all_notes(phase_change_figure(two.source)),
       testing::ContainsRegex("v_min, mu_s, mu_d: the profile's \\(at 1.03 N\\), of all 2 subjects; the "
@@ -276,7 +284,7 @@ TEST(FitFigures, AVMinThatAStepTellsIsMarkedWhereItIsPassed) {
 }
 
 TEST(FitFigures, EachBoundaryOfEveryTrialIsTabledWithItsReason) {
-  const Pictured of(rubs_of_two());
+  const Pictured& of = pictured_rubs();
   const StudyTable table = boundaries_table(of.source);
   std::size_t boundaries = 0;
   for (std::size_t k = 0; k < of.measurement.trials.size(); ++k) {
@@ -294,7 +302,7 @@ TEST(FitFigures, EachBoundaryOfEveryTrialIsTabledWithItsReason) {
 
 /// What told the phases lies on its side of the border.
 TEST(FitFigures, TheLocalStiffnessThatIsDrawnIsTheOneThatToldThePhases) {
-  const Pictured of(rubs_of_two());
+  const Pictured& of = pictured_rubs();
   const MeasuredTrial& trial = of.measurement.trials.front();
   const StickSegments& segments = of.stick.segments.front();
   const std::vector<double> per_m = local_stiffness_per_m(trial, segments);
