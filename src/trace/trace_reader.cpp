@@ -52,8 +52,11 @@ bool is_hdf5(const std::string& path) {
 
 void refuse_false_hdf5(const std::string& path) {
   const bool says_hdf5 = path.ends_with(".h5") || path.ends_with(".hdf5");
-  if (says_hdf5 && !is_hdf5(path) && !why_unreadable(path, trace_file))
-    throw refused(path, "is no HDF5 file, as its name says: it is damaged, or something else by that name");
+  if (!says_hdf5 || is_hdf5(path) || why_unreadable(path, trace_file)) return;
+  std::error_code vanished;
+  if (std::filesystem::file_size(path, vanished) == 0 && !vanished)
+    throw refused(path, "is empty: whatever was to write it ended before it had begun");
+  throw refused(path, "is no HDF5 file, as its name says: it is damaged, or something else by that name");
 }
 
 Trace read_trace(const std::string& path, TraceContents contents) {

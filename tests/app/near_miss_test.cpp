@@ -130,6 +130,9 @@ TEST(NearMiss, OfAnHdf5FileByItsNameIsNotReadAsText) {
               "fingerpad: error: run.h5: is no HDF5 file, as its name says: it is damaged, or "
               "something else by that name\n");
   }
+  test::write_file(folder, "empty.h5", "");
+  EXPECT_EQ(test::fingerpad("export empty.h5 --out a.csv", folder).err,
+            "fingerpad: error: empty.h5: is empty: whatever was to write it ended before it had begun\n");
 }
 
 TEST(NearMiss, OfAnOptionsWordOrASubjectIsTold) {
