@@ -78,38 +78,4 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
   return best;
 }
 
-WallsTogether together(std::span<const ProxyWall> walls) noexcept {
-  std::array<Vec3, 3> normals;
-  for (std::size_t i = 0; i < walls.size(); ++i) normals[i] = walls[i].normal;
-  return {normals, static_cast<int>(walls.size())};
-}
-
-ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls,
-                                   const WallsTogether& together) noexcept {
-  ProxyProjection p;
-  p.active = {0, 1, 2};
-  p.active_count = static_cast<int>(walls.size());
-  if (!together.fix_shares()) return p;
-  std::array<double, 3> lack_m{};
-  for (std::size_t i = 0; i < walls.size(); ++i) lack_m[i] = walls[i].lack_m(goal);
-  p.share_m = together.shares_m(lack_m);
-  p.z = goal;
-  p.found = true;
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    p.z += p.share_m[i] * walls[i].normal;
-    p.found &= p.share_m[i] > 0;
-  }
-  return p;
-}
-
-ProxyProjection with_walls_nearer(ProxyProjection onto_every, const WallsTogether& together,
-                                  double nearer_m) noexcept {
-  onto_every.found = true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(onto_every.active_count); ++i) {
-    onto_every.share_m[i] -= nearer_m * together.per_metre_nearer()[i];
-    onto_every.found &= onto_every.share_m[i] > 0;
-  }
-  return onto_every;
-}
-
 }  // namespace fingerpad

@@ -53,16 +53,4 @@ std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const Pr
 ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,
                                    double tolerance_m) noexcept;
 
-/// The same where every one of at most three walls is known to hold: found where all multipliers are
-/// positive, which makes the place where the planes meet the closest.
-/// @param together  what the walls' normals fix
-ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls,
-                                   const WallsTogether& together) noexcept;
-/// What becomes of such a projection's multipliers, and of `found`, where every wall stands nearer by so
-/// much. The place is left as it was.
-ProxyProjection with_walls_nearer(ProxyProjection onto_every, const WallsTogether& together,
-                                  double nearer_m) noexcept;
-/// @pre at most three walls
-WallsTogether together(std::span<const ProxyWall> walls) noexcept;
-
 }  // namespace fingerpad
