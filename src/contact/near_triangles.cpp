@@ -150,7 +150,7 @@ bool NearTriangles::look_at(std::size_t k, const Vec3& place_P, double clearance
   const TriangleApproach approach = approach_triangle(near.corners, place_P);
   near.seen = true;
   near.seen_from_P = place_P;
-  near.first = {approach.at.point, approach.towards, approach.distance_m};
+  near.first = FirstApproach(approach);
   near.gap_m = approach.distance_m - clearance_m;
   bounds_[k] = GapBound(approach, place_P, clearance_m);
   return true;

@@ -94,9 +94,9 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
     if (before.hide(corners)) return;
     if (!looks_.is_unlimited() && round.worst.is_cleared_by_facet(world_, way, corners)) return;
     looks_.spend(LookCosts::told);
-    const TriangleApproach a = approach_triangle(corners, way.from_P);
+    const FirstApproach first(approach_triangle(corners, way.from_P));
     const long before_it = round.worst.looks;
-    round.worst.offer_triangle(world_, way, corners, triangle, {a.at.point, a.towards, a.distance_m});
+    round.worst.offer_triangle(world_, way, corners, triangle, first);
     looks_.spend(round.worst.looks - before_it);
   });
 }

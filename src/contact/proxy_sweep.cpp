@@ -6,14 +6,6 @@
 #include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
-namespace {
-
-FirstApproach approach_of(const TriangleCorners& triangle, const Vec3& place) noexcept {
-  const TriangleApproach a = approach_triangle(triangle, place);
-  return {a.at.point, a.towards, a.distance_m};
-}
-
-}  // namespace
 
 FacetSide facet_side(const TriangleCorners& f, const Vec3& from, const Vec3& to, double clearance_m,
                      double tolerance_m) noexcept {
@@ -29,7 +21,7 @@ FacetSide facet_side(const TriangleCorners& f, const Vec3& from, const Vec3& to,
 
 TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m) noexcept {
-  return sweep_past_triangle(f, from, to, clearance_m, tolerance_m, approach_of(f, from),
+  return sweep_past_triangle(f, from, to, clearance_m, tolerance_m, FirstApproach(approach_triangle(f, from)),
                              std::numeric_limits<double>::infinity());
 }
 
@@ -50,7 +42,7 @@ TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, co
     if (gap_m <= tolerance_m) break;
     sweep.reached += gap_m / -slope;
     if (++sweep.steps == ProxyLimits::newton_steps) break;
-    here = approach_of(f, from + sweep.reached * way);
+    here = FirstApproach(approach_triangle(f, from + sweep.reached * way));
   }
   sweep.blocked = true;
   sweep.normal = here.towards;

@@ -15,10 +15,14 @@ struct TriangleSweep {
   int steps = 0;           ///< of Newton's method
 };
 
-/// What a sweep begins with.
+/// What a sweep begins with: of a TriangleApproach, what it reads.
 struct FirstApproach {
-  Vec3 foot, towards;  ///< TriangleApproach's
+  Vec3 foot, towards;
   double distance_m;
+
+  FirstApproach() = default;
+  explicit FirstApproach(const TriangleApproach& approach) noexcept
+      : foot(approach.at.point), towards(approach.towards), distance_m(approach.distance_m) {}
 };
 
 /// The half space on the start's side of a triangle's own plane, where the ball keeps its clearance from it.

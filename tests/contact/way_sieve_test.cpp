@@ -54,9 +54,9 @@ struct Stand {
   bool matters(int t) const {
     const TriangleCorners corners = corners_of(world.part(0), t);
     if (before.hide(corners)) return false;
-    const TriangleApproach a = approach_triangle(corners, way.from_P);
     WorstWall other = worst;
-    return other.offer_triangle(world, way, corners, t, {a.at.point, a.towards, a.distance_m});
+    return other.offer_triangle(world, way, corners, t,
+                                FirstApproach(approach_triangle(corners, way.from_P)));
   }
 };
 
