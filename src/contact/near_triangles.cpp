@@ -4,6 +4,7 @@
 
 #include "contact/ball_shadow.hpp"
 #include "contact/proxy_memory_limits.hpp"
+#include "contact/way_sieve.hpp"
 
 namespace fingerpad {
 namespace {
@@ -163,7 +164,7 @@ bool NearTriangles::is_cleared_by_plane(std::size_t k, const ProxyWorld& world, 
   const TriangleCorners& f = near_[k].corners;
   const double clearance_m = world.clearance_m(), tolerance_m = world.tolerance_m();
   const FacetSide facet = facet_side(f, way.from_P, way.to_P, clearance_m, tolerance_m);
-  if (!worst.is_cleared_by(facet, tolerance_m)) return false;
+  if (!is_cleared_by(facet, worst, tolerance_m)) return false;
   bounds_[k].towards = facet.side * f.normal;
   bounds_[k].level_m = -bounds_[k].towards.dot(f.a) - clearance_m - tolerance_m;
   return true;

@@ -92,7 +92,7 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
   return each_beside_way(way, round.next, &asked, [&](const TriangleCorners& corners, int triangle) {
     looks_.spend(LookCosts::fetched_cleared);
     if (before.hide(corners)) return;
-    if (!looks_.is_unlimited() && round.worst.is_cleared_by_facet(world_, way, corners)) return;
+    if (!looks_.is_unlimited() && is_cleared_by_facet(world_, way, corners, round.worst)) return;
     looks_.spend(LookCosts::told);
     const FirstApproach first(approach_triangle(corners, way.from_P));
     const long before_it = round.worst.looks;
