@@ -16,8 +16,8 @@ double ProxyLeash::share_of(const Vec3& place_O, const Vec3& z) const noexcept {
   return c < 0 ? std::clamp((std::sqrt(b * b - a * c) - b) / a, 0.0, 1.0) : 0;
 }
 
-Proxy::Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals, Looks looks)
-    : Proxy(std::make_unique<ProxySight>(ProxyWorld(std::move(surfaces), radius_m, normals), looks)) {}
+Proxy::Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
+    : Proxy(std::make_unique<ProxySight>(ProxyWorld(std::move(surfaces), radius_m, normals))) {}
 
 Proxy::Proxy(std::unique_ptr<ProxySight> sight) : sight_(std::move(sight)) {
   reset();

@@ -56,9 +56,7 @@ class Proxy {
   /// @param normals  those that shade say that facets stand for a smooth surface, and what they hold back is
   /// not its shape: over edges that are no creases the proxy goes on to the neighbour that is nearer to the
   /// finger, as the closest point does
-  /// @param looks  what a tick may look at
-  Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals,
-        Looks looks = Looks(Looks::unlimited));
+  Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals);
   /// @param sight  what answers the proxy's questions about its surroundings
   explicit Proxy(std::unique_ptr<ProxySight> sight);
 
@@ -117,6 +115,7 @@ class Proxy {
 };
 
 /// A proxy with a sight that remembers (ProxyMemory): what callers use.
+/// @param looks  what a tick may look at
 Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals,
                  Looks looks = Looks(ProxyLimits::most_looks));
 

@@ -5,7 +5,6 @@
 #include "contact/bent_walls.hpp"
 #include "contact/facet_fan.hpp"
 #include "contact/proxy_limits.hpp"
-#include "contact/way_sieve.hpp"
 
 namespace fingerpad {
 namespace {
@@ -27,27 +26,13 @@ std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxySt
 
 }  // namespace
 
-/// Calls `visit(corners, triangle)` for each triangle of a part that the ball may come upon on a way, from
-/// `next` on. False where the looks were spent before the end.
-/// @param sieve  of no matter where the looks have no end: that search is the plain one
+/// Calls `visit(corners, triangle)` for each triangle of a part within reach of the place looked around from.
 template <class Visit>
-bool ProxySight::each_beside_way(const PartWay& way, std::size_t& next, const PacketSieve* sieve,
-                                 Visit visit) noexcept {
-  const int surface = way.surface;
-  const TriangleTree& tree = *world_.surface(surface).tree;
-  struct Passing {
-    const Part* part;
-    Visit* visit;
-  } passing{&tree.part(), &visit};
-  const auto pass_on = [](void* context, int triangle) {
-    const Passing& p = *static_cast<Passing*>(context);
-    (*p.visit)(corners_of(*p.part, triangle), triangle);
-  };
-  if (!looks_.is_unlimited())
-    return tree.each_beside(way.from_P, way.way_P, reach_of(world_.clearance_m()), next, looks_, sieve,
-                            pass_on, &passing);
-  tree.each_within(way.from_P, world_.clearance_m() + reach_m_, pass_on, &passing);
-  return true;
+void ProxySight::each_within_reach(const PartWay& way, Visit visit) noexcept {
+  const TriangleTree& tree = *world_.surface(way.surface).tree;
+  auto visit_one = [&](int triangle) { visit(corners_of(tree.part(), triangle), triangle); };
+  tree.each_within(way.from_P, world_.clearance_m() + reach_m_, call_with_triangle<decltype(visit_one)>,
+                   &visit_one);
 }
 
 ProxyStep ProxySight::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
@@ -84,24 +69,24 @@ std::optional<WallPair> ProxySight::nearer_neighbour(const ProxyState& s) noexce
 }
 
 bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                            Round& round) noexcept {
+                            LookRound& round) noexcept {
   const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
   const PartWalls before(world_, surface, walls, way.from_P);
-  const WaySieve sieve(world_, way, before, round.worst);
-  const PacketSieve asked = sieve.asked();
-  return each_beside_way(way, round.next, &asked, [&](const TriangleCorners& corners, int triangle) {
-    looks_.spend(LookCosts::fetched_cleared);
+  each_within_reach(way, [&](const TriangleCorners& corners, int triangle) {
     if (before.hide(corners)) return;
-    if (!looks_.is_unlimited() && is_cleared_by_facet(world_, way, corners, round.worst)) return;
-    looks_.spend(LookCosts::told);
-    const FirstApproach first(approach_triangle(corners, way.from_P));
-    const long before_it = round.worst.looks;
-    round.worst.offer_triangle(world_, way, corners, triangle, first);
-    looks_.spend(round.worst.looks - before_it);
+    round.worst.offer_triangle(world_, way, corners, triangle,
+                               FirstApproach(approach_triangle(corners, way.from_P)));
   });
+  return true;
 }
 
-bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Round& round) noexcept {
+bool ProxySight::sweep_part(int surface, const Vec3& z, LookRound& round) noexcept {
+  const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
+  each_within_reach(way, [&](const TriangleCorners& corners, int) { round.sweep(world_, way, corners); });
+  return true;
+}
+
+bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, LookRound& round) noexcept {
   for (; round.part < world_.parts().size(); ++round.part, round.next = 0) {
     if (!offer_part(world_.parts()[round.part], z, walls, round)) return false;
   }
@@ -110,24 +95,16 @@ bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Roun
 }
 
 bool ProxySight::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept {
-  Round round;
+  LookRound round;
   round.worst.slack_m = -world_.tolerance_m();
   return offer_all(z, walls, round) && !round.worst.wall;
 }
 
-bool ProxySight::sweep_all(const Vec3& z, Round& round) noexcept {
-  double& share = round.free_share;
+bool ProxySight::sweep_all(const Vec3& z, LookRound& round) noexcept {
   for (; round.part < world_.parts().size(); ++round.part, round.next = 0) {
-    const int i = world_.parts()[round.part];
-    const PartWay way(world_, i, world_.in_part(i, place_O_), z);
-    const bool is_whole = each_beside_way(way, round.next, nullptr, [&](const TriangleCorners& corners, int) {
-      const TriangleSweep sweep =
-          sweep_past_triangle(corners, way.from_P, way.to_P, world_.clearance_m(), world_.tolerance_m());
-      if (sweep.blocked) share = std::min(share, sweep.reached);
-      looks_.spend(LookCosts::sweep + LookCosts::told + LookCosts::sweep_step * sweep.steps);
-    });
-    if (!is_whole) return false;
+    if (!sweep_part(world_.parts()[round.part], z, round)) return false;
   }
+  double& share = round.free_share;
   for (const int i : world_.planes()) {
     const ProxyWall wall = world_.plane_wall(i, place_O_);
     const double along = wall.normal.dot(z);

@@ -24,15 +24,15 @@ struct StepTerms {
 };
 
 /// What a proxy asks about its surroundings, answered by asking the trees for every triangle within reach,
-/// each time anew. Each answer depends on the question alone, and, where a tick's looks are limited, on what
-/// is left of them: then a step is broken off, and gone on with in the next tick, and all else is declined.
+/// each time anew: each answer depends on the question alone.
 ///
-/// ProxyMemory answers the same questions faster. The second half of this list are offers to it, to go on for
-/// the proxy from a state where it knows what the proxy would do; here each of them declines.
+/// LimitedSight looks at no more than a tick may: where that is not enough, a step is broken off, and gone on
+/// with in the next tick, and all else is declined. ProxyMemory, which derives from it, answers the same
+/// questions faster. The second half of this list are offers to it, to go on for the proxy from a state where
+/// it knows what the proxy would do; here each of them declines.
 class ProxySight {
  public:
-  explicit ProxySight(ProxyWorld world, Looks looks = Looks(Looks::unlimited))
-      : world_(std::move(world)), looks_(looks) {}
+  explicit ProxySight(ProxyWorld world) : world_(std::move(world)) {}
   virtual ~ProxySight() = default;
 
   const ProxyWorld& world() const noexcept { return world_; }
@@ -85,8 +85,6 @@ class ProxySight {
   bool sweep_all(const Vec3& z, LookRound& round) noexcept;
 
  protected:
-  using Round = LookRound;
-
   /// @param most_m  the step ends there at the latest; no farther than is looked around
   /// @param first  walls to begin with that likely hold, seen from the place looked around from
   ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m,
@@ -102,18 +100,19 @@ class ProxySight {
   /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given
   /// walls cannot.
   bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;
-  /// Offers each triangle of a part that is within reach. False where it was broken off.
+  /// Of one part: offers its triangles, or sweeps past them. False where the looks were spent before the end.
   virtual bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                          Round& round) noexcept;
+                          LookRound& round) noexcept;
+  virtual bool sweep_part(int surface, const Vec3& z, LookRound& round) noexcept;
 
   ProxyWorld world_;
   Vec3 place_O_ = Vec3::Zero();  // looked around from ...
   double reach_m_ = 0;           // ... so far beyond the ball
-  Looks looks_;
+  Looks looks_{Looks::unlimited};
 
  private:
   template <class Visit>
-  bool each_beside_way(const PartWay& way, std::size_t& next, const PacketSieve* sieve, Visit visit) noexcept;
+  void each_within_reach(const PartWay& way, Visit visit) noexcept;
 
   StepMaking making_;
 };

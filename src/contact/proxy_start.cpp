@@ -41,13 +41,6 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
 
 }  // namespace
 
-/// Nothing where it was broken off; no triangle where none is within reach.
-std::optional<ClosestTriangle> ProxyStart::closest_within(const TriangleTree& tree, const Vec3& q_P,
-                                                          double reach_m, Looks& looks) noexcept {
-  if (looks.is_unlimited()) return tree.closest(q_P, -1, reach_m);
-  return tree.closest(q_P, reach_m, closest_, looks);
-}
-
 /// False where it was broken off.
 bool ProxyStart::lack_of_part(const ProxyWorld& world, int part_number, Looks& looks, Lack& lack) noexcept {
   const PlacedSurface& s = world.surface(part_number);
@@ -59,7 +52,7 @@ bool ProxyStart::lack_of_part(const ProxyWorld& world, int part_number, Looks& l
   // than what is closest.
   std::optional<ClosestTriangle> closest;
   if (!is_deep_) {
-    closest = closest_within(*s.tree, q_P, world.clearance_m(), looks);
+    closest = s.tree->closest(q_P, world.clearance_m(), closest_, looks);
     if (!closest) return false;
     if (closest->triangle < 0) {
       const auto inside = s.tree->encloses(q_P, winding_, looks);
@@ -70,7 +63,7 @@ bool ProxyStart::lack_of_part(const ProxyWorld& world, int part_number, Looks& l
     }
   }
   // What lies deep inside is pushed out, however far it is to the surface.
-  if (is_deep_) closest = closest_within(*s.tree, q_P, std::numeric_limits<double>::infinity(), looks);
+  if (is_deep_) closest = s.tree->closest(q_P, std::numeric_limits<double>::infinity(), closest_, looks);
   if (!closest) return false;
   const SurfacePoint near =
       surface_point_at(*s.tree, *closest, q_P + part.centre_P, Normals::facet, world.clearance_m());
@@ -117,7 +110,7 @@ ProxyStart::End ProxyStart::go_on(const ProxyWorld& world, const Vec3& goal_O, L
     return out_O ? End::placed : End::no_place;
   }
   const bool takes_long = is_underway_ && ++ticks_ >= ProxyLimits::patient_ticks;
-  if (!(has_failed_ || takes_long) || looks.is_unlimited()) return push_on(world, goal_O, looks);
+  if (!has_failed_ && !takes_long) return push_on(world, goal_O, looks);
   // Where there was none, there likely is none yet: what looks for it takes little of a tick.
   if (has_failed_ && (goal_O - goal_O_).norm() > world.clearance_m()) is_underway_ = false;
   Looks few(std::max(1L, looks.left() / ProxyLimits::less_after_no_place));

@@ -38,8 +38,6 @@ class ProxyStart {
   End push_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
   bool is_going_round() const noexcept;
   bool find_worst(const ProxyWorld& world, Looks& looks) noexcept;
-  std::optional<ClosestTriangle> closest_within(const TriangleTree& tree, const Vec3& q_P, double reach_m,
-                                                Looks& looks) noexcept;
   bool lack_of_part(const ProxyWorld& world, int part, Looks& looks, Lack& lack) noexcept;
   void note(const Lack& lack) noexcept;
 

@@ -22,7 +22,7 @@ int largest_fan(const Part& part) {
 
 }  // namespace
 
-ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(world), looks), near_(world_) {
+ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : LimitedSight(std::move(world), looks), near_(world_) {
   for (const int i : world_.parts()) {
     usual_view_ =
         std::max(usual_view_, Limits::beside_fans + Limits::fans_in_view * largest_fan(world_.part(i)));
@@ -135,8 +135,8 @@ bool ProxyViews::see_from(const Vec3& place_O, double need_m, double reach_m, co
 }
 
 bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                            Round& round) noexcept {
-  if (overflow_ || is_past_views_) return ProxySight::offer_part(surface, z, walls, round);
+                            LookRound& round) noexcept {
+  if (overflow_ || is_past_views_) return LimitedSight::offer_part(surface, z, walls, round);
   return near_.offer(world_, surface, z, walls, round.next, round.worst, looks_);
 }
 

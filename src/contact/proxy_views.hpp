@@ -3,9 +3,9 @@
 #include <array>
 #include <limits>
 
+#include "contact/limited_sight.hpp"
 #include "contact/near_triangles.hpp"
 #include "contact/proxy_memory_limits.hpp"
-#include "contact/proxy_sight.hpp"
 
 namespace fingerpad {
 
@@ -16,7 +16,7 @@ namespace fingerpad {
 /// step short of the finger, and the proxy then goes on from there; and a crowded view leaves out triangles
 /// that a ball in front of its blocker cannot get at (BallShadow), which would only have led a step to its
 /// end by other walls; and a step past all views begins with walls that it will likely end at.
-class ProxyViews : public ProxySight {
+class ProxyViews : public LimitedSight {
  public:
   ProxyViews(ProxyWorld world, Looks looks);
 
@@ -77,7 +77,7 @@ class ProxyViews : public ProxySight {
   void see_nothing(double next_reach_m) noexcept;
   double widest_view_m() const noexcept;
   bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                  Round& round) noexcept override;
+                  LookRound& round) noexcept override;
 
   Vec3 search_place_O_ = Vec3::Zero();
   double search_reach_m_ = -1;

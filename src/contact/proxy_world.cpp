@@ -45,8 +45,8 @@ Vec3 ProxyWorld::from_part(int i, const Vec3& q_P) const noexcept {
 }
 
 const TriangleApproach& ProxyWorld::approach(int i, int triangle, const Vec3& place_O) const noexcept {
-  return approaches_.find_or_keep(
-      i, triangle, place_O, [&] { return approach_triangle(part(i), triangle, in_part(i, place_O)); });
+  return approaches_.find_or_keep(i, triangle, place_O,
+                                  [&] { return approach_triangle(part(i), triangle, in_part(i, place_O)); });
 }
 
 bool ProxyWorld::is_far_from(const ProxyWall& wall, const Vec3& place_O) const noexcept {

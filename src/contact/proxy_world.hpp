@@ -59,7 +59,8 @@ class ProxyWorld {
   /// A place in the frame of a part's arrays, and back.
   Vec3 in_part(int surface, const Vec3& place_O) const noexcept;
   Vec3 from_part(int surface, const Vec3& q_P) const noexcept;
-  /// How a place stands before a part's triangle; in the frame of the part's arrays. For one thread at a time.
+  /// How a place stands before a part's triangle; in the frame of the part's arrays. For one thread at a
+  /// time.
   /// @returns good until the next question
   const TriangleApproach& approach(int surface, int triangle, const Vec3& place_O) const noexcept;
 

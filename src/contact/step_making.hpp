@@ -16,6 +16,14 @@ struct LookRound {
   std::size_t next = 0;  ///< of its triangles, in the order in which they are looked at
   WorstWall worst{std::nullopt, 0};
   double free_share = 1;
+
+  /// Shortens `free_share` to where the ball touches a triangle; returns how many steps that took.
+  int sweep(const ProxyWorld& world, const PartWay& way, const TriangleCorners& corners) noexcept {
+    const TriangleSweep sweep =
+        sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(), world.tolerance_m());
+    if (sweep.blocked) free_share = std::min(free_share, sweep.reached);
+    return sweep.steps;
+  }
 };
 
 /// A proxy's step in the making. Dual active-set method: the wall that blocks the way most is added until

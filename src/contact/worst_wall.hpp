@@ -51,6 +51,7 @@ struct PartWay {
   int surface;
   Vec3 from_P, way_P, to_P;
 
+  /// @param start_P  where it begins; the way by `z` is the world's
   PartWay(const ProxyWorld& world, int part, const Vec3& start_P, const Vec3& z) noexcept
       : surface(part), from_P(start_P), way_P(world.turned_into_part(part, z)), to_P(start_P + way_P) {}
 };
