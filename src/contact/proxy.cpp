@@ -114,20 +114,13 @@ void Proxy::settle(const ProxyLeash& leash) noexcept {
       break;
     }
     if (sight_->looks().are_spent()) return break_off({});
-    const ProxyStep step = sight_->step(state_.place_O, goal_O, {leash.step_m, bent_m, aside_m()});
+    const ProxyStep step = sight_->step(state_, {leash.step_m, bent_m});
     if (step.broken_off) return break_off(step);
     if (advance(step, leash)) return;
     // Ways that converge get shorter by more than that.
     bent_m = k == 0 ? leash.step_m : step.bent ? ProxyLimits::next_bend * step.z.norm() : bent_m;
   }
   state_.contact.settled = goal_O == state_.place_O;
-}
-
-/// How far the finger is off to the side of its last push: what the proxy has to slide, about.
-double Proxy::aside_m() const noexcept {
-  const Vec3 way = state_.goal_O - state_.place_O;
-  if (state_.last_push_W.isZero(0)) return way.norm();
-  return (way - way.dot(state_.last_direction_W) * state_.last_direction_W).norm();
 }
 
 /// Stays, with the walls that the step has found so far, or else those of before.
@@ -197,14 +190,12 @@ bool Proxy::is_felt() const noexcept {
 /// Goes on around the one triangle that holds the proxy, to where the finger is now. Blocked where another
 /// way of holding it has to be looked for.
 Proxy::Way Proxy::roll(const ProxyLeash& leash) noexcept {
-  const ProxyStep& hold = state_.hold;
+  const ProxyWall* wall = state_.one_triangles_wall();
+  if (wall == nullptr) return Way::blocked;
   const Vec3& place_O = state_.place_O;
-  if (hold.wall_count != 1 || hold.walls[0].triangle < 0 || hold.stuck || !state_.contact.settled)
-    return Way::blocked;
-  const int surface = hold.walls[0].surface, triangle = hold.walls[0].triangle;
-  const ProxyWall here = world().tangent_wall(surface, triangle, place_O, place_O);
+  const ProxyWall here = world().tangent_wall(wall->surface, wall->triangle, place_O, place_O);
   if (std::abs(here.least_m) > world().touching_m()) return Way::blocked;
-  const ProxyWall there = world().tangent_wall(surface, triangle, state_.goal_O, place_O);
+  const ProxyWall there = world().tangent_wall(wall->surface, wall->triangle, state_.goal_O, place_O);
   if (!(here.normal.dot(there.normal) > ProxyLimits::least_roll_cosine)) return Way::blocked;
   return go_over(here, there, leash);
 }
@@ -220,9 +211,8 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const P
   const Vec3 far = goal + depth_m * there.normal;
   const std::optional<Vec3> over = on_both_walls(0.5 * far, here, there);
   if (!over) return Way::blocked;
-  const double way_m = over->norm(), rest_m = (far - *over).norm();
   // Over an edge that is near, not where the planes meet at all.
-  if (way_m > ProxyLimits::longest_way_over * far.norm() || leash.share_of(place_O, far) < 1)
+  if (over->norm() > ProxyLimits::longest_way_over * far.norm() || leash.share_of(place_O, far) < 1)
     return Way::blocked;
   if (!sight_->is_way_free(place_O, *over, far, here)) {
     state_.contact.broken_off |= sight_->looks().are_spent();
@@ -233,7 +223,7 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const P
   if (depth_m > 0 && depth_m < gone_m && sight_->land(state_, there, edge_O, place_O + far))
     return Way::rests;
 
-  const ProxyStep step = sight_->step_over(edge_O, goal_O, there.seen_from(*over), rest_m);
+  const ProxyStep step = sight_->step_over(edge_O, goal_O, there.seen_from(*over), (far - *over).norm());
   if (step.broken_off) {
     state_.contact.broken_off = true;
     return Way::blocked;

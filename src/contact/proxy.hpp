@@ -99,7 +99,6 @@ class Proxy {
   ProxyLeash leash_to(const Vec3& goal_O) const noexcept;
   void follow(ProxyLeash leash, bool steps_first) noexcept;
   void settle(const ProxyLeash& leash) noexcept;
-  double aside_m() const noexcept;
   void break_off(const ProxyStep& step) noexcept;
   bool advance(const ProxyStep& step, const ProxyLeash& leash) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;

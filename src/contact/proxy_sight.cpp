@@ -9,18 +9,14 @@
 namespace fingerpad {
 namespace {
 
-/// A reach that a way of this length does not end beyond, whatever rounding does.
-double reach_of(double way_m) noexcept {
-  return way_m * (1 + ProxyLimits::reach_rounding);
-}
-
-/// The wall in O, where a single facet holds the proxy and its place lies over the facet's face.
+/// Where a single facet holds the proxy from over its face, its wall in O.
 std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxyState& s) noexcept {
-  const ProxyWall& wall = s.hold.walls[0];
-  if (s.hold.wall_count != 1 || wall.triangle < 0 || s.hold.stuck || !s.contact.settled) return std::nullopt;
-  const ProxyWall wall_O = wall.seen_from(-s.hold_place_O);
+  const ProxyWall* wall = s.one_triangles_wall();
+  if (wall == nullptr) return std::nullopt;
+  const ProxyWall wall_O = wall->seen_from(-s.hold_place_O);
   if (std::abs(wall_O.lack_m(s.place_O)) > world.touching_m()) return std::nullopt;
-  if (world.approach(wall.surface, wall.triangle, s.place_O).at.feature != Feature::face) return std::nullopt;
+  if (world.approach(wall_O.surface, wall_O.triangle, s.place_O).at.feature != Feature::face)
+    return std::nullopt;
   return wall_O;
 }
 
@@ -35,24 +31,27 @@ void ProxySight::each_within_reach(const PartWay& way, Visit visit) noexcept {
                    &visit_one);
 }
 
-ProxyStep ProxySight::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
-  if (is_amid_step()) return go_on_with_step();
+/// A way of this length does not end beyond the reach, whatever rounding does.
+void ProxySight::look_from(const Vec3& place_O, double way_m) noexcept {
   place_O_ = place_O;
-  reach_m_ = reach_of(std::min((goal_O - place_O).norm(), terms.most_m));
-  return step_towards(goal_O, reach_m_, terms.bent_m);
+  reach_m_ = way_m * (1 + ProxyLimits::reach_rounding);
+}
+
+ProxyStep ProxySight::step(const ProxyState& s, const StepTerms& terms) noexcept {
+  if (is_amid_step()) return go_on_with_step();
+  look_from(s.place_O, std::min((s.goal_O - s.place_O).norm(), terms.most_m));
+  return step_towards(s.goal_O, reach_m_, terms.bent_m);
 }
 
 ProxyStep ProxySight::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                                 double) noexcept {
-  place_O_ = edge_O;
-  reach_m_ = reach_of((goal_O - edge_O).norm());
+  look_from(edge_O, (goal_O - edge_O).norm());
   return step_beside(first, goal_O);
 }
 
 bool ProxySight::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3&,
                              const ProxyWall& here) noexcept {
-  place_O_ = place_O;
-  reach_m_ = reach_of(over.norm());
+  look_from(place_O, over.norm());
   return is_free(over, std::span(&here, 1));
 }
 

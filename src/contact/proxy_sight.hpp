@@ -15,12 +15,11 @@ struct WallPair {
   ProxyWall here, there;
 };
 
-/// What a step is asked for besides its goal.
+/// How far a step is to go.
 struct StepTerms {
   double most_m;      ///< the proxy will go no farther: what stands beyond need not be seen
   double bent_m = 0;  ///< goes on along walls that bend away (way_along_bend) where the way is then no longer
                       ///< than this
-  double aside_m = 0;  ///< how far the finger is off to the side of what held it last
 };
 
 /// What a proxy asks about its surroundings, answered by asking the trees for every triangle within reach,
@@ -43,14 +42,15 @@ class ProxySight {
   /// Whether the last step was broken off: the next one, from the same place, goes on with it, towards the
   /// goal that it was made for.
   bool is_amid_step() const noexcept { return making_.is_underway(); }
-  /// The step from a place that brings the ball as close to `goal` as it can get without crossing a surface.
-  virtual ProxyStep step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
+  /// The step from the proxy's place that brings it as close to its goal as it can get without crossing a
+  /// surface.
+  virtual ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept;
   /// The same from a place above an edge, where `first` is known to hold (seen from there).
   /// @param rest_m  how far from there to the place that `first` alone would allow
   virtual ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                               double rest_m) noexcept;
   /// Whether the ball may go by `over` from its place, in front of the wall `here`.
-  /// @param far  where it goes on to from there, relative to its place
+  /// @param far  where it will go on to from there, relative to its place
   virtual bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                            const ProxyWall& here) noexcept;
   /// Where one facet holds the proxy from over its face: that facet and its smooth neighbour that is nearest
@@ -92,6 +92,8 @@ class ProxySight {
   ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
   ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
   void drop_step() noexcept { making_.drop(); }
+  /// Looks around from there, for ways no longer than this.
+  void look_from(const Vec3& place_O, double way_m) noexcept;
   static ProxyStep broken_off_step() noexcept {
     ProxyStep step;
     step.stuck = step.broken_off = true;

@@ -49,6 +49,13 @@ struct ProxyState {
   ProxyStep hold;                         ///< the last step, with the walls that stopped it ...
   Vec3 hold_place_O = Vec3::Zero();       ///< ... and where it was made from
   ProxyContact contact;
+
+  /// The wall of the one triangle that holds the proxy, where it rests on one alone, seen from hold_place_O;
+  /// else null.
+  const ProxyWall* one_triangles_wall() const noexcept {
+    const bool is_one = contact.settled && hold.wall_count == 1 && !hold.stuck && hold.walls[0].triangle >= 0;
+    return is_one ? &hold.walls[0] : nullptr;
+  }
 };
 
 }  // namespace fingerpad

@@ -20,7 +20,7 @@ class ProxyViews : public LimitedSight {
  public:
   ProxyViews(ProxyWorld world, Looks looks);
 
-  ProxyStep step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept override;
+  ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept override;
   ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                       double rest_m) noexcept override;
   bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
