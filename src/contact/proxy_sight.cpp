@@ -94,8 +94,7 @@ bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Look
 }
 
 bool ProxySight::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept {
-  LookRound round;
-  round.worst.slack_m = -world_.tolerance_m();
+  LookRound round(world_.tolerance_m());
   return offer_all(z, walls, round) && !round.worst.wall;
 }
 

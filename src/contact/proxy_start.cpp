@@ -1,7 +1,6 @@
 #include "contact/proxy_start.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -15,8 +14,7 @@ namespace {
 /// The nearest place that keeps the clearance from every plane, by the dual active-set method: the plane that
 /// is breached most is added until none is.
 std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) noexcept {
-  std::array<ProxyWall, 4> walls;
-  std::size_t count = 0;
+  ActiveWalls walls;
   Vec3 place_O = goal_O;
   for (int pass = 0; pass < ProxyLimits::most_passes; ++pass) {
     const double slack_m = world.plane_rounding_m(place_O, goal_O);
@@ -29,11 +27,9 @@ std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) n
       worst = i;
     }
     if (worst < 0) return place_O;
-    walls[count++] = world.plane_wall(worst, goal_O);
-    const ProxyProjection p = project_onto_walls(Vec3::Zero(), std::span(walls.data(), count), slack_m);
+    walls.add(world.plane_wall(worst, goal_O));
+    const ProxyProjection p = walls.project(Vec3::Zero(), slack_m);
     if (!p.found) return std::nullopt;
-    count = static_cast<std::size_t>(p.active_count);
-    for (std::size_t k = 0; k < count; ++k) walls[k] = walls[static_cast<std::size_t>(p.active[k])];
     place_O = goal_O + p.z;
   }
   return std::nullopt;

@@ -72,4 +72,13 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
   return best;
 }
 
+ProxyProjection ActiveWalls::project(const Vec3& goal, double tolerance_m) noexcept {
+  const ProxyProjection p = project_onto_walls(goal, all(), tolerance_m);
+  if (!p.found) return p;
+  count_ = static_cast<std::size_t>(p.active_count);
+  // They are named in rising order.
+  for (std::size_t k = 0; k < count_; ++k) walls_[k] = walls_[static_cast<std::size_t>(p.active[k])];
+  return p;
+}
+
 }  // namespace fingerpad
