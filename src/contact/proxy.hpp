@@ -1,25 +1,13 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 
-#include "contact/contact_method.hpp"
+#include "contact/proxy_leash.hpp"
 #include "contact/proxy_limits.hpp"
 #include "contact/proxy_sight.hpp"
 #include "contact/proxy_start.hpp"
 
 namespace fingerpad {
-
-/// Where a proxy may go in a tick: within a length of where it would be, had it gone as the finger did. So
-/// the push changes by no more than that.
-struct ProxyLeash {
-  Vec3 centre_O = Vec3::Zero();
-  double length_m = std::numeric_limits<double>::infinity();
-  double step_m = std::numeric_limits<double>::infinity();  ///< the longest single step
-
-  /// How much of a way by `z` the leash allows, from a place within it: 0 to 1.
-  double share_of(const Vec3& place_O, const Vec3& z) const noexcept;
-};
 
 /// A god-object (Zilles & Salisbury 1995; for a ball Ruspini, Kolarov & Khatib 1997): a ball of the finger's
 /// radius that goes where the finger goes but never crosses a surface, and holds out on the side where it
@@ -95,16 +83,15 @@ class Proxy {
   enum class Way { blocked, gone, rests };
 
   const ProxyWorld& world() const noexcept { return sight_->world(); }
-  void start(const Vec3& goal_O) noexcept;
-  ProxyLeash leash_to(const Vec3& goal_O) const noexcept;
-  void follow(ProxyLeash leash, bool steps_first) noexcept;
+  void begin_tick(double dt_s) noexcept;
+  bool start(const Vec3& goal_O) noexcept;
+  void follow(ProxyLeash leash, bool goes_on) noexcept;
   void settle(const ProxyLeash& leash) noexcept;
   void break_off(const ProxyStep& step) noexcept;
   bool advance(const ProxyStep& step, const ProxyLeash& leash) noexcept;
   bool is_at_rest(const ProxyStep& step) const noexcept;
   bool has_come_to_rest(Way way) const noexcept;
   Way hop() noexcept;
-  bool is_felt() const noexcept;
   Way roll(const ProxyLeash& leash) noexcept;
   Way go_over(const ProxyWall& here, const ProxyWall& there, const ProxyLeash& leash) noexcept;
 

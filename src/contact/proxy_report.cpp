@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "base/unit_vector.hpp"
+#include "contact/proxy_leash.hpp"
 #include "contact/proxy_limits.hpp"
 #include "contact/surface_point.hpp"
 
@@ -149,10 +150,6 @@ Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoin
 }
 
 }  // namespace
-
-double most_step_m(const ProxyState& state, double last_m) noexcept {
-  return state.finger_m + std::max(ProxyLimits::proxy_per_finger * state.finger_m, last_m * state.rest_share);
-}
 
 ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,
                                   std::span<const ProxyWall> walls) noexcept {

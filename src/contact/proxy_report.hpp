@@ -19,13 +19,6 @@ inline void report_free(ProxyState& state) noexcept {
   state.contact.hold_count = 0;
 }
 
-/// The largest change in a tick of a push that was so long before it: the finger's motion and the proxy's
-/// [m].
-double most_step_m(const ProxyState& state, double last_m) noexcept;
-inline double most_step_m(const ProxyState& state) noexcept {
-  return most_step_m(state, state.last_push_W.norm());
-}
-
 /// Whether one wall holds the ball without its skin, and by how much: what project_onto_walls comes to.
 /// @param depth_m  how far the finger is behind that ball's wall
 inline ProxyProjection held_by_one(const ProxyWorld& world, double depth_m) noexcept {
