@@ -7,6 +7,17 @@
 
 namespace fingerpad {
 
+// How much a proxy's push may change in a tick.
+//
+// The steps of a tick change the way from the finger to the proxy by at most three times as much as the
+// finger went (or, where that is more, by as much as it went and the share dt/0.5 s of the depth), so that a
+// finger pressed in deep that slips off an edge is let go within a motion and not within a tick. Round a
+// rounding the proxy keeps up while it has at most four times as far to go as the finger, which is as deep as
+// three quarters of the rounding's radius and the ball's together.
+//
+// A hop over a smooth edge does not count towards this, since there the facets give way and not the shape;
+// the steps after it do. It may add 7 % of the depth, which nobody feels.
+
 /// Where a proxy may go in a tick: within a length of where it would be, had it gone as the finger did. So
 /// the push changes by no more than that.
 struct ProxyLeash {

@@ -24,8 +24,8 @@ struct ProxyStep {
 
 /// Where the proxy stands against the finger. Of the Contact, placed is false where a start found no place
 /// for the ball, and started where this move put the proxy down anew; the depth is from the finger to the
-/// proxy, the normal direction_W, shaded (see Proxy), and the point of several holds, and on the way, the
-/// ball's lowest. Each hold has the point under the proxy and the normal as Normals says; on the way: as
+/// proxy, the normal direction_W, shaded (see proxy_report), and the point of several holds, and on the way,
+/// the ball's lowest. Each hold has the point under the proxy and the normal as Normals says; on the way: as
 /// before.
 struct ProxyContact : Contact {
   bool touching = false;        ///< hold_count > 0
