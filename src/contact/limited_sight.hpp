@@ -15,11 +15,6 @@ class LimitedSight : public ProxySight {
  protected:
   bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                   LookRound& round) noexcept override;
-  bool sweep_part(int surface, const Vec3& z, LookRound& round) noexcept override;
-
- private:
-  template <class Visit>
-  bool each_beside(const PartWay& way, std::size_t& next, const PacketSieve* sieve, Visit visit) noexcept;
 };
 
 }  // namespace fingerpad

@@ -70,7 +70,8 @@ struct ProxyLimits {
   /// Steps, and hops over smooth edges, in a tick. Two or three do; the caps bound what a tick may cost.
   static constexpr int most_steps = 64;
   static constexpr int most_hops = 32;
-  /// Walls that one step may try. It adds a wall a pass; two or three do.
+  /// Walls that one step may try. It adds a wall a pass; two or three do, and no walk has been seen to take
+  /// more than twelve.
   static constexpr int most_passes = 48;
 
   /// What a step along bent walls divides by, as a share of what it would be along flat ones: with less than

@@ -22,15 +22,6 @@ std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxySt
 
 }  // namespace
 
-/// Calls `visit(corners, triangle)` for each triangle of a part within reach of the place looked around from.
-template <class Visit>
-void ProxySight::each_within_reach(const PartWay& way, Visit visit) noexcept {
-  const TriangleTree& tree = *world_.surface(way.surface).tree;
-  auto visit_one = [&](int triangle) { visit(corners_of(tree.part(), triangle), triangle); };
-  tree.each_within(way.from_P, world_.clearance_m() + reach_m_, call_with_triangle<decltype(visit_one)>,
-                   &visit_one);
-}
-
 /// A way of this length does not end beyond the reach, whatever rounding does.
 void ProxySight::look_from(const Vec3& place_O, double way_m) noexcept {
   place_O_ = place_O;
@@ -71,17 +62,15 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
                             LookRound& round) noexcept {
   const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
   const PartWalls before(world_, surface, walls, way.from_P);
-  each_within_reach(way, [&](const TriangleCorners& corners, int triangle) {
+  const Part& part = world_.part(surface);
+  auto offer = [&](int triangle) {
+    const TriangleCorners corners = corners_of(part, triangle);
     if (before.hide(corners)) return;
     round.worst.offer_triangle(world_, way, corners, triangle,
                                FirstApproach(approach_triangle(corners, way.from_P)));
-  });
-  return true;
-}
-
-bool ProxySight::sweep_part(int surface, const Vec3& z, LookRound& round) noexcept {
-  const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
-  each_within_reach(way, [&](const TriangleCorners& corners, int) { round.sweep(world_, way, corners); });
+  };
+  world_.surface(surface).tree->each_within(way.from_P, world_.clearance_m() + reach_m_,
+                                            call_with_triangle<decltype(offer)>, &offer);
   return true;
 }
 
@@ -96,19 +85,6 @@ bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Look
 bool ProxySight::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept {
   LookRound round(world_.tolerance_m());
   return offer_all(z, walls, round) && !round.worst.wall;
-}
-
-bool ProxySight::sweep_all(const Vec3& z, LookRound& round) noexcept {
-  for (; round.part < world_.parts().size(); ++round.part, round.next = 0) {
-    if (!sweep_part(world_.parts()[round.part], z, round)) return false;
-  }
-  double& share = round.free_share;
-  for (const int i : world_.planes()) {
-    const ProxyWall wall = world_.plane_wall(i, place_O_);
-    const double along = wall.normal.dot(z);
-    if (along < wall.least_m) share = std::min(share, along < 0 ? std::max(0.0, wall.least_m / along) : 0.0);
-  }
-  return true;
 }
 
 ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m,

@@ -39,11 +39,9 @@ class ProxySight {
   Looks& looks() noexcept { return looks_; }
   const Looks& looks() const noexcept { return looks_; }
 
-  /// Whether the last step was broken off: the next one, from the same place, goes on with it, towards the
-  /// goal that it was made for.
-  bool is_amid_step() const noexcept { return making_.is_underway(); }
   /// The step from the proxy's place that brings it as close to its goal as it can get without crossing a
-  /// surface.
+  /// surface. After a step that was broken off, from the same place, it is the same step gone on with,
+  /// towards the goal that it was made for.
   virtual ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept;
   /// The same from a place above an edge, where `first` is known to hold (seen from there).
   /// @param rest_m  how far from there to the place that `first` alone would allow
@@ -80,9 +78,6 @@ class ProxySight {
   /// Looks for the wall that the way by `z` from there breaches most; triangles behind the given walls
   /// cannot. False where the looks were spent before the end.
   bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, LookRound& round) noexcept;
-  /// Looks for the share of the way by `z` to the first touch. False where the looks were spent before the
-  /// end.
-  bool sweep_all(const Vec3& z, LookRound& round) noexcept;
 
  protected:
   /// @param most_m  the step ends there at the latest; no farther than is looked around
@@ -90,6 +85,8 @@ class ProxySight {
   ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m,
                          std::span<const ProxyWall> first = {}) noexcept;
   ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
+  /// Whether the last step was broken off.
+  bool is_amid_step() const noexcept { return making_.is_underway(); }
   ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
   void drop_step() noexcept { making_.drop(); }
   /// Looks around from there, for ways no longer than this.
@@ -102,10 +99,9 @@ class ProxySight {
   /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given
   /// walls cannot.
   bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;
-  /// Of one part: offers its triangles, or sweeps past them. False where the looks were spent before the end.
+  /// The same of one part.
   virtual bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                           LookRound& round) noexcept;
-  virtual bool sweep_part(int surface, const Vec3& z, LookRound& round) noexcept;
 
   ProxyWorld world_;
   Vec3 place_O_ = Vec3::Zero();  // looked around from ...
@@ -113,9 +109,6 @@ class ProxySight {
   Looks looks_{Looks::unlimited};
 
  private:
-  template <class Visit>
-  void each_within_reach(const PartWay& way, Visit visit) noexcept;
-
   StepMaking making_;
 };
 

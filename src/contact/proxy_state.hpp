@@ -14,7 +14,7 @@ struct ProxyStep {
   std::array<double, 3> share_m{};  ///< multiplier of each
   bool truncated = false;           ///< the step ends where the view does, or where it may go no farther
   bool bent = false;                ///< the step goes on along walls that bend away
-  bool stuck = false;               ///< rounding left no way: z is zero or ends at the first touch
+  bool stuck = false;               ///< rounding left no way: z is zero
   bool broken_off = false;          ///< for want of looks: z is zero, and more walls may come
 
   std::span<const ProxyWall> held_by() const noexcept {

@@ -1,7 +1,6 @@
 #include "contact/proxy_sweep.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "contact/proxy_limits.hpp"
 
@@ -17,12 +16,6 @@ FacetSide facet_side(const TriangleCorners& f, const Vec3& from, const Vec3& to,
     return {};
   const double side = height_m < 0 ? -1 : 1;
   return {side, side * normal.dot(to - f.a) - clearance_m};
-}
-
-TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
-                                  double clearance_m, double tolerance_m) noexcept {
-  return sweep_past_triangle(f, from, to, clearance_m, tolerance_m, FirstApproach(approach_triangle(f, from)),
-                             std::numeric_limits<double>::infinity());
 }
 
 TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,

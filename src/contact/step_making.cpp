@@ -38,7 +38,7 @@ ProxyStep StepMaking::go_on(ProxySight& sight) noexcept {
       return unblocked(sight);
     }
   }
-  return up_to_first_touch(sight);
+  return stuck();
 }
 
 /// The projection onto the walls found so far, as far as it may go. False where they leave nothing.
@@ -101,20 +101,10 @@ void StepMaking::go_on_along_bend(ProxySight& sight) noexcept {
   step_.bent = on_m <= room_m;
 }
 
-/// Rounding has left the walls nothing in common.
+/// Rounding has left the walls nothing in common, or brings up ever others: it goes nowhere.
 ProxyStep StepMaking::stuck() noexcept {
   step_.stuck = true;
   step_.z.setZero();
-  return step_;
-}
-
-/// There is no end of walls.
-ProxyStep StepMaking::up_to_first_touch(ProxySight& sight) noexcept {
-  if (!is_amid_round_) round_ = LookRound();
-  is_amid_round_ = !sight.sweep_all(step_.z, round_);
-  if (is_amid_round_) return waiting();
-  step_.stuck = true;
-  step_.z *= round_.free_share;
   return step_;
 }
 

@@ -12,18 +12,8 @@ struct LookRound {
   std::size_t part = 0;  ///< of the world's parts, the planes after all of them
   std::size_t next = 0;  ///< of its triangles, in the order in which they are looked at
   WorstWall worst;
-  double free_share = 1;
-
   /// @param breach_m  a wall blocks where it is breached by more than this
-  explicit LookRound(double breach_m = 0) noexcept : worst{std::nullopt, -breach_m} {}
-
-  /// Shortens `free_share` to where the ball touches a triangle; returns how many steps that took.
-  int sweep(const ProxyWorld& world, const PartWay& way, const TriangleCorners& corners) noexcept {
-    const TriangleSweep sweep =
-        sweep_past_triangle(corners, way.from_P, way.to_P, world.clearance_m(), world.tolerance_m());
-    if (sweep.blocked) free_share = std::min(free_share, sweep.reached);
-    return sweep.steps;
-  }
+  explicit LookRound(double breach_m) noexcept : worst{std::nullopt, -breach_m} {}
 };
 
 /// A proxy's step in the making. Dual active-set method: the wall that blocks the way most is added until
@@ -55,7 +45,6 @@ class StepMaking {
   bool let_go_of_far_walls(ProxySight& sight) noexcept;
   ProxyStep unblocked(ProxySight& sight) noexcept;
   ProxyStep stuck() noexcept;
-  ProxyStep up_to_first_touch(ProxySight& sight) noexcept;
   ProxyStep waiting() const noexcept;
 
   Vec3 goal_ = Vec3::Zero();  ///< relative to the place looked around from
@@ -63,7 +52,7 @@ class StepMaking {
   ActiveWalls walls_;
   ProxyStep step_;  ///< the way to the projection onto them
   int pass_ = 0;    ///< in each a wall is added
-  LookRound round_;
+  LookRound round_{0};
   bool is_amid_round_ = false;
   bool is_guessed_ = false;  ///< walls may be among them that were guessed
   bool has_let_go_ = false;  ///< far walls were let go ...
