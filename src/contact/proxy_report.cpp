@@ -181,21 +181,12 @@ ContactHold hold_on_facet(const ProxyWorld& world, const ProxyWall& wall, double
 
 void report(const ProxyWorld& world, ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
-  if (!state.contact.settled && !(state.contact.broken_off && !is_held_back(state))) {
-    report_underway(world, state);
-    return;
-  }
+  const bool waits_freely = state.contact.broken_off && !is_held_back(state);
+  if (!state.contact.settled && !waits_freely) return report_underway(world, state);
   report_free(state);
-  if (!state.contact.settled) return;
-  if (hold.wall_count == 0) {
-    if (state.goal_O != state.place_O) report_underway(world, state);
-    return;
-  }
+  if (!state.contact.settled || hold.wall_count == 0) return;
   const ProxyProjection p = held_without_skin(world, state.hold_place_O, state.goal_O, hold.held_by());
-  if (!p.found) {
-    report_underway(world, state);
-    return;
-  }
+  if (!p.found) return report_underway(world, state);
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k)
     state.contact.holds[k] =
         hold_at(world, hold.walls[static_cast<std::size_t>(p.active[k])], p.share_m[k], state.place_O);
