@@ -189,8 +189,8 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const P
   sight_->looks().spend(LookCosts::hop);
   const Vec3& goal_O = state_.goal_O;
   const Vec3 place_O = state_.place_O, goal = goal_O - place_O;
-  const double depth_m = there.lack_m(goal);
-  const Vec3 far = goal + depth_m * there.normal;
+  const double depth_m = there.lack_m(goal), must_beat_m = goal.norm() - world().tolerance_m();
+  const Vec3 far = goal + depth_m * there.normal;  // where the second wall alone would hold it
   const std::optional<Vec3> over = on_both_walls(0.5 * far, here, there);
   if (!over) return Way::blocked;
   // Over an edge that is near, not where the planes meet at all.
@@ -201,8 +201,7 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const P
     return Way::blocked;
   }
   const Vec3 edge_O = place_O + *over;
-  const double gone_m = goal.norm() - world().tolerance_m();
-  if (depth_m > 0 && depth_m < gone_m && sight_->land(state_, there, edge_O, place_O + far))
+  if (depth_m > 0 && depth_m < must_beat_m && sight_->land(state_, there, edge_O, place_O + far))
     return Way::rests;
 
   const ProxyStep step = sight_->step_over(edge_O, goal_O, there.seen_from(*over), (far - *over).norm());
@@ -211,7 +210,7 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const P
     return Way::blocked;
   }
   const Vec3 new_place_O = edge_O + step.z;
-  if (!((goal_O - new_place_O).norm() < gone_m)) return Way::blocked;
+  if (!((goal_O - new_place_O).norm() < must_beat_m)) return Way::blocked;
   if (leash.share_of(place_O, new_place_O - place_O) < 1) return Way::blocked;
   sight_->let_go();
   state_.contact.settled = true;
