@@ -14,11 +14,6 @@ namespace fingerpad {
 // proxy turned by the mean of these turns, each weighted with its wall's share. So it stays within the
 // greatest of the walls' own angles of the way, however sharp the corner (a sum of shaded normals, in which
 // large shares nearly cancel, does not), and a wall whose share vanishes has no say any more.
-//
-// The push that is shown (depth_m along normal_W) changes in a tick by no more than the way to the proxy may
-// (most_step_m): a turn that jumps, as walls come and go, follows as fast as this leaves room for, and until
-// then is at most as wide as it was. A hop that would change it by more is shown over as many ticks as that
-// takes, and the next hop waits for it.
 
 /// The proxy rests, or is still on its way: looks for what holds it, and reports.
 void report(const ProxyWorld& world, ProxyState& state) noexcept;
