@@ -90,13 +90,6 @@ ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const Pr
   return step_beside(first, goal_O);
 }
 
-bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                             const ProxyWall& here) noexcept {
-  if (is_outrun(place_O, far.norm())) return false;
-  look_over_edge(place_O, over, far);
-  return is_seen_free(over, here);
-}
-
 bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept {
   return !overflow_ && reach_m_ >= over.norm() && is_free(over, std::span(&here, 1));
 }

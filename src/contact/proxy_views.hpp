@@ -23,8 +23,6 @@ class ProxyViews : public LimitedSight {
   ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept override;
   ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                       double rest_m) noexcept override;
-  bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                   const ProxyWall& here) noexcept override;
   void let_go() noexcept override;
   void forget() noexcept override;
 
