@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "contact/looks.hpp"
+#include "contact/proxy_shortcuts.hpp"
 #include "contact/proxy_state.hpp"
 #include "contact/step_making.hpp"
 #include "contact/worst_wall.hpp"
@@ -27,12 +28,10 @@ struct StepTerms {
 ///
 /// LimitedSight looks at no more than a tick may: where that is not enough, a step is broken off, and gone on
 /// with in the next tick, and all else is declined. ProxyMemory, which derives from it, answers the same
-/// questions faster. The second half of this list are offers to it, to go on for the proxy from a state where
-/// it knows what the proxy would do; here each of them declines.
-class ProxySight {
+/// questions faster, and takes shortcuts, of which there are none here.
+class ProxySight : public ProxyShortcuts {
  public:
   explicit ProxySight(ProxyWorld world) : world_(std::move(world)) {}
-  virtual ~ProxySight() = default;
 
   const ProxyWorld& world() const noexcept { return world_; }
   /// What this tick may still look at.
@@ -55,21 +54,6 @@ class ProxySight {
   /// to the finger, if one is nearer.
   virtual std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept;
 
-  /// At the tick's start: takes the proxy to where it comes to rest, and reports. False where that is not
-  /// known; the proxy may then be on its way there.
-  virtual bool carry(ProxyState&) noexcept { return false; }
-  /// The proxy has come to rest.
-  virtual void note_rest(const ProxyState&) noexcept {}
-  /// At the tick's end: takes the proxy to the same place in closed form, and reports. False if not known.
-  virtual bool slide(ProxyState&) noexcept { return false; }
-  /// Takes the proxy to `to`, where `there` (seen from its place) alone holds it. False where that is not
-  /// known.
-  virtual bool land(ProxyState&, const ProxyWall& /*there*/, const Vec3& /*edge_O*/,
-                    const Vec3& /*to_O*/) noexcept {
-    return false;
-  }
-  /// The proxy leaves what it rested on; steps may follow.
-  virtual void let_go() noexcept {}
   /// Forgets everything, as before the first tick.
   virtual void forget() noexcept { drop_step(); }
 
