@@ -4,8 +4,8 @@
 
 namespace fingerpad {
 
-/// What a proxy offers to a sight that remembers: to go on for it from a state where that sight knows what
-/// the proxy would do. For speed alone; here every offer is declined.
+/// Shortcuts that a proxy's sight takes for it, from a state where it knows what the proxy would do. For
+/// speed alone; here none is taken.
 class ProxyShortcuts {
  public:
   virtual ~ProxyShortcuts() = default;
