@@ -75,11 +75,6 @@ class ProxySight : public ProxyShortcuts {
   void drop_step() noexcept { making_.drop(); }
   /// Looks around from there, for ways no longer than this.
   void look_from(const Vec3& place_O, double way_m) noexcept;
-  static ProxyStep broken_off_step() noexcept {
-    ProxyStep step;
-    step.stuck = step.broken_off = true;
-    return step;
-  }
   /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given
   /// walls cannot.
   bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;

@@ -55,6 +55,11 @@ class ProxyViews : public LimitedSight {
   std::array<Blocker, 3> blockers_;  // what held the proxy last
 
  private:
+  static ProxyStep broken_off_step() noexcept {
+    ProxyStep step;
+    step.stuck = step.broken_off = true;
+    return step;
+  }
   ProxyStep step_past_views(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
   void note_short_step(const ProxyStep& step, long looks) noexcept;
   void note_blockers(const ProxyStep& step) noexcept;
