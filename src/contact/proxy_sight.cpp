@@ -2,7 +2,6 @@
 
 #include <cmath>
 
-#include "contact/bent_walls.hpp"
 #include "contact/facet_fan.hpp"
 #include "contact/proxy_limits.hpp"
 

@@ -78,7 +78,7 @@ class ProxySight : public ProxyShortcuts {
   /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given
   /// walls cannot.
   bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;
-  /// The same of one part.
+  /// What offer_all asks of one part.
   virtual bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                           LookRound& round) noexcept;
 
