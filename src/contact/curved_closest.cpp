@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/facet_rule.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -190,16 +192,13 @@ struct Walk {
     constexpr int most_turns = 16;
     const int home = best.triangle, vertex = part.welded(corner, home);
     for (const int first_edge : {corner, (corner + 2) % 3}) {
-      int t = home, edge = first_edge;
+      VertexTurn at{vertex, home, first_edge};
       for (int turn = 0; turn < most_turns; ++turn) {
-        const int next = part.neighbours(edge, t);
+        const int next = at.next(part);
         if (next == home) return false;
         if (next < 0) break;
-        int c = 0;
-        while (c < 2 && part.welded(c, next) != vertex) ++c;
-        edge = part.neighbours(c, next) == t ? (c + 2) % 3 : c;
-        t = next;
-        if (move_to(t, from)) return true;
+        at.go_on(part);
+        if (move_to(next, from)) return true;
       }
     }
     return false;

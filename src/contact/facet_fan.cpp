@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact/facet_rule.hpp"
 #include "contact/worst_wall.hpp"
 
 namespace fingerpad {
@@ -38,6 +39,22 @@ void FacetFan::gather(const ProxyWorld& world, const ProxyWall& wall_O) noexcept
   }
 }
 
+/// Goes around a corner over one of its two edges, as far as no crease is crossed. False where that led all
+/// the way around, or the fan is full: there is nothing left to find the other way.
+bool FacetFan::go_around(const Middle& middle, int corner, int first_edge) noexcept {
+  const Part& part = middle.part;
+  VertexTurn at{part.welded(corner, middle.triangle), middle.triangle, first_edge};
+  for (int turn = 0; turn < ProxyLimits::most_turns; ++turn) {
+    const int next = at.next(part);
+    if (next < 0 || has_crease(part, at.triangle, at.edge)) break;
+    if (next == middle.triangle || count_ == ProxyLimits::most_neighbours) return false;
+    at.go_on(part);
+    ++looks_;
+    if (!is_met_already(middle, next)) add_if_behind(middle, next);
+  }
+  return true;
+}
+
 /// A facet across an edge is met about both of the edge's corners.
 bool FacetFan::is_met_already(const Middle& middle, int t) const noexcept {
   if (!(middle.part.neighbours.col(middle.triangle).array() == t).any()) return false;
@@ -45,31 +62,13 @@ bool FacetFan::is_met_already(const Middle& middle, int t) const noexcept {
   return std::any_of(known.begin(), known.end(), [t](const ProxyWall& wall) { return wall.triangle == t; });
 }
 
-/// Goes around a corner over one of its two edges, as far as no crease is crossed. False where that led all
-/// the way around, or the fan is full: there is nothing left to find the other way.
-bool FacetFan::go_around(const Middle& middle, int corner, int first_edge) noexcept {
-  const Part& part = middle.part;
-  const int vertex = part.welded(corner, middle.triangle);
-  int t = middle.triangle, edge = first_edge;
-  for (int turn = 0; turn < ProxyLimits::most_turns; ++turn) {
-    const int next = part.neighbours(edge, t);
-    if (next < 0 || (part.creases[static_cast<std::size_t>(t)] >> edge & 1) != 0) break;
-    if (next == middle.triangle || count_ == ProxyLimits::most_neighbours) return false;
-    int at = 0;
-    while (at < 2 && part.welded(at, next) != vertex) ++at;
-    // Of the two edges at the vertex, the one not come by.
-    edge = part.neighbours(at, next) == t ? (at + 2) % 3 : at;
-    t = next;
-    ++looks_;
-    if (is_met_already(middle, t)) continue;
-    const TriangleCorners corners = corners_of(part, t);
-    const Vec3 normal_P = middle.side * corners.normal;
-    if (!(normal_P.dot(middle.normal_P) > 0) || !middle.behind.hide(corners)) continue;
-    neighbours_O_[static_cast<std::size_t>(count_++)] = {
-        middle.world.turned_from_part(middle.surface, normal_P),
-        middle.world.clearance_m() + normal_P.dot(corners.a - middle.origin_P), middle.surface, t};
-  }
-  return true;
+void FacetFan::add_if_behind(const Middle& middle, int t) noexcept {
+  const TriangleCorners corners = corners_of(middle.part, t);
+  const Vec3 normal_P = middle.side * corners.normal;
+  if (!(normal_P.dot(middle.normal_P) > 0) || !middle.behind.hide(corners)) return;
+  neighbours_O_[static_cast<std::size_t>(count_++)] = {
+      middle.world.turned_from_part(middle.surface, normal_P),
+      middle.world.clearance_m() + normal_P.dot(corners.a - middle.origin_P), middle.surface, t};
 }
 
 const ProxyWall* FacetFan::nearest_to(const ProxyWorld& world, const ProxyWall& wall_O,

@@ -26,6 +26,7 @@ class FacetFan {
   struct Middle;
   bool go_around(const Middle& middle, int corner, int first_edge) noexcept;
   bool is_met_already(const Middle& middle, int t) const noexcept;
+  void add_if_behind(const Middle& middle, int t) noexcept;
 
   std::array<ProxyWall, ProxyLimits::most_neighbours> neighbours_O_;
   int count_ = 0, looks_ = 0;

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <utility>
+
 #include "contact/closest_point.hpp"
 
 namespace fingerpad {
@@ -32,19 +34,31 @@ inline bool has_crease(const Part& part, int t, int edge) noexcept {
   return (part.creases[t] >> edge & 1) != 0;
 }
 
+/// A triangle at a vertex, and the one of its two edges there over which one goes on about the vertex.
+struct VertexTurn {
+  int vertex;  ///< welded
+  int triangle, edge;
+
+  /// The triangle beyond the edge; -1 at an open rim.
+  int next(const Part& part) const noexcept { return part.neighbours(edge, triangle); }
+  /// @pre next(part) >= 0
+  void go_on(const Part& part) noexcept {
+    const int before = std::exchange(triangle, next(part));
+    int corner = 0;
+    while (corner < 2 && part.welded(corner, triangle) != vertex) ++corner;
+    // Of the two edges at the vertex, the one not come by.
+    edge = part.neighbours(corner, triangle) == before ? (corner + 2) % 3 : corner;
+  }
+};
+
 /// Whether the triangles around a corner close a ring: not at the border of an open part. Fans of more than
 /// 64 count as closed.
 inline bool is_ringed(const Part& part, int t, int corner) noexcept {
-  const int vertex = part.welded(corner, t);
-  int edge = corner, at = t;
+  VertexTurn at{part.welded(corner, t), t, corner};
   for (int turn = 0; turn < 64; ++turn) {
-    const int next = part.neighbours(edge, at);
+    const int next = at.next(part);
     if (next < 0 || next == t) return next == t;
-    int k = 0;
-    while (k < 2 && part.welded(k, next) != vertex) ++k;
-    // Of the two edges at the vertex, the one not come by.
-    edge = part.neighbours(k, next) == at ? (k + 2) % 3 : k;
-    at = next;
+    at.go_on(part);
   }
   return true;
 }

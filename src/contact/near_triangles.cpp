@@ -3,7 +3,9 @@
 #include <algorithm>
 
 #include "contact/ball_shadow.hpp"
+#include "contact/let_come.hpp"
 #include "contact/proxy_memory_limits.hpp"
+#include "contact/way_sieve.hpp"
 
 namespace fingerpad {
 namespace {
@@ -14,13 +16,6 @@ constexpr double longer = 1 + Limits::rounding;
 bool is_box_within(const Part& part, const Vec3& q_P, double distance_m) noexcept {
   const Vec3 beyond = (q_P.cwiseAbs() - part.half_extent).cwiseMax(0.0);
   return beyond.maxCoeff() <= distance_m && beyond.norm() <= distance_m * longer;
-}
-
-/// Lets a column of three come from memory while other things are done.
-template <class Number>
-void ask_for(const Number* column) noexcept {
-  __builtin_prefetch(column);
-  __builtin_prefetch(column + 2);
 }
 
 }  // namespace
@@ -55,25 +50,20 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
                                 const Blocker& blocker, Looks& looks) noexcept {
   const TriangleTree& tree = *world.surface(surface).tree;
   PartView& view = views_[static_cast<std::size_t>(surface)];
-  struct Listing {
-    NearTriangles* near;
-    const SearchLimit* limit;
-    const Part* part;
-    double clearance_m;
-  } listing{this, nullptr, &tree.part(), world.clearance_m()};
-  const auto list = [](void* any_listing, int triangle) {
-    const Listing& to = *static_cast<Listing*>(any_listing);
-    to.near->found_.push_back(triangle);
-    ask_for(to.part->triangles.col(triangle).data());
-    ask_for(to.part->facet_normals.col(triangle).data());
-    to.near->least_gaps_m_.push_back(to.limit->at_least_m - to.clearance_m);
+  const Part& part = tree.part();
+  const SearchLimit* used = nullptr;
+  auto list = [&](int triangle) {
+    found_.push_back(triangle);
+    let_come(part.triangles.col(triangle).data(), 3);
+    let_come(part.facet_normals.col(triangle).data(), 3);
+    least_gaps_m_.push_back(used->at_least_m - world.clearance_m());
   };
   found_.clear();
   bool is_whole = false;
   if (!view.is_crowded) {
     SearchLimit few{std::min(Limits::small_view, most) - count(), Limits::small_packets};
-    listing.limit = &few;
-    is_whole = tree.each_within(view.at_P, distance_m, few, list, &listing);
+    used = &few;
+    is_whole = tree.each_within(view.at_P, distance_m, few, call_with_triangle<decltype(list)>, &list);
     // How far it came that found too many depends on the order of Embree's tree.
     looks.spend(is_whole ? LookCosts::packet * few.packets : LookCosts::too_many);
     view.is_crowded = !is_whole;
@@ -87,10 +77,11 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
     SearchLimit limit{most - count(), Limits::most_packets, std::max(looks.left(), Limits::search_looks)};
     std::optional<KeptPoint> kept;
     if (blocker.surface == surface && blocker.triangle >= 0)
-      kept = {approach_triangle(tree.part(), blocker.triangle, view.at_P).at.point, world.clearance_m(),
+      kept = {approach_triangle(part, blocker.triangle, view.at_P).at.point, world.clearance_m(),
               Limits::missed_touching * world.touching_m()};
-    listing.limit = &limit;
-    is_whole = tree.each_within(view.at_P, distance_m, kept ? &*kept : nullptr, limit, list, &listing);
+    used = &limit;
+    is_whole = tree.each_within(view.at_P, distance_m, kept ? &*kept : nullptr, limit,
+                                call_with_triangle<decltype(list)>, &list);
     looks.spend(limit.looks());
     view.is_crowded = !is_whole || limit.packets > Limits::few_packets;
   }
@@ -98,7 +89,7 @@ bool NearTriangles::search_part(const ProxyWorld& world, int surface, double dis
     count_ = most;
     return false;
   }
-  list_found(tree.part(), surface, blocker);
+  list_found(part, surface, blocker);
   count_ += static_cast<int>(found_.size());
   looks.spend((view.is_in_order ? LookCosts::listed : LookCosts::fetched) * static_cast<long>(found_.size()));
   return true;
@@ -110,7 +101,7 @@ void NearTriangles::list_found(const Part& part, int surface, const Blocker& blo
   const std::size_t first = near_.size();
   for (const int triangle : found_) {
     near_.emplace_back(triangle);
-    for (int k = 0; k < 3; ++k) ask_for(part.vertices.col(part.triangles(k, triangle)).data());
+    for (int k = 0; k < 3; ++k) let_come(part.vertices.col(part.triangles(k, triangle)).data(), 3);
   }
   bounds_.resize(near_.size());
   if (blocker.surface != surface || !views_[static_cast<std::size_t>(surface)].is_in_order) return;
@@ -150,7 +141,7 @@ bool NearTriangles::look_at(std::size_t k, const Vec3& place_P, double clearance
   const TriangleApproach approach = approach_triangle(near.corners, place_P);
   near.seen = true;
   near.seen_from_P = place_P;
-  near.first = {approach.at.point, approach.towards, approach.distance_m};
+  near.first = FirstApproach(approach);
   near.gap_m = approach.distance_m - clearance_m;
   bounds_[k] = GapBound(approach, place_P, clearance_m);
   return true;
@@ -163,7 +154,7 @@ bool NearTriangles::is_cleared_by_plane(std::size_t k, const ProxyWorld& world, 
   const TriangleCorners& f = near_[k].corners;
   const double clearance_m = world.clearance_m(), tolerance_m = world.tolerance_m();
   const FacetSide facet = facet_side(f, way.from_P, way.to_P, clearance_m, tolerance_m);
-  if (!worst.is_cleared_by(facet, tolerance_m)) return false;
+  if (!is_cleared_by(facet, worst, tolerance_m)) return false;
   bounds_[k].towards = facet.side * f.normal;
   bounds_[k].level_m = -bounds_[k].towards.dot(f.a) - clearance_m - tolerance_m;
   return true;

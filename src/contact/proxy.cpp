@@ -8,16 +8,8 @@
 
 namespace fingerpad {
 
-double ProxyLeash::share_of(const Vec3& place_O, const Vec3& z) const noexcept {
-  const Vec3 from = place_O - centre_O;
-  if (!((from + z).squaredNorm() > length_m * length_m)) return 1;
-  // |from + t z| = length, from within it.
-  const double a = z.squaredNorm(), b = from.dot(z), c = from.squaredNorm() - length_m * length_m;
-  return c < 0 ? std::clamp((std::sqrt(b * b - a * c) - b) / a, 0.0, 1.0) : 0;
-}
-
-Proxy::Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals, Looks looks)
-    : Proxy(std::make_unique<ProxySight>(ProxyWorld(std::move(surfaces), radius_m, normals), looks)) {}
+Proxy::Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
+    : Proxy(std::make_unique<ProxySight>(ProxyWorld(std::move(surfaces), radius_m, normals))) {}
 
 Proxy::Proxy(std::unique_ptr<ProxySight> sight) : sight_(std::move(sight)) {
   reset();
@@ -41,60 +33,58 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
     reset();
     return state_.contact;
   }
+  begin_tick(dt_s);
+  const bool was_behind = state_.contact.behind;
+  const bool goes_on = std::exchange(state_.contact.broken_off, false) && state_.placed;
+  if (!state_.placed && !start(goal_O)) return state_.contact;
+  state_.finger_m = (goal_O - state_.goal_O).norm();
+  const ProxyLeash leash = leash_to(world(), state_, goal_O);
+  state_.goal_O = goal_O;
+  if (goes_on || !sight_->carry(state_)) follow(leash, goes_on);
+  state_.contact.behind = state_.contact.broken_off || (was_behind && !state_.contact.settled);
+  return state_.contact;
+}
+
+void Proxy::begin_tick(double dt_s) noexcept {
   const ProxyContact& last = state_.contact;
   state_.last_push_W = last.touching ? Vec3(last.depth_m * last.normal_W) : Vec3::Zero();
   state_.last_direction_W = last.direction_W;
   state_.rest_share = std::min(1.0, dt_s / ProxyLimits::release_s);
   state_.hopped = false;
-  state_.contact.started = !state_.placed;
-  const bool was_behind = state_.contact.behind;
-  const bool steps_first = std::exchange(state_.contact.broken_off, false) && state_.placed;
-  if (!state_.placed) start(goal_O);
-  if (!state_.placed) return state_.contact;
-  state_.finger_m = (goal_O - state_.goal_O).norm();
-  const ProxyLeash leash = leash_to(goal_O);
-  state_.goal_O = goal_O;
-  // What was broken off is gone on with; all else is declined, so that no two ticks end at the same step.
-  if (steps_first || !sight_->carry(state_)) follow(leash, steps_first);
-  state_.contact.behind = state_.contact.broken_off || (was_behind && !state_.contact.settled);
-  return state_.contact;
+  state_.contact.started = false;
 }
 
-void Proxy::start(const Vec3& goal_O) noexcept {
+/// Puts the proxy down; false where it has no place yet.
+bool Proxy::start(const Vec3& goal_O) noexcept {
+  const ProxyStart::End end = start_.go_on(world(), goal_O, sight_->looks());
   state_.contact = {};
   state_.contact.started = true;
-  const auto found = start_.go_on(world(), goal_O, sight_->looks());
-  state_.contact.placed = state_.placed = found == ProxyStart::End::placed;
-  state_.contact.behind = state_.contact.broken_off = found == ProxyStart::End::broken_off;
-  if (!state_.placed) return;
+  state_.contact.placed = state_.placed = end == ProxyStart::End::placed;
+  state_.contact.behind = state_.contact.broken_off = end == ProxyStart::End::broken_off;
+  if (!state_.placed) return false;
   state_.place_O = start_.place_O();
   state_.goal_O = goal_O;
+  return true;
 }
 
-/// Where the proxy may go in this tick, see move().
-/// @pre finger_m and rest_share are this tick's, goal_O the last one's
-ProxyLeash Proxy::leash_to(const Vec3& goal_O) const noexcept {
-  if (!state_.contact.touching) return {};
-  const Vec3 push = state_.place_O - state_.goal_O;
-  // What is shown of it has no skin, and may change by as much more.
-  const double most_m = most_step_m(state_, push.norm()) - 2 * world().skin_m();
-  const double length_m = std::max(most_m, state_.finger_m + push.norm() * state_.rest_share);
-  return {goal_O + push, length_m, std::max(length_m - state_.finger_m, state_.finger_m)};
-}
-
-void Proxy::follow(ProxyLeash leash, bool steps_first) noexcept {
-  // Over smooth edges first: what a hop gains is the facets', not the finger's, and does not count. What
-  // the proxy slides after it does. One hop that is felt is enough for a tick.
+/// Takes the proxy after the finger: over a smooth edge or round what holds it, where that is known at once,
+/// and by steps; then over smooth edges as long as that leads nearer.
+/// @param goes_on  with the step that the last tick broke off; all else is for later, so that no two ticks
+/// end at the same step
+void Proxy::follow(ProxyLeash leash, bool goes_on) noexcept {
+  // What a hop gains is the facets', not the finger's, and does not count. What the proxy slides after it
+  // does.
   const auto hop_uncounted = [&] {
     const Vec3 before_O = state_.place_O;
     const Way way = hop();
     leash.centre_O += state_.place_O - before_O;
     return way;
   };
-  Way way = steps_first ? Way::blocked : hop_uncounted();
-  if (way == Way::blocked && !steps_first) way = roll(leash);
+  Way way = goes_on ? Way::blocked : hop_uncounted();
+  if (way == Way::blocked && !goes_on) way = roll(leash);
   if (!has_come_to_rest(way)) settle(leash);
-  for (int k = 0; k < ProxyLimits::most_hops && state_.contact.settled && !is_felt(); ++k) {
+  // One hop that is felt is enough for a tick.
+  for (int k = 0; k < ProxyLimits::most_hops && state_.contact.settled && !are_hops_felt(state_); ++k) {
     sight_->note_rest(state_);
     way = hop_uncounted();
     if (way == Way::blocked) break;
@@ -114,20 +104,13 @@ void Proxy::settle(const ProxyLeash& leash) noexcept {
       break;
     }
     if (sight_->looks().are_spent()) return break_off({});
-    const ProxyStep step = sight_->step(state_.place_O, goal_O, {leash.step_m, bent_m, aside_m()});
+    const ProxyStep step = sight_->step(state_, {leash.step_m, bent_m});
     if (step.broken_off) return break_off(step);
     if (advance(step, leash)) return;
     // Ways that converge get shorter by more than that.
     bent_m = k == 0 ? leash.step_m : step.bent ? ProxyLimits::next_bend * step.z.norm() : bent_m;
   }
   state_.contact.settled = goal_O == state_.place_O;
-}
-
-/// How far the finger is off to the side of its last push: what the proxy has to slide, about.
-double Proxy::aside_m() const noexcept {
-  const Vec3 way = state_.goal_O - state_.place_O;
-  if (state_.last_push_W.isZero(0)) return way.norm();
-  return (way - way.dot(state_.last_direction_W) * state_.last_direction_W).norm();
 }
 
 /// Stays, with the walls that the step has found so far, or else those of before.
@@ -186,25 +169,15 @@ Proxy::Way Proxy::hop() noexcept {
   return way;
 }
 
-/// Whether the hops of this tick change the push by more than hops may. A first touch may be anything.
-bool Proxy::is_felt() const noexcept {
-  if (!state_.hopped || state_.last_push_W.isZero(0)) return false;
-  const Vec3 way = state_.place_O - state_.goal_O;
-  const Vec3 last_way = state_.last_push_W.norm() * state_.last_direction_W;
-  return (way - last_way).norm() > most_step_m(state_) + ProxyLimits::unfelt_share * way.norm();
-}
-
 /// Goes on around the one triangle that holds the proxy, to where the finger is now. Blocked where another
 /// way of holding it has to be looked for.
 Proxy::Way Proxy::roll(const ProxyLeash& leash) noexcept {
-  const ProxyStep& hold = state_.hold;
+  const ProxyWall* wall = state_.one_triangles_wall();
+  if (wall == nullptr) return Way::blocked;
   const Vec3& place_O = state_.place_O;
-  if (hold.wall_count != 1 || hold.walls[0].triangle < 0 || hold.stuck || !state_.contact.settled)
-    return Way::blocked;
-  const int surface = hold.walls[0].surface, triangle = hold.walls[0].triangle;
-  const ProxyWall here = world().tangent_wall(surface, triangle, place_O, place_O);
+  const ProxyWall here = world().tangent_wall(wall->surface, wall->triangle, place_O, place_O);
   if (std::abs(here.least_m) > world().touching_m()) return Way::blocked;
-  const ProxyWall there = world().tangent_wall(surface, triangle, state_.goal_O, place_O);
+  const ProxyWall there = world().tangent_wall(wall->surface, wall->triangle, state_.goal_O, place_O);
   if (!(here.normal.dot(there.normal) > ProxyLimits::least_roll_cosine)) return Way::blocked;
   return go_over(here, there, leash);
 }
@@ -216,30 +189,28 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const P
   sight_->looks().spend(LookCosts::hop);
   const Vec3& goal_O = state_.goal_O;
   const Vec3 place_O = state_.place_O, goal = goal_O - place_O;
-  const double depth_m = there.lack_m(goal);
-  const Vec3 far = goal + depth_m * there.normal;
+  const double depth_m = there.lack_m(goal), must_beat_m = goal.norm() - world().tolerance_m();
+  const Vec3 far = goal + depth_m * there.normal;  // where the second wall alone would hold it
   const std::optional<Vec3> over = on_both_walls(0.5 * far, here, there);
   if (!over) return Way::blocked;
-  const double way_m = over->norm(), rest_m = (far - *over).norm();
   // Over an edge that is near, not where the planes meet at all.
-  if (way_m > ProxyLimits::longest_way_over * far.norm() || leash.share_of(place_O, far) < 1)
+  if (over->norm() > ProxyLimits::longest_way_over * far.norm() || leash.share_of(place_O, far) < 1)
     return Way::blocked;
   if (!sight_->is_way_free(place_O, *over, far, here)) {
     state_.contact.broken_off |= sight_->looks().are_spent();
     return Way::blocked;
   }
   const Vec3 edge_O = place_O + *over;
-  const double gone_m = goal.norm() - world().tolerance_m();
-  if (depth_m > 0 && depth_m < gone_m && sight_->land(state_, there, edge_O, place_O + far))
+  if (depth_m > 0 && depth_m < must_beat_m && sight_->land(state_, there, edge_O, place_O + far))
     return Way::rests;
 
-  const ProxyStep step = sight_->step_over(edge_O, goal_O, there.seen_from(*over), rest_m);
+  const ProxyStep step = sight_->step_over(edge_O, goal_O, there.seen_from(*over), (far - *over).norm());
   if (step.broken_off) {
     state_.contact.broken_off = true;
     return Way::blocked;
   }
   const Vec3 new_place_O = edge_O + step.z;
-  if (!((goal_O - new_place_O).norm() < gone_m)) return Way::blocked;
+  if (!((goal_O - new_place_O).norm() < must_beat_m)) return Way::blocked;
   if (leash.share_of(place_O, new_place_O - place_O) < 1) return Way::blocked;
   sight_->let_go();
   state_.contact.settled = true;

@@ -35,9 +35,9 @@ struct ProxyLimits {
   static constexpr double proxy_per_finger = 2;
   /// ... or, where the finger rests, lets the depth go in this time [s]: a motion and not a blow.
   static constexpr double release_s = 0.5;
-  /// Round a rounding the push turns with the proxy, so that this keeps up while it has to go at most so many
-  /// times as far as the finger: as deep as the second, a share of the rounding's radius and the ball's
-  /// together.
+  /// On its way round a rounding the push turns with the proxy, which therefore keeps up as long as its way
+  /// is at most so many times as long as the finger's. That is where the finger is no deeper than this share
+  /// of the rounding's radius and the ball's together.
   static constexpr double rounds_per_finger = 2 + proxy_per_finger, rounds_deep = 1 - 1 / rounds_per_finger;
 
   /// A change of the push by less than this share of it is not felt: fingers tell 6 to 7 % apart.
@@ -59,18 +59,20 @@ struct ProxyLimits {
   /// Pushes that a start may take to get out of every surface. Walls that stand at right angles need one
   /// each; between walls that lean towards each other each push leaves a fixed share.
   static constexpr int most_pushes = 200;
-  /// A start after one that found no place takes so many times less of a tick than that: a ball that is held
-  /// in a slot narrower than itself would else cost a whole tick's looks as long as it is there.
+  /// A start after one that found no place has so many times fewer looks: a ball that is held in a slot
+  /// narrower than itself would else cost a whole tick's looks as long as it is there.
   static constexpr long less_after_no_place = 8;
-  /// So does what is left of a start after so many ticks: most end in a few, in a bore that just fits in some
-  /// forty, and where the ball fits nowhere all its pushes may take a second.
+  /// So has a start that has taken so many ticks. Most take a few, in a bore that just fits some forty; where
+  /// the ball fits nowhere all its pushes may take a second.
   static constexpr int patient_ticks = 64;
-  /// A start that goes round ends: all its pushes would take it less than this share of what it lacks.
+  /// A start goes round, and ends, where all its pushes together would take it on by less than this share of
+  /// what it lacks.
   static constexpr double little_way = 1e-3;
   /// Steps, and hops over smooth edges, in a tick. Two or three do; the caps bound what a tick may cost.
   static constexpr int most_steps = 64;
   static constexpr int most_hops = 32;
-  /// Walls that one step may try. It adds a wall a pass; two or three do.
+  /// Walls that one step may try. It adds a wall a pass; two or three do, and no walk has been seen to take
+  /// more than twelve.
   static constexpr int most_passes = 48;
 
   /// What a step along bent walls divides by, as a share of what it would be along flat ones: with less than

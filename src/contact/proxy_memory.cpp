@@ -93,7 +93,7 @@ bool ProxyMemory::slide_on_one(ProxyState& state) noexcept {
 /// In the valley or corner of two or three facets, as long as all of them hold.
 bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
   const std::span walls_O(room_.walls_O.data(), static_cast<std::size_t>(room_.wall_count));
-  const ProxyProjection p = project_onto_every(state.goal_O, walls_O, room_.together);
+  const ProxyProjection p = room_.every.project(state.goal_O, walls_O);
   if (!p.found || !room_.holds(p.z) || !is_clear_of_planes(p.z, -1)) return false;
   std::array<Vec3, 3> weights;
   for (std::size_t k = 0; k < walls_O.size(); ++k) {
@@ -101,7 +101,7 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
     if (!(weights[k].minCoeff() > 0)) return false;
   }
   // Without its skin the ball's walls stand nearer by that.
-  const ProxyProjection skinless = with_walls_nearer(p, room_.together, world_.skin_m());
+  const ProxyProjection skinless = room_.every.with_walls_nearer(p, world_.skin_m());
   if (!skinless.found) return false;
   state.hold_place_O = state.place_O = p.z;
   state.hold.wall_count = room_.wall_count;
@@ -190,7 +190,7 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
     room_.walls_O[k] = walls[k].seen_from(-state.hold_place_O);
     room_.facets[k] = FacetWeights(world_, walls[k]);
   }
-  room_.together = together(walls);
+  room_.every = EveryWall(walls);
   if (!make_room(walls, search_place_O(), state.place_O, state.place_O) &&
       !make_room(walls, state.hold_place_O, state.place_O, state.place_O)) {
     // Something stands close in front of the walls: no room to slide, but a neighbour may yet be nearer.

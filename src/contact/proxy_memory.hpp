@@ -1,5 +1,6 @@
 #pragma once
 
+#include "contact/every_wall.hpp"
 #include "contact/facet_fan.hpp"
 #include "contact/facet_weights.hpp"
 #include "contact/proxy.hpp"
@@ -43,7 +44,7 @@ class ProxyMemory : public ProxyViews {
     enum class Kind { none, flight, slide } kind = Kind::none;
     int wall_count = 0;  ///< slide
     std::array<ProxyWall, 3> walls_O;
-    WallsTogether together;  ///< of several walls
+    EveryWall every;  ///< of several walls
     std::array<FacetWeights, 3> facets;
 
     bool is_slide_on_one() const noexcept { return kind == Kind::slide && wall_count == 1; }

@@ -1,30 +1,13 @@
 #include "contact/proxy_report.hpp"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 
-#include "base/unit_vector.hpp"
-#include "contact/proxy_limits.hpp"
+#include "contact/shown_push.hpp"
 #include "contact/surface_point.hpp"
+#include "contact/turn.hpp"
 
 namespace fingerpad {
 namespace {
-
-/// The smallest rotation from one unit vector to another, as axis times the tangent of half the angle
-/// (Rodrigues); none where they are opposite. A mean of such turns is no wider than the widest.
-Vec3 turn_between(const Vec3& from, const Vec3& to) noexcept {
-  if (differ_by_rounding_only(from, to)) return Vec3::Zero();
-  const double sum = 1 + from.dot(to);
-  return sum > ProxyLimits::least_turn_sum ? Vec3(from.cross(to) / sum) : Vec3::Zero();
-}
-
-/// A unit vector after a turn.
-Vec3 turned(const Vec3& v, const Vec3& turn) noexcept {
-  if (turn == Vec3::Zero()) return v;
-  const Vec3 across = turn.cross(v);
-  return v + 2 / (1 + turn.squaredNorm()) * (across + turn.cross(across));
-}
 
 /// The wall of state.hold that the k-th hold stands for.
 const ProxyWall& active_wall(const ProxyState& state, const ProxyProjection& p, std::size_t k) noexcept {
@@ -41,64 +24,6 @@ Vec3 turn_of_holds(const ProxyState& state, const ProxyProjection& p) noexcept {
     share_m += hold.share_m;
   }
   return share_m > 0 ? Vec3(turn / share_m) : Vec3::Zero();
-}
-
-/// As far on the way from the last tick's normal to another as changes the push by at most so much.
-/// @pre the other changes it by more
-Vec3 normal_towards(const Vec3& shaded_W, double most_m, const ProxyState& state) noexcept {
-  const double depth_m = state.contact.depth_m, last_m = state.last_push_W.norm();
-  const Vec3 last = state.last_push_W / last_m, across = shaded_W - shaded_W.dot(last) * last;
-  const double across_m = across.norm();
-  if (!(across_m > ProxyLimits::least_turn_sine)) return shaded_W;
-  // The law of cosines in the triangle of both pushes and their difference.
-  const double cosine =
-      std::min(1.0, (depth_m * depth_m + last_m * last_m - most_m * most_m) / (2 * depth_m * last_m));
-  return cosine * last + std::sqrt(std::max(0.0, 1 - cosine * cosine)) / across_m * across;
-}
-
-/// Shows a hop that is felt over several ticks: as much of it as a tick may.
-void show_part_of_hop(const Vec3& shaded_W, double most_m, ProxyState& state) noexcept {
-  ProxyContact& contact = state.contact;
-  state.lags = true;
-  contact.normal_W = normal_towards(shaded_W, most_m, state);
-  // A hop that had to wait can bring the proxy nearer by more than may be shown at once.
-  const double held_back_m = state.last_push_W.norm() - most_m - contact.depth_m;
-  if (!(held_back_m > 0)) return;
-  contact.depth_m += held_back_m;
-  contact.proxy_W += held_back_m * contact.direction_W;
-}
-
-/// Shows as much of a turn that jumps as a tick may.
-void show_part_of_turn(const Vec3& shaded_W, double step2_m2, double most_m, ProxyState& state) noexcept {
-  const Vec3& direction = state.contact.direction_W;
-  const double depth_m = state.contact.depth_m;
-  // The last turn, kept, changes the push by no more than the way to the proxy changes.
-  const Vec3 last = turn_between(state.last_direction_W, state.last_push_W.normalized());
-  const Vec3 left = turn_between(direction, shaded_W) - last;
-  const Vec3 kept = turned(direction, last);
-  const double kept_step_m = (depth_m * kept - state.last_push_W).norm();
-  if (kept_step_m * kept_step_m > step2_m2) return;
-  // A unit vector goes by no more than twice what its turn changes by.
-  const double left_m = 2 * depth_m * left.norm(), room_m = std::max(0.0, most_m - kept_step_m);
-  if (room_m < left_m) state.contact.normal_W = turned(direction, last + room_m / left_m * left);
-}
-
-/// Shows a normal, or, where the push would change too much by it, one on the way there from the last tick's.
-void show(const ProxyWorld& world, const Vec3& shaded_W, ProxyState& state) noexcept {
-  state.contact.normal_W = shaded_W;
-  const bool after_hop = state.hopped || state.lags;
-  state.lags = false;
-  if (!world.is_shaded() || state.last_push_W.isZero(0)) return;
-  const double depth_m = state.contact.depth_m;
-  const double step2_m2 = (depth_m * shaded_W - state.last_push_W).squaredNorm();
-  if (step2_m2 <= state.finger_m * state.finger_m) return;
-  const double most_m = most_step_m(state) + (after_hop ? ProxyLimits::unfelt_share * depth_m : 0.0);
-  if (step2_m2 <= most_m * most_m) return;
-  if (after_hop) {
-    show_part_of_hop(shaded_W, most_m, state);
-  } else {
-    show_part_of_turn(shaded_W, step2_m2, most_m, state);
-  }
 }
 
 /// Greatest first; std::stable_sort would allocate.
@@ -135,7 +60,7 @@ void report_underway(const ProxyWorld& world, ProxyState& state) noexcept {
   contact.direction_W = push / length_m;
   contact.proxy_W = state.place_O + world.p_WO();
   contact.point_W = contact.proxy_W - world.radius_m() * contact.direction_W;
-  show(world, contact.direction_W, state);
+  show_normal(world, contact.direction_W, state);
 }
 
 /// The normal of a wall as Normals says at a point of its triangle.
@@ -149,10 +74,6 @@ Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoin
 }
 
 }  // namespace
-
-double most_step_m(const ProxyState& state, double last_m) noexcept {
-  return state.finger_m + std::max(ProxyLimits::proxy_per_finger * state.finger_m, last_m * state.rest_share);
-}
 
 ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,
                                   std::span<const ProxyWall> walls) noexcept {
@@ -184,21 +105,12 @@ ContactHold hold_on_facet(const ProxyWorld& world, const ProxyWall& wall, double
 
 void report(const ProxyWorld& world, ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
-  if (!state.contact.settled && !(state.contact.broken_off && !is_held_back(state))) {
-    report_underway(world, state);
-    return;
-  }
+  const bool waits_freely = state.contact.broken_off && !is_held_back(state);
+  if (!state.contact.settled && !waits_freely) return report_underway(world, state);
   report_free(state);
-  if (!state.contact.settled) return;
-  if (hold.wall_count == 0) {
-    if (state.goal_O != state.place_O) report_underway(world, state);
-    return;
-  }
+  if (!state.contact.settled || hold.wall_count == 0) return;
   const ProxyProjection p = held_without_skin(world, state.hold_place_O, state.goal_O, hold.held_by());
-  if (!p.found) {
-    report_underway(world, state);
-    return;
-  }
+  if (!p.found) return report_underway(world, state);
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k)
     state.contact.holds[k] =
         hold_at(world, hold.walls[static_cast<std::size_t>(p.active[k])], p.share_m[k], state.place_O);
@@ -221,13 +133,13 @@ void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& 
   if (is_single) {
     contact.direction_W = active_wall(state, p, 0).normal;
     contact.point_W = contact.holds[0].point_W;
-    show(world, contact.holds[0].normal_W, state);
+    show_normal(world, contact.holds[0].normal_W, state);
     return;
   }
   contact.direction_W = push / contact.depth_m;
   contact.point_W = contact.proxy_W - world.radius_m() * contact.direction_W;
   const Vec3& direction = contact.direction_W;
-  show(world, world.is_shaded() ? turned(direction, turn_of_holds(state, p)) : direction, state);
+  show_normal(world, world.is_shaded() ? turned(direction, turn_of_holds(state, p)) : direction, state);
   sort_by_share(contact);
 }
 

@@ -8,6 +8,12 @@ namespace fingerpad {
 // What the proxy tells of itself: the walls that hold it, and the way from the finger to it. Each function
 // fills the contact of a state whose place and hold are those of the tick's end. All are noexcept and
 // allocate nothing.
+//
+// Shaded normals: each wall that holds the proxy shades its own normal, which turns it by an angle that the
+// facets meeting there span. The normal shown for all of them together is the way from the finger to the
+// proxy turned by the mean of these turns, each weighted with its wall's share. So it stays within the
+// greatest of the walls' own angles of the way, however sharp the corner (a sum of shaded normals, in which
+// large shares nearly cancel, does not), and a wall whose share vanishes has no say any more.
 
 /// The proxy rests, or is still on its way: looks for what holds it, and reports.
 void report(const ProxyWorld& world, ProxyState& state) noexcept;
@@ -17,13 +23,6 @@ void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& 
 inline void report_free(ProxyState& state) noexcept {
   state.contact.touching = false;
   state.contact.hold_count = 0;
-}
-
-/// The largest change in a tick of a push that was so long before it: the finger's motion and the proxy's
-/// [m].
-double most_step_m(const ProxyState& state, double last_m) noexcept;
-inline double most_step_m(const ProxyState& state) noexcept {
-  return most_step_m(state, state.last_push_W.norm());
 }
 
 /// Whether one wall holds the ball without its skin, and by how much: what project_onto_walls comes to.

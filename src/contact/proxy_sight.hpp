@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "contact/looks.hpp"
+#include "contact/proxy_shortcuts.hpp"
 #include "contact/proxy_state.hpp"
 #include "contact/step_making.hpp"
 #include "contact/worst_wall.hpp"
@@ -15,63 +16,44 @@ struct WallPair {
   ProxyWall here, there;
 };
 
-/// What a step is asked for besides its goal.
+/// How far a step is to go.
 struct StepTerms {
   double most_m;      ///< the proxy will go no farther: what stands beyond need not be seen
   double bent_m = 0;  ///< goes on along walls that bend away (way_along_bend) where the way is then no longer
                       ///< than this
-  double aside_m = 0;  ///< how far the finger is off to the side of what held it last
 };
 
 /// What a proxy asks about its surroundings, answered by asking the trees for every triangle within reach,
-/// each time anew. Each answer depends on the question alone, and, where a tick's looks are limited, on what
-/// is left of them: then a step is broken off, and gone on with in the next tick, and all else is declined.
+/// each time anew: each answer depends on the question alone.
 ///
-/// ProxyMemory answers the same questions faster. The second half of this list are offers to it, to go on for
-/// the proxy from a state where it knows what the proxy would do; here each of them declines.
-class ProxySight {
+/// LimitedSight looks at no more than a tick may: where that is not enough, a step is broken off, and gone on
+/// with in the next tick, and all else is declined. ProxyMemory, which derives from it, answers the same
+/// questions faster, and takes shortcuts, of which there are none here.
+class ProxySight : public ProxyShortcuts {
  public:
-  explicit ProxySight(ProxyWorld world, Looks looks = Looks(Looks::unlimited))
-      : world_(std::move(world)), looks_(looks) {}
-  virtual ~ProxySight() = default;
+  explicit ProxySight(ProxyWorld world) : world_(std::move(world)) {}
 
   const ProxyWorld& world() const noexcept { return world_; }
   /// What this tick may still look at.
   Looks& looks() noexcept { return looks_; }
   const Looks& looks() const noexcept { return looks_; }
 
-  /// Whether the last step was broken off: the next one, from the same place, goes on with it, towards the
-  /// goal that it was made for.
-  bool is_amid_step() const noexcept { return making_.is_underway(); }
-  /// The step from a place that brings the ball as close to `goal` as it can get without crossing a surface.
-  virtual ProxyStep step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
+  /// The step from the proxy's place that brings it as close to its goal as it can get without crossing a
+  /// surface. After a step that was broken off, from the same place, it is the same step gone on with,
+  /// towards the goal that it was made for.
+  virtual ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept;
   /// The same from a place above an edge, where `first` is known to hold (seen from there).
   /// @param rest_m  how far from there to the place that `first` alone would allow
   virtual ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                               double rest_m) noexcept;
   /// Whether the ball may go by `over` from its place, in front of the wall `here`.
-  /// @param far  where it goes on to from there, relative to its place
+  /// @param far  where it will go on to from there, relative to its place
   virtual bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
                            const ProxyWall& here) noexcept;
   /// Where one facet holds the proxy from over its face: that facet and its smooth neighbour that is nearest
   /// to the finger, if one is nearer.
   virtual std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept;
 
-  /// At the tick's start: takes the proxy to where it comes to rest, and reports. False where that is not
-  /// known; the proxy may then be on its way there.
-  virtual bool carry(ProxyState&) noexcept { return false; }
-  /// The proxy has come to rest.
-  virtual void note_rest(const ProxyState&) noexcept {}
-  /// At the tick's end: takes the proxy to the same place in closed form, and reports. False if not known.
-  virtual bool slide(ProxyState&) noexcept { return false; }
-  /// Takes the proxy to `to`, where `there` (seen from its place) alone holds it. False where that is not
-  /// known.
-  virtual bool land(ProxyState&, const ProxyWall& /*there*/, const Vec3& /*edge_O*/,
-                    const Vec3& /*to_O*/) noexcept {
-    return false;
-  }
-  /// The proxy leaves what it rested on; steps may follow.
-  virtual void let_go() noexcept {}
   /// Forgets everything, as before the first tick.
   virtual void forget() noexcept { drop_step(); }
 
@@ -80,41 +62,32 @@ class ProxySight {
   /// Looks for the wall that the way by `z` from there breaches most; triangles behind the given walls
   /// cannot. False where the looks were spent before the end.
   bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, LookRound& round) noexcept;
-  /// Looks for the share of the way by `z` to the first touch. False where the looks were spent before the
-  /// end.
-  bool sweep_all(const Vec3& z, LookRound& round) noexcept;
 
  protected:
-  using Round = LookRound;
-
   /// @param most_m  the step ends there at the latest; no farther than is looked around
   /// @param first  walls to begin with that likely hold, seen from the place looked around from
   ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m,
                          std::span<const ProxyWall> first = {}) noexcept;
   ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
+  /// Whether the last step was broken off.
+  bool is_amid_step() const noexcept { return making_.is_underway(); }
   ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
   void drop_step() noexcept { making_.drop(); }
-  static ProxyStep broken_off_step() noexcept {
-    ProxyStep step;
-    step.stuck = step.broken_off = true;
-    return step;
-  }
+  /// Looks around from there, for ways no longer than this.
+  void look_from(const Vec3& place_O, double way_m) noexcept;
   /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given
   /// walls cannot.
   bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;
-  /// Offers each triangle of a part that is within reach. False where it was broken off.
+  /// What offer_all asks of one part.
   virtual bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                          Round& round) noexcept;
+                          LookRound& round) noexcept;
 
   ProxyWorld world_;
   Vec3 place_O_ = Vec3::Zero();  // looked around from ...
   double reach_m_ = 0;           // ... so far beyond the ball
-  Looks looks_;
+  Looks looks_{Looks::unlimited};
 
  private:
-  template <class Visit>
-  bool each_beside_way(const PartWay& way, std::size_t& next, const PacketSieve* sieve, Visit visit) noexcept;
-
   StepMaking making_;
 };
 

@@ -2,7 +2,6 @@
 
 #include <cstddef>
 #include <limits>
-#include <optional>
 
 #include "contact/looks.hpp"
 #include "contact/proxy_world.hpp"
@@ -29,33 +28,31 @@ class ProxyStart {
   const Vec3& place_O() const noexcept { return place_O_; }
 
  private:
-  /// How much a place lacks of the clearance, and which way out is.
-  struct Lack {
-    double lack_m = 0;
-    Vec3 outwards_W = Vec3::UnitZ();
+  /// How far the look at one part has come.
+  struct PartLook {
+    bool is_deep = false;  ///< it is farther than the clearance, and the place inside of it
+    ClosestWalk closest;
+    WindingWalk winding;
   };
 
   End push_on(const ProxyWorld& world, const Vec3& goal_O, Looks& looks) noexcept;
+  void look_anew(const ProxyWorld& world) noexcept;
+  bool look_at_all(const ProxyWorld& world, Looks& looks) noexcept;
+  bool look_at_part(const ProxyWorld& world, int surface, Looks& looks) noexcept;
+  void note(double lack_m, const Vec3& outwards_W) noexcept;
   bool is_going_round() const noexcept;
-  bool find_worst(const ProxyWorld& world, Looks& looks) noexcept;
-  std::optional<ClosestTriangle> closest_within(const TriangleTree& tree, const Vec3& q_P, double reach_m,
-                                                Looks& looks) noexcept;
-  bool lack_of_part(const ProxyWorld& world, int part, Looks& looks, Lack& lack) noexcept;
-  void note(const Lack& lack) noexcept;
 
   bool is_underway_ = false;
   bool has_failed_ = false;  // the last one to end found no place
+  int ticks_ = 0;            // that it was gone on with in
   Vec3 goal_O_ = Vec3::Zero();
   Vec3 place_O_ = Vec3::Zero();
-  Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   int pushes_ = 0;
-  int ticks_ = 0;         // that it was gone on with in
+  Vec3 passed_O_ = Vec3::Constant(std::numeric_limits<double>::infinity());  // a place that it came by
   std::size_t part_ = 0;  // of the world's parts, to be looked at next ...
-  bool is_deep_ = false;  // it is farther than the clearance, and the place inside of it
-  ClosestWalk closest_;   // how far that has come
-  WindingWalk winding_;
-  Lack worst_;
-  bool lacks_ = false;  // a surface is nearer than the clearance: worst_
+  PartLook look_;         // ... and how far that has come
+  double lack_m_ = 0;     // what the place lacks of its clearance from the nearest surface so far ...
+  Vec3 outwards_W_ = Vec3::UnitZ();  // ... and which way is out of that
 };
 
 }  // namespace fingerpad

@@ -14,7 +14,7 @@ struct ProxyStep {
   std::array<double, 3> share_m{};  ///< multiplier of each
   bool truncated = false;           ///< the step ends where the view does, or where it may go no farther
   bool bent = false;                ///< the step goes on along walls that bend away
-  bool stuck = false;               ///< rounding left no way: z is zero or ends at the first touch
+  bool stuck = false;               ///< rounding left no way: z is zero
   bool broken_off = false;          ///< for want of looks: z is zero, and more walls may come
 
   std::span<const ProxyWall> held_by() const noexcept {
@@ -22,11 +22,12 @@ struct ProxyStep {
   }
 };
 
-/// Where the proxy stands against the finger. Of the Contact, placed is false where a start found no place
-/// for the ball, and started where this move put the proxy down anew; the depth is from the finger to the
-/// proxy, the normal direction_W, shaded (see Proxy), and the point of several holds, and on the way, the
-/// ball's lowest. Each hold has the point under the proxy and the normal as Normals says; on the way: as
-/// before.
+/// Where the proxy stands against the finger. Of the Contact:
+/// - depth_m is from the finger to the ball without its skin, normal_W the direction of that way, shaded
+///   (proxy_report);
+/// - point_W is the hold's where there is one, else, and on the way, the ball's lowest;
+/// - a hold has the surface's point under the ball, and the normal as Normals says; on the way, as before;
+/// - placed is false where a start found no place for the ball, started is true where it put it down anew.
 struct ProxyContact : Contact {
   bool touching = false;        ///< hold_count > 0
   bool settled = true;          ///< false: the proxy is still on its way to where it is closest to the finger
@@ -35,20 +36,32 @@ struct ProxyContact : Contact {
   int known_holds = 0;               ///< of `holds`, also while nothing is touched: what is gone on with
 };
 
-/// All that a proxy takes from one tick to the next.
+/// All that a proxy takes from one tick to the next: where it is, what holds it there, and what it shows.
+/// Frame O: see ProxyWorld.
 struct ProxyState {
   bool placed = false;
-  Vec3 place_O = Vec3::Zero();      ///< of the ball's centre, its skin included (frame O: see ProxyWorld)
-  Vec3 goal_O = Vec3::Zero();       ///< where the finger is
-  double finger_m = 0;              ///< how far the finger went in this tick
-  double rest_share = 0;            ///< of the depth, by which a resting finger's proxy goes on in this tick
-  bool hopped = false;              ///< over a smooth edge, in this tick
-  bool lags = false;                ///< a hop is still on its way to be shown
-  Vec3 last_push_W = Vec3::Zero();  ///< what the last tick showed: depth times normal [m] ...
-  Vec3 last_direction_W = Vec3::UnitZ();  ///< ... and the direction
-  ProxyStep hold;                         ///< the last step, with the walls that stopped it ...
-  Vec3 hold_place_O = Vec3::Zero();       ///< ... and where it was made from
+  Vec3 place_O = Vec3::Zero();  ///< of the ball's centre, its skin included
+  Vec3 goal_O = Vec3::Zero();   ///< where the finger is
+
+  ProxyStep hold;                    ///< the last step, with the walls that stopped it ...
+  Vec3 hold_place_O = Vec3::Zero();  ///< ... and where it was made from
+
   ProxyContact contact;
+  bool lags = false;  ///< a hop is still on its way to be shown
+
+  // Of one tick:
+  double finger_m = 0;                    ///< how far the finger went
+  double rest_share = 0;                  ///< of the depth, by which a resting finger's proxy goes on
+  bool hopped = false;                    ///< over a smooth edge
+  Vec3 last_push_W = Vec3::Zero();        ///< what the tick before it showed: depth times normal [m] ...
+  Vec3 last_direction_W = Vec3::UnitZ();  ///< ... and the direction
+
+  /// The wall of the one triangle that holds the proxy, where it rests on one alone, seen from hold_place_O;
+  /// else null.
+  const ProxyWall* one_triangles_wall() const noexcept {
+    const bool is_one = contact.settled && hold.wall_count == 1 && !hold.stuck && hold.walls[0].triangle >= 0;
+    return is_one ? &hold.walls[0] : nullptr;
+  }
 };
 
 }  // namespace fingerpad

@@ -1,19 +1,10 @@
 #include "contact/proxy_sweep.hpp"
 
 #include <cmath>
-#include <limits>
 
 #include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
-namespace {
-
-FirstApproach approach_of(const TriangleCorners& triangle, const Vec3& place) noexcept {
-  const TriangleApproach a = approach_triangle(triangle, place);
-  return {a.at.point, a.towards, a.distance_m};
-}
-
-}  // namespace
 
 FacetSide facet_side(const TriangleCorners& f, const Vec3& from, const Vec3& to, double clearance_m,
                      double tolerance_m) noexcept {
@@ -25,12 +16,6 @@ FacetSide facet_side(const TriangleCorners& f, const Vec3& from, const Vec3& to,
     return {};
   const double side = height_m < 0 ? -1 : 1;
   return {side, side * normal.dot(to - f.a) - clearance_m};
-}
-
-TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
-                                  double clearance_m, double tolerance_m) noexcept {
-  return sweep_past_triangle(f, from, to, clearance_m, tolerance_m, approach_of(f, from),
-                             std::numeric_limits<double>::infinity());
 }
 
 TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, const Vec3& to,
@@ -50,7 +35,7 @@ TriangleSweep sweep_past_triangle(const TriangleCorners& f, const Vec3& from, co
     if (gap_m <= tolerance_m) break;
     sweep.reached += gap_m / -slope;
     if (++sweep.steps == ProxyLimits::newton_steps) break;
-    here = approach_of(f, from + sweep.reached * way);
+    here = FirstApproach(approach_triangle(f, from + sweep.reached * way));
   }
   sweep.blocked = true;
   sweep.normal = here.towards;

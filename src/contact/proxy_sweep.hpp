@@ -15,10 +15,14 @@ struct TriangleSweep {
   int steps = 0;           ///< of Newton's method
 };
 
-/// What a sweep begins with.
+/// What a sweep begins with: of a TriangleApproach, what it reads.
 struct FirstApproach {
-  Vec3 foot, towards;  ///< TriangleApproach's
+  Vec3 foot, towards;
   double distance_m;
+
+  FirstApproach() = default;
+  explicit FirstApproach(const TriangleApproach& approach) noexcept
+      : foot(approach.at.point), towards(approach.towards), distance_m(approach.distance_m) {}
 };
 
 /// The half space on the start's side of a triangle's own plane, where the ball keeps its clearance from it.
@@ -38,13 +42,10 @@ FacetSide facet_side(const TriangleCorners& triangle, const Vec3& from, const Ve
 /// free: either one shows the rest of the way free, or the steps end at the touch. There the tangent half
 /// space is the wall, or the facet's own where that holds the ball back less and the ball touches that side.
 /// @param tolerance_m  by how much the clearance may be missed, > 0
-/// @pre from has the clearance, to within a few tolerances. noexcept, allocates nothing.
-TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,
-                                  double clearance_m, double tolerance_m) noexcept;
-/// The same where it is known how `from` stands before the triangle.
-/// @param first    the answer of approach_triangle(triangle, from)
+/// @param first    how `from` stands before the triangle: approach_triangle(triangle, from)
 /// @param worst_m  blocked only if end_slack_m is no greater than this: tangents only rise along the way, so
 /// that most sweeps end early
+/// @pre from has the clearance, to within a few tolerances. noexcept, allocates nothing.
 TriangleSweep sweep_past_triangle(const TriangleCorners& triangle, const Vec3& from, const Vec3& to,
                                   double clearance_m, double tolerance_m, const FirstApproach& first,
                                   double worst_m) noexcept;

@@ -12,6 +12,13 @@ namespace {
 using Limits = ProxyMemoryLimits;
 constexpr double rounded_up = 1 + Limits::rounding, rounded_down = 1 - Limits::rounding;
 
+/// How far the finger is off to the side of its last push: what the proxy has to slide, about.
+double aside_m(const ProxyState& s) noexcept {
+  const Vec3 way = s.goal_O - s.place_O;
+  if (s.last_push_W.isZero(0)) return way.norm();
+  return (way - way.dot(s.last_direction_W) * s.last_direction_W).norm();
+}
+
 int largest_fan(const Part& part) {
   std::vector<int> fan(static_cast<std::size_t>(part.welded_count), 0);
   for (int t = 0; t < part.triangle_count(); ++t) {
@@ -22,7 +29,7 @@ int largest_fan(const Part& part) {
 
 }  // namespace
 
-ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : ProxySight(std::move(world), looks), near_(world_) {
+ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : LimitedSight(std::move(world), looks), near_(world_) {
   for (const int i : world_.parts()) {
     usual_view_ =
         std::max(usual_view_, Limits::beside_fans + Limits::fans_in_view * largest_fan(world_.part(i)));
@@ -52,13 +59,14 @@ void ProxyViews::let_go() noexcept {
   falls_short_ = goes_past_views_ = false;
 }
 
-ProxyStep ProxyViews::step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept {
+ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept {
   if (is_amid_step()) {
     const ProxyStep step = go_on_with_step();
     note_blockers(step);
     return step;
   }
-  if (goes_past_views_ || is_outrun(place_O, std::min(terms.aside_m, terms.most_m)))
+  const Vec3 &place_O = s.place_O, &goal_O = s.goal_O;
+  if (goes_past_views_ || is_outrun(place_O, std::min(aside_m(s), terms.most_m)))
     return step_past_views(place_O, goal_O, terms);
   const long before = looks_.spent();
   if (falls_short_ && near_.count() <= Limits::rich_view) asked_m_ *= Limits::wider_view;
@@ -80,13 +88,6 @@ ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const Pr
            Vec3::Zero());
   if (is_blind() || overflow_) return broken_off_step();
   return step_beside(first, goal_O);
-}
-
-bool ProxyViews::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                             const ProxyWall& here) noexcept {
-  if (is_outrun(place_O, far.norm())) return false;
-  look_over_edge(place_O, over, far);
-  return is_seen_free(over, here);
 }
 
 bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept {
@@ -135,8 +136,8 @@ bool ProxyViews::see_from(const Vec3& place_O, double need_m, double reach_m, co
 }
 
 bool ProxyViews::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                            Round& round) noexcept {
-  if (overflow_ || is_past_views_) return ProxySight::offer_part(surface, z, walls, round);
+                            LookRound& round) noexcept {
+  if (overflow_ || is_past_views_) return LimitedSight::offer_part(surface, z, walls, round);
   return near_.offer(world_, surface, z, walls, round.next, round.worst, looks_);
 }
 

@@ -3,9 +3,9 @@
 #include <array>
 #include <limits>
 
+#include "contact/limited_sight.hpp"
 #include "contact/near_triangles.hpp"
 #include "contact/proxy_memory_limits.hpp"
-#include "contact/proxy_sight.hpp"
 
 namespace fingerpad {
 
@@ -16,15 +16,13 @@ namespace fingerpad {
 /// step short of the finger, and the proxy then goes on from there; and a crowded view leaves out triangles
 /// that a ball in front of its blocker cannot get at (BallShadow), which would only have led a step to its
 /// end by other walls; and a step past all views begins with walls that it will likely end at.
-class ProxyViews : public ProxySight {
+class ProxyViews : public LimitedSight {
  public:
   ProxyViews(ProxyWorld world, Looks looks);
 
-  ProxyStep step(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept override;
+  ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept override;
   ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
                       double rest_m) noexcept override;
-  bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                   const ProxyWall& here) noexcept override;
   void let_go() noexcept override;
   void forget() noexcept override;
 
@@ -57,6 +55,11 @@ class ProxyViews : public ProxySight {
   std::array<Blocker, 3> blockers_;  // what held the proxy last
 
  private:
+  static ProxyStep broken_off_step() noexcept {
+    ProxyStep step;
+    step.stuck = step.broken_off = true;
+    return step;
+  }
   ProxyStep step_past_views(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
   void note_short_step(const ProxyStep& step, long looks) noexcept;
   void note_blockers(const ProxyStep& step) noexcept;
@@ -77,7 +80,7 @@ class ProxyViews : public ProxySight {
   void see_nothing(double next_reach_m) noexcept;
   double widest_view_m() const noexcept;
   bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
-                  Round& round) noexcept override;
+                  LookRound& round) noexcept override;
 
   Vec3 search_place_O_ = Vec3::Zero();
   double search_reach_m_ = -1;

@@ -20,22 +20,19 @@ constexpr Choice choices[] = {{0, {}, 0},        {1, {0}, 1},       {1, {1}, 2},
                               {2, {0, 3}, 4},    {2, {1, 3}, 4},    {2, {2, 3}, 4},   {3, {0, 1, 2}, 3},
                               {3, {0, 1, 3}, 4}, {3, {0, 2, 3}, 4}, {3, {1, 2, 3}, 4}};
 
-/// The multipliers that put a point onto every chosen wall; false where the walls do not fix them.
+/// The multipliers that put a point onto every chosen wall; nothing where the walls do not fix them.
 /// @param lack_m  how far the point is behind each of the walls
-bool multipliers(std::span<const double> lack_m, std::span<const ProxyWall> walls,
-                 const std::array<int, 3>& choice, int count, std::array<double, 3>& share_m) noexcept {
+std::optional<std::array<double, 3>> shares_m(const Choice& choice, std::span<const ProxyWall> walls,
+                                              const std::array<double, 4>& lack_m) noexcept {
   std::array<Vec3, 3> normals;
   std::array<double, 3> chosen_m{};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) {
-    normals[i] = walls[static_cast<std::size_t>(choice[i])].normal;
-    chosen_m[i] = lack_m[static_cast<std::size_t>(choice[i])];
+  for (std::size_t i = 0; i < static_cast<std::size_t>(choice.count); ++i) {
+    normals[i] = walls[static_cast<std::size_t>(choice.walls[i])].normal;
+    chosen_m[i] = lack_m[static_cast<std::size_t>(choice.walls[i])];
   }
-  share_m = chosen_m;
-  if (count < 2) return true;
-  const WallsTogether together(normals, count);
-  if (!together.fix_shares()) return false;
-  share_m = together.shares_m(chosen_m);
-  return true;
+  const WallsTogether together(normals, choice.count);
+  if (!together.fix_shares()) return std::nullopt;
+  return together.shares_m(chosen_m);
 }
 
 }  // namespace
@@ -55,61 +52,33 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
   std::array<double, 4> lack_m{};
   for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) lack_m[i] = walls[i].lack_m(goal);
   for (const Choice& choice : choices) {
-    if (best.found && choice.count > 0 && best.active_count == 0) return best;
     if (choice.end > count) continue;
-    ProxyProjection p;
-    p.active = choice.walls;
-    p.active_count = choice.count;
-    if (!multipliers(lack_m, walls, p.active, p.active_count, p.share_m)) continue;
-    p.z = goal;
-    for (int i = 0; i < p.active_count; ++i)
-      p.z += p.share_m[i] * walls[static_cast<std::size_t>(p.active[i])].normal;
-    const bool free = std::all_of(walls.begin(), walls.begin() + count, [&](const ProxyWall& wall) {
-      return wall.normal.dot(p.z) >= wall.least_m - tolerance_m;
+    const auto share_m = shares_m(choice, walls, lack_m);
+    if (!share_m) continue;
+    Vec3 z = goal;
+    for (std::size_t i = 0; i < static_cast<std::size_t>(choice.count); ++i)
+      z += (*share_m)[i] * walls[static_cast<std::size_t>(choice.walls[i])].normal;
+    const bool is_free = std::all_of(walls.begin(), walls.begin() + count, [&](const ProxyWall& wall) {
+      return wall.normal.dot(z) >= wall.least_m - tolerance_m;
     });
-    const double distance_m = (p.z - goal).norm();
-    if (!free || (best.found && !(distance_m < best_distance_m * (1 - ProxyLimits::reach_rounding))))
-      continue;
-    p.found = true;
-    for (double& share : p.share_m) share = std::max(0.0, share);
-    best = p;
+    if (!is_free) continue;
+    const double distance_m = (z - goal).norm();
+    if (best.found && !(distance_m < best_distance_m * (1 - ProxyLimits::reach_rounding))) continue;
+    best = {true, z, choice.count, choice.walls, *share_m};
+    for (double& share : best.share_m) share = std::max(0.0, share);
     best_distance_m = distance_m;
+    if (choice.count == 0) break;  // nothing is nearer to the goal than itself
   }
   return best;
 }
 
-WallsTogether together(std::span<const ProxyWall> walls) noexcept {
-  std::array<Vec3, 3> normals;
-  for (std::size_t i = 0; i < walls.size(); ++i) normals[i] = walls[i].normal;
-  return {normals, static_cast<int>(walls.size())};
-}
-
-ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls,
-                                   const WallsTogether& together) noexcept {
-  ProxyProjection p;
-  p.active = {0, 1, 2};
-  p.active_count = static_cast<int>(walls.size());
-  if (!together.fix_shares()) return p;
-  std::array<double, 3> lack_m{};
-  for (std::size_t i = 0; i < walls.size(); ++i) lack_m[i] = walls[i].lack_m(goal);
-  p.share_m = together.shares_m(lack_m);
-  p.z = goal;
-  p.found = true;
-  for (std::size_t i = 0; i < walls.size(); ++i) {
-    p.z += p.share_m[i] * walls[i].normal;
-    p.found &= p.share_m[i] > 0;
-  }
+ProxyProjection ActiveWalls::project(const Vec3& goal, double tolerance_m) noexcept {
+  const ProxyProjection p = project_onto_walls(goal, all(), tolerance_m);
+  if (!p.found) return p;
+  count_ = static_cast<std::size_t>(p.active_count);
+  // They are named in rising order.
+  for (std::size_t k = 0; k < count_; ++k) walls_[k] = walls_[static_cast<std::size_t>(p.active[k])];
   return p;
-}
-
-ProxyProjection with_walls_nearer(ProxyProjection onto_every, const WallsTogether& together,
-                                  double nearer_m) noexcept {
-  onto_every.found = true;
-  for (std::size_t i = 0; i < static_cast<std::size_t>(onto_every.active_count); ++i) {
-    onto_every.share_m[i] -= nearer_m * together.per_metre_nearer()[i];
-    onto_every.found &= onto_every.share_m[i] > 0;
-  }
-  return onto_every;
 }
 
 }  // namespace fingerpad

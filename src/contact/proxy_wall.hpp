@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <span>
@@ -53,16 +54,23 @@ std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const Pr
 ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,
                                    double tolerance_m) noexcept;
 
-/// The same where every one of at most three walls is known to hold: found where all multipliers are
-/// positive, which makes the place where the planes meet the closest.
-/// @param together  what the walls' normals fix
-ProxyProjection project_onto_every(const Vec3& goal, std::span<const ProxyWall> walls,
-                                   const WallsTogether& together) noexcept;
-/// What becomes of such a projection's multipliers, and of `found`, where every wall stands nearer by so
-/// much. The place is left as it was.
-ProxyProjection with_walls_nearer(ProxyProjection onto_every, const WallsTogether& together,
-                                  double nearer_m) noexcept;
-/// @pre at most three walls
-WallsTogether together(std::span<const ProxyWall> walls) noexcept;
+/// The walls that a dual active-set method has come upon so far, and that hold: at most three, and one more.
+class ActiveWalls {
+ public:
+  std::span<const ProxyWall> all() const noexcept { return {walls_.data(), count_}; }
+  void clear() noexcept { count_ = 0; }
+  void add(const ProxyWall& wall) noexcept { walls_[count_++] = wall; }
+  /// Projects onto them and drops those that the point does not lie on; none where there is no such point.
+  ProxyProjection project(const Vec3& goal, double tolerance_m) noexcept;
+  template <class IsToDrop>
+  void drop_if(IsToDrop is_to_drop) noexcept {
+    const auto end = walls_.begin() + static_cast<std::ptrdiff_t>(count_);
+    count_ = static_cast<std::size_t>(std::remove_if(walls_.begin(), end, is_to_drop) - walls_.begin());
+  }
+
+ private:
+  std::array<ProxyWall, 4> walls_;
+  std::size_t count_ = 0;
+};
 
 }  // namespace fingerpad

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <new>
 
 #include "contact/proxy_limits.hpp"
 
@@ -46,17 +45,8 @@ Vec3 ProxyWorld::from_part(int i, const Vec3& q_P) const noexcept {
 }
 
 const TriangleApproach& ProxyWorld::approach(int i, int triangle, const Vec3& place_O) const noexcept {
-  for (const Told& told : told_) {
-    if (told.triangle == triangle && told.surface == i && told.place_O == place_O) return told.approach;
-  }
-  Told& told = told_[told_next_];
-  told_next_ = (told_next_ + 1) % told_.size();
-  told.surface = i;
-  told.triangle = triangle;
-  told.place_O = place_O;
-  new (&told.approach)
-      TriangleApproach(approach_triangle(part(i), triangle, in_part(i, place_O)));  // no copy
-  return told.approach;
+  return approaches_.find_or_keep(i, triangle, place_O,
+                                  [&] { return approach_triangle(part(i), triangle, in_part(i, place_O)); });
 }
 
 bool ProxyWorld::is_far_from(const ProxyWall& wall, const Vec3& place_O) const noexcept {

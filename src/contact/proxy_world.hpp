@@ -1,9 +1,9 @@
 #pragma once
 
-#include <array>
 #include <span>
 #include <vector>
 
+#include "contact/approach_memory.hpp"
 #include "contact/placed_surface.hpp"
 #include "contact/proxy_sweep.hpp"
 #include "contact/proxy_wall.hpp"
@@ -59,9 +59,8 @@ class ProxyWorld {
   /// A place in the frame of a part's arrays, and back.
   Vec3 in_part(int surface, const Vec3& place_O) const noexcept;
   Vec3 from_part(int surface, const Vec3& q_P) const noexcept;
-  /// How a place stands before a part's triangle; in the frame of the part's arrays. A proxy that lies on an
-  /// edge asks this several times a tick, each time of the same place: what was told last is kept. For one
-  /// thread at a time.
+  /// How a place stands before a part's triangle; in the frame of the part's arrays. For one thread at a
+  /// time.
   /// @returns good until the next question
   const TriangleApproach& approach(int surface, int triangle, const Vec3& place_O) const noexcept;
 
@@ -77,12 +76,6 @@ class ProxyWorld {
   ProxyWall tangent_wall(int surface, int triangle, const Vec3& from_O, const Vec3& place_O) const noexcept;
 
  private:
-  struct Told {
-    int surface = -1, triangle = -1;
-    Vec3 place_O = Vec3::Zero();
-    TriangleApproach approach;
-  };
-
   bool is_upright(int surface) const noexcept { return is_upright_[static_cast<std::size_t>(surface)] != 0; }
 
   std::vector<PlacedSurface> surfaces_;
@@ -93,8 +86,7 @@ class ProxyWorld {
   double extent_m_ = 0, middles_m_ = 0, skin_m_ = 0, tolerance_m_ = 0, slack_m_ = 0, touching_m_ = 0;
   std::vector<Vec3> middle_O_;    // per surface: the part's centre, or the plane's point
   std::vector<char> is_upright_;  // per surface: it is not turned
-  mutable std::array<Told, 4> told_;
-  mutable std::size_t told_next_ = 0;  // which of them is told anew next
+  mutable ApproachMemory approaches_;
 };
 
 }  // namespace fingerpad

@@ -79,6 +79,12 @@ struct RayExit {
   double distance_m = std::numeric_limits<double>::infinity();
 };
 
+/// A callable as the tree's searches take it: `call_with_triangle<Visit>` and its address.
+template <class Visit>
+void call_with_triangle(void* visit, int triangle) {
+  (*static_cast<Visit*>(visit))(triangle);
+}
+
 /// Where a segment enters a part.
 struct SegmentHit {
   int triangle = -1;  ///< index into Part::triangles; -1 when the segment enters nowhere

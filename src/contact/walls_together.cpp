@@ -22,7 +22,6 @@ WallsTogether::WallsTogether(const std::array<Vec3, 3>& normals, int count) noex
     fix_shares_ = std::abs(volume) > ProxyLimits::flat_volume;
     dual_ = {bc / volume, c.cross(a) / volume, a.cross(b) / volume};
   }
-  if (fix_shares_) per_metre_nearer_ = shares_m({1, 1, 1});
 }
 
 }  // namespace fingerpad

@@ -6,8 +6,7 @@
 
 namespace fingerpad {
 
-/// Up to three walls as one: what their normals alone fix of every projection onto all of them. Who stays on
-/// the same walls works it out once.
+/// Up to three walls as one: what their normals alone fix of every projection onto all of them.
 class WallsTogether {
  public:
   WallsTogether() = default;
@@ -31,15 +30,11 @@ class WallsTogether {
     return {shift_m.dot(dual_[0]), shift_m.dot(dual_[1]), shift_m.dot(dual_[2])};
   }
 
-  /// How much less each multiplier is for every metre by which all walls stand nearer.
-  const std::array<double, 3>& per_metre_nearer() const noexcept { return per_metre_nearer_; }
-
  private:
   int count_ = 0;
   bool fix_shares_ = true;
   double turn_ = 1, common_ = 0, per_sine2_ = 0;  // of two: the sign of the cosine, 1/(1 + |cosine|), ...
   std::array<Vec3, 3> dual_;                      // of three: 1 along its own normal, 0 along the others
-  std::array<double, 3> per_metre_nearer_{1, 1, 1};
 };
 
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/triangle_packet.hpp"
@@ -7,6 +8,19 @@
 #include "contact/worst_wall.hpp"
 
 namespace fingerpad {
+
+/// Whether a triangle's own plane shows that it is no worse a wall than the worst: then it need not be told
+/// how far it is.
+/// @param facet  how the way stands before that plane
+inline bool is_cleared_by(const FacetSide& facet, const WorstWall& worst, double tolerance_m) noexcept {
+  return facet.side != 0 && (facet.slack_m >= -tolerance_m || facet.slack_m > worst.slack_m);
+}
+inline bool is_cleared_by_facet(const ProxyWorld& world, const PartWay& way, const TriangleCorners& corners,
+                                const WorstWall& worst) noexcept {
+  const double tolerance_m = world.tolerance_m();
+  return is_cleared_by(facet_side(corners, way.from_P, way.to_P, world.clearance_m(), tolerance_m), worst,
+                       tolerance_m);
+}
 
 /// Leaves out those packets of a part of which no triangle can be a worse wall to a ball's way than the worst
 /// so far, or stands before the walls that the ball stays in front of anyway.
@@ -64,7 +78,9 @@ class WaySieve {
       const double slope_m = off.dot(way_.way_P) / distance_m * std::sqrt(1 - sine * sine) - way_m_ * sine;
       if (distance_m - radius_m - clearance_m_ + slope_m > worst_.slack_m + rounding_m_) return true;
     }
-    return before_.hide(packet, scaled_m);
+    return std::any_of(before_.walls().begin(), before_.walls().end(), [&](const PartWalls::Wall& wall) {
+      return scaled_m * (wall.normal_P.dot(packet.origin) + packet.highest(wall.normal_P)) <= wall.offset_m;
+    });
   }
 
  private:

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "contact/looks.hpp"
 #include "contact/proxy_sweep.hpp"
 #include "contact/proxy_world.hpp"
-#include "contact/triangle_packet.hpp"
 
 namespace fingerpad {
 
@@ -14,6 +14,11 @@ namespace fingerpad {
 /// one of them cannot stop it.
 class PartWalls {
  public:
+  struct Wall {
+    Vec3 normal_P = Vec3::UnitZ();
+    double offset_m = 0;  ///< what lies no farther along the normal stands behind it
+  };
+
   /// @param walls  seen from the place whose point in the part's frame is `from_P`
   PartWalls(const ProxyWorld& world, int surface, std::span<const ProxyWall> walls,
             const Vec3& from_P) noexcept
@@ -25,34 +30,20 @@ class PartWalls {
     }
   }
 
+  /// Whether all of a triangle stands behind one of them.
   bool hide(const TriangleCorners& f) const noexcept {
-    return std::any_of(walls_.begin(), walls_.begin() + static_cast<std::ptrdiff_t>(count_),
-                       [&f](const PartWall& wall) { return wall.hides(f); });
+    return std::any_of(walls().begin(), walls().end(), [&f](const Wall& wall) {
+      return wall.normal_P.dot(f.a) <= wall.offset_m && wall.normal_P.dot(f.b) <= wall.offset_m &&
+             wall.normal_P.dot(f.c) <= wall.offset_m;
+    });
   }
-  /// All triangles of a packet, by one wall.
-  /// @param scaled_m  PacketSieve's
-  bool hide(const TrianglePacket& packet, double scaled_m) const noexcept {
-    return std::any_of(
-        walls_.begin(), walls_.begin() + static_cast<std::ptrdiff_t>(count_), [&](const PartWall& wall) {
-          return scaled_m * (wall.normal_P.dot(packet.origin) + packet.highest(wall.normal_P)) <=
-                 wall.offset_m;
-        });
-  }
+  std::span<const Wall> walls() const noexcept { return {walls_.data(), count_}; }
 
  private:
-  struct PartWall {
-    Vec3 normal_P = Vec3::UnitZ();
-    double offset_m = 0;  ///< triangles up to here stand behind it
-
-    bool hides(const TriangleCorners& f) const noexcept {
-      return normal_P.dot(f.a) <= offset_m && normal_P.dot(f.b) <= offset_m && normal_P.dot(f.c) <= offset_m;
-    }
-  };
-
   static constexpr std::size_t most_walls = 3;
 
   std::size_t count_;
-  std::array<PartWall, most_walls> walls_;
+  std::array<Wall, most_walls> walls_;
 };
 
 /// A way of the ball in the frame of a part.
@@ -60,6 +51,7 @@ struct PartWay {
   int surface;
   Vec3 from_P, way_P, to_P;
 
+  /// @param start_P  where it begins; the way by `z` is the world's
   PartWay(const ProxyWorld& world, int part, const Vec3& start_P, const Vec3& z) noexcept
       : surface(part), from_P(start_P), way_P(world.turned_into_part(part, z)), to_P(start_P + way_P) {}
 };
@@ -80,18 +72,6 @@ struct WorstWall {
     if (!is_beaten_by(end_slack_m, plane.surface, -1)) return;
     wall = plane;
     slack_m = end_slack_m;
-  }
-
-  /// Whether a triangle's own plane shows that it is no worse: then it need not be told how far it is.
-  bool is_cleared_by_facet(const ProxyWorld& world, const PartWay& way,
-                           const TriangleCorners& corners) const noexcept {
-    const double tolerance_m = world.tolerance_m();
-    return is_cleared_by(facet_side(corners, way.from_P, way.to_P, world.clearance_m(), tolerance_m),
-                         tolerance_m);
-  }
-  /// @param facet  how the way stands before the triangle's plane
-  bool is_cleared_by(const FacetSide& facet, double tolerance_m) const noexcept {
-    return facet.side != 0 && (facet.slack_m >= -tolerance_m || facet.slack_m > slack_m);
   }
 
   /// @param first  how the place where the way begins stands before the triangle

@@ -18,6 +18,13 @@ ProxySight sight_of(const TriangleSoup& soup) {
   return ProxySight(ProxyWorld({surface_of(soup)}, radius_m, Normals::facet));
 }
 
+ProxyStep step_from(ProxySight& sight, const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) {
+  ProxyState state;
+  state.place_O = place_O;
+  state.goal_O = goal_O;
+  return sight.step(state, terms);
+}
+
 /// Where a ball stands that touches a point from a direction.
 Vec3 on(const ProxySight& sight, const Vec3& point, const Vec3& direction) {
   return point + sight.world().clearance_m() * direction.normalized();
@@ -31,11 +38,11 @@ TEST(BentWalls, OverACornerOneStepEndsOnTheLineThroughTheFinger) {
   ProxySight sight = sight_of(test::box_soup(Vec3(0.02, 0.02, 0.02)));
   const Vec3 corner(0.01, 0.01, 0.01);
   const Vec3 place = on(sight, corner, Vec3(1, 1.2, 0.9)), goal = corner + 1e-3 * Vec3(1, 0.9, 1.1);
-  const ProxyStep flat = sight.step(place, goal, {unbounded});
+  const ProxyStep flat = step_from(sight, place, goal, {unbounded});
   ASSERT_EQ(flat.wall_count, 1);
   EXPECT_FALSE(flat.bent);
   EXPECT_GT(off_line(place + flat.z, corner, goal), 0.03);
-  const ProxyStep bent = sight.step(place, goal, {unbounded, unbounded});
+  const ProxyStep bent = step_from(sight, place, goal, {unbounded, unbounded});
   EXPECT_TRUE(bent.bent);
   // Rounding, of a share of two thirds.
   EXPECT_LT(off_line(place + bent.z, corner, goal), 1e-9);
@@ -46,14 +53,14 @@ TEST(BentWalls, AnEdgeBendsAcrossAndAFaceNowhere) {
   ProxySight sight = sight_of(test::box_soup(Vec3(0.02, 0.02, 0.02)));
   const Vec3 edge(0, 0.01, 0.01);
   const Vec3 place = on(sight, edge, Vec3(0, 1, 0.7)), goal = edge + Vec3(4e-4, 1e-3, 1.1e-3);
-  const ProxyStep step = sight.step(place, goal, {unbounded, unbounded});
+  const ProxyStep step = step_from(sight, place, goal, {unbounded, unbounded});
   EXPECT_TRUE(step.bent);
   const Vec3 foot(step.z.x(), edge.y(), edge.z());
   EXPECT_NEAR(step.z.x(), 4e-4, 1e-12) << "along the edge as if it were flat";
   EXPECT_LT(off_line(place + step.z, foot, Vec3(step.z.x(), goal.y(), goal.z())), 1e-9);
 
   const Vec3 over = on(sight, Vec3(0, 0, 0.01), Vec3::UnitZ());
-  const ProxyStep slide = sight.step(over, Vec3(1e-3, 2e-3, 0.011), {unbounded, unbounded});
+  const ProxyStep slide = step_from(sight, over, Vec3(1e-3, 2e-3, 0.011), {unbounded, unbounded});
   ASSERT_EQ(slide.wall_count, 1);
   EXPECT_FALSE(slide.bent);
   EXPECT_EQ(way_along_bend(sight.world(), over, slide), Vec3::Zero());
@@ -73,7 +80,7 @@ TriangleSoup corners_beside_each_other() {
 /// How many steps until they are no longer than the tolerance.
 int steps_to_rest(ProxySight& sight, Vec3& place, const Vec3& goal, double bent_m) {
   for (int k = 1; k <= 100; ++k) {
-    const ProxyStep step = sight.step(place, goal, {unbounded, k > 1 ? bent_m : 0});
+    const ProxyStep step = step_from(sight, place, goal, {unbounded, k > 1 ? bent_m : 0});
     place += step.z;
     if (step.z.norm() <= sight.world().tolerance_m()) return k;
   }
@@ -97,7 +104,7 @@ TEST(BentWalls, NoStepLeadsAwayFromTheFinger) {
   for (int k = 0; k < 20000; ++k) {
     const Vec3 place = on(sight, corner, test::random_point(random, 1).cwiseAbs()),
                goal = corner + test::random_point(random, 5e-3);
-    const ProxyStep step = sight.step(place, goal, {unbounded, unbounded});
+    const ProxyStep step = step_from(sight, place, goal, {unbounded, unbounded});
     EXPECT_LE((place + step.z - goal).norm(), (place - goal).norm()) << k;
     bent += step.bent ? 1 : 0;
   }
@@ -109,20 +116,20 @@ TEST(BentWalls, TheWayIsNoLongerThanAskedForAndFreeOfAllElse) {
   const Vec3 corner(0.01, 0.01, 0.01), goal = corner + 1e-3 * Vec3(1, 0.9, 1.1);
   ProxySight sight = sight_of(box);
   const Vec3 place = on(sight, corner, Vec3(1, 1.2, 0.9));
-  const double flat_m = sight.step(place, goal, {unbounded}).z.norm();
-  const ProxyStep cut = sight.step(place, goal, {unbounded, 1.1 * flat_m});
+  const double flat_m = step_from(sight, place, goal, {unbounded}).z.norm();
+  const ProxyStep cut = step_from(sight, place, goal, {unbounded, 1.1 * flat_m});
   EXPECT_FALSE(cut.bent) << "not to its end";
   EXPECT_GT(cut.z.norm(), 1.05 * flat_m);
   EXPECT_LE(cut.z.norm(), 1.1 * flat_m * (1 + 1e-9));
 
   // A wall stands in the way, behind where the step ends.
-  const Vec3 way = sight.step(place, goal, {unbounded, unbounded}).z;
+  const Vec3 way = step_from(sight, place, goal, {unbounded, unbounded}).z;
   const double beyond_m = flat_m + (way.norm() - flat_m) / 2;
   ProxySight walled(ProxyWorld(
       {surface_of(box),
        plane_of(place + beyond_m * way.normalized() - sight.world().clearance_m() * -way.normalized(), -way)},
       radius_m, Normals::facet));
-  const ProxyStep stopped = walled.step(place, goal, {unbounded, unbounded});
+  const ProxyStep stopped = step_from(walled, place, goal, {unbounded, unbounded});
   EXPECT_EQ(stopped.wall_count, 1);
   EXPECT_FALSE(stopped.bent);
   EXPECT_NEAR(stopped.z.norm(), flat_m, 1e-12);

@@ -19,7 +19,7 @@ inline constexpr long most_beyond =
 inline Proxy limited_proxy(bool fast, const PlacedSurface& surface, double radius_m, Normals normals,
                            long looks) {
   return fast ? fast_proxy({surface}, radius_m, normals, Looks(looks))
-              : Proxy({surface}, radius_m, normals, Looks(looks));
+              : Proxy(std::make_unique<LimitedSight>(ProxyWorld({surface}, radius_m, normals), Looks(looks)));
 }
 
 struct LooksTrial {

@@ -30,8 +30,7 @@ WorstWall worst_of_all(const ProxyWorld& world, const PartWay& way, std::span<co
   for (int t = 0; t < world.part(0).triangle_count(); ++t) {
     const TriangleCorners corners = corners_of(world.part(0), t);
     if (before.hide(corners)) continue;
-    const TriangleApproach a = approach_triangle(corners, way.from_P);
-    worst.offer_triangle(world, way, corners, t, {a.at.point, a.towards, a.distance_m});
+    worst.offer_triangle(world, way, corners, t, FirstApproach(approach_triangle(corners, way.from_P)));
   }
   return worst;
 }

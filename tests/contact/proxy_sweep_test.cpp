@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 
 #include "base/random_stream.hpp"
 #include "support/brute_force.hpp"
@@ -45,7 +46,9 @@ TEST(ProxySweep, SaysFreeOrShowsAWallAndNeverPassesTheTouch) {
     const Vec3 from(random.normal(), random.normal(), random.normal());
     const Vec3 to(random.normal(), random.normal(), random.normal());
     if (brute_distance_m(part, from) < clearance_m) continue;
-    const TriangleSweep sweep = sweep_past_triangle(corners_of(part, 0), from, to, clearance_m, tolerance_m);
+    const TriangleSweep sweep = sweep_past_triangle(corners_of(part, 0), from, to, clearance_m, tolerance_m,
+                                                    FirstApproach(approach_triangle(part, 0, from)),
+                                                    std::numeric_limits<double>::infinity());
     ++(sweep.blocked ? blocked : free);
     // Rounding of 1e-14 aside, wherever the sweep says free there is the clearance.
     for (int k = 0; k <= 100; ++k) {

@@ -54,9 +54,9 @@ struct Stand {
   bool matters(int t) const {
     const TriangleCorners corners = corners_of(world.part(0), t);
     if (before.hide(corners)) return false;
-    const TriangleApproach a = approach_triangle(corners, way.from_P);
     WorstWall other = worst;
-    return other.offer_triangle(world, way, corners, t, {a.at.point, a.towards, a.distance_m});
+    return other.offer_triangle(world, way, corners, t,
+                                FirstApproach(approach_triangle(corners, way.from_P)));
   }
 };
 
@@ -94,7 +94,7 @@ TEST(FacetSide, ClearsNoTriangleThatMatters) {
     for (int k = 0; k < 300; ++k) {
       const Stand s(surface, random);
       for (int t = 0; t < s.world.part(0).triangle_count(); ++t) {
-        const bool is_cleared = s.worst.is_cleared_by_facet(s.world, s.way, corners_of(s.world.part(0), t));
+        const bool is_cleared = is_cleared_by_facet(s.world, s.way, corners_of(s.world.part(0), t), s.worst);
         const bool does_matter = s.matters(t);
         cleared += is_cleared ? 1 : 0;
         matter += does_matter ? 1 : 0;
