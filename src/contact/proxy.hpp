@@ -19,9 +19,8 @@ namespace fingerpad {
 /// - Step: the finger is projected onto the walls found, and the wall that this breaches most is added, until
 ///   it breaches none (StepMaking). The step begins in front of all walls, and so crosses nothing, wherever
 ///   it ends. Steps repeat until one leads nowhere: every short way nearer to the finger is blocked.
-/// - Hop: where normals are shaded, facets stand for a smooth surface. Over an edge that is no crease the
-/// ball
-///   goes on to the neighbour that is nearer to the finger, as the closest point does (FacetFan).
+/// - Hop: where normals are shaded, facets stand for a smooth surface. Over an edge that is no crease it goes
+///   on to the neighbour nearer to the finger, as the closest point does (FacetFan).
 /// - Report: how deep the finger is, and what holds it (proxy_report).
 ///
 /// Triangles block from both sides, whatever their winding. Lengths compare with the parts' size only. By how
