@@ -96,9 +96,14 @@ std::string missing_axes_words(const ProfileFit& fit) {
 std::vector<std::string> outlier_notes(const ProfileFit& fit) {
   std::vector<std::string> notes;
   for (const OutlierTrial& outlier : fit.outliers)
-    notes.push_back(fmt::format("outlier: {}: its {} is {}, the usual one {}; counted all the same",
-                                outlier.name, pad_number_keys[static_cast<std::size_t>(outlier.number)],
-                                rounded_text(outlier.value, 4), rounded_text(outlier.usual, 4)));
+    notes.push_back(
+        fmt::format("outlier: {}: its {} is {}, the usual one {}; {}", outlier.name,
+                    pad_number_keys[static_cast<std::size_t>(outlier.number)], rounded_text(outlier.value, 4),
+                    rounded_text(outlier.usual, 4),
+                    outlier.is_counted
+                        ? "counted all the same"
+                        : "left out of that number, as its force drives the finger where it should hold it "
+                          "back: is its sign right?"));
   return notes;
 }
 

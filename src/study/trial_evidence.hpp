@@ -62,6 +62,7 @@ struct TrialEvidence {
   /// What was taken off `spring` for the sensors' noise, which is itself an estimate.
   std::array<SpringSums, 2> spring_noise{SpringSums::Zero(), SpringSums::Zero()};
   long stick_samples = 0;
+  double stick_log_load = 0;    ///< sum over them of ln(n/1 N)
   double rupture_ratio = 0;     ///< sum over ruptures of |q| just before it
   double rupture_rise = 0;      ///< sum of what |q| rises from sample to sample before them
   double rupture_log_load = 0;  ///< sum of ln(n/1 N) just before them
@@ -93,7 +94,8 @@ struct TrialEvidence {
   /// Sums of products, about the trial's means, of -height, n^w and n^w ln n over means of some samples of
   /// contact (n in N).
   Mat3 press = Mat3::Zero();
-  double press_load_2 = 0;  ///< likewise of ln n with itself
+  double press_load_2 = 0;    ///< likewise of ln n with itself
+  double press_log_load = 0;  ///< sum over groups of ln n
   long press_samples = 0, press_groups = 0;
 };
 
