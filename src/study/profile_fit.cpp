@@ -16,6 +16,7 @@
 #include "study/impossible_numbers.hpp"
 #include "study/next_point.hpp"
 #include "study/normal_law.hpp"
+#include "study/sample_noise.hpp"
 #include "study/sampling_reach.hpp"
 #include "study/stretch_reach.hpp"
 #include "study/unseen_slip.hpp"
@@ -77,6 +78,39 @@ NumberReaches moved_by_load(const Measurement& measurement, const std::vector<St
   return moved_by(evidence, fit, rising);
 }
 
+/// How far numbers would move were the drops at ruptures still to show in one sample more than is left out.
+NumberReaches moved_by_tail(const Measurement& measurement, std::vector<StickSegments> segments,
+                            const ProfileFit& fit, const FitPoint& point) {
+  std::vector<TrialEvidence> evidence;
+  evidence.reserve(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    ++segments[i].drop_tail;
+    evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
+  }
+  return moved_by(evidence, fit, point);
+}
+
+/// Says where the force sensor's low pass is slower than what is taken out for it.
+void doubt_slow_sensor(const std::vector<StickSegments>& segments, const FitPoint& point, ProfileFit& fit) {
+  // Over more samples the end of a drop is not seen, and how late its middle is told too small.
+  constexpr double surely_seen_lag = 0.42;
+  if (point.evidence.rupture_lag > surely_seen_lag)
+    fit.doubts.emplace_back(
+        "the force sensor's low pass takes so many samples for a drop that its middle cannot be told well: "
+        "mu_static may be too low by some tenths of a percent, axes and stiffnesses off by some percent, and "
+        "what follows from them; turn the sensor's filter off, or set it higher");
+  constexpr double surely_joined = 1.25;  // of white noise it strays from 1 by some hundredths
+  std::vector<double> joined;
+  joined.reserve(segments.size());
+  for (const StickSegments& trial : segments) joined.push_back(trial.joined_noise);
+  if (point.evidence.rupture_lag == 0 && median_of(joined) > surely_joined &&
+      value_of(fit.values, PadNumber::mu_static).refusal.empty())
+    fit.doubts.emplace_back(
+        "a low pass has joined the force's noise from sample to sample, and in that noise it is not seen how "
+        "late drops are: mu_static may be too low by some percent, with axes too short, springs bent, and "
+        "what follows from them; turn the sensor's filter off, or measure with less noise");
+}
+
 /// The fit to the trials whose forces were measured whole.
 ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
@@ -91,7 +125,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   const auto gather = [&] {
     fit.evidence.clear();
     for (std::size_t i = 0; i < segments.size(); ++i) {
-      segments[i].drop_tail = drop_tail_samples(point.evidence.rupture_lag);
+      segments[i].drop_tail = point.evidence.drop_tail;
       fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
     }
   };
@@ -147,14 +181,8 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
         "ruptures: the force sensor shows their drops over some samples, as a low pass does; they are taken "
         "to lie in the middle of the drops, {} samples later than where these begin, and {} samples behind "
         "them tell no stick",
-        rounded_text(lag, 2), drop_tail_samples(lag)));
-  // Over more samples the end of a drop is not seen, and how late its middle is told too small.
-  constexpr double surely_seen_lag = 0.3;
-  if (point.evidence.rupture_lag > surely_seen_lag)
-    fit.doubts.emplace_back(
-        "the force sensor's low pass takes so many samples for a drop that its middle cannot be told: "
-        "mu_static, and "
-        "what follows from it, is likely too low; sample faster, or turn the sensor's filter off");
+        rounded_text(lag, 2), point.evidence.drop_tail));
+  doubt_slow_sensor(segments, point, fit);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
   std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
@@ -184,6 +212,10 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
                  point);
   }
   NumberReaches unsure = by_delay.moved;
+  if (point.evidence.drop_tail > 0) {
+    const NumberReaches by_tail = moved_by_tail(measurement, segments, fit, point);
+    for (std::size_t k = 0; k < unsure.size(); ++k) unsure[k] += by_tail[k];
+  }
   if (point.has_unseen_slip) {
     const NumberReaches by_load = moved_by_load(measurement, segments, fit, point);
     for (std::size_t k = 0; k < unsure.size(); ++k) unsure[k] += by_load[k];

@@ -24,14 +24,14 @@ double noise_of_both(const std::vector<Vec2>& samples) {
 }
 
 /// Of the ratio's component across the motion: ruptures, which many trials are full of, lie along it.
-double noise_across(const std::vector<Vec2>& ratio, const std::vector<Vec2>& velocity) {
+std::vector<double> ratio_across(const std::vector<Vec2>& ratio, const std::vector<Vec2>& velocity) {
   std::vector<double> across;
   for (std::size_t i = 0; i < ratio.size(); ++i) {
     const double speed = velocity[i].norm();
     if (speed > 0)
       across.push_back((ratio[i].x() * velocity[i].y() - ratio[i].y() * velocity[i].x()) / speed);
   }
-  return sample_noise(across);
+  return across;
 }
 
 /// The window around a sample, [from, to), within its run.
@@ -238,8 +238,9 @@ StickSegments stick_segments(const MeasuredTrial& trial) {
   const SampleWindows windows(trial.starts_anew);
   for (std::size_t i = 0; i < samples; ++i)
     found.velocity_m_per_s.push_back(local_velocity(trial, windows.around(i, found.half_window)));
-  found.ratio_noise =
-      std::min(noise_of_both(trial.force_ratio), noise_across(trial.force_ratio, found.velocity_m_per_s));
+  const std::vector<double> across = ratio_across(trial.force_ratio, found.velocity_m_per_s);
+  found.ratio_noise = std::min(noise_of_both(trial.force_ratio), sample_noise(across));
+  found.joined_noise = joined_noise(across);
   find_ruptures(trial, found);
   const std::vector<bool> is_light = light_samples(trial, found);
   double squares = 0;

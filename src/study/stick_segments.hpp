@@ -21,6 +21,7 @@ struct StickSegments {
   std::vector<Vec2> velocity_m_per_s;  ///< slope of the window's positions
   double position_noise_m = 0;         ///< standard deviation of one component
   double ratio_noise = 0;              ///< likewise, of q
+  double joined_noise = 1;             ///< of q: more than 1 where a low pass has joined it (sample_noise)
   double usual_normal_n = 0;           ///< median of the normal force, at which q has that noise
   double border_per_m = 0;             ///< local stiffness that parts slip (below) from stick
   /// Samples behind a rupture in which the force sensor still shows its drop (and one before it); 0: it shows

@@ -114,14 +114,9 @@ struct EvidencePoint {
   /// the springs are told from where it surely does not (surest_pull). 0: where all of it is seen.
   double hidden_stick_ratio = 0;
   double rupture_lag = 0;    ///< samples by which the sensor's drop at a rupture is later than at once
+  std::size_t drop_tail = 0;  ///< StickSegments', as drop_tail_samples tells it
   bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
 };
-
-/// Samples behind a rupture in which a sensor whose drops are so late still shows them (StickSegments); 0: it
-/// shows them at once.
-inline std::size_t drop_tail_samples(double rupture_lag) noexcept {
-  return rupture_lag > 0 ? 1 + static_cast<std::size_t>(std::ceil(2 * rupture_lag)) : 0;
-}
 
 /// Gathers a trial's evidence.
 ///
