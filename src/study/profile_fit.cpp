@@ -7,7 +7,6 @@
 #include <optional>
 #include <set>
 
-#include "base/number_text.hpp"
 #include "study/delayed_evidence.hpp"
 #include "study/few_trials.hpp"
 #include "study/fit_intervals.hpp"
@@ -16,8 +15,8 @@
 #include "study/impossible_numbers.hpp"
 #include "study/next_point.hpp"
 #include "study/normal_law.hpp"
-#include "study/sample_noise.hpp"
 #include "study/sampling_reach.hpp"
+#include "study/slow_sensor.hpp"
 #include "study/stretch_reach.hpp"
 #include "study/unseen_slip.hpp"
 #include "study/zero_doubt.hpp"
@@ -90,27 +89,6 @@ NumberReaches moved_by_tail(const Measurement& measurement, std::vector<StickSeg
   return moved_by(evidence, fit, point);
 }
 
-/// Says where the force sensor's low pass is slower than what is taken out for it.
-void doubt_slow_sensor(const std::vector<StickSegments>& segments, const FitPoint& point, ProfileFit& fit) {
-  // Over more samples the end of a drop is not seen, and how late its middle is told too small.
-  constexpr double surely_seen_lag = 0.42;
-  if (point.evidence.rupture_lag > surely_seen_lag)
-    fit.doubts.emplace_back(
-        "the force sensor's low pass takes so many samples for a drop that its middle cannot be told well: "
-        "mu_static may be too low by some tenths of a percent, axes and stiffnesses off by some percent, and "
-        "what follows from them; turn the sensor's filter off, or set it higher");
-  constexpr double surely_joined = 1.25;  // of white noise it strays from 1 by some hundredths
-  std::vector<double> joined;
-  joined.reserve(segments.size());
-  for (const StickSegments& trial : segments) joined.push_back(trial.joined_noise);
-  if (point.evidence.rupture_lag == 0 && median_of(joined) > surely_joined &&
-      value_of(fit.values, PadNumber::mu_static).refusal.empty())
-    fit.doubts.emplace_back(
-        "a low pass has joined the force's noise from sample to sample, and in that noise it is not seen how "
-        "late drops are: mu_static may be too low by some percent, with axes too short, springs bent, and "
-        "what follows from them; turn the sensor's filter off, or measure with less noise");
-}
-
 /// The fit to the trials whose forces were measured whole.
 ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
@@ -176,13 +154,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
-  if (const double lag = point.evidence.rupture_lag; lag > 0)
-    fit.steps.push_back(fmt::format(
-        "ruptures: the force sensor shows their drops over some samples, as a low pass does; they are taken "
-        "to lie in the middle of the drops, {} samples later than where these begin, and {} samples behind "
-        "them tell no stick",
-        rounded_text(lag, 2), point.evidence.drop_tail));
-  doubt_slow_sensor(segments, point, fit);
+  tell_slow_sensor(segments, point, fit);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
   std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
