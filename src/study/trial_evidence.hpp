@@ -113,9 +113,9 @@ struct EvidencePoint {
   /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then
   /// the springs are told from where it surely does not (surest_pull). 0: where all of it is seen.
   double hidden_stick_ratio = 0;
-  double rupture_lag = 0;    ///< samples by which the sensor's drop at a rupture is later than at once
+  double rupture_lag = 0;     ///< samples by which the sensor's drop at a rupture is later than at once
   std::size_t drop_tail = 0;  ///< StickSegments', as drop_tail_samples tells it
-  bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
+  bool knows_delay = false;   ///< then no rest of it is looked for: it would take part of a loop
 };
 
 /// Gathers a trial's evidence.
