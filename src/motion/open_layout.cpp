@@ -138,11 +138,16 @@ void take_forces(const std::string& path, const RecordingFormat& format,
     const std::vector<double> normal(motion.force_W_n.row(2).begin(), motion.force_W_n.row(2).end());
     const double usual_n = pressed_median_n(normal);
     if (usual_n < 0)
-      throw refused(path, fmt::format("its fz is {} N in the middle of the samples that press: pressed on "
-                                      "a surface the finger is pushed along the normal, so that forces on it "
-                                      "have fz above 0; say force_on = \"plate\" (--force-on plate) if it "
-                                      "is the load on the surface",
-                                      rounded_text(usual_n, 3)));
+      throw refused(path,
+                    fmt::format("its fz is {} N in the middle of the samples that press: pressed on "
+                                "a surface the finger is pushed along the normal, so that forces on it "
+                                "have fz above 0; {}",
+                                rounded_text(usual_n, 3),
+                                format.forces_on_surface
+                                    ? "force_on = \"plate\" (--force-on plate) has turned it round: "
+                                      "leave that out if it is the force on the finger"
+                                    : "say force_on = \"plate\" (--force-on plate) if it is the load on "
+                                      "the surface"));
     if (motion.normal_force_n.empty()) motion.normal_force_n = normal;
   }
 }

@@ -4,9 +4,6 @@
 
 namespace fingerpad {
 
-/// Beyond these no finger rubs: a normal force of so much where it presses has another unit.
-inline constexpr double hardest_rub_n = 40, lightest_rub_n = 0.01;
-
 /// The median of the forces of samples that press one way or the other: beyond a quarter of what 99 % of all
 /// stay within, so that neither a spike nor a finger in the air decides. Its sign tells on what they act: of
 /// forces on the finger, along the surface's normal, it is above 0.

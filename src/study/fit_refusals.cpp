@@ -79,6 +79,22 @@ void doubt_misfit(LawResidual& residual) {
   residual.misfit.clear();
 }
 
+std::string odd_spring_words(const ProfileFit& fit, PadNumber axis) {
+  constexpr std::size_t most = 3;
+  const PadNumber stiffness =
+      axis == PadNumber::lateral_axis ? PadNumber::stick_stiffness : PadNumber::longitudinal_stiffness;
+  std::string words;
+  std::size_t named = 0;
+  for (const OutlierTrial& one : fit.outliers) {
+    if (one.number != stiffness || !one.is_counted || ++named > most) continue;
+    words +=
+        fmt::format("{}{} is unlike the others: its {} is {}, the usual one {}", words.empty() ? "" : ", ",
+                    one.name, pad_number_keys[static_cast<std::size_t>(stiffness)],
+                    rounded_text(one.value, 4), rounded_text(one.usual, 4));
+  }
+  return words;
+}
+
 void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit) {
   constexpr double vaguest = 0.5, hardly = 0.05;
   for (std::size_t axis = 0; axis < 2; ++axis) {
@@ -92,11 +108,12 @@ void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit) {
     const bool hardly_sticks =
         static_cast<double>(fit.values[k].samples) <= hardly * static_cast<double>(slip);
     if (keeps_told_by_few && !hardly_sticks) continue;
-    const std::string words =
-        fmt::format("{} along this axis tells it to -+ {:.0f} % only",
-                    hardly_sticks ? "the finger hardly sticks: what is seen of its stick"
-                                  : "the trials are too few or too unlike: their stick",
-                    100 * reach / value);
+    const std::string odd = odd_spring_words(fit, spring_numbers[axis]),
+                      words =
+                          fmt::format("{} along this axis tells it to -+ {:.0f} % only{}{}",
+                                      hardly_sticks ? "the finger hardly sticks: what is seen of its stick"
+                                                    : "the trials are too few or too unlike: their stick",
+                                      100 * reach / value, odd.empty() ? "" : "; ", odd);
     for (std::size_t n = axis; n < spring_numbers.size(); n += 2) {
       const auto other = static_cast<std::size_t>(spring_numbers[n]);
       fit.values[other].refuse(RefusalReason::vague, words);

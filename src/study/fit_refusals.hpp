@@ -27,7 +27,12 @@ void tell_teeth(double reach, ProfileFit& fit);
 /// A law that leaves somewhat too much where no delay was taken out may fit.
 void doubt_misfit(LawResidual& residual);
 
-/// An axis that its interval does not tell to half of it is refused, with what rests on the same.
+/// Which trials' springs along an axis are unlike the others' (ProfileFit::outliers); empty where none are.
+/// @param axis  lateral_axis or longitudinal_axis
+std::string odd_spring_words(const ProfileFit& fit, PadNumber axis);
+
+/// An axis that its interval does not tell to half of it is refused, with what rests on the same, and names
+/// trials that may be why.
 /// @param keeps_told_by_few  FitSettings'
 void refuse_vague_springs(bool keeps_told_by_few, ProfileFit& fit);
 

@@ -1,6 +1,7 @@
 #include "study/fit_told.hpp"
 
 #include "study/measurement_doubts.hpp"
+#include "study/measurement_words.hpp"
 #include "study/profile_text.hpp"
 
 namespace fingerpad {

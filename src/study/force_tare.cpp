@@ -9,6 +9,7 @@
 #include "study/air_evidence.hpp"
 #include "study/press_corner.hpp"
 #include "study/sample_noise.hpp"
+#include "study/tare_line.hpp"
 
 namespace fingerpad {
 namespace {
@@ -141,29 +142,6 @@ Samples cornered_samples(const RecordedTrial& trial, const PressLevels& levels, 
   return found;
 }
 
-/// A line through an axis' samples.
-struct TareLine {
-  double middle = 0, level_n = 0, slope_n = 0;
-  double at(double i) const noexcept { return level_n + slope_n * (i - middle); }
-};
-
-TareLine line_through(const Points& sensed, Eigen::Index axis, const Samples& samples, bool takes_slope) {
-  TareLine line;
-  const auto count = static_cast<double>(samples.size());
-  for (const Eigen::Index i : samples) {
-    line.middle += static_cast<double>(i) / count;
-    line.level_n += sensed(axis, i) / count;
-  }
-  double squares = 0, drift = 0;
-  for (const Eigen::Index i : samples) {
-    const double off = static_cast<double>(i) - line.middle;
-    squares += off * off;
-    drift += off * (sensed(axis, i) - line.level_n);
-  }
-  if (takes_slope && squares > 0) line.slope_n = drift / squares;
-  return line;
-}
-
 /// The runs that samples make, one after the other.
 std::vector<StillRun> runs_of(const PressLevels& levels, const Samples& samples) {
   std::vector<StillRun> runs;
@@ -186,24 +164,6 @@ Samples samples_of(const std::vector<StillRun>& runs) {
   if (samples.size() < fewest_free) samples.clear();
   return samples;
 }
-
-/// A straight line in time on each axis; a constant, where the samples do not span a third of the trial.
-struct Tare {
-  Vec3 begin_n, end_n;
-  double last;  ///< sample
-
-  /// @param sensed  forces or torques
-  Tare(const Points& sensed, const Samples& free)
-      : last(static_cast<double>(std::max<Eigen::Index>(sensed.cols() - 1, 1))) {
-    const bool takes_slope = 3 * (free.back() - free.front()) > sensed.cols();
-    for (Eigen::Index axis = 0; axis < 3; ++axis) {
-      const TareLine line = line_through(sensed, axis, free, takes_slope);
-      begin_n[axis] = line.at(0);
-      end_n[axis] = line.at(last);
-    }
-  }
-  Vec3 at(Eigen::Index i) const { return begin_n + (static_cast<double>(i) / last) * (end_n - begin_n); }
-};
 
 /// A finger that presses less now and then passes slowly through the forces in between; one that is lifted
 /// is gone. What counts as free is not in between, though the sensor drifts.

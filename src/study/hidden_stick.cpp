@@ -9,7 +9,9 @@
 namespace fingerpad {
 namespace {
 
-constexpr double faster = 1.03;
+/// So many times as fast as slip is seen to end is surely faster: a step is known to a bin of speed, and lies
+/// up to one too high where the finger's speed is noisy.
+constexpr double faster = 1.03 + SlipBySpeed::bin_width;
 
 /// Of all trials, how often stick gives way to slip, and slip is seen to end in it.
 struct SeenEnds {

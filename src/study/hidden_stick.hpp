@@ -18,7 +18,7 @@ std::string hidden_stick_words(const std::vector<TrialEvidence>& trials, const s
 bool is_hidden_stick(const PadValues& found, const SpeedStep& slow);
 
 /// Whether the speed at which friction steps is better founded as v_min than that at which slip is seen to
-/// end: the step is sharp, and nothing was seen to end, or 3 % slower.
+/// end: the step is sharp, and nothing was seen to end, or slower by 3 % and more than a step's own bin.
 bool tells_v_min(const SpeedStep& slow, const PadValue& seen);
 
 /// Whether stick may give way unseen: v_min is refused for it, most ends of stick in slip show no drop of the

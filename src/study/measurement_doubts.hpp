@@ -1,5 +1,8 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "study/measurement_format.hpp"
 #include "study/recorded_trial.hpp"
 
@@ -16,12 +19,7 @@ void refuse_doubtful(const RecordedMeasurement& recorded, const MeasurementForma
 /// What of a measurement is not a finger's although its unit was said, or hardly is: a line a doubt, "FILE:
 /// ...". Rates under 20 Hz or over 100 kHz, positions that reach over less than half a millimetre or more
 /// than half a metre, over 1.5 m/s, forces of over 100 N and presses beyond those of refuse_doubtful.
-/// What that refuses is not told here.
+/// What that refuses is not told here. And single trials that are not as the others (odd_trial_doubts).
 std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const MeasurementFormat& format);
-
-/// What a measurement was understood to hold, in SI, in a line: "6 trials of 2 subjects, 2.1 s each at 1000
-/// Hz; positions reach over 57 x 57 x 3.5 mm, at up to 0.25 m/s; forces up to 1.5 N". Empty where it has no
-/// trials.
-std::string measurement_words(const RecordedMeasurement& recorded);
 
 }  // namespace fingerpad

@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include <filesystem>
+#include <system_error>
+
 #include "base/error.hpp"
 #include "study/measurement_field.hpp"
 #include "study/measurement_hdf5.hpp"
@@ -27,7 +30,18 @@ std::vector<MeasurementReader> reader_rows() {
   return rows;
 }
 
+/// Scenes and profiles, which one may well name by mistake, are no tables.
+void refuse_toml(const std::string& path) {
+  std::error_code none;
+  if (!path.ends_with(".toml") || !std::filesystem::is_regular_file(path, none) || is_hdf5(path)) return;
+  throw refused(path,
+                "is TOML, as scenes and profiles are, and no measurement: name the table of where the finger "
+                "was and what force acted on it (CSV or HDF5), as a scene's [motion] has it in `file`; a "
+                "profile is what fit writes (--out)");
+}
+
 const MeasurementReader& reader_of(const std::string& path) {
+  refuse_toml(path);
   refuse_false_hdf5(path);
   for (const MeasurementReader& row : measurement_readers())
     if (row.recognises != nullptr && row.recognises(path)) return row;

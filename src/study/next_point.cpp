@@ -63,6 +63,7 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   if (next.slow_slip)
     next.evidence.v_min_m_per_s = std::max(next.evidence.v_min_m_per_s, next.slow_slip->speed_m_per_s);
   next.evidence.rupture_lag = rupture_lag(trials);
+  next.evidence.drop_tail = drop_tail_samples(trials);
   next.has_unseen_slip = false;
   if (!unseen_slip_words(trials, found, next).empty()) doubt_slip(trials, next);
   return next;

@@ -5,9 +5,12 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <utility>
 
+#include "study/likely_exponents.hpp"
 #include "study/press_fit.hpp"
 #include "study/sample_noise.hpp"
+#include "study/spring_fit.hpp"
 
 namespace fingerpad {
 namespace {
@@ -46,41 +49,105 @@ double own_number(const TrialEvidence& trial, PadNumber number, const std::optio
   }
 }
 
-/// Trials that are alike but for chance: of one subject, of stiffnesses at one angle too.
-using Alike = std::pair<int, int>;
-
-Alike alike(const TrialEvidence& trial, PadNumber number) {
-  const bool by_angle = number == PadNumber::stick_stiffness || number == PadNumber::longitudinal_stiffness ||
-                        number == PadNumber::normal_stiffness;
-  return {trial.subject, by_angle ? static_cast<int>(std::lround(trial.inclination_deg / 10)) : 0};
+/// The mean of ln n where a trial tells a number; `nothing` where that is not known.
+double own_log_load(const TrialEvidence& trial, PadNumber number) {
+  const auto mean = [](double sum, long count) {
+    return count > 0 ? sum / static_cast<double>(count) : nothing;
+  };
+  switch (number) {
+    case PadNumber::mu_static:
+      return mean(trial.rupture_log_load, trial.ruptures);
+    case PadNumber::mu_dynamic:
+    case PadNumber::v_min:
+      return mean(trial.slip_log_load, trial.slip_samples);
+    case PadNumber::normal_stiffness:
+      return mean(trial.press_log_load, trial.press_groups);
+    default:
+      return mean(trial.stick_log_load, trial.stick_samples);
+  }
 }
 
-/// A trial's place in the evidence, and what it alone says.
-using OwnNumber = std::pair<std::size_t, double>;
+/// Whether a fit takes what the trial says of the number.
+bool is_counted(const TrialEvidence& trial, PadNumber number) {
+  if (number == PadNumber::stick_stiffness) return !trial.has_direction || pushes_along(trial, 0);
+  if (number == PadNumber::longitudinal_stiffness) return !trial.has_direction || pushes_along(trial, 1);
+  return true;
+}
 
-/// What the others say, of three or four trials one of which is far off by Dixon's test (two-sided, 1 %:
-/// Rorabacher 1991, table 2): its gap to the nearest is so much of the whole range. Of three trials the two
-/// others must agree to 0.6 % of that gap, of four the three others to 8 %.
-struct FewOutlier {
-  std::size_t trial;
-  double value, usual;
-};
+/// The angle at which a number holds, of those that change with it: trials of others are not alike.
+int angle_of(const TrialEvidence& trial, PadNumber number) {
+  const bool by_angle = number == PadNumber::stick_stiffness || number == PadNumber::longitudinal_stiffness ||
+                        number == PadNumber::normal_stiffness;
+  return by_angle ? static_cast<int>(std::lround(trial.inclination_deg / 10)) : 0;
+}
 
-std::optional<FewOutlier> outlier_of_few(std::vector<OwnNumber> trials, double least_share) {
-  const double least_gap = trials.size() == 3 ? 0.994 : 0.926;
-  std::sort(trials.begin(), trials.end(),
-            [](const OwnNumber& a, const OwnNumber& b) { return a.second < b.second; });
-  const std::size_t last = trials.size() - 1;
-  const double range = trials[last].second - trials[0].second, below = trials[1].second - trials[0].second,
-               above = trials[last].second - trials[last - 1].second;
-  const bool is_first = below > above;
-  if (!(std::max(below, above) > least_gap * range)) return std::nullopt;
-  if (is_first) std::rotate(trials.begin(), trials.begin() + 1, trials.end());
-  std::vector<double> others;
-  for (std::size_t i = 0; i < last; ++i) others.push_back(trials[i].second);
-  const double usual = quantile(others, 0.5);
-  if (!(std::abs(trials[last].second - usual) > least_share * std::abs(usual))) return std::nullopt;
-  return FewOutlier{trials[last].first, trials[last].second, usual};
+/// What one subject's trials say of a number, those of each angle by themselves.
+using Groups = std::vector<std::vector<OwnNumber>>;
+
+std::map<int, Groups> groups_of_subjects(const std::vector<TrialEvidence>& evidence, PadNumber number,
+                                         const std::optional<double>& press_exponent) {
+  std::map<int, std::map<int, std::vector<OwnNumber>>> parted;
+  for (std::size_t i = 0; i < evidence.size(); ++i) {
+    const double own = own_number(evidence[i], number, press_exponent);
+    if (std::isnan(own)) continue;
+    parted[evidence[i].subject][angle_of(evidence[i], number)].push_back(
+        {i, own, own_log_load(evidence[i], number)});
+  }
+  std::map<int, Groups> found;
+  for (auto& [subject, angles] : parted)
+    for (auto& [angle, trials] : angles) found[subject].push_back(std::move(trials));
+  return found;
+}
+
+/// A trial that is off, by its place in its group, and what is usual at its load.
+using Off = std::map<std::size_t, double>;
+
+/// Of three or four trials the one that is far off by Dixon's test (two-sided, 1 %: Rorabacher 1991, table
+/// 2): its gap to the nearest is so much of the whole range. Of three trials the two others must agree to 0.6
+/// % of that gap, of four the three others to 8 %.
+Off off_of_few(const std::vector<double>& values, double least_share) {
+  const double least_gap = values.size() == 3 ? 0.994 : 0.926;
+  std::vector<double> sorted = values;
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t last = sorted.size() - 1;
+  const double range = sorted[last] - sorted[0], below = sorted[1] - sorted[0],
+               above = sorted[last] - sorted[last - 1];
+  if (!(std::max(below, above) > least_gap * range)) return {};
+  const double odd = below > above ? sorted[0] : sorted[last];
+  if (below > above) std::rotate(sorted.begin(), sorted.begin() + 1, sorted.end());
+  sorted.pop_back();
+  const double usual = quantile(sorted, 0.5);
+  if (!(std::abs(odd - usual) > least_share * std::abs(usual))) return {};
+  return {{static_cast<std::size_t>(std::find(values.begin(), values.end(), odd) - values.begin()), usual}};
+}
+
+Off off_of_many(const std::vector<double>& values, double least_share) {
+  constexpr double deviations = 5;
+  const double usual = quantile(values, 0.5);
+  std::vector<double> offs;
+  offs.reserve(values.size());
+  for (const double value : values) offs.push_back(std::abs(value - usual));
+  const double most = std::max(deviations * quantile(offs, 0.5) / 0.6745, least_share * std::abs(usual));
+  Off off;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (offs[i] > most) off[i] = usual;
+  return off;
+}
+
+/// Those of a group that are off where its number goes with n^exponent.
+Off off_at(const std::vector<OwnNumber>& group, double exponent, double least_share) {
+  constexpr std::size_t fewest = 3, fewest_of_many = 5;
+  if (group.size() < fewest) return {};
+  std::vector<double> loads, values;
+  for (const OwnNumber& own : group)
+    if (!std::isnan(own.log_load)) loads.push_back(own.log_load);
+  const double log_load = median_of(loads);
+  values.reserve(group.size());
+  for (const OwnNumber& own : group) values.push_back(own.value / own.times_that_at(log_load, exponent));
+  Off off =
+      group.size() < fewest_of_many ? off_of_few(values, least_share) : off_of_many(values, least_share);
+  for (auto& [place, usual] : off) usual *= group[place].times_that_at(log_load, exponent);
+  return off;
 }
 
 }  // namespace
@@ -88,32 +155,23 @@ std::optional<FewOutlier> outlier_of_few(std::vector<OwnNumber> trials, double l
 std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
                                          const std::vector<TrialEvidence>& evidence,
                                          const std::optional<double>& press_exponent) {
-  constexpr std::size_t fewest = 3, fewest_of_many = 5;
-  constexpr double deviations = 5;
   std::vector<OutlierTrial> found;
   for (const PadNumber number :
        {PadNumber::mu_static, PadNumber::mu_dynamic, PadNumber::v_min, PadNumber::stick_stiffness,
         PadNumber::longitudinal_stiffness, PadNumber::normal_stiffness}) {
     const double least_share = number == PadNumber::v_min ? 0.25 : 0.1;  // it rests on a few ends of slip
-    std::map<Alike, std::vector<OwnNumber>> groups;
-    for (std::size_t i = 0; i < evidence.size(); ++i) {
-      const double own = own_number(evidence[i], number, press_exponent);
-      if (!std::isnan(own)) groups[alike(evidence[i], number)].emplace_back(i, own);
-    }
-    for (const auto& [key, trials] : groups) {
-      if (trials.size() < fewest) continue;
-      if (trials.size() < fewest_of_many) {
-        if (const auto one = outlier_of_few(trials, least_share))
-          found.push_back({one->trial, names[one->trial], number, one->value, one->usual});
-        continue;
-      }
-      std::vector<double> values, offs;
-      for (const auto& [trial, value] : trials) values.push_back(value);
-      const double usual = quantile(values, 0.5);
-      for (const double value : values) offs.push_back(std::abs(value - usual));
-      const double most = std::max(deviations * quantile(offs, 0.5) / 0.6745, least_share * std::abs(usual));
-      for (const auto& [trial, value] : trials) {
-        if (std::abs(value - usual) > most) found.push_back({trial, names[trial], number, value, usual});
+    for (const auto& [subject, groups] : groups_of_subjects(evidence, number, press_exponent)) {
+      const ExponentRange likely = likely_exponents(groups);
+      for (const std::vector<OwnNumber>& group : groups) {
+        const Off by_least = off_at(group, likely.least, least_share),
+                  by_most = off_at(group, likely.most, least_share);
+        for (const auto& [place, usual] : by_least) {
+          const auto other = by_most.find(place);
+          if (other == by_most.end()) continue;
+          const OwnNumber& own = group[place];
+          found.push_back({own.trial, names[own.trial], number, own.value, (usual + other->second) / 2,
+                           is_counted(evidence[own.trial], number)});
+        }
       }
     }
   }

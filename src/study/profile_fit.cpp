@@ -7,7 +7,6 @@
 #include <optional>
 #include <set>
 
-#include "base/number_text.hpp"
 #include "study/delayed_evidence.hpp"
 #include "study/few_trials.hpp"
 #include "study/fit_intervals.hpp"
@@ -17,6 +16,7 @@
 #include "study/next_point.hpp"
 #include "study/normal_law.hpp"
 #include "study/sampling_reach.hpp"
+#include "study/slow_sensor.hpp"
 #include "study/stretch_reach.hpp"
 #include "study/unseen_slip.hpp"
 #include "study/zero_doubt.hpp"
@@ -77,6 +77,18 @@ NumberReaches moved_by_load(const Measurement& measurement, const std::vector<St
   return moved_by(evidence, fit, rising);
 }
 
+/// How far numbers would move were the drops at ruptures still to show in one sample more than is left out.
+NumberReaches moved_by_tail(const Measurement& measurement, std::vector<StickSegments> segments,
+                            const ProfileFit& fit, const FitPoint& point) {
+  std::vector<TrialEvidence> evidence;
+  evidence.reserve(segments.size());
+  for (std::size_t i = 0; i < segments.size(); ++i) {
+    ++segments[i].drop_tail;
+    evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
+  }
+  return moved_by(evidence, fit, point);
+}
+
 /// The fit to the trials whose forces were measured whole.
 ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
@@ -91,7 +103,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   const auto gather = [&] {
     fit.evidence.clear();
     for (std::size_t i = 0; i < segments.size(); ++i) {
-      segments[i].drop_tail = drop_tail_samples(point.evidence.rupture_lag);
+      segments[i].drop_tail = point.evidence.drop_tail;
       fit.evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
     }
   };
@@ -142,19 +154,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
-  if (const double lag = point.evidence.rupture_lag; lag > 0)
-    fit.steps.push_back(fmt::format(
-        "ruptures: the force sensor shows their drops over some samples, as a low pass does; they are taken "
-        "to lie in the middle of the drops, {} samples later than where these begin, and {} samples behind "
-        "them tell no stick",
-        rounded_text(lag, 2), drop_tail_samples(lag)));
-  // Over more samples the end of a drop is not seen, and how late its middle is told too small.
-  constexpr double surely_seen_lag = 0.3;
-  if (point.evidence.rupture_lag > surely_seen_lag)
-    fit.doubts.emplace_back(
-        "the force sensor's low pass takes so many samples for a drop that its middle cannot be told: "
-        "mu_static, and "
-        "what follows from it, is likely too low; sample faster, or turn the sensor's filter off");
+  tell_slow_sensor(segments, point, fit);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
   std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
@@ -184,6 +184,10 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
                  point);
   }
   NumberReaches unsure = by_delay.moved;
+  if (point.evidence.drop_tail > 0) {
+    const NumberReaches by_tail = moved_by_tail(measurement, segments, fit, point);
+    for (std::size_t k = 0; k < unsure.size(); ++k) unsure[k] += by_tail[k];
+  }
   if (point.has_unseen_slip) {
     const NumberReaches by_load = moved_by_load(measurement, segments, fit, point);
     for (std::size_t k = 0; k < unsure.size(); ++k) unsure[k] += by_load[k];

@@ -10,6 +10,7 @@
 #include "base/printable_text.hpp"
 #include "scene/toml_tree.hpp"
 #include "study/few_trials.hpp"
+#include "study/fit_refusals.hpp"
 
 namespace fingerpad {
 namespace {
@@ -40,7 +41,10 @@ std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
                                          [](const TrialEvidence& trial) { return trial.has_direction; });
   if (!has_direction) return "give the finger's direction in the columns dx, dy, dz";
   if (reason == RefusalReason::vague)
-    return fmt::format("add trials whose finger sticks before it slips {} the finger, pushed alike",
+    return fmt::format("{}add trials whose finger sticks before it slips {} the finger, pushed alike",
+                       odd_spring_words(fit, axis).empty() ? ""
+                                                           : "leave the trial out that is unlike the others, "
+                                                             "if it is another finger's or went wrong, or ",
                        axis == PadNumber::lateral_axis ? "across" : "along");
   if (reason == RefusalReason::unknown_delay) return "give the delay of force behind position (--delay)";
   if (reason == RefusalReason::unseen_slip) return "rub faster";
@@ -96,9 +100,14 @@ std::string missing_axes_words(const ProfileFit& fit) {
 std::vector<std::string> outlier_notes(const ProfileFit& fit) {
   std::vector<std::string> notes;
   for (const OutlierTrial& outlier : fit.outliers)
-    notes.push_back(fmt::format("outlier: {}: its {} is {}, the usual one {}; counted all the same",
-                                outlier.name, pad_number_keys[static_cast<std::size_t>(outlier.number)],
-                                rounded_text(outlier.value, 4), rounded_text(outlier.usual, 4)));
+    notes.push_back(
+        fmt::format("outlier: {}: its {} is {}, the usual one {}; {}", outlier.name,
+                    pad_number_keys[static_cast<std::size_t>(outlier.number)], rounded_text(outlier.value, 4),
+                    rounded_text(outlier.usual, 4),
+                    outlier.is_counted
+                        ? "counted all the same"
+                        : "left out of that number, as its force drives the finger where it should hold it "
+                          "back: is its sign right?"));
   return notes;
 }
 

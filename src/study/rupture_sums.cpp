@@ -12,6 +12,7 @@ namespace {
 
 constexpr std::size_t fewest = 5;        // samples of a line
 constexpr std::size_t usual_tail = 2;    // samples in which a drop that is not at once is over
+constexpr long fewest_drops = 20;        // that tell how late a drop is
 constexpr std::size_t drop_samples = 5;  // of a drop and what it comes to: no tooth that counts is shorter
 
 /// Whether the teeth of a finger that moves on so have enough samples, wherever between two of them each
@@ -184,17 +185,32 @@ void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
 }
 
 double seen_rupture_lag(const std::vector<TrialEvidence>& trials) {
-  constexpr long fewest = 20;
   double sum = 0;
   long drops = 0;
   for (const TrialEvidence& trial : trials) sum += trial.drop_lag, drops += trial.drop_lags;
-  return drops >= fewest ? std::clamp(sum / static_cast<double>(drops), 0.0, 2.0) : 0;
+  return drops >= fewest_drops ? std::clamp(sum / static_cast<double>(drops), 0.0, 2.0) : 0;
 }
 
 double rupture_lag(const std::vector<TrialEvidence>& trials) {
-  constexpr double least = 0.1;  // samples
+  constexpr double least = 0.04;  // samples
   const double late = seen_rupture_lag(trials);
   return late > least ? late : 0;
+}
+
+std::size_t drop_tail_samples(const std::vector<TrialEvidence>& trials) {
+  constexpr double within_one = 0.1;  // a drop so late is over within a sample
+  constexpr double slow_hz = 600;
+  constexpr long many = 200;  // ruptures: those of a few trials are needed whole
+  if (const double lag = rupture_lag(trials); lag > 0)
+    return 1 + (lag > within_one ? static_cast<std::size_t>(std::ceil(2 * lag)) : 0);
+  long drops = 0, ruptures = 0;
+  double least_hz = slow_hz;
+  for (const TrialEvidence& trial : trials) {
+    drops += trial.drop_lags;
+    ruptures += trial.ruptures + trial.short_teeth;
+    least_hz = std::min(least_hz, trial.rate_hz);
+  }
+  return drops < fewest_drops && ruptures > many && least_hz < slow_hz ? 1 : 0;
 }
 
 }  // namespace fingerpad

@@ -61,6 +61,14 @@ double sample_noise(std::span<const double> samples) {
   return noise_of_bends(bends);
 }
 
+double joined_noise(std::span<const double> samples) {
+  std::vector<double> every_other;
+  every_other.reserve(samples.size() / 2 + 1);
+  for (std::size_t i = 0; i < samples.size(); i += 2) every_other.push_back(samples[i]);
+  const double noise = sample_noise(samples);
+  return noise > 0 ? sample_noise(every_other) / noise : 1;
+}
+
 double noise_of_bends(std::span<const double> bends) {
   constexpr std::size_t fewest = 6;
   if (bends.size() < fewest) return 0;

@@ -9,7 +9,11 @@ namespace fingerpad {
 /// and are left out.
 double sample_noise(std::span<const double> samples);
 
-/// The same of the sizes of second differences that were taken elsewhere, as within stretches alone.
+/// How many times as much noise every other sample shows as all of them do: 1 of white noise, more of noise
+/// that a low pass has joined from sample to sample.
+double joined_noise(std::span<const double> samples);
+
+/// sample_noise of the sizes of second differences that were taken elsewhere, as within stretches alone.
 double noise_of_bends(std::span<const double> bends);
 
 /// The value below which a share of the samples lies.

@@ -81,7 +81,7 @@ double long_tooth_samples(const ProfileFit& fit, const FitPoint& point) {
     if (speed > 0)
       half_s =
           std::max(half_s, std::sqrt(2 * 12.0) * least_window_spread * trial.position_noise_m / speed / 2);
-  return static_cast<double>(drop_tail_samples(point.evidence.rupture_lag)) +
+  return static_cast<double>(point.evidence.drop_tail) +
          std::max(fewest, half_s * greatest_rate_hz(fit.evidence));
 }
 

@@ -30,14 +30,9 @@ std::vector<PushedTrial> pushed_trials(const std::vector<TrialEvidence>& trials,
   std::map<int, double> weights;
   for (std::size_t i = 0; i < trials.size(); ++i) {
     const TrialEvidence& trial = trials[i];
+    if (times[i] == 0 || !pushes_along(trial, static_cast<std::size_t>(axis))) continue;
     const SpringSums& sums = trial.spring[static_cast<std::size_t>(axis)];
-    const double ratio2 = sums(spring_ratio, spring_ratio),
-                 both2 = trial.spring[0](spring_ratio, spring_ratio) +
-                         trial.spring[1](spring_ratio, spring_ratio);
-    // A trial pushed along the other axis has only noise along this one.
-    if (times[i] == 0 || !trial.has_direction || !(ratio2 > 0.01 * both2) ||
-        !(sums(spring_position, spring_ratio) > 0))
-      continue;
+    const double ratio2 = sums(spring_ratio, spring_ratio);
     fit.samples += times[i] * trial.stick_samples;
     fit.trials += times[i];
     pushed.push_back({&sums, trial.subject, trial.inclination_deg - 45,
@@ -195,6 +190,14 @@ void refuse_all(SpringFit& fit, const std::string& axis, const std::string& angl
 }
 
 }  // namespace
+
+bool pushes_along(const TrialEvidence& trial, std::size_t axis) {
+  constexpr double least_share = 0.01;  // a trial pushed along the other axis has only noise along this one
+  const SpringSums &own = trial.spring[axis], &other = trial.spring[1 - axis];
+  const double both2 = own(spring_ratio, spring_ratio) + other(spring_ratio, spring_ratio);
+  return trial.has_direction && own(spring_ratio, spring_ratio) > least_share * both2 &&
+         own(spring_position, spring_ratio) > 0;
+}
 
 double spring_compliance_m(const SpringSums& m, const SpringShape& shape) {
   const double b = shape.share_left, h = shape.hysteresis_m, d = shape.delay_s;

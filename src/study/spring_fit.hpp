@@ -17,6 +17,10 @@ struct SpringShape {
 /// A of a trial, the shape being known.
 double spring_compliance_m(const SpringSums& sums, const SpringShape& shape);
 
+/// Whether a trial's stick pushes along an axis (0 lateral, 1 longitudinal), and its spring holds the finger
+/// back: else it is none of the axis' trials.
+bool pushes_along(const TrialEvidence& trial, std::size_t axis);
+
 /// One axis of the stick ellipse and its spring, over the finger's angle; see pad_numbers.
 struct SpringFit {
   double compliance45_m = 0;  ///< A: mean over subjects at 45 deg; A mu_s is the axis

@@ -141,6 +141,17 @@ void add_groups(const std::vector<std::array<Terms, 2>>& groups, const SpringNoi
   evidence.stick_samples += static_cast<long>(groups.size() * size);
 }
 
+/// Adds the loads that a stretch's groups are taken under.
+void add_stick_loads(const MeasuredTrial& trial, const SpringGroups& groups, TrialEvidence& evidence) {
+  const auto size = static_cast<double>(groups.size);
+  std::size_t i = groups.stretch.from;
+  for (std::size_t group = 0; group < groups.terms.size(); ++group) {
+    double sum_n = 0;
+    for (const std::size_t to = i + groups.size; i < to; ++i) sum_n += trial.normal_force_n[i];
+    evidence.stick_log_load += size * std::log(sum_n / size);
+  }
+}
+
 }  // namespace
 
 Vec2 SpringBend::at(double ratio) const noexcept {
@@ -207,7 +218,10 @@ void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
   stretches.reserve(all.size());
   for (const SpringGroups& groups : all) stretches.push_back(groups.stretch);
   const SpringNoise noise = noise_in_stick(trial, stretches, ratio);
-  for (const SpringGroups& groups : all) add_groups(groups.terms, noise, about.bend, groups.size, evidence);
+  for (const SpringGroups& groups : all) {
+    add_groups(groups.terms, noise, about.bend, groups.size, evidence);
+    add_stick_loads(trial, groups, evidence);
+  }
 }
 
 double spring_way_m(const TrialEvidence& evidence, const std::array<SpringBend, 2>& bend, const Vec2& forward,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "study/local_stiffness.hpp"
 #include "study/rupture_search.hpp"
 #include "study/sample_noise.hpp"
 #include "study/slope_window.hpp"
@@ -24,42 +25,15 @@ double noise_of_both(const std::vector<Vec2>& samples) {
 }
 
 /// Of the ratio's component across the motion: ruptures, which many trials are full of, lie along it.
-double noise_across(const std::vector<Vec2>& ratio, const std::vector<Vec2>& velocity) {
+std::vector<double> ratio_across(const std::vector<Vec2>& ratio, const std::vector<Vec2>& velocity) {
   std::vector<double> across;
   for (std::size_t i = 0; i < ratio.size(); ++i) {
     const double speed = velocity[i].norm();
     if (speed > 0)
       across.push_back((ratio[i].x() * velocity[i].y() - ratio[i].y() * velocity[i].x()) / speed);
   }
-  return sample_noise(across);
+  return across;
 }
-
-/// The window around a sample, [from, to), within its run.
-struct SampleWindow {
-  std::size_t from, to;
-};
-
-/// The windows around all samples, which end where their run does.
-class SampleWindows {
- public:
-  /// @param begins_run  of each sample
-  explicit SampleWindows(const std::vector<bool>& begins_run) : run_(begins_run.size()) {
-    for (std::size_t from = 0, to = 0; from < run_.size(); from = to) {
-      to = from + 1;
-      while (to < run_.size() && !begins_run[to]) ++to;
-      std::fill(run_.begin() + static_cast<std::ptrdiff_t>(from),
-                run_.begin() + static_cast<std::ptrdiff_t>(to), SampleWindow{from, to});
-    }
-  }
-
-  SampleWindow around(std::size_t i, int half_window) const {
-    const auto half = static_cast<std::size_t>(half_window);
-    return {std::max(run_[i].from, i - std::min(i, half)), std::min(run_[i].to, i + half + 1)};
-  }
-
- private:
-  std::vector<SampleWindow> run_;  ///< that each sample is in
-};
 
 /// Slope of the positions; ruptures do not part them.
 Vec2 local_velocity(const MeasuredTrial& trial, const SampleWindow& w) {
@@ -72,75 +46,6 @@ Vec2 local_velocity(const MeasuredTrial& trial, const SampleWindow& w) {
     squares += t * t;
   }
   return squares > 0 ? Vec2(drift / squares * trial.rate_hz) : Vec2(0, 0);
-}
-
-/// What a window says.
-struct LocalStiffness {
-  double per_m = 0;
-  bool is_known = false;
-};
-
-/// Sums up to each sample, so that a window of any width is told by its two ends.
-class WindowSums {
- public:
-  explicit WindowSums(const MeasuredTrial& trial) : sums_(trial.position_m.size() + 1) {
-    const Vec2 origin = trial.position_m.front();
-    for (std::size_t i = 0; i < trial.position_m.size(); ++i) {
-      const Vec2 x = trial.position_m[i] - origin, q = trial.force_ratio[i];
-      sums_[i + 1] = sums_[i];
-      sums_[i + 1].x += x;
-      sums_[i + 1].q += q;
-      sums_[i + 1].xx += x.squaredNorm();
-      sums_[i + 1].xq += x.dot(q);
-    }
-  }
-
-  /// @param least_m2  spread below which the window tells nothing
-  LocalStiffness stiffness(const SampleWindow& w, double noise_m, double least_m2) const {
-    const auto count = static_cast<double>(w.to - w.from);
-    const Sums &from = sums_[w.from], &to = sums_[w.to];
-    const Vec2 x = to.x - from.x;
-    const double spread = to.xx - from.xx - x.squaredNorm() / count;
-    const double pull = x.dot(to.q - from.q) / count - (to.xq - from.xq);
-    LocalStiffness local;
-    local.is_known = w.to - w.from >= 4 &&
-                     spread > std::max(2 * std::pow(least_window_spread * noise_m, 2) * count, least_m2);
-    if (local.is_known) local.per_m = pull / spread;
-    return local;
-  }
-
- private:
-  struct Sums {
-    Vec2 x{0, 0}, q{0, 0};
-    double xx = 0, xq = 0;
-  };
-  std::vector<Sums> sums_;
-};
-
-/// Half the mean of the stiffer of two groups; where there is no second group, what puts all on one side.
-double border_per_m(const std::vector<LocalStiffness>& locals, double ratio_rms) {
-  std::vector<double> known;
-  for (const LocalStiffness& local : locals)
-    if (local.is_known) known.push_back(local.per_m);
-  if (known.empty()) return 0;
-  std::sort(known.begin(), known.end());
-  double low = known[known.size() / 20], high = known[known.size() - 1 - known.size() / 20];
-  for (int pass = 0; pass < 30; ++pass) {
-    double sums[2] = {0, 0}, counts[2] = {0, 0};
-    for (const double k : known) {
-      const int group = k > (low + high) / 2 ? 1 : 0;
-      sums[group] += k;
-      counts[group] += 1;
-    }
-    const double before[2] = {low, high};
-    if (counts[0] > 0) low = sums[0] / counts[0];
-    if (counts[1] > 0) high = sums[1] / counts[1];
-    if (low == before[0] && high == before[1]) break;
-  }
-  // A spring that would take five centimetres to reach these forces is no finger's.
-  constexpr double softest_reach_m = 0.05;
-  if (high * softest_reach_m < ratio_rms) return 2 * std::abs(high) + ratio_rms / softest_reach_m;
-  return low > 0.4 * high ? 0.25 * low : high / 2;
 }
 
 /// Samples pressed so lightly that they tell nothing: against what the trial is pressed with, or because the
@@ -163,25 +68,6 @@ std::vector<bool> light_samples(const MeasuredTrial& trial, StickSegments& found
     is_light[i] = sum_n < limit_n * static_cast<double>(w.to - w.from);
   }
   return is_light;
-}
-
-/// The local stiffness at each sample, over windows that are widened where the pad hardly moves, until they
-/// tell it by four deviations of the noise from the border (`border_per_m`, where it is known).
-std::vector<LocalStiffness> local_stiffnesses(const MeasuredTrial& trial, const StickSegments& found,
-                                              const WindowSums& sums, const std::vector<bool>& is_light) {
-  constexpr int widest = 16;  // times the half window
-  constexpr double deviations = 4;
-  std::vector<LocalStiffness> locals(is_light.size());
-  const SampleWindows windows(found.begins_run);
-  for (std::size_t i = 0; i < locals.size(); ++i) {
-    if (is_light[i]) continue;
-    const double least_m =
-        found.border_per_m > 0 ? deviations * ratio_noise_at(trial, found, i) / found.border_per_m : 0;
-    for (int widened = 1; widened <= widest && !locals[i].is_known; widened *= 2)
-      locals[i] = sums.stiffness(windows.around(i, widened * found.half_window), found.position_noise_m,
-                                 least_m * least_m);
-  }
-  return locals;
 }
 
 /// A drop out of slip is a vibration or noise: ruptures come out of stick, and where it is pulled most.
@@ -238,8 +124,9 @@ StickSegments stick_segments(const MeasuredTrial& trial) {
   const SampleWindows windows(trial.starts_anew);
   for (std::size_t i = 0; i < samples; ++i)
     found.velocity_m_per_s.push_back(local_velocity(trial, windows.around(i, found.half_window)));
-  found.ratio_noise =
-      std::min(noise_of_both(trial.force_ratio), noise_across(trial.force_ratio, found.velocity_m_per_s));
+  const std::vector<double> across = ratio_across(trial.force_ratio, found.velocity_m_per_s);
+  found.ratio_noise = std::min(noise_of_both(trial.force_ratio), sample_noise(across));
+  found.joined_noise = joined_noise(across);
   find_ruptures(trial, found);
   const std::vector<bool> is_light = light_samples(trial, found);
   double squares = 0;

@@ -21,6 +21,7 @@ struct StickSegments {
   std::vector<Vec2> velocity_m_per_s;  ///< slope of the window's positions
   double position_noise_m = 0;         ///< standard deviation of one component
   double ratio_noise = 0;              ///< likewise, of q
+  double joined_noise = 1;             ///< of q: more than 1 where a low pass has joined it (sample_noise)
   double usual_normal_n = 0;           ///< median of the normal force, at which q has that noise
   double border_per_m = 0;             ///< local stiffness that parts slip (below) from stick
   /// Samples behind a rupture in which the force sensor still shows its drop (and one before it); 0: it shows
@@ -30,18 +31,20 @@ struct StickSegments {
   bool is_too_noisy = false;  ///< noise of q may hide ruptures wherever it is pressed: all is unknown
 };
 
-/// Tells stick from slip by the local stiffness k = -sum dq.dx / sum |dx|^2 over windows of 13 ms (up to 100
-/// ms where the pad moves slowly) that do not go across a rupture: in slip the force ratio q stays as the
-/// finger moves, in stick it follows. The border is half the mean of the stiffer group (two means); slip must
-/// also be against the motion, q.v < 0, and with at least half of the friction of the trial's slip: what
-/// follows with less is a spring that is soft about its middle. A window whose spread is under four times the
-/// noise of positions tells nothing.
+/// Tells stick from slip by the local stiffness k = -sum dq.dx / sum |dx|^2: in stick the force ratio q
+/// follows the finger, in slip it stays. Windows are 13 ms long, up to 100 ms where the pad moves slowly, and
+/// end at ruptures. One whose positions spread over less than four times their noise tells nothing. The
+/// border between the two is half the mean stiffness of the stiffer windows (two means).
 ///
-/// A rupture is a step in which |q| falls by a twelfth, and more than in the steps around it by four and a
-/// half standard deviations and by their size (medians), from where the tooth was pulled most
-/// (drops_below_its_tooth). So a sensor must pass the drop within one sample.
-/// Where noise may hide it so, steps are those between means of three samples; where these hide it too,
-/// nothing is told. Noise is told from second differences (sample_noise), so that ruptures do not count.
+/// Slip must also be against the motion, q.v < 0, with half of the friction of the trial's slip or more. What
+/// shows less friction is stick if it follows the finger somewhat: a spring that is soft about its middle.
+///
+/// A rupture is a step in which |q| falls out of stick, from where the tooth was pulled most
+/// (drops_below_its_tooth). It falls by more than the steps around it do (median): by their size (median),
+/// and by a twelfth of |q| or by four and a half standard deviations of a step's noise, whichever is more. So
+/// a sensor must show most of the drop within one sample. Where noise hides such steps, those between means
+/// of three samples are taken; where it hides these too, nothing is told. Noise is told by second differences
+/// (sample_noise), in which ruptures do not count.
 StickSegments stick_segments(const MeasuredTrial& trial);
 
 /// The local stiffness that told the phase of each sample; not a number where none is told.

@@ -37,6 +37,7 @@ void add_press(const MeasuredTrial& trial, double exponent, TrialEvidence& evide
     groups.push_back(group);
     mean += group;
   }
+  evidence.press_log_load += mean[3];
   mean /= static_cast<double>(std::max<std::size_t>(groups.size(), 1));
   for (const Vec4& group : groups) {
     const Vec4 off = group - mean;

@@ -62,6 +62,7 @@ struct TrialEvidence {
   /// What was taken off `spring` for the sensors' noise, which is itself an estimate.
   std::array<SpringSums, 2> spring_noise{SpringSums::Zero(), SpringSums::Zero()};
   long stick_samples = 0;
+  double stick_log_load = 0;    ///< sum over them of ln(n/1 N)
   double rupture_ratio = 0;     ///< sum over ruptures of |q| just before it
   double rupture_rise = 0;      ///< sum of what |q| rises from sample to sample before them
   double rupture_log_load = 0;  ///< sum of ln(n/1 N) just before them
@@ -93,7 +94,8 @@ struct TrialEvidence {
   /// Sums of products, about the trial's means, of -height, n^w and n^w ln n over means of some samples of
   /// contact (n in N).
   Mat3 press = Mat3::Zero();
-  double press_load_2 = 0;  ///< likewise of ln n with itself
+  double press_load_2 = 0;    ///< likewise of ln n with itself
+  double press_log_load = 0;  ///< sum over groups of ln n
   long press_samples = 0, press_groups = 0;
 };
 
@@ -111,15 +113,10 @@ struct EvidencePoint {
   /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then
   /// the springs are told from where it surely does not (surest_pull). 0: where all of it is seen.
   double hidden_stick_ratio = 0;
-  double rupture_lag = 0;    ///< samples by which the sensor's drop at a rupture is later than at once
-  bool knows_delay = false;  ///< then no rest of it is looked for: it would take part of a loop
+  double rupture_lag = 0;     ///< samples by which the sensor's drop at a rupture is later than at once
+  std::size_t drop_tail = 0;  ///< StickSegments', as drop_tail_samples tells it
+  bool knows_delay = false;   ///< then no rest of it is looked for: it would take part of a loop
 };
-
-/// Samples behind a rupture in which a sensor whose drops are so late still shows them (StickSegments); 0: it
-/// shows them at once.
-inline std::size_t drop_tail_samples(double rupture_lag) noexcept {
-  return rupture_lag > 0 ? 1 + static_cast<std::size_t>(std::ceil(2 * rupture_lag)) : 0;
-}
 
 /// Gathers a trial's evidence.
 ///

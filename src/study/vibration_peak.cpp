@@ -18,8 +18,8 @@ namespace {
 constexpr double lowest_hz = 20;
 using Parameters = Eigen::Vector<double, 5>;  // ln frequency, ln bandwidth, ln power, ln floor, tilt
 
-/// How far the tilt may be expected from 0: of a vibration that goes on between the samples it is 0.1 at 89
-/// Hz sampled at 1 kHz and 0.5 at 500 Hz, of a sensor's low pass at 300 Hz -0.2.
+/// How far the tilt may be expected from 0: of a sensor's low pass at 300 Hz it is -0.15, of a vibration that
+/// goes from sample to sample 0.1 at 89 Hz and 1 kHz and 0.4 at 500 Hz.
 constexpr double usual_tilt = 0.3;
 
 /// Of a Hann window with itself, per lag; 1 at none.
@@ -44,11 +44,14 @@ class WindowedModel {
   /// One-sided density of a vibration of variance 1, per bin: the transform of its correlation times the
   /// window's.
   std::vector<double> density(double frequency_hz, double bandwidth_hz) {
-    const double r = std::exp(-std::numbers::pi * bandwidth_hz / rate_hz_);
-    const double back_1 = 4 * r * r / (1 + r * r) * std::cos(2 * std::numbers::pi * frequency_hz / rate_hz_);
+    // The correlation of a damped oscillation that noise drives, whose density peaks at frequency_hz.
+    const double damping = std::numbers::pi * bandwidth_hz,
+                 turning = std::hypot(2 * std::numbers::pi * frequency_hz, damping),
+                 r = std::exp(-damping / rate_hz_), cosine = std::cos(turning / rate_hz_),
+                 back_1 = 2 * r * cosine;
     std::vector<double> correlation(length_);
     correlation[0] = 1;
-    correlation[1] = back_1 / (1 + r * r);
+    correlation[1] = r * (cosine + damping / turning * std::sin(turning / rate_hz_));
     for (std::size_t k = 2; k < length_; ++k)
       correlation[k] = back_1 * correlation[k - 1] - r * r * correlation[k - 2];
     for (std::size_t k = 0; k < length_; ++k) correlation[k] *= overlap_[k];

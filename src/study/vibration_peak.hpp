@@ -11,8 +11,8 @@ namespace fingerpad {
 struct VibrationPeak {
   double frequency_hz = 0, bandwidth_hz = 0;  ///< of the spectrum's peak, as SlipVibration's
   double power = 0, floor = 0;  ///< of the vibration [1], and the white density beneath it [1/Hz]
-  double tilt = 0;              ///< exponent by which the density falls or rises beside the peak, beyond the
-                                ///< model's: density ~ exp(tilt (f/frequency - 1))
+  double tilt = 0;              ///< exponent by which the density rises above the peak, beyond the model's:
+                                ///< density ~ exp(tilt (f/frequency - 1))
   double rate_hz = 0;
   long windows = 0, trials = 0;
   std::vector<double>
@@ -32,12 +32,13 @@ struct SlipDensity {
 };
 SlipDensity slip_density(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
 
-/// Fits the pad's own model of vibration, a second-order autoregression of a peak's frequency and bandwidth
-/// (SlipVibration), and a white floor to Welch's densities of slip (Welch 1967), by Whittle's likelihood
-/// (1953). The model is seen through the same window as the data, so that neither its width nor the shortness
-/// of slips widens the peak. Their tilt about the peak is fitted too: that model is made at the samples' own
-/// ticks, and a pad vibrates between them, whose density is higher above its peak; and a sensor's low pass
-/// makes it lower there. Without it the peak of the one came out 0.4 % low at 1 kHz and 1.1 % at 500 Hz.
+/// Fits the pad's vibration, a damped oscillation that noise drives (SlipVibration with ticks that go on
+/// between the samples; its peak is the spectrum's), and a white floor to Welch's densities of slip (Welch
+/// 1967), by Whittle's likelihood (1953). The model is seen through the same window as the data, so that
+/// neither its width nor the shortness of slips widens the peak. The density's tilt about the peak is fitted
+/// too, as a sensor's low pass makes it fall more steeply, and a vibration that goes from sample to sample,
+/// as in the program's own traces, less. Few windows tell no tilt, and the peak may be off by what the model
+/// is: made at the samples' own ticks, it was .3 % low at 1 kHz and 1.2 % at 500 Hz.
 ///
 /// Refused where no slip is long enough for a window, rates or lengths differ, or no density between 20 Hz
 /// and nine tenths of half the rate stands out of the rest: three times the median, and where windows are few

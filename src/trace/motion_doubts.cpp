@@ -4,9 +4,13 @@
 #include <string>
 
 #include "base/number_text.hpp"
+#include "base/printable_text.hpp"
 #include "base/unit.hpp"
+#include "base/unit_row.hpp"
 #include "motion/driving_share.hpp"
+#include "motion/force_unit_doubt.hpp"
 #include "motion/pressed_force.hpp"
+#include "motion/recorded_table.hpp"
 
 namespace fingerpad {
 namespace {
@@ -16,6 +20,20 @@ double way_m(const Motion& motion) {
   for (Eigen::Index i = 1; i < motion.p_WQ.cols(); ++i)
     way_m += (motion.p_WQ.col(i) - motion.p_WQ.col(i - 1)).norm();
   return way_m;
+}
+
+/// A column of forces whose name ends in another unit than was said; empty where none does.
+std::string other_unit_in_name(const RecordingFormat& format) {
+  if (!format.says_force_unit) return {};
+  for (const std::size_t k : {place_of_fn, place_of_fx, place_of_fx + 1, place_of_fx + 2}) {
+    const std::string& header = format.headers[k];
+    const std::string name = header.empty() && k == place_of_fn && format.reads_normal_force
+                                 ? std::string(recording_columns[k].header)
+                                 : header;
+    if (unit_in_name(Quantity::force, name).value_or(format.newtons_per_unit) != format.newtons_per_unit)
+      return printable(name, 60);
+  }
+  return {};
 }
 
 }  // namespace
@@ -84,25 +102,25 @@ void warn_of_force_unit(MotionReading& reading) {
   const double usual_n =
       std::abs(is_normal ? pressed_median_n(motion.normal_force_n)
                          : pressed_median_n({sizes_n.data(), static_cast<std::size_t>(sizes_n.size())}));
-  const bool is_hard = usual_n > hardest_rub_n;
-  if (!is_hard && (usual_n == 0 || usual_n >= lightest_rub_n || reading.says_force_unit)) return;
-  const std::string words = fmt::format("its measured {} is {} N where it presses, {} than a finger rubs",
-                                        is_normal ? "normal force" : "force", rounded_text(usual_n, 3),
-                                        is_hard ? "harder" : "lighter");
-  reading.warn(reading.says_force_unit
-                   ? words + ": is its unit the right one?"
-                   : fmt::format("taken as newtons, {}: say force_unit = \"{}\" in [motion], or "
-                                 "force_unit = \"N\" if it is newtons",
-                                 words, is_hard ? "mN" : "kN"));
+  const auto doubt = force_unit_doubt(usual_n, reading.says_force_unit);
+  if (!doubt) return;
+  std::string words = doubt->words(
+      is_normal ? "measured normal force" : "measured force",
+      [](std::string_view unit) { return fmt::format("force_unit = \"{}\" in [motion]", unit); });
+  if (const std::string name = other_unit_in_name(reading.settings.format); !name.empty())
+    words += fmt::format(" (the name of its column '{}' says another than force_unit)", name);
+  reading.warn(words);
 }
 
 void warn_of_driving_force(MotionReading& reading) {
   const Motion& motion = reading.motion;
   if (motion.force_W_n.cols() == 0 || reading.clock.rate_hz == 0) return;
   if (driving_share(motion.p_WQ, motion.force_W_n, reading.clock.rate_hz) > most_driving_share)
-    reading.warn(
-        "its measured force drives the finger along its way, and friction holds a finger back: is it that on "
-        "the surface (force_on = \"plate\")?");
+    reading.warn(fmt::format(
+        "its measured force drives the finger along its way, and friction holds a finger back: {}",
+        reading.settings.format.forces_on_surface
+            ? "force_on = \"plate\" turned it round; was it that on the finger already?"
+            : "is it that on the surface (force_on = \"plate\")?"));
 }
 
 }  // namespace fingerpad

@@ -42,6 +42,24 @@ TEST(FewTrials, VMinAndVibrationOfTwoAreRefused) {
     EXPECT_EQ(of(three, number).refusal, "");
 }
 
+/// One of four trials along the finger has a spring of four times the stiffness, which leaves the axis
+/// untold: it is named where the axis is refused, and where it is said what to do.
+TEST(FewTrials, ASpringThatIsUnlikeTheOthersIsNamedWhereTheAxisIsRefused) {
+  const std::vector<test::KnownTrial> trials{{2, 45, 0},  {2, 45, 90}, {2, 45, 0},  {2, 45, 90},
+                                             {2, 45, 90}, {2, 45, 0},  {2, 45, 90}, {2, 45, 0}};
+  test::KnownFinger stiff;
+  stiff.pad.longitudinal_axis_m /= 4;
+  RecordedMeasurement recorded = test::known_measurement(trials, {}, {}, 1);
+  recorded.trials[3] = test::known_measurement(trials, stiff, {}, 1).trials[3];
+  const ProfileFit fit = fit_profile(clean(std::move(recorded), {}), {});
+  EXPECT_THAT(
+      of(fit, PadNumber::longitudinal_axis).refusal,
+      testing::AllOf(HasSubstr("too few or too unlike"),
+                     HasSubstr("trial 4 is unlike the others: its longitudinal_stiffness_per_m is 7")));
+  EXPECT_THAT(missing_axes_words(fit), HasSubstr("leave the trial out that is unlike the others"));
+  EXPECT_EQ(of(fit, PadNumber::lateral_axis).refusal, "");
+}
+
 /// Some ninety samples of stick an axis, of two trials.
 TEST(FewTrials, SpringsThatTheirOwnStickDoesNotTellAreRefused) {
   test::KnownSensors slow;

@@ -3,6 +3,7 @@
 
 #include <cmath>
 
+#include "study/hidden_stick.hpp"
 #include "study/profile_text.hpp"
 #include "support/pad_measurement.hpp"
 
@@ -105,6 +106,28 @@ TEST(HiddenStick, FrictionThatRisesByAndByHasNoStep) {
   EXPECT_TRUE(sharp->is_sharp);
   EXPECT_NEAR(sharp->speed_m_per_s, 0.1, 0.0025);
   EXPECT_NEAR(sharp->rise, 0.03, 1e-3);
+}
+
+/// A step is known to a bin of 2.5 %, and one bin above where slip is seen to end it is no other speed.
+TEST(HiddenStick, AStepIsOfAnotherSpeedThanTheEndOfSlipIfItIsSurelyFaster) {
+  const auto tells = [](double step_m_per_s) {
+    return tells_v_min({step_m_per_s, 0.03, true, 300, 10}, {0.1, 60, 10, ""});
+  };
+  EXPECT_FALSE(tells(0.104));
+  EXPECT_FALSE(tells(0.0975));
+  EXPECT_TRUE(tells(0.106));
+}
+
+/// Slip is seen to end 1.2 % early behind a low pass, and half of all sets took the next bin for a step that
+/// hides stick: springs were then told from weak pulls alone, 1.2 % too soft, or refused.
+TEST(HiddenStick, BehindALowPassAllOfStickTellsTheSpring) {
+  test::KnownSensors sensors = test::bad_sensors();
+  sensors.ticks_a_sample = 10;
+  sensors.low_pass_hz = 300;
+  const ProfileFit fit = fitted(test::every(3, test::known_trials()), 2, {}, sensors);
+  EXPECT_FALSE(fit.v_min_by_step);
+  EXPECT_GT(of(fit, PadNumber::longitudinal_axis).samples, 40000);
+  EXPECT_NEAR(of(fit, PadNumber::longitudinal_axis).value, 1.6e-3, 0.008e-3);
 }
 
 TEST(HiddenStick, ADropThatIsTooSmallToBeSeenRefusesSpringsAndWidensFriction) {

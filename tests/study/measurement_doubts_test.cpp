@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "study/measurement.hpp"
+#include "study/measurement_words.hpp"
 #include "support/pad_measurement.hpp"
 #include "support/refusal.hpp"
 
@@ -129,6 +130,47 @@ TEST(MeasurementDoubts, AMirroredAxisIsNamed) {
               AllOf(HasSubstr("along y alone"), HasSubstr("mirrored")));
   EXPECT_THAT(asked([](RecordedTrial& trial) { trial.position_W.row(0) *= -1; }),
               AllOf(HasSubstr("along x alone"), HasSubstr("turn that column's sign")));
+}
+
+/// What is warned of a file of four trials, one of which was changed so.
+template <typename Change>
+std::vector<std::string> warned_of_one(const Change& change) {
+  RecordedMeasurement recorded =
+      test::known_measurement({rubs[0], rubs[1], rubs[0], rubs[1]}, {}, test::bad_sensors(), 1);
+  change(recorded.trials[2]);
+  const MeasurementFormat format;
+  EXPECT_NO_THROW(refuse_doubtful(recorded, format, 0));
+  return doubts_of(recorded, format);
+}
+
+TEST(MeasurementDoubts, OneTrialInAnotherUnitIsNamed) {
+  using testing::ElementsAre;
+  EXPECT_THAT(warned_of_one([](RecordedTrial&) {}), testing::IsEmpty());
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) { trial.force_W *= 1e3; }),
+              ElementsAre(AllOf(HasSubstr("known, subject 1, trial 3: its normal force is "),
+                                HasSubstr("is it in another unit?"))));
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) { trial.force_W *= 1e-3; }),
+              ElementsAre(HasSubstr("trial 3: its normal force is 0.0")));
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) { trial.force_W *= 5; }), testing::IsEmpty())
+      << "pressed harder";
+}
+
+/// A trial in the air shows noise of either sign.
+TEST(MeasurementDoubts, OneTrialThatNeverPressesIsInNoOtherUnit) {
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) {
+                for (Eigen::Index i = 0; i < trial.samples(); ++i)
+                  trial.force_W.col(i).setConstant(5e-3 * (i % 3 == 0 ? -1 : i % 5 == 0 ? 0.3 : 1));
+              }),
+              testing::IsEmpty());
+}
+
+TEST(MeasurementDoubts, OneTrialOfTheOtherSignIsNamed) {
+  using testing::ElementsAre;
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) { trial.force_W.topRows(2) *= -1; }),
+              ElementsAre(AllOf(HasSubstr("trial 3: its force drives the finger along its way"),
+                                HasSubstr("neither slip nor springs"))));
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) { trial.force_W *= -1; }),
+              ElementsAre(AllOf(HasSubstr("trial 3: its normal force is -"), HasSubstr("turned round"))));
 }
 
 TEST(MeasurementDoubts, OneOddTrialOfManyIsLeftToTheOutliers) {

@@ -431,5 +431,12 @@ TEST_F(Reading, WhatAPublishedLayoutDoesNotReadIsRefused) {
   EXPECT_THAT(refusal_of(plate), HasSubstr("'force_on' is said of it"));
 }
 
+TEST_F(Reading, ASceneOrAProfileIsNoMeasurement) {
+  const std::string scene = written("rub.toml", "name = \"rub\"\n[motion]\nfile = \"rub.csv\"\n");
+  EXPECT_THAT(test::why_not([&] { read_measurements({scene}, {}); }),
+              testing::AllOf(HasSubstr("is TOML, as scenes and profiles are, and no measurement"),
+                             HasSubstr("as a scene's [motion] has it in `file`")));
+}
+
 }  // namespace
 }  // namespace fingerpad::measurement_reader_test

@@ -5,11 +5,13 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
 #include "base/random_stream.hpp"
 #include "study/press_fit.hpp"
+#include "support/pad_measurement.hpp"
 
 namespace fingerpad::outlier_trials_test {
 namespace {
@@ -62,6 +64,99 @@ TEST(OutlierTrials, OfFewTrialsThatDifferByChanceAreHardlyEver) {
     }
     EXPECT_LT(named, 0.02 * sets) << count;  // the test's level is one in a hundred; three deviations above
   }
+}
+
+/// A trial of subject 1 that slips under a load with a coefficient.
+TrialEvidence slipping(double load_n, double mu) {
+  TrialEvidence trial;
+  trial.slip_samples = 1000;
+  trial.slip_ratio = 1000 * mu;
+  trial.slip_log_load = 1000 * std::log(load_n);
+  return trial;
+}
+
+std::vector<std::string> outliers_of(const std::vector<TrialEvidence>& evidence) {
+  std::vector<std::string> trials, names;
+  for (std::size_t i = 1; i <= evidence.size(); ++i) trials.push_back(fmt::format("trial {}", i));
+  for (const OutlierTrial& outlier : outlier_trials(trials, evidence, std::nullopt))
+    names.push_back(outlier.name);
+  return names;
+}
+
+/// A number that goes with some power of the load makes no trial odd, and one that is off is named, with what
+/// is usual under its own load.
+TEST(OutlierTrials, AreNamedAgainstTrialsOfTheirLoadWhateverTheLawOverTheLoad) {
+  RandomStream random(2);
+  for (const double exponent : {-1.0, -1.0 / 3, 0.0, 0.5}) {
+    std::vector<TrialEvidence> evidence;
+    for (const double load_n : {1.0, 1.0, 1.0, 1.0, 1.5, 1.5, 1.5, 3.0, 3.0, 3.0})
+      evidence.push_back(slipping(load_n, std::pow(load_n, exponent) * (1 + 0.01 * random.normal())));
+    EXPECT_THAT(outliers_of(evidence), IsEmpty()) << exponent;
+    evidence[5].slip_ratio *= 1.4;
+    EXPECT_THAT(outliers_of(evidence), ElementsAre("trial 6")) << exponent;
+    const std::vector<OutlierTrial> found =
+        outlier_trials(std::vector<std::string>(evidence.size()), evidence, std::nullopt);
+    ASSERT_EQ(found.size(), 1U) << exponent;
+    EXPECT_NEAR(found.front().usual, std::pow(1.5, exponent), 0.05) << exponent;
+  }
+}
+
+/// Two loads, and one trial of the second is odd: which of its two says how the number goes with the load,
+/// nobody can tell.
+TEST(OutlierTrials, NobodyTellsWhereTheLoadMayExplainIt) {
+  EXPECT_THAT(outliers_of({slipping(1, 0.2), slipping(1, 0.2005), slipping(2, 0.3)}), IsEmpty());
+  EXPECT_THAT(outliers_of({slipping(1, 0.2), slipping(1.01, 0.2005), slipping(1.02, 0.3)}),
+              ElementsAre("trial 3"))
+      << "loads that are alike explain nothing";
+  EXPECT_THAT(outliers_of({slipping(1, 0.2), slipping(1, 0.201), slipping(1, 0.199), slipping(1, 0.2),
+                           slipping(2, 0.2), slipping(2, 0.3)}),
+              IsEmpty());
+}
+
+/// One whose force drives it on is in no spring.
+TEST(OutlierTrials, SaysWhetherTheFitCountsThem) {
+  std::vector<TrialEvidence> evidence(6);
+  for (TrialEvidence& trial : evidence) {
+    trial.has_direction = true;
+    trial.stick_samples = 1000;
+    SpringSums& sums = trial.spring[0];
+    sums(spring_ratio, spring_ratio) = sums(spring_straight, spring_straight) = 1;
+    sums(spring_position, spring_ratio) = sums(spring_position, spring_straight) = 1e-2;
+  }
+  SpringSums &mirrored = evidence[1].spring[0], &stiff = evidence[4].spring[0];
+  mirrored(spring_position, spring_ratio) = mirrored(spring_position, spring_straight) = -1e-2;
+  stiff(spring_position, spring_ratio) = stiff(spring_position, spring_straight) = 5e-3;
+  const std::vector<OutlierTrial> found =
+      outlier_trials(std::vector<std::string>(evidence.size()), evidence, std::nullopt);
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].trial, 1U);
+  EXPECT_FALSE(found[0].is_counted);
+  EXPECT_EQ(found[1].trial, 4U);
+  EXPECT_TRUE(found[1].is_counted);
+}
+
+/// Were springs for each newton taken to be alike under all loads, a third of good trials were named where
+/// they are as stiff under any load.
+TEST(OutlierTrials, GoodTrialsOfAPadThatIsAsStiffUnderAnyLoadAreNone) {
+  test::KnownFinger finger;
+  finger.stiffness_exponent = -1;
+  RecordedMeasurement recorded =
+      test::known_measurement(test::known_trials(), finger, test::bad_sensors(), 3);
+  const auto named = [](RecordedMeasurement of) {
+    std::vector<std::string> names;
+    for (const OutlierTrial& one : fit_profile(clean(std::move(of), {}), {}).outliers)
+      names.push_back(one.name);
+    return names;
+  };
+  EXPECT_THAT(named(recorded), IsEmpty());
+  test::KnownFinger stiff = finger;
+  stiff.pad.lateral_axis_m /= 1.3;
+  stiff.pad.longitudinal_axis_m /= 1.3;
+  recorded.trials[15] =
+      test::known_measurement(test::known_trials(), stiff, test::bad_sensors(), 4).trials[15];
+  const std::vector<std::string> odd = named(std::move(recorded));
+  EXPECT_THAT(odd, testing::Not(IsEmpty()));
+  EXPECT_THAT(odd, testing::Each(testing::HasSubstr("trial 16")));
 }
 
 /// Of a trial in which the hand moves, and the force says nothing of the height, nothing is judged.

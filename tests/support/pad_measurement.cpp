@@ -27,11 +27,12 @@ struct TrialPad {
   double mu_static, mu_dynamic;
 };
 
-TrialPad trial_pad(const KnownFinger& finger, RandomStream& random) {
+TrialPad trial_pad(const KnownFinger& finger, double load_n, RandomStream& random) {
   const auto own = [&](double value) { return value * (1 + finger.scatter * random.normal()); };
   PadProfile pad = finger.pad;
-  pad.lateral_axis_m = own(pad.lateral_axis_m);
-  pad.longitudinal_axis_m = own(pad.longitudinal_axis_m);
+  const double stiffer = std::pow(load_n, finger.stiffness_exponent);
+  pad.lateral_axis_m = own(pad.lateral_axis_m) / stiffer;
+  pad.longitudinal_axis_m = own(pad.longitudinal_axis_m) / stiffer;
   pad.v_min_m_per_s = own(pad.v_min_m_per_s);
   TrialPad made;
   made.mu_static = own(pad.mu_static);
@@ -127,7 +128,7 @@ class PadForce {
   PadForce(const KnownFinger& finger, const KnownTrial& trial, double dt_s, RandomStream& random)
       : finger_(finger),
         trial_(trial),
-        pad_(trial_pad(finger, random)),
+        pad_(trial_pad(finger, trial.load_n, random)),
         vibration_(finger.pad.vibration_hz, finger.bandwidth_hz, dt_s, RandomStream(random.bits())),
         dt_s_(dt_s) {}
 

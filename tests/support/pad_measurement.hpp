@@ -15,6 +15,7 @@ struct KnownFinger {
   PadProfile pad = assumed_profile(0.3, 150);  ///< axes of 2 and 1.6 mm at 45 deg
   double mu_dynamic = 0.2;
   bool rises_with_less_load = false;  ///< both coefficients and the spring as n^(-1/3)
+  double stiffness_exponent = 0;      ///< of a trial's stiffness for each newton, over its load_n
   double cubic_share = 0;
   double hysteresis_m = 0;                     ///< half the width of the spring's loop along the displacement
   double vibration = 0.05, bandwidth_hz = 20;  ///< RMS, share of the slip force

@@ -209,6 +209,23 @@ TEST(RecordingSource, WarnsOfAForceThatDrivesTheFingerOrIsTooHard) {
   EXPECT_THAT(warnings(-30, 100), ElementsAre(HasSubstr("its measured normal force is 100 N")));
 }
 
+TEST(RecordingSource, ADrivingForceIsNotToldToTurnWhatIsTurnedAlready) {
+  const auto warnings = [](double fx_n, const std::string& keys) {
+    const Scene scene =
+        scene_with("file = \"m.csv\"\ncolumns = { fx = \"fx_n\", fy = \"fy_n\", fz = \"fz_n\" }\n" + keys);
+    std::ofstream file(test::scratch_dir() / "m.csv");
+    file << "t_s,x_m,y_m,z_m,fx_n,fy_n,fz_n\n";
+    for (int i = 0; i < 100; ++i) file << fmt::format("{},{},0,0,{},0,1\n", 0.01 * i, 1e-4 * i, fx_n);
+    file.close();
+    return load_motion(scene).warnings;
+  };
+  const auto turns = HasSubstr("that on the surface (force_on = \"plate\")?");
+  EXPECT_THAT(warnings(0.3, ""), ElementsAre(turns));
+  EXPECT_THAT(warnings(-0.3, "force_on = \"plate\"\n"),
+              ElementsAre(AllOf(HasSubstr("drives the finger"), testing::Not(turns),
+                                HasSubstr("was it that on the finger already?"))));
+}
+
 /// A sensor in mN. Forces that are only compared with the model's are asked about too.
 TEST(RecordingSource, AsksForTheUnitOfForcesThatNoFingerRubsWith) {
   const auto warnings = [](const std::string& keys, double normal, const std::string& units = "") {
@@ -224,8 +241,9 @@ TEST(RecordingSource, AsksForTheUnitOfForcesThatNoFingerRubsWith) {
   };
   const std::string measured = "normal_force = \"measured\"\n";
   const auto mend = [](const char* unit) {
-    return HasSubstr(
-        fmt::format("say force_unit = \"{}\" in [motion], or force_unit = \"N\" if it is newtons", unit));
+    return HasSubstr(fmt::format(
+        "say force_unit = \"{}\" in [motion]{}, or force_unit = \"N\" in [motion] if it is newtons", unit,
+        std::string_view(unit) == "mN" ? " (or gf)" : ""));
   };
   EXPECT_THAT(
       warnings(measured, 1000),
@@ -238,8 +256,14 @@ TEST(RecordingSource, AsksForTheUnitOfForcesThatNoFingerRubsWith) {
   EXPECT_THAT(warnings("", 1), IsEmpty());
   for (const std::string& keys : {measured, std::string()}) {
     EXPECT_THAT(warnings(keys + "force_unit = \"mN\"\n", 1000), IsEmpty()) << keys;
-    EXPECT_THAT(warnings(keys + "force_unit = \"N\"\n", 1e-3), IsEmpty()) << "it is said";
-    EXPECT_THAT(warnings(keys, 1e-3, "s,m,m,m,N,N,N\n"), IsEmpty()) << "the table says it";
+    EXPECT_THAT(warnings(keys + "force_unit = \"N\"\n", 1e-3),
+                ElementsAre(HasSubstr("lighter than a finger rubs: is its unit the right one?")));
+    EXPECT_THAT(warnings(keys, 1e-3, "s,m,m,m,N,N,N\n"),
+                ElementsAre(HasSubstr("lighter than a finger rubs: is its unit the right one?")));
+    EXPECT_THAT(warnings(keys + "force_unit = \"mN\"\n", 1),
+                ElementsAre(AllOf(HasSubstr("lighter than a finger rubs: is its unit the right one?"),
+                                  HasSubstr("the name of its column 'f"), HasSubstr("says another"))))
+        << "a column in newtons, said to be in mN";
     EXPECT_THAT(warnings(keys + "force_unit = \"N\"\n", 1000),
                 ElementsAre(HasSubstr("harder than a finger rubs: is its unit the right one?")));
   }

@@ -1,0 +1,55 @@
+#include "study/likely_exponents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace fingerpad {
+namespace {
+
+/// Between two trials, and how much it counts.
+struct LoadSlope {
+  double slope = 0, apart = 0;
+};
+
+void add_slopes(const std::vector<OwnNumber>& group, std::vector<LoadSlope>& slopes) {
+  constexpr double least_apart = 0.05;        // of ln n: else the slope is chance
+  constexpr std::size_t most_pairs = 500000;  // of a group: of more an even choice tells as well
+  const std::size_t pairs = group.size() * (group.size() - 1) / 2, every = pairs / most_pairs + 1;
+  std::size_t pair = 0;
+  for (std::size_t i = 0; i < group.size(); ++i) {
+    for (std::size_t j = i + 1; j < group.size(); ++j) {
+      if (pair++ % every != 0) continue;
+      const double apart = group[j].log_load - group[i].log_load;
+      if (!(std::abs(apart) > least_apart) || !(group[i].value > 0) || !(group[j].value > 0)) continue;
+      slopes.push_back({std::log(group[j].value / group[i].value) / apart, std::abs(apart)});
+    }
+  }
+}
+
+}  // namespace
+
+double OwnNumber::times_that_at(double other_log_load, double exponent) const {
+  const double more = exponent * (log_load - other_log_load);
+  return std::isnan(more) ? 1 : std::exp(more);
+}
+
+ExponentRange likely_exponents(const std::vector<std::vector<OwnNumber>>& groups) {
+  std::vector<LoadSlope> slopes;
+  for (const std::vector<OwnNumber>& group : groups)
+    if (!group.empty()) add_slopes(group, slopes);
+  if (slopes.empty()) return {};
+  std::sort(slopes.begin(), slopes.end(),
+            [](const LoadSlope& a, const LoadSlope& b) { return a.slope < b.slope; });
+  double all = 0;
+  for (const LoadSlope& one : slopes) all += one.apart;
+  const auto below = [&](double share) {
+    double sum = 0;
+    for (const LoadSlope& one : slopes)
+      if ((sum += one.apart) >= share * all) return one.slope;
+    return slopes.back().slope;
+  };
+  return {below(0.25), below(0.75)};
+}
+
+}  // namespace fingerpad

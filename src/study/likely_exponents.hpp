@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <limits>
+#include <vector>
+
+namespace fingerpad {
+
+/// What a trial alone says of a number, and the load that it says it of.
+struct OwnNumber {
+  std::size_t trial = 0;
+  double value = 0;
+  double log_load = std::numeric_limits<double>::quiet_NaN();  ///< mean of ln(n/1 N); no number: not known
+
+  /// How many times it is what it would be at another load, were it to go with n^exponent.
+  double times_that_at(double other_log_load, double exponent) const;
+};
+
+/// Exponents of a number's law over the load, from the least to the greatest that trials leave likely.
+struct ExponentRange {
+  double least = 0, most = 0;
+};
+
+/// Tells how a number goes with the load by the slopes of its logarithm between any two trials of a group:
+/// from their lower to their upper quartile (as Theil 1950 and Sen 1968 take the median), each counting as
+/// much as the loads differ. Trials that are off move the quartiles little, as long as they are few; where
+/// they are not, or trials are few, the range is wide. 0 to 0 where no two loads of a group differ by 5 %.
+/// @param groups  trials that differ by load and chance alone; what they share is the exponent
+ExponentRange likely_exponents(const std::vector<std::vector<OwnNumber>>& groups);
+
+}  // namespace fingerpad

@@ -1,0 +1,99 @@
+#include "study/unit_doubts.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <string_view>
+
+#include "base/number_text.hpp"
+#include "motion/force_unit_doubt.hpp"
+
+namespace fingerpad {
+namespace {
+
+constexpr std::string_view units_checked =
+    "are the units right (the options that say them, and the table's)?";
+
+void doubt_times(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+  constexpr double slowest_hz = 20, fastest_hz = 100e3, refused_hz = 200e3;
+  const double rate_hz = usual(trials, [](const RecordedTrial& trial) { return trial.rate_hz; });
+  if (rate_hz >= slowest_hz && rate_hz <= fastest_hz) return;
+  if (!format.says_time_unit && !(rate_hz >= slowest_hz && rate_hz <= refused_hz)) {
+    doubts.push_back(
+        {true, fmt::format("taken as seconds, its times give {} samples a second: say --time-unit ms (or "
+                           "us), or --time-unit s if they are seconds",
+                           rounded_text(rate_hz, 3))});
+    return;
+  }
+  doubts.push_back({false, fmt::format("its times give {} samples a second, at which no finger is "
+                                       "measured: {}",
+                                       rounded_text(rate_hz, 3), units_checked)});
+}
+
+void doubt_positions(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+  constexpr double farthest_m = 0.5, refused_m = 1, fastest = 1.5;
+  const double nearest_m = trials.front().lacks.empty() ? 0.5e-3 : 0.05e-3;  // what a pad yields
+  const double way_m = usual(trials, extent_m), speed = usual(trials, fastest_m_per_s);
+  if (!format.says_unit && way_m > refused_m) {
+    doubts.push_back(
+        {true, fmt::format("taken as metres, its positions reach over {} m: say --unit mm (or cm, in), "
+                           "or --unit m if they are metres",
+                           rounded_text(way_m, 3))});
+    return;
+  }
+  if (way_m < nearest_m || way_m > farthest_m)
+    doubts.push_back({false, fmt::format("its positions reach over {} mm, {} than a finger rubs: {}",
+                                         rounded_text(1e3 * way_m, 3), way_m < nearest_m ? "less" : "farther",
+                                         units_checked)});
+  if (speed > fastest)
+    doubts.push_back({false, fmt::format("its positions go at {} m/s, faster than a finger rubs: {}",
+                                         rounded_text(speed, 3), units_checked)});
+}
+
+void doubt_forces(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+  constexpr double greatest_n = 100;
+  const double press_n = std::abs(usual(trials, pressing_n)), most_n = usual(trials, largest_force_n);
+  if (const auto doubt = force_unit_doubt(press_n, format.says_force_unit)) {
+    const std::string words = doubt->words(
+        "normal force", [](std::string_view unit) { return fmt::format("--force-unit {}", unit); });
+    doubts.push_back({doubt->asks_for_unit, words});
+  } else if (most_n > greatest_n) {
+    doubts.push_back({false, fmt::format("its forces reach {} N, more than a finger's: {}",
+                                         rounded_text(most_n, 3), units_checked)});
+  }
+}
+
+/// How far from a six-axis sensor's origin the forces act that make its torques, at least: of each sample the
+/// torque by the force. 0 without torques.
+double lever_m(const RecordedTrial& trial) {
+  if (trial.torque_W_n_m.cols() == 0) return 0;
+  const double force_n = trial.force_W.colwise().norm().mean();
+  return force_n > 0 ? trial.torque_W_n_m.colwise().norm().mean() / force_n : 0;
+}
+
+void doubt_torques(FileTrials trials, const MeasurementFormat& format, std::vector<UnitDoubt>& doubts) {
+  constexpr double longest_m = 1;
+  const double lever = usual(trials, lever_m);
+  if (lever <= longest_m) return;
+  const std::string of_forces =
+      fmt::format("its torques are those of forces {} m from the sensor's origin: ", rounded_text(lever, 3));
+  if (format.says_torque_unit) {
+    doubts.push_back({false, of_forces + std::string(units_checked)});
+  } else {
+    doubts.push_back({true, "taken as newton metres, " + of_forces +
+                                "say --torque-unit N.mm, or --torque-unit N.m if they are newton metres"});
+  }
+}
+
+}  // namespace
+
+std::vector<UnitDoubt> unit_doubts(FileTrials trials, const MeasurementFormat& format) {
+  std::vector<UnitDoubt> doubts;
+  doubt_times(trials, format, doubts);
+  doubt_torques(trials, format, doubts);  // which places may be told from
+  doubt_positions(trials, format, doubts);
+  doubt_forces(trials, format, doubts);
+  return doubts;
+}
+
+}  // namespace fingerpad
