@@ -100,6 +100,7 @@ void Proxy::settle(const ProxyLeash& leash) noexcept {
   double bent_m = 0;  // the first step mostly ends it
   for (int k = 0; k < ProxyLimits::most_steps; ++k) {
     if (goal_O == state_.place_O) {
+      sight_->drop_step();
       state_.hold = {};
       break;
     }

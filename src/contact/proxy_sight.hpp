@@ -54,6 +54,9 @@ class ProxySight : public ProxyShortcuts {
   /// to the finger, if one is nearer.
   virtual std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept;
 
+  /// A step that was broken off is not gone on with: the ball goes on from elsewhere.
+  void drop_step() noexcept { making_.drop(); }
+
   /// Forgets everything, as before the first tick.
   virtual void forget() noexcept { drop_step(); }
 
@@ -72,7 +75,6 @@ class ProxySight : public ProxyShortcuts {
   /// Whether the last step was broken off.
   bool is_amid_step() const noexcept { return making_.is_underway(); }
   ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
-  void drop_step() noexcept { making_.drop(); }
   /// Looks around from there, for ways no longer than this.
   void look_from(const Vec3& place_O, double way_m) noexcept;
   /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given

@@ -25,7 +25,7 @@ class Foresight {
   /// tried; what a try gives may differ from what go() gives where two answers lie within rounding.
   /// noexcept, allocates nothing, as all here.
   double try_n(const Vec3& p_W, double dt_s) noexcept;
-  /// Where on the surface's outer side the last try held the finger's centre; the tried place itself where it
+  /// Where the push of the last try would hold the finger's centre out; the tried place itself where it
   /// touched nothing.
   const Vec3& held_W() const noexcept { return held_W_; }
   /// The finger goes there. @returns the normal force that its tick will give

@@ -38,8 +38,7 @@ FreeFlight::FreeFlight(Surroundings& around, const Vec3& start_W) noexcept
       trail_(0.5 * soft_m_),
       least_left_m_(without_end),
       goal_W_(start_W),
-      went_up_for_W_(Vec3::Constant(without_end)),
-      given_up_W_(Vec3::Constant(without_end)) {
+      tried_for_W_(start_W) {
   trail_.begin(start_W);
 }
 
@@ -115,31 +114,42 @@ bool FreeFlight::is_held_up(double left_m, double dt_s) noexcept {
 /// can come.
 void FreeFlight::choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& towards_eye_W, bool blocked,
                             double dt_s) noexcept {
-  const bool given_up = (goal_W_ - given_up_W_).norm() < 2 * soft_m_;
-  if (way_ == Way::straight && blocked && !given_up && aside_W.norm() > arrived_m_) take(Way::over);
+  if (way_ == Way::straight && blocked && !has_given_up_ && aside_W.norm() > arrived_m_) take(Way::over);
   if (way_ == Way::over && aside_W.norm() < soft_m_) take(Way::straight);
   const double left_m = way_W.norm(), over_m = aside_W.norm() + way_W.dot(towards_eye_W);
   const bool held_up = is_held_up(way_ == Way::over ? over_m : left_m, dt_s);
   // Where the finger has no room at the goal it rests beside it.
   const double lacks_m = held_up ? std::max(0.0, soft_m_ - around_.at(goal_W_, soft_m_).free_m) : 0.0;
-  const bool near_enough = held_up && (given_up || left_m < soft_m_ + 3 * lacks_m);
+  const bool near_enough = held_up && (has_given_up_ || left_m < soft_m_ + 3 * lacks_m);
   const bool rested = std::exchange(rests_, way_ == Way::straight && (left_m < 0.5 * soft_m_ || near_enough));
   // The clock of one that rested has run on: when its goal sets out, by however little at first, it begins
   // anew. Else a finger that hovers and is pressed would be taken for one to whose goal nothing leads.
-  if (held_up && !rests_) take_another(rested);
-}
-
-/// Once above all parts and down again is enough: what is held up for the same goal after that as well has
-/// come as near as it can.
-void FreeFlight::take_another(bool rested) noexcept {
+  if (!held_up || rests_) return;
   if (rested) return take(Way::straight);
-  if ((goal_W_ - went_up_for_W_).norm() < 2 * soft_m_) return give_up();
-  went_up_for_W_ = goal_W_;
+  // Once above all parts and down again is enough: it has come as near as it can.
+  if (went_up_) return give_up();
+  went_up_ = true;
   take(Way::up);
 }
 
+/// A goal that goes on is no way that leads nowhere; and one that has left for elsewhere, or is seen from
+/// another side, is tried for anew when it is back.
+void FreeFlight::note_goal(const Vec3& goal_W, const Vec3& towards_eye_W) noexcept {
+  constexpr double another_view = 0.1;
+  if ((goal_W - goal_W_).norm() > soft_m_) {
+    goal_W_ = goal_W;
+    least_left_m_ = without_end;
+    delay_s_ = 0;
+  }
+  const bool is_seen_anew = (towards_eye_W - towards_eye_W_).norm() > another_view;
+  if (!is_seen_anew && (goal_W_ - tried_for_W_).norm() < 2 * soft_m_) return;
+  tried_for_W_ = goal_W_;
+  towards_eye_W_ = towards_eye_W;
+  went_up_ = has_given_up_ = false;
+}
+
 void FreeFlight::give_up() noexcept {
-  given_up_W_ = goal_W_;
+  has_given_up_ = true;
   take(Way::straight);
 }
 
@@ -174,12 +184,7 @@ Vec3 FreeFlight::next_step(const Vec3& goal_W, const Vec3& straight_W, const Vec
 
 const Vec3& FreeFlight::advance(const Vec3& goal_W, const Vec3& towards_eye_W, double dt_s) noexcept {
   const Vec3 from_W = place_W();
-  // A goal that goes on is no way that leads nowhere.
-  if ((goal_W - goal_W_).norm() > soft_m_) {
-    goal_W_ = goal_W;
-    least_left_m_ = without_end;
-    delay_s_ = 0;
-  }
+  note_goal(goal_W, towards_eye_W);
   if ((from_W - around_.middle_W()).norm() > ball_m_) trail_.begin(from_W);
   if (way_ != Way::out) trail_.add(from_W);
   Follower straight = follower_;

@@ -11,7 +11,7 @@ namespace fingerpad {
 /// that it would keep.) It tries these ways in turn, each where the one before leads nowhere:
 /// - straight to the goal, along what is in the way;
 /// - over what is in the way: aside towards the goal where it can, else up towards the eye;
-/// - up, above all parts, and down to the goal;
+/// - up, above all parts, and down to the goal; held up again after that, it rests where it is;
 /// - out, back on the way by which it came, and round all parts to the eye's side. That is for when the view
 ///   was turned and nothing leads up.
 class FreeFlight {
@@ -52,7 +52,7 @@ class FreeFlight {
   void choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& towards_eye_W, bool blocked,
                   double dt_s) noexcept;
   bool is_held_up(double left_m, double dt_s) noexcept;
-  void take_another(bool rested) noexcept;
+  void note_goal(const Vec3& goal_W, const Vec3& towards_eye_W) noexcept;
   void give_up() noexcept;
   void take(Way way) noexcept;
 
@@ -66,8 +66,10 @@ class FreeFlight {
   double least_left_m_;  ///< how near the goal it has come on this way ...
   double delay_s_ = 0;   ///< ... and for how long no nearer
   Vec3 goal_W_;          ///< the last one
-  Vec3 went_up_for_W_;   ///< one for which it went up above all parts
-  Vec3 given_up_W_;      ///< one to which no way has led
+  Vec3 tried_for_W_;     ///< the goal that these are about, and from where it was seen:
+  Vec3 towards_eye_W_ = Vec3::Zero();
+  bool went_up_ = false;       ///< it was above all parts on its way there
+  bool has_given_up_ = false;  ///< no way has led there
 };
 
 }  // namespace fingerpad

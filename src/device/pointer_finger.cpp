@@ -61,10 +61,10 @@ void PointerFinger::feel(const TickRecord& tick) noexcept {
 }
 
 FingerSample PointerFinger::advance(double dt_s) noexcept {
-  const Vec3 last_W = aim_.finger.p_WQ;
+  const FingerSample last = aim_.finger;
   aim_ = path_.advance(dt_s);
-  pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_W) / dt_s - pace_W_);
-  still_s_ = aim_.finger.p_WQ == last_W ? still_s_ + dt_s : 0;
+  pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last.p_WQ) / dt_s - pace_W_);
+  if (aim_.finger.p_WQ != last.p_WQ || aim_.finger.push_W_n != last.push_W_n) still_s_ = 0;
   wanted_n_ = aim_.finger.push_W_n.norm();
   doing_ = next_doing(dt_s);
   if (doing_ == Doing::flies) {
@@ -142,7 +142,7 @@ bool PointerFinger::can_land(const LandingRoom& room) const noexcept {
 /// Whether what the pointer wants can be reached over the surface.
 bool PointerFinger::can_follow(double dt_s) noexcept {
   const Vec3& wanted_W = aim_.finger.p_WQ;
-  const double away_m = (wanted_W - flight_.place_W() - touched_.depth_m * touched_.normal_W).norm();
+  const double away_m = (wanted_W - held_W()).norm();
   const double near_m = 2 * flight_.soft_m();
   if (away_m < near_m || away_m < 0.98 * nearest_m_) {
     nearest_m_ = away_m;
@@ -211,31 +211,37 @@ Vec3 PointerFinger::aside(double dt_s) const noexcept {
   const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W();
   const Vec3 along_W = way_W - way_W.dot(normal_W) * normal_W;
   const double fades = std::exp(-std::max(0.0, still_s_ - following_s) / fading_s);
+  if (fades < nothing_left) return Vec3::Zero();
   const double pull = fades * (delay_s_ > leash_s ? slow_share : 1);
   const double share = pull * (1 - std::exp(-aside_per_s * dt_s)), length_m = along_W.norm();
   const double most_m = pull * fastest_per_s * around_.radius_m() * dt_s;
   return length_m * share > most_m ? Vec3(along_W * (most_m / length_m)) : Vec3(along_W * share);
 }
 
-/// Whether a step aside takes the finger's skin the other way: pressed in deeper than its radius over an
-/// edge, the finger turns about it as a lever. Steps that follow the pointer would swing it to and fro
-/// without end.
-bool PointerFinger::turns_about_edge(const Vec3& deeper_W, const Vec3& aside_W, double dt_s) noexcept {
-  const Vec3 from_W = flight_.place_W();
-  if (aside_W.isZero(0) || foresight_.try_n(from_W + deeper_W + aside_W, dt_s) == 0) return false;
-  const Vec3 held_W = from_W + touched_.depth_m * touched_.normal_W;
-  return (foresight_.held_W() - held_W).dot(aside_W) < 0;
+/// Whether the step aside that was tried takes the finger's skin the other way: pressed in deeper than its
+/// radius over an edge, the finger turns about it as a lever. Steps that follow the pointer would swing it to
+/// and fro without end.
+bool PointerFinger::turns_about_edge(const Vec3& aside_W) const noexcept {
+  constexpr double rounding = 1e-6;
+  return (foresight_.held_W() - held_W()).dot(aside_W) < -rounding * aside_W.squaredNorm();
 }
 
 void PointerFinger::press(double dt_s) noexcept {
-  flight_.note_way(flight_.place_W() + (touched_.depth_m + flight_.soft_m()) * touched_.normal_W);
+  still_s_ += dt_s;
+  flight_.note_way(held_W() + flight_.soft_m() * touched_.normal_W);
   const Vec3 deeper_W =
       -deeper_m(touched_, wanted_n_, around_.properties(std::max(touched_.surface, 0)), dt_s) *
       touched_.normal_W;
   Vec3 aside_W = aside(dt_s);
-  if (turns_about_edge(deeper_W, aside_W, dt_s)) aside_W.setZero();
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
-    if (try_step(deeper_W + aside_W, within(tried_share), dt_s)) return;
+    const Vec3 step_W = deeper_W + aside_W;
+    const double felt_n = foresight_.try_n(flight_.place_W() + step_W, dt_s);
+    if (i == 0 && felt_n > 0 && turns_about_edge(aside_W)) {
+      aside_W.setZero();
+      continue;
+    }
+    if (felt_n <= within(tried_share)) return flight_.put(flight_.place_W() + step_W, step_W / dt_s);
+    if (aside_W.isZero(0)) break;
   }
   give_way(within(tried_share), dt_s);
 }

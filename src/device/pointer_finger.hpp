@@ -36,6 +36,8 @@ class PointerFinger final : public LiveDevice {
   Doing after_lifting() const noexcept;
   Doing after_landing() const noexcept;
   bool is_touching() const noexcept { return touched_.walls > 0; }
+  /// Where the push that was felt holds the finger's centre out.
+  Vec3 held_W() const noexcept { return flight_.place_W() + touched_.depth_m * touched_.normal_W; }
   double hurry() const noexcept;
   /// From where a finger comes down, seen from the place that it is to press on: how far away at most, how
   /// far behind it, and how much farther aside than in front [of what the flight keeps from what it flies
@@ -48,7 +50,7 @@ class PointerFinger final : public LiveDevice {
   bool can_follow(double dt_s) noexcept;
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;
-  bool turns_about_edge(const Vec3& deeper_W, const Vec3& aside_W, double dt_s) noexcept;
+  bool turns_about_edge(const Vec3& aside_W) const noexcept;
   void press(double dt_s) noexcept;
   void lift(double dt_s) noexcept;
   bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
@@ -64,7 +66,7 @@ class PointerFinger final : public LiveDevice {
   // The servo's thread's.
   PointerAim aim_;
   Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]
-  double still_s_ = 0;          // so long it has rested
+  double still_s_ = 0;          // so long it has rested while the finger pressed
   FreeFlight flight_;
   FingerSample finger_;
   Doing doing_ = Doing::flies;

@@ -99,6 +99,8 @@ TEST(StillPointer, RestsWhereNoWayLeads) {
   pointer.roams_m(1.5);
   EXPECT_LT(pointer.roams_m(1), 0.1e-3);
   EXPECT_NEAR(pointer.last().normal_force_n, 3, 0.1);
+  EXPECT_GT((pointer.last().contact_W - spot->point_W).norm(), pointed.scene.finger.radius_m)
+      << "it got there: look for another spot";
 }
 
 }  // namespace
