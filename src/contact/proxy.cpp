@@ -97,7 +97,8 @@ void Proxy::follow(ProxyLeash leash, bool goes_on) noexcept {
 void Proxy::settle(const ProxyLeash& leash) noexcept {
   const Vec3& goal_O = state_.goal_O;
   sight_->let_go();
-  double bent_m = 0;  // the first step mostly ends it
+  double bent_m =
+      0;  // how far a step may go on along bent walls: the first, which mostly ends it, not at all
   for (int k = 0; k < ProxyLimits::most_steps; ++k) {
     if (goal_O == state_.place_O) {
       sight_->drop_step();
@@ -185,7 +186,7 @@ Proxy::Way Proxy::roll(const ProxyLeash& leash) noexcept {
 
 /// Goes from one wall to another, by way of where the ball lies on both. Blocked where something is in the
 /// way, nothing is gained, or the leash is too short.
-/// @param here, there  seen from the proxy's place
+/// @param here, there  seen from the proxy's place, as `goal`, `far` and `over` in it
 Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const ProxyLeash& leash) noexcept {
   sight_->looks().spend(LookCosts::hop);
   const Vec3& goal_O = state_.goal_O;

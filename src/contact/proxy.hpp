@@ -31,9 +31,9 @@ namespace fingerpad {
 /// it was made; until then the ball stays where it is, and pushes where a wall is known to hold the finger
 /// back. A start that is broken off is gone on with alike: until then there is no proxy.
 ///
-/// This class is the meaning: what it answers follows from its state, the finger's place and the surfaces
-/// alone, and from what was broken off. It can be given a sight that remembers (fast_proxy), which answers
-/// the same, faster.
+/// This class is the meaning: what it answers follows from its state and from what was broken off, from the
+/// finger's place, the tick's length and the surfaces alone. It can be given a sight that remembers
+/// (fast_proxy), which answers the same, faster.
 class Proxy {
  public:
   Proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals);
@@ -49,7 +49,7 @@ class Proxy {
   /// noexcept, allocates nothing.
   const ProxyContact& move(const Vec3& p_WQ, double dt_s) noexcept;
 
-  /// Where the ball's centre stands, its skin included [m]; the finger's place where nothing holds it.
+  /// Where the centre of the ball with its skin stands [m]; the finger's place where nothing holds it.
   Vec3 ball_W() const noexcept { return state_.place_O + world().p_WO(); }
   /// What the ball keeps from every surface: radius and skin [m].
   double clearance_m() const noexcept { return world().clearance_m(); }

@@ -12,7 +12,7 @@ struct ProxyStep {
   int wall_count = 0;
   std::array<ProxyWall, 3> walls;   ///< seen from where the proxy stood
   std::array<double, 3> share_m{};  ///< multiplier of each
-  bool truncated = false;           ///< the step ends where the view does, or where it may go no farther
+  bool truncated = false;           ///< the step ends where no more is seen, or where it may go no farther
   bool bent = false;                ///< the step goes on along walls that bend away
   bool stuck = false;               ///< rounding left no way: z is zero
   bool broken_off = false;          ///< for want of looks: z is zero, and more walls may come
@@ -25,9 +25,11 @@ struct ProxyStep {
 /// Where the proxy stands against the finger. Of the Contact:
 /// - depth_m is from the finger to the ball without its skin, normal_W the direction of that way, shaded
 ///   (proxy_report);
-/// - point_W is the hold's where there is one, else, and on the way, the ball's lowest;
+/// - point_W is the one hold's; where there are several, or on the way, the ball's point farthest along the
+/// push;
 /// - a hold has the surface's point under the ball, and the normal as Normals says; on the way, as before;
-/// - placed is false where a start found no place for the ball, started is true where it put it down anew.
+/// - placed is false where a start found no place for the ball, or is broken off, started is true where it
+/// put it down anew.
 struct ProxyContact : Contact {
   bool touching = false;        ///< hold_count > 0
   bool settled = true;          ///< false: the proxy is still on its way to where it is closest to the finger

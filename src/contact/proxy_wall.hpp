@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cassert>
 #include <optional>
 #include <span>
 
@@ -59,7 +60,11 @@ class ActiveWalls {
  public:
   std::span<const ProxyWall> all() const noexcept { return {walls_.data(), count_}; }
   void clear() noexcept { count_ = 0; }
-  void add(const ProxyWall& wall) noexcept { walls_[count_++] = wall; }
+  /// @pre fewer than four: project() has dropped those that do not hold
+  void add(const ProxyWall& wall) noexcept {
+    assert(count_ < walls_.size());
+    walls_[count_++] = wall;
+  }
   /// Projects onto them and drops those that the point does not lie on; none where there is no such point.
   ProxyProjection project(const Vec3& goal, double tolerance_m) noexcept;
   template <class IsToDrop>

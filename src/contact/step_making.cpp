@@ -68,9 +68,11 @@ bool StepMaking::let_go_of_far_walls(ProxySight& sight) noexcept {
   const std::size_t count = walls_.all().size();
   if (has_let_go_ || count < (is_guessed_ ? 1 : 2) || !leads_nowhere(sight)) return false;
   sight.looks().spend(LookCosts::told * static_cast<long>(count));
-  walls_.drop_if([&](const ProxyWall& wall) { return sight.world().is_far_from(wall, sight.place_O()); });
-  const std::size_t touched = walls_.all().size();
+  const auto is_far = [&](const ProxyWall& wall) { return sight.world().is_far_from(wall, sight.place_O()); };
+  const auto far = static_cast<std::size_t>(std::count_if(walls_.all().begin(), walls_.all().end(), is_far));
+  const std::size_t touched = count - far;
   if (touched == count || (touched == 0 && !is_guessed_)) return false;
+  walls_.drop_if(is_far);
   if (touched > 0) {
     held_ = step_;
     has_let_go_ = true;
