@@ -16,6 +16,7 @@
 #include "study/fit_told.hpp"
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_reader.hpp"
+#include "study/odd_trials.hpp"
 #include "study/profile_text.hpp"
 #include "trace/output_file.hpp"
 
@@ -117,6 +118,7 @@ int fit(const FitOptions& options) {
   if (!told.understood.empty() && !options.quiet) print_err("fingerpad: {}\n", told.understood);
   warn(told.warnings);
   refuse_doubtful(recorded, format, cleaning.delay_s.value_or(0));
+  leave_out_turned_presses(recorded);
   const std::string force_mend = recorded.force_mend;
   const Measurement measurement = clean(std::move(recorded), cleaning);
   warn(left_out_warnings(measurement));

@@ -1,7 +1,10 @@
 #include "study/fit_told.hpp"
 
+#include <fmt/format.h>
+
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_words.hpp"
+#include "study/pad_axes.hpp"
 #include "study/profile_text.hpp"
 
 namespace fingerpad {
@@ -16,7 +19,10 @@ FitTold told_of_reading(const RecordedMeasurement& recorded, const MeasurementFo
 std::vector<std::string> left_out_warnings(const Measurement& measurement) {
   std::vector<std::string> warnings;
   for (const std::string& name : measurement.untouched)
-    warnings.push_back(name + ": the finger never presses; the trial is left out");
+    warnings.push_back(
+        fmt::format("{}: the finger never presses with more than {} N, below which a sensor's "
+                    "offset would be most of the friction; the trial is left out",
+                    name, least_normal_force_n));
   if (measurement.trials.empty() && measurement.pressed.empty())
     return warnings;  // nothing is left to be fitted, which is told otherwise
   for (const std::string& reason : measurement.without_force)

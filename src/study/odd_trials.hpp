@@ -12,4 +12,8 @@ namespace fingerpad {
 /// friction, of the other sign. Of fewer than three trials none is odd.
 std::vector<std::string> odd_trial_doubts(FileTrials trials);
 
+/// Leaves out the trials whose press is of the other sign, which odd_trial_doubts names: what they tell in
+/// the air by chance would count as a touch.
+void leave_out_turned_presses(RecordedMeasurement& recorded);
+
 }  // namespace fingerpad

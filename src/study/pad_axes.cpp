@@ -6,11 +6,6 @@
 #include "touch/skin_motion.hpp"
 
 namespace fingerpad {
-namespace {
-
-constexpr double least_normal_force_n = 0.05;  // below it a sensor's offset is most of the ratio
-
-}  // namespace
 
 MeasuredTrial in_pad_axes(const RecordedTrial& trial) {
   MeasuredTrial measured;

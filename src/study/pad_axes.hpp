@@ -4,6 +4,9 @@
 
 namespace fingerpad {
 
+/// Samples that press with less are no contact [N]: a sensor's offset would be most of the ratio of forces.
+inline constexpr double least_normal_force_n = 0.05;
+
 /// A contact of fewer samples tells nothing.
 inline constexpr std::size_t fewest_touching_samples = 16;
 

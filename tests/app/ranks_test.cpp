@@ -128,8 +128,10 @@ TEST(Ranks, ThatDieAltogetherEndTheScriptOnOpenMpisLauncherWithFour) {
 
 TEST(Ranks, ThatDieAltogetherEndTheRunOfALauncherThatIsNotAsked) {
   const fs::path folder = folder_with_batch(100000);
-  const ShellResult run =
-      test::shell(support("kill_rank") + "o 0 rank env " + as_ranks(2) + "replay plane.toml --out o", folder);
+  // The launcher lets the others be for a second before it kills them, which is little on a busy machine.
+  const std::string patient = "--mca odls_base_sigkill_timeout 5";
+  const ShellResult run = test::shell(
+      support("kill_rank") + "o 0 rank env " + as_ranks(2, patient) + "replay plane.toml --out o", folder);
   EXPECT_EQ(run.exit_code, 137) << "128 and the signal: " << run.err;
   // Where the other rank is through before the launcher ends it, that tells what was lost.
   EXPECT_THAT(run.err,

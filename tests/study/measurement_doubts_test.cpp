@@ -1,10 +1,12 @@
 #include "study/measurement_doubts.hpp"
+#include "study/odd_trials.hpp"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "study/measurement.hpp"
 #include "study/measurement_words.hpp"
+#include "study/odd_trials.hpp"
 #include "support/pad_measurement.hpp"
 #include "support/refusal.hpp"
 
@@ -171,6 +173,25 @@ TEST(MeasurementDoubts, OneTrialOfTheOtherSignIsNamed) {
                                 HasSubstr("neither slip nor springs"))));
   EXPECT_THAT(warned_of_one([](RecordedTrial& trial) { trial.force_W *= -1; }),
               ElementsAre(AllOf(HasSubstr("trial 3: its normal force is -"), HasSubstr("turned round"))));
+}
+
+/// The sensor's offset is more than it presses with, and below 0.
+TEST(MeasurementDoubts, ALightTrialOfASensorThatIsOffHasNoOtherSign) {
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) {
+                trial.force_W *= 0.05;
+                trial.force_W.row(2).array() -= 0.12;
+              }),
+              testing::IsEmpty());
+}
+
+TEST(MeasurementDoubts, ATrialOfTheOtherSignIsLeftOut) {
+  RecordedMeasurement recorded =
+      test::known_measurement({rubs[0], rubs[1], rubs[0], rubs[1]}, {}, test::bad_sensors(), 1);
+  recorded.trials[2].force_W *= -1;
+  const std::string name = trial_name(recorded.trials[2]);
+  leave_out_turned_presses(recorded);
+  ASSERT_EQ(recorded.trials.size(), 3U);
+  for (const RecordedTrial& trial : recorded.trials) EXPECT_NE(trial_name(trial), name);
 }
 
 TEST(MeasurementDoubts, OneOddTrialOfManyIsLeftToTheOutliers) {
