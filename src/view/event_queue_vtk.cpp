@@ -75,6 +75,14 @@ std::optional<InputEvent> input_of(XEvent& event, int height_px, double t_s) {
   }
 }
 
+/// VTK asks for hints: of a pointer that goes on, X tells one move and no more until VTK has looked where the
+/// pointer is, with its next frame. Whoever takes that one at once would stay where it was then.
+void ask_for_every_move(Display* display, Window window) {
+  XWindowAttributes now{};
+  if (XGetWindowAttributes(display, window, &now) == 0) return;
+  XSelectInput(display, window, now.your_event_mask & ~PointerMotionHintMask);
+}
+
 }  // namespace
 
 struct EventQueue::Heard {
@@ -88,6 +96,14 @@ struct EventQueue::Heard {
   Display* display = nullptr;  // from open() on
   bool closing = false;
   std::deque<Waiting> waiting;
+  /// Of moves that follow one another the window's thread needs the last: a mouse may make a thousand a
+  /// second.
+  void put(const Waiting& one) {
+    const bool follows = !waiting.empty() && waiting.back().event.type == MotionNotify &&
+                         one.event.type == MotionNotify && waiting.back().taken == one.taken;
+    if (follows) waiting.pop_back();
+    waiting.push_back(one);
+  }
   // The listener's.
   EventClock clock;
   int height_px = 0;
@@ -111,12 +127,18 @@ void EventQueue::open(vtkRenderWindowInteractor* interactor, vtkRenderWindow* wi
   interactor_ = interactor;
   window_ = window;
   if (vtkXRenderWindowInteractor::SafeDownCast(interactor) == nullptr) return;
+  ask_for_every_move(static_cast<Display*>(window->GetGenericDisplayId()), window_id());
   {
     const std::lock_guard lock(heard_->mutex);
     heard_->height_px = window->GetSize()[1];
     heard_->display = static_cast<Display*>(window->GetGenericDisplayId());
   }
   heard_->changed.notify_all();
+}
+
+/// VTK gives X's number of the window as a pointer.
+std::uintptr_t EventQueue::window_id() const {
+  return reinterpret_cast<std::uintptr_t>(window_->GetGenericWindowId());
 }
 
 bool EventQueue::is_known() const noexcept {
@@ -152,7 +174,7 @@ void EventQueue::hear_all() {
     }
     {
       const std::lock_guard lock(heard_->mutex);
-      heard_->waiting.push_back(one);
+      heard_->put(one);
     }
     heard_->changed.notify_all();
   }
@@ -186,9 +208,7 @@ void EventQueue::refuse_smaller(int width_px, int height_px) {
   hints.flags = PMinSize;
   hints.min_width = width_px;
   hints.min_height = height_px;
-  // VTK gives X's number of the window as a pointer.
-  const auto id = reinterpret_cast<std::uintptr_t>(window_->GetGenericWindowId());
-  XSetWMNormalHints(heard_->display, static_cast<Window>(id), &hints);
+  XSetWMNormalHints(heard_->display, window_id(), &hints);
 }
 
 double EventQueue::event_s() const {

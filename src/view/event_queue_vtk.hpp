@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <cstdint>
 #include <memory>
 #include <thread>
 
@@ -47,6 +48,7 @@ class EventQueue {
   struct Heard;
   void listen();
   void hear_all();
+  std::uintptr_t window_id() const;
 
   AtOnce at_once_;
   std::unique_ptr<Heard> heard_;

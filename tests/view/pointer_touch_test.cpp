@@ -207,5 +207,42 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
   EXPECT_EQ(heard, 3) << "pressed, stopped and let go, all within one frame";
 }
 
+// VTK asks X for hints: of moves that follow one another X told the first alone until the next frame looked
+// where the pointer was, and the finger stayed where it had been then, as long as the pointer rested.
+TEST(PointerTouch, HearsOfTheLastMoveThoughNoFrameIsDrawnAfterTheFirst) {
+  std::unique_ptr<VirtualScreen> screen;
+  try {
+    screen = std::make_unique<VirtualScreen>();
+  } catch (const Error& error) {
+    GTEST_SKIP() << error.what();
+  }
+  HeldUpWindow held;
+  std::vector<Vec3> places_W;
+  TouchWindowInput input;
+  input.view = test::torus_rub(0.0);
+  input.view.rows.clear();
+  input.latest = [] { return TickRecord(); };
+  input.recent = [](double) { return std::vector<TickRecord>(); };
+  input.set_target = [&](const FingerSample& target) {
+    const std::lock_guard lock(held.mutex);
+    if (places_W.empty() || places_W.back() != target.p_WQ) places_W.push_back(target.p_WQ);
+    held.changed.notify_all();
+  };
+  WindowOptions options;
+  options.width = 600;
+  options.height = 400;
+  bool heard_all = false, is_done = false;
+  options.on_frame = [&](const WindowReport& report) {
+    if (report.frames < 2 || is_done) return;
+    const std::string hand = "export DISPLAY=" + screen->display() + "; xdotool ";
+    test::shell(hand + "mousemove 185 310 sleep .01 mousemove 187 310 sleep .01 mousemove 189 310", ".");
+    heard_all = held.wait([&] { return places_W.size() >= 3; });
+    is_done = true;
+    test::shell(hand + "key q", ".");
+  };
+  run_touch_window(input, options);
+  EXPECT_TRUE(heard_all) << "of three moves " << places_W.size() << " are told";
+}
+
 }  // namespace
 }  // namespace fingerpad::pointer_touch_test
