@@ -26,10 +26,20 @@ bool is_unitless(std::string_view word) {
 
 }  // namespace
 
+std::string_view unit_word(std::string_view name) {
+  constexpr std::string_view none;
+  if (name.ends_with(']') || name.ends_with(')')) {
+    const std::size_t open = name.rfind(name.back() == ']' ? '[' : '(');
+    return open == std::string_view::npos ? none : name.substr(open + 1, name.size() - open - 2);
+  }
+  const std::size_t bar = name.rfind('_');
+  return bar == std::string_view::npos ? none : name.substr(bar + 1);
+}
+
 std::optional<double> unit_in_name(Quantity quantity, std::string_view name) {
   if (unit_in_ending(name) == si_symbols[static_cast<std::size_t>(quantity)]) return 1;
-  const std::size_t bar = name.rfind('_');
-  return bar == std::string_view::npos ? std::nullopt : si_per_unit(quantity, name.substr(bar + 1));
+  const std::string_view word = unit_word(name);
+  return word.empty() ? std::nullopt : si_per_unit(quantity, word);
 }
 
 std::optional<double> told_unit(const UnitRow& row, const std::vector<std::string_view>& names,

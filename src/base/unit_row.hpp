@@ -20,8 +20,12 @@ struct UnitGroup {
   std::string option;  ///< how that is said, for people: "--unit"; empty: it cannot be said
 };
 
-/// The unit that a column's name ends in, in SI, as x_m and tx_n_m of the program's own tables, x_mm and f_mN
-/// of others.
+/// What a column's name ends in that may be a unit: "mm" of "x_mm", "X [mm]" and "x (mm)"; empty where
+/// nothing may be.
+std::string_view unit_word(std::string_view name);
+
+/// The unit that a column's name ends in, in SI, as x_m and tx_n_m of the program's own tables, x_mm, f_mN
+/// and X [mm] of others.
 std::optional<double> unit_in_name(Quantity quantity, std::string_view name);
 
 /// What a row of units tells, in SI, by Quantity; nothing where it has no word for it.

@@ -52,10 +52,9 @@ void refuse_named_unit(const std::string& path, const AskedColumns& asked, Quant
   const auto named = unit_in_name(quantity, asked.names[column]);
   if (!named || *named == si_per_unit) return;
   const std::string_view name = asked.names[column];
-  throw refused(path,
-                fmt::format("has the column '{}', whose name says a unit that is not said: say {} in "
-                            "[motion], \"{}\" if it is right",
-                            printable(name, 60), option, printable(name.substr(name.rfind('_') + 1), 20)));
+  throw refused(path, fmt::format("has the column '{}', whose name says a unit that is not said: say {} in "
+                                  "[motion], \"{}\" if it is right",
+                                  printable(name, 60), option, printable(unit_word(name), 20)));
 }
 
 void refuse_named_units(const std::string& path, const AskedColumns& asked, const RecordingFormat& format) {

@@ -61,6 +61,17 @@ TEST(RecordingFormat, TakesNoColumnInAnotherUnitThanItsNameSays) {
   EXPECT_THAT(read(text, format).t_s, ElementsAre(0, 1));
 }
 
+TEST(RecordingFormat, ANameSaysItsUnitInBracketsToo) {
+  RecordingFormat format;
+  format.headers = {"t [s]", "X [mm]", "Y [mm]", "Z [mm]"};
+  const std::string text = "t [s],X [mm],Y [mm],Z [mm]\n0,1,2,3\n1,1,2,3\n";
+  EXPECT_THAT(test::why_not([&] { read(text, format); }),
+              HasSubstr("has the column 'X [mm]', whose name says a unit that is not said: say unit in "
+                        "[motion], \"mm\" if it is right"));
+  format.headers = {"t (s)", "x (m)", "y(2)", "z ()"};
+  EXPECT_EQ(read("t (s),x (m),y(2),z ()\n0,1,2,3\n1,1,2,3\n", format).t_s.size(), 2U);
+}
+
 TEST(RecordingFormat, ForcesAreInTheUnitThatIsSaid) {
   RecordingFormat format;
   for (std::size_t k = 11; k < 14; ++k) format.headers[k] = recording_columns[k].header;

@@ -153,19 +153,39 @@ struct HeldUpWindow {
   }
 };
 
-TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
-  std::unique_ptr<VirtualScreen> screen;
-  try {
-    screen = std::make_unique<VirtualScreen>();
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what();
-  }
-  HeldUpWindow held;
+/// A touch of a ring in the air.
+TouchWindowInput over_ring() {
   TouchWindowInput input;
   input.view = test::torus_rub(0.0);
   input.view.rows.clear();
   input.latest = [] { return TickRecord(); };
   input.recent = [](double) { return std::vector<TickRecord>(); };
+  return input;
+}
+
+WindowOptions small_window() {
+  WindowOptions options;
+  options.width = 600;
+  options.height = 400;
+  return options;
+}
+
+/// None where the machine has none; why not is in `why_none`.
+std::unique_ptr<VirtualScreen> virtual_screen(std::string& why_none) {
+  try {
+    return std::make_unique<VirtualScreen>();
+  } catch (const Error& error) {
+    why_none = error.what();
+    return nullptr;
+  }
+}
+
+TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
+  std::string why_none;
+  const auto screen = virtual_screen(why_none);
+  if (!screen) GTEST_SKIP() << why_none;
+  HeldUpWindow held;
+  TouchWindowInput input = over_ring();
   input.set_target = [&](const FingerSample& target) {
     const std::lock_guard lock(held.mutex);
     held.pressing = target.push_W_n != Vec3::Zero();
@@ -178,9 +198,7 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
     held.stopped = on;
     held.changed.notify_all();
   };
-  WindowOptions options;
-  options.width = 600;
-  options.height = 400;
+  WindowOptions options = small_window();
   int heard = 0;
   options.on_frame = [&](const WindowReport& report) {
     if (report.frames < 2 || heard > 0) return;
@@ -210,27 +228,18 @@ TEST(PointerTouch, IsAnsweredWhileTheWindowIsHeldUpByAFrame) {
 // VTK asks X for hints: of moves that follow one another X told the first alone until the next frame looked
 // where the pointer was, and the finger stayed where it had been then, as long as the pointer rested.
 TEST(PointerTouch, HearsOfTheLastMoveThoughNoFrameIsDrawnAfterTheFirst) {
-  std::unique_ptr<VirtualScreen> screen;
-  try {
-    screen = std::make_unique<VirtualScreen>();
-  } catch (const Error& error) {
-    GTEST_SKIP() << error.what();
-  }
+  std::string why_none;
+  const auto screen = virtual_screen(why_none);
+  if (!screen) GTEST_SKIP() << why_none;
   HeldUpWindow held;
   std::vector<Vec3> places_W;
-  TouchWindowInput input;
-  input.view = test::torus_rub(0.0);
-  input.view.rows.clear();
-  input.latest = [] { return TickRecord(); };
-  input.recent = [](double) { return std::vector<TickRecord>(); };
+  TouchWindowInput input = over_ring();
   input.set_target = [&](const FingerSample& target) {
     const std::lock_guard lock(held.mutex);
     if (places_W.empty() || places_W.back() != target.p_WQ) places_W.push_back(target.p_WQ);
     held.changed.notify_all();
   };
-  WindowOptions options;
-  options.width = 600;
-  options.height = 400;
+  WindowOptions options = small_window();
   bool heard_all = false, is_done = false;
   options.on_frame = [&](const WindowReport& report) {
     if (report.frames < 2 || is_done) return;
