@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
@@ -129,6 +130,22 @@ std::size_t FingerPath::memory_bytes() const noexcept {
     numbers += points->size();
   return static_cast<std::size_t>(numbers) * sizeof(double) + recorded->attitude.size() * sizeof(Attitude) +
          (recorded->t_s.size() + recorded->normal_force_n.size()) * sizeof(double);
+}
+
+bool FingerPath::goes_as(const FingerPath& other) const noexcept {
+  if (rate_hz_ != other.rate_hz_ || tick_count_ != other.tick_count_ ||
+      motion_.index() != other.motion_.index())
+    return false;
+  const Motion* const a = recording();
+  const Motion* const b = other.recording();
+  if (a == nullptr) return std::get<ScriptedMotion>(motion_) == std::get<ScriptedMotion>(other.motion_);
+  if (a == b) return true;
+  const auto is_alike = [](const double* from, const double* other_from, auto count) {
+    return std::memcmp(from, other_from, static_cast<std::size_t>(count) * sizeof *from) == 0;
+  };
+  return a->t_s.size() == b->t_s.size() && a->p_WQ.cols() == b->p_WQ.cols() &&
+         is_alike(a->t_s.data(), b->t_s.data(), a->t_s.size()) &&
+         is_alike(a->p_WQ.data(), b->p_WQ.data(), a->p_WQ.size());
 }
 
 double FingerPath::farthest_m() const noexcept {

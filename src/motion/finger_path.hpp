@@ -36,6 +36,8 @@ class FingerPath {
   double end_s() const noexcept { return end_s_; }
   /// That its recording takes, shared by its copies.
   std::size_t memory_bytes() const noexcept;
+  /// Whether the finger's place is the same at every tick, to the bit; no where only looking at each tells.
+  bool goes_as(const FingerPath& other) const noexcept;
   /// No coordinate of the path is larger [m].
   double farthest_m() const noexcept;
   /// Whether the finger is turned otherwise at some ticks than at others.

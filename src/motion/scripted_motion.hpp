@@ -22,6 +22,7 @@ struct ScriptedMotion {
   double duration_s = 0;
 
   Vec3 at(double t_s) const noexcept;
+  bool operator==(const ScriptedMotion&) const = default;
 };
 
 }  // namespace fingerpad

@@ -61,7 +61,8 @@ BatchEnd run_batch(std::vector<BatchJob>& jobs, const BatchOptions& options, con
   const std::vector<std::size_t> ours = jobs_of_shard(jobs.size(), options);
   JobRunner runner(jobs, options);
   runner.expect(ours);
-  JobQueue queue(order_by_cost(jobs, ours), [&] { return runner.has_room_for_a_mesh(); });
+  JobQueue queue(order_by_cost(jobs, ours, static_cast<std::size_t>(options.threads)),
+                 [&] { return runner.has_room_for_a_mesh(); });
   const auto next = [&](std::size_t thread) -> std::optional<std::size_t> {
     if (options.should_stop && options.should_stop()) return std::nullopt;
     return queue.next(thread);

@@ -3,12 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <filesystem>
 #include <map>
 #include <optional>
+#include <unordered_set>
 
 #include "base/error.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/contact_store.hpp"
 #include "replay/job_order.hpp"
 #include "replay/job_try.hpp"
 #include "replay/missing_inputs.hpp"
@@ -67,6 +70,7 @@ double mesh_bytes(const Scene& scene) {
 struct KindsJob {
   const Scene* scene = nullptr;
   PlannedJob* plan = nullptr;
+  std::uint64_t contact = 0;  ///< contact_number
 };
 
 struct JobKind {
@@ -134,12 +138,15 @@ void lay(const JobKind& kind, MeshStore& meshes, PlannedTicks& ticks, BatchPlan&
 
 /// Tries a kind's jobs until one does not fail.
 void try_jobs(JobKind& kind, MeshStore& meshes, MotionStore& motions, const BatchOptions& options) {
+  std::unordered_set<std::uint64_t> contacts;
+  for (const KindsJob& job : kind.jobs) contacts.insert(job.contact);
+  const bool is_shared = contacts.size() < kind.jobs.size();
   int most_failing = 64;
   for (const KindsJob& job : kind.jobs) {
     if (!job.plan->error.empty()) continue;
     try {
       const double load_s = kind.cost.load_s;
-      kind.cost = try_job(*job.scene, meshes, motions, options);
+      kind.cost = try_job(*job.scene, meshes, motions, options, is_shared);
       kind.cost.load_s += load_s;
       kind.is_tried = true;
       return;
@@ -173,7 +180,8 @@ void measure(const std::vector<JobKind*>& kinds, const BatchOptions& options, Ti
     if (kind->is_tried || !has_jobs) continue;
     for (double JobCost::*const what : {&JobCost::load_s, &JobCost::s_a_job, &JobCost::bytes})
       kind->cost.*what = on_line(tried_kinds, what, kind->mesh_bytes);
-    for (double JobCost::*const what : {&JobCost::s_per_tick, &JobCost::bytes_per_tick})
+    for (double JobCost::*const what : {&JobCost::s_per_tick, &JobCost::s_per_played_tick,
+                                        &JobCost::tape_bytes_per_tick, &JobCost::bytes_per_tick})
       for (const JobKind* other : tried_kinds)
         kind->cost.*what += other->cost.*what / static_cast<double>(tried_kinds.size());
   }
@@ -196,7 +204,7 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
     const Scene& scene = jobs[ours[k]].job.scene;
     const auto [entry, is_new] = kinds.try_emplace(kind_of(scene), JobKind{{}, mesh_bytes(scene)});
     if (is_new) in_order.push_back(&entry->second);
-    entry->second.jobs.push_back({&scene, &plan.jobs[k]});
+    entry->second.jobs.push_back({&scene, &plan.jobs[k], contact_number(jobs[ours[k]].job)});
   }
   plan.warnings = ticks.warnings();
   measure(in_order, options, meshes, ticks, plan);
@@ -205,11 +213,14 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
   for (const JobKind* kind : in_order) {
     const JobCost& cost = kind->cost;
     work_s += cost.load_s;
+    std::unordered_set<std::uint64_t> touched;  // by the jobs before
     for (const KindsJob& job : kind->jobs) {
       if (!job.plan->error.empty()) continue;
       const auto job_ticks = static_cast<double>(job.plan->ticks);
       plan.ticks += job_ticks;
-      const double job_s = cost.s_a_job + job_ticks * cost.s_per_tick;
+      const bool plays = cost.tape_bytes_per_tick > 0 && !touched.insert(job.contact).second &&
+                         cost.tape_bytes_per_tick * job_ticks < static_cast<double>(most_contact_bytes);
+      const double job_s = cost.s_a_job + job_ticks * (plays ? cost.s_per_played_tick : cost.s_per_tick);
       work_s += job_s;
       longest_s = std::max(longest_s, cost.load_s + job_s);
       plan.bytes += cost.bytes + job_ticks * cost.bytes_per_tick;

@@ -5,7 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <map>
+#include <span>
 #include <string>
+#include <unordered_map>
+
+#include "base/content_hash.hpp"
 
 namespace fingerpad {
 namespace {
@@ -27,13 +31,14 @@ class FileSizes {
 };
 
 struct PricedJob {
-  std::size_t job = 0, group = 0;
+  std::size_t job = 0, group = 0, contact = 0;
   double mesh_bytes = 0, motion_bytes = 0;
 };
 
 std::vector<PricedJob> priced(const std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours) {
   FileSizes sizes;
   std::map<std::string, std::size_t> groups;  // by first appearance
+  std::unordered_map<std::uint64_t, std::size_t> contacts;
   std::vector<PricedJob> all;
   all.reserve(ours.size());
   for (const std::size_t i : ours) {
@@ -41,13 +46,57 @@ std::vector<PricedJob> priced(const std::vector<BatchJob>& jobs, const std::vect
     PricedJob& job = all.emplace_back();
     job.job = i;
     job.group = groups.try_emplace(meshes_of(scene), groups.size()).first->second;
+    job.contact = contacts.try_emplace(contact_number(jobs[i].job), contacts.size()).first->second;
     for (const PartEntry& part : scene.parts) job.mesh_bytes += sizes.of(part.mesh_path);
     job.motion_bytes = sizes.of(scene.motion.file_path);
   }
   return all;
 }
 
+/// Puts so many rows of jobs of one contact side by side, each job as long as the others: while the first of
+/// a row is under way no other thread begins the second.
+void lay_side_by_side(std::span<PricedJob> jobs, std::size_t rows) {
+  std::vector<std::size_t> begins;
+  for (std::size_t k = 0; k < jobs.size(); ++k)
+    if (k == 0 || jobs[k].contact != jobs[k - 1].contact) begins.push_back(k);
+  begins.push_back(jobs.size());
+  std::vector<PricedJob> laid;
+  laid.reserve(jobs.size());
+  for (std::size_t first = 0; first + 1 < begins.size(); first += rows) {
+    const std::size_t end = std::min(first + rows, begins.size() - 1);
+    for (std::size_t k = 0, before = SIZE_MAX; laid.size() != before; ++k) {
+      before = laid.size();
+      for (std::size_t row = first; row < end; ++row)
+        if (begins[row] + k < begins[row + 1]) laid.push_back(jobs[begins[row] + k]);
+    }
+  }
+  std::ranges::copy(laid, jobs.begin());
+}
+
 }  // namespace
+
+std::uint64_t contact_number(const SceneJob& job) {
+  const auto mixed = [](const std::string& word, std::uint64_t hash) {
+    return content_hash(std::as_bytes(std::span(word.c_str(), word.size() + 1)), hash);
+  };
+  std::uint64_t hash = mixed(job.scene.path, content_hash({}));
+  for (const auto& [key, value] : job.set_keys) {
+    if (key == "seed" || key.starts_with("friction.")) continue;
+    hash = mixed(value, mixed(key, hash));
+  }
+  return hash;
+}
+
+std::unordered_set<std::uint64_t> contacts_of_several(const std::vector<BatchJob>& jobs) {
+  std::vector<std::uint64_t> numbers;
+  numbers.reserve(jobs.size());
+  for (const BatchJob& job : jobs) numbers.push_back(contact_number(job.job));
+  std::ranges::sort(numbers);
+  std::unordered_set<std::uint64_t> several;
+  for (std::size_t i = 1; i < numbers.size(); ++i)
+    if (numbers[i] == numbers[i - 1]) several.insert(numbers[i]);
+  return several;
+}
 
 std::string meshes_of(const Scene& scene) {
   std::string text;
@@ -58,13 +107,22 @@ std::string meshes_of(const Scene& scene) {
   return text;
 }
 
-JobOrder order_by_cost(const std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours) {
+JobOrder order_by_cost(const std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours,
+                       std::size_t at_a_time) {
   std::vector<PricedJob> all = priced(jobs, ours);
   std::stable_sort(all.begin(), all.end(), [](const PricedJob& a, const PricedJob& b) {
     if (a.mesh_bytes != b.mesh_bytes) return a.mesh_bytes > b.mesh_bytes;
     if (a.group != b.group) return a.group < b.group;
-    return a.motion_bytes > b.motion_bytes;
+    if (a.motion_bytes != b.motion_bytes) return a.motion_bytes > b.motion_bytes;
+    return a.contact < b.contact;
   });
+  for (auto first = all.begin(); first != all.end();) {
+    const auto end = std::find_if(first, all.end(), [&](const PricedJob& job) {
+      return job.group != first->group || job.motion_bytes != first->motion_bytes;
+    });
+    lay_side_by_side({first, end}, at_a_time);
+    first = end;
+  }
   JobOrder order;
   for (std::size_t k = 0; k < all.size(); ++k) {
     if (k == 0 || all[k].group != all[k - 1].group) order.groups.push_back({k, k, 0});

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <unordered_set>
 #include <vector>
 
 #include "replay/batch.hpp"
@@ -21,7 +22,17 @@ struct JobOrder {
 };
 
 /// Orders these jobs of a batch. A mesh's size and a motion's are those of their files, each looked at once.
-JobOrder order_by_cost(const std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours);
+/// Jobs that may touch alike (contact_number) follow one another, so many such rows side by side.
+/// @param at_a_time  jobs under way together
+JobOrder order_by_cost(const std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours,
+                       std::size_t at_a_time);
+
+/// Alike for jobs of one file that differ in keys alone that have no part in where the finger touches, as
+/// its friction; else most likely not.
+std::uint64_t contact_number(const SceneJob& job);
+
+/// The contact_number that several of these jobs have in common.
+std::unordered_set<std::uint64_t> contacts_of_several(const std::vector<BatchJob>& jobs);
 
 /// The meshes of a scene as one text: jobs that have it in common share what is loaded.
 std::string meshes_of(const Scene& scene);

@@ -15,6 +15,7 @@
 #include "base/file_identity.hpp"
 #include "base/printable_text.hpp"
 #include "replay/batch_files.hpp"
+#include "replay/job_order.hpp"
 #include "replay/kept_summary.hpp"
 #include "replay/run_job.hpp"
 #include "replay/summary_column.hpp"
@@ -70,7 +71,9 @@ JobRunner::JobRunner(std::vector<BatchJob>& jobs, const BatchOptions& options)
     : jobs_(jobs),
       options_(options),
       meshes_(meshes_of_jobs_at_a_time(jobs, static_cast<std::size_t>(options.threads) + 1), options.on_load),
-      motions_(motion_bytes) {
+      motions_(motion_bytes),
+      contacts_(most_contact_bytes),
+      shared_contacts_(contacts_of_several(jobs)) {
   if (options.memory_bytes > 0) meshes_.bound_memory(options.memory_bytes);
 }
 
@@ -108,7 +111,8 @@ void JobRunner::run_one(std::size_t index) {
       if (is_lone_scene(jobs_)) keep_other_summary(jobs_, options_);
     };
     if (options_.on_ticks) output.on_ticks = [&](double share) { options_.on_ticks(batch_job, share); };
-    const JobResult result = run_job(job.scene, meshes_, motions_, output);
+    const bool may_share = shared_contacts_.contains(contact_number(job));
+    const JobResult result = run_job(job.scene, meshes_, motions_, output, may_share ? &contacts_ : nullptr);
     has_begun = true;  // or its trace was kept
     refuse_nonfinite(result.figures, job.scene.path);
     batch_job.figures = result.figures;

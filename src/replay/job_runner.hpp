@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <optional>
+#include <unordered_set>
 #include <vector>
 
 #include "replay/batch.hpp"
+#include "replay/contact_store.hpp"
 #include "replay/motion_store.hpp"
 #include "touch/mesh_store.hpp"
 
@@ -37,6 +40,8 @@ class JobRunner {
   const BatchOptions& options_;
   MeshStore meshes_;
   MotionStore motions_;
+  ContactStore contacts_;
+  std::unordered_set<std::uint64_t> shared_contacts_;  ///< contact_number of more than one job
   std::optional<std::size_t> held_;
 };
 

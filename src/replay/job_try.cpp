@@ -6,9 +6,12 @@
 #include <algorithm>
 #include <chrono>
 #include <filesystem>
+#include <limits>
 #include <memory>
+#include <utility>
 
 #include "base/error.hpp"
+#include "replay/contact_store.hpp"
 #include "replay/figures.hpp"
 #include "touch/closed_loop.hpp"
 #include "trace/column_chunks.hpp"
@@ -107,28 +110,59 @@ struct ReadyJob {
   TraceInfo info;
 };
 
-/// Ticks until it has lasted long enough. @returns how many
-long tick_for_a_while(ClosedLoop& loop, Figures& figures, TryTrace& trace, Clock::time_point start) {
-  constexpr double long_enough_s = 0.2;
-  constexpr long block_ticks = 64;  // as run_job()
-  std::vector<TickRecord> block;
-  block.reserve(block_ticks);
-  long ticks = 0;
-  while (ticks < loop.tick_count() && !loop.has_diverged() && seconds_since(start) < long_enough_s) {
-    block.clear();
-    const long end = std::min(ticks + block_ticks, loop.tick_count());
-    for (; ticks < end && !loop.has_diverged(); ++ticks) {
-      block.push_back(loop.next());
-      figures.observe(block.back());
-    }
-    trace.append(block);
+/// Runs a job's ticks for a while, and takes the time.
+class TickTry {
+ public:
+  TickTry(const ReadyJob& job, const BatchOptions& options, const ContactWrap& wrap)
+      : loop_(job.world, job.scene, job.path(), {}, wrap), figures_(job.world) {
+    if (options.traces) trace_.begin(options.format, job.info, *job.world, loop_.tick_count());
   }
-  return ticks;
+  /// Ticks until it has lasted long enough, or there are no more.
+  void run(long most_ticks = std::numeric_limits<long>::max()) {
+    constexpr double long_enough_s = 0.2;
+    constexpr long block_ticks = 64;  // as run_job()
+    std::vector<TickRecord> block;
+    block.reserve(block_ticks);
+    const long last = std::min(most_ticks, loop_.tick_count());
+    const Clock::time_point start = Clock::now();
+    while (ticks_ < last && !loop_.has_diverged() && seconds_since(start) < long_enough_s) {
+      block.clear();
+      for (const long end = std::min(ticks_ + block_ticks, last); ticks_ < end && !loop_.has_diverged();
+           ++ticks_) {
+        block.push_back(loop_.next());
+        figures_.observe(block.back());
+      }
+      trace_.append(block);
+    }
+    seconds_ = seconds_since(start);
+  }
+  long tick_count() const noexcept { return loop_.tick_count(); }
+  long ticks() const noexcept { return ticks_; }
+  double s_per_tick() const noexcept { return seconds_ / static_cast<double>(ticks_); }
+  TryTrace& trace() noexcept { return trace_; }
+
+ private:
+  ClosedLoop loop_;
+  Figures figures_;
+  TryTrace trace_;
+  long ticks_ = 0;
+  double seconds_ = 0;
+};
+
+/// What a tick takes where it need not ask where the finger touches.
+double s_per_played_tick(const ReadyJob& job, const BatchOptions& options,
+                         const std::shared_ptr<const ContactTape>& tape, long ticks) {
+  TickTry played(job, options, [&](std::unique_ptr<ContactMethod> method) {
+    return played_contact(std::move(method), tape);
+  });
+  played.run(ticks);
+  return played.s_per_tick();
 }
 
 }  // namespace
 
-JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const BatchOptions& options) {
+JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const BatchOptions& options,
+                bool is_shared) {
   const Clock::time_point start = Clock::now();
   { const ReadyJob first(scene, meshes, motions, options); }
   const double first_s = seconds_since(start);
@@ -139,26 +173,33 @@ JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, con
   const ReadyJob job(scene, meshes, motions, options);
   JobCost cost;
   cost.load_s = std::max(0.0, first_s - seconds_since(again));
-  TryTrace trace;
-  ClosedLoop loop(job.world, job.scene, job.path());
-  Figures figures(job.world);
-  if (options.traces) trace.begin(options.format, job.info, *job.world, loop.tick_count());
-  cost.s_a_job = seconds_since(again);
-  cost.bytes = trace.bytes();
-
-  const Clock::time_point run = Clock::now();
-  const long ticks = tick_for_a_while(loop, figures, trace, run);
-  const double run_s = seconds_since(run);
-  const Clock::time_point ending = Clock::now();
-  trace.finish();
-  cost.s_a_job += seconds_since(ending);
-  cost.unwritten = trace.refusal();
-  if (ticks == 0) return cost;
-  cost.s_per_tick = run_s / static_cast<double>(ticks);
-  // The try writes all its rows.
-  cost.bytes_per_tick = std::max(0.0, trace.bytes() - cost.bytes) /
-                        static_cast<double>(rows_on_disk(ticks, loop.tick_count(), options)) /
-                        static_cast<double>(options.choice.every);
+  std::shared_ptr<ContactTape> tape;
+  if (is_shared && ContactStore::may_share(job.scene))
+    tape = std::make_shared<ContactTape>(job.path().tick_count(), most_contact_bytes);
+  long ticks = 0;
+  {
+    TickTry tried(job, options, [&](std::unique_ptr<ContactMethod> method) {
+      return tape ? recording_contact(std::move(method), tape) : std::move(method);
+    });
+    cost.s_a_job = seconds_since(again);
+    cost.bytes = tried.trace().bytes();
+    tried.run();
+    const Clock::time_point ending = Clock::now();
+    tried.trace().finish();
+    cost.s_a_job += seconds_since(ending);
+    cost.unwritten = tried.trace().refusal();
+    ticks = tried.ticks();
+    if (ticks == 0) return cost;
+    cost.s_per_tick = tried.s_per_tick();
+    // The try writes all its rows.
+    cost.bytes_per_tick = std::max(0.0, tried.trace().bytes() - cost.bytes) /
+                          static_cast<double>(rows_on_disk(ticks, tried.tick_count(), options)) /
+                          static_cast<double>(options.choice.every);
+  }
+  cost.s_per_played_tick = cost.s_per_tick;
+  if (!tape) return cost;
+  cost.tape_bytes_per_tick = static_cast<double>(tape->bytes()) / static_cast<double>(ticks);
+  cost.s_per_played_tick = s_per_played_tick(job, options, tape, ticks);
   return cost;
 }
 

@@ -54,7 +54,7 @@ std::uint64_t hash_of_jobs(const std::vector<BatchJob>& jobs) {
 void make_ranks_board(const std::vector<BatchJob>& jobs, const BatchOptions& options) {
   std::error_code failure;
   std::filesystem::create_directory(ranks_folder(options), failure);
-  JobBoard::create(board_path(options), order_by_cost(jobs, jobs_of_shard(jobs.size(), options)),
+  JobBoard::create(board_path(options), order_by_cost(jobs, jobs_of_shard(jobs.size(), options), 1),
                    hash_of_jobs(jobs));
 }
 

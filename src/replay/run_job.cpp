@@ -73,9 +73,11 @@ struct RunEnd {
 
 /// Runs it and writes its trace.
 RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const FingerPath& path,
-           const TraceInfo& info, const JobOutput& output) {
+           const TraceInfo& info, const JobOutput& output, ContactStore* contacts) {
   Figures figures(world);
-  ClosedLoop loop(world, scene, path, info.changes);
+  const bool may_share = contacts != nullptr && info.changes.empty();
+  ContactStore::Share share = may_share ? contacts->share(scene, *world, path) : ContactStore::Share();
+  ClosedLoop loop(world, scene, path, info.changes, share.wrap());
   std::unique_ptr<TraceWriter> writer;
   const std::uint64_t rows = kept_rows(loop.tick_count(), info.every);
   if (!output.path.empty()) refuse_full_disk(output.path, output.format, info, rows);
@@ -99,6 +101,7 @@ RunEnd run(const Scene& scene, const std::shared_ptr<const World>& world, const 
     if (writer) writer->flush();  // what there was until then stays behind
     throw refused(scene.path, loop.divergence());
   }
+  share.finish();
   return {figures.values(), writer ? writer->finish() : FileSum()};
 }
 
@@ -148,7 +151,7 @@ void warn_of_large_meshes(const Scene& scene, MeshStore& meshes, JobResult& resu
 }  // namespace
 
 JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore& motions,
-                  const JobOutput& output) {
+                  const JobOutput& output, ContactStore* contacts) {
   refuse_missing_inputs(scene_as_written);
   const std::shared_ptr<const StoredMotion> stored = motions.load(scene_as_written, meshes);
   const LoadedMotion& motion = stored->motion;
@@ -164,7 +167,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
   warn_of_large_meshes(scene, meshes, result);
   for (std::string& line : unit_hints(*world, scene)) warn(result, std::move(line));
   if (output.path.empty()) {
-    result.figures = run(scene, world, path, info, output).figures;
+    result.figures = run(scene, world, path, info, output, contacts).figures;
     warn_of_run(scene, *world, path, result);
     return result;
   }
@@ -187,7 +190,7 @@ JobResult run_job(const Scene& scene_as_written, MeshStore& meshes, MotionStore&
     result.made_again = why_not_kept(output.path, digest, info.scene_text);
   }
 
-  const RunEnd end = run(scene, world, path, info, output);
+  const RunEnd end = run(scene, world, path, info, output, contacts);
   result.figures = end.figures;
   warn_of_run(scene, *world, path, result);
   write_proof(output.path, digest, result.figures, end.trace);

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "replay/contact_store.hpp"
 #include "replay/figures.hpp"
 #include "replay/motion_store.hpp"
 #include "replay/run_proof.hpp"
@@ -45,6 +46,8 @@ struct JobResult {
 /// marked so. To resume, an earlier trace is kept if its proof (run_proof.hpp) says that it is this run's; a
 /// sealed HDF5 trace whose proof is lost also if what it says about itself is this run, tick for
 /// tick, and no remedy could act in it, which a trace does not tell.
-JobResult run_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const JobOutput& output);
+/// @param contacts  of jobs whose finger goes the same way; null: it asks its contact method all by itself
+JobResult run_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, const JobOutput& output,
+                  ContactStore* contacts = nullptr);
 
 }  // namespace fingerpad

@@ -19,13 +19,14 @@ Scene at_rate(Scene scene, const FingerPath& path) {
 }
 
 ClosedLoop::ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path,
-                       const std::vector<SceneChange>& changes)
+                       const std::vector<SceneChange>& changes, const ContactWrap& wrap)
     : world_(world),
-      touch_(std::move(world), at_rate(scene, path)),
+      touch_(std::move(world), at_rate(scene, path), wrap),
       path_(std::move(path)),
       turns_(path_.turns()),
       was_in_hand_(path_.was_in_hand()),
       is_measured_(path_.has_measured_force()) {
+  touch_.take_your_time();
   if (!changes.empty()) {
     swap_ = std::make_unique<TouchSwap>(world_, at_rate(scene, path_));
     swap_->schedule(changes);

@@ -21,8 +21,9 @@ class ClosedLoop {
  public:
   /// @param changes  of the scene on the way, as a recording has them. Throws Error (refused) for one that
   /// the scene cannot have.
+  /// @param wrap     as Touch's
   ClosedLoop(std::shared_ptr<const World> world, const Scene& scene, FingerPath path,
-             const std::vector<SceneChange>& changes = {});
+             const std::vector<SceneChange>& changes = {}, const ContactWrap& wrap = {});
 
   long tick_count() const noexcept { return path_.tick_count(); }
   /// The next tick. With a hand the record's position is the finger's true one; the touch saw the encoders'.

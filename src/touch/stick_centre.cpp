@@ -5,16 +5,10 @@
 #include "contact/triangle_tree.hpp"
 
 namespace fingerpad {
-namespace {
-
-/// That the search for its place may take: a trace shows it, no force depends on it.
-constexpr long most_looks = 2000;
-
-}  // namespace
 
 void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, const Vec3& stretch_W,
                         Normals normals, int contact_triangle, FacetsAtHand& facets,
-                        const ClosestMemory* memory) noexcept {
+                        const Search& search) noexcept {
   const Vec3 target = contact_W - stretch_W;
   drag(target);
   const double distance2 = stretch_W.squaredNorm();
@@ -29,9 +23,9 @@ void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, con
     Vec3 foot;
     if (facets.find_foot(surface, contact_triangle, target, foot)) return put(foot);
   }
-  BriefSearch search{most_looks, contact_triangle, &facets.around(), memory};
+  BriefSearch brief{search.most_looks, contact_triangle, &facets.around(), search.memory};
   const WorldPoint near =
-      nearest_point(surface, target, is_on_facets ? Normals::facet : normals, search, std::sqrt(distance2));
+      nearest_point(surface, target, is_on_facets ? Normals::facet : normals, brief, std::sqrt(distance2));
   if (near.found) put(near.point_W);
 }
 

@@ -34,7 +34,7 @@ std::unique_ptr<ContactMethod> make_contact_method(const Scene& scene, const Wor
 
 }  // namespace
 
-Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
+Touch::Touch(std::shared_ptr<const World> world, const Scene& scene, const ContactWrap& wrap)
     : world_(std::move(world)),
       normals_(settled_contact(scene, *world_).normals),
       radius_m_(scene.finger.radius_m),
@@ -46,6 +46,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene)
   if (law_row_ == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
   law_ = law_row_->make(scene.friction.settings);
+  if (wrap) method_ = wrap(std::move(method_));
   if (!scene.friction.vibration) return;
   const VibrationSettings& vibration = *scene.friction.vibration;
   vibration_amplitude_ = vibration.amplitude;
@@ -122,7 +123,7 @@ Friction Touch::rub(const Wall& wall, double share_of_push, double inclination_r
   // Put on the surface where stick begins; a centre that a law drags along tick by tick needs no search.
   if (before != Phase::stick || friction.ruptures > 0) {
     memory.centre.place(surface_of(wall), wall.point_W, stretch_W, normals_, wall.triangle, facets_,
-                        method_->memory_of(wall.surface));
+                        {stick_centre_looks_, method_->memory_of(wall.surface)});
   } else {
     memory.centre.drag(wall.point_W - stretch_W);
   }

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <limits>
 #include <memory>
 #include <optional>
 
 #include "contact/contact_method.hpp"
+#include "contact/taped_contact.hpp"
 #include "fingerpad/finger_sample.hpp"
 #include "friction/law.hpp"
 #include "friction/slip_vibration.hpp"
@@ -25,7 +27,12 @@ class Touch {
   /// @param world  as load_world(scene) made it, with the choice of what the scene leaves open
   /// @param scene  its contact, friction, finger and rate. Throws Error (refused) for a contact method or a
   /// law that no table has.
-  Touch(std::shared_ptr<const World> world, const Scene& scene);
+  /// @param wrap   what is made of its contact method; may be empty
+  Touch(std::shared_ptr<const World> world, const Scene& scene, const ContactWrap& wrap = {});
+
+  /// From now on no servo waits for a tick: a search whose answer no force depends on is never broken off, so
+  /// that it finds the same whatever was remembered before.
+  void take_your_time() noexcept { stick_centre_looks_ = std::numeric_limits<long>::max(); }
 
   /// sample -> contact -> friction -> force, at the scene's fixed tick 1/rate.
   /// noexcept, allocates nothing; no force is ever non-finite, whatever the sample (one that is not finite is
@@ -90,6 +97,7 @@ class Touch {
   Walls walls_;  ///< of this tick
   WallMemories memories_;
   FacetsAtHand facets_;  ///< that stick centres came to lie on last
+  long stick_centre_looks_ = StickCentre::servo_looks;
 
   bool unplaced_ = false;  // the last tick found no place where the finger fits
 

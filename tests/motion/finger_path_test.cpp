@@ -45,6 +45,27 @@ TEST(FingerPath, FindsItsSamplesOnAnyClock) {
   EXPECT_EQ(path.at_time(1e9).p_WQ.x(), 49);
 }
 
+TEST(FingerPath, GoesAsAnotherWhereEveryPlaceIsTheSame) {
+  const std::string header = "t_s,x_m,y_m,z_m,dx,dy,dz\n", first = "0,0,0,0,1,0,0\n";
+  const FingerPath path(read(header + first + "1,1,0,0,1,0,0\n"), 100, Vec3::UnitX());
+  const auto goes_as = [&](const std::string& second, double rate_hz) {
+    return path.goes_as(FingerPath(read(header + first + second), rate_hz, Vec3::UnitX()));
+  };
+  EXPECT_TRUE(path.goes_as(path));
+  EXPECT_TRUE(goes_as("1,1,0,0,1,0,0\n", 100)) << "read twice";
+  EXPECT_TRUE(goes_as("1,1,0,0,0,1,0\n", 100)) << "a finger that lies otherwise";
+  EXPECT_FALSE(goes_as("1,1,0,0,1,0,0\n", 200));
+  EXPECT_FALSE(goes_as("1,1,0,1e-9,1,0,0\n", 100));
+  EXPECT_FALSE(goes_as("1.001,1,0,0,1,0,0\n", 100));
+  ScriptedMotion scripted;
+  scripted.duration_s = 1;
+  const FingerPath sine(scripted, 100, Vec3::UnitX());
+  EXPECT_FALSE(path.goes_as(sine));
+  EXPECT_TRUE(sine.goes_as(sine));
+  scripted.amplitude_m = 1;
+  EXPECT_FALSE(sine.goes_as(FingerPath(scripted, 100, Vec3::UnitX())));
+}
+
 TEST(FingerPath, HasATickAtBothEnds) {
   const FingerPath path(read("t_s,x_m,y_m,z_m\n0,0,0,0\n0.2,1,0,0\n"), 1000, Vec3::UnitX());
   EXPECT_EQ(path.tick_count(), 201);  // 0.2 * 1000 rounds below 200 in some arithmetics: the contract's 1e-6

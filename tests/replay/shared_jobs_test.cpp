@@ -54,7 +54,7 @@ TEST(JobOrder, PutsTheLargestMeshAndTheLongestMotionFirstAndKeepsAMeshTogether) 
                                        {"small", "long"},
                                        {"large", "long"},
                                        {"large", "long"}});
-  const JobOrder order = order_by_cost(jobs, all_of(jobs));
+  const JobOrder order = order_by_cost(jobs, all_of(jobs), 1);
   EXPECT_THAT(order.jobs, ElementsAre(4, 5, 1, 3, 0, 2));
   ASSERT_EQ(order.groups.size(), 3u);
   EXPECT_EQ(order.groups[0].end, 3u);
@@ -65,7 +65,32 @@ TEST(JobOrder, PutsTheLargestMeshAndTheLongestMotionFirstAndKeepsAMeshTogether) 
 TEST(JobOrder, TakesOneMeshReadInTwoWaysForTwo) {
   auto jobs = jobs_over(test::scratch_dir(), {{"a", "m"}, {"a", "m"}, {"a", "m"}});
   jobs[1].job.scene.parts[0].crease_deg = 10;
-  EXPECT_THAT(order_by_cost(jobs, all_of(jobs)).jobs, ElementsAre(0, 2, 1));
+  EXPECT_THAT(order_by_cost(jobs, all_of(jobs), 1).jobs, ElementsAre(0, 2, 1));
+}
+
+/// Jobs of one file over one mesh, each with a speed of its finger and a friction.
+std::vector<BatchJob> jobs_at(const std::vector<std::pair<const char*, const char*>>& values) {
+  std::vector<BatchJob> jobs(values.size());
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    jobs[i].job.scene.parts.emplace_back().mesh_path = "mesh";
+    jobs[i].job.set_keys = {{"motion.speed_m_per_s", values[i].first}, {"friction.law", values[i].second}};
+  }
+  return jobs;
+}
+
+TEST(JobOrder, LetsJobsThatDifferInFrictionAloneFollowOneAnother) {
+  const auto jobs = jobs_at({{"1", "a"}, {"2", "a"}, {"3", "a"}, {"1", "b"}, {"2", "b"}, {"3", "b"}});
+  EXPECT_THAT(order_by_cost(jobs, all_of(jobs), 1).jobs, ElementsAre(0, 3, 1, 4, 2, 5));
+  EXPECT_THAT(order_by_cost(jobs, all_of(jobs), 2).jobs, ElementsAre(0, 1, 3, 4, 2, 5))
+      << "of two threads the second does not begin with what the first is about to find out";
+  EXPECT_EQ(contacts_of_several(jobs).size(), 3u);
+  EXPECT_THAT(contacts_of_several(jobs_at({{"1", "a"}, {"2", "a"}, {"3", "b"}})), IsEmpty());
+}
+
+TEST(JobOrder, LaysRowsOfUnlikeLengthSideBySideAndLosesNone) {
+  const auto jobs = jobs_at({{"1", "a"}, {"1", "b"}, {"1", "c"}, {"2", "a"}, {"3", "a"}, {"3", "b"}});
+  EXPECT_THAT(order_by_cost(jobs, all_of(jobs), 2).jobs, ElementsAre(0, 3, 1, 2, 4, 5));
+  EXPECT_THAT(order_by_cost(jobs, all_of(jobs), 8).jobs, ElementsAre(0, 3, 4, 1, 5, 2));
 }
 
 /// A board of groups of so many jobs, numbered on.
