@@ -84,9 +84,4 @@ class Proxy {
   ProxyState state_;
 };
 
-/// A proxy with a sight that remembers (ProxyMemory): what callers use.
-/// @param looks  what a tick may look at
-Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals,
-                 Looks looks = Looks(ProxyLimits::most_looks));
-
 }  // namespace fingerpad

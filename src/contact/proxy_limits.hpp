@@ -48,14 +48,6 @@ struct ProxyLimits {
   /// is the shortest.
   static constexpr double least_turn_sine = 1e-9;
 
-  /// What the looks of a tick may cost together, at the prices of LookCosts. The unit is a look at a triangle
-  /// that is at hand, some nine nanoseconds, twelve where many crowd: an eighth of a servo's millisecond in
-  /// all, a sixth there. A part that is touched here and there takes some hundreds; what is broken off is
-  /// gone on with in the next tick.
-  static constexpr long most_looks = 13500;
-  /// What looks for the closest point may cost besides, as long as no start has found a place.
-  static constexpr long most_looks_unplaced = most_looks / 4;
-
   /// Pushes that a start may take to get out of every surface. Walls that stand at right angles need one
   /// each; between walls that lean towards each other each push leaves a fixed share.
   static constexpr int most_pushes = 200;

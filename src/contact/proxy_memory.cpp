@@ -12,10 +12,6 @@ namespace fingerpad {
 
 using Limits = ProxyMemoryLimits;
 
-Proxy fast_proxy(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals, Looks looks) {
-  return Proxy(std::make_unique<ProxyMemory>(ProxyWorld(std::move(surfaces), radius_m, normals), looks));
-}
-
 void ProxyMemory::let_go() noexcept {
   ProxyViews::let_go();
   room_.kind = Room::Kind::none;

@@ -1,7 +1,7 @@
 #include <utility>
 
 #include "contact/contact_method_table.hpp"
-#include "contact/proxy.hpp"
+#include "contact/fast_proxy.hpp"
 
 namespace fingerpad {
 
@@ -17,7 +17,7 @@ class ProxyMethod final : public ContactMethod {
   ProxyMethod(std::vector<PlacedSurface> surfaces, double radius_m, Normals normals)
       : proxy_(fast_proxy(surfaces, radius_m, normals)),
         until_placed_(
-            brief_closest_point(std::move(surfaces), radius_m, normals, ProxyLimits::most_looks_unplaced)) {}
+            brief_closest_point(std::move(surfaces), radius_m, normals, ServoLooks::most_unplaced)) {}
 
   const Contact& touch(const Vec3& p_WQ, double dt_s) noexcept override {
     const ProxyContact& proxy = proxy_.move(p_WQ, dt_s);

@@ -22,6 +22,7 @@ struct PacketSieve {
   bool (*passes_over)(const void* context, const PacketDisc& disc, double scaled_m) noexcept;
   bool (*leaves_out)(const void* context, const TrianglePacket& packet, double scaled_m) noexcept;
   const void* context;
+  long dearer = 0;  ///< by so many looks is `leaves_out` dearer than LookCosts has it
 };
 
 /// The closest triangle of a part to a point.
@@ -101,6 +102,9 @@ class TriangleTree {
   ~TriangleTree();
   TriangleTree(TriangleTree&&) noexcept;
   TriangleTree& operator=(TriangleTree&&) noexcept;
+
+  /// Whether no cache holds it, so that a path that jumps waits for memory: from some 130,000 triangles on.
+  bool is_huge() const noexcept;
 
   /// The closest triangle to q (relative to the part's centre [m]). Exact: the same answer as looking at
   /// every triangle; ties go to the lowest triangle, so it depends on q alone.

@@ -56,7 +56,7 @@ class WaySieve {
             [](const void* sieve, const TrianglePacket& packet, double scaled_m) noexcept {
               return static_cast<const WaySieve*>(sieve)->leaves_out(packet, scaled_m);
             },
-            this};
+            this, before_.dearer()};
   }
 
   /// @param scaled_m  PacketSieve's

@@ -1,6 +1,7 @@
 #include "device/foresight.hpp"
 
 #include "contact/contact_method_table.hpp"
+#include "contact/fast_proxy.hpp"
 #include "scene/scene.hpp"
 
 namespace fingerpad {

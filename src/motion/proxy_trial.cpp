@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "contact/proxy.hpp"
+#include "contact/fast_proxy.hpp"
 #include "motion/finger_path.hpp"
 
 namespace fingerpad {

@@ -3,6 +3,8 @@
 #include <new>
 #include <utility>
 
+#include "contact/fast_proxy.hpp"
+
 namespace fingerpad {
 namespace {
 

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "contact/proxy.hpp"
+#include "contact/fast_proxy.hpp"
 
 namespace fingerpad {
 

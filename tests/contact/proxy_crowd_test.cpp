@@ -18,7 +18,7 @@ constexpr std::size_t landing = 24;
 void expect_kept_up(const test::Worst& worst, double way_m, int most_unsettled) {
   EXPECT_LT(worst.push, 0.01 + way_m / depth_m);
   EXPECT_LE(worst.unsettled, most_unsettled);
-  EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
+  EXPECT_LE(worst.most_looks, ServoLooks::most + 2000);
 }
 
 TEST(ProxyCrowd, OnAPlateABigBallKeepsUp) {

@@ -166,7 +166,7 @@ TEST(ProxyLooks, ABallInABoreOfItsOwnRadiusSlidesAlongItWithinItsLooks) {
       // Pressed against the wall all around it, and along the bore.
       const Vec3 goal(2e-4 * std::sin(0.01 * k), 2e-4 * std::cos(0.013 * k), 5e-3 * std::sin(0.005 * k));
       const ProxyContact& c = proxy.move(goal, 1e-3);
-      ASSERT_LE(proxy.looks().spent(), ProxyLimits::most_looks + most_beyond);
+      ASSERT_LE(proxy.looks().spent(), ServoLooks::most + most_beyond);
       touched += c.placed && c.touching ? 1 : 0;
       settled += c.placed && c.settled ? 1 : 0;
       if (k >= 20) most_behind_m = std::max(most_behind_m, std::abs(proxy.ball_W().z() - goal.z()));
@@ -197,7 +197,7 @@ TEST(ProxyLooks, AFingerThatLeavesAFanOfAHundredThousandSliversIsNotHeld) {
     // Onto the tip, a millimetre deep, and away again.
     const double z_m = 1e-3 * std::abs(4 - 0.02 * k * 1.25) - 1e-3;
     const ProxyContact& c = proxy.move(Vec3(1e-7, 0, z_m), 1e-3);
-    ASSERT_LE(proxy.looks().spent(), ProxyLimits::most_looks + most_beyond);
+    ASSERT_LE(proxy.looks().spent(), ServoLooks::most + most_beyond);
     touched |= c.touching;
     if (c.touching) {
       ASSERT_GT(c.direction_W.z(), 0) << "pushed out, never pulled in " << k;

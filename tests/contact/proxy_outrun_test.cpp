@@ -36,7 +36,7 @@ TEST(ProxyOutrun, OnAFinePlateItKeepsUp) {
       worst_along(plate, path, depth_m, [](const Vec3& p) { return Vec3(0, 0, radius_m - p.z()); });
   EXPECT_LT(worst.push, 1e-3);
   EXPECT_EQ(worst.unsettled, 0);
-  EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
+  EXPECT_LE(worst.most_looks, ServoLooks::most + 2000);
 }
 
 /// Two walls of facets of .1 mm that meet in an inner edge along x, and a ball that lies on both.
@@ -60,7 +60,7 @@ TEST(ProxyOutrun, AlongAnInnerEdgeOfFineFacetsItKeepsUp) {
           worst_along(soup, path, depth_m, [&](const Vec3& p) { return Vec3(place(p.x(), radius_m) - p); });
       EXPECT_LT(worst.push, 1e-3) << lean_rad << ", " << tick_m;
       EXPECT_EQ(worst.unsettled, 0) << lean_rad << ", " << tick_m;
-      EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000) << lean_rad << ", " << tick_m;
+      EXPECT_LE(worst.most_looks, ServoLooks::most + 2000) << lean_rad << ", " << tick_m;
     }
   }
 }
@@ -89,8 +89,8 @@ TEST(ProxyOutrun, OverAFinePlatesRimItIsHeldAsByThePlainProxy) {
     for (double x_m = -0.006; x_m < 0.0165; x_m += way_m) move({x_m, -0.001, radius_m - depth_m});
     EXPECT_GT(compared, 0.009 / way_m);
   };
-  hold_against_plain(0.0012, ProxyLimits::most_looks, 1);
-  hold_against_plain(0.002, ProxyLimits::most_looks, 1);
+  hold_against_plain(0.0012, ServoLooks::most, 1);
+  hold_against_plain(0.002, ServoLooks::most, 1);
   for (const long looks : {1000L, 2000L, 4000L}) hold_against_plain(0.002, looks, 20);
 }
 
@@ -109,7 +109,7 @@ TEST(ProxyOutrun, InABoreOfFineFacetsItKeepsUp) {
       worst_along(bore, path, depth_m, [&](const Vec3& p) { return Vec3(-depth_m * p.normalized()); });
   EXPECT_LT(worst.push, 0.01);
   EXPECT_EQ(worst.unsettled, 0);
-  EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
+  EXPECT_LE(worst.most_looks, ServoLooks::most + 2000);
 }
 
 TEST(ProxyOutrun, RoundABallOfFineFacetsItKeepsUp) {
@@ -124,7 +124,7 @@ TEST(ProxyOutrun, RoundABallOfFineFacetsItKeepsUp) {
       worst_along(ball, path, depth_m, [&](const Vec3& p) { return Vec3(depth_m * p.normalized()); });
   EXPECT_LT(worst.push, 0.02);
   EXPECT_EQ(worst.unsettled, 0);
-  EXPECT_LE(worst.most_looks, ProxyLimits::most_looks + 2000);
+  EXPECT_LE(worst.most_looks, ServoLooks::most + 2000);
 }
 
 }  // namespace

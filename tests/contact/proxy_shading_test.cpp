@@ -6,6 +6,7 @@
 #include <cmath>
 #include <map>
 
+#include "contact/fast_proxy.hpp"
 #include "contact/nasty_corners.hpp"
 #include "part/import.hpp"
 #include "support/effort.hpp"

@@ -50,7 +50,7 @@ TEST(ProxyLooks, AStartInTheMiddleOfASphereIsFoundInAFewTicks) {
     ++ticks;
     ASSERT_LT(ticks, 20);
     limited.move(middle, 1e-3);
-    ASSERT_LE(limited.looks().spent(), ProxyLimits::most_looks + most_beyond);
+    ASSERT_LE(limited.looks().spent(), ServoLooks::most + most_beyond);
     ASSERT_NE(limited.state().placed, limited.state().contact.broken_off && !limited.state().placed);
   } while (!limited.state().placed);
   EXPECT_GT(ticks, 1) << "32,768 triangles are as near as each other";

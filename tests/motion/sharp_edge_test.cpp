@@ -8,7 +8,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "contact/proxy.hpp"
+#include "contact/fast_proxy.hpp"
 #include "motion/finger_path.hpp"
 #include "motion/surface_motion.hpp"
 #include "support/shapes.hpp"

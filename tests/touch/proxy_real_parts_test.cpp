@@ -6,7 +6,7 @@
 #include <chrono>
 #include <cstdlib>
 
-#include "contact/proxy.hpp"
+#include "contact/fast_proxy.hpp"
 #include "scene/scene.hpp"
 #include "support/brute_force.hpp"
 #include "support/effort.hpp"

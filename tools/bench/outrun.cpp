@@ -16,7 +16,7 @@
 #include <utility>
 
 #include "base/random_stream.hpp"
-#include "contact/proxy.hpp"
+#include "contact/fast_proxy.hpp"
 #include "support/shapes.hpp"
 
 namespace fingerpad {
