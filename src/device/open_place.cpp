@@ -18,18 +18,27 @@ void OpenPlace::aim(const PointerAim& aim) noexcept {
   constexpr double tolerated_share = 0.15;
   const double tolerated_m = std::min(soft_m_, tolerated_share * radius_m);
   const double push_n = aim.finger.push_W_n.norm();
-  has_room_ =
-      nearest_surface(world_, aim.finger.p_WQ, Normals::facet, radius_m).clear_m >= radius_m - tolerated_m;
+  // One that hovers goes as near as it can: it need not come down on anything.
+  has_room_ = push_n == 0 || nearest_surface(world_, aim.finger.p_WQ, Normals::facet, radius_m).clear_m >=
+                                 radius_m - tolerated_m;
   place_W_ = has_room_ ? aim.finger.p_WQ : stopped_W();
   down_W_ = has_room_ && push_n > 0 ? Vec3(aim.finger.push_W_n / push_n) : Vec3(-aim.towards_eye_W);
 }
 
-Vec3 OpenPlace::stopped_W() const noexcept {
-  constexpr double hardly_share = 0.02;
+/// Looked for anew where the spot has gone on by a little: from tick to tick it goes hardly anywhere.
+Vec3 OpenPlace::stopped_W() noexcept {
+  constexpr double hardly_share = 0.1, little_share = 0.1;
   const Vec3& eye_W = aim_.towards_eye_W;
+  const bool is_near = has_stopped_ && eye_W == stopped_by_W_ &&
+                       (aim_.spot_W - stopped_for_W_).norm() < little_share * soft_m_;
+  if (is_near) return stopped_at_W_;
+  has_stopped_ = true;
+  stopped_by_W_ = eye_W;
+  stopped_for_W_ = aim_.spot_W;
   const double radius_m = around_.finger_radius_m();
   const double from_m = (around_.middle_W() - aim_.spot_W).dot(eye_W) + around_.radius_m() + radius_m;
-  return stopped_on_line(world_, aim_.spot_W, eye_W, from_m, radius_m, hardly_share * soft_m_);
+  stopped_at_W_ = stopped_on_line(world_, aim_.spot_W, eye_W, from_m, radius_m, hardly_share * soft_m_);
+  return stopped_at_W_;
 }
 
 double OpenPlace::gain_m(const Vec3& finger_W) const noexcept {

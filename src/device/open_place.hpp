@@ -7,7 +7,8 @@ namespace fingerpad {
 
 /// Where a finger can be that is wanted at a spot. Where it has room there, that is the place that the
 /// pointer asks for. Into a hole, a slot or a corner that is too narrow it cannot go; then it is where a
-/// finger that comes down the eye's line to the spot is stopped: on the rim that is seen before the spot.
+/// finger that comes down the eye's line to the spot is stopped: on the rim that is seen before the spot. One
+/// that hovers is wanted where the pointer says.
 class OpenPlace {
  public:
   /// @param world   outlives this
@@ -20,7 +21,7 @@ class OpenPlace {
   /// noexcept, allocates nothing.
   void aim(const PointerAim& aim) noexcept;
 
-  /// Whether the finger has room at the place that was asked for.
+  /// Whether the finger has room at the place that was asked for; one that hovers always.
   bool has_room() const noexcept { return has_room_; }
   const Vec3& place_W() const noexcept { return place_W_; }
   /// Along which it comes down there, unit; the eye's line where nothing is pressed.
@@ -29,7 +30,7 @@ class OpenPlace {
   double gain_m(const Vec3& finger_W) const noexcept;
 
  private:
-  Vec3 stopped_W() const noexcept;
+  Vec3 stopped_W() noexcept;
 
   const World& world_;
   const Surroundings& around_;
@@ -37,6 +38,8 @@ class OpenPlace {
   PointerAim aim_;
   bool has_aim_ = false, has_room_ = true;
   Vec3 place_W_ = Vec3::Zero(), down_W_ = -Vec3::UnitZ();
+  bool has_stopped_ = false;
+  Vec3 stopped_at_W_, stopped_for_W_, stopped_by_W_;  ///< the last: where, for which spot, to which eye
 };
 
 }  // namespace fingerpad
