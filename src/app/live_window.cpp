@@ -58,6 +58,7 @@ void run_live_window(const LiveWindowChoice& choice, const LiveTouch& touch, con
   window.width = size.width;
   window.height = size.height;
   window.on_drop = touch.on_drop;
+  window.on_loss = touch.on_loss;
   if (choice.seconds) window.events = {{*choice.seconds, WindowEvent::Kind::key, "q"}};
   run_touch_window(input, window);
 }

@@ -33,6 +33,8 @@ struct LiveTouch {
   const LiveRecorder* recorder;  ///< may be null
   /// A file was dropped onto the window. @returns why it cannot be touched; empty: the window closes for it
   std::function<std::string(const std::string& path)> on_drop;
+  /// The window was taken away from outside: ends the touch and the program. Any thread.
+  std::function<void()> on_loss;
 };
 
 /// The options of a window, where there can be one.

@@ -3,6 +3,8 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <cstdio>
+#include <cstdlib>
 #include <exception>
 #include <memory>
 #include <optional>
@@ -140,18 +142,33 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
     return recorder && !recorder->failed() ? "this touch is recorded: close its window first"
                                            : take_drop(options, path, dropped);
   };
+  const auto end = [&] {
+    servo.stop();
+    if (signals.has_come()) tell_signal(options);
+    tell_device(options, device->closing_words());
+    tell_touch_end(options, felt, servo, scene.motion.rate_hz);
+    if (recorder) finish_recording(options, *recorder, servo.timing(), after_end);
+  };
+  // Nothing that draws can be ended any more: the program ends from here, as if its window had been closed.
+  const auto on_loss = [&] {
+    int status = 0;
+    try {
+      end();
+    } catch (const std::exception& error) {
+      print_err("fingerpad: {}\n", error.what());
+      status = 1;
+    }
+    std::fflush(nullptr);
+    std::_Exit(status);
+  };
   if (options.headless) {
     run_headless(options.seconds, options.device, *device, signals);
   } else {
     run_live_window(window_choice(options, touched.subject),
-                    {scene, world, *device, servo, swap, recorder.get(), on_drop}, signals);
+                    {scene, world, *device, servo, swap, recorder.get(), on_drop, on_loss}, signals);
   }
-  servo.stop();
-  if (signals.has_come()) tell_signal(options);
-  tell_device(options, device->closing_words());
-  tell_touch_end(options, felt, servo, scene.motion.rate_hz);
   try {
-    if (recorder) finish_recording(options, *recorder, servo.timing(), after_end);
+    end();
   } catch (const Error&) {
     lost = std::current_exception();
   }

@@ -16,10 +16,11 @@ PointerFinger::PointerFinger(const DeviceSetup& setup)
     : greatest_n_(setup.scene.contact.greatest_force_n),
       around_(setup.world, setup.scene),
       foresight_(setup.world, setup.scene),
-      path_({setup.start, Vec3::UnitZ()}),
-      last_put_{setup.start, Vec3::UnitZ()},
+      path_({setup.start, Vec3::UnitZ(), setup.start.p_WQ}),
+      last_put_{setup.start, Vec3::UnitZ(), setup.start.p_WQ},
       aim_(last_put_),
       flight_(around_, setup.start.p_WQ),
+      open_(*setup.world, around_, flight_.soft_m()),
       finger_(setup.start),
       landed_for_W_(setup.start.p_WQ) {}
 
@@ -28,6 +29,9 @@ void PointerFinger::set_target(const FingerSample& target) {
   if (!target.p_WQ.allFinite() || !target.push_W_n.allFinite() || !std::isfinite(target.t_s)) return;
   if (!(length > 0) || !std::isfinite(length)) return;
   last_put_.finger = target;
+  last_put_.spot_W = target.p_WQ;
+  const double push_n = target.push_W_n.norm();
+  if (push_n > 0) last_put_.spot_W += around_.finger_radius_m() / push_n * target.push_W_n;
   path_.put(last_put_);
 }
 
@@ -66,6 +70,7 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last.p_WQ) / dt_s - pace_W_);
   if (aim_.finger.p_WQ != last.p_WQ || aim_.finger.push_W_n != last.push_W_n) still_s_ = 0;
   wanted_n_ = aim_.finger.push_W_n.norm();
+  open_.aim(aim_);
   doing_ = next_doing(dt_s);
   if (doing_ == Doing::flies) {
     fly(dt_s);
@@ -128,7 +133,8 @@ double PointerFinger::hurry() const noexcept {
 /// beside it: it is near the place, in front of it, and not so far aside that it would go down beside the
 /// edge on which the place is. @pre wanted_n_ > 0
 bool PointerFinger::can_land(const LandingRoom& room) const noexcept {
-  const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W(), down_W = aim_.finger.push_W_n / wanted_n_;
+  const Vec3 way_W = open_.place_W() - flight_.place_W();
+  const Vec3& down_W = open_.down_W();
   const double soft_m = flight_.soft_m(), away_m = way_W.norm(), height_m = way_W.dot(down_W);
   constexpr double most_behind = 2, hurried_aside = 4;
   if (flight_.has_arrived() && away_m < 10 * soft_m + around_.finger_radius_m())
@@ -141,8 +147,7 @@ bool PointerFinger::can_land(const LandingRoom& room) const noexcept {
 
 /// Whether what the pointer wants can be reached over the surface.
 bool PointerFinger::can_follow(double dt_s) noexcept {
-  const Vec3& wanted_W = aim_.finger.p_WQ;
-  const double away_m = (wanted_W - held_W()).norm();
+  const double away_m = open_.gain_m(held_W());
   const double near_m = 2 * flight_.soft_m();
   if (away_m < near_m || away_m < 0.98 * nearest_m_) {
     nearest_m_ = away_m;
@@ -151,7 +156,7 @@ bool PointerFinger::can_follow(double dt_s) noexcept {
     delay_s_ += dt_s;
   }
   // Landed as near as could be, it stays until the pointer goes on.
-  if ((wanted_W - landed_for_W_).norm() < near_m) return true;
+  if ((open_.place_W() - landed_for_W_).norm() < near_m) return true;
   return delay_s_ < leash_s && away_m < near_m + leash_share * around_.radius_m();
 }
 
@@ -165,12 +170,12 @@ bool PointerFinger::try_step(const Vec3& step_W, double most_n, double dt_s) noe
 
 void PointerFinger::fly(double dt_s) noexcept {
   const Vec3 from_W = flight_.place_W();
-  Vec3 goal_W = aim_.finger.p_WQ;
+  Vec3 goal_W = open_.place_W();
   if (wanted_n_ > 0) {
     // Over where the pointer will be: what follows it lags, and would never land.
     const double most_m = most_lead_share * around_.radius_m(), lead_m = flight_.lag_s() * pace_W_.norm();
     goal_W += flight_.lag_s() * pace_W_ * std::min(1.0, most_m / std::max(lead_m, most_m));
-    goal_W -= 1.5 * flight_.soft_m() / wanted_n_ * aim_.finger.push_W_n;
+    goal_W -= 1.5 * flight_.soft_m() * open_.down_W();
   }
   flight_.advance(goal_W, aim_.towards_eye_W, dt_s);
   if (!(foresight_.try_n(flight_.place_W(), dt_s) > 0)) return;
@@ -184,8 +189,8 @@ void PointerFinger::land(double dt_s) noexcept {
   const double far_m = landing_m_per_s * dt_s;
   const double free_m = std::max(0.0, around_.at(flight_.place_W(), far_m).free_m);
   const double into_m = press_step_share * wanted_n_ / around_.stiffest_n_per_m(dt_s);
-  const Vec3 down_W = aim_.finger.push_W_n / wanted_n_;
-  landed_for_W_ = aim_.finger.p_WQ;
+  const Vec3& down_W = open_.down_W();
+  landed_for_W_ = open_.place_W();
   const Vec3 there_W = landed_for_W_ - flight_.place_W();
   const Vec3 aside_W = there_W - there_W.dot(down_W) * down_W;
   // To the place itself, and through it only from above it: the place may be on an edge, and beside that is
@@ -204,11 +209,12 @@ void PointerFinger::land(double dt_s) noexcept {
 
 /// Along the surface after the pointer; slowly where that has led no nearer for a while, and ever less after
 /// one that rests: a still pointer has a still finger in the end, also where it is pressed in so deep that no
-/// place holds it.
+/// place holds it. Where it has no room at its place it goes as near to the spot as it can.
 Vec3 PointerFinger::aside(double dt_s) const noexcept {
   if (touched_.normal_force_n > press_too_hard * wanted_n_) return Vec3::Zero();
   const Vec3& normal_W = touched_.normal_W;
-  const Vec3 way_W = aim_.finger.p_WQ - flight_.place_W();
+  const Vec3 way_W =
+      open_.has_room() ? Vec3(aim_.finger.p_WQ - flight_.place_W()) : Vec3(aim_.spot_W - held_W());
   const Vec3 along_W = way_W - way_W.dot(normal_W) * normal_W;
   const double fades = std::exp(-std::max(0.0, still_s_ - following_s) / fading_s);
   if (fades < nothing_left) return Vec3::Zero();

@@ -3,6 +3,7 @@
 #include "device/foresight.hpp"
 #include "device/free_flight.hpp"
 #include "device/live_device.hpp"
+#include "device/open_place.hpp"
 #include "device/pointer_path.hpp"
 
 namespace fingerpad {
@@ -10,7 +11,8 @@ namespace fingerpad {
 /// A finger led by a pointer, as a hand of bounded force leads it. Hovering it flies round the parts and
 /// touches nothing. Pressing it comes down on the spot, pushes in along the normal that it feels until the
 /// normal force is the one asked for, and goes over the surface after the pointer. Where that leaves the
-/// surface by more than the finger can follow, it lifts, goes over and lands.
+/// surface by more than the finger can follow, it lifts, goes over and lands. Where it is too large for the
+/// spot, it presses on the rim that is before it.
 ///
 /// The bound on the force does not rest on what the pointer does: a step is tried before it is made
 /// (Foresight), and one that would press too hard is made shorter, or out of the surface instead. What it is
@@ -68,6 +70,7 @@ class PointerFinger final : public LiveDevice {
   Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]
   double still_s_ = 0;          // so long it has rested while the finger pressed
   FreeFlight flight_;
+  OpenPlace open_;  // where the pointer wants it, as far as it has room there
   FingerSample finger_;
   Doing doing_ = Doing::flies;
   double wanted_n_ = 0;         // normal force; 0 to hover

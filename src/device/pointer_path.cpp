@@ -39,6 +39,7 @@ void PointerPath::show(const PointerAim& to) noexcept {
   const double share = span_s > 0 ? std::clamp((now_s_ - from_.finger.t_s) / span_s, 0.0, 1.0) : 1.0;
   shown_ = from_;
   shown_.finger.p_WQ += share * (to.finger.p_WQ - from_.finger.p_WQ);
+  shown_.spot_W += share * (to.spot_W - from_.spot_W);
 }
 
 const PointerAim& PointerPath::advance(double dt_s) noexcept {

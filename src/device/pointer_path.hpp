@@ -11,6 +11,7 @@ namespace fingerpad {
 struct PointerAim {
   FingerSample finger;  ///< t_s: of the event, on any clock; push_W_n: what to press with, zero to hover
   Vec3 towards_eye_W = Vec3::UnitZ();
+  Vec3 spot_W = Vec3::Zero();  ///< of the surface, where it is to be pressed; else the finger's place
 };
 
 /// Plays a pointer's events back at the pace at which they were made. A window hands them over frame by

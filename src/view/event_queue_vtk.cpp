@@ -53,6 +53,9 @@ std::optional<InputEvent> input_of(XEvent& event, int height_px, double t_s) {
       at(event.xmotion.x, event.xmotion.y);
       return input;
     case EnterNotify:  // a window that opens under the pointer is told of it so, and of no move
+      // Of a held button's pointer every move is told, in the window or not. Where one that rests enters a
+      // window, this was made larger, and has drawn no frame yet by which to tell what is under it.
+      if ((event.xcrossing.state & Button1Mask) != 0) return std::nullopt;
       at(event.xcrossing.x, event.xcrossing.y);
       return input;
     case ButtonPress:

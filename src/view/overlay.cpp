@@ -61,8 +61,12 @@ class OverlayPainter {
   void paint_title() {
     drawing_.box(with_rim(layout_.title), colours::white);
     const double middle = layout_.title.centre().y(), right = layout_.title.right() - 0.7 * em_;
-    // A name that is cut is known all the same; what a recording or a press comes to is not.
-    const std::string hint = fitted(facts_.hint, 0.95 * em_, false, 0.65 * layout_.title.width);
+    // A name that is cut is known all the same; what a recording or a press comes to is not, nor what stands
+    // beside it, as a doubt and that the charts are held. What describes the scene gives way to all of it.
+    const double name_width =
+        std::min(text_width(facts_.title, 1.15 * em_, true), 0.25 * layout_.title.width);
+    const std::string hint =
+        fitted(facts_.hint, 0.95 * em_, false, std::max(right - name_width - 2.7 * em_, 0.65 * right));
     const double room = right - text_width(hint, 0.95 * em_) - 2 * em_;
     const std::string title = fitted(facts_.title, 1.15 * em_, true, room);
     drawing_.text({0.7 * em_, middle}, title, {.size = 1.15 * em_, .upright = Upright::middle, .bold = true});

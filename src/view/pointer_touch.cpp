@@ -15,7 +15,16 @@ PointerTouch::PointerTouch(const TouchWindowInput& input, TouchTarget target, Fi
 
 void PointerTouch::show(PointedScene shown) {
   const std::lock_guard lock(mutex_);
+  const Box before = shown_.scene;
   shown_ = std::move(shown);
+  const bool resized = before.width != shown_.scene.width || before.height != shown_.scene.height;
+  if (!resized || !held_ || over_) return;
+  // X told where the pointer is in the new window before there was a frame of it: it was looked for in the
+  // old one, and missed the part.
+  over_ = point_at(last_px_.x(), last_px_.y());
+  if (!over_) return;
+  press();
+  tell(told_s_);
 }
 
 bool PointerTouch::is_on_panel(double x_px, double y_px) const {
@@ -29,6 +38,7 @@ bool PointerTouch::take(const InputEvent& event) {
   const std::lock_guard lock(mutex_);
   const bool hit = event.kind != InputEvent::Kind::key && is_on_panel(event.x_px, event.y_px);
   bool taken = false;
+  if (event.kind != InputEvent::Kind::key) last_px_ = {event.x_px, event.y_px};
   switch (event.kind) {
     case InputEvent::Kind::key: {
       const auto action = action_of(event.key, touch_window_kind(input_));
@@ -74,11 +84,11 @@ bool PointerTouch::take_key(KeyAction action, double t_s) {
       break;
     case KeyAction::go_left:
     case KeyAction::go_right:
-      target_.move_by(action == KeyAction::go_left ? Vec3(-right_m) : right_m);
+      target_.move_by(action == KeyAction::go_left ? Vec3(-right_m) : right_m, shown_.towards_eye_W);
       break;
     case KeyAction::go_up:
     case KeyAction::go_down:
-      target_.move_by(action == KeyAction::go_down ? Vec3(-up_m) : up_m);
+      target_.move_by(action == KeyAction::go_down ? Vec3(-up_m) : up_m, shown_.towards_eye_W);
       break;
     case KeyAction::harder:
     case KeyAction::softer:

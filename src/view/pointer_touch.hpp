@@ -52,6 +52,7 @@ class PointerTouch {
   bool turns_view_ = false;
   bool on_panel_ = false, beside_panels_ = false;  ///< where the button is held that was pressed there
   double told_s_ = 0;
+  Vec2 last_px_ = Vec2::Zero();  ///< where the pointer was
 };
 
 /// Which rows of key_table() hold in the window of a touch.

@@ -24,11 +24,19 @@ std::size_t panel_lines_in(double height, double em) {
   return static_cast<std::size_t>(std::max(0.0, (height / em - head_em - panel_foot_em) / row_em + rounding));
 }
 
-/// How many of a panel's rows it shows in its box: all, or as many as leave a line for how many more there
-/// are.
+/// How many of a panel's rows from this one on are no notes, which nobody counts.
+std::size_t counted_from(const SidePanel& panel, std::size_t first) {
+  const auto is_counted = [](const PanelRow& row) { return row.kind != PanelRow::Kind::note; };
+  const auto begin = panel.rows.begin() + static_cast<std::ptrdiff_t>(std::min(first, panel.rows.size()));
+  return static_cast<std::size_t>(std::count_if(begin, panel.rows.end(), is_counted));
+}
+
+/// How many of a panel's rows it shows in its box: all, or all but some notes, or as many as leave a line
+/// for how many more there are.
 std::size_t panel_rows_shown(const SidePanel& panel, const Box& box, double em) {
   const std::size_t lines = panel_lines_in(box.height, em);
-  return panel.rows.size() <= lines ? panel.rows.size() : lines - std::min<std::size_t>(lines, 1);
+  if (counted_from(panel, lines) == 0) return std::min(panel.rows.size(), lines);
+  return lines - std::min<std::size_t>(lines, 1);
 }
 
 Box row_box(const Box& panel, std::size_t row, double em) {
@@ -128,7 +136,7 @@ void SidePanels::paint(Drawing& drawing, const Layout& layout) const {
     drawing.text({box.left + 0.7 * em, box.top() - head_em * em / 2},
                  fitted(panels_[i].title, em, true, box.width - 1.4 * em),
                  {.size = em, .upright = Upright::middle, .bold = true});
-    const std::size_t shown = panel_rows_shown(panels_[i], box, em), more = panels_[i].rows.size() - shown;
+    const std::size_t shown = panel_rows_shown(panels_[i], box, em), more = counted_from(panels_[i], shown);
     for (std::size_t k = 0; k < shown + (more > 0 ? 1 : 0); ++k) {
       const PanelRow row = k < shown ? panels_[i].rows[k] : more_rows(more);
       const Box at = row_box(box, k, em);

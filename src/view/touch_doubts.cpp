@@ -21,7 +21,10 @@ std::string too_deep_words(const World& world, const TickRecord& row) {
              to_W = row.contact_W - row.depth_m * row.normal_W;
   if (!(row.depth_m > below_m)) return {};
   // How thick it is there is not told: beside an edge the line leaves by the side.
-  if (!line_hit(touched, from_W, to_W)) return {};
+  // From inside it comes out. A line that begins outside of a hole's rim, whose walls hold the finger
+  // together, goes in first.
+  const auto hit = line_hit(touched, from_W, to_W);
+  if (!hit || !(hit->normal_W.dot(row.normal_W) < 0)) return {};
   return fmt::format("{} mm deep, through the part: press less, or stiffen it",
                      rounded_text(1e3 * row.depth_m, 2));
 }

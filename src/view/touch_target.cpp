@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact/placed_surface.hpp"
+#include "touch/finger_room.hpp"
+#include "touch/parts_ball.hpp"
 #include "view/touch_doubts.hpp"
 
 namespace fingerpad {
@@ -24,23 +25,50 @@ void TouchTarget::point_at(const Vec3& point_W, const Vec3& normal_W, int surfac
   spot_W_ = point_W;
   normal_W_ = normal_W;
   surface_ = surface;
-  seed_ = -1;
 }
 
-void TouchTarget::move_by(const Vec3& step_W) {
+void TouchTarget::move_by(const Vec3& step_W, const Vec3& towards_eye_W) {
   if (surface_ < 0) {
     spot_W_ += step_W;
     return;
   }
-  const Surface& surface = world_->surfaces[static_cast<std::size_t>(surface_)];
+  if (radius_m_ > 0) rest_at(begin_roll_W(towards_eye_W), 2 * radius_m_);
   const Vec3 along_W = step_W - step_W.dot(normal_W_) * normal_W_;
-  spot_W_ += along_W;
-  if (surface.part && !surface.tree) return;
-  const WorldPoint at = nearest_point(surface, spot_W_, normals_, seed_, 10 * step_W.norm() + hover_m_);
-  if (!at.found) return;
-  spot_W_ = at.point_W;
-  normal_W_ = at.normal_W;
-  seed_ = at.triangle;
+  const double reach_m = radius_m_ + 10 * step_W.norm() + hover_m_;
+  if (!rest_at(spot_W_ + radius_m_ * normal_W_ + along_W, reach_m)) spot_W_ += along_W;
+}
+
+/// The centre of the ball that rolls.
+Vec3 TouchTarget::begin_roll_W(const Vec3& towards_eye_W) const noexcept {
+  constexpr double has_room_share = 0.9, hardly_share = 1e-3;
+  const Vec3 centre_W = spot_W_ + radius_m_ * normal_W_;
+  const double clear_m = nearest_surface(*world_, centre_W, Normals::facet, radius_m_).clear_m;
+  if (clear_m >= has_room_share * radius_m_) return centre_W;
+  const auto parts = ball_of_parts(*world_);
+  const double parts_m = parts ? (parts->centre_W - spot_W_).dot(towards_eye_W) + parts->radius_m : 0;
+  return stopped_on_line(*world_, spot_W_, towards_eye_W, std::max(0.0, parts_m) + 2 * radius_m_, radius_m_,
+                         hardly_share * radius_m_);
+}
+
+/// Onto the surface from this centre of the ball, and out of other walls.
+/// @returns false, and nothing changed, where no surface is within reach
+bool TouchTarget::rest_at(Vec3 centre_W, double reach_m) noexcept {
+  constexpr int most_turns = 8;
+  constexpr double hardly_share = 1e-3;
+  for (int i = 0; i < most_turns; ++i) {
+    const NearestSurface nearest = nearest_surface(*world_, centre_W, normals_, reach_m);
+    if (nearest.surface < 0) return i > 0;
+    const Vec3 out_W = centre_W - nearest.at.point_W;
+    // The ball's own radius is the way out, round an edge too. A centre that is on the surface tells none.
+    const bool tells = nearest.clear_m > hardly_share * radius_m_ && radius_m_ > 0;
+    spot_W_ = nearest.at.point_W;
+    normal_W_ = tells ? out_W.normalized() : nearest.at.normal_W;
+    surface_ = nearest.surface;
+    const Vec3 rests_W = spot_W_ + radius_m_ * normal_W_;
+    if ((rests_W - centre_W).norm() <= hardly_share * radius_m_) break;
+    centre_W = rests_W;
+  }
+  return true;
 }
 
 void TouchTarget::change_force(int steps) {

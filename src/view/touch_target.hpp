@@ -17,8 +17,11 @@ class TouchTarget {
 
   /// Over this spot of a surface.
   void point_at(const Vec3& point_W, const Vec3& normal_W, int surface);
-  /// Along the surface from the present spot, by a step in space; back onto the surface where it bends.
-  void move_by(const Vec3& step_W);
+  /// Over the surface from the present spot, by a step in space, as a ball of the finger's size rolls: round
+  /// edges, and over slots that are too narrow for it. No step leads it farther than twice the step, but for
+  /// the first out of a spot that it is too large for: there it begins where a finger rests that comes down
+  /// the eye's line.
+  void move_by(const Vec3& step_W, const Vec3& towards_eye_W);
   void press(bool on) { pressing_ = on; }
   /// The force aimed at, one step of about a quarter up or down; 0.05 to 20 N, and never more than the
   /// scene's `greatest_force_n`, for which the contact was chosen.
@@ -35,13 +38,15 @@ class TouchTarget {
   bool is_kept_from_spot(const Vec3& finger_W) const;
 
  private:
+  Vec3 begin_roll_W(const Vec3& towards_eye_W) const noexcept;
+  bool rest_at(Vec3 centre_W, double reach_m) noexcept;
+
   std::shared_ptr<const World> world_;
   Normals normals_;
   double radius_m_, hover_m_;
   Vec3 direction_W_;
   Vec3 spot_W_, normal_W_ = Vec3::UnitZ();
   int surface_ = -1;  ///< -1: nothing pointed at yet
-  int seed_ = -1;
   double most_n_, least_n_, press_n_;
   bool pressing_ = false;
 };

@@ -47,6 +47,9 @@ struct WindowOptions {
   std::function<void(const WindowReport&)> on_frame;
   /// A file was dropped onto the window. @returns why it cannot be shown; empty: the window closes for it
   std::function<std::string(const std::string& path)> on_drop = {};
+  /// Where the window is taken away from outside, as by xkill, nothing can be drawn any more, and the program
+  /// ends: this ends it. It must not return; see LostWindowWatch. None: X ends it.
+  std::function<void()> on_loss;
 };
 
 /// Opens a window on a mesh, a scene or a trace and returns when it is closed (q, Escape, or by the window

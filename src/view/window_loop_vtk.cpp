@@ -7,6 +7,10 @@
 #include <vtkRenderer.h>
 #include <vtkStringArray.h>
 
+#include <cstdint>
+#include <optional>
+
+#include "view/lost_window_vtk.hpp"
 #include "view/sharing_trackball_vtk.hpp"
 
 namespace fingerpad {
@@ -77,6 +81,11 @@ void WindowLoop::run() {
   stage_.window()->SetWindowName("fingerpad");
   interactor_->Initialize();
   queue_.open(interactor_, stage_.window());
+  std::optional<LostWindowWatch> watch;
+  if (options_.on_loss && queue_.is_known()) {
+    // VTK gives X's number of the window as a pointer.
+    watch.emplace(reinterpret_cast<std::uintptr_t>(stage_.window()->GetGenericWindowId()), options_.on_loss);
+  }
   queue_.refuse_smaller(least_window_width_px, least_window_height_px);
   opened_ = std::chrono::steady_clock::now();
   render();

@@ -164,6 +164,35 @@ TEST(SidePanels, StayWithinASmallSceneAndSayHowManyRowsAreLeftOut) {
   EXPECT_FALSE(panels.hit(layout, 1, 1));
 }
 
+// Four values and two notes were told as six more.
+TEST(SidePanels, CountNoNotesAmongTheRowsThatAreLeftOut) {
+  SidePanels panels;
+  SidePanel panel{"a", "first", {}};
+  for (int k = 0; k < 8; ++k)
+    panel.rows.push_back({PanelRow::Kind::value, "row " + std::to_string(k), "1", false, false});
+  for (int k = 0; k < 2; ++k) panel.rows.push_back({PanelRow::Kind::note, "a note", "", false, false});
+  panels.show(panel);
+  std::vector<std::size_t> left_out;
+  for (int height_px = 200; height_px <= 400; ++height_px) {
+    SCOPED_TRACE(height_px);
+    Drawing drawing;
+    panels.paint(drawing, layout_for(200, height_px, false, false));
+    std::size_t rows = 0, notes = 0, more = 0;
+    for (const auto& mark : drawing.marks()) {
+      const auto* const text = std::get_if<Drawing::Text>(&mark);
+      if (text == nullptr) continue;
+      rows += text->words.starts_with("row ") ? 1 : 0;
+      notes += text->words == "a note" ? 1 : 0;
+      if (text->words.starts_with("and ")) more = std::stoul(text->words.substr(4));
+    }
+    EXPECT_EQ(more, 8 - rows);
+    EXPECT_TRUE(more == 0 || notes == 0) << "a row comes before a note";
+    if (left_out.empty() || left_out.back() != more) left_out.push_back(more);
+  }
+  EXPECT_GT(left_out.size(), 3u) << "looked at in windows that show some, and in one that shows all";
+  EXPECT_EQ(left_out.back(), 0u);
+}
+
 /// A live window on the torus whose servo stands still.
 struct StillTouch {
   ViewInput view = test::torus_rub(0.0);

@@ -69,6 +69,30 @@ TEST(PointerTouch, HoversPressesAndLiftsWhereNothingIsUnderIt) {
   EXPECT_EQ(over.told.back().t_s, 5);
 }
 
+// A window that grows tells where the pointer is in it before it has drawn a frame of that size; there is no
+// other event while the pointer rests.
+TEST(PointerTouch, AHeldFingerPressesOnInAWindowThatIsMadeLargerAgain) {
+  OverFloor over;
+  const PointedScene large{{0, 0, 200, 200}, {}, {Vec3(0, 0, 10), Vec3(0, 0, -10), {0.5, 0, 0}, {0, 0.5, 0}}};
+  const PointedScene small{{0, 0, 60, 60}, {}, {Vec3(0, 0, 10), Vec3(0, 0, -10), {2, 0, 0}, {0, 2, 0}}};
+  over.pointer.show(large);
+  EXPECT_TRUE(over.take(Kind::press, 120, 30, 1));
+  over.pointer.show(small);
+  EXPECT_TRUE(over.pointer.pressing()) << "no event, no change";
+  EXPECT_TRUE(over.take(Kind::move, 120, 40, 2));
+  EXPECT_FALSE(over.pointer.pressing()) << "beside the small window";
+  over.pointer.show(small);
+  EXPECT_FALSE(over.pointer.pressing());
+  over.pointer.show(large);
+  EXPECT_TRUE(over.pointer.pressing());
+  EXPECT_LT((over.told.back().p_WQ - Vec3(0.06, 0.02, 0)).norm(), 1e-12);
+  EXPECT_EQ(over.told.back().t_s, 2);
+  EXPECT_TRUE(over.take(Kind::release, 120, 40, 3));
+  over.pointer.show(small);
+  over.pointer.show(large);
+  EXPECT_FALSE(over.pointer.pressing()) << "let go";
+}
+
 TEST(PointerTouch, AButtonPressedBesideThePartIsTheViewsUntilItIsLetGo) {
   OverFloor over;
   EXPECT_FALSE(over.take(Kind::press, 150, 30, 1));

@@ -320,5 +320,26 @@ TEST(RealWindow, GoesOnWithAMeshThatIsDroppedOntoATouchThatIsRecordedNoLonger) {
   EXPECT_THAT(test::bytes_of(folder / "touch.log"), testing::EndsWith("ended 1\n")) << "for what was lost";
 }
 
+// Destroyed by another program, and with all of its connection to the server: X ended the program in the
+// midst of the touch, and there was no trace.
+TEST(RealWindow, ATouchWhoseWindowIsTakenAwayKeepsItsTraceWhole) {
+  std::string why;
+  const auto screen = screen_or_why(why);
+  if (!screen) GTEST_SKIP() << "no X server can be started: " << why;
+  const fs::path folder = workshop();
+  for (const std::string how : {"windowclose", "windowkill"}) {
+    const auto touched = test::shell(hands(*screen) +
+                                         "rm -f run.h5\n$P touch ring.toml --size 900x600 --record run.h5 "
+                                         ">touch.log 2>&1 &\np=$!\nwindow || exit 9\nsleep 0.3\nxdotool " +
+                                         how + " $w\nwait $p\n",
+                                     folder);
+    EXPECT_EQ(touched.exit_code, 0) << how << touched.err << test::bytes_of(folder / "touch.log");
+    ASSERT_TRUE(fs::exists(folder / "run.h5")) << how;
+    const Trace trace = read_trace((folder / "run.h5").string());
+    EXPECT_TRUE(trace.complete) << how;
+    EXPECT_GT(trace.rows.size(), 100u) << how;
+  }
+}
+
 }  // namespace
 }  // namespace fingerpad::real_window_test

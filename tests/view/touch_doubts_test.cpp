@@ -51,6 +51,22 @@ TEST(TooDeep, IsToldWhereThePartIsThinnerThanThePressIsDeep) {
   EXPECT_EQ(too_deep_words(world, row), "");
 }
 
+// A finger in a hole's mouth is held by both rims. What they push together leads out through the mouth, and
+// a line along it from one of them goes through air into the other.
+TEST(TooDeep, IsNotToldOfAFingerThatTwoRimsHold) {
+  World world;
+  world.surfaces = {box_of(Vec3(0.02, 0.04, 0.02), Vec3(0.013, 0, -0.01))};
+  TickRecord row = pressed(0.005);
+  row.contact_W = Vec3(0.003, 0, 0);  // on the box's upper edge
+  row.normal_W = Vec3(-0.6, 0, 0.8);
+  EXPECT_EQ(too_deep_words(world, row), "") << "into the box, which is thick";
+  row.contact_W = Vec3(0.003 - 1e-4, 0, -1e-4);  // of the other rim, in the air before the box
+  EXPECT_EQ(too_deep_words(world, row), "") << "the line goes into the box, not out of it";
+  row.depth_m = 0.05;
+  row.contact_W = Vec3(0.013, 0, 0);
+  EXPECT_NE(too_deep_words(world, row), "") << "through it and out";
+}
+
 /// A floor between two walls, so far apart.
 World groove(double width_m) {
   World world;

@@ -1,0 +1,49 @@
+#include "device/open_place.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "touch/finger_room.hpp"
+
+namespace fingerpad {
+
+void OpenPlace::aim(const PointerAim& aim) noexcept {
+  const bool same = has_aim_ && aim.finger.p_WQ == aim_.finger.p_WQ && aim.spot_W == aim_.spot_W &&
+                    aim.finger.push_W_n == aim_.finger.push_W_n && aim.towards_eye_W == aim_.towards_eye_W;
+  if (same) return;
+  aim_ = aim;
+  has_aim_ = true;
+  const double radius_m = around_.finger_radius_m();
+  // So far a finger goes into coarse facets, and two walls hold it off no farther than it counts as there.
+  constexpr double tolerated_share = 0.15;
+  const double tolerated_m = std::min(soft_m_, tolerated_share * radius_m);
+  const double push_n = aim.finger.push_W_n.norm();
+  // One that hovers goes as near as it can: it need not come down on anything.
+  has_room_ = push_n == 0 || nearest_surface(world_, aim.finger.p_WQ, Normals::facet, radius_m).clear_m >=
+                                 radius_m - tolerated_m;
+  place_W_ = has_room_ ? aim.finger.p_WQ : stopped_W();
+  down_W_ = has_room_ && push_n > 0 ? Vec3(aim.finger.push_W_n / push_n) : Vec3(-aim.towards_eye_W);
+}
+
+/// Looked for anew where the spot has gone on by a little: from tick to tick it goes hardly anywhere.
+Vec3 OpenPlace::stopped_W() noexcept {
+  constexpr double hardly_share = 0.1, little_share = 0.1;
+  const Vec3& eye_W = aim_.towards_eye_W;
+  const bool is_near = has_stopped_ && eye_W == stopped_by_W_ &&
+                       (aim_.spot_W - stopped_for_W_).norm() < little_share * soft_m_;
+  if (is_near) return stopped_at_W_;
+  has_stopped_ = true;
+  stopped_by_W_ = eye_W;
+  stopped_for_W_ = aim_.spot_W;
+  const double radius_m = around_.finger_radius_m();
+  const double from_m = (around_.middle_W() - aim_.spot_W).dot(eye_W) + around_.radius_m() + radius_m;
+  stopped_at_W_ = stopped_on_line(world_, aim_.spot_W, eye_W, from_m, radius_m, hardly_share * soft_m_);
+  return stopped_at_W_;
+}
+
+double OpenPlace::gain_m(const Vec3& finger_W) const noexcept {
+  if (has_room_) return (place_W_ - finger_W).norm();
+  return std::max(0.0, (finger_W - aim_.spot_W).norm() - (place_W_ - aim_.spot_W).norm());
+}
+
+}  // namespace fingerpad

@@ -1,0 +1,50 @@
+#include "view/lost_window_vtk.hpp"
+
+#include <X11/Xlib.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <utility>
+
+namespace fingerpad {
+namespace {
+
+// X's handlers are one for the whole program, and are given nothing of ours.
+std::atomic<std::uintptr_t> watched_window{0};
+std::function<void()> window_ending;
+std::atomic_flag window_ends;
+XErrorHandler other_errors = nullptr;
+XIOErrorHandler other_connection_errors = nullptr;
+
+/// Once. A thread that comes second waits here for the program's end: what it draws into is gone.
+[[noreturn]] void end_without_window() {
+  if (!window_ends.test_and_set()) window_ending();
+  for (;;) pause();
+}
+
+int take_error(Display* display, XErrorEvent* error) {
+  const bool of_window = error->error_code == BadWindow || error->error_code == BadDrawable;
+  if (of_window && error->resourceid == watched_window) end_without_window();
+  return other_errors != nullptr ? other_errors(display, error) : 0;
+}
+
+int take_broken_connection(Display*) {
+  end_without_window();
+}
+
+}  // namespace
+
+LostWindowWatch::LostWindowWatch(std::uintptr_t window, std::function<void()> ending) {
+  watched_window = window;
+  window_ending = std::move(ending);
+  other_errors = XSetErrorHandler(take_error);
+  other_connection_errors = XSetIOErrorHandler(take_broken_connection);
+}
+
+LostWindowWatch::~LostWindowWatch() {
+  XSetErrorHandler(other_errors);
+  XSetIOErrorHandler(other_connection_errors);
+  watched_window = 0;
+}
+
+}  // namespace fingerpad
