@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace fingerpad {
@@ -27,5 +28,8 @@ struct ExponentRange {
 /// they are not, or trials are few, the range is wide. 0 to 0 where no two loads of a group differ by 5 %.
 /// @param groups  trials that differ by load and chance alone; what they share is the exponent
 ExponentRange likely_exponents(const std::vector<std::vector<OwnNumber>>& groups);
+
+/// Their median; nothing where no two loads of a group differ by 5 %.
+std::optional<double> median_slope(const std::vector<std::vector<OwnNumber>>& groups);
 
 }  // namespace fingerpad

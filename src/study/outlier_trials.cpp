@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "study/axes_exponent.hpp"
 #include "study/likely_exponents.hpp"
 #include "study/press_fit.hpp"
 #include "study/sample_noise.hpp"
@@ -16,15 +17,6 @@ namespace fingerpad {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-/// The stiffness that a trial's stick has along an axis.
-double own_stiffness(const TrialEvidence& trial, std::size_t axis) {
-  const SpringSums &sums = trial.spring[axis], &other = trial.spring[1 - axis];
-  if (!(sums(spring_straight, spring_straight) > 0.1 * other(spring_straight, spring_straight)) ||
-      trial.stick_samples < 20)
-    return nothing;
-  return sums(spring_straight, spring_straight) / sums(spring_position, spring_straight);
-}
 
 /// What a trial alone says of a number; `nothing` where it says little.
 double own_number(const TrialEvidence& trial, PadNumber number, const std::optional<double>& press_exponent) {
@@ -39,9 +31,9 @@ double own_number(const TrialEvidence& trial, PadNumber number, const std::optio
     case PadNumber::v_min:
       return mean(trial.stop_speed_m_per_s, trial.stops, 2);
     case PadNumber::stick_stiffness:
-      return own_stiffness(trial, 0);
+      return own_stiffness(trial, 0).value_or(nothing);
     case PadNumber::longitudinal_stiffness:
-      return own_stiffness(trial, 1);
+      return own_stiffness(trial, 1).value_or(nothing);
     case PadNumber::normal_stiffness:
       return press_exponent ? 1 / (own_depth_at_1_n_m(trial).value_or(nothing) * *press_exponent) : nothing;
     default:

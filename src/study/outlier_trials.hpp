@@ -13,8 +13,10 @@ struct OutlierTrial {
   std::size_t trial = 0;  ///< its place among those that were judged
   std::string name;
   PadNumber number = PadNumber::mu_static;
-  double value = 0, usual = 0;  ///< its own, and the median of the subject's, both at the trial's load
-  bool is_counted = true;       ///< else the fit leaves it out of that number: its spring pushes on
+  /// Its own, and the median of the subject's, both at the trial's load; stiffnesses along the plate at the
+  /// fit's, where their axes go with the load (axes_exponent).
+  double value = 0, usual = 0;
+  bool is_counted = true;  ///< else the fit leaves it out of that number: its spring pushes on
 };
 
 /// Trials whose mu_static, mu_dynamic, v_min or stiffness, along the plate or into it (against the angle's
