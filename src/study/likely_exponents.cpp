@@ -64,6 +64,26 @@ ExponentRange likely_exponents(const std::vector<std::vector<OwnNumber>>& groups
   return {slopes.below(0.25), slopes.below(0.75)};
 }
 
+ExponentRange exponents_beside(const std::vector<std::vector<OwnNumber>>& groups, std::size_t trial) {
+  constexpr double most = 1;
+  constexpr std::size_t many = 60;  // trials: of more, one that is left out moves the quartiles little
+  if (LoadSlopes(groups).is_empty()) return {};
+  std::vector<std::size_t> others{trial};
+  for (const std::vector<OwnNumber>& group : groups)
+    for (const OwnNumber& own : group) others.push_back(own.trial);
+  if (others.size() > many) others.resize(1);
+  ExponentRange range{most, -most};
+  for (const std::size_t other : others) {
+    std::vector<std::vector<OwnNumber>> left = groups;
+    for (std::vector<OwnNumber>& group : left)
+      std::erase_if(group, [&](const OwnNumber& own) { return own.trial == trial || own.trial == other; });
+    const LoadSlopes slopes(left);
+    range.least = std::min(range.least, slopes.is_empty() ? -most : std::max(-most, slopes.below(0.25)));
+    range.most = std::max(range.most, slopes.is_empty() ? most : std::min(most, slopes.below(0.75)));
+  }
+  return range;
+}
+
 std::optional<double> median_slope(const std::vector<std::vector<OwnNumber>>& groups) {
   const LoadSlopes slopes(groups);
   if (slopes.is_empty()) return std::nullopt;

@@ -5,6 +5,7 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
 #include "study/axes_exponent.hpp"
@@ -142,6 +143,26 @@ Off off_at(const std::vector<OwnNumber>& group, double exponent, double least_sh
   return off;
 }
 
+/// What is usual at a trial's load where it is off by an exponent.
+std::optional<double> usual_if_off(const std::vector<OwnNumber>& group, std::size_t place, double exponent,
+                                   double least_share) {
+  const Off off = off_at(group, exponent, least_share);
+  const auto found = off.find(place);
+  return found == off.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Those of a group that are off by an exponent that all trials leave likely: the others are not asked about
+/// one by one.
+std::set<std::size_t> perhaps_off(const std::vector<std::vector<OwnNumber>>& groups,
+                                  const std::vector<OwnNumber>& group, double least_share) {
+  const ExponentRange likely = likely_exponents(groups);
+  std::set<std::size_t> places;
+  for (const double exponent : {likely.least, median_slope(groups).value_or(0), likely.most})
+    for (const auto& [place, usual] : off_at(group, std::clamp(exponent, -1.0, 1.0), least_share))
+      places.insert(place);
+  return places;
+}
+
 }  // namespace
 
 std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
@@ -153,15 +174,15 @@ std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
         PadNumber::longitudinal_stiffness, PadNumber::normal_stiffness}) {
     const double least_share = number == PadNumber::v_min ? 0.25 : 0.1;  // it rests on a few ends of slip
     for (const auto& [subject, groups] : groups_of_subjects(evidence, number, press_exponent)) {
-      const ExponentRange likely = likely_exponents(groups);
       for (const std::vector<OwnNumber>& group : groups) {
-        const Off by_least = off_at(group, likely.least, least_share),
-                  by_most = off_at(group, likely.most, least_share);
-        for (const auto& [place, usual] : by_least) {
-          const auto other = by_most.find(place);
-          if (other == by_most.end()) continue;
+        for (const std::size_t place : perhaps_off(groups, group, least_share)) {
           const OwnNumber& own = group[place];
-          found.push_back({own.trial, names[own.trial], number, own.value, (usual + other->second) / 2,
+          const ExponentRange likely = exponents_beside(groups, own.trial);
+          const auto by_least = usual_if_off(group, place, likely.least, least_share),
+                     by_most = usual_if_off(group, place, likely.most, least_share);
+          // Off to one side by the one and to the other by the other, some exponent in between explains it.
+          if (!by_least || !by_most || (own.value > *by_least) != (own.value > *by_most)) continue;
+          found.push_back({own.trial, names[own.trial], number, own.value, (*by_least + *by_most) / 2,
                            is_counted(evidence[own.trial], number)});
         }
       }

@@ -25,8 +25,8 @@ struct OutlierTrial {
 /// taken that Dixon's test parts from the others; of fewer none.
 ///
 /// How a pad's numbers go with the load is not known beforehand: trials are compared at one load, by the
-/// exponents that the subject's trials leave likely (likely_exponents), and one is named that is off by all
-/// of these.
+/// exponents that the subject's other trials leave likely (exponents_beside), and one is named that is off to
+/// one side by all of these.
 /// @param names           of the trials of the evidence
 /// @param press_exponent  that their presses' sums were taken about; nothing where no normal law is told
 std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
