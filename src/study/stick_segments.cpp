@@ -1,5 +1,6 @@
 #include "study/stick_segments.hpp"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -33,6 +34,18 @@ std::vector<double> ratio_across(const std::vector<Vec2>& ratio, const std::vect
       across.push_back((ratio[i].x() * velocity[i].y() - ratio[i].y() * velocity[i].x()) / speed);
   }
   return across;
+}
+
+/// Of its component across the line that the finger moves along most: a slow finger's direction at a moment
+/// is unsure, and as that strays over a window, some of its friction would pass for noise that is joined.
+std::vector<double> ratio_across_line(const std::vector<Vec2>& ratio, const std::vector<Vec2>& velocity) {
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero();
+  for (const Vec2& v : velocity) spread += v * v.transpose();
+  const Vec2 across = Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(spread).eigenvectors().col(0);
+  std::vector<double> components;
+  components.reserve(ratio.size());
+  for (const Vec2& q : ratio) components.push_back(across.dot(q));
+  return components;
 }
 
 /// Slope of the positions; ruptures do not part them.
@@ -140,7 +153,8 @@ StickSegments stick_segments(const MeasuredTrial& trial, double axes_exponent) {
     found.velocity_m_per_s.push_back(local_velocity(trial, windows.around(i, found.half_window)));
   const std::vector<double> across = ratio_across(trial.force_ratio, found.velocity_m_per_s);
   found.ratio_noise = std::min(noise_of_both(trial.force_ratio), sample_noise(across));
-  found.joined_noise = joined_noise(across);
+  found.joined_noise = std::min(joined_noise(across),
+                                joined_noise(ratio_across_line(trial.force_ratio, found.velocity_m_per_s)));
   find_ruptures(trial, found);
   const std::vector<bool> is_light = light_samples(trial, found);
   double squares = 0;
