@@ -123,7 +123,8 @@ int fit(const FitOptions& options) {
   const Measurement measurement = clean(std::move(recorded), cleaning);
   warn(left_out_warnings(measurement));
   add_lines(left_out_warnings(measurement), told.warnings);
-  const FitSettings settings{options.seed, blocks_of(options.cleaning)};
+  FitSettings settings{options.seed, blocks_of(options.cleaning)};
+  settings.takes_axes_exponent = cleaning.takes_axes_exponent;
   const ProfileFit found = fit_profile(measurement, settings);
   const bool is_without_force =
       measurement.trials.empty() && !(measurement.without_force.empty() && measurement.pressed.empty());

@@ -231,6 +231,19 @@ void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
                   "What the intervals' bootstrap draws: trials of each subject, or subjects")
       ->check(one_of({"trials", "subjects"}))
       ->capture_default_str();
+  command
+      .add_option(
+          "--light", options.light_percent,
+          "Samples pressed with less than this of what their trial is pressed with tell neither stick "
+          "nor slip [%]; 0: none is left out")
+      ->check(CLI::Range(0.0, 90.0))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--spring-load", options.spring_load,
+          "How springs are taken to one load: 'found' by trials of several loads, or 'off' as they are")
+      ->check(one_of({"found", "off"}))
+      ->capture_default_str();
 }
 
 MeasurementFormat measurement_format(const ReadingOptions& options) {
@@ -270,6 +283,8 @@ CleaningSettings cleaning_settings(const CleaningOptions& options) {
   settings.takes_delay = options.delay == "found";
   if (options.delay != "found" && options.delay != "off") settings.delay_s = delay_of(options.delay);
   settings.smoothing_hz = options.smoothing_hz;
+  settings.takes_axes_exponent = options.spring_load == "found";
+  settings.light_share = options.light_percent / 100;
   return settings;
 }
 

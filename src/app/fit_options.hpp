@@ -26,7 +26,8 @@ struct ReadingOptions {
 /// How it is told to make them clean and to draw its intervals.
 struct CleaningOptions {
   double fill_ms = 20, smoothing_hz = 0;
-  std::string mains = "any", delay = "found", blocks = "trials";
+  std::string mains = "any", delay = "found", blocks = "trials", spring_load = "found";
+  double light_percent = 25;
   bool no_tare = false;
 };
 

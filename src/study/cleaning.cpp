@@ -152,6 +152,7 @@ Measurement clean(RecordedMeasurement recorded, const CleaningSettings& settings
   for (RecordedTrial& trial : recorded.trials) {
     if (settings.smoothing_hz > 0) low_pass(trial, settings.smoothing_hz);
     MeasuredTrial measured = in_pad_axes(trial);
+    measured.light_share = settings.light_share;
     if (!measurement.knows_delay) {
       measured.delay_unsure_s = delay_unsure_s(measurement.delays, trial.file);
       measured.is_delay_told = is_delay_told(measurement.delays, trial.file);

@@ -8,7 +8,7 @@
 
 #include "base/number_text.hpp"
 #include "study/delay_estimate.hpp"
-#include "study/pad_axes.hpp"
+#include "study/moved_trials.hpp"
 #include "study/position_delay.hpp"
 
 namespace fingerpad {
@@ -16,64 +16,6 @@ namespace {
 
 constexpr double longest_delay_s = delay_lags_each_way * delay_step_s;
 constexpr double most_rest_s = 5e-3;  // that a second look may tell beside the first
-
-bool is_of(const FileDelay& delay, const RecordedTrial& trial) {
-  return std::find(delay.files.begin(), delay.files.end(), trial.file) != delay.files.end();
-}
-
-/// Trials as they would be with the delays taken out, and what they say of what is left.
-class MovedTrials {
- public:
-  explicit MovedTrials(const std::vector<RecordedTrial>& trials)
-      : trials_(trials), by_s_(trials.size(), 0), sums_(trials.size()) {
-    for (std::size_t i = 0; i < trials.size(); ++i) tell(i);
-  }
-
-  /// Moves all trials of a file, or of several, by so much more.
-  void move(const FileDelay& delay, double by_s) {
-    for (std::size_t i = 0; i < trials_.size(); ++i) {
-      if (!is_of(delay, trials_[i])) continue;
-      by_s_[i] += by_s;
-      tell(i);
-    }
-  }
-
-  /// What is left of a file's delay. Of too few trials it is drawn from parts of them how far it may be off.
-  DelayEstimate estimate_of(const FileDelay& delay) const {
-    DelayBlocks blocks;
-    for (std::size_t i = 0; i < trials_.size(); ++i)
-      if (is_of(delay, trials_[i])) blocks.add({sums_[i]});
-    if (blocks.tell_spread()) return estimate_delay(blocks, 1);
-    DelayBlocks parts;
-    parts.are_parts = true;
-    for (std::size_t i = 0; i < trials_.size(); ++i) {
-      if (sums_[i].samples == 0 || !is_of(delay, trials_[i])) continue;
-      const MeasuredTrial measured = measured_trial(i);
-      parts.add(delay_sums_by_part(measured, stick_segments(measured)));
-    }
-    return estimate_delay(parts, 1);
-  }
-
- private:
-  MeasuredTrial measured_trial(std::size_t i) const {
-    if (by_s_[i] == 0) return in_pad_axes(trials_[i]);
-    RecordedTrial moved = trials_[i];
-    shift_positions(moved, by_s_[i]);
-    return in_pad_axes(moved);
-  }
-
-  /// Nothing of those without stick.
-  void tell(std::size_t i) {
-    const MeasuredTrial measured = measured_trial(i);
-    sums_[i] = DelaySums();
-    if (measured.position_m.size() >= fewest_touching_samples)
-      sums_[i] = delay_sums(measured, stick_segments(measured));
-  }
-
-  const std::vector<RecordedTrial>& trials_;
-  std::vector<double> by_s_;
-  std::vector<DelaySums> sums_;
-};
 
 /// Each file's own estimate, and one for all those that do not tell theirs.
 std::vector<FileDelay> estimates_of_files(const std::vector<RecordedTrial>& trials,
@@ -164,7 +106,7 @@ std::string beside_given_text(const std::vector<FileDelay>& delays, double given
 std::vector<FileDelay> settle_delays(std::vector<RecordedTrial>& trials, const CleaningSettings& settings) {
   if (settings.delay_s)
     for (RecordedTrial& trial : trials) shift_positions(trial, *settings.delay_s);
-  MovedTrials moved(trials);
+  MovedTrials moved(trials, settings);
   std::vector<FileDelay> delays = estimates_of_files(trials, moved);
   if (settings.delay_s)
     for (FileDelay& delay : delays) count_moved(*settings.delay_s, delay.estimate);

@@ -69,12 +69,15 @@ StretchLeft left_of_stretch(const SpringGroups& groups, const OwnSpring& own) {
   StretchLeft left;
   std::vector<double> way_m;
   double centre_m = 0, weights = 0;
-  for (const auto& both : groups.terms) {
+  for (std::size_t k = 0; k < groups.terms.size(); ++k) {
+    const auto& both = groups.terms[k];
     const SpringTerms& terms = both[own.axis];
-    const Eigen::Vector2d slopes =
-        spring_slopes(own.bend, {terms[spring_straight], both[1 - own.axis][spring_straight]}).col(0);
+    const double longer = groups.longer[k];
+    const Eigen::Vector2d slopes = spring_slopes(own.bend, {terms[spring_straight] / longer,
+                                                            both[1 - own.axis][spring_straight] / longer})
+                                       .col(0);
     constexpr double least_slope = 0.1;  // of a straight spring's; a bend that does not hold may come to less
-    left.slope_m.push_back(own.compliance_m *
+    left.slope_m.push_back(longer * own.compliance_m *
                            std::max(least_slope, slopes[0] + own.shape.share_left * slopes[1]));
     way_m.push_back(terms[spring_position] -
                     own.compliance_m * (terms[spring_ratio] + own.shape.share_left * terms[spring_cubic]) -
@@ -112,7 +115,7 @@ ResidualPart stick_residual(const MeasuredTrial& trial, const StickSegments& seg
         const double place = segments.position_noise_m / left.slope_m[k];
         noise2 += force2 * mean_inverse_load2(trial, groups, k) + place * place;
         part.left += left.ratio[k] * left.ratio[k];
-        part.signal += groups.terms[k][axis][spring_straight] * groups.terms[k][axis][spring_straight];
+        part.signal += std::pow(groups.terms[k][axis][spring_straight] / groups.longer[k], 2);
       }
       const auto count = static_cast<double>(groups.terms.size()), size = static_cast<double>(groups.size);
       part.expected += (count - 1) / count * noise2 / size;
@@ -123,14 +126,15 @@ ResidualPart stick_residual(const MeasuredTrial& trial, const StickSegments& seg
 }
 
 ResidualPart slip_residual(const StickSegments& segments, const LawSpring& spring,
-                           const std::vector<Vec2>& ratio, double rate_hz) {
+                           const std::vector<Vec2>& ratio, double rate_hz, bool hides_teeth) {
   const std::size_t size = group_size(rate_hz),
                     near = static_cast<std::size_t>(std::lround(near_s / spring_group_s));
   std::vector<std::vector<double>> slips;
   double mean = 0, squares = 0, count = 0;
   for (const PhaseStretch& whole : phase_stretches(segments, PadPhase::slip)) {
     PhaseStretch inner = inner_stretch(whole, segments);
-    if (spring.leaves_hidden_out) inner = fast_part(inner, segments, spring.about.v_min_m_per_s);
+    if (spring.leaves_hidden_out || hides_teeth)
+      inner = fast_part(inner, segments, spring.about.v_min_m_per_s);
     slips.push_back(group_means(inner, size, [&](std::size_t i) {
       return -ratio[i].dot(segments.velocity_m_per_s[i].normalized());
     }));
@@ -187,7 +191,7 @@ TrialResidual trial_residual(const MeasuredTrial& trial, const StickSegments& se
       spring.leaves_hidden_out || std::isinf(surest)
           ? found.sure_stick
           : stick_residual(trial, segments, evidence, spring, ratio, std::numeric_limits<double>::infinity());
-  found.slip = slip_residual(segments, spring, ratio, trial.rate_hz);
+  found.slip = slip_residual(segments, spring, ratio, trial.rate_hz, evidence.hides_teeth);
   found.gives = evidence.gives;
   found.drops = evidence.drops;
   return found;

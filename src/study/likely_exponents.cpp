@@ -27,6 +27,30 @@ void add_slopes(const std::vector<OwnNumber>& group, std::vector<LoadSlope>& slo
   }
 }
 
+/// Slopes between any two trials of a group, each counting as much as the loads differ.
+class LoadSlopes {
+ public:
+  explicit LoadSlopes(const std::vector<std::vector<OwnNumber>>& groups) {
+    for (const std::vector<OwnNumber>& group : groups)
+      if (!group.empty()) add_slopes(group, slopes_);
+    std::sort(slopes_.begin(), slopes_.end(),
+              [](const LoadSlope& a, const LoadSlope& b) { return a.slope < b.slope; });
+    for (const LoadSlope& one : slopes_) all_ += one.apart;
+  }
+  bool is_empty() const { return slopes_.empty(); }
+  /// The slope below which a share of them lies.
+  double below(double share) const {
+    double sum = 0;
+    for (const LoadSlope& one : slopes_)
+      if ((sum += one.apart) >= share * all_) return one.slope;
+    return slopes_.back().slope;
+  }
+
+ private:
+  std::vector<LoadSlope> slopes_;
+  double all_ = 0;
+};
+
 }  // namespace
 
 double OwnNumber::times_that_at(double other_log_load, double exponent) const {
@@ -35,21 +59,35 @@ double OwnNumber::times_that_at(double other_log_load, double exponent) const {
 }
 
 ExponentRange likely_exponents(const std::vector<std::vector<OwnNumber>>& groups) {
-  std::vector<LoadSlope> slopes;
+  const LoadSlopes slopes(groups);
+  if (slopes.is_empty()) return {};
+  return {slopes.below(0.25), slopes.below(0.75)};
+}
+
+ExponentRange exponents_beside(const std::vector<std::vector<OwnNumber>>& groups, std::size_t trial) {
+  constexpr double most = 1;
+  constexpr std::size_t many = 60;  // trials: of more, one that is left out moves the quartiles little
+  if (LoadSlopes(groups).is_empty()) return {};
+  std::vector<std::size_t> others{trial};
   for (const std::vector<OwnNumber>& group : groups)
-    if (!group.empty()) add_slopes(group, slopes);
-  if (slopes.empty()) return {};
-  std::sort(slopes.begin(), slopes.end(),
-            [](const LoadSlope& a, const LoadSlope& b) { return a.slope < b.slope; });
-  double all = 0;
-  for (const LoadSlope& one : slopes) all += one.apart;
-  const auto below = [&](double share) {
-    double sum = 0;
-    for (const LoadSlope& one : slopes)
-      if ((sum += one.apart) >= share * all) return one.slope;
-    return slopes.back().slope;
-  };
-  return {below(0.25), below(0.75)};
+    for (const OwnNumber& own : group) others.push_back(own.trial);
+  if (others.size() > many) others.resize(1);
+  ExponentRange range{most, -most};
+  for (const std::size_t other : others) {
+    std::vector<std::vector<OwnNumber>> left = groups;
+    for (std::vector<OwnNumber>& group : left)
+      std::erase_if(group, [&](const OwnNumber& own) { return own.trial == trial || own.trial == other; });
+    const LoadSlopes slopes(left);
+    range.least = std::min(range.least, slopes.is_empty() ? -most : std::max(-most, slopes.below(0.25)));
+    range.most = std::max(range.most, slopes.is_empty() ? most : std::min(most, slopes.below(0.75)));
+  }
+  return range;
+}
+
+std::optional<double> median_slope(const std::vector<std::vector<OwnNumber>>& groups) {
+  const LoadSlopes slopes(groups);
+  if (slopes.is_empty()) return std::nullopt;
+  return slopes.below(0.5);
 }
 
 }  // namespace fingerpad

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace fingerpad {
@@ -27,5 +28,15 @@ struct ExponentRange {
 /// they are not, or trials are few, the range is wide. 0 to 0 where no two loads of a group differ by 5 %.
 /// @param groups  trials that differ by load and chance alone; what they share is the exponent
 ExponentRange likely_exponents(const std::vector<std::vector<OwnNumber>>& groups);
+
+/// The exponents by which a trial may be judged: those that the other trials leave likely, with any one of
+/// them left out too, and no wider than -1 to 1, which a finger's numbers keep to. Where they leave none
+/// likely, as they are of one load, it is those. A trial at the end of the loads would else bend the law by
+/// which it is judged, and one that is off pass for the load's. 0 to 0 where no two loads of a group differ
+/// by 5 %.
+ExponentRange exponents_beside(const std::vector<std::vector<OwnNumber>>& groups, std::size_t trial);
+
+/// Their median; nothing where no two loads of a group differ by 5 %.
+std::optional<double> median_slope(const std::vector<std::vector<OwnNumber>>& groups);
 
 }  // namespace fingerpad

@@ -21,10 +21,14 @@ SampleWindow SampleWindows::around(std::size_t i, int half_window) const {
   return {std::max(run_[i].from, i - std::min(i, half)), std::min(run_[i].to, i + half + 1)};
 }
 
-WindowSums::WindowSums(const MeasuredTrial& trial) : sums_(trial.position_m.size() + 1) {
+WindowSums::WindowSums(const MeasuredTrial& trial, const StickSegments& found)
+    : sums_(trial.position_m.size() + 1) {
   const Vec2 origin = trial.position_m.front();
   for (std::size_t i = 0; i < trial.position_m.size(); ++i) {
-    const Vec2 x = trial.position_m[i] - origin, q = trial.force_ratio[i];
+    const Vec2 x = trial.position_m[i] - origin;
+    Vec2 q = trial.force_ratio[i];
+    if (found.axes_exponent != 0)
+      q *= std::pow(trial.normal_force_n[i] / found.usual_normal_n, found.axes_exponent);
     sums_[i + 1] = sums_[i];
     sums_[i + 1].x += x;
     sums_[i + 1].q += q;

@@ -32,7 +32,8 @@ struct LocalStiffness {
 /// Sums up to each sample, so that a window of any width is told by its two ends.
 class WindowSums {
  public:
-  explicit WindowSums(const MeasuredTrial& trial);
+  /// @param found  what is told of the trial's noise and load, and its axes_exponent
+  WindowSums(const MeasuredTrial& trial, const StickSegments& found);
   /// @param least_m2  spread below which the window tells nothing
   LocalStiffness stiffness(const SampleWindow& w, double noise_m, double least_m2) const;
 

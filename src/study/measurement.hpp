@@ -27,6 +27,7 @@ struct MeasuredTrial {
   double inclination_deg = 0;     ///< mean, finger against the plate; 0 without a direction
   double delay_unsure_s = 0;      ///< by which the delay that was taken out may be off: half its interval
   bool is_delay_told = true;      ///< else none was taken out, and delay_unsure_s is what one may be
+  double light_share = usual_light_share;  ///< CleaningSettings'
   std::string lacks;  ///< "FILE: column fx_n missing": force_ratio is none; empty: it was measured
   std::vector<LineLeftIn> lines_left_in;
 };

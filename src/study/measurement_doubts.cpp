@@ -41,9 +41,9 @@ std::vector<std::string> doubts_of(const RecordedMeasurement& recorded, const Me
   each_file(recorded, [&](FileTrials own) {
     for (const UnitDoubt& doubt : unit_doubts(own, with_told(recorded, own.front().file, format)))
       if (!doubt.is_refused) told.push_back(fmt::format("{}: {}", own.front().file, doubt.words));
-    const std::vector<std::string> odd = odd_trial_doubts(own);
-    told.insert(told.end(), odd.begin(), odd.end());
   });
+  const std::vector<std::string> odd = odd_trial_doubts(recorded.trials);
+  told.insert(told.end(), odd.begin(), odd.end());
   return told;
 }
 

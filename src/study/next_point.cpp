@@ -6,6 +6,7 @@
 #include <string>
 
 #include "base/number_text.hpp"
+#include "study/axes_exponent.hpp"
 #include "study/axis_numbers.hpp"
 #include "study/hidden_stick.hpp"
 #include "study/load_exponent.hpp"
@@ -40,6 +41,9 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.trial_scatter = trial_scatter(trials);
   const PadValue exponent = load_exponent(trials, once, point.evidence.load.exponent, next.trial_scatter);
   if (exponent.refusal.empty()) next.evidence.load.exponent = exponent.value;
+  const auto axes =
+      point.takes_axes_exponent ? axes_exponent(trials, point.evidence.axes_exponent) : std::nullopt;
+  next.evidence.axes_exponent = axes ? axes->value : 0;
   const PressFit press = fit_press(trials, once, point.evidence.press_exponent);
   if (press.exponent > 0) next.evidence.press_exponent = std::clamp(press.exponent, 0.1, 2.0);
   const VibrationPeak peak = vibration_peak(slip_density(trials, once));

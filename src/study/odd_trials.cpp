@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <string_view>
 
 #include "base/number_text.hpp"
 #include "motion/driving_share.hpp"
@@ -30,6 +32,12 @@ double noise_n(const RecordedTrial& trial) {
 
 bool presses(const RecordedTrial& trial) {
   return std::abs(pressing_n(trial)) > beyond_noise * noise_n(trial);
+}
+
+/// Of a component of positions.
+double place_noise_m(const RecordedTrial& trial) {
+  const Eigen::RowVectorXd along_m = finger_W(trial).row(0);
+  return sample_noise({along_m.data(), static_cast<std::size_t>(along_m.size())});
 }
 
 /// What the sensor shows in the air: at the end of the trial at which it shows less.
@@ -62,22 +70,79 @@ double work_share(const RecordedTrial& trial) {
   return driving_share(finger_W(trial), trial.force_W, trial.rate_hz);
 }
 
+/// The middle of sizes; of two in the middle the one that is nearer, by its logarithm, to a finger's. Sizes
+/// of 0 do not count; not a number where there are no others.
+double usual_size(std::vector<double> sizes, double of_finger) {
+  std::erase_if(sizes, [](double size) { return !(size > 0); });
+  if (sizes.empty()) return std::numeric_limits<double>::quiet_NaN();
+  std::sort(sizes.begin(), sizes.end());
+  const double low = sizes[(sizes.size() - 1) / 2], high = sizes[sizes.size() / 2];
+  return std::abs(std::log(low / of_finger)) < std::abs(std::log(high / of_finger)) ? low : high;
+}
+
+/// What trials mostly are.
+struct UsualTrial {
+  double press_n = 0;  ///< below 0 where most are of the wrong sign
+  double reach_m = 0, work_share = 0;
+
+  explicit UsualTrial(FileTrials trials) {
+    std::vector<double> presses_n, reaches_m;
+    long turned = 0;
+    for (const RecordedTrial& trial : trials) {
+      const double press = pressing_n(trial);
+      if (presses(trial)) {
+        presses_n.push_back(std::abs(press));
+        turned += press < 0 ? 1 : -1;
+      }
+      reaches_m.push_back(extent_m(trial));
+    }
+    press_n = (turned > 0 ? -1 : 1) * usual_size(presses_n, 1);
+    reach_m = usual_size(reaches_m, 0.05);
+    work_share = trials.size() < fewest_in_file ? 0 : usual(trials, fingerpad::work_share);
+  }
+};
+
+/// Which unit makes something so many times what it is, as a question; empty where none is likely.
+/// @param thousandth  of the unit that is taken
+std::string likely_unit(double times, std::string_view thousandth) {
+  constexpr double near = 8;
+  const auto is_thousand = [](double size) { return size > 1000 / near && size < 1000 * near; };
+  if (is_thousand(times)) return fmt::format(" In {}?", thousandth);
+  if (is_thousand(1 / times)) return fmt::format(" Or are the others, in {}?", thousandth);
+  return {};
+}
+
+/// What is odd in how far a trial's positions reach; empty where nothing is.
+std::string odd_reach(const RecordedTrial& trial, double usual_m) {
+  constexpr double most_times = 300, farthest_m = 0.5, farther = 20;
+  const double reach_m = extent_m(trial), times = reach_m / usual_m;
+  const bool is_far = times > most_times || (reach_m > farthest_m && times > farther),
+             is_near = times * most_times < 1 && reach_m > beyond_noise * place_noise_m(trial);
+  if (!is_far && !is_near) return {};
+  return fmt::format(
+      "its positions reach over {} m, and the other trials' over {} m: are they in another unit?{} They "
+      "are counted as they are; --unit holds for all trials of a file",
+      rounded_text(reach_m, 3), rounded_text(usual_m, 3), likely_unit(times, "mm"));
+}
+
 /// What is odd in a trial that presses as the others do; empty where nothing is.
-std::string oddity(const RecordedTrial& trial, double usual_n, double usual_share) {
+std::string oddity(const RecordedTrial& trial, const UsualTrial& usual) {
   constexpr double most_times = 50;
-  const double press_n = pressing_n(trial), times = std::abs(press_n / usual_n);
-  const std::string press_text = rounded_text(press_n, 3), usual_text = rounded_text(usual_n, 3);
+  const double press_n = pressing_n(trial), times = std::abs(press_n / usual.press_n);
+  const std::string press_text = rounded_text(press_n, 3), usual_text = rounded_text(usual.press_n, 3);
   if (times > most_times || (times * most_times < 1 && presses(trial)))
     return fmt::format(
-        "its normal force is {} N where it presses, and the other trials' {} N: is it in another "
-        "unit? It is counted as it is; --force-unit holds for all trials of a file",
-        press_text, usual_text);
-  if (presses_the_other_way(trial, usual_n))
+        "its normal force is {} N where it presses, {} times the other trials' {} N: is it in another "
+        "unit?{} It is counted as it is; --force-unit holds for all trials of a file",
+        press_text, times > 1 ? rounded_text(times, 3) : "1/" + rounded_text(1 / times, 3), usual_text,
+        likely_unit(times, "mN"));
+  if (presses_the_other_way(trial, usual.press_n))
     return fmt::format(
         "its normal force is {} N where it presses, and the other trials' {} N: is its sign "
         "turned round? It is left out",
         press_text, usual_text);
-  if (trial.lacks.empty() && usual_share < -most_driving_share && work_share(trial) > most_driving_share)
+  if (std::string reach = odd_reach(trial, usual.reach_m); !reach.empty()) return reach;
+  if (trial.lacks.empty() && usual.work_share < -most_driving_share && work_share(trial) > most_driving_share)
     return "its force drives the finger along its way, and the other trials' holds it back: is the sign of "
            "its fx and fy turned round? It tells neither slip nor springs so";
   return {};
@@ -85,24 +150,21 @@ std::string oddity(const RecordedTrial& trial, double usual_n, double usual_shar
 
 }  // namespace
 
-std::vector<std::string> odd_trial_doubts(FileTrials trials) {
-  if (trials.size() < fewest_in_file) return {};
-  const double usual_n = usual(trials, pressing_n), usual_share = usual(trials, work_share);
+std::vector<std::string> odd_trial_doubts(const std::vector<RecordedTrial>& trials) {
+  if (trials.size() < 2) return {};
+  const UsualTrial usual(trials);
   std::vector<std::string> doubts;
   for (const RecordedTrial& trial : trials)
-    if (const std::string words = oddity(trial, usual_n, usual_share); !words.empty())
+    if (const std::string words = oddity(trial, usual); !words.empty())
       doubts.push_back(fmt::format("{}: {}", trial_name(trial), words));
   return doubts;
 }
 
 void leave_out_turned_presses(RecordedMeasurement& recorded) {
-  std::vector<bool> is_out;
-  each_file(recorded, [&](FileTrials own) {
-    const double usual_n = own.size() < fewest_in_file ? 0 : usual(own, pressing_n);
-    for (const RecordedTrial& trial : own) is_out.push_back(presses_the_other_way(trial, usual_n));
-  });
-  auto out = is_out.begin();
-  std::erase_if(recorded.trials, [&](const RecordedTrial&) { return *out++; });
+  if (recorded.trials.size() < 2) return;
+  const UsualTrial usual(recorded.trials);
+  std::erase_if(recorded.trials,
+                [&usual](const RecordedTrial& trial) { return presses_the_other_way(trial, usual.press_n); });
 }
 
 }  // namespace fingerpad

@@ -5,8 +5,10 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <set>
 #include <utility>
 
+#include "study/axes_exponent.hpp"
 #include "study/likely_exponents.hpp"
 #include "study/press_fit.hpp"
 #include "study/sample_noise.hpp"
@@ -16,15 +18,6 @@ namespace fingerpad {
 namespace {
 
 constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-
-/// The stiffness that a trial's stick has along an axis.
-double own_stiffness(const TrialEvidence& trial, std::size_t axis) {
-  const SpringSums &sums = trial.spring[axis], &other = trial.spring[1 - axis];
-  if (!(sums(spring_straight, spring_straight) > 0.1 * other(spring_straight, spring_straight)) ||
-      trial.stick_samples < 20)
-    return nothing;
-  return sums(spring_straight, spring_straight) / sums(spring_position, spring_straight);
-}
 
 /// What a trial alone says of a number; `nothing` where it says little.
 double own_number(const TrialEvidence& trial, PadNumber number, const std::optional<double>& press_exponent) {
@@ -39,9 +32,9 @@ double own_number(const TrialEvidence& trial, PadNumber number, const std::optio
     case PadNumber::v_min:
       return mean(trial.stop_speed_m_per_s, trial.stops, 2);
     case PadNumber::stick_stiffness:
-      return own_stiffness(trial, 0);
+      return own_stiffness(trial, 0).value_or(nothing);
     case PadNumber::longitudinal_stiffness:
-      return own_stiffness(trial, 1);
+      return own_stiffness(trial, 1).value_or(nothing);
     case PadNumber::normal_stiffness:
       return press_exponent ? 1 / (own_depth_at_1_n_m(trial).value_or(nothing) * *press_exponent) : nothing;
     default:
@@ -150,6 +143,26 @@ Off off_at(const std::vector<OwnNumber>& group, double exponent, double least_sh
   return off;
 }
 
+/// What is usual at a trial's load where it is off by an exponent.
+std::optional<double> usual_if_off(const std::vector<OwnNumber>& group, std::size_t place, double exponent,
+                                   double least_share) {
+  const Off off = off_at(group, exponent, least_share);
+  const auto found = off.find(place);
+  return found == off.end() ? std::nullopt : std::optional(found->second);
+}
+
+/// Those of a group that are off by an exponent that all trials leave likely: the others are not asked about
+/// one by one.
+std::set<std::size_t> perhaps_off(const std::vector<std::vector<OwnNumber>>& groups,
+                                  const std::vector<OwnNumber>& group, double least_share) {
+  const ExponentRange likely = likely_exponents(groups);
+  std::set<std::size_t> places;
+  for (const double exponent : {likely.least, median_slope(groups).value_or(0), likely.most})
+    for (const auto& [place, usual] : off_at(group, std::clamp(exponent, -1.0, 1.0), least_share))
+      places.insert(place);
+  return places;
+}
+
 }  // namespace
 
 std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
@@ -161,15 +174,15 @@ std::vector<OutlierTrial> outlier_trials(const std::vector<std::string>& names,
         PadNumber::longitudinal_stiffness, PadNumber::normal_stiffness}) {
     const double least_share = number == PadNumber::v_min ? 0.25 : 0.1;  // it rests on a few ends of slip
     for (const auto& [subject, groups] : groups_of_subjects(evidence, number, press_exponent)) {
-      const ExponentRange likely = likely_exponents(groups);
       for (const std::vector<OwnNumber>& group : groups) {
-        const Off by_least = off_at(group, likely.least, least_share),
-                  by_most = off_at(group, likely.most, least_share);
-        for (const auto& [place, usual] : by_least) {
-          const auto other = by_most.find(place);
-          if (other == by_most.end()) continue;
+        for (const std::size_t place : perhaps_off(groups, group, least_share)) {
           const OwnNumber& own = group[place];
-          found.push_back({own.trial, names[own.trial], number, own.value, (usual + other->second) / 2,
+          const ExponentRange likely = exponents_beside(groups, own.trial);
+          const auto by_least = usual_if_off(group, place, likely.least, least_share),
+                     by_most = usual_if_off(group, place, likely.most, least_share);
+          // Off to one side by the one and to the other by the other, some exponent in between explains it.
+          if (!by_least || !by_most || (own.value > *by_least) != (own.value > *by_most)) continue;
+          found.push_back({own.trial, names[own.trial], number, own.value, (*by_least + *by_most) / 2,
                            is_counted(evidence[own.trial], number)});
         }
       }

@@ -99,6 +99,7 @@ inline const PadValue& value_of(const PadValues& values, PadNumber number) noexc
 /// What earlier passes over the trials have found, about which the evidence is taken.
 struct FitPoint {
   EvidencePoint evidence;
+  bool takes_axes_exponent = true;         ///< FitSettings'
   std::optional<VibrationPeak> vibration;  ///< where a draw's own peak is looked for
   double trial_scatter = 0;                ///< of the trials' friction; see load_exponent
   std::optional<SpeedStep> slow_slip;      ///< where slip's friction rises as it slows

@@ -8,6 +8,7 @@
 #include <set>
 
 #include "study/delayed_evidence.hpp"
+#include "study/evidence_reach.hpp"
 #include "study/few_trials.hpp"
 #include "study/fit_intervals.hpp"
 #include "study/fit_refusals.hpp"
@@ -17,6 +18,7 @@
 #include "study/normal_law.hpp"
 #include "study/sampling_reach.hpp"
 #include "study/slow_sensor.hpp"
+#include "study/spring_steps.hpp"
 #include "study/stretch_reach.hpp"
 #include "study/unseen_slip.hpp"
 #include "study/zero_doubt.hpp"
@@ -63,32 +65,6 @@ bool tells_delay_left(double left_s, const std::vector<TrialEvidence>& trials,
   return deviation_s > 0 && std::abs(left_s) > deviations * deviation_s;
 }
 
-/// How far numbers would move were friction to rise as a Hertz pad's does where the load falls, n^(-1/3), of
-/// which nothing is told where no slip is surely seen: then loads that differ bend a spring, and lengthen it.
-NumberReaches moved_by_load(const Measurement& measurement, const std::vector<StickSegments>& segments,
-                            const ProfileFit& fit, const FitPoint& point) {
-  constexpr double of_hertz_pad = -1.0 / 3;
-  FitPoint rising = point;
-  rising.evidence.load.exponent = of_hertz_pad;
-  std::vector<TrialEvidence> evidence;
-  evidence.reserve(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i)
-    evidence.push_back(trial_evidence(measurement.trials[i], segments[i], rising.evidence));
-  return moved_by(evidence, fit, rising);
-}
-
-/// How far numbers would move were the drops at ruptures still to show in one sample more than is left out.
-NumberReaches moved_by_tail(const Measurement& measurement, std::vector<StickSegments> segments,
-                            const ProfileFit& fit, const FitPoint& point) {
-  std::vector<TrialEvidence> evidence;
-  evidence.reserve(segments.size());
-  for (std::size_t i = 0; i < segments.size(); ++i) {
-    ++segments[i].drop_tail;
-    evidence.push_back(trial_evidence(measurement.trials[i], segments[i], point.evidence));
-  }
-  return moved_by(evidence, fit, point);
-}
-
 /// The fit to the trials whose forces were measured whole.
 ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings) {
   ProfileFit fit;
@@ -100,6 +76,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   }
   FitPoint point;
   point.evidence.knows_delay = measurement.knows_delay;
+  point.takes_axes_exponent = settings.takes_axes_exponent;
   const auto gather = [&] {
     fit.evidence.clear();
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -110,14 +87,23 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   // The normal law's exponent comes last, where it is far from the half that it is looked for from.
   constexpr int passes = 4, most_passes = 10;
   constexpr double settled_exponent = 1e-3;
-  double moved = 0;
-  for (int pass = 0; pass < passes || (pass < most_passes && moved > settled_exponent); ++pass) {
-    if (pass > 0) {
-      const double before = point.evidence.press_exponent;
-      point = next_point(fit.evidence, point);
-      moved = std::abs(point.evidence.press_exponent - before);
+  const auto settle = [&] {
+    double moved = 0;
+    for (int pass = 0; pass < passes || (pass < most_passes && moved > settled_exponent); ++pass) {
+      if (pass > 0) {
+        const double before = point.evidence.press_exponent;
+        point = next_point(fit.evidence, point);
+        moved = std::abs(point.evidence.press_exponent - before);
+      }
+      gather();
     }
-    gather();
+  };
+  settle();
+  if (point.evidence.axes_exponent != 0) {
+    // Stick is told better, now that it is known how springs go with the load.
+    for (std::size_t i = 0; i < segments.size(); ++i)
+      segments[i] = stick_segments(measurement.trials[i], point.evidence.axes_exponent);
+    settle();
   }
   const std::vector<int> once(fit.evidence.size(), 1);
   fit.values = pad_numbers(fit.evidence, once, point);
@@ -154,7 +140,11 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   fit.subjects = std::set<int>(subject_of.begin(), subject_of.end()).size();
   fit.trials = fit.evidence.size();
   fit.steps = measurement.steps;
+  tell_light_samples(measurement, segments, fit);
   tell_slow_sensor(segments, point, fit);
+  if (point.evidence.axes_exponent != 0)
+    fit.axes_exponent = axes_exponent(fit.evidence, point.evidence.axes_exponent);
+  tell_axes_exponent(settings.takes_axes_exponent, fit);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);
   std::string no_slip = unseen_slip_words(fit.evidence, fit.values, point);
@@ -187,6 +177,10 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   if (point.evidence.drop_tail > 0) {
     const NumberReaches by_tail = moved_by_tail(measurement, segments, fit, point);
     for (std::size_t k = 0; k < unsure.size(); ++k) unsure[k] += by_tail[k];
+  }
+  if (fit.axes_exponent) {
+    const NumberReaches by_axes = moved_by_axes(measurement, segments, fit, point);
+    for (std::size_t k = 0; k < unsure.size(); ++k) unsure[k] += by_axes[k];
   }
   if (point.has_unseen_slip) {
     const NumberReaches by_load = moved_by_load(measurement, segments, fit, point);

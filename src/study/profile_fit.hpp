@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "study/axes_exponent.hpp"
 #include "study/block_draws.hpp"
 #include "study/law_verdict.hpp"
 #include "study/measurement.hpp"
@@ -35,6 +36,9 @@ struct ProfileFit {
   double mu_load_n = 0;  ///< normal force at which mu_static and mu_dynamic hold: the geometric mean in slip,
                          ///< or at ruptures where no slip is surely seen
   std::size_t subjects = 0, trials = 0;
+  /// By which springs were taken to mu_load_n; nothing where the pad's law may have it right, or where there
+  /// is no spring.
+  std::optional<AxesExponent> axes_exponent;
   std::vector<TrialEvidence> evidence;  ///< per trial of the measurement
   std::vector<OutlierTrial> outliers;
   LawResidual residual;
@@ -57,6 +61,8 @@ struct FitSettings {
   /// Numbers that are refused as few trials tell them are given all the same: the best guess that they have
   /// of trials that are held out.
   bool keeps_told_by_few = false;
+  /// Springs are taken to one load by how their trials go with the load (axes_exponent), if that is told.
+  bool takes_axes_exponent = true;
 };
 
 /// Fits a pad's profile (pad_numbers). Trials of which the normal force alone was measured tell the normal

@@ -156,14 +156,15 @@ void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
     const Vec2 forward = velocity.normalized();
     const double before = ratio[i - 1].norm(), after = ratio[i].norm(),
                  step_m = velocity.norm() / trial.rate_hz;
-    const double rise = spring_stiffness_per_m(evidence, bend, forward, before) * step_m;
+    const double longer = about.axes_at(trial.normal_force_n[i - 1]),
+                 rise = spring_stiffness_per_m(evidence, bend, forward, before) / longer * step_m;
     // Of the pad's tooth, once it is known: of its own, those would be kept that noise makes long.
     const bool knows_tooth = about.mu_static > 0 && evidence.slip_samples > 0;
     const double top = knows_tooth ? about.mu_static : before,
                  foot =
                      knows_tooth ? evidence.slip_ratio / static_cast<double>(evidence.slip_samples) : after;
     const double tooth_m =
-        spring_way_m(evidence, bend, forward, top) - spring_way_m(evidence, bend, forward, foot);
+        longer * (spring_way_m(evidence, bend, forward, top) - spring_way_m(evidence, bend, forward, foot));
     const std::size_t left_out = segments.drop_tail > 0 ? segments.drop_tail + 1 : 0;
     if (rise > 0 && !has_long_teeth(tooth_m, step_m, left_out)) {
       ++evidence.short_teeth;

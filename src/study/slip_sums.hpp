@@ -12,7 +12,7 @@ void add_slip_sums(const MeasuredTrial& trial, const StickSegments& segments, co
 
 /// Adds the speeds at which its slip ends in stick, told along the spring of the evidence.
 void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
-                   const std::array<SpringBend, 2>& bend, TrialEvidence& evidence);
+                   const EvidencePoint& about, TrialEvidence& evidence);
 
 /// A stretch of slip without what is slower at its ends than v_min, and a little more, since a trial's own
 /// may be higher.

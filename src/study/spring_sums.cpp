@@ -72,7 +72,7 @@ class MotionDirection {
 /// Means over a group of samples, per axis the terms of the spring.
 std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments& segments,
                                  const std::vector<Vec2>& ratio, const MotionDirection& direction,
-                                 const Bends& bends, std::size_t from, std::size_t to) {
+                                 const Bends& bends, double longer, std::size_t from, std::size_t to) {
   Vec2 x(0, 0), r(0, 0), v(0, 0);
   const auto count = static_cast<double>(to - from);
   for (std::size_t i = from; i < to; ++i) {
@@ -84,10 +84,18 @@ std::array<Terms, 2> group_terms(const MeasuredTrial& trial, const StickSegments
   std::array<Terms, 2> terms;
   for (Eigen::Index axis = 0; axis < 2; ++axis) {
     const auto k = static_cast<std::size_t>(axis);
-    const Vec2 spring = r[axis] * bends[k].at(r.norm());
-    terms[k] << x[axis], spring[0], spring[1], along[axis], v[axis], r[axis];
+    const Vec2 spring = longer * r[axis] * bends[k].at(r.norm());
+    terms[k] << x[axis], spring[0], spring[1], along[axis], v[axis], longer * r[axis];
   }
   return terms;
+}
+
+/// EvidencePoint::axes_at the mean load of a group.
+double mean_longer(const MeasuredTrial& trial, const EvidencePoint& about, std::size_t from, std::size_t to) {
+  if (about.axes_exponent == 0) return 1;
+  double sum_n = 0;
+  for (std::size_t i = from; i < to; ++i) sum_n += trial.normal_force_n[i];
+  return about.axes_at(sum_n / static_cast<double>(to - from));
 }
 
 /// How hard a group of a stretch is pulled. One of a single sample is told by the samples beside it: did its
@@ -105,20 +113,23 @@ double pull_of(const std::vector<Vec2>& ratio, const PhaseStretch& stretch, std:
 }
 
 /// What the groups' means keep of the noise, to first order in it.
-SpringSums noise_sums(const std::vector<std::array<Terms, 2>>& groups, std::size_t axis,
-                      const SpringNoise& noise, const SpringBend& bend, std::size_t size) {
+SpringSums noise_sums(const SpringGroups& groups, std::size_t axis, const SpringNoise& noise,
+                      const SpringBend& bend) {
   SpringSums sums = SpringSums::Zero();
-  const auto count = static_cast<double>(groups.size());
-  const double share = (1 - 1 / count) / static_cast<double>(size);
+  const auto count = static_cast<double>(groups.terms.size());
+  const double share = (1 - 1 / count) / static_cast<double>(groups.size);
   const auto own = static_cast<Eigen::Index>(axis);
   const Vec2 ratio2(noise.ratio2[own], noise.ratio2[1 - own]);
   sums(spring_position, spring_position) += count * share * noise.position_m2[own];
-  sums(spring_straight, spring_straight) += count * share * ratio2[0];
-  for (const auto& terms : groups) {
-    const Eigen::Matrix2d slopes =
-        spring_slopes(bend, {terms[axis][spring_straight], terms[1 - axis][spring_straight]});
-    sums.block<2, 2>(spring_ratio, spring_ratio) += share * slopes * ratio2.asDiagonal() * slopes.transpose();
-    const Vec2 with_straight = share * ratio2[0] * slopes.col(0);
+  for (std::size_t k = 0; k < groups.terms.size(); ++k) {
+    const auto& terms = groups.terms[k];
+    const double longer = groups.longer[k], longer2_share = longer * longer * share;
+    const Eigen::Matrix2d slopes = spring_slopes(
+        bend, {terms[axis][spring_straight] / longer, terms[1 - axis][spring_straight] / longer});
+    sums(spring_straight, spring_straight) += longer2_share * ratio2[0];
+    sums.block<2, 2>(spring_ratio, spring_ratio) +=
+        longer2_share * slopes * ratio2.asDiagonal() * slopes.transpose();
+    const Vec2 with_straight = longer2_share * ratio2[0] * slopes.col(0);
     sums.block<2, 1>(spring_ratio, spring_straight) += with_straight;
     sums.block<1, 2>(spring_straight, spring_ratio) += with_straight.transpose();
   }
@@ -126,19 +137,19 @@ SpringSums noise_sums(const std::vector<std::array<Terms, 2>>& groups, std::size
 }
 
 /// Adds a stretch's groups: their products about their means, without what noise makes of them.
-void add_groups(const std::vector<std::array<Terms, 2>>& groups, const SpringNoise& noise, const Bends& bends,
-                std::size_t size, TrialEvidence& evidence) {
-  const auto count = static_cast<double>(groups.size()), weight = static_cast<double>(size);
+void add_groups(const SpringGroups& groups, const SpringNoise& noise, const Bends& bends,
+                TrialEvidence& evidence) {
+  const auto count = static_cast<double>(groups.terms.size()), weight = static_cast<double>(groups.size);
   for (std::size_t axis = 0; axis < 2; ++axis) {
     Terms mean = Terms::Zero();
-    for (const auto& terms : groups) mean += terms[axis] / count;
+    for (const auto& terms : groups.terms) mean += terms[axis] / count;
     SpringSums sums = SpringSums::Zero();
-    for (const auto& terms : groups) sums += (terms[axis] - mean) * (terms[axis] - mean).transpose();
-    const SpringSums noisy = noise_sums(groups, axis, noise, bends[axis], size);
+    for (const auto& terms : groups.terms) sums += (terms[axis] - mean) * (terms[axis] - mean).transpose();
+    const SpringSums noisy = noise_sums(groups, axis, noise, bends[axis]);
     evidence.spring[axis] += weight * (sums - noisy);
     evidence.spring_noise[axis] += weight * noisy;
   }
-  evidence.stick_samples += static_cast<long>(groups.size() * size);
+  evidence.stick_samples += static_cast<long>(groups.terms.size() * groups.size);
 }
 
 /// Adds the loads that a stretch's groups are taken under.
@@ -188,22 +199,26 @@ std::vector<SpringGroups> spring_groups(const MeasuredTrial& trial, const StickS
     const PhaseStretch s = inner_stretch(whole, segments);
     if (s.to - s.from < fewest_groups * std::min<std::size_t>(wanted, 2)) continue;
     const std::size_t size = std::max<std::size_t>(1, std::min(wanted, (s.to - s.from) / fewest_groups));
-    SpringGroups groups{{s.from, s.to}, size, {}, size < wanted};
+    SpringGroups groups{{s.from, s.to}, size, {}, {}, size < wanted};
     // Beyond a group that is pulled too much, stick may be another one.
     const auto end_at = [&](std::size_t to) {
       groups.stretch.to = to;
       if (groups.terms.size() >= fewest_groups || std::isinf(choice.most_pull)) found.push_back(groups);
       groups.terms.clear();
+      groups.longer.clear();
       groups.stretch.from = to + size;
     };
     for (std::size_t from = s.from; from + size <= s.to; from += size) {
-      auto terms = group_terms(trial, segments, ratio, direction, choice.about.bend, from, from + size);
+      const double longer = mean_longer(trial, choice.about, from, from + size);
+      auto terms =
+          group_terms(trial, segments, ratio, direction, choice.about.bend, longer, from, from + size);
       if (pull_of(ratio, s, from, from + size, segments.half_window) > choice.most_pull) {
         end_at(from);
         continue;
       }
       if (choice.about.knows_delay) terms[0][spring_speed] = terms[1][spring_speed] = 0;
       groups.terms.push_back(terms);
+      groups.longer.push_back(longer);
     }
     end_at(s.to);
   }
@@ -219,32 +234,18 @@ void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
   for (const SpringGroups& groups : all) stretches.push_back(groups.stretch);
   const SpringNoise noise = noise_in_stick(trial, stretches, ratio);
   for (const SpringGroups& groups : all) {
-    add_groups(groups.terms, noise, about.bend, groups.size, evidence);
+    add_groups(groups, noise, about.bend, evidence);
     add_stick_loads(trial, groups, evidence);
   }
 }
 
-double spring_way_m(const TrialEvidence& evidence, const std::array<SpringBend, 2>& bend, const Vec2& forward,
-                    double pull) {
-  double way_m = 0;
-  for (Eigen::Index axis = 0; axis < 2; ++axis) {
-    const auto k = static_cast<std::size_t>(axis);
-    const SpringSums& sums = evidence.spring[k];
-    const double share = forward[axis] * forward[axis];
-    if (share < 0.01) continue;
-    if (!(sums(spring_ratio, spring_ratio) > 0)) return 0;
-    way_m += share * sums(spring_position, spring_ratio) / sums(spring_ratio, spring_ratio) * pull *
-             bend[k].at(std::abs(pull))[0];
-  }
-  return way_m;
-}
-
-double spring_stiffness_per_m(const TrialEvidence& evidence, const std::array<SpringBend, 2>& bend,
-                              const Vec2& forward, double pull) {
-  const double step = 0.02 * pull;
-  const double way_m =
-      spring_way_m(evidence, bend, forward, pull) - spring_way_m(evidence, bend, forward, pull - step);
-  return way_m > 0 ? step / way_m : 0;
+TrialEvidence spring_evidence(const MeasuredTrial& trial, const StickSegments& segments) {
+  TrialEvidence evidence;
+  evidence.subject = trial.subject;
+  evidence.has_direction = trial.has_direction;
+  evidence.inclination_deg = trial.inclination_deg;
+  add_spring_sums(trial, segments, trial.force_ratio, {}, evidence);
+  return evidence;
 }
 
 }  // namespace fingerpad

@@ -17,6 +17,7 @@ struct SpringGroups {
   PhaseStretch stretch;
   std::size_t size = 1;                           ///< samples of a group, spring_group_s or less
   std::vector<std::array<SpringTerms, 2>> terms;  ///< lateral, longitudinal
+  std::vector<double> longer;                     ///< EvidencePoint::axes_at, of each
   bool is_short = false;                          ///< the stretch gave smaller groups than that
 };
 
@@ -45,7 +46,11 @@ Eigen::Matrix2d spring_slopes(const SpringBend& bend, const Vec2& own_and_other)
 void add_spring_sums(const MeasuredTrial& trial, const StickSegments& segments,
                      const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence);
 
-/// How far the spring of a trial's own stick gives way along a direction to a force ratio; 0: not known.
+/// What a trial's stick alone says.
+TrialEvidence spring_evidence(const MeasuredTrial& trial, const StickSegments& segments);
+
+/// How far the spring of a trial's own stick gives way along a direction to a force ratio, at the load that
+/// springs are taken to; 0: not known.
 /// @param bend  that the evidence was taken about
 double spring_way_m(const TrialEvidence& evidence, const std::array<SpringBend, 2>& bend, const Vec2& forward,
                     double pull);

@@ -41,7 +41,13 @@ Vec2 compliance_m(const ProfileFit& fit, const Vec2& own_axes_m, double inclinat
 /// A trial's force ratios at the load at which the fit's numbers hold, as the fit takes them.
 std::vector<Vec2> fitted_ratio(const MeasuredTrial& trial, const ProfileFit& fit) {
   const double exponent = fitted_number(fit, PadNumber::mu_load_exponent);
-  return ratio_at_load(trial, {.load_n = fit.mu_load_n, .exponent = std::isfinite(exponent) ? exponent : 0});
+  std::vector<Vec2> ratio =
+      ratio_at_load(trial, {.load_n = fit.mu_load_n, .exponent = std::isfinite(exponent) ? exponent : 0});
+  EvidencePoint about;
+  about.load.load_n = fit.mu_load_n;
+  about.axes_exponent = fit.axes_exponent ? fit.axes_exponent->value : 0;
+  for (std::size_t i = 0; i < ratio.size(); ++i) ratio[i] *= about.axes_at(trial.normal_force_n[i]);
+  return ratio;
 }
 
 /// @param ratio  of the trial, as the fit takes it
@@ -127,7 +133,8 @@ StickPicture stick_picture(const Measurement& measurement, const ProfileFit& fit
   StickPicture picture;
   std::vector<std::vector<PhaseStretch>> stretches;
   for (std::size_t k = 0; k < measurement.trials.size(); ++k) {
-    picture.segments.push_back(stick_segments(measurement.trials[k]));
+    picture.segments.push_back(
+        stick_segments(measurement.trials[k], fit.axes_exponent ? fit.axes_exponent->value : 0));
     stretches.push_back(drawn_stretches(picture.segments.back()));
     picture.axes.push_back(axes_of(measurement, k, picture.segments.back(), stretches.back(),
                                    fitted_ratio(measurement.trials[k], fit), mu_of_axes(fit)));

@@ -27,8 +27,10 @@ struct StickSegments {
   /// Samples behind a rupture in which the force sensor still shows its drop (and one before it); 0: it shows
   /// it at once.
   std::size_t drop_tail = 0;
-  int half_window = 0;        ///< samples
-  bool is_too_noisy = false;  ///< noise of q may hide ruptures wherever it is pressed: all is unknown
+  int half_window = 0;            ///< samples
+  double axes_exponent = 0;       ///< that it was told apart by
+  std::size_t light_samples = 0;  ///< that tell nothing, as they are pressed too lightly
+  bool is_too_noisy = false;      ///< noise of q may hide ruptures wherever it is pressed: all is unknown
 };
 
 /// Tells stick from slip by the local stiffness k = -sum dq.dx / sum |dx|^2: in stick the force ratio q
@@ -46,6 +48,11 @@ struct StickSegments {
 /// of three samples are taken; where it hides these too, nothing is told. Noise is told by second differences
 /// (sample_noise), in which ruptures do not count.
 StickSegments stick_segments(const MeasuredTrial& trial);
+
+/// The same where the axes of stick go with the load, so that a spring is stiffer, for each newton, in a
+/// light ramp than under the trial's usual load: stiffnesses are taken to that.
+/// @param axes_exponent  EvidencePoint's
+StickSegments stick_segments(const MeasuredTrial& trial, double axes_exponent);
 
 /// The local stiffness that told the phase of each sample; not a number where none is told.
 /// @param segments  the trial's

@@ -14,6 +14,7 @@ namespace {
 struct SlipStop {
   std::size_t first = 0;  ///< sample of the first
   std::vector<double> way_m, ratio;
+  std::vector<double> longer;               ///< EvidencePoint::axes_at
   double slip_ratio = 0, slip_scatter = 0;  ///< mean before it, and the standard deviation
 };
 
@@ -38,7 +39,8 @@ double trial_scatter_of_slip(const StickSegments& segments, const std::vector<Ve
 
 /// @param usual_scatter  that slip has at least
 SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
-                    const PhaseStretch& slip, const Vec2& forward, double usual_scatter) {
+                    const EvidencePoint& about, const PhaseStretch& slip, const Vec2& forward,
+                    double usual_scatter) {
   const auto half = static_cast<std::size_t>(segments.half_window);
   SlipStop stop;
   const std::size_t last = slip.to - half,
@@ -54,6 +56,7 @@ SlipStop stop_after(const MeasuredTrial& trial, const StickSegments& segments, c
     if (!(segments.velocity_m_per_s[i].dot(forward) > 0)) break;
     stop.way_m.push_back(trial.position_m[i].dot(forward));
     stop.ratio.push_back(-ratio[i].dot(forward));
+    stop.longer.push_back(about.axes_at(trial.normal_force_n[i]));
   }
   return stop;
 }
@@ -72,9 +75,11 @@ double rise_before_stop(const StickSegments& segments, const std::vector<Vec2>& 
 }
 
 /// Where along the way slip ended: the rising samples, taken back along the spring.
-/// @param spring_m  how far the spring gives way to a ratio
+/// @param spring_m    how far the spring gives way to a ratio, at the load that springs are taken to
+/// @param end_longer  SlipStop::longer where slip ended
 template <typename Spring>
-std::optional<double> end_of_slip_m(const SlipStop& stop, const Spring& spring_m, double noise) {
+std::optional<double> end_of_slip_m(const SlipStop& stop, const Spring& spring_m, double end_longer,
+                                    double noise) {
   constexpr std::size_t fewest = 3;
   if (stop.ratio.size() < fewest) return std::nullopt;
   const double rise = *std::max_element(stop.ratio.begin(), stop.ratio.end()) - stop.slip_ratio;
@@ -86,11 +91,23 @@ std::optional<double> end_of_slip_m(const SlipStop& stop, const Spring& spring_m
   for (std::size_t i = stop.ratio.size(); i-- > 0;) {
     const double above = stop.ratio[i] - stop.slip_ratio;
     if (above < 0.25 * rise) break;
-    sum += stop.way_m[i] - (spring_m(stop.ratio[i]) - spring_m(stop.slip_ratio));
+    sum +=
+        stop.way_m[i] - (stop.longer[i] * spring_m(stop.ratio[i]) - end_longer * spring_m(stop.slip_ratio));
     ++count;
   }
   if (count < fewest) return std::nullopt;
   return sum / count;
+}
+
+/// The same where the load is not known at which slip ended: it is that of a sample near there.
+template <typename Spring>
+std::optional<double> end_of_slip_m(const SlipStop& stop, const Spring& spring_m, double noise) {
+  if (stop.longer.empty()) return std::nullopt;
+  const auto end_m = end_of_slip_m(stop, spring_m, stop.longer.front(), noise);
+  if (!end_m) return std::nullopt;
+  std::size_t near = 0;
+  while (near + 1 < stop.way_m.size() && stop.way_m[near] < *end_m) ++near;
+  return end_of_slip_m(stop, spring_m, stop.longer[near], noise);
 }
 
 /// How a finger moves at a place of its way.
@@ -128,7 +145,7 @@ std::optional<StopSpeed> speed_at_m(const MeasuredTrial& trial, const StickSegme
 }  // namespace
 
 void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, const std::vector<Vec2>& ratio,
-                   const std::array<SpringBend, 2>& bend, TrialEvidence& evidence) {
+                   const EvidencePoint& about, TrialEvidence& evidence) {
   const auto half = static_cast<std::size_t>(segments.half_window);
   const double usual_scatter = trial_scatter_of_slip(segments, ratio);
   for (const PhaseStretch& slip : phase_stretches(segments, PadPhase::slip)) {
@@ -137,8 +154,8 @@ void add_stop_sums(const MeasuredTrial& trial, const StickSegments& segments, co
     Vec2 forward(0, 0);
     for (std::size_t i = slip.to - 3 * half; i < slip.to; ++i) forward += segments.velocity_m_per_s[i];
     forward.normalize();
-    const SlipStop stop = stop_after(trial, segments, ratio, slip, forward, usual_scatter);
-    const auto spring_m = [&](double pull) { return spring_way_m(evidence, bend, forward, pull); };
+    const SlipStop stop = stop_after(trial, segments, ratio, about, slip, forward, usual_scatter);
+    const auto spring_m = [&](double pull) { return spring_way_m(evidence, about.bend, forward, pull); };
     if (!(spring_m(stop.slip_ratio) > 0)) continue;
     const auto end_m = end_of_slip_m(stop, spring_m, segments.ratio_noise);
     if (!end_m) continue;

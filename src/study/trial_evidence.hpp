@@ -18,8 +18,9 @@ struct LoadLaw {
 /// What stick says of one axis' spring, as sums over products about each stretch's means; see SpringTerm.
 using SpringSums = Eigen::Matrix<double, 6, 6>;
 /// Rows and columns of SpringSums, for the displacement along one axis
-///   x = A (g(r) + e dg/dc(r)) + h v/|v| + d v,   r = -q:
-/// the position, g of SpringBend, what g changes with the cubic share, v/|v|, v and r along the axis.
+///   x = A s (g(r) + e dg/dc(r)) + h v/|v| + d v,   r = -q:
+/// the position, s g of SpringBend, what it changes with the cubic share, v/|v|, v and s r along the axis; s
+/// is EvidencePoint::axes_at the load, 1 in the pad's law.
 enum SpringTerm : Eigen::Index {
   spring_position,
   spring_ratio,
@@ -86,7 +87,10 @@ struct TrialEvidence {
   long gives = 0, drops = 0;
   /// Of the gives, those before which it was pulled so little: stick that began anew; and of these the drops.
   long strokes = 0, stroke_drops = 0;
-  double unseen_drop = 0;                 ///< of friction, that noise would hide
+  double unseen_drop = 0;  ///< of friction, that noise would hide
+  /// Whether teeth of stick and slip at v_min may pass for slip in this trial, as its noise hides their drops
+  /// or they have too few samples: slower than v_min its slip is none then. Loads differ in this.
+  bool hides_teeth = false;
   std::vector<std::size_t> stop_samples;  ///< where the spring says that slip ended, of each
   std::vector<double> power;              ///< sum over pieces of slip of Welch's density of r
   long pieces = 0;
@@ -105,6 +109,7 @@ std::size_t vibration_window(double rate_hz);
 /// What the last pass over the trials has told, that sums are taken about.
 struct EvidencePoint {
   LoadLaw load;
+  double axes_exponent = 0;     ///< of the stick axes over the load, which springs are taken to load_n by
   double press_exponent = 0.5;  ///< w of depth ~ n^w
   double mu_static = 0;         ///< 0: not known yet
   double v_min_m_per_s = 0;     ///< below which what seems to slip is stick whose ruptures are not seen
@@ -116,6 +121,11 @@ struct EvidencePoint {
   double rupture_lag = 0;     ///< samples by which the sensor's drop at a rupture is later than at once
   std::size_t drop_tail = 0;  ///< StickSegments', as drop_tail_samples tells it
   bool knows_delay = false;   ///< then no rest of it is looked for: it would take part of a loop
+
+  /// How long the stick axes are under a load, over those at load.load_n.
+  double axes_at(double load_n) const {
+    return axes_exponent == 0 ? 1 : std::pow(load_n / load.load_n, axes_exponent);
+  }
 };
 
 /// Gathers a trial's evidence.

@@ -104,10 +104,13 @@ void warn_of_force_unit(MotionReading& reading) {
                          : pressed_median_n({sizes_n.data(), static_cast<std::size_t>(sizes_n.size())}));
   const auto doubt = force_unit_doubt(usual_n, reading.says_force_unit);
   if (!doubt) return;
+  // Who has said the unit is believed, unless the table itself says another.
+  const std::string name = other_unit_in_name(reading.settings.format);
+  if (reading.settings.format.says_force_unit && name.empty()) return;
   std::string words = doubt->words(
       is_normal ? "measured normal force" : "measured force",
       [](std::string_view unit) { return fmt::format("force_unit = \"{}\" in [motion]", unit); });
-  if (const std::string name = other_unit_in_name(reading.settings.format); !name.empty())
+  if (!name.empty())
     words += fmt::format(" (the name of its column '{}' says another than force_unit)", name);
   reading.warn(words);
 }

@@ -157,6 +157,73 @@ TEST(MeasurementDoubts, OneTrialInAnotherUnitIsNamed) {
       << "pressed harder";
 }
 
+/// What is warned of trials, each of which is changed by its place.
+template <typename Change>
+std::vector<std::string> warned_of_each(const std::vector<test::KnownTrial>& trials, const Change& change) {
+  RecordedMeasurement recorded = test::known_measurement(trials, {}, test::bad_sensors(), 1);
+  for (std::size_t i = 0; i < recorded.trials.size(); ++i) change(i, recorded.trials[i]);
+  return doubts_of(recorded, MeasurementFormat());
+}
+
+/// Though they are as many as the others, or in a file of their own.
+TEST(MeasurementDoubts, TrialsInAThousandthOfTheUnitAreNamedWithIt) {
+  using testing::ElementsAre;
+  const std::vector<test::KnownTrial> two{rubs[0], rubs[1]}, four{rubs[0], rubs[1], rubs[0], rubs[1]};
+  EXPECT_THAT(warned_of_each(two,
+                             [](std::size_t i, RecordedTrial& trial) {
+                               trial.file = i == 0 ? "a" : "b";
+                               if (i == 1) trial.force_W *= 1e3;
+                             }),
+              testing::Contains(AllOf(HasSubstr("b, subject 1, trial 2: its normal force is "),
+                                      HasSubstr(" times the other trials' "), HasSubstr("In mN?"))));
+  EXPECT_THAT(
+      warned_of_each(two,
+                     [](std::size_t i, RecordedTrial& trial) {
+                       if (i == 0) trial.force_W *= 1e-3;
+                     }),
+      ElementsAre(AllOf(HasSubstr("trial 1: its normal force is "), HasSubstr("Or are the others, in mN?"))));
+  const std::vector<std::string> of_four = warned_of_each(four, [](std::size_t i, RecordedTrial& trial) {
+    if (i < 2) trial.force_W *= 1e3;
+  });
+  EXPECT_THAT(of_four, testing::Contains(AllOf(HasSubstr("trial 1: "), HasSubstr("In mN?"))));
+  EXPECT_THAT(of_four, testing::Contains(AllOf(HasSubstr("trial 2: "), HasSubstr("In mN?"))));
+  EXPECT_THAT(of_four, testing::Not(testing::Contains(HasSubstr("trial 3: "))));
+}
+
+TEST(MeasurementDoubts, PositionsInAnotherUnitAreNamed) {
+  using testing::ElementsAre;
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) { trial.position_W *= 1e3; }),
+              ElementsAre(AllOf(HasSubstr("trial 3: its positions reach over "), HasSubstr("In mm?"))));
+  EXPECT_THAT(
+      warned_of_one([](RecordedTrial& trial) { trial.position_W *= 1e-3; }),
+      ElementsAre(AllOf(HasSubstr("trial 3: its positions"), HasSubstr("Or are the others, in mm?"))));
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) { trial.position_W *= 0.05; }), testing::IsEmpty())
+      << "pushed, not rubbed";
+  EXPECT_THAT(warned_of_one([](RecordedTrial& trial) {
+                const Points noise = trial.position_W.rightCols(trial.samples() - 1) -
+                                     trial.position_W.leftCols(trial.samples() - 1);
+                trial.position_W.setZero();
+                trial.position_W.rightCols(trial.samples() - 1) = 0.02 * noise;
+              }),
+              testing::IsEmpty())
+      << "held still";
+}
+
+TEST(MeasurementDoubts, TrialsOfTheOtherSignAreNamedThoughTheyAreAsMany) {
+  const auto turn_two = [](std::size_t i, RecordedTrial& trial) {
+    if (i < 2) trial.force_W *= -1;
+  };
+  const std::vector<std::string> of_four = warned_of_each({rubs[0], rubs[1], rubs[0], rubs[1]}, turn_two);
+  EXPECT_THAT(of_four, testing::SizeIs(2));
+  for (const char* name : {"trial 1: its normal force is -", "trial 2: its normal force is -"})
+    EXPECT_THAT(of_four, testing::Contains(HasSubstr(name)));
+  EXPECT_THAT(warned_of_each({rubs[0], rubs[0]},
+                             [](std::size_t i, RecordedTrial& trial) {
+                               if (i == 1) trial.force_W *= -1;
+                             }),
+              testing::ElementsAre(HasSubstr("trial 2: its normal force is -")));
+}
+
 /// A trial in the air shows noise of either sign.
 TEST(MeasurementDoubts, OneTrialThatNeverPressesIsInNoOtherUnit) {
   EXPECT_THAT(warned_of_one([](RecordedTrial& trial) {

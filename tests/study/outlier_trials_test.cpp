@@ -101,6 +101,34 @@ TEST(OutlierTrials, AreNamedAgainstTrialsOfTheirLoadWhateverTheLawOverTheLoad) {
   }
 }
 
+/// The lightest and the heaviest would bend the law over the load that they are judged by, and loads that
+/// hardly differ tell no law.
+TEST(OutlierTrials, AreNamedAtTheEndsOfTheLoadsToo) {
+  RandomStream random(3);
+  const std::vector<double> three{0.5, 0.5, 0.5, 1, 1, 1, 2, 2, 2}, each{0.6, 0.8, 1, 1.3, 1.7, 2.2},
+      alike{0.9, 0.95, 1, 1.05, 1.1};
+  for (const std::vector<double>& loads_n : {three, each, alike}) {
+    for (const double exponent : {-1.0 / 3, 0.0}) {
+      constexpr int sets = 300;
+      int good = 0, found = 0;
+      for (int set = 0; set < sets; ++set) {
+        std::vector<TrialEvidence> evidence;
+        for (const double load_n : loads_n)
+          evidence.push_back(
+              slipping(load_n, 0.2 * std::pow(load_n, exponent) * (1 + 0.02 * random.normal())));
+        good += outliers_of(evidence).empty() ? 0 : 1;
+        const bool is_first = set % 2 == 0;
+        (is_first ? evidence.front() : evidence.back()).slip_ratio *= 1.3;
+        const std::string odd = is_first ? "trial 1" : fmt::format("trial {}", loads_n.size());
+        found += outliers_of(evidence) == std::vector<std::string>{odd} ? 1 : 0;
+      }
+      EXPECT_LE(good, 0.01 * sets) << loads_n.size() << ' ' << exponent;
+      // By five trials it is hardly told what is usual.
+      EXPECT_GE(found, (loads_n.size() > 5 ? 0.8 : 0.5) * sets) << loads_n.size() << ' ' << exponent;
+    }
+  }
+}
+
 /// Two loads, and one trial of the second is odd: which of its two says how the number goes with the load,
 /// nobody can tell.
 TEST(OutlierTrials, NobodyTellsWhereTheLoadMayExplainIt) {

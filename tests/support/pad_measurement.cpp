@@ -149,12 +149,18 @@ class PadForce {
       vibration_.rest();
       return {0, 0};
     }
+    const double longer = axes_at(load_n);
+    if (begins) longer_ = longer;
+    // The skin stays where it is while the axes change, which the law's lengths are told by.
+    state_.stretch_m *= longer_ / longer;
+    state_.last_step_m *= longer_ / longer;
+    longer_ = longer;
     TangentialMotion told;
     told.dt_s = dt_s_;
     told.normal_force_n = load_n;
     told.mu_static = pad_.mu_static;
     told.mu_dynamic = pad_.mu_dynamic;
-    told.step_m = begins ? Vec2(0, 0) : Vec2(place - last_);
+    told.step_m = begins ? Vec2(0, 0) : Vec2((place - last_) / longer);
     told.velocity_m_per_s = begins ? Vec2(0, 0) : Vec2(way / dt_s_);
     told.inclination_rad = trial_.inclination_deg * pi / 180;
     last_ = place;
@@ -169,6 +175,12 @@ class PadForce {
   }
 
  private:
+  /// How long the axes are under a load, over those under 1 N.
+  double axes_at(double load_n) const {
+    constexpr double lightest_n = 1e-3;
+    return std::pow(std::max(load_n, lightest_n), 1 - finger_.spring_load_exponent);
+  }
+
   const KnownFinger& finger_;
   const KnownTrial& trial_;
   TrialPad pad_;
@@ -176,6 +188,7 @@ class PadForce {
   double dt_s_;
   FrictionState state_;
   Vec2 last_{0, 0}, lag_{0, 0};
+  double longer_ = 1;  ///< axes_at the last tick
   bool touches_ = false;
 };
 

@@ -16,6 +16,8 @@ struct KnownFinger {
   double mu_dynamic = 0.2;
   bool rises_with_less_load = false;  ///< both coefficients and the spring as n^(-1/3)
   double stiffness_exponent = 0;      ///< of a trial's stiffness for each newton, over its load_n
+  /// Of its stiffness in N/m over the load at each moment: 1 as the law has it, 0 alike under all loads.
+  double spring_load_exponent = 1;
   double cubic_share = 0;
   double hysteresis_m = 0;                     ///< half the width of the spring's loop along the displacement
   double vibration = 0.05, bandwidth_hz = 20;  ///< RMS, share of the slip force
