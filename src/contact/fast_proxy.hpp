@@ -14,8 +14,6 @@ namespace fingerpad {
 /// broken off is gone on with in the next tick.
 struct ServoLooks {
   static constexpr long most = 13500;
-  /// Where no cache holds a part (TriangleTree::is_huge), the same looks take up to seventeen nanoseconds.
-  static constexpr long most_huge = 10000;
   /// What looks for the closest point may cost besides, as long as no start has found a place.
   static constexpr long most_unplaced = most / 4;
 };

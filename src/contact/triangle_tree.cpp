@@ -35,11 +35,6 @@ std::uint64_t new_tree_number() noexcept {
 
 TriangleTree::TriangleTree(std::shared_ptr<const Part> part)
     : impl_(std::make_unique<Impl>(std::move(part))) {}
-bool TriangleTree::is_huge() const noexcept {
-  constexpr std::size_t cached_anywhere = 16384;  // packets: with the part's own arrays some 40 MB
-  return impl_->packed.packets.size() > cached_anywhere;
-}
-
 TriangleTree::~TriangleTree() = default;
 TriangleTree::TriangleTree(TriangleTree&&) noexcept = default;
 TriangleTree& TriangleTree::operator=(TriangleTree&&) noexcept = default;

@@ -103,9 +103,6 @@ class TriangleTree {
   TriangleTree(TriangleTree&&) noexcept;
   TriangleTree& operator=(TriangleTree&&) noexcept;
 
-  /// Whether no cache holds it, so that a path that jumps waits for memory: from some 130,000 triangles on.
-  bool is_huge() const noexcept;
-
   /// The closest triangle to q (relative to the part's centre [m]). Exact: the same answer as looking at
   /// every triangle; ties go to the lowest triangle, so it depends on q alone.
   /// @param seed  a triangle that is likely close (the last answer), or -1; costs speed only, never changes
