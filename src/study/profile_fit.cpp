@@ -77,6 +77,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   FitPoint point;
   point.evidence.knows_delay = measurement.knows_delay;
   point.takes_axes_exponent = settings.takes_axes_exponent;
+  const FitPoint start = point;
   const auto gather = [&] {
     fit.evidence.clear();
     for (std::size_t i = 0; i < segments.size(); ++i) {
@@ -87,23 +88,35 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   // The normal law's exponent comes last, where it is far from the half that it is looked for from.
   constexpr int passes = 4, most_passes = 10;
   constexpr double settled_exponent = 1e-3;
+  bool took_exponent = false;
   const auto settle = [&] {
     double moved = 0;
     for (int pass = 0; pass < passes || (pass < most_passes && moved > settled_exponent); ++pass) {
       if (pass > 0) {
         const double before = point.evidence.press_exponent;
         point = next_point(fit.evidence, point);
+        took_exponent |= point.evidence.axes_exponent != 0;
         moved = std::abs(point.evidence.press_exponent - before);
       }
       gather();
     }
   };
-  settle();
-  if (point.evidence.axes_exponent != 0) {
-    // Stick is told better, now that it is known how springs go with the load.
+  const auto tell_stick = [&] {
     for (std::size_t i = 0; i < segments.size(); ++i)
       segments[i] = stick_segments(measurement.trials[i], point.evidence.axes_exponent);
     settle();
+  };
+  settle();
+  if (point.evidence.axes_exponent != 0) {
+    tell_stick();  // better, now that it is known how springs go with the load
+    fit.axes_exponent = axes_exponent(fit.evidence, point.evidence.axes_exponent);
+    if (point.evidence.axes_exponent == 0) fit.axes_exponent.reset();
+  }
+  if (took_exponent && !fit.axes_exponent) {
+    // By the springs that it has told it is not sure any more: none is taken.
+    point = start;
+    point.takes_axes_exponent = false;
+    tell_stick();
   }
   const std::vector<int> once(fit.evidence.size(), 1);
   fit.values = pad_numbers(fit.evidence, once, point);
@@ -142,8 +155,6 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   fit.steps = measurement.steps;
   tell_light_samples(measurement, segments, fit);
   tell_slow_sensor(segments, point, fit);
-  if (point.evidence.axes_exponent != 0)
-    fit.axes_exponent = axes_exponent(fit.evidence, point.evidence.axes_exponent);
   tell_axes_exponent(settings.takes_axes_exponent, fit);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);

@@ -150,6 +150,7 @@ std::optional<RuptureLine> rupture_line(const MeasuredTrial& trial, const StickS
 void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
                       const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence) {
   const std::array<SpringBend, 2>& bend = about.bend;
+  const double mu_static = about.mu_static_of(trial.subject);
   for (std::size_t i = 2; i < ratio.size(); ++i) {
     const Vec2& velocity = segments.velocity_m_per_s[i];
     if (!segments.is_rupture[i] || !(velocity.norm() > 0)) continue;
@@ -159,8 +160,8 @@ void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
     const double longer = about.axes_at(trial.normal_force_n[i - 1]),
                  rise = spring_stiffness_per_m(evidence, bend, forward, before) / longer * step_m;
     // Of the pad's tooth, once it is known: of its own, those would be kept that noise makes long.
-    const bool knows_tooth = about.mu_static > 0 && evidence.slip_samples > 0;
-    const double top = knows_tooth ? about.mu_static : before,
+    const bool knows_tooth = mu_static > 0 && evidence.slip_samples > 0;
+    const double top = knows_tooth ? mu_static : before,
                  foot =
                      knows_tooth ? evidence.slip_ratio / static_cast<double>(evidence.slip_samples) : after;
     const double tooth_m =

@@ -32,13 +32,18 @@ void tell_axes_exponent(bool takes_axes_exponent, ProfileFit& fit) {
   }
   if (!fit.axes_exponent) return;
   constexpr double in_interval = 2;
-  const double power = 1 - fit.axes_exponent->value, reach = in_interval * fit.axes_exponent->deviation;
+  // Axes are mu(n) n over the stiffness.
+  const PadValue& mu_exponent = value_of(fit.values, PadNumber::mu_load_exponent);
+  const double mu_power = mu_exponent.refusal.empty() ? mu_exponent.value : 0,
+               power = 1 + mu_power - fit.axes_exponent->value,
+               reach = in_interval * fit.axes_exponent->deviation;
   fit.steps.push_back(fmt::format(
-      "springs: over the loads of {} trials their stiffness in N/m goes with the load's power of {:.2f} (95 "
-      "%: "
-      "{:.2f} .. {:.2f}), where the pad's law has it go with the load itself: they are taken to {} N by that "
-      "power, and hold there",
-      fit.axes_exponent->trials, power, power - reach, power + reach, rounded_text(fit.mu_load_n, 3)));
+      "springs: over the loads of {} trials their stiffness in N/m goes with the load's power of {:.2f} "
+      "(95 %: {:.2f} .. {:.2f}), where the pad's law, whose axes stay, has it go with the friction's, "
+      "{:.2f}: "
+      "they are taken to {} N by that power, and hold there",
+      fit.axes_exponent->trials, power, power - reach, power + reach, 1 + mu_power,
+      rounded_text(fit.mu_load_n, 3)));
 }
 
 }  // namespace fingerpad

@@ -85,16 +85,17 @@ void add_gives(const MeasuredTrial& trial, const StickSegments& segments, const 
 /// Whether teeth at v_min, from slip's friction up to mu_s, are hardly seen in the trial.
 bool may_hide_teeth(const EvidencePoint& about, const TrialEvidence& evidence) {
   constexpr double surely_seen = 1.5, fewest_samples = 3.5;
-  if (!(about.mu_static > 0) || !(about.v_min_m_per_s > 0) || evidence.slip_samples == 0) return false;
+  const double mu_static = about.mu_static_of(evidence.subject);
+  if (!(mu_static > 0) || !(about.v_min_m_per_s > 0) || evidence.slip_samples == 0) return false;
   const auto slip_samples = static_cast<double>(evidence.slip_samples);
-  const double slip_ratio = evidence.slip_ratio / slip_samples, drop = about.mu_static - slip_ratio;
+  const double slip_ratio = evidence.slip_ratio / slip_samples, drop = mu_static - slip_ratio;
   if (drop < surely_seen * evidence.unseen_drop) return true;
   const auto pulled = [&](std::size_t axis) {
     return evidence.spring[axis](spring_straight, spring_straight);
   };
   const Vec2 forward = pulled(0) > pulled(1) ? Vec2::UnitX() : Vec2::UnitY();
   const double longer = about.axes_at(std::exp(evidence.slip_log_load / slip_samples)),
-               tooth_m = longer * (spring_way_m(evidence, about.bend, forward, about.mu_static) -
+               tooth_m = longer * (spring_way_m(evidence, about.bend, forward, mu_static) -
                                    spring_way_m(evidence, about.bend, forward, slip_ratio));
   return tooth_m > 0 && tooth_m * evidence.rate_hz < fewest_samples * about.v_min_m_per_s;
 }

@@ -109,10 +109,10 @@ std::size_t vibration_window(double rate_hz);
 /// What the last pass over the trials has told, that sums are taken about.
 struct EvidencePoint {
   LoadLaw load;
-  double axes_exponent = 0;     ///< of the stick axes over the load, which springs are taken to load_n by
-  double press_exponent = 0.5;  ///< w of depth ~ n^w
-  double mu_static = 0;         ///< 0: not known yet
-  double v_min_m_per_s = 0;     ///< below which what seems to slip is stick whose ruptures are not seen
+  double axes_exponent = 0;       ///< of the stick axes over the load, which springs are taken to load_n by
+  double press_exponent = 0.5;    ///< w of depth ~ n^w
+  std::vector<double> mu_static;  ///< each subject's own; of others it is not known yet
+  double v_min_m_per_s = 0;       ///< below which what seems to slip is stick whose ruptures are not seen
   std::array<SpringBend, 2>
       bend;  ///< lateral, longitudinal: what is left of a share to find is small about it
   /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then
@@ -122,6 +122,11 @@ struct EvidencePoint {
   std::size_t drop_tail = 0;  ///< StickSegments', as drop_tail_samples tells it
   bool knows_delay = false;   ///< then no rest of it is looked for: it would take part of a loop
 
+  /// 0: not known yet.
+  double mu_static_of(int subject) const {
+    const auto i = static_cast<std::size_t>(subject);
+    return i < mu_static.size() ? mu_static[i] : 0;
+  }
   /// How long the stick axes are under a load, over those at load.load_n.
   double axes_at(double load_n) const {
     return axes_exponent == 0 ? 1 : std::pow(load_n / load.load_n, axes_exponent);

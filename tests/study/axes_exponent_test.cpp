@@ -16,7 +16,6 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::Not;
 
 /// A trial of subject 1 whose stick was pushed across the finger under a load.
@@ -97,13 +96,13 @@ bool holds(const ProfileFit& fit, PadNumber number, double truth) {
 TEST(AxesExponent, SpringsThatGoWithTheLoadOtherwiseAreToldForTheUsualOne) {
   for (const double power : {0.0, 0.3, 0.7, 1.0}) {
     constexpr int sets = 12;
-    int axes = 0, delays = 0, odd = 0;
+    int axes = 0, delays = 0, odd = 0, outliers = 0;
     for (int set = 0; set < sets; ++set) {
       const Measurement measurement = measured(power, 100 + static_cast<std::uint64_t>(set));
       const ProfileFit fit = fit_profile(measurement, {});
       EXPECT_EQ(fit.residual.misfit, "") << power;
       EXPECT_EQ(fit.axes_exponent.has_value(), power < 1) << power;
-      EXPECT_THAT(fit.outliers, IsEmpty()) << power;
+      outliers += static_cast<int>(fit.outliers.size());
       odd += static_cast<int>(fit.residual.odd_trials.size());
       axes += holds(fit, PadNumber::lateral_axis, 2e-3 * std::pow(fit.mu_load_n, 1 - power)) ? 1 : 0;
       const auto& delay = measurement.delays.front().estimate.interval_s;
@@ -112,8 +111,28 @@ TEST(AxesExponent, SpringsThatGoWithTheLoadOtherwiseAreToldForTheUsualOne) {
     // Of 95 % intervals more than two of twelve miss in one of fifty such dozens.
     EXPECT_GE(axes, sets - 2) << power;
     EXPECT_GE(delays, sets - 2) << power;
-    EXPECT_LE(odd, 2) << power;  // of 108 trials
+    // Of 108 trials, all good: of 648 with scatter and ramps five to seven are named.
+    EXPECT_LE(odd, 2) << power;
+    EXPECT_LE(outliers, 1) << power;
   }
+}
+
+/// Where it is not sure whether springs go with the load as the law has them, it tells so or does as the law.
+TEST(AxesExponent, IsTakenNowhereUntold) {
+  FitSettings off;
+  off.takes_axes_exponent = false;
+  int told = 0, untold = 0;
+  for (int set = 0; set < 16; ++set) {
+    const Measurement measurement = measured(0.9, 500 + static_cast<std::uint64_t>(set));
+    const ProfileFit fit = fit_profile(measurement, {});
+    ++(fit.axes_exponent ? told : untold);
+    if (fit.axes_exponent) continue;
+    const ProfileFit plain = fit_profile(measurement, off);
+    EXPECT_EQ(value_of(fit.values, PadNumber::stick_stiffness).value,
+              value_of(plain.values, PadNumber::stick_stiffness).value)
+        << set;
+  }
+  EXPECT_GT(untold, 0) << told;
 }
 
 TEST(AxesExponent, IsAStepThatIsToldAndMayBeLeftOut) {
@@ -123,7 +142,8 @@ TEST(AxesExponent, IsAStepThatIsToldAndMayBeLeftOut) {
   off.takes_axes_exponent = false;
   const ProfileFit taken = fit_profile(measured(0, 100), {}),
                    left = fit_profile(measured(0, 100, as_they_are), off);
-  EXPECT_THAT(taken.steps, Contains(HasSubstr("where the pad's law has it go with the load itself")));
+  EXPECT_THAT(taken.steps,
+              Contains(HasSubstr("where the pad's law, whose axes stay, has it go with the friction's")));
   EXPECT_FALSE(left.axes_exponent);
   EXPECT_THAT(left.steps, Contains(HasSubstr("--spring-load off")));
 }
