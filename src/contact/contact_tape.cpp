@@ -5,6 +5,7 @@
 #include <bit>
 #include <cstring>
 #include <new>
+#include <utility>
 
 namespace fingerpad {
 namespace {
@@ -93,6 +94,14 @@ void ContactTape::append(const Contact& contact) noexcept {
   }
   size_ += static_cast<std::size_t>(at - begin);
   ++ticks_;
+}
+
+void ContactTape::trim() noexcept {
+  std::unique_ptr<std::byte[]> needed(new (std::nothrow) std::byte[size_]);
+  if (!needed) return;
+  std::copy_n(bytes_.get(), size_, needed.get());
+  bytes_ = std::move(needed);
+  capacity_ = size_;
 }
 
 bool ContactTape::Reader::next(Contact& contact) noexcept {

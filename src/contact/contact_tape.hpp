@@ -9,7 +9,7 @@
 namespace fingerpad {
 
 /// What a contact method answered tick by tick, bit for bit: 72 bytes a tick where one surface holds the
-/// finger, 8 where none does.
+/// finger, 8 where none does, up to 256 where three do.
 class ContactTape {
  public:
   /// @param ticks       that are to come
@@ -23,6 +23,8 @@ class ContactTape {
   /// Whether it has all the ticks that were to come.
   bool is_whole() const noexcept { return !is_spoiled_ && ticks_ == expected_ticks_; }
   std::size_t bytes() const noexcept { return size_; }
+  /// Gives back what it was given and did not need, where there is memory for the copy.
+  void trim() noexcept;
 
   /// Reads a tape from its first tick on.
   class Reader {

@@ -21,7 +21,7 @@ std::unique_ptr<ContactMethod> recording_contact(std::unique_ptr<ContactMethod> 
 
 /// Answers as a tape has it, tick by tick. Behind a reset `method`, which was never asked, is what any method
 /// is then, and answers from there on.
-/// @pre the tape is whole, and this method's along the path to come
+/// @pre the tape is this method's along the path to come, for as many ticks as are asked for
 std::unique_ptr<ContactMethod> played_contact(std::unique_ptr<ContactMethod> method,
                                               std::shared_ptr<const ContactTape> tape);
 

@@ -180,8 +180,8 @@ void measure(const std::vector<JobKind*>& kinds, const BatchOptions& options, Ti
     if (kind->is_tried || !has_jobs) continue;
     for (double JobCost::*const what : {&JobCost::load_s, &JobCost::s_a_job, &JobCost::bytes})
       kind->cost.*what = on_line(tried_kinds, what, kind->mesh_bytes);
-    for (double JobCost::*const what : {&JobCost::s_per_tick, &JobCost::s_per_played_tick,
-                                        &JobCost::tape_bytes_per_tick, &JobCost::bytes_per_tick})
+    for (double JobCost::*const what :
+         {&JobCost::s_per_tick, &JobCost::s_per_played_tick, &JobCost::bytes_per_tick})
       for (const JobKind* other : tried_kinds)
         kind->cost.*what += other->cost.*what / static_cast<double>(tried_kinds.size());
   }
@@ -218,8 +218,8 @@ BatchPlan plan_batch(const std::vector<BatchJob>& jobs, const BatchOptions& opti
       if (!job.plan->error.empty()) continue;
       const auto job_ticks = static_cast<double>(job.plan->ticks);
       plan.ticks += job_ticks;
-      const bool plays = cost.tape_bytes_per_tick > 0 && !touched.insert(job.contact).second &&
-                         cost.tape_bytes_per_tick * job_ticks < static_cast<double>(most_contact_bytes);
+      const bool plays = cost.may_play && !touched.insert(job.contact).second &&
+                         job_ticks * contact_bytes_a_tick < static_cast<double>(most_contact_bytes);
       const double job_s = cost.s_a_job + job_ticks * (plays ? cost.s_per_played_tick : cost.s_per_tick);
       work_s += job_s;
       longest_s = std::max(longest_s, cost.load_s + job_s);

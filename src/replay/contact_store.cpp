@@ -40,8 +40,23 @@ ContactWrap ContactStore::Share::wrap() const {
   return {};
 }
 
+ContactStore::Share& ContactStore::Share::operator=(Share&& other) noexcept {
+  std::swap(store_, other.store_);
+  course_.swap(other.course_);
+  played_.swap(other.played_);
+  recorded_.swap(other.recorded_);
+  std::swap(reserved_bytes_, other.reserved_bytes_);
+  return *this;
+}
+
+ContactStore::Share::~Share() {
+  if (reserved_bytes_ > 0) store_->give_back(reserved_bytes_);
+}
+
 void ContactStore::Share::finish() {
-  if (recorded_ && recorded_->is_whole()) store_->keep({std::move(course_), std::move(recorded_)});
+  if (!recorded_ || !recorded_->is_whole()) return;
+  recorded_->trim();
+  store_->keep({std::move(course_), std::move(recorded_)});
 }
 
 bool ContactStore::may_share(const Scene& scene) noexcept {
@@ -57,7 +72,10 @@ ContactStore::Share ContactStore::share(const Scene& scene, const World& world, 
   const auto kept =
       std::ranges::find_if(kept_, [&](const Kept& one) { return *one.course == *share.course_; });
   if (kept == kept_.end()) {
-    share.recorded_ = std::make_shared<ContactTape>(path.tick_count(), most_bytes_);
+    const std::size_t bytes = contact_bytes_a_tick * static_cast<std::size_t>(path.tick_count());
+    if (bytes > most_bytes_ - reserved_bytes_) return share;
+    share.recorded_ = std::make_shared<ContactTape>(path.tick_count(), bytes);
+    reserved_bytes_ += share.reserved_bytes_ = bytes;
     return share;
   }
   kept_.splice(kept_.begin(), kept_, kept);
@@ -70,11 +88,16 @@ void ContactStore::keep(const Kept& kept) {
   const std::lock_guard lock(mutex_);
   if (std::ranges::any_of(kept_, [&](const Kept& one) { return *one.course == *kept.course; })) return;
   kept_.push_front(kept);
-  bytes_ += kept.tape->bytes();
+  bytes_ += kept.bytes();
   while (bytes_ > most_bytes_ && kept_.size() > 1) {
-    bytes_ -= kept_.back().tape->bytes();
+    bytes_ -= kept_.back().bytes();
     kept_.pop_back();
   }
+}
+
+void ContactStore::give_back(std::size_t reserved_bytes) {
+  const std::lock_guard lock(mutex_);
+  reserved_bytes_ -= reserved_bytes;
 }
 
 long ContactStore::played_count() const {

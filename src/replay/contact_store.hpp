@@ -4,6 +4,7 @@
 #include <list>
 #include <memory>
 #include <mutex>
+#include <utility>
 #include <vector>
 
 #include "contact/normals.hpp"
@@ -21,6 +22,8 @@ class ContactCourse {
  public:
   ContactCourse(const Scene& scene, const World& world, const FingerPath& path);
   bool operator==(const ContactCourse& other) const;
+  /// That a recording takes which it keeps to compare others with.
+  std::size_t memory_bytes() const noexcept { return path_.memory_bytes(); }
 
  private:
   /// A surface, which it does not keep in memory.
@@ -39,20 +42,27 @@ class ContactCourse {
   FingerPath path_;
 };
 
-/// Of memory, that a batch's contact takes beside its meshes and motions.
-inline constexpr std::size_t most_contact_bytes = std::size_t{256} << 20;
+/// Of memory, that a batch's contact takes beside its meshes and motions, and a tape on which it is recorded.
+inline constexpr std::size_t most_contact_bytes = std::size_t{512} << 20;
+/// That a tape is given: some ticks are held by several surfaces.
+inline constexpr std::size_t contact_bytes_a_tick = 96;
 
 /// Keeps where fingers touched, for the jobs of a batch whose finger goes the same way with another friction:
 /// those used last, up to a bound. What a job comes to does not depend on whether it found a tape here.
 /// Thread-safe.
 class ContactStore {
  public:
-  /// @param most_bytes  of all tapes that are kept, and of each that is recorded
+  /// @param most_bytes  of all tapes that are kept, with the motions that they are told by, and of all that
+  /// are being recorded, at contact_bytes_a_tick: where that is not enough a job plays alone
   explicit ContactStore(std::size_t most_bytes) : most_bytes_(most_bytes) {}
 
   /// A job's part in it.
   class Share {
    public:
+    Share() = default;
+    Share(Share&& other) noexcept { *this = std::move(other); }
+    Share& operator=(Share&& other) noexcept;
+    ~Share();
     /// What is to be made of its contact method; empty where it plays alone.
     ContactWrap wrap() const;
     /// The job has run to its end: others may play what it recorded.
@@ -64,6 +74,7 @@ class ContactStore {
     std::shared_ptr<const ContactCourse> course_;
     std::shared_ptr<const ContactTape> played_;
     std::shared_ptr<ContactTape> recorded_;
+    std::size_t reserved_bytes_ = 0;  ///< for what is recorded
   };
 
   /// Whether a job's friction has no part in where its finger goes: not so in a hand.
@@ -78,10 +89,13 @@ class ContactStore {
   struct Kept {
     std::shared_ptr<const ContactCourse> course;
     std::shared_ptr<const ContactTape> tape;
+    std::size_t bytes() const noexcept { return tape->bytes() + course->memory_bytes(); }
   };
   void keep(const Kept& kept);
 
-  std::size_t most_bytes_, bytes_ = 0;
+  void give_back(std::size_t reserved_bytes);
+
+  std::size_t most_bytes_, bytes_ = 0, reserved_bytes_ = 0;
   long played_count_ = 0;
   mutable std::mutex mutex_;
   std::list<Kept> kept_;  // last used in front

@@ -29,6 +29,8 @@ class JobRunner {
   void hold(std::optional<std::size_t> job);
   /// Whether BatchOptions::memory_bytes has room for one more mesh beside those in use.
   bool has_room_for_a_mesh() { return meshes_.has_room_for_another(); }
+  /// How many jobs have played where another touched.
+  long played_contacts() const { return contacts_.played_count(); }
   /// Runs jobs until there are none. Those that fail say so in their status; what the two functions throw is
   /// thrown.
   void run(const NextJob& next, const OnEnd& on_end);

@@ -198,7 +198,7 @@ JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, con
   }
   cost.s_per_played_tick = cost.s_per_tick;
   if (!tape) return cost;
-  cost.tape_bytes_per_tick = static_cast<double>(tape->bytes()) / static_cast<double>(ticks);
+  cost.may_play = true;
   cost.s_per_played_tick = s_per_played_tick(job, options, tape, ticks);
   return cost;
 }

@@ -13,9 +13,9 @@ struct JobCost {
   double load_s = 0;   ///< its meshes, once for all its jobs
   double s_a_job = 0;  ///< beside its ticks: choosing the contact, beginning and ending a trace
   double s_per_tick = 0;
-  double s_per_played_tick = 0;    ///< where another job has touched alike before: ContactStore
-  double tape_bytes_per_tick = 0;  ///< that this one keeps of it; 0: nothing can be shared
-  double bytes = 0;                ///< of a trace without rows
+  double s_per_played_tick = 0;  ///< where another job has touched alike before: ContactStore
+  bool may_play = false;         ///< whether that can be
+  double bytes = 0;              ///< of a trace without rows
   double bytes_per_tick = 0;
   std::string unwritten = {};  ///< why no trace could be written for the try, whose bytes are not known then
 };

@@ -14,6 +14,7 @@ void Touch::take_over(Touch& before) noexcept {
     std::swap(method_, before.method_);
     unplaced_ = before.unplaced_;
   }
+  stick_centre_looks_ = before.stick_centre_looks_;
   memories_ = before.memories_;
   // What one law remembers (a bristle's bend, a spring's stretch) means something else to another.
   if (law_row_ != before.law_row_) {

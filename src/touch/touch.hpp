@@ -1,10 +1,10 @@
 #pragma once
 
-#include <limits>
 #include <memory>
 #include <optional>
 
 #include "contact/contact_method.hpp"
+#include "contact/looks.hpp"
 #include "contact/taped_contact.hpp"
 #include "fingerpad/finger_sample.hpp"
 #include "friction/law.hpp"
@@ -32,7 +32,7 @@ class Touch {
 
   /// From now on no servo waits for a tick: a search whose answer no force depends on is never broken off, so
   /// that it finds the same whatever was remembered before.
-  void take_your_time() noexcept { stick_centre_looks_ = std::numeric_limits<long>::max(); }
+  void take_your_time() noexcept { stick_centre_looks_ = Looks::unlimited; }
 
   /// sample -> contact -> friction -> force, at the scene's fixed tick 1/rate.
   /// noexcept, allocates nothing; no force is ever non-finite, whatever the sample (one that is not finite is

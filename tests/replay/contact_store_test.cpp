@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "replay/batch.hpp"
+#include "replay/job_runner.hpp"
 #include "scene/scene_file.hpp"
 #include "support/mesh_files.hpp"
 #include "support/paths.hpp"
@@ -130,6 +131,25 @@ TEST(ContactStore, KeepsNoMoreThanItsBound) {
   EXPECT_EQ(roomy.played_count(), 1);
   EXPECT_EQ(narrow.played_count(), 0) << "the second has taken the first one's room";
   EXPECT_EQ(small.played_count(), 0) << "not even one has room";
+}
+
+TEST(ContactStore, IsUsedByABatchOfLaws) {
+  const fs::path folder = test::scratch_dir();
+  test::write_file(folder, "ring.stl", test::binary_stl(test::torus_soup(0.03, 0.01, 40, 20)));
+  std::ofstream(folder / "s.toml")
+      << "name = \"s\"\n[[part]]\nmesh = \"ring.stl\"\nunit = \"m\"\n[motion]\nkind = \"on_surface\"\n"
+      << "shape = \"circle\"\nsize_m = 0.004\nturns = 1\nspeed_m_per_s = 0.05\ndepth_m = 0.0005\n"
+      << "rate_hz = 1000\n[[set]]\nfriction.law = [\"finger-pad\", \"lugre\", \"coulomb\"]\n"
+      << "motion.speed_m_per_s = [0.03, 0.05]\n";
+  auto jobs = batch_jobs({(folder / "s.toml").string()});
+  BatchOptions options;
+  options.out_dir = folder.string();
+  options.traces = false;
+  JobRunner runner(jobs, options);
+  std::size_t next = 0;
+  runner.run([&](std::size_t) { return next < jobs.size() ? std::optional(next++) : std::nullopt; },
+             [](std::size_t) {});
+  EXPECT_EQ(runner.played_contacts(), 4) << "of three laws at two speeds";
 }
 
 std::string text_of(const fs::path& path) {
