@@ -154,9 +154,12 @@ std::optional<Touched> touch_once(const TouchOptions& options, const Touched& to
     int status = 0;
     try {
       end();
+    } catch (const Error& error) {
+      print_err("fingerpad: {}\n", error.what());
+      status = static_cast<int>(error.kind());
     } catch (const std::exception& error) {
       print_err("fingerpad: {}\n", error.what());
-      status = 1;
+      status = static_cast<int>(ErrorKind::fault);
     }
     std::fflush(nullptr);
     std::_Exit(status);

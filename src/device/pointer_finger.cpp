@@ -65,10 +65,13 @@ void PointerFinger::feel(const TickRecord& tick) noexcept {
 }
 
 FingerSample PointerFinger::advance(double dt_s) noexcept {
-  const FingerSample last = aim_.finger;
+  const PointerAim last_aim = aim_;
+  const FingerSample& last = last_aim.finger;
   aim_ = path_.advance(dt_s);
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last.p_WQ) / dt_s - pace_W_);
-  if (aim_.finger.p_WQ != last.p_WQ || aim_.finger.push_W_n != last.push_W_n) still_s_ = 0;
+  const bool rests = aim_.finger.p_WQ == last.p_WQ && aim_.finger.push_W_n == last.push_W_n;
+  if (!rests) still_s_ = 0;
+  rests_s_ = rests && aim_.towards_eye_W == last_aim.towards_eye_W ? rests_s_ + dt_s : 0;
   wanted_n_ = aim_.finger.push_W_n.norm();
   open_.aim(aim_);
   doing_ = next_doing(dt_s);
@@ -177,7 +180,9 @@ void PointerFinger::fly(double dt_s) noexcept {
     goal_W += flight_.lag_s() * pace_W_ * std::min(1.0, most_m / std::max(lead_m, most_m));
     goal_W -= 1.5 * flight_.soft_m() * open_.down_W();
   }
-  flight_.advance(goal_W, aim_.towards_eye_W, dt_s);
+  // Among walls that keep it from its goal it might swing to and fro without end.
+  const double fades = std::exp(-std::max(0.0, rests_s_ - flying_s) / (5 * fading_s));
+  if (fades > nothing_left) flight_.advance(goal_W, aim_.towards_eye_W, fades * dt_s);
   if (!(foresight_.try_n(flight_.place_W(), dt_s) > 0)) return;
   // A contact method without memory feels walls where there are none: behind the border of an open part.
   flight_.put(from_W, Vec3::Zero());

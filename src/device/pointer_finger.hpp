@@ -68,6 +68,7 @@ class PointerFinger final : public LiveDevice {
   // The servo's thread's.
   PointerAim aim_;
   Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]
+  double rests_s_ = 0;          // so long the pointer has rested
   double still_s_ = 0;          // so long it has rested while the finger pressed
   FreeFlight flight_;
   OpenPlace open_;  // where the pointer wants it, as far as it has room there

@@ -11,6 +11,8 @@ inline constexpr double aside_per_s = 50, fastest_per_s = 8, slow_share = 0.05;
 /// After a pointer that rests it goes so long, and then less and less in this time, until hardly anything is
 /// left.
 inline constexpr double following_s = 0.3, fading_s = 0.1, nothing_left = 1e-3;
+/// So long it flies after a pointer that rests; then it has come as near as it can, and slows down to rest.
+inline constexpr double flying_s = 3;
 /// What is farther from the finger than this does not lead it over the surface [sizes of the parts] ...
 inline constexpr double leash_share = 0.25;
 /// ... nor what it has come no nearer to for this time.

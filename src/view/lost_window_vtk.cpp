@@ -22,9 +22,9 @@ XIOErrorHandler other_connection_errors = nullptr;
   for (;;) pause();
 }
 
+/// Whatever the request was: a frame under way ends with GLX's own error.
 int take_error(Display* display, XErrorEvent* error) {
-  const bool of_window = error->error_code == BadWindow || error->error_code == BadDrawable;
-  if (of_window && error->resourceid == watched_window) end_without_window();
+  if (error->resourceid == watched_window) end_without_window();
   return other_errors != nullptr ? other_errors(display, error) : 0;
 }
 
@@ -42,6 +42,8 @@ LostWindowWatch::LostWindowWatch(std::uintptr_t window, std::function<void()> en
 }
 
 LostWindowWatch::~LostWindowWatch() {
+  // Another thread may have found the loss and be saving what there is: it ends the program.
+  while (window_ends.test()) pause();
   XSetErrorHandler(other_errors);
   XSetIOErrorHandler(other_connection_errors);
   watched_window = 0;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <vector>
 
 #include "view/drawing.hpp"
@@ -19,6 +20,7 @@ struct PointedScene {
   std::vector<Box> panels;  ///< over it
   SightLines lines;
   Vec3 towards_eye_W = Vec3::UnitZ();
+  Vec3 finger_W = Vec3::Constant(std::numeric_limits<double>::infinity());  ///< where it was last; else far
 };
 
 }  // namespace fingerpad

@@ -84,11 +84,13 @@ bool PointerTouch::take_key(KeyAction action, double t_s) {
       break;
     case KeyAction::go_left:
     case KeyAction::go_right:
-      target_.move_by(action == KeyAction::go_left ? Vec3(-right_m) : right_m, shown_.towards_eye_W);
+      target_.move_by(action == KeyAction::go_left ? Vec3(-right_m) : right_m, shown_.towards_eye_W,
+                      shown_.finger_W);
       break;
     case KeyAction::go_up:
     case KeyAction::go_down:
-      target_.move_by(action == KeyAction::go_down ? Vec3(-up_m) : up_m, shown_.towards_eye_W);
+      target_.move_by(action == KeyAction::go_down ? Vec3(-up_m) : up_m, shown_.towards_eye_W,
+                      shown_.finger_W);
       break;
     case KeyAction::harder:
     case KeyAction::softer:

@@ -27,23 +27,24 @@ void TouchTarget::point_at(const Vec3& point_W, const Vec3& normal_W, int surfac
   surface_ = surface;
 }
 
-void TouchTarget::move_by(const Vec3& step_W, const Vec3& towards_eye_W) {
+void TouchTarget::move_by(const Vec3& step_W, const Vec3& towards_eye_W, const Vec3& finger_W) {
   if (surface_ < 0) {
     spot_W_ += step_W;
     return;
   }
-  if (radius_m_ > 0) rest_at(begin_roll_W(towards_eye_W), 2 * radius_m_);
+  if (radius_m_ > 0) rest_at(begin_roll_W(towards_eye_W, finger_W), 2 * radius_m_);
   const Vec3 along_W = step_W - step_W.dot(normal_W_) * normal_W_;
   const double reach_m = radius_m_ + 10 * step_W.norm() + hover_m_;
   if (!rest_at(spot_W_ + radius_m_ * normal_W_ + along_W, reach_m)) spot_W_ += along_W;
 }
 
 /// The centre of the ball that rolls.
-Vec3 TouchTarget::begin_roll_W(const Vec3& towards_eye_W) const noexcept {
-  constexpr double has_room_share = 0.9, hardly_share = 1e-3;
+Vec3 TouchTarget::begin_roll_W(const Vec3& towards_eye_W, const Vec3& finger_W) const noexcept {
+  constexpr double has_room_share = 0.9, hardly_share = 1e-3, near_share = 3;
   const Vec3 centre_W = spot_W_ + radius_m_ * normal_W_;
   const double clear_m = nearest_surface(*world_, centre_W, Normals::facet, radius_m_).clear_m;
   if (clear_m >= has_room_share * radius_m_) return centre_W;
+  if ((finger_W - spot_W_).norm() < near_share * radius_m_) return finger_W;
   const auto parts = ball_of_parts(*world_);
   const double parts_m = parts ? (parts->centre_W - spot_W_).dot(towards_eye_W) + parts->radius_m : 0;
   return stopped_on_line(*world_, spot_W_, towards_eye_W, std::max(0.0, parts_m) + 2 * radius_m_, radius_m_,

@@ -19,9 +19,10 @@ class TouchTarget {
   void point_at(const Vec3& point_W, const Vec3& normal_W, int surface);
   /// Over the surface from the present spot, by a step in space, as a ball of the finger's size rolls: round
   /// edges, and over slots that are too narrow for it. No step leads it farther than twice the step, but for
-  /// the first out of a spot that it is too large for: there it begins where a finger rests that comes down
-  /// the eye's line.
-  void move_by(const Vec3& step_W, const Vec3& towards_eye_W);
+  /// the first out of a spot that it is too large for: there it begins where the finger is that has come as
+  /// near as it can, else where one rests that comes down the eye's line.
+  /// @param finger_W  where the finger is
+  void move_by(const Vec3& step_W, const Vec3& towards_eye_W, const Vec3& finger_W);
   void press(bool on) { pressing_ = on; }
   /// The force aimed at, one step of about a quarter up or down; 0.05 to 20 N, and never more than the
   /// scene's `greatest_force_n`, for which the contact was chosen.
@@ -38,7 +39,7 @@ class TouchTarget {
   bool is_kept_from_spot(const Vec3& finger_W) const;
 
  private:
-  Vec3 begin_roll_W(const Vec3& towards_eye_W) const noexcept;
+  Vec3 begin_roll_W(const Vec3& towards_eye_W, const Vec3& finger_W) const noexcept;
   bool rest_at(Vec3 centre_W, double reach_m) noexcept;
 
   std::shared_ptr<const World> world_;

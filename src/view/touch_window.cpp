@@ -131,7 +131,9 @@ class TouchWindow {
   bool frame(double elapsed_s) {
     if (input_.is_over && input_.is_over()) loop_.close();
     warn();
-    pointer_.show(stage_.pointed());
+    PointedScene shown = stage_.pointed();
+    if (!history_.rows().empty()) shown.finger_W = history_.rows().back().p_WQ;
+    pointer_.show(std::move(shown));
     invite();
     look_at_reach(elapsed_s);
     follow();

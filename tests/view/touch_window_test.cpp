@@ -246,7 +246,7 @@ TEST(TouchTarget, ArrowKeysKeepTheFingerOnTheSurface) {
   TouchTarget target(view.world, *view.scene, 0.002, FingerSample{});
   target.point_at({0.05, 0, 0.02}, Vec3::UnitZ(), 0);
   target.press(true);
-  for (int i = 0; i < 40; ++i) target.move_by({0.001, 0, 0}, Vec3::UnitZ());
+  for (int i = 0; i < 40; ++i) target.move_by({0.001, 0, 0}, Vec3::UnitZ(), Vec3::Zero());
   EXPECT_GT(target.sample().p_WQ.x(), 0.06);  // over the bend and on
   EXPECT_LT(target.sample().p_WQ.z(), 0.015);
   EXPECT_NEAR(target.sample().push_W_n.norm(), 1, 1e-12);
