@@ -17,6 +17,7 @@
 #include "study/next_point.hpp"
 #include "study/normal_law.hpp"
 #include "study/sampling_reach.hpp"
+#include "study/silent_subjects.hpp"
 #include "study/slow_sensor.hpp"
 #include "study/spring_steps.hpp"
 #include "study/stretch_reach.hpp"
@@ -155,6 +156,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   fit.steps = measurement.steps;
   tell_light_samples(measurement, segments, fit);
   tell_slow_sensor(segments, point, fit);
+  tell_silent_subjects(measurement, fit);
   tell_axes_exponent(settings.takes_axes_exponent, fit);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);

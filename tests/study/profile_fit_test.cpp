@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <fstream>
+#include <iterator>
 #include <limits>
 
 #include "scene/pad_profile_file.hpp"
@@ -20,7 +21,9 @@ namespace fingerpad::profile_fit_test {
 namespace {
 
 using testing::AllOf;
+using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 std::string written(const std::string& name, const std::string& text) {
   const std::string path = (test::scratch_dir() / name).string();
@@ -546,6 +549,42 @@ TEST(ProfileFit, WithoutANormalForceAllIsRefusedByTheMissingColumn) {
     for (const PadValue& value : fit.values)
       EXPECT_THAT(value.refusal, HasSubstr("column " + missing.front() + " missing"));
   }
+}
+
+/// Three subjects, of whom the third slips at more than the others stick by.
+ProfileFit unlike_subjects(double amplitude_m) {
+  RecordedMeasurement all;
+  int subject = 0;
+  for (const double factor : {0.6, 1.0, 1.6}) {
+    ++subject;
+    test::KnownFinger finger;
+    finger.pad = assumed_profile(0.4 * factor, 200);
+    finger.mu_dynamic = 0.28 * factor;
+    std::vector<test::KnownTrial> trials;
+    for (const double bearing_deg : {0.0, 45.0, 90.0})
+      trials.push_back({subject, 45, bearing_deg, amplitude_m});
+    RecordedMeasurement own =
+        test::known_measurement(trials, finger, {}, static_cast<std::uint64_t>(subject));
+    std::move(own.trials.begin(), own.trials.end(), std::back_inserter(all.trials));
+  }
+  return fit_profile(clean(std::move(all), {}), {});
+}
+
+// All ruptures of the third were left out, as if its teeth were none.
+TEST(FitProfile, WeighsSubjectsAlikeThoughOneSlipsAtMoreThanOthersStickBy) {
+  const ProfileFit fit = unlike_subjects(0.03);
+  constexpr double mean = (0.6 + 1 + 1.6) / 3, near_share = 0.01;
+  EXPECT_NEAR(of(fit, PadNumber::mu_static).value, 0.4 * mean, near_share * 0.4 * mean);
+  EXPECT_NEAR(of(fit, PadNumber::mu_dynamic).value, 0.28 * mean, near_share * 0.28 * mean);
+  EXPECT_EQ(of(fit, PadNumber::mu_static).trials, 9);
+}
+
+// Rubbed faster the first subject's teeth of .36 mm have too few samples.
+TEST(FitProfile, TellsOfWhomNoRuptureIsCounted) {
+  const ProfileFit fit = unlike_subjects(0.06);
+  EXPECT_EQ(of(fit, PadNumber::mu_static).trials, 6);
+  EXPECT_THAT(fit.steps, Contains(AllOf(HasSubstr("are those of 2 of 3 subjects"), HasSubstr("subject 1"))));
+  EXPECT_THAT(unlike_subjects(0.03).steps, Not(Contains(HasSubstr("of 3 subjects"))));
 }
 
 }  // namespace
