@@ -11,6 +11,7 @@
 
 #include "base/random_stream.hpp"
 #include "study/press_fit.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::outlier_trials_test {
@@ -177,6 +178,7 @@ TEST(OutlierTrials, GoodTrialsOfAPadThatIsAsStiffUnderAnyLoadAreNone) {
     return names;
   };
   EXPECT_THAT(named(recorded), IsEmpty());
+  if (test::sanitized()) return;  // it goes the same way again
   test::KnownFinger stiff = finger;
   stiff.pad.lateral_axis_m /= 1.3;
   stiff.pad.longitudinal_axis_m /= 1.3;
