@@ -3,10 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <map>
 #include <span>
 #include <string>
+#include <string_view>
 #include <unordered_map>
 
 #include "base/content_hash.hpp"
@@ -76,12 +78,18 @@ void lay_side_by_side(std::span<PricedJob> jobs, std::size_t rows) {
 }  // namespace
 
 std::uint64_t contact_number(const SceneJob& job) {
+  const auto has_no_part = [](std::string_view key) {
+    constexpr std::array<std::string_view, 4> of_surfaces{"mu_static", "mu_dynamic", "stiffness_n_per_m",
+                                                          "damping_n_s_per_m"};
+    return key == "seed" || key.starts_with("friction.") ||
+           std::ranges::find(of_surfaces, key.substr(key.rfind('.') + 1)) != of_surfaces.end();
+  };
   const auto mixed = [](const std::string& word, std::uint64_t hash) {
     return content_hash(std::as_bytes(std::span(word.c_str(), word.size() + 1)), hash);
   };
   std::uint64_t hash = mixed(job.scene.path, content_hash({}));
   for (const auto& [key, value] : job.set_keys) {
-    if (key == "seed" || key.starts_with("friction.")) continue;
+    if (has_no_part(key)) continue;
     hash = mixed(value, mixed(key, hash));
   }
   return hash;

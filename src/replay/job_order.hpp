@@ -27,8 +27,8 @@ struct JobOrder {
 JobOrder order_by_cost(const std::vector<BatchJob>& jobs, const std::vector<std::size_t>& ours,
                        std::size_t at_a_time);
 
-/// Alike for jobs of one file that differ in keys alone that have no part in where the finger touches, as
-/// its friction; else most likely not.
+/// Alike for jobs of one file that differ in keys alone that mostly have no part in where the finger touches:
+/// friction, what surfaces are like, the seed. Else most likely not.
 std::uint64_t contact_number(const SceneJob& job);
 
 /// The contact_number that several of these jobs have in common.

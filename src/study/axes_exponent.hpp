@@ -11,8 +11,8 @@ namespace fingerpad {
 /// displacement [1/m], at the load that its sums were taken to; nothing where it says little.
 std::optional<double> own_stiffness(const TrialEvidence& trial, std::size_t axis);
 
-/// How the axes of stick go with the load: axes ~ n^value, and a spring's stiffness in N/m with n^(1 -
-/// value). The pad's law has 0: twice the load, twice the stiffness.
+/// How the axes of stick go with the load: axes ~ n^value, and a spring's stiffness in N/m, which is friction
+/// over axis, with mu(n) n^(1 - value). The pad's law has 0.
 struct AxesExponent {
   double value = 0;
   double deviation = 0;  ///< standard, of that

@@ -87,6 +87,21 @@ TEST(JobOrder, LetsJobsThatDifferInFrictionAloneFollowOneAnother) {
   EXPECT_THAT(contacts_of_several(jobs_at({{"1", "a"}, {"2", "a"}, {"3", "b"}})), IsEmpty());
 }
 
+TEST(JobOrder, TakesNoPartOfASurfacesNatureForAPlaceOfTheFinger) {
+  std::vector<BatchJob> jobs(2);
+  for (const char* key : {"seed", "friction.law", "part.mu_static", "plane.mu_dynamic",
+                          "part.stiffness_n_per_m", "part.damping_n_s_per_m"}) {
+    jobs[0].job.set_keys = {{key, "1"}};
+    jobs[1].job.set_keys = {{key, "2"}};
+    EXPECT_EQ(contact_number(jobs[0].job), contact_number(jobs[1].job)) << key;
+  }
+  for (const char* key : {"mesh", "motion", "finger.radius_m", "part.position_m", "contact.method"}) {
+    jobs[0].job.set_keys = {{key, "1"}};
+    jobs[1].job.set_keys = {{key, "2"}};
+    EXPECT_NE(contact_number(jobs[0].job), contact_number(jobs[1].job)) << key;
+  }
+}
+
 TEST(JobOrder, LaysRowsOfUnlikeLengthSideBySideAndLosesNone) {
   const auto jobs = jobs_at({{"1", "a"}, {"1", "b"}, {"1", "c"}, {"2", "a"}, {"3", "a"}, {"3", "b"}});
   EXPECT_THAT(order_by_cost(jobs, all_of(jobs), 2).jobs, ElementsAre(0, 3, 1, 2, 4, 5));
