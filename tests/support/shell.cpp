@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 #include <sys/wait.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -21,10 +23,13 @@ std::string bytes_of(const fs::path& path) {
 }
 
 ShellResult shell(const std::string& command, const fs::path& folder) {
-  const fs::path out = folder / ".shell-out", err = folder / ".shell-err", script = folder / ".shell-script";
+  // Tests and threads that run side by side may share a folder: the names are this call's own.
+  static std::atomic<int> calls = 0;
+  const std::string name = ".shell-" + std::to_string(getpid()) + "-" + std::to_string(++calls);
+  const fs::path out = folder / (name + "-out"), err = folder / (name + "-err"), script = folder / name;
   std::ofstream(script) << "unset DISPLAY WAYLAND_DISPLAY\n" << command << "\n";
   const std::string call =
-      "cd '" + folder.string() + "' && bash .shell-script >.shell-out 2>.shell-err </dev/null";
+      "cd '" + folder.string() + "' && bash " + name + " >" + name + "-out 2>" + name + "-err </dev/null";
   const int status = std::system(call.c_str());
   ShellResult result;
   result.exit_code = WIFEXITED(status) ? WEXITSTATUS(status) : 128;
