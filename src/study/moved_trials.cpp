@@ -1,7 +1,8 @@
 #include "study/moved_trials.hpp"
 
 #include <algorithm>
-#include <string>
+#include <numeric>
+#include <utility>
 
 #include "study/axes_exponent.hpp"
 #include "study/delay_estimate.hpp"
@@ -20,17 +21,19 @@ MovedTrials::MovedTrials(const std::vector<RecordedTrial>& trials, const Cleanin
       by_s_(trials.size(), 0),
       sums_(trials.size()),
       springs_(trials.size()) {
-  for (std::size_t i = 0; i < trials.size(); ++i) tell(i);
-  settle_axes();
+  std::vector<std::size_t> all(trials.size());
+  std::iota(all.begin(), all.end(), std::size_t{0});
+  tell(all);
 }
 
 void MovedTrials::move(const FileDelay& delay, double by_s) {
+  std::vector<std::size_t> moved;
   for (std::size_t i = 0; i < trials_.size(); ++i) {
     if (!is_of(delay, trials_[i])) continue;
     by_s_[i] += by_s;
-    tell(i);
+    moved.push_back(i);
   }
-  settle_axes();
+  tell(moved);
 }
 
 DelayEstimate MovedTrials::estimate_of(const FileDelay& delay) const {
@@ -61,24 +64,37 @@ MeasuredTrial MovedTrials::measured_trial(std::size_t i) const {
   return measured;
 }
 
-void MovedTrials::tell(std::size_t i) {
-  MeasuredTrial measured = measured_trial(i);
-  sums_[i] = DelaySums();
+void MovedTrials::tell(std::vector<std::size_t> of) {
+  for (const std::size_t i : of) tell_springs(i);
+  if (settle_axes()) {
+    of.resize(trials_.size());
+    std::iota(of.begin(), of.end(), std::size_t{0});
+    for (const std::size_t i : of) tell_springs(i);
+  }
+  for (const std::size_t i : of) tell_sums(i);
+}
+
+void MovedTrials::tell_springs(std::size_t i) {
+  const MeasuredTrial measured = measured_trial(i);
   springs_[i] = TrialEvidence();
   if (measured.position_m.size() < fewest_touching_samples) return;
+  springs_[i] = spring_evidence(measured, stick_segments(measured, axes_exponent_));
+}
+
+void MovedTrials::tell_sums(std::size_t i) {
+  MeasuredTrial measured = measured_trial(i);
+  sums_[i] = DelaySums();
+  if (measured.position_m.size() < fewest_touching_samples) return;
   const StickSegments segments = stick_segments(measured, axes_exponent_);
-  springs_[i] = spring_evidence(measured, segments);
   take_axes(measured);
   sums_[i] = delay_sums(measured, segments);
 }
 
-void MovedTrials::settle_axes() {
-  if (!settings_.takes_axes_exponent) return;
+bool MovedTrials::settle_axes() {
+  if (!settings_.takes_axes_exponent) return false;
   const auto found = axes_exponent(springs_, 0);
   const double exponent = found ? found->value : 0;
-  if (exponent == axes_exponent_) return;
-  axes_exponent_ = exponent;
-  for (std::size_t i = 0; i < trials_.size(); ++i) tell(i);
+  return std::exchange(axes_exponent_, exponent) != exponent;
 }
 
 void MovedTrials::take_axes(MeasuredTrial& measured) const {

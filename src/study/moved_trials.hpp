@@ -26,11 +26,15 @@ class MovedTrials {
 
  private:
   MeasuredTrial measured_trial(std::size_t i) const;
-  /// Nothing of those without stick.
-  void tell(std::size_t i);
+  /// Of these, or of all where the axes' power of the load changes by them: the springs, then the sums, which
+  /// take most of the time.
+  void tell(std::vector<std::size_t> of);
+  /// Nothing of those without stick, both.
+  void tell_springs(std::size_t i);
+  void tell_sums(std::size_t i);
   /// Springs that go with another power of the load than the pad's law has it would have the force follow the
-  /// load beside the position, and pass for delayed.
-  void settle_axes();
+  /// load beside the position, and pass for delayed. Whether the power is another now.
+  bool settle_axes();
   /// Makes force ratios those that its springs, were they the law's, would have.
   void take_axes(MeasuredTrial& measured) const;
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "contact/fine_sheets.hpp"
+#include "support/effort.hpp"
 
 // A ball on facets of a hundredth of its size, more than any view shows, against closed forms.
 
@@ -24,7 +25,7 @@ void expect_kept_up(const test::Worst& worst, double way_m, int most_unsettled) 
 TEST(ProxyCrowd, OnAPlateABigBallKeepsUp) {
   const TriangleSoup plate = test::sheet_soup(
       600, 300, [](double u, double v) { return Vec3(0.03 * u - 0.015, 0.015 * v - 0.0075, 0); });
-  for (const double facets_per_tick : {0.5, 1.0, 2.0}) {
+  for (const double facets_per_tick : test::cases({0.5, 1.0, 2.0})) {
     const auto at = [&](int k, double deep_m) {
       const double x_m = -0.004 + facets_per_tick * facet_m * k;
       return Vec3(x_m, 0.3 * x_m, radius_m - deep_m);
@@ -41,7 +42,7 @@ TEST(ProxyCrowd, OnAPlateABigBallKeepsUp) {
 
 /// Round the axis of a groove along x, and along it: in a tick now and then it is broken off.
 TEST(ProxyCrowd, InAGrooveOfAboutItsSizeItKeepsUp) {
-  for (const double groove_m : {0.008, 0.010}) {
+  for (const double groove_m : test::cases({0.008, 0.010})) {
     const int across = static_cast<int>(2 * groove_m / facet_m);
     const TriangleSoup groove = test::sheet_soup(200, across, [&](double u, double v) {
       const double angle = 2 * v - 1;
@@ -56,7 +57,7 @@ TEST(ProxyCrowd, InAGrooveOfAboutItsSizeItKeepsUp) {
       return Vec3(-std::max(0.0, off.norm() - held_m) * off.normalized());
     };
     for (const bool is_along : {true, false}) {
-      for (const double facets_per_tick : {0.5, 1.0, 2.0}) {
+      for (const double facets_per_tick : test::cases({0.5, 1.0, 2.0})) {
         const auto at = [&](int k, double deep_m) {
           const double way_m = facets_per_tick * facet_m * k;
           return is_along ? place(-0.003 + std::min(way_m, 0.006), 0.2, held_m + deep_m)

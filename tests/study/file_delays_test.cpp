@@ -140,7 +140,7 @@ TEST(FileDelays, NeitherIsOneThatNoSensorHas) {
       << one.delays.front().estimate.delay_s;
   if (test::sanitized()) return;  // the same, for a minute
   // Of many trials it is told, and taken out.
-  const Measurement many = clean(test::known_measurement(test::known_trials(), {}, sensors, 1), {});
+  const Measurement many = clean(test::known_measurement(test::fewer_trials(), {}, sensors, 1), {});
   EXPECT_EQ(many.delays.front().estimate.refusal, "");
   EXPECT_NEAR(many.delays.front().estimate.delay_s, 0.035, 1e-3);
 }

@@ -8,6 +8,7 @@
 #include "study/hum_evidence.hpp"
 #include "study/hum_verdict.hpp"
 #include "study/measurement.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::mains_hum_test {
@@ -68,9 +69,9 @@ long standing(const RecordedMeasurement& recorded, double nominal_hz) {
 
 TEST(MainsHum, TeethOfStickAndSlipAreNone) {
   for (const auto& [air_s, frequency_step_hz, trials] :
-       {std::tuple(0.0, 0.02, 6), std::tuple(0.0, 0.01, 10), std::tuple(0.0, 0.0, 6),
-        std::tuple(0.3, 0.02, 6), std::tuple(0.3, 0.0, 6), std::tuple(0.0, 0.02, 1),
-        std::tuple(0.0, 0.009, 10)}) {
+       test::cases({std::tuple(0.0, 0.02, 6), std::tuple(0.0, 0.01, 10), std::tuple(0.0, 0.0, 6),
+                    std::tuple(0.3, 0.02, 6), std::tuple(0.3, 0.0, 6), std::tuple(0.0, 0.02, 1),
+                    std::tuple(0.0, 0.009, 10)})) {
     const RecordedMeasurement recorded =
         test::known_measurement(even_rubs(frequency_step_hz, trials), {}, sensors_with(air_s, 0), 3);
     EXPECT_GT(standing(recorded, 50), 0)

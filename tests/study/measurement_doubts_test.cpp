@@ -27,7 +27,7 @@ std::string asked(const Change& change, const MeasurementFormat& format = {}) {
 }
 
 TEST(MeasurementDoubts, NothingIsAskedOfWhatIsAsItShouldBe) {
-  RecordedMeasurement recorded = test::known_measurement(test::known_trials(), {}, test::bad_sensors(), 2);
+  RecordedMeasurement recorded = test::known_measurement(test::fewer_trials(), {}, test::bad_sensors(), 2);
   EXPECT_NO_THROW(refuse_doubtful(recorded, {}, 0));
 }
 

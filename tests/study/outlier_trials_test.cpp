@@ -169,7 +169,7 @@ TEST(OutlierTrials, SaysWhetherTheFitCountsThem) {
 TEST(OutlierTrials, GoodTrialsOfAPadThatIsAsStiffUnderAnyLoadAreNone) {
   test::KnownFinger finger;
   finger.stiffness_exponent = -1;
-  const auto trials = test::sanitized() ? test::every(3, test::known_trials()) : test::known_trials();
+  const auto trials = test::fewer_trials();
   RecordedMeasurement recorded = test::known_measurement(trials, finger, test::bad_sensors(), 3);
   const auto named = [](RecordedMeasurement of) {
     std::vector<std::string> names;
@@ -183,7 +183,7 @@ TEST(OutlierTrials, GoodTrialsOfAPadThatIsAsStiffUnderAnyLoadAreNone) {
   stiff.pad.lateral_axis_m /= 1.3;
   stiff.pad.longitudinal_axis_m /= 1.3;
   recorded.trials[15] =
-      test::known_measurement(test::known_trials(), stiff, test::bad_sensors(), 4).trials[15];
+      test::known_measurement(test::fewer_trials(), stiff, test::bad_sensors(), 4).trials[15];
   const std::vector<std::string> odd = named(std::move(recorded));
   EXPECT_THAT(odd, testing::Not(IsEmpty()));
   EXPECT_THAT(odd, testing::Each(testing::HasSubstr("trial 16")));

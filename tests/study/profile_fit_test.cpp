@@ -71,7 +71,7 @@ TEST(ProfileFit, FindsANormalLawThatIsNotTheUsualOne) {
     finger.press_exponent = exponent;
     test::KnownSensors sensors;
     sensors.air_s = 0.3;
-    const ProfileFit fit = fitted(test::every(5, test::known_trials()), 1, finger, sensors);
+    const ProfileFit fit = fitted(test::every(5, test::fewer_trials()), 1, finger, sensors);
     EXPECT_NEAR(of(fit, PadNumber::normal_exponent).value, exponent, 0.003 * exponent);
   }
 }
@@ -153,7 +153,7 @@ TEST(ProfileFit, FindsTheKnownPadThroughBadSensors) {
   // Pads of one size a subject and 3:2:2 trials: did trials weigh alike, the axes would be 3 % short.
   test::KnownFinger finger;
   finger.rises_with_less_load = true;
-  const ProfileFit fit = fitted(test::known_trials(), 1, finger, test::bad_sensors());
+  const ProfileFit fit = fitted(test::fewer_trials(), 1, finger, test::bad_sensors());
   const auto truth = test::known_numbers(finger, fit.mu_load_n);
   for (std::size_t k = 0; k < truth.size(); ++k) {
     ASSERT_EQ(fit.values[k].refusal, "") << pad_number_keys[k];
@@ -244,7 +244,7 @@ TEST(ProfileFit, IntervalsHoldTheKnownPad) {
   int held = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     const ProfileFit fit =
-        fitted(test::known_trials(), static_cast<std::uint64_t>(seed), finger, test::bad_sensors());
+        fitted(test::fewer_trials(), static_cast<std::uint64_t>(seed), finger, test::bad_sensors());
     const auto truth = test::known_numbers(finger, fit.mu_load_n);
     for (std::size_t k = 0; k < truth.size(); ++k) {
       ASSERT_TRUE(fit.interval[k]) << pad_number_keys[k];
@@ -339,7 +339,7 @@ TEST(ProfileFit, ShortTeethWidenTheIntervalOfVMin) {
   test::KnownFinger bent;
   bent.cubic_share = 0.6;  // teeth of three samples, half of a straight spring's
   for (const std::uint64_t seed : test::cases<std::uint64_t>({1, 2})) {
-    const ProfileFit fit = fitted(test::known_trials(), seed, bent, test::bad_sensors());
+    const ProfileFit fit = fitted(test::fewer_trials(), seed, bent, test::bad_sensors());
     const auto& interval = fit.interval[static_cast<std::size_t>(PadNumber::v_min)];
     ASSERT_TRUE(interval);
     EXPECT_LE(interval->first, 0.1);
@@ -352,7 +352,7 @@ TEST(ProfileFit, TheDelayThatBentSpringsHideIsToldInWords) {
   test::KnownFinger bent;
   bent.cubic_share = 0.5;
   const Measurement measurement =
-      clean(test::known_measurement(test::known_trials(), bent, test::bad_sensors(), 4000), {});
+      clean(test::known_measurement(test::fewer_trials(), bent, test::bad_sensors(), 4000), {});
   const ProfileFit fit = fit_profile(measurement, {});
   const double taken_s = measurement.delays.front().estimate.delay_s;
   EXPECT_LT(taken_s, 6e-3);                                 // of 7.3 ms
@@ -521,7 +521,7 @@ TEST(ProfileFit, SlipThatTremblesDoesNotEndBeforeItDoes) {
     test::KnownFinger finger;
     finger.vibration = vibration;
     for (const std::uint64_t seed : test::cases<std::uint64_t>({1, 2})) {
-      const ProfileFit fit = fitted(test::known_trials(), seed, finger);
+      const ProfileFit fit = fitted(test::fewer_trials(), seed, finger);
       const PadValue& v_min = fit.values[static_cast<std::size_t>(PadNumber::v_min)];
       EXPECT_EQ(v_min.refusal, "");
       EXPECT_NEAR(v_min.value, 0.1, 0.001) << vibration << " " << seed;

@@ -70,6 +70,8 @@ std::vector<KnownRow> measured_rows(const KnownFinger& finger, const KnownSensor
 std::vector<KnownTrial> known_trials();
 /// Every so manieth of them: of odd steps as many rubs as pushes.
 std::vector<KnownTrial> every(std::size_t step, const std::vector<KnownTrial>& trials);
+/// All of known_trials, or every third under the sanitizers, where these tell the same.
+std::vector<KnownTrial> fewer_trials();
 
 /// The finger of one of the subjects of known_trials, whose pad is larger or smaller than `finger`'s.
 KnownFinger of_subject(KnownFinger finger, int subject);
