@@ -60,6 +60,13 @@ T take(const std::byte*& at) noexcept {
 /// Marks a head whose one hold is the whole contact.
 constexpr std::int32_t lone_hold = -1;
 
+/// Of a tick that begins so.
+std::size_t bytes_of(const Head& head) noexcept {
+  if (head.hold_count == 0) return sizeof head;
+  if (head.hold_count == lone_hold) return sizeof head + sizeof(Hold);
+  return sizeof head + static_cast<std::size_t>(head.hold_count) * sizeof(Hold) + sizeof(Place);
+}
+
 }  // namespace
 
 ContactTape::ContactTape(long ticks, std::size_t most_bytes) : expected_ticks_(ticks) {
@@ -130,6 +137,16 @@ bool ContactTape::Reader::next(Contact& contact) noexcept {
   }
   at_ += static_cast<std::size_t>(at - begin);
   return true;
+}
+
+ContactTape::Reader::Facet ContactTape::Reader::pass() noexcept {
+  if (at_ == tape_->size_) return {};
+  const std::byte* at = tape_->bytes_.get() + at_;
+  const Head head = take<Head>(at);
+  at_ += bytes_of(head);
+  if (head.hold_count == 0) return {};
+  const auto surface = take<std::int32_t>(at);
+  return {surface, take<std::int32_t>(at)};
 }
 
 }  // namespace fingerpad

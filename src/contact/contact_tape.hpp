@@ -33,6 +33,11 @@ class ContactTape {
     explicit Reader(const ContactTape& tape) noexcept : tape_(&tape) {}
     /// Puts the next tick's answer into `contact`; false behind the last. noexcept, allocates nothing.
     bool next(Contact& contact) noexcept;
+    /// Goes past the next tick, and tells where its first hold is: on none where there is none.
+    struct Facet {
+      int surface = -1, triangle = -1;
+    };
+    Facet pass() noexcept;
 
    private:
     const ContactTape* tape_;

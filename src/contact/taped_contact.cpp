@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "contact/let_come.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -26,13 +28,46 @@ class RecordingContact final : public ContactMethod {
   std::shared_ptr<ContactTape> tape_;
 };
 
+/// The tape says what will be touched: of a large part each of its arrays would be waited for in turn.
+class TapeForesight {
+ public:
+  TapeForesight(const ContactTape& tape, std::vector<PlacedSurface> surfaces)
+      : reader_(tape), surfaces_(std::move(surfaces)) {
+    reader_.pass();
+    reader_.pass();
+  }
+
+  /// Before each tick.
+  void go_on() noexcept {
+    if (const Part* const part = part_of(next_)) {
+      for (int k = 0; k < 3; ++k) let_come(part->vertices.col(part->triangles(k, next_.triangle)).data(), 3);
+    }
+    next_ = reader_.pass();
+    if (const Part* const part = part_of(next_)) let_come(*part, next_.triangle);
+  }
+
+ private:
+  const Part* part_of(const ContactTape::Reader::Facet& hold) const noexcept {
+    return hold.triangle < 0 ? nullptr : surfaces_[static_cast<std::size_t>(hold.surface)].part.get();
+  }
+
+  ContactTape::Reader reader_;  // a tick ahead of the one to come
+  ContactTape::Reader::Facet next_;
+  std::vector<PlacedSurface> surfaces_;
+};
+
 class PlayedContact final : public ContactMethod {
  public:
-  PlayedContact(std::unique_ptr<ContactMethod> method, std::shared_ptr<const ContactTape> tape)
-      : method_(std::move(method)), tape_(std::move(tape)), reader_(*tape_) {}
+  PlayedContact(std::unique_ptr<ContactMethod> method, std::shared_ptr<const ContactTape> tape,
+                std::vector<PlacedSurface> surfaces)
+      : method_(std::move(method)),
+        tape_(std::move(tape)),
+        reader_(*tape_),
+        ahead_(*tape_, std::move(surfaces)) {}
 
   const Contact& touch(const Vec3& p_WQ, double dt_s) noexcept override {
     if (is_left_ || !reader_.next(contact_)) return method_->touch(p_WQ, dt_s);
+    ahead_.go_on();
     return contact_;
   }
   const ClosestMemory* memory_of(int surface) const noexcept override {
@@ -47,6 +82,7 @@ class PlayedContact final : public ContactMethod {
   std::unique_ptr<ContactMethod> method_;
   std::shared_ptr<const ContactTape> tape_;
   ContactTape::Reader reader_;
+  TapeForesight ahead_;
   Contact contact_;
   bool is_left_ = false;  // for good
 };
@@ -59,8 +95,9 @@ std::unique_ptr<ContactMethod> recording_contact(std::unique_ptr<ContactMethod> 
 }
 
 std::unique_ptr<ContactMethod> played_contact(std::unique_ptr<ContactMethod> method,
-                                              std::shared_ptr<const ContactTape> tape) {
-  return std::make_unique<PlayedContact>(std::move(method), std::move(tape));
+                                              std::shared_ptr<const ContactTape> tape,
+                                              std::vector<PlacedSurface> surfaces) {
+  return std::make_unique<PlayedContact>(std::move(method), std::move(tape), std::move(surfaces));
 }
 
 }  // namespace fingerpad

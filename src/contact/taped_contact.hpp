@@ -2,14 +2,18 @@
 
 #include <functional>
 #include <memory>
+#include <vector>
 
 #include "contact/contact_method.hpp"
 #include "contact/contact_tape.hpp"
+#include "contact/placed_surface.hpp"
 
 namespace fingerpad {
 
 /// What is made of a finger's contact method before its first tick.
-using ContactWrap = std::function<std::unique_ptr<ContactMethod>(std::unique_ptr<ContactMethod>)>;
+/// @param surfaces  that the method touches
+using ContactWrap = std::function<std::unique_ptr<ContactMethod>(std::unique_ptr<ContactMethod>,
+                                                                 std::vector<PlacedSurface> surfaces)>;
 
 // Where a finger goes decides where it touches; what friction makes of that does not. So of fingers that go
 // the same way over the same surfaces, with other friction each, the first alone asks its contact method.
@@ -21,8 +25,10 @@ std::unique_ptr<ContactMethod> recording_contact(std::unique_ptr<ContactMethod> 
 
 /// Answers as a tape has it, tick by tick. Behind a reset `method`, which was never asked, is what any method
 /// is then, and answers from there on.
+/// @param surfaces  that the method touches: what a tick reads of them is asked for ahead
 /// @pre the tape is this method's along the path to come, for as many ticks as are asked for
 std::unique_ptr<ContactMethod> played_contact(std::unique_ptr<ContactMethod> method,
-                                              std::shared_ptr<const ContactTape> tape);
+                                              std::shared_ptr<const ContactTape> tape,
+                                              std::vector<PlacedSurface> surfaces);
 
 }  // namespace fingerpad

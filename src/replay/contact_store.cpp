@@ -30,11 +30,11 @@ bool ContactCourse::operator==(const ContactCourse& other) const {
 
 ContactWrap ContactStore::Share::wrap() const {
   if (played_)
-    return [tape = played_](std::unique_ptr<ContactMethod> method) {
-      return played_contact(std::move(method), tape);
+    return [tape = played_](std::unique_ptr<ContactMethod> method, std::vector<PlacedSurface> surfaces) {
+      return played_contact(std::move(method), tape, std::move(surfaces));
     };
   if (recorded_)
-    return [tape = recorded_](std::unique_ptr<ContactMethod> method) {
+    return [tape = recorded_](std::unique_ptr<ContactMethod> method, const std::vector<PlacedSurface>&) {
       return recording_contact(std::move(method), tape);
     };
   return {};

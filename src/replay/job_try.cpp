@@ -152,9 +152,10 @@ class TickTry {
 /// What a tick takes where it need not ask where the finger touches.
 double s_per_played_tick(const ReadyJob& job, const BatchOptions& options,
                          const std::shared_ptr<const ContactTape>& tape, long ticks) {
-  TickTry played(job, options, [&](std::unique_ptr<ContactMethod> method) {
-    return played_contact(std::move(method), tape);
-  });
+  const auto play = [&](std::unique_ptr<ContactMethod> method, std::vector<PlacedSurface> surfaces) {
+    return played_contact(std::move(method), tape, std::move(surfaces));
+  };
+  TickTry played(job, options, play);
   played.run(ticks);
   return played.s_per_tick();
 }
@@ -178,9 +179,10 @@ JobCost try_job(const Scene& scene, MeshStore& meshes, MotionStore& motions, con
     tape = std::make_shared<ContactTape>(job.path().tick_count(), most_contact_bytes);
   long ticks = 0;
   {
-    TickTry tried(job, options, [&](std::unique_ptr<ContactMethod> method) {
+    const auto record = [&](std::unique_ptr<ContactMethod> method, const std::vector<PlacedSurface>&) {
       return tape ? recording_contact(std::move(method), tape) : std::move(method);
-    });
+    };
+    TickTry tried(job, options, record);
     cost.s_a_job = seconds_since(again);
     cost.bytes = tried.trace().bytes();
     tried.run();

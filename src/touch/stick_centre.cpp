@@ -23,9 +23,14 @@ void StickCentre::place(const PlacedSurface& surface, const Vec3& contact_W, con
     Vec3 foot;
     if (facets.find_foot(surface, contact_triangle, target, foot)) return put(foot);
   }
+  const Normals by = is_on_facets ? Normals::facet : normals;
+  const double reach_m = std::sqrt(distance2);
   BriefSearch brief{search.most_looks, contact_triangle, &facets.around(), search.memory};
-  const WorldPoint near =
-      nearest_point(surface, target, is_on_facets ? Normals::facet : normals, brief, std::sqrt(distance2));
+  // Where no looks are counted the tree finds it sooner than what is kept of the last search, some ticks
+  // back.
+  const WorldPoint near = search.most_looks == Looks::unlimited
+                              ? nearest_point(surface, target, by, contact_triangle, reach_m)
+                              : nearest_point(surface, target, by, brief, reach_m);
   if (near.found) put(near.point_W);
 }
 

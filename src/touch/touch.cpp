@@ -46,7 +46,7 @@ Touch::Touch(std::shared_ptr<const World> world, const Scene& scene, const Conta
   if (law_row_ == nullptr)
     throw refused(scene.path, fmt::format("unknown friction law '{}'", scene.friction.law));
   law_ = law_row_->make(scene.friction.settings);
-  if (wrap) method_ = wrap(std::move(method_));
+  if (wrap) method_ = wrap(std::move(method_), placed_surfaces(*world_));
   if (!scene.friction.vibration) return;
   const VibrationSettings& vibration = *scene.friction.vibration;
   vibration_amplitude_ = vibration.amplitude;

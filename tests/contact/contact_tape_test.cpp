@@ -102,6 +102,22 @@ TEST(ContactTape, GivesBackEachTickToTheBit) {
   EXPECT_FALSE(reader.next(read)) << "behind the last";
 }
 
+TEST(ContactTape, TellsTheFacetsOfTicksThatItGoesPast) {
+  std::mt19937 random(4);
+  std::vector<Contact> contacts;
+  for (int k = 0; k < 50; ++k) contacts.push_back(k % 5 == 4 ? lone(random) : contact_of(k % 5, random));
+  ContactTape tape(50, 1 << 20);
+  for (const Contact& contact : contacts) tape.append(contact);
+  ContactTape::Reader reader(tape);
+  for (const Contact& contact : contacts) {
+    const bool is_free = contact.hold_count == 0;
+    const auto facet = reader.pass();
+    EXPECT_EQ(facet.surface, is_free ? -1 : contact.holds[0].surface);
+    EXPECT_EQ(facet.triangle, is_free ? -1 : contact.holds[0].triangle);
+  }
+  EXPECT_EQ(reader.pass().triangle, -1) << "behind the last";
+}
+
 TEST(ContactTape, TakesSeventyTwoBytesWhereOneSurfaceHoldsAndEightWhereNoneDoes) {
   std::mt19937 random(2);
   ContactTape tape(2, 1 << 20);
@@ -124,7 +140,7 @@ TEST(ContactTape, IsOfNoUseBeforeItIsWholeNorWhereItDoesNotFit) {
 }
 
 TEST(PlayedContact, AnswersFromTheTapeAndBehindAResetAsAnyMethodWould) {
-  const auto method = played_contact(std::make_unique<CountingMethod>(), recorded(5));
+  const auto method = played_contact(std::make_unique<CountingMethod>(), recorded(5), {});
   EXPECT_EQ(method->touch(Vec3::Zero(), 1e-3).depth_m, 1);
   EXPECT_EQ(method->touch(Vec3::Zero(), 1e-3).depth_m, 2);
   method->reset();
