@@ -31,13 +31,13 @@ function unitOf(column) {
   return column.unit === "1" ? "" : column.unit;
 }
 
-/** Text that breaks its lines where names do: behind their dots, strokes and hyphens, never within a word, before a file's
- *  ending or within an option. */
+/** Text that breaks its lines where names do: behind their dots, strokes and hyphens, never within a word, a number or
+ *  an option, nor before a file's ending. */
 function breakable(text) {
   const broken = document.createDocumentFragment();
   String(text).split(/((?<=^|[\s(`])--[a-z][a-z-]*)/).forEach((part, i) => {
     if (i % 2 === 1) return broken.append(element("span", { class: "option" }, part));
-    part.split(/(?<=[_.\/-])(?=[^_.\/\s-]{2})(?!(?<=\.)\w{1,4}(?![\w.-]))/).forEach((piece, k) => {
+    part.split(/(?<=[_.\/-])(?<!\d\.(?=\d))(?=[^_.\/\s-]{2})(?!(?<=\.)\w{1,4}(?![\w.-]))/).forEach((piece, k) => {
       if (k > 0) broken.append(document.createElement("wbr"));
       broken.append(piece);
     });
