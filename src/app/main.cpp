@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "app/commands.hpp"
+#include "app/help_format.hpp"
 #include "app/manual.hpp"
 #include "app/number_option.hpp"
 #include "app/standard_streams.hpp"
@@ -92,7 +93,7 @@ int run(int argc, char** argv) {
   std::string manual_folder;
   program.add_option("--write-manual", manual_folder, "Write man pages and bash completion into a folder")
       ->group("");
-  program.get_formatter()->column_width(34);
+  program.formatter(std::make_shared<fingerpad::HelpFormat>(fingerpad::help_width()));
   fingerpad::Action action;
   for (const fingerpad::AddCommand add : commands) add(program, action);
   // The build asks for these pages (no user does), and no subcommand goes with them.

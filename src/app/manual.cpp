@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "app/commands.hpp"
+#include "app/option_words.hpp"
 #include "scene/scene_key.hpp"
 #include "trace/output_file.hpp"
 
@@ -36,19 +37,6 @@ std::string paragraph(const std::string& words) {
   return ".nf\n" + roff(words) + (words.ends_with('\n') ? "" : "\n") + ".fi\n";
 }
 
-/// Those that `--help` shows, positional ones first or last.
-std::vector<const CLI::Option*> shown_options(const CLI::App& app, bool positional) {
-  std::vector<const CLI::Option*> shown;
-  for (const CLI::Option* option : app.get_options()) {
-    if (!option->get_group().empty() && option->get_positional() == positional) shown.push_back(option);
-  }
-  return shown;
-}
-
-std::string placeholder(const CLI::Option& option) {
-  return option.get_expected_max() == 0 || option.get_type_size_max() == 0 ? "" : option.get_type_name();
-}
-
 std::string synopsis_of(const CLI::App& app) {
   std::string text = shown_options(app, false).empty() ? "" : " [\\fIOPTION\\fR]...";
   for (const CLI::Option* option : shown_options(app, true)) {
@@ -64,10 +52,7 @@ std::string option_entry(const CLI::Option& option) {
   std::string entry = fmt::format(".TP\n\\fB{}\\fR", roff(name));
   const std::string takes = option.get_positional() ? "" : placeholder(option);
   if (!takes.empty()) entry += fmt::format(" \\fI{}\\fR", roff(takes));
-  entry += "\n" + roff(option.get_description());
-  if (!option.get_default_str().empty())
-    entry += fmt::format(" (default: {})", roff(option.get_default_str()));
-  return entry + "\n";
+  return entry + "\n" + roff(about(option)) + "\n";
 }
 
 std::string options_of(const CLI::App& app) {

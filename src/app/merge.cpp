@@ -21,7 +21,8 @@ void add_merge(CLI::App& program, Action& action) {
   command
       ->add_option("DIR", options->folders, "Folders that `replay --shard K/N` wrote: all shards of a batch")
       ->required();
-  refuse_empty(command->add_option("--out", options->out, "Folder for the whole; may be one of them"))
+  refuse_empty(command->add_option("--out", options->out, "Folder for the whole; may be one of them"),
+               "FOLDER")
       ->required();
   add_quiet_flag(*command, options->quiet);
   command->footer("Traces, summary.csv and jobs.csv are byte for byte those of a single run.");

@@ -34,7 +34,8 @@ std::string any_of_these(std::initializer_list<std::string_view> endings) {
 
 }  // namespace
 
-CLI::Option* refuse_empty(CLI::Option* option) {
+CLI::Option* refuse_empty(CLI::Option* option, const char* takes) {
+  option->type_name(takes);
   const auto fault = [](const std::string& text) {
     return text.empty() ? std::string("is empty: give a name") : std::string();
   };

@@ -8,7 +8,8 @@
 namespace fingerpad {
 
 /// Refuses an empty value: a shell's variable that was never set.
-CLI::Option* refuse_empty(CLI::Option* option);
+/// @param takes  what `--help` calls it
+CLI::Option* refuse_empty(CLI::Option* option, const char* takes = "FILE");
 
 /// Throws Error (usage) for an output whose name ends otherwise than its contents will be.
 /// @param who      "plot", for the message

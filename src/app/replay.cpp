@@ -192,7 +192,8 @@ void add_replay(CLI::App& program, Action& action) {
       ->required();
   refuse_empty(command->add_option("--out", options->batch.out_dir,
                                    "Folder for the traces, summary.csv and timing.csv; required, but with "
-                                   "--dry-run"));
+                                   "--dry-run"),
+               "FOLDER");
   command
       ->add_option("--jobs", options->batch.threads,
                    "Threads that share the jobs; results do not depend on it")

@@ -183,6 +183,7 @@ void add_report(CLI::App& program, Action& action) {
                    "How many of the jobs that have a trace are drawn, the worst first; all are in the tables")
       ->capture_default_str();
   command->add_option("--libraries", options->libraries, "Where the JavaScript libraries are")
+      ->type_name("FOLDER")
       ->capture_default_str();
   command
       ->add_option("--progress", options->progress_s,

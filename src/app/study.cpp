@@ -80,14 +80,18 @@ void add_study(CLI::App& program, Action& action) {
       ->check(one_of({"friction", "contact", "stability", "scene"}));
   command->add_option("SCENE", options->scene, "scene: the scene (TOML) whose choices are compared");
   refuse_empty(command->add_option("--out", options->out_dir,
-                                   "Folder for the CSV tables and the charts (PNG and SVG)"))
+                                   "Folder for the CSV tables and the charts (PNG and SVG)"),
+               "FOLDER")
       ->required();
-  const CLI::Option* exact = command->add_option(
-      "--exact", options->exact_folder,
-      "contact: folder of a CAD part's tessellations and points of its exact surface; default scenes/exact");
-  refuse_empty(command->add_option(
-      "--parts", options->parts_folder,
-      "contact: folder of meshes (unit mm) on which to judge auto, besides the scenes beside scenes/exact"));
+  const CLI::Option* exact = command
+                                 ->add_option("--exact", options->exact_folder,
+                                              "contact: folder of a CAD part's tessellations and points of "
+                                              "its exact surface; default scenes/exact")
+                                 ->type_name("FOLDER");
+  refuse_empty(command->add_option("--parts", options->parts_folder,
+                                   "contact: folder of meshes (unit mm) on which to judge auto, besides the "
+                                   "scenes beside scenes/exact"),
+               "FOLDER");
   command->footer(
       "friction: every law's error against its own limit of short ticks and against exact stick-slip, by "
       "rate, beside its cost.\n"

@@ -233,9 +233,9 @@ void add_touch(CLI::App& program, Action& action) {
       ->add_option("--port", options->link.port,
                    "Port of a device outside of the program; 0: a free one; default: the device's")
       ->check(whole_number_in(0, 65535));
-  refuse_empty(
-      command->add_option("--bind", options->link.bind,
-                          "Address that is listened on; default: 127.0.0.1; another lets others in"));
+  refuse_empty(command->add_option("--bind", options->link.bind,
+                                   "Address that is listened on; default: 127.0.0.1; another lets others in"),
+               "ADDRESS");
   add_live_window_options(*command, options->size);
   command->add_option("--rate", options->rate_hz, "Ticks a second [Hz]; default: the scene's")
       ->check(number_in(1, 100000, "hertz"));

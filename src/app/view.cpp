@@ -169,12 +169,12 @@ void add_view(CLI::App& program, Action& action) {
   add_size_option(*command, options->size, "the window or picture");
   command->add_option("--at", options->at_s,
                       "The moment of the picture [s]; default: the one with the greatest friction");
-  refuse_empty(command
-                   ->add_option("--camera", options->camera,
-                                "From where: front, back, left, right, top, bottom, isometric, or "
-                                "AZIMUTH,ELEVATION in degrees (0,0 is the front, 90,0 the right); all is in "
-                                "sight, a third number zooms")
-                   ->type_name("NAME|AZ,EL[,ZOOM]"));
+  refuse_empty(
+      command->add_option("--camera", options->camera,
+                          "From where: front, back, left, right, top, bottom, isometric, or "
+                          "AZIMUTH,ELEVATION in degrees (0,0 is the front, 90,0 the right); all is in "
+                          "sight, a third number zooms"),
+      "NAME|AZ,EL[,ZOOM]");
   CLI::Option* const movie = command->add_option(
       "--movie", options->movie, "Write a movie (.mp4, .ogv) of a trace instead; needs ffmpeg, no screen");
   refuse_empty(movie);

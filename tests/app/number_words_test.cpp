@@ -82,7 +82,7 @@ TEST(NumberWords, OfMemoryNameASize) {
 
 TEST(NumberWords, OfHelpKeepTheirRange) {
   const auto help = test::fingerpad("replay --help", test::scratch_dir());
-  EXPECT_THAT(help.out, HasSubstr("INT in [1 - 1024]"));
+  EXPECT_THAT(help.out, HasSubstr("1 to 1024"));
 }
 
 }  // namespace
