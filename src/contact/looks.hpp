@@ -10,7 +10,7 @@ struct LookCosts {
   static constexpr long passed_over = 3;      ///< the disc around eight triangles is held against a distance
   static constexpr long opened = 4;           ///< four clusters are put among those that are nearest
   static constexpr long left_out = 6;         ///< a sieve leaves out eight: mostly the way to them
-  static constexpr long further_wall = 2;     ///< either is held against more walls than one: each
+  static constexpr long further_wall = 2;     ///< a packet, or a triangle, is held against one more wall
   static constexpr long shadowed = 3;         ///< a triangle within reach is held against a shadow
   static constexpr long listed = 1;           ///< one that is found
   static constexpr long fetched = 5;          ///< its corners are fetched

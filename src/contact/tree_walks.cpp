@@ -171,7 +171,7 @@ bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, s
     }
     const TrianglePacket& packet = packed.packets[index];
     if (sieve != nullptr && sieve->leaves_out(sieve->context, packet, 1 / packed.scale)) {
-      looks.spend(LookCosts::left_out + sieve->dearer);
+      looks.spend(LookCosts::left_out + sieve->further_looks);
       continue;
     }
     if (is_far) {
@@ -179,7 +179,7 @@ bool TriangleTree::each_beside(const Vec3& q, const Vec3& way, double reach_m, s
     } else if (is_box_near(packet, search.scaled, radius, half_box)) {
       search.look_at(packet);
     }
-    if (sieve != nullptr) looks.spend(sieve->dearer);
+    if (sieve != nullptr) looks.spend(sieve->further_looks);
     looks.spend(LookCosts::packet + std::exchange(counting.count, 0));
   }
   return false;

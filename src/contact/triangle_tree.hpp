@@ -22,7 +22,7 @@ struct PacketSieve {
   bool (*passes_over)(const void* context, const PacketDisc& disc, double scaled_m) noexcept;
   bool (*leaves_out)(const void* context, const TrianglePacket& packet, double scaled_m) noexcept;
   const void* context;
-  long dearer = 0;  ///< by so many looks is `leaves_out` dearer than LookCosts has it
+  long further_looks = 0;  ///< that `leaves_out` takes for a packet, beside what LookCosts says
 };
 
 /// The closest triangle of a part to a point.

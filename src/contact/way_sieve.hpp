@@ -56,7 +56,7 @@ class WaySieve {
             [](const void* sieve, const TrianglePacket& packet, double scaled_m) noexcept {
               return static_cast<const WaySieve*>(sieve)->leaves_out(packet, scaled_m);
             },
-            this, before_.dearer()};
+            this, before_.looks_at_further_walls()};
   }
 
   /// @param scaled_m  PacketSieve's

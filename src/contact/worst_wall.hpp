@@ -39,7 +39,7 @@ class PartWalls {
   }
   std::span<const Wall> walls() const noexcept { return {walls_.data(), count_}; }
   /// What it costs to hold something against all of them, more than against one.
-  long dearer() const noexcept {
+  long looks_at_further_walls() const noexcept {
     return count_ > 1 ? LookCosts::further_wall * static_cast<long>(count_ - 1) : 0;
   }
 
