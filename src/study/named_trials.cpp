@@ -70,28 +70,27 @@ double taken_si(const NamedUnit& unit, const std::string& file, const Measuremen
 }  // namespace
 
 std::string option_name(const RecordedTrial& trial, const std::vector<RecordedTrial>& all) {
-  std::string name = without_file(trial);
-  const auto others = std::count_if(all.begin(), all.end(),
-                                    [&](const RecordedTrial& other) { return is_named(other, name); });
-  return others > 1 ? trial_name(trial) : name;
+  const auto is_alike = [&trial](const RecordedTrial& other) {
+    return other.subject == trial.subject && other.number == trial.number &&
+           (trial.piece == 0 || other.piece == trial.piece);
+  };
+  return std::ranges::count_if(all, is_alike) > 1 ? trial_name(trial) : without_file(trial);
 }
 
 std::string leave_out_trials(const std::vector<std::string>& named, RecordedMeasurement& recorded) {
-  std::vector<RecordedTrial> kept = recorded.trials;
-  std::string left_out;
-  std::size_t count = 0;
   for (const std::string& said : named)
     if (std::ranges::none_of(recorded.trials, [&](const auto& trial) { return is_named(trial, said); }))
       throw no_trial("--leave-out", said, recorded);
-  std::erase_if(kept, [&](const RecordedTrial& trial) {
+  std::string left_out;
+  const std::size_t count = std::erase_if(recorded.trials, [&](const RecordedTrial& trial) {
     if (std::ranges::none_of(named, [&](const auto& said) { return is_named(trial, said); })) return false;
-    left_out += fmt::format("{}{}", count++ == 0 ? "" : "; ", trial_name(trial));
+    left_out += fmt::format("{}{}", left_out.empty() ? "" : "; ", trial_name(trial));
     return true;
   });
-  if (count > 0 && kept.empty())
+  if (count == 0) return {};
+  if (recorded.trials.empty())
     throw Error(ErrorKind::usage, "--leave-out", "leaves no trial to be fitted: name fewer");
-  recorded.trials = std::move(kept);
-  return count == 0 ? "" : fmt::format("left out (--leave-out): {}", left_out);
+  return fmt::format("left out (--leave-out): {}", left_out);
 }
 
 std::vector<std::string> take_trial_units(const std::vector<std::string>& said,
