@@ -66,10 +66,24 @@ TEST(StaticFriction, PeopleThatPassForOneAreCountedAndTold) {
                                              HasSubstr("--columns subject=NAME"))));
 }
 
+/// What a trial says that slips with so much of its load.
+TrialEvidence slipping(double mu, double load_n) {
+  constexpr long samples = 1000;
+  TrialEvidence trial;
+  trial.subject = 1;
+  trial.slip_samples = samples;
+  trial.slip_ratio = mu * samples;
+  trial.slip_log_load = std::log(load_n) * samples;
+  return trial;
+}
+
 TEST(StaticFriction, FrictionThatFallsWithTheTrialsLoadsIsTold) {
-  const ProfileFit fit = fit_of({{2, 1, 0.5}, {1.2, 1, 1}, {0.8, 1, 2}});
-  EXPECT_GT(value(fit, PadNumber::mu_static), value(fit, PadNumber::mu_dynamic));
-  EXPECT_THAT(fit_notes(fit), Contains(HasSubstr("it falls with the trials' loads")));
+  const std::vector<std::string> names{"a", "b", "c"};
+  EXPECT_THAT(unlike_trials_words(names, {slipping(0.5, 0.5), slipping(0.3, 1), slipping(0.2, 2)}, 1.5),
+              AllOf(HasSubstr("c slips with 0.2 of its load (2 N), a with 0.5 (0.5 N)"),
+                    HasSubstr("it falls with the trials' loads")));
+  EXPECT_THAT(unlike_trials_words(names, {slipping(0.5, 1), slipping(0.3, 1), slipping(0.2, 1)}, 1.5),
+              HasSubstr("--columns subject=NAME"));
 }
 
 // Slippery trials alone are seen to rupture. mu_static was theirs, and below the mu_dynamic of all.
@@ -91,9 +105,13 @@ TEST(StaticFriction, BelowMuDynamicBothAreRefused) {
 }
 
 TEST(StaticFriction, TrialsThatAreAlikeAreLeftAsTheyAre) {
-  const ProfileFit fit = fit_of({{1}, {1.1}});
-  EXPECT_THAT(fit_notes(fit), Not(Contains(HasSubstr("unlike"))));
-  EXPECT_FALSE(is_friction_unlike(fit.evidence));
+  std::vector<TrialEvidence> alike{slipping(0.2, 1), slipping(0.22, 1)};
+  for (TrialEvidence& trial : alike) trial.rupture_ratio = 3, trial.ruptures = 10;
+  EXPECT_FALSE(is_friction_unlike(alike));
+  EXPECT_EQ(unlike_trials_words({"a", "b"}, alike, 1.5), "");
+  alike[1].ruptures = 0;
+  alike[1].slip_ratio *= 2;
+  EXPECT_TRUE(is_friction_unlike(alike));
 }
 
 }  // namespace
