@@ -16,6 +16,7 @@
 #include "study/fit_told.hpp"
 #include "study/measurement_doubts.hpp"
 #include "study/measurement_reader.hpp"
+#include "study/named_trials.hpp"
 #include "study/odd_trials.hpp"
 #include "study/profile_text.hpp"
 #include "trace/output_file.hpp"
@@ -113,6 +114,9 @@ int fit(const FitOptions& options) {
   const MeasurementFormat format = measurement_format(options.reading);
   const CleaningSettings cleaning = cleaning_settings(options.cleaning);
   RecordedMeasurement recorded = read_measurements(options.measurements, format, options.reading.reader);
+  std::vector<std::string> named = take_trial_units(options.reading.trial_units, format, recorded);
+  if (std::string words = leave_out_trials(options.reading.left_out, recorded); !words.empty())
+    named.push_back(std::move(words));
   FitTold told = told_of_reading(recorded, format);
   for (const std::string& note : told.reading) print_err("fingerpad: {}\n", note);
   if (!told.understood.empty() && !options.quiet) print_err("fingerpad: {}\n", told.understood);
@@ -120,7 +124,8 @@ int fit(const FitOptions& options) {
   refuse_doubtful(recorded, format, cleaning.delay_s.value_or(0));
   leave_out_turned_presses(recorded);
   const std::string force_mend = recorded.force_mend;
-  const Measurement measurement = clean(std::move(recorded), cleaning);
+  Measurement measurement = clean(std::move(recorded), cleaning);
+  measurement.steps.insert(measurement.steps.begin(), named.begin(), named.end());
   warn(left_out_warnings(measurement));
   add_lines(left_out_warnings(measurement), told.warnings);
   FitSettings settings{options.seed, blocks_of(options.cleaning)};

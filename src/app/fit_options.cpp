@@ -172,6 +172,16 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
           "--reader takes it")
       ->delimiter(',');
   add_units(command, options);
+  command
+      .add_option("--trial-unit", options.trial_units,
+                  "NAME=UNIT: forces (mN) or positions (mm) of a trial are in another unit than its file's; "
+                  "again for each")
+      ->allow_extra_args(false);
+  command
+      .add_option("--leave-out", options.left_out,
+                  "A trial to leave out, as messages name it ('subject 1, trial 3', FILE before it), or "
+                  "'trial 3' of all; again for each")
+      ->allow_extra_args(false);
   command.add_option("--force-on", options.force_on, "What the recorded forces act on")
       ->check(one_of({"finger", "plate"}))
       ->capture_default_str();
@@ -231,12 +241,12 @@ void add_cleaning_options(CLI::App& command, CleaningOptions& options) {
                   "What the intervals' bootstrap draws: trials of each subject, or subjects")
       ->check(one_of({"trials", "subjects"}))
       ->capture_default_str();
-  command
-      .add_option(
+  take_units_within(
+      command.add_option(
           "--light", options.light_percent,
           "Samples pressed with less than this of what their trial is pressed with tell neither stick "
-          "nor slip [%]; 0: none is left out")
-      ->check(CLI::Range(0.0, 90.0))
+          "nor slip [%]; 0: none is left out"),
+      factors_of_percent(), "%", {0, 90, "%"})
       ->capture_default_str();
   command
       .add_option(
@@ -260,6 +270,11 @@ MeasurementFormat measurement_format(const ReadingOptions& options) {
   format.positions_path = options.positions;
   format.says_force_unit = !options.force_unit.empty();
   if (format.says_force_unit) format.newtons_per_unit = *si_per_unit(Quantity::force, options.force_unit);
+  if (!options.trial_units.empty() && find_field_format(options.reader) != nullptr)
+    throw fit_usage("--trial-unit",
+                    fmt::format("is not read with --reader {}, whose units are the layout's own: leave the "
+                                "trial out (--leave-out)",
+                                options.reader));
   refuse_unread_torque(options);
   format.says_torque_unit = !options.torque_unit.empty();
   if (format.says_torque_unit)

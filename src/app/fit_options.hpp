@@ -21,6 +21,7 @@ struct ReadingOptions {
   std::vector<std::string> columns;                       ///< KEY=NAME
   std::vector<double> markers, sensor_at, sensor_turned;  ///< none: not given
   std::optional<double> plate_height_m;
+  std::vector<std::string> left_out, trial_units;  ///< names of trials; NAME=UNIT
 };
 
 /// How it is told to make them clean and to draw its intervals.

@@ -23,6 +23,10 @@ UnitFactor factors_of_hertz() {
   };
 }
 
+UnitFactor factors_of_percent() {
+  return [](std::string_view unit) { return unit == "%" ? std::optional(1.0) : std::nullopt; };
+}
+
 std::optional<double> number_with_unit(std::string_view text, const UnitFactor& factor) {
   if (const auto plain = parse_number(text)) return plain;
   // The longest beginning that is a number: "1e-3s" is one of 1e-3.

@@ -16,6 +16,7 @@ using UnitFactor = std::function<std::optional<double>(std::string_view)>;
 /// Of a quantity, for an option in a unit of so many s, m, N..
 UnitFactor factors_of(Quantity quantity, double own_si = 1);
 UnitFactor factors_of_hertz();
+UnitFactor factors_of_percent();
 
 /// The number of "7.3", "7.3ms" or "7.3 ms", in the option's own unit; nothing for any other text.
 std::optional<double> number_with_unit(std::string_view text, const UnitFactor& factor);

@@ -37,12 +37,24 @@ bool has_between_hyphens(std::string_view whole, std::string_view part) {
   return part.size() > 1 && fmt::format("-{}-", whole).find(fmt::format("-{}-", part)) != std::string::npos;
 }
 
-/// "fx_n" of "fx": the only word that goes on with an underscore, as a quantity's name does with its unit.
-std::string only_one_with_unit(std::string_view word, const std::vector<std::string>& known) {
-  const std::string start = std::string(word) + '_';
-  const auto goes_on = [&](const std::string& whole) { return whole.starts_with(start); };
-  const auto found = std::ranges::find_if(known, goes_on);
-  return !word.empty() && std::ranges::count_if(known, goes_on) == 1 ? *found : "";
+/// Whether a word goes on with an underscore, as a quantity's name does with its unit: "fx_n" of "fx".
+bool is_with_unit(std::string_view whole, std::string_view word) {
+  return !word.empty() && whole.size() > word.size() && whole.starts_with(word) && whole[word.size()] == '_';
+}
+
+/// All of the words that are it with a unit.
+std::vector<std::string> with_unit(std::string_view word, const std::vector<std::string>& known) {
+  std::vector<std::string> found;
+  for (const std::string& whole : known)
+    if (is_with_unit(whole, word)) found.push_back(whole);
+  return found;
+}
+
+/// The only word that is it without its unit: "x" of "x_m".
+std::string only_one_without_unit(std::string_view word, const std::vector<std::string>& known) {
+  const auto begins_it = [&](const std::string& start) { return is_with_unit(word, start); };
+  const auto found = std::ranges::find_if(known, begins_it);
+  return std::ranges::count_if(known, begins_it) == 1 ? *found : "";
 }
 
 std::string only_one_with_part(std::string_view part, const std::vector<std::string>& known) {
@@ -68,8 +80,8 @@ std::string only_one_with_start(std::string_view start, const std::vector<std::s
 
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known) {
   if (word.size() > 100) return {};
-  std::string nearest = only_one_with_unit(word, known);
-  if (!nearest.empty()) return nearest;
+  if (const auto whole = with_unit(word, known); whole.size() == 1) return whole.front();
+  std::string nearest;
   std::size_t least = 2 * (std::max<std::size_t>(word.size() / 3, 1) + 1);
   for (const std::string& candidate : known) {
     const std::size_t distance = edit_distance(word, candidate);
@@ -79,11 +91,15 @@ std::string nearest_word(std::string_view word, const std::vector<std::string>& 
     }
   }
   if (nearest.empty()) nearest = only_one_with_part(word, known);
-  return nearest.empty() ? only_one_with_start(word, known) : nearest;
+  if (nearest.empty()) nearest = only_one_with_start(word, known);
+  return nearest.empty() ? only_one_without_unit(word, known) : nearest;
 }
 
 std::string near_miss_hint(std::string_view word, const std::vector<std::string>& known) {
   const std::string nearest = nearest_word(word, known);
+  const std::vector<std::string> units = with_unit(word, known);
+  if (nearest.empty() && units.size() == 2)
+    return fmt::format("; did you mean '{}' or '{}'?", units[0], units[1]);
   return nearest.empty() ? "" : fmt::format("; did you mean '{}'?", nearest);
 }
 

@@ -7,6 +7,7 @@
 
 #include "base/number_text.hpp"
 #include "study/file_delays.hpp"
+#include "study/static_friction.hpp"
 
 namespace fingerpad {
 
@@ -153,6 +154,37 @@ void doubt_straight_springs(ProfileFit& fit) {
       "straight springs: where stick ends is not known, as mu_static is not, and so whether the spring bends "
       "on the way: with a cubic share of 0.3 axes are some 30 % shorter and stiffnesses 43 % higher than {}",
       names));
+}
+
+void tell_unlike_friction(const std::vector<std::string>& names, const FitPoint& point, ProfileFit& fit) {
+  constexpr double unlike = 1.1, surely_unlike = 1.5;
+  PadValue &mu_static = value_of(fit.values, PadNumber::mu_static),
+           &mu_dynamic = value_of(fit.values, PadNumber::mu_dynamic);
+  const bool is_refused = mu_static.reason == RefusalReason::contradiction,
+             is_paired = point.pairs_friction && mu_static.refusal.empty();
+  const std::string words =
+      unlike_trials_words(names, fit.evidence, is_refused || is_paired ? unlike : surely_unlike);
+  if (is_refused) {
+    for (PadValue* one : {&mu_static, &mu_dynamic})
+      one->refusal = fmt::format(
+          "the measurement gives a mu_static of {} and a mu_dynamic of {}, and no pad slips with more than "
+          "it sticks with: {}",
+          rounded_text(mu_static.value, 3), rounded_text(mu_dynamic.value, 3),
+          words.empty()
+              ? fmt::format(
+                    "ruptures are counted of {} of {} trials, and of others than those that slip with "
+                    "more friction: rub these slower, or leave them out (--leave-out)",
+                    mu_static.trials, fit.evidence.size())
+              : "its trials are " + words);
+    return;
+  }
+  if (!words.empty()) fit.doubts.push_back("mu_static and mu_dynamic are means of trials that are " + words);
+  if (!is_paired) return;
+  const std::vector<int> once(fit.evidence.size(), 1);
+  fit.doubts.push_back(fmt::format(
+      "mu_static: the trials whose ruptures are counted slip otherwise than all do, so that it is told "
+      "against each trial's own slip; without that it would be {}",
+      rounded_text(static_friction(fit.evidence, once, false).value, 3)));
 }
 
 void tell_noise(const std::vector<StickSegments>& segments, ProfileFit& fit) {

@@ -45,6 +45,10 @@ void refuse_odd_cubic_shares(ProfileFit& fit);
 /// are told as straight ones: says so, and what a bend would make of it.
 void doubt_straight_springs(ProfileFit& fit);
 
+/// Where mu_static comes out below mu_dynamic, says what they came to; where it is told by each trial's own
+/// slip (FitPoint::pairs_friction), that it is. And which trials are unlike one another, and what may be why.
+void tell_unlike_friction(const std::vector<std::string>& names, const FitPoint& point, ProfileFit& fit);
+
 /// Says of coefficients that are refused that noise may be why.
 void tell_noise(const std::vector<StickSegments>& segments, ProfileFit& fit);
 

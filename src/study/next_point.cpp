@@ -12,30 +12,11 @@
 #include "study/load_exponent.hpp"
 #include "study/press_fit.hpp"
 #include "study/rupture_sums.hpp"
+#include "study/static_friction.hpp"
 #include "study/subjects_mean.hpp"
 #include "study/unseen_slip.hpp"
 
 namespace fingerpad {
-
-namespace {
-
-/// Each subject's: what one pad slips by may be more than what another sticks by.
-std::vector<double> own_mu_static(const std::vector<TrialEvidence>& trials) {
-  int last = -1;
-  for (const TrialEvidence& trial : trials) last = std::max(last, trial.subject);
-  std::vector<double> own;
-  for (int subject = 0; subject <= last; ++subject) {
-    std::vector<int> once;
-    once.reserve(trials.size());
-    for (const TrialEvidence& trial : trials) once.push_back(trial.subject == subject ? 1 : 0);
-    const PadValue mean = subjects_mean(trials, once, &TrialEvidence::rupture_ratio, &TrialEvidence::ruptures,
-                                        enough_ruptures, "no rupture");
-    own.push_back(mean.refusal.empty() ? mean.value : 0);
-  }
-  return own;
-}
-
-}  // namespace
 
 void doubt_slip(const std::vector<TrialEvidence>& trials, FitPoint& point) {
   point.has_unseen_slip = true;
@@ -70,7 +51,7 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.vibration = peak.refusal.empty() ? std::optional(peak) : std::nullopt;
   const PadValues found = pad_numbers(trials, once, point);
   take_bends(found, next.evidence);
-  next.evidence.mu_static = own_mu_static(trials);
+  next.evidence.own = own_frictions(trials);
   const PadValue& v_min = value_of(found, PadNumber::v_min);
   next.evidence.v_min_m_per_s = v_min.refusal.empty() ? v_min.value : 0;
   next.slow_slip = speed_step(trials, once);
@@ -89,6 +70,7 @@ FitPoint next_point(const std::vector<TrialEvidence>& trials, const FitPoint& po
   next.evidence.drop_tail = drop_tail_samples(trials);
   next.has_unseen_slip = false;
   if (!unseen_slip_words(trials, found, next).empty()) doubt_slip(trials, next);
+  next.pairs_friction = is_friction_unlike(trials);
   return next;
 }
 

@@ -9,6 +9,7 @@
 
 #include "base/number_text.hpp"
 #include "motion/driving_share.hpp"
+#include "study/named_trials.hpp"
 #include "study/sample_noise.hpp"
 #include "study/six_axis_sensor.hpp"
 
@@ -112,8 +113,16 @@ std::string likely_unit(double times, std::string_view thousandth) {
   return {};
 }
 
+/// How to say the unit of one trial, or leave it out.
+std::string unit_mend(const std::string& name, const char* of_file) {
+  return fmt::format(
+      "; --trial-unit '{0}=UNIT' says its unit ({1} that of all trials of a file), and --leave-out '{0}' "
+      "leaves it out",
+      name, of_file);
+}
+
 /// What is odd in how far a trial's positions reach; empty where nothing is.
-std::string odd_reach(const RecordedTrial& trial, double usual_m) {
+std::string odd_reach(const RecordedTrial& trial, double usual_m, const std::vector<RecordedTrial>& all) {
   constexpr double most_times = 300, farthest_m = 0.5, farther = 20;
   const double reach_m = extent_m(trial), times = reach_m / usual_m;
   const bool is_far = times > most_times || (reach_m > farthest_m && times > farther),
@@ -121,30 +130,34 @@ std::string odd_reach(const RecordedTrial& trial, double usual_m) {
   if (!is_far && !is_near) return {};
   return fmt::format(
       "its positions reach over {} m, and the other trials' over {} m: are they in another unit?{} They "
-      "are counted as they are; --unit holds for all trials of a file",
-      rounded_text(reach_m, 3), rounded_text(usual_m, 3), likely_unit(times, "mm"));
+      "are counted as they are{}",
+      rounded_text(reach_m, 3), rounded_text(usual_m, 3), likely_unit(times, "mm"),
+      unit_mend(option_name(trial, all), "--unit"));
 }
 
 /// What is odd in a trial that presses as the others do; empty where nothing is.
-std::string oddity(const RecordedTrial& trial, const UsualTrial& usual) {
+std::string oddity(const RecordedTrial& trial, const UsualTrial& usual,
+                   const std::vector<RecordedTrial>& all) {
   constexpr double most_times = 50;
   const double press_n = pressing_n(trial), times = std::abs(press_n / usual.press_n);
   const std::string press_text = rounded_text(press_n, 3), usual_text = rounded_text(usual.press_n, 3);
   if (times > most_times || (times * most_times < 1 && presses(trial)))
     return fmt::format(
         "its normal force is {} N where it presses, {} times the other trials' {} N: is it in another "
-        "unit?{} It is counted as it is; --force-unit holds for all trials of a file",
+        "unit?{} It is counted as it is{}",
         press_text, times > 1 ? rounded_text(times, 3) : "1/" + rounded_text(1 / times, 3), usual_text,
-        likely_unit(times, "mN"));
+        likely_unit(times, "mN"), unit_mend(option_name(trial, all), "--force-unit"));
   if (presses_the_other_way(trial, usual.press_n))
     return fmt::format(
         "its normal force is {} N where it presses, and the other trials' {} N: is its sign "
         "turned round? It is left out",
         press_text, usual_text);
-  if (std::string reach = odd_reach(trial, usual.reach_m); !reach.empty()) return reach;
+  if (std::string reach = odd_reach(trial, usual.reach_m, all); !reach.empty()) return reach;
   if (trial.lacks.empty() && usual.work_share < -most_driving_share && work_share(trial) > most_driving_share)
-    return "its force drives the finger along its way, and the other trials' holds it back: is the sign of "
-           "its fx and fy turned round? It tells neither slip nor springs so";
+    return fmt::format(
+        "its force drives the finger along its way, and the other trials' holds it back: is the sign of "
+        "its fx and fy turned round? It tells neither slip nor springs so; --leave-out '{}' leaves it out",
+        option_name(trial, all));
   return {};
 }
 
@@ -155,7 +168,7 @@ std::vector<std::string> odd_trial_doubts(const std::vector<RecordedTrial>& tria
   const UsualTrial usual(trials);
   std::vector<std::string> doubts;
   for (const RecordedTrial& trial : trials)
-    if (const std::string words = oddity(trial, usual); !words.empty())
+    if (const std::string words = oddity(trial, usual, trials); !words.empty())
       doubts.push_back(fmt::format("{}: {}", trial_name(trial), words));
   return doubts;
 }

@@ -12,6 +12,7 @@
 #include "study/impossible_numbers.hpp"
 #include "study/load_exponent.hpp"
 #include "study/press_fit.hpp"
+#include "study/static_friction.hpp"
 #include "study/subjects_mean.hpp"
 #include "study/vibration_peak.hpp"
 
@@ -65,11 +66,12 @@ PadValues pad_numbers(const std::vector<TrialEvidence>& trials, const std::vecto
                       const FitPoint& point) {
   PadValues found;
   const auto at = [&](PadNumber number) -> PadValue& { return value_of(found, number); };
-  at(PadNumber::mu_static) =
-      subjects_mean(trials, times, &TrialEvidence::rupture_ratio, &TrialEvidence::ruptures, enough_ruptures,
-                    no_rupture_words(trials));
-  at(PadNumber::mu_dynamic) = subjects_mean(trials, times, &TrialEvidence::slip_ratio,
-                                            &TrialEvidence::slip_samples, 500, "no slip was found");
+  at(PadNumber::mu_static) = static_friction(trials, times, point.pairs_friction);
+  if (at(PadNumber::mu_static).samples == 0) at(PadNumber::mu_static).refusal = no_rupture_words(trials);
+  at(PadNumber::mu_dynamic) = slip_mean(trials, times);
+  if (point.contradicts_law)
+    for (const PadNumber number : {PadNumber::mu_static, PadNumber::mu_dynamic})
+      at(number).refuse(RefusalReason::contradiction, "mu_static comes out below mu_dynamic");
   at(PadNumber::mu_load_exponent) =
       load_exponent(trials, times, point.evidence.load.exponent, point.trial_scatter);
   if (point.has_unseen_slip)

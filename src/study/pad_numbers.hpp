@@ -70,6 +70,7 @@ enum class RefusalReason {
   unknown_delay,  ///< the delay of force behind position is not known
   no_friction,    ///< the normal force alone was measured
   impossible,     ///< it came out as no number, or as a size that is none
+  contradiction,  ///< with another number, by the pad's law
 };
 
 /// A number, how many samples it rests on, and why there is none.
@@ -104,6 +105,8 @@ struct FitPoint {
   double trial_scatter = 0;                ///< of the trials' friction; see load_exponent
   std::optional<SpeedStep> slow_slip;      ///< where slip's friction rises as it slows
   bool has_unseen_slip = false;            ///< what passes for slip may be teeth (unseen_slip_words)
+  bool pairs_friction = false;             ///< trials are unlike one another (static_friction)
+  bool contradicts_law = false;            ///< mu_static comes out below mu_dynamic
   LoadLaw load_of_slip;                    ///< what evidence.load is where it is not
   /// A step of friction over the speed of slip once left no slip above it: it was none, such as one that a
   /// load which is not taken out yet makes.

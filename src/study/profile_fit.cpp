@@ -20,6 +20,7 @@
 #include "study/silent_subjects.hpp"
 #include "study/slow_sensor.hpp"
 #include "study/spring_steps.hpp"
+#include "study/static_friction.hpp"
 #include "study/stretch_reach.hpp"
 #include "study/unseen_slip.hpp"
 #include "study/zero_doubt.hpp"
@@ -131,6 +132,10 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
     gather();
     fit.values = pad_numbers(fit.evidence, once, point);
   }
+  if (contradicts_law(fit.values)) {
+    point.contradicts_law = true;
+    fit.values = pad_numbers(fit.evidence, once, point);
+  }
   tell_impossible_numbers(fit.values);
   fit.mu_load_n = point.evidence.load.load_n;
   std::vector<std::string> names;
@@ -157,6 +162,7 @@ ProfileFit whole_fit(const Measurement& measurement, const FitSettings& settings
   tell_light_samples(measurement, segments, fit);
   tell_slow_sensor(segments, point, fit);
   tell_silent_subjects(measurement, fit);
+  tell_unlike_friction(names, point, fit);
   tell_axes_exponent(settings.takes_axes_exponent, fit);
   const std::string hidden =
       point.v_min_by_step ? "" : hidden_stick_words(fit.evidence, once, point.slow_slip, fit.values);

@@ -42,9 +42,10 @@ std::string axis_mend(const ProfileFit& fit, PadNumber axis) {
   if (!has_direction) return "give the finger's direction in the columns dx, dy, dz";
   if (reason == RefusalReason::vague)
     return fmt::format("{}add trials whose finger sticks before it slips {} the finger, pushed alike",
-                       odd_spring_words(fit, axis).empty() ? ""
-                                                           : "leave the trial out that is unlike the others, "
-                                                             "if it is another finger's or went wrong, or ",
+                       odd_spring_words(fit, axis).empty()
+                           ? ""
+                           : "leave the trial out that is unlike the others (--leave-out), "
+                             "if it is another finger's or went wrong, or ",
                        axis == PadNumber::lateral_axis ? "across" : "along");
   if (reason == RefusalReason::unknown_delay) return "give the delay of force behind position (--delay)";
   if (reason == RefusalReason::unseen_slip) return "rub faster";

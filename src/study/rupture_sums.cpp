@@ -150,7 +150,7 @@ std::optional<RuptureLine> rupture_line(const MeasuredTrial& trial, const StickS
 void add_rupture_sums(const MeasuredTrial& trial, const StickSegments& segments,
                       const std::vector<Vec2>& ratio, const EvidencePoint& about, TrialEvidence& evidence) {
   const std::array<SpringBend, 2>& bend = about.bend;
-  const double mu_static = about.mu_static_of(trial.subject);
+  const double mu_static = about.mu_static_of(evidence);
   for (std::size_t i = 2; i < ratio.size(); ++i) {
     const Vec2& velocity = segments.velocity_m_per_s[i];
     if (!segments.is_rupture[i] || !(velocity.norm() > 0)) continue;

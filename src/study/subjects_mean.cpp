@@ -26,4 +26,10 @@ PadValue subjects_mean(const std::vector<TrialEvidence>& trials, const std::vect
   return found;
 }
 
+PadValue slip_mean(const std::vector<TrialEvidence>& trials, const std::vector<int>& times) {
+  constexpr double enough_samples = 500;
+  return subjects_mean(trials, times, &TrialEvidence::slip_ratio, &TrialEvidence::slip_samples,
+                       enough_samples, "no slip was found");
+}
+
 }  // namespace fingerpad

@@ -18,4 +18,7 @@ inline constexpr double enough_ruptures = 10;  ///< beyond which they hardly add
 PadValue subjects_mean(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                        EvidenceSum sum, EvidenceCount count, double enough, const std::string& refusal);
 
+/// mu_dynamic: that of slip.
+PadValue slip_mean(const std::vector<TrialEvidence>& trials, const std::vector<int>& times);
+
 }  // namespace fingerpad

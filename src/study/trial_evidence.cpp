@@ -85,7 +85,7 @@ void add_gives(const MeasuredTrial& trial, const StickSegments& segments, const 
 /// Whether teeth at v_min, from slip's friction up to mu_s, are hardly seen in the trial.
 bool may_hide_teeth(const EvidencePoint& about, const TrialEvidence& evidence) {
   constexpr double surely_seen = 1.5, fewest_samples = 3.5;
-  const double mu_static = about.mu_static_of(evidence.subject);
+  const double mu_static = about.mu_static_of(evidence);
   if (!(mu_static > 0) || !(about.v_min_m_per_s > 0) || evidence.slip_samples == 0) return false;
   const auto slip_samples = static_cast<double>(evidence.slip_samples);
   const double slip_ratio = evidence.slip_ratio / slip_samples, drop = mu_static - slip_ratio;

@@ -101,18 +101,27 @@ struct TrialEvidence {
   double press_load_2 = 0;    ///< likewise of ln n with itself
   double press_log_load = 0;  ///< sum over groups of ln n
   long press_samples = 0, press_groups = 0;
+
+  /// Whether it slips for long enough to tell its friction alone, and that.
+  bool tells_slip() const noexcept { return slip_samples >= 100 && slip_ratio > 0; }
+  double mean_slip() const noexcept { return slip_ratio / static_cast<double>(slip_samples); }
 };
 
 /// The samples of one of Welch's windows, a quarter of a second and a power of two.
 std::size_t vibration_window(double rate_hz);
 
+/// A subject's friction at ruptures, and in the slip of the same trials; 0: not known.
+struct OwnFriction {
+  double mu_static = 0, mu_dynamic = 0;
+};
+
 /// What the last pass over the trials has told, that sums are taken about.
 struct EvidencePoint {
   LoadLaw load;
-  double axes_exponent = 0;       ///< of the stick axes over the load, which springs are taken to load_n by
-  double press_exponent = 0.5;    ///< w of depth ~ n^w
-  std::vector<double> mu_static;  ///< each subject's own; of others it is not known yet
-  double v_min_m_per_s = 0;       ///< below which what seems to slip is stick whose ruptures are not seen
+  double axes_exponent = 0;      ///< of the stick axes over the load, which springs are taken to load_n by
+  double press_exponent = 0.5;   ///< w of depth ~ n^w
+  std::vector<OwnFriction> own;  ///< each subject's; of others it is not known yet
+  double v_min_m_per_s = 0;      ///< below which what seems to slip is stick whose ruptures are not seen
   std::array<SpringBend, 2>
       bend;  ///< lateral, longitudinal: what is left of a share to find is small about it
   /// The force ratio of slip, where stick may give way unseen within what is taken for stick or slip: then
@@ -122,10 +131,15 @@ struct EvidencePoint {
   std::size_t drop_tail = 0;  ///< StickSegments', as drop_tail_samples tells it
   bool knows_delay = false;   ///< then no rest of it is looked for: it would take part of a loop
 
+  /// Its subject's; of a trial that slips with a fifth more friction, or less, so many times as much.
   /// 0: not known yet.
-  double mu_static_of(int subject) const {
-    const auto i = static_cast<std::size_t>(subject);
-    return i < mu_static.size() ? mu_static[i] : 0;
+  double mu_static_of(const TrialEvidence& trial) const {
+    constexpr double unlike = 0.2;
+    const auto i = static_cast<std::size_t>(trial.subject);
+    if (i >= own.size()) return 0;
+    if (!trial.tells_slip() || !(own[i].mu_dynamic > 0)) return own[i].mu_static;
+    const double times = trial.mean_slip() / own[i].mu_dynamic;
+    return std::abs(times - 1) > unlike ? times * own[i].mu_static : own[i].mu_static;
   }
   /// How long the stick axes are under a load, over those at load.load_n.
   double axes_at(double load_n) const {

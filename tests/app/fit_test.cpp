@@ -97,6 +97,42 @@ TEST_F(Fit, TakesAUnitBehindANumber) {
   }
 }
 
+TEST_F(Fit, LeavesOutTrialsByNameAndTellsIt) {
+  const auto told = fit(shipped.string() + " --out some.toml --leave-out 'trial 2' --leave-out 'trial 5'");
+  EXPECT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.err, HasSubstr("understood as 4 trials"));
+  for (const std::string& text : {told.out, test::bytes_of(folder / "some.toml")})
+    EXPECT_THAT(text, ContainsRegex("left out \\(--leave-out\\): .*, trial 2; .*, trial 5"));
+  const auto none = fit(shipped.string() + " --out none.toml --leave-out 'trial 77'");
+  EXPECT_EQ(none.exit_code, 2);
+  EXPECT_THAT(none.err,
+              HasSubstr("--leave-out: no trial is called 'trial 77'; there are 'subject 1, trial 1'"));
+}
+
+TEST_F(Fit, TakesOneTrialInItsOwnUnit) {
+  std::ofstream(folder / "third.awk")
+      << "BEGIN { FS = OFS = \",\" } /^[0-9]/ && $12 == 3 { $5 *= 1000; $6 *= 1000; $7 *= 1000 } { print }\n";
+  ASSERT_EQ(test::shell("awk -f third.awk " + shipped.string() + " > other.csv", folder).exit_code, 0);
+  const auto plain = fit("other.csv --out plain.toml");
+  EXPECT_THAT(plain.err, HasSubstr("--trial-unit 'subject 1, trial 3=UNIT'"));
+  const auto mended = fit("other.csv --out mended.toml --trial-unit 'trial 3=mN'"),
+             whole = fit(shipped.string() + " --out whole.toml");
+  EXPECT_THAT(mended.err, Not(HasSubstr("warning")));
+  EXPECT_THAT(mended.out, HasSubstr("trial 3: its forces are taken to be in mN (--trial-unit)"));
+  const auto number = [](const std::string& text) {
+    return text.substr(text.find("\nmu_static ")).substr(0, 40);
+  };
+  EXPECT_EQ(number(mended.out), number(whole.out));
+}
+
+TEST_F(Fit, SaysWhichShareIsLight) {
+  const auto far = fit(shipped.string() + " --out none.toml --light 95");
+  EXPECT_EQ(far.exit_code, 2);
+  EXPECT_THAT(far.err, HasSubstr("--light: '95' is out of range; 0 to 90 % is asked for"));
+  EXPECT_THAT(fit(shipped.string() + " --out none.toml --light 25mN").err,
+              HasSubstr("--light: '25mN' is no number, nor one of %"));
+}
+
 TEST_F(Fit, TakesNoColumnThatItReadsForAMisspeltOne) {
   ASSERT_EQ(test::shell("sed 's/,fz_n,/,Fz,/' " + shipped.string() + " > other.csv", folder).exit_code, 0);
   const auto named = fit("other.csv --out none.toml --columns fx=fx_n,fy=fy_n,fz=fz_n");

@@ -32,6 +32,19 @@ TEST(NearestWord, KnowsAQuantityWithoutItsUnit) {
   EXPECT_NE(nearest_word("hx", columns), "hx_n") << "two go on so";
 }
 
+TEST(NearestWord, NamesBothUnitsOfAQuantity) {
+  const std::vector<std::string> keys{"law", "stick_stiffness_per_m", "stick_stiffness_n_per_m"};
+  EXPECT_EQ(near_miss_hint("stick_stiffness", keys),
+            "; did you mean 'stick_stiffness_per_m' or 'stick_stiffness_n_per_m'?");
+}
+
+TEST(NearestWord, KnowsAQuantityByItsNameWithAUnit) {
+  const std::vector<std::string> headers{"t", "x", "y", "fx", "fx_raw"};
+  EXPECT_EQ(nearest_word("x_m", headers), "x");
+  EXPECT_EQ(nearest_word("t_s", headers), "t");
+  EXPECT_EQ(nearest_word("z_m", headers), "");
+}
+
 TEST(NearestWord, KnowsAWordByItsStart) {
   EXPECT_EQ(nearest_word("closes", words), "closest-point");
   EXPECT_EQ(nearest_word("stick-p", words), "stick-pad");

@@ -8,6 +8,7 @@
 
 #include "base/random_stream.hpp"
 #include "study/profile_text.hpp"
+#include "support/effort.hpp"
 #include "support/pad_measurement.hpp"
 
 namespace fingerpad::law_verdict_test {
@@ -108,6 +109,40 @@ TEST(LawVerdict, WhereStickPassesForSlipMuchIsDoubtedAndLittleIsNot) {
   EXPECT_EQ(law_verdict(near, names, hidden).untold, "");
   EXPECT_THAT(law_verdict(far, names, hidden).untold, HasSubstr("it leaves 24.0 %"));
   EXPECT_EQ(law_verdict(far, names, hidden).misfit, "");
+}
+
+TEST(LawVerdict, WhereFrictionStepsSeveralTimesTheNoiseIsNotSaidToFit) {
+  HiddenStick hidden;
+  hidden.is_likely = hidden.is_stepped = true;
+  const std::vector<TrialResidual> little(5, leaving(0.03)), much(5, leaving(0.07));
+  EXPECT_EQ(law_verdict(little, names, hidden).untold, "");
+  EXPECT_THAT(law_verdict(much, names, hidden).untold, HasSubstr("another law may be behind it"));
+  std::vector<TrialResidual> undropped = little;
+  for (TrialResidual& trial : undropped) trial.drops = 0;
+  EXPECT_THAT(law_verdict(undropped, names, hidden).untold, HasSubstr("at 0 of its 15 ends"));
+}
+
+TEST(LawVerdict, MuchThatFewTrialsLeaveIsNotSaidToFitWhereNoneIsOdd) {
+  HiddenStick hidden;
+  hidden.is_likely = true;  // so that trials are not told to be odd
+  std::vector<TrialResidual> trials(5, leaving(0.02));
+  trials[1] = trials[3] = leaving(0.4);
+  EXPECT_THAT(law_verdict(trials, names, hidden).untold, HasSubstr("than of others"));
+}
+
+// Its friction rises as the finger slows, which was taken for stick that hides in slip.
+TEST(LawVerdict, AnotherLawWhoseFrictionStepsIsNotSaidToFit) {
+  test::KnownFinger finger;
+  finger.law = "lugre";
+  test::KnownSensors sensors;
+  sensors.air_s = 0.3;
+  std::vector<test::KnownTrial> rubs;
+  for (int k = 0; k < 4; ++k) rubs.push_back({2, 45, k % 3 * 45.0, 0.05, 0.5, 3, 1 + 0.2 * k});
+  for (const std::uint64_t seed : test::cases<std::uint64_t>({1, 2, 4})) {
+    const LawResidual found =
+        fit_profile(clean(test::known_measurement(rubs, finger, sensors, seed), {}), {}).residual;
+    EXPECT_FALSE(found.misfit.empty() && found.untold.empty()) << seed;
+  }
 }
 
 TEST(LawVerdict, NamesTheOneTrialThatDoesNotFit) {

@@ -36,6 +36,12 @@ std::string table(const std::string& header, const Row& row) {
   return text;
 }
 
+TEST_F(Reading, NamesTheHeaderThatIsAColumnWithoutItsUnit) {
+  const std::string path = written("short.csv", "t_s;x;y;z;fx;fy;fz\n0;0;0;0;0;0;1\n");
+  EXPECT_THAT(test::why_not([&] { read_measurements({path}, {}); }),
+              HasSubstr("no column 'x_m' (did you mean 'x'?)"));
+}
+
 TEST_F(Reading, TakesColumnsUnitsAndSeparatorsAsItIsTold) {
   const std::string path =
       written("other.csv", table("Zeit;X;Y;Z;Fx;Fy;Fz;wer", [](int i) {
