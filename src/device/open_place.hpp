@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "contact/looks.hpp"
 #include "device/pointer_path.hpp"
 #include "device/surroundings.hpp"
 
@@ -19,8 +20,8 @@ class OpenPlace {
   OpenPlace(const World& world, const Surroundings& around, double soft_m) noexcept
       : world_(world), around_(around), soft_m_(soft_m) {}
 
-  /// For this aim from now on. Looks around where it is another than the last: some forty searches at most.
-  /// noexcept, allocates nothing.
+  /// For this aim from now on. Looks around where it is another than the last, as far as a tick's
+  /// looks go. noexcept, allocates nothing.
   void aim(const PointerAim& aim) noexcept;
 
   /// No way has led to the place that was asked for. It is as if the finger had no room there, until the
@@ -42,7 +43,8 @@ class OpenPlace {
  private:
   void look() noexcept;
   bool is_given_up() const noexcept;
-  Vec3 stopped_W() noexcept;
+  bool seems_free(double least_m, Looks& looks) const noexcept;
+  Vec3 stopped_W(Looks& looks) noexcept;
 
   const World& world_;
   const Surroundings& around_;
