@@ -216,11 +216,6 @@ Vec3 PointerFinger::aside(double dt_s) const noexcept {
   return length_m * share > most_m ? Vec3(along_W * (most_m / length_m)) : Vec3(along_W * share);
 }
 
-/// So far it goes in a tick, along a surface, into it or out of it.
-double PointerFinger::fastest_m(double dt_s) const noexcept {
-  return std::max(lifting_m_per_s, fastest_per_s * around_.radius_m()) * dt_s;
-}
-
 /// Whether the step aside that was tried takes the finger's skin the other way: pressed in deeper than its
 /// radius over an edge, the finger turns about it as a lever. Steps that follow the pointer would swing it to
 /// and fro without end.

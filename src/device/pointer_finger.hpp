@@ -1,10 +1,13 @@
 #pragma once
 
+#include <algorithm>
+
 #include "device/foresight.hpp"
 #include "device/free_flight.hpp"
 #include "device/landing_way.hpp"
 #include "device/live_device.hpp"
 #include "device/open_place.hpp"
+#include "device/pointer_limits.hpp"
 #include "device/pointer_path.hpp"
 #include "device/pointer_rest.hpp"
 
@@ -49,7 +52,11 @@ class PointerFinger final : public LiveDevice {
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;
   bool turns_about_edge(const Vec3& aside_W) const noexcept;
-  double fastest_m(double dt_s) const noexcept;
+  /// So far it goes in a tick, along a surface, into it or out of it.
+  double fastest_m(double dt_s) const noexcept {
+    const double along_m_per_s = pointer_limits::fastest_per_s * around_.radius_m();
+    return std::max(pointer_limits::lifting_m_per_s, along_m_per_s) * dt_s;
+  }
   void press(double dt_s) noexcept;
   void lift(double dt_s) noexcept;
   bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
