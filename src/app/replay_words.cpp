@@ -14,6 +14,7 @@
 #include "contact/contact_method_table.hpp"
 #include "replay/batch_files.hpp"
 #include "replay/hard_press.hpp"
+#include "touch/servo_words.hpp"
 
 namespace fingerpad {
 namespace {
@@ -115,11 +116,9 @@ void tell_pop_throughs(const std::vector<BatchJob>& jobs) {
 void tell_unsettled(const std::vector<BatchJob>& jobs) {
   const Trouble unsettled = trouble_of(jobs, "unsettled_ticks");
   if (unsettled.jobs.empty()) return;
-  print_err(
-      "fingerpad: warning: {} unsettled {} in {}: the proxy lags behind there, since a tick's work is "
-      "bounded, and the force is not to be trusted (unsettled_ticks in summary.csv); a smaller depth, a "
-      "slower motion or a higher motion.rate_hz may mend it\n",
-      unsettled.count, unsettled.count == 1 ? "tick" : "ticks", jobs_words(unsettled.jobs, jobs));
+  print_err("fingerpad: warning: {}\n",
+            unsettled_words(unsettled.count, " in " + jobs_words(unsettled.jobs, jobs),
+                            " (unsettled_ticks in summary.csv)"));
 }
 
 /// Rubs that somewhere press far harder than they are to.

@@ -267,6 +267,8 @@ std::optional<bool> TriangleTree::encloses(const Vec3& q, WindingWalk& walk, Loo
 }
 
 ClosestTriangle TriangleTree::closest(const Vec3& q, BriefSearch& brief, double reach_m) const noexcept {
+  brief.spent = 0;
+  brief.broken_off = false;
   ClosestMemory* const memory = brief.memory;
   if (memory != nullptr && impl_->is_searched(q, reach_m)) {
     ClosestSearch search(impl_->packed, impl_->filter, q, reach_m);
@@ -282,6 +284,8 @@ ClosestTriangle TriangleTree::closest(const Vec3& q, BriefSearch& brief, double 
   ClosestWalk walk{brief.triangle, 0};
   Looks looks(brief.most_looks);
   const auto found = closest(q, reach_m, walk, looks);
+  brief.spent = looks.spent();
+  brief.broken_off = !found;
   const ClosestTriangle nearest =
       found ? *found : ClosestTriangle{walk.triangle, closest_on_triangle(part(), walk.triangle, q)};
   brief.triangle = nearest.triangle;

@@ -46,6 +46,8 @@ struct BriefSearch {
                                     ///< Where the rest is broken off, what it holds makes the answer no worse
   const ClosestMemory* beside = nullptr;  ///< of another path that is near: its packets are looked at where
                                           ///< the memory's own do not answer
+  long spent = 0;                         ///< looks, of the last answer
+  bool broken_off = false;                ///< that was; something nearer may be there
 };
 
 /// A sum over a part's triangles for its winding number that may be broken off.

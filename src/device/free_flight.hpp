@@ -38,6 +38,8 @@ class FreeFlight {
   double lag_s() const noexcept { return follower_.lag_s(); }
   /// Nothing leads nearer to the goal.
   bool has_arrived() const noexcept { return rests_; }
+  /// No way led there.
+  bool has_given_up() const noexcept { return has_given_up_; }
 
  private:
   enum class Way { straight, over, up, out, round };

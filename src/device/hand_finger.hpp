@@ -21,9 +21,14 @@ class HandFinger final : public LiveDevice {
   void set_target(const FingerSample& target) override;
 
  private:
+  Vec3 next_intended_W(const Vec3& wanted_W, const TickRecord& tick) noexcept;
+
   HandSettings settings_;
   SimulatedHand hand_;
   Follower intended_;  ///< where the mouse goes, as a hand would follow it
+  Follower landing_;   ///< the same along the way down, while the hand lands
+  bool lands_ = true;
+  double landing_s_ = 0;  ///< so long it has touched meanwhile
   double dt_s_;
   Vec3 place_W_;  ///< of the last advance()
   FingerSample finger_;

@@ -47,6 +47,7 @@ struct PointerFinger::Change final : ChangeBeside {
   void put_in() noexcept override {
     finger.around_.change(world, choice);
     finger.foresight_.change(world, method);
+    finger.rest_.forget();
   }
 
   PointerFinger& finger;
@@ -66,14 +67,13 @@ void PointerFinger::feel(const TickRecord& tick) noexcept {
 
 FingerSample PointerFinger::advance(double dt_s) noexcept {
   const PointerAim last_aim = aim_;
-  const FingerSample& last = last_aim.finger;
   aim_ = path_.advance(dt_s);
-  pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last.p_WQ) / dt_s - pace_W_);
-  const bool rests = aim_.finger.p_WQ == last.p_WQ && aim_.finger.push_W_n == last.push_W_n;
-  if (!rests) still_s_ = 0;
-  rests_s_ = rests && aim_.towards_eye_W == last_aim.towards_eye_W ? rests_s_ + dt_s : 0;
+  pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_aim.finger.p_WQ) / dt_s - pace_W_);
+  rest_.note(last_aim, aim_, dt_s);
   wanted_n_ = aim_.finger.push_W_n.norm();
   open_.aim(aim_);
+  const bool leads_nowhere = doing_ == Doing::flies && flight_.has_given_up() && flight_.has_arrived();
+  if (open_.has_room() && leads_nowhere) open_.give_up();
   doing_ = next_doing(dt_s);
   if (doing_ == Doing::flies) {
     fly(dt_s);
@@ -86,7 +86,8 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
   }
   // Rarely, between two answers that lie within rounding, the step is not what it was when it was tried.
   const Vec3 from_W = finger_.p_WQ;
-  const double allowed_n = std::max(within(surely_share), touched_.normal_force_n);
+  const double lifts_n = doing_ == Doing::lifts ? lift_most_n_ : 0;
+  const double allowed_n = std::max({within(surely_share), touched_.normal_force_n, lifts_n});
   if (foresight_.go_n(flight_.place_W(), dt_s) > allowed_n) {
     foresight_.take_back();
     flight_.put(from_W, Vec3::Zero());
@@ -102,11 +103,11 @@ PointerFinger::Doing PointerFinger::next_doing(double dt_s) noexcept {
   const bool wants = wanted_n_ > 0;
   if (is_touching()) {
     const bool stays = wants && (doing_ == Doing::lands || doing_ == Doing::presses) && can_follow(dt_s);
-    if (!stays && doing_ != Doing::lifts) lift_ticks_ = 0;
+    if (!stays && doing_ != Doing::lifts) begin_lift();
     return stays ? Doing::presses : Doing::lifts;
   }
   if (doing_ == Doing::presses) {  // it fell off an edge
-    lift_ticks_ = 0;
+    begin_lift();
     return Doing::lifts;
   }
   if (doing_ == Doing::lifts) return after_lifting();
@@ -115,6 +116,13 @@ PointerFinger::Doing PointerFinger::next_doing(double dt_s) noexcept {
   nearest_m_ = std::numeric_limits<double>::infinity();
   delay_s_ = 0;
   return Doing::lands;
+}
+
+void PointerFinger::begin_lift() noexcept {
+  // On the way out another wall may come to hold it, whose force counts too.
+  constexpr double another_wall = 1.2;
+  lift_ticks_ = 0;
+  lift_most_n_ = another_wall * touched_.normal_force_n;
 }
 
 PointerFinger::Doing PointerFinger::after_lifting() const noexcept {
@@ -126,26 +134,19 @@ PointerFinger::Doing PointerFinger::after_landing() const noexcept {
   return wanted_n_ > 0 && can_land(landing_goes_on) ? Doing::lands : Doing::flies;
 }
 
-/// How much the pointer goes on while the finger follows, from 0, at rest, to 1, so far that it must come
-/// down behind it to come down at all.
-double PointerFinger::hurry() const noexcept {
-  return std::min(1.0, flight_.lag_s() * pace_W_.norm() / flight_.soft_m());
+LandingWay PointerFinger::landing_way() const noexcept {
+  const double soft_m = flight_.soft_m();
+  return {open_.place_below_W(flight_.place_W()) - flight_.place_W(), open_.down_W(), soft_m,
+          std::min(1.0, flight_.lag_s() * pace_W_.norm() / soft_m)};
 }
 
 /// Whether a finger that comes down meets the place to press on, or, where it has no room there, what is
-/// beside it: it is near the place, in front of it, and not so far aside that it would go down beside the
-/// edge on which the place is. @pre wanted_n_ > 0
+/// beside it. @pre wanted_n_ > 0
 bool PointerFinger::can_land(const LandingRoom& room) const noexcept {
-  const Vec3 way_W = open_.place_W() - flight_.place_W();
-  const Vec3& down_W = open_.down_W();
-  const double soft_m = flight_.soft_m(), away_m = way_W.norm(), height_m = way_W.dot(down_W);
-  constexpr double most_behind = 2, hurried_aside = 4;
-  if (flight_.has_arrived() && away_m < 10 * soft_m + around_.finger_radius_m())
-    return height_m >= -most_behind * soft_m;
-  const double behind = std::max(room.behind, most_behind * hurry());
-  const double aside_m = (way_W - height_m * down_W).norm();
-  return away_m < room.away * soft_m && height_m >= -behind * soft_m &&
-         aside_m <= height_m + (room.aside + hurried_aside * hurry()) * soft_m;
+  const LandingWay way = landing_way();
+  const double beside_m = 10 * flight_.soft_m() + around_.finger_radius_m();
+  if (flight_.has_arrived() && way.there_W.norm() < beside_m) return way.is_in_front();
+  return way.meets_place(room);
 }
 
 /// Whether what the pointer wants can be reached over the surface.
@@ -180,9 +181,8 @@ void PointerFinger::fly(double dt_s) noexcept {
     goal_W += flight_.lag_s() * pace_W_ * std::min(1.0, most_m / std::max(lead_m, most_m));
     goal_W -= 1.5 * flight_.soft_m() * open_.down_W();
   }
-  // Among walls that keep it from its goal it might swing to and fro without end.
-  const double fades = std::exp(-std::max(0.0, rests_s_ - flying_s) / (5 * fading_s));
-  if (fades > nothing_left) flight_.advance(goal_W, aim_.towards_eye_W, fades * dt_s);
+  const double left = rest_.flying_left();
+  if (left > 0) flight_.advance(goal_W, aim_.towards_eye_W, left * dt_s);
   if (!(foresight_.try_n(flight_.place_W(), dt_s) > 0)) return;
   // A contact method without memory feels walls where there are none: behind the border of an open part.
   flight_.put(from_W, Vec3::Zero());
@@ -194,18 +194,8 @@ void PointerFinger::land(double dt_s) noexcept {
   const double far_m = landing_m_per_s * dt_s;
   const double free_m = std::max(0.0, around_.at(flight_.place_W(), far_m).free_m);
   const double into_m = press_step_share * wanted_n_ / around_.stiffest_n_per_m(dt_s);
-  const Vec3& down_W = open_.down_W();
   landed_for_W_ = open_.place_W();
-  const Vec3 there_W = landed_for_W_ - flight_.place_W();
-  const Vec3 aside_W = there_W - there_W.dot(down_W) * down_W;
-  // To the place itself, and through it only from above it: the place may be on an edge, and beside that is
-  // nothing. A pointer that goes on is come down behind.
-  const double soft_m = flight_.soft_m(), aside_m = aside_W.norm();
-  const double over = std::max(0.0, 1 - aside_m / (0.05 * soft_m));
-  const double down_m = std::max(0.0, there_W.dot(down_W)) + 2 * soft_m * std::max(over, hurry());
-  const double steep = std::max(1 - hurry(), std::min(1.0, down_m / std::max(aside_m, down_m)));
-  const Vec3 way_W = down_m * down_W + steep * aside_W;
-  Vec3 step_W = std::min(far_m, 0.5 * free_m + into_m) * way_W.normalized();
+  Vec3 step_W = std::min(far_m, 0.5 * free_m + into_m) * landing_way().unit_W();
   for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
     if (try_step(step_W, within(tried_share), dt_s)) return;
   }
@@ -213,19 +203,16 @@ void PointerFinger::land(double dt_s) noexcept {
 }
 
 /// Along the surface after the pointer; slowly where that has led no nearer for a while, and ever less after
-/// one that rests: a still pointer has a still finger in the end, also where it is pressed in so deep that no
-/// place holds it. Where it has no room at its place it goes as near to the spot as it can.
+/// one that rests. Where it has no room at its place it goes as near to the spot as it can.
 Vec3 PointerFinger::aside(double dt_s) const noexcept {
   if (touched_.normal_force_n > press_too_hard * wanted_n_) return Vec3::Zero();
   const Vec3& normal_W = touched_.normal_W;
   const Vec3 way_W =
       open_.has_room() ? Vec3(aim_.finger.p_WQ - flight_.place_W()) : Vec3(aim_.spot_W - held_W());
   const Vec3 along_W = way_W - way_W.dot(normal_W) * normal_W;
-  const double fades = std::exp(-std::max(0.0, still_s_ - following_s) / fading_s);
-  if (fades < nothing_left) return Vec3::Zero();
-  const double pull = fades * (delay_s_ > leash_s ? slow_share : 1);
+  const double pull = rest_.pressing_left() * (delay_s_ > leash_s ? slow_share : 1);
   const double share = pull * (1 - std::exp(-aside_per_s * dt_s)), length_m = along_W.norm();
-  const double most_m = pull * fastest_per_s * around_.radius_m() * dt_s;
+  const double most_m = pull * fastest_m(dt_s);
   return length_m * share > most_m ? Vec3(along_W * (most_m / length_m)) : Vec3(along_W * share);
 }
 
@@ -238,11 +225,12 @@ bool PointerFinger::turns_about_edge(const Vec3& aside_W) const noexcept {
 }
 
 void PointerFinger::press(double dt_s) noexcept {
-  still_s_ += dt_s;
   flight_.note_way(held_W() + flight_.soft_m() * touched_.normal_W);
-  const Vec3 deeper_W =
-      -deeper_m(touched_, wanted_n_, around_.properties(std::max(touched_.surface, 0)), dt_s) *
-      touched_.normal_W;
+  const SurfaceProperties& surface = around_.properties(std::max(touched_.surface, 0));
+  const double tolerated = rest_.gone_m() > gone_share * flight_.soft_m() ? force_tolerated : 0;
+  const double in_m = deeper_m(touched_, wanted_n_, surface, rest_.pressing_left(), tolerated, dt_s);
+  rest_.press(std::abs(in_m), dt_s);
+  const Vec3 deeper_W = -std::min(in_m, fastest_m(dt_s)) * touched_.normal_W;
   Vec3 aside_W = aside(dt_s);
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
     const Vec3 step_W = deeper_W + aside_W;
@@ -272,18 +260,18 @@ void PointerFinger::give_way(double most_n, double dt_s) noexcept {
   try_step(touched_.depth_m * touched_.normal_W, std::numeric_limits<double>::infinity(), dt_s);
 }
 
-/// Straight out, by as much as is free and a small step more.
+/// Straight out, as fast as it goes elsewhere; once it is free, by as much as that and a small step more.
 void PointerFinger::lift(double dt_s) noexcept {
   ++lift_ticks_;
-  const double fast_m = lifting_m_per_s * dt_s;
   if (is_touching()) {
-    Vec3 step_W = std::max(fast_m, 0.5 * touched_.depth_m) * out_W_;
+    Vec3 step_W = fastest_m(dt_s) * out_W_;
     for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
-      if (try_step(step_W, 0.9 * touched_.normal_force_n, dt_s)) return;
+      if (try_step(step_W, lift_most_n_, dt_s)) return;
     }
     give_way(touched_.normal_force_n, dt_s);
     return;
   }
+  const double fast_m = lifting_m_per_s * dt_s;
   const Clearance clearance = around_.at(flight_.place_W(), flight_.soft_m());
   const double free_m = std::max(0.0, clearance.free_m);
   flight_.note_free(free_m);

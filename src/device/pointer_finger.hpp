@@ -1,10 +1,15 @@
 #pragma once
 
+#include <algorithm>
+
 #include "device/foresight.hpp"
 #include "device/free_flight.hpp"
+#include "device/landing_way.hpp"
 #include "device/live_device.hpp"
 #include "device/open_place.hpp"
+#include "device/pointer_limits.hpp"
 #include "device/pointer_path.hpp"
+#include "device/pointer_rest.hpp"
 
 namespace fingerpad {
 
@@ -35,24 +40,23 @@ class PointerFinger final : public LiveDevice {
   enum class Doing { flies, lands, presses, lifts };
 
   Doing next_doing(double dt_s) noexcept;
+  void begin_lift() noexcept;
   Doing after_lifting() const noexcept;
   Doing after_landing() const noexcept;
   bool is_touching() const noexcept { return touched_.walls > 0; }
   /// Where the push that was felt holds the finger's centre out.
   Vec3 held_W() const noexcept { return flight_.place_W() + touched_.depth_m * touched_.normal_W; }
-  double hurry() const noexcept;
-  /// From where a finger comes down, seen from the place that it is to press on: how far away at most, how
-  /// far behind it, and how much farther aside than in front [of what the flight keeps from what it flies
-  /// by].
-  struct LandingRoom {
-    double away, behind, aside;
-  };
-  static constexpr LandingRoom landing_begins{4, 0, 0.5}, landing_goes_on{8, 2, 2};
+  LandingWay landing_way() const noexcept;
   bool can_land(const LandingRoom& room) const noexcept;
   bool can_follow(double dt_s) noexcept;
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;
   bool turns_about_edge(const Vec3& aside_W) const noexcept;
+  /// So far it goes in a tick, along a surface, into it or out of it.
+  double fastest_m(double dt_s) const noexcept {
+    const double along_m_per_s = pointer_limits::fastest_per_s * around_.radius_m();
+    return std::max(pointer_limits::lifting_m_per_s, along_m_per_s) * dt_s;
+  }
   void press(double dt_s) noexcept;
   void lift(double dt_s) noexcept;
   bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
@@ -68,8 +72,7 @@ class PointerFinger final : public LiveDevice {
   // The servo's thread's.
   PointerAim aim_;
   Vec3 pace_W_ = Vec3::Zero();  // of the pointer [m/s]
-  double rests_s_ = 0;          // so long the pointer has rested
-  double still_s_ = 0;          // so long it has rested while the finger pressed
+  PointerRest rest_;
   FreeFlight flight_;
   OpenPlace open_;  // where the pointer wants it, as far as it has room there
   FingerSample finger_;
@@ -78,6 +81,7 @@ class PointerFinger final : public LiveDevice {
   TickRecord touched_;          // what the last tick felt
   Vec3 out_W_ = Vec3::UnitZ();  // the way out of what was touched last, unit
   int lift_ticks_ = 0;
+  double lift_most_n_ = 0;              // that a lift may press with
   Vec3 landed_for_W_;                   // what the last landing was aimed at ...
   double nearest_m_ = 0, delay_s_ = 0;  // ... how near the finger has come, and for how long no nearer
 };

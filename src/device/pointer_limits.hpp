@@ -6,11 +6,15 @@ namespace fingerpad::pointer_limits {
 /// A step is made where it leaves the force below so many times what is asked for. Less than twice: what
 /// foresight cannot tell, as vibration, comes on top.
 inline constexpr double tried_share = 1.5, surely_share = 1.8;
-/// How soon a pressed finger follows the pointer aside, and how fast at most [sizes of the parts a second].
+/// How soon a pressed finger follows the pointer aside, and how fast it goes at most [sizes of the parts a
+/// second].
 inline constexpr double aside_per_s = 50, fastest_per_s = 8, slow_share = 0.05;
 /// After a pointer that rests it goes so long, and then less and less in this time, until hardly anything is
 /// left.
-inline constexpr double following_s = 0.3, fading_s = 0.1, nothing_left = 1e-3;
+inline constexpr double following_s = 0.25, fading_s = 0.05, nothing_left = 1e-3;
+/// At rest it goes on for its force until it has gone so far, in what a flight keeps from the parts; from
+/// then on only while the force is off by more than this share.
+inline constexpr double gone_share = 0.1, force_tolerated = 0.15;
 /// So long it flies after a pointer that rests; then it has come as near as it can, and slows down to rest.
 inline constexpr double flying_s = 3;
 /// What is farther from the finger than this does not lead it over the surface [sizes of the parts] ...

@@ -16,8 +16,10 @@ inline constexpr double press_too_hard = 1.3;
 /// @param touched   what the last tick felt, touching
 /// @param surface   that it touched
 /// @param wanted_n  > 0
+/// @param motion_left  from 1 to 0, under a pointer that rests: then it goes slowly
+/// @param tolerated    so far the force may be off, as a share of what is asked for
 /// noexcept, allocates nothing.
 double deeper_m(const TickRecord& touched, double wanted_n, const SurfaceProperties& surface,
-                double dt_s) noexcept;
+                double motion_left, double tolerated, double dt_s) noexcept;
 
 }  // namespace fingerpad

@@ -45,6 +45,7 @@ std::string lower_rate_words(double rate_hz, double least_tick_s) {
 
 void FeltSum::note(const TickRecord& tick) noexcept {
   ++ticks;
+  unsettled += tick.unsettled ? 1 : 0;
   if (tick.phase == Phase::free) return;
   ++touching;
   force_n = std::max(force_n, tick.force_W_n.norm());
@@ -65,6 +66,14 @@ std::string touch_end_words(const FeltSum& felt, const ServoTiming& timing, doub
       "{:.0f} us\n",
       timing.ticks, number_text(rate_hz), felt_words(felt), late, 1e6 * timing.tick_s(0.5),
       1e6 * timing.tick_s(0.999), 1e6 * timing.worst_tick_s);
+}
+
+std::string unsettled_words(double ticks, std::string_view where, std::string_view told) {
+  if (!(ticks > 0)) return {};
+  return fmt::format(
+      "{} unsettled {}{}: the proxy lags behind there, since a tick's work is bounded, and the force is not "
+      "to be trusted{}; a smaller depth, a slower motion or a higher motion.rate_hz may mend it",
+      ticks, ticks == 1 ? "tick" : "ticks", where, told);
 }
 
 std::string late_advice(const ServoTiming& timing, double rate_hz, RealTime real_time) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "touch/tick_record.hpp"
 #include "touch/time_histogram.hpp"
@@ -9,7 +10,7 @@ namespace fingerpad {
 
 /// What a live touch felt, over all of its ticks. Noted on the servo's thread, read when that has ended.
 struct FeltSum {
-  long ticks = 0, touching = 0;
+  long ticks = 0, touching = 0, unsettled = 0;
   // Each the greatest of its own [N].
   double force_n = 0, normal_force_n = 0, friction_n = 0;
 
@@ -22,6 +23,11 @@ enum class RealTime { not_asked, granted, refused };
 
 /// What was felt and how the ticks kept their time, in lines.
 std::string touch_end_words(const FeltSum& felt, const ServoTiming& timing, double rate_hz);
+
+/// That so many ticks were unsettled, of a live touch as of a replay; empty where none was.
+/// @param where  " in job 3"; empty where there is but one run
+/// @param told   " (unsettled_ticks in summary.csv)": where each run's are written; empty where nowhere
+std::string unsettled_words(double ticks, std::string_view where, std::string_view told);
 
 /// Where over a hundredth of the ticks began late: whether the ticks themselves or the machine is too slow,
 /// and what would mend it. Else empty.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "base/number_text.hpp"
 #include "part/unit_hint.hpp"
 #include "scene/scene.hpp"
 #include "touch/world.hpp"
@@ -15,10 +16,28 @@ void add_unit_hint(const Verdict& verdict, const PartEntry& part, std::vector<st
   if (!hint.empty()) lines.push_back(fmt::format("{}: {}", verdict.file, hint));
 }
 
+/// Rule: no fingertip is as large as a decimetre and larger than all that it touches.
+std::string finger_hint(const World& world, const Scene& scene) {
+  constexpr double too_large_m = 0.1, metres_per_mm = 1e-3;
+  const double radius_m = scene.finger.radius_m;
+  double longest_m = 0;
+  for (const Verdict& verdict : world.verdicts) {
+    if (verdict.touchable)
+      longest_m = std::max(longest_m, (verdict.bounds_m.max - verdict.bounds_m.min).maxCoeff());
+  }
+  if (!(longest_m > 0) || !(radius_m > too_large_m && radius_m > longest_m)) return {};
+  return fmt::format(
+      "finger.radius_m: {} m, where the longest part has {} m; it is in metres: if millimetres are meant, "
+      "radius_m = {}",
+      rounded_text(radius_m, 3), rounded_text(longest_m, 3), rounded_text(metres_per_mm * radius_m, 3));
+}
+
 std::vector<std::string> unit_hints(const World& world, const Scene& scene) {
   std::vector<std::string> lines;
   for (std::size_t i = 0; i < std::min(world.verdicts.size(), scene.parts.size()); ++i)
     add_unit_hint(world.verdicts[i], scene.parts[i], lines);
+  std::string finger = finger_hint(world, scene);
+  if (!finger.empty()) lines.push_back(std::move(finger));
   return lines;
 }
 

@@ -13,7 +13,11 @@ struct World;
 /// A line for a part that was read in an unlikely unit; none for others.
 void add_unit_hint(const Verdict& verdict, const PartEntry& part, std::vector<std::string>& lines);
 
-/// A line for each part that was read in an unlikely unit: "FILE: is 0.1 mm long; ..." (unit_hint).
+/// A line for a finger whose radius is meant in millimetres: larger than all parts; empty for others.
+std::string finger_hint(const World& world, const Scene& scene);
+
+/// A line for each part that was read in an unlikely unit: "FILE: is 0.1 mm long; ..." (unit_hint); and for
+/// the finger.
 std::vector<std::string> unit_hints(const World& world, const Scene& scene);
 
 }  // namespace fingerpad

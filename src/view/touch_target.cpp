@@ -42,13 +42,14 @@ void TouchTarget::move_by(const Vec3& step_W, const Vec3& towards_eye_W, const V
 Vec3 TouchTarget::begin_roll_W(const Vec3& towards_eye_W, const Vec3& finger_W) const noexcept {
   constexpr double has_room_share = 0.9, hardly_share = 1e-3, near_share = 3;
   const Vec3 centre_W = spot_W_ + radius_m_ * normal_W_;
-  const double clear_m = nearest_surface(*world_, centre_W, Normals::facet, radius_m_).clear_m;
+  Looks looks(Looks::unlimited);
+  const double clear_m = nearest_surface(*world_, centre_W, Normals::facet, radius_m_, looks).clear_m;
   if (clear_m >= has_room_share * radius_m_) return centre_W;
   if ((finger_W - spot_W_).norm() < near_share * radius_m_) return finger_W;
   const auto parts = ball_of_parts(*world_);
   const double parts_m = parts ? (parts->centre_W - spot_W_).dot(towards_eye_W) + parts->radius_m : 0;
   return stopped_on_line(*world_, spot_W_, towards_eye_W, std::max(0.0, parts_m) + 2 * radius_m_, radius_m_,
-                         hardly_share * radius_m_);
+                         hardly_share * radius_m_, looks);
 }
 
 /// Onto the surface from this centre of the ball, and out of other walls.
@@ -56,8 +57,9 @@ Vec3 TouchTarget::begin_roll_W(const Vec3& towards_eye_W, const Vec3& finger_W) 
 bool TouchTarget::rest_at(Vec3 centre_W, double reach_m) noexcept {
   constexpr int most_turns = 8;
   constexpr double hardly_share = 1e-3;
+  Looks looks(Looks::unlimited);
   for (int i = 0; i < most_turns; ++i) {
-    const NearestSurface nearest = nearest_surface(*world_, centre_W, normals_, reach_m);
+    const NearestSurface nearest = nearest_surface(*world_, centre_W, normals_, reach_m, looks);
     if (nearest.surface < 0) return i > 0;
     const Vec3 out_W = centre_W - nearest.at.point_W;
     // The ball's own radius is the way out, round an edge too. A centre that is on the surface tells none.

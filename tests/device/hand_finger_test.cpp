@@ -4,6 +4,10 @@
 
 #include <algorithm>
 
+#include "scene/scene.hpp"
+#include "support/worlds.hpp"
+#include "touch/touch.hpp"
+
 namespace fingerpad::hand_finger_test {
 namespace {
 
@@ -58,6 +62,38 @@ TEST(HandFinger, IsFeltWhereItsEncodersPutItAndPushesWithItsSpring) {
   }
   EXPECT_GT(most_off_m, 2e-5);
   EXPECT_LE(most_off_m, 0.5e-4 + 1e-12) << "half a step";
+}
+
+// It came down as fast as it follows a pointer aside, and met the surface with 2.3 N where 1 N was asked for.
+TEST(HandFinger, LandsSoftly) {
+  Scene scene = test::plane_scene("none");
+  scene.motion.rate_hz = 4000;  // at 1 kHz the loop is at the edge of what is stable
+  const double dt_s = 1 / scene.motion.rate_hz;
+  const auto world = test::plane_world();
+  for (const double press_n : {1.0, 5.0}) {
+    for (const double hover_m : {0.005, 0.03}) {
+      SCOPED_TRACE(testing::Message() << press_n << " N from " << hover_m << " m");
+      HandSettings hand;
+      hand.encoder_m = 0;
+      HandFinger finger({scene, world, {0, Vec3(0, 0, hover_m), Vec3::UnitY()}, {}, hand}, dt_s);
+      Touch touch(world, scene);
+      FingerSample target{0, Vec3(0, 0, scene.finger.radius_m), Vec3::UnitY()};
+      target.push_W_n = Vec3(0, 0, -press_n);
+      finger.set_target(target);
+      double most_n = 0, landed_s = -1;
+      TickRecord row;
+      for (int k = 0; k < 12000; ++k) {
+        row = touch.tick(finger.advance(dt_s));
+        finger.feel(row);
+        most_n = std::max(most_n, row.normal_force_n);
+        if (landed_s < 0 && row.walls > 0) landed_s = dt_s * k;
+      }
+      EXPECT_LT(most_n, 1.3 * press_n);
+      EXPECT_NEAR(row.normal_force_n, press_n, 0.2 * press_n);
+      EXPECT_GT(landed_s, 0);
+      EXPECT_LT(landed_s, 1) << "and in time";
+    }
+  }
 }
 
 }  // namespace

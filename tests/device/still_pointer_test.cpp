@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "device/pointed_worlds.hpp"
+#include "device/pointer_limits.hpp"
 #include "support/effort.hpp"
 #include "touch/resting_finger.hpp"
 
@@ -23,32 +24,45 @@ class StillPointer {
       : dt_s_(1 / pointed.scene.motion.rate_hz),
         finger_({pointed.scene, pointed.world, resting_finger(*pointed.world, pointed.scene)}),
         touch_(pointed.world, pointed.scene) {
+    finger_.look_from(towards_eye_W);
+    point(pointed, spot, press_n);
+  }
+
+  void point(const PointedWorld& pointed, const Spot& spot, double press_n) {
     FingerSample target;
+    target.t_s = t_s_;
     target.p_WQ = spot.point_W + pointed.scene.finger.radius_m * spot.normal_W;
     target.push_W_n = -press_n * spot.normal_W;
-    finger_.look_from(towards_eye_W);
     finger_.set_target(target);
   }
 
   /// How far apart the places are where it is in so many seconds.
   double roams_m(double seconds) {
     Eigen::AlignedBox3d places;
+    most_step_m_ = 0;
     for (const double end_s = t_s_ + seconds; t_s_ < end_s; t_s_ += dt_s_) {
       FingerSample sample = finger_.advance(dt_s_);
       sample.t_s = t_s_;
       last_ = touch_.tick(sample);
       finger_.feel(last_);
+      if (!places.isEmpty()) most_step_m_ = std::max(most_step_m_, (sample.p_WQ - last_W_).norm());
+      last_W_ = sample.p_WQ;
       places.extend(sample.p_WQ);
     }
     return places.diagonal().norm();
   }
   const TickRecord& last() const { return last_; }
+  /// Of a tick, in the last roams_m().
+  double most_step_m() const { return most_step_m_; }
+  double tick_s() const { return dt_s_; }
 
  private:
   double dt_s_, t_s_ = 0;
   PointerFinger finger_;
   Touch touch_;
   TickRecord last_;
+  Vec3 last_W_ = Vec3::Zero();
+  double most_step_m_ = 0;
 };
 
 /// What is under the pointer in a window that the part fills, at column and row of so many.
@@ -59,16 +73,16 @@ std::optional<Spot> spot_at(const PointedWorld& pointed, int column, int row, in
   return spot_under(pointed, from_W, -towards_eye_W);
 }
 
-PointedWorld dashboard() {
-  const Scene scene = read_scene_file((test::source_dir() / "scenes/dashboard.toml").string()).scene;
-  return {"dashboard", scene, load_world(scene)};
+PointedWorld scene_of(const std::string& name) {
+  const Scene scene = read_scene_file((test::source_dir() / "scenes" / (name + ".toml")).string()).scene;
+  return {name, scene, load_world(scene)};
 }
 
 // 10 N press a fingertip of 7 mm 10 mm deep: over an edge it turns about this as a lever, and where its
 // centre is deeper than the surface is round, no place holds it. It went to and fro by millimetres, without
 // end, at one spot in fifteen.
 TEST(StillPointer, PressesDeepWithAStillFinger) {
-  const PointedWorld pointed = dashboard();
+  const PointedWorld pointed = scene_of("dashboard");
   constexpr int columns = 24;
   int spots = 0, roaming = 0, touching = 0;
   for (int k = 0; k < columns * columns; ++k) {
@@ -92,7 +106,7 @@ TEST(StillPointer, PressesDeepWithAStillFinger) {
 // Deep in a recess, where the way down is too narrow for the finger: it went up above all parts and down
 // again, two times a second, as long as it was pressed.
 TEST(StillPointer, RestsWhereNoWayLeads) {
-  const PointedWorld pointed = dashboard();
+  const PointedWorld pointed = scene_of("dashboard");
   const auto spot = spot_at(pointed, 28, 27, 60);
   ASSERT_TRUE(spot);
   StillPointer pointer(pointed, *spot, 3);
@@ -101,6 +115,69 @@ TEST(StillPointer, RestsWhereNoWayLeads) {
   EXPECT_NEAR(pointer.last().normal_force_n, 3, 0.1);
   EXPECT_GT((pointer.last().contact_W - spot->point_W).norm(), pointed.scene.finger.radius_m)
       << "it got there: look for another spot";
+}
+
+/// A place of the grid that spot_at() lays over the window.
+struct GridPlace {
+  int column, row, of;
+};
+
+// On its way down to a counterbore's wall the finger passes by a gusset, and to others by an edge, by less
+// than counts as room. That was taken for what stops it: it came down beside it, was too far behind, flew up
+// again, and swung in the air by 7 mm.
+TEST(StillPointer, ComesDownPastWhatHardlyStopsIt) {
+  const PointedWorld pointed = scene_of("bracket");
+  for (const GridPlace at : {GridPlace{28, 55, 110}, {29, 58, 110}, {41, 52, 90}, {60, 17, 90}}) {
+    SCOPED_TRACE(testing::Message() << "at " << at.column << ", " << at.row);
+    const auto spot = spot_at(pointed, at.column, at.row, at.of);
+    ASSERT_TRUE(spot);
+    StillPointer pointer(pointed, *spot, 3);
+    pointer.roams_m(1);
+    EXPECT_LT(pointer.roams_m(0.3), 0.2e-3);
+    EXPECT_NEAR(pointer.last().normal_force_n, 3, 0.2 * 3);
+  }
+}
+
+// Pressed 9 mm deep into a pocket's corner it was led on and on along the edge: for its force alone, since as
+// the walls change, no place gives just that.
+TEST(StillPointer, GoesNoFartherForItsForceThanItNeed) {
+  const PointedWorld pointed = scene_of("bracket");
+  const auto spot = spot_at(pointed, 28, 33, 90);
+  ASSERT_TRUE(spot);
+  StillPointer pointer(pointed, *spot, 10);
+  pointer.roams_m(1);
+  EXPECT_LT(pointer.roams_m(1), 0.2e-3);
+  EXPECT_NEAR(pointer.last().normal_force_n, 10, 0.2 * 10);
+}
+
+// The spot is seen over a wall's rim, past which a finger does not fit. It slid down the wall's other side
+// and rested there, and nothing was touched however hard the press.
+TEST(StillPointer, PressesOnTheRimThatItCannotPass) {
+  const PointedWorld pointed = scene_of("housing");
+  const auto beside = spot_at(pointed, 10, 8, 24), spot = spot_at(pointed, 10, 7, 24);
+  ASSERT_TRUE(spot && beside);
+  StillPointer pointer(pointed, *beside, 5);
+  pointer.roams_m(0.6);
+  pointer.point(pointed, *spot, 5);
+  pointer.roams_m(2.5);
+  EXPECT_LT(pointer.roams_m(0.2), 0.2e-3);
+  EXPECT_NEAR(pointer.last().normal_force_n, 5, 0.2 * 5);
+}
+
+// 10 mm deep it left by half of its depth in a tick.
+TEST(StillPointer, IsLetGoNoFasterThanItGoesElsewhere) {
+  const PointedWorld pointed = scene_of("bracket");
+  const auto spot = spot_at(pointed, 28, 33, 90);
+  ASSERT_TRUE(spot);
+  StillPointer pointer(pointed, *spot, 10);
+  pointer.roams_m(1);
+  ASSERT_GT(pointer.last().depth_m, 5e-3);
+  pointer.point(pointed, *spot, 0);
+  pointer.roams_m(0.1);
+  EXPECT_EQ(pointer.last().walls, 0);
+  const double fastest_m_per_s =
+      std::max(pointer_limits::lifting_m_per_s, pointer_limits::fastest_per_s * pointed.radius_m);
+  EXPECT_LT(pointer.most_step_m(), 1.01 * fastest_m_per_s * pointer.tick_s());
 }
 
 }  // namespace

@@ -23,27 +23,59 @@ TEST(FingerRoom, ABallThatComesDownIntoASlotStopsOnItsEdges) {
   for (const bool closed : {true, false}) {
     const World world = slot(closed);
     for (const double radius_m : {0.0035, 0.007, 0.02}) {
-      const Vec3 at_W = stopped_on_line(world, {0, 0, -0.02}, Vec3::UnitZ(), 0.1, radius_m, 1e-6);
+      Looks looks(Looks::unlimited);
+      const Vec3 at_W = stopped_on_line(world, {0, 0, -0.02}, Vec3::UnitZ(), 0.1, radius_m, 1e-6, looks);
       EXPECT_NEAR(at_W.z(), std::sqrt(radius_m * radius_m - 9e-6), 1e-5) << radius_m;
       EXPECT_GE(at_W.z(), std::sqrt(radius_m * radius_m - 9e-6)) << "it stands clear";
     }
     // There is room for this one.
-    EXPECT_EQ(stopped_on_line(world, {0, 0, -0.02}, Vec3::UnitZ(), 0.1, 0.002, 1e-6), Vec3(0, 0, -0.02));
+    Looks looks(Looks::unlimited);
+    EXPECT_EQ(stopped_on_line(world, {0, 0, -0.02}, Vec3::UnitZ(), 0.1, 0.002, 1e-6, looks),
+              Vec3(0, 0, -0.02));
   }
 }
 
 TEST(FingerRoom, InsideOfAClosedPartIsLessThanNoRoom) {
   for (const bool closed : {true, false}) {
     const World world = slot(closed);
-    const NearestSurface inside = nearest_surface(world, {0.02, 0, -0.004}, Normals::facet, 0.01);
+    Looks looks(Looks::unlimited);
+    const NearestSurface inside = nearest_surface(world, {0.02, 0, -0.004}, Normals::facet, 0.01, looks);
     EXPECT_EQ(inside.surface, 0);
     EXPECT_NEAR(inside.clear_m, closed ? -0.004 : 0.004, 1e-6);
-    const NearestSurface above = nearest_surface(world, {0.02, 0, 0.004}, Normals::facet, 0.01);
+    const NearestSurface above = nearest_surface(world, {0.02, 0, 0.004}, Normals::facet, 0.01, looks);
     EXPECT_NEAR(above.clear_m, 0.004, 1e-6);
-    const NearestSurface far = nearest_surface(world, {0.02, 0, 0.04}, Normals::facet, 0.01);
+    const NearestSurface far = nearest_surface(world, {0.02, 0, 0.04}, Normals::facet, 0.01, looks);
     EXPECT_EQ(far.surface, -1);
     EXPECT_EQ(far.clear_m, 0.01);
   }
+}
+
+// About the middle of a fine bowl all triangles are as near as any: forty searches there took as long as a
+// hundred ticks.
+TEST(FingerRoom, WhereTheLooksDoNotSufficeItIsStoppedClearOfEverything) {
+  constexpr double bowl_m = 0.02, radius_m = 0.007, hardly_m = 1e-5;
+  const World world = *test::world_of(test::sphere_soup(bowl_m, 5));
+  const auto stopped_m = [&](long most_looks, Looks& looks) {
+    looks = Looks(most_looks);
+    return stopped_on_line(world, {0, 0, -bowl_m}, Vec3::UnitZ(), 0.9 * bowl_m, radius_m, hardly_m, looks)
+        .z();
+  };
+  Looks looks(0);
+  const double without_end_m = stopped_m(Looks::unlimited, looks);
+  EXPECT_NEAR(without_end_m, radius_m - bowl_m, 1e-3 * bowl_m);
+  const long needed = looks.spent();
+  ASSERT_GT(needed, 2000);
+  for (const long most : {0L, 10L, 100L, needed / 8, needed / 2}) {
+    EXPECT_GE(stopped_m(most, looks), without_end_m) << most << " looks";
+    // A look that is begun is ended.
+    EXPECT_LT(looks.spent(), most + 500) << most << " looks";
+  }
+  EXPECT_EQ(stopped_m(2 * needed, looks), without_end_m);
+
+  Looks few(10);
+  EXPECT_FALSE(nearest_surface(world, Vec3::Zero(), Normals::facet, 1, few).is_sure);
+  Looks enough(Looks::unlimited);
+  EXPECT_TRUE(nearest_surface(world, Vec3::Zero(), Normals::facet, 1, enough).is_sure);
 }
 
 }  // namespace

@@ -88,5 +88,19 @@ TEST(TouchEndWords, OfATouchOfNothing) {
                     HasSubstr("\nno tick began late, by more than a tick (1 ms); the worst by 20 us\n")));
 }
 
+// Its trace, replayed, tells of them; the touch itself did not.
+TEST(ServoWords, TellOfUnsettledTicks) {
+  FeltSum felt;
+  TickRecord tick;
+  felt.note(tick);
+  EXPECT_EQ(unsettled_words(static_cast<double>(felt.unsettled), "", ""), "");
+  tick.unsettled = true;
+  felt.note(tick);
+  felt.note(tick);
+  EXPECT_EQ(unsettled_words(static_cast<double>(felt.unsettled), "", "").find("2 unsettled ticks: the proxy"),
+            0);
+  EXPECT_EQ(unsettled_words(1, " in job 3", " (here)").find("1 unsettled tick in job 3: the proxy"), 0);
+}
+
 }  // namespace
 }  // namespace fingerpad::servo_words_test
