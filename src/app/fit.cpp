@@ -178,7 +178,8 @@ void add_fit(CLI::App& program, Action& action) {
   refuse_empty(
       command->add_option("--report", options->report,
                           "Folder for a report: report.html, tables, and the paper's figures 3 to 11 from "
-                          "these measurements (SVG and PNG)"));
+                          "these measurements (SVG and PNG)"),
+      "FOLDER");
   add_reading_options(*command, options->reading);
   add_cleaning_options(*command, options->cleaning);
   command->add_option("--seed", options->seed, "Of the intervals' bootstrap")->capture_default_str();

@@ -167,46 +167,51 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
   command
       .add_option(
           "--columns", options.columns,
-          "Columns that are called otherwise, KEY=NAME,...: t x y z, fx fy fz (force), nx ny nz (plate's "
+          "Columns that are called otherwise: t x y z, fx fy fz (force), nx ny nz (plate's "
           "normal), dx dy dz (finger), m1x.. m2z (markers), tx ty tz (torque), subject, trial; speed where a "
           "--reader takes it")
+      ->type_name("KEY=NAME,")
       ->delimiter(',');
   add_units(command, options);
   command
-      .add_option("--trial-unit", options.trial_units,
-                  "NAME=UNIT: forces (mN) or positions (mm) of a trial are in another unit than its file's; "
-                  "again for each")
+      .add_option(
+          "--trial-unit", options.trial_units,
+          "Forces (mN) or positions (mm) of a trial are in another unit than its file's; again for each")
+      ->type_name("NAME=UNIT")
       ->allow_extra_args(false);
   command
       .add_option("--leave-out", options.left_out,
                   "A trial to leave out, as messages name it ('subject 1, trial 3', FILE before it), or "
                   "'trial 3' of all; again for each")
+      ->type_name("NAME")
       ->allow_extra_args(false);
   command.add_option("--force-on", options.force_on, "What the recorded forces act on")
       ->check(one_of({"finger", "plate"}))
       ->capture_default_str();
   take_units(
-      command.add_option(
-          "--markers", options.markers,
-          "BEYOND,BELOW: positions are of two markers, proximal (m1x..) and distal (m2x..); the fingertip "
-          "is so far beyond the distal one, along their line, and so far below [m]"),
+      command.add_option("--markers", options.markers,
+                         "Positions are of two markers, proximal (m1x..) and distal (m2x..); the fingertip "
+                         "is so far beyond the distal one, along their line, and so far below [m]"),
       factors_of(Quantity::length), lengths)
       ->delimiter(',')
+      ->type_name("BEYOND,BELOW")
       ->expected(2);
   take_units(
       command.add_option(
           "--sensor-at", options.sensor_at,
-          "X,Y,Z of a six-axis sensor's axes [m]: with torque the contact point is told from the wrench"),
+          "Where a six-axis sensor's axes are [m]: with torque the contact point is told from the wrench"),
       factors_of(Quantity::length), lengths)
       ->delimiter(',')
+      ->type_name("X,Y,Z")
       ->expected(3);
   refuse_empty(
       command.add_option("--positions", options.positions,
                          "A table of positions with a clock of their own, where a --reader has them so"));
   command
       .add_option("--sensor-turned", options.sensor_turned,
-                  "W,X,Y,Z: the sensor's axes to those of positions")
+                  "The quaternion that turns the sensor's axes to those of positions")
       ->delimiter(',')
+      ->type_name("W,X,Y,Z")
       ->expected(4);
   take_units(command.add_option("--plate-height", options.plate_height_m,
                                 "Of the plate along its normal, with --sensor-at [m]"),

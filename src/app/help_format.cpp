@@ -54,8 +54,8 @@ std::size_t help_width() {
 std::string wrapped(const std::string& text, std::size_t width, std::size_t hang) {
   std::istringstream lines(text);
   std::string all;
-  for (std::string line; std::getline(lines, line);)
-    all += (all.empty() ? "" : "\n") + wrapped_line(line, width, hang);
+  for (std::string line; std::getline(lines, line);) all += wrapped_line(line, width, hang) + "\n";
+  if (!all.empty()) all.pop_back();
   return all;
 }
 
@@ -74,6 +74,14 @@ std::string HelpFormat::make_option(const CLI::Option* option, bool is_positiona
   const std::string takes = is_positional ? "" : placeholder(*option);
   if (!takes.empty()) name += " " + takes;
   return entry(name + (is_many ? "..." : ""), about(*option));
+}
+
+std::string HelpFormat::make_description(const CLI::App* app) const {
+  return wrapped(app->get_description(), width_, 0) + "\n";
+}
+
+std::string HelpFormat::make_usage(const CLI::App* app, std::string name) const {
+  return wrapped(Formatter::make_usage(app, std::move(name)), width_, hang_of_footer) + "\n";
 }
 
 std::string HelpFormat::make_footer(const CLI::App* app) const {

@@ -13,6 +13,8 @@ class HelpFormat final : public CLI::Formatter {
   explicit HelpFormat(std::size_t width) : width_(width) {}
 
   std::string make_option(const CLI::Option* option, bool is_positional) const override;
+  std::string make_description(const CLI::App* app) const override;
+  std::string make_usage(const CLI::App* app, std::string name) const override;
   std::string make_footer(const CLI::App* app) const override;
   std::string make_subcommand(const CLI::App* command) const override;
 

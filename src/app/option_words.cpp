@@ -79,7 +79,9 @@ std::string about(const CLI::Option& option) {
   for (const CLI::Option* with : option.get_needs()) further.push_back("with " + with->get_name());
   if (is_list(type.check)) {
     const std::vector<std::string> words = choices(type.check);
-    const bool is_told = description.find(words.back()) != std::string::npos;
+    const bool is_told = std::all_of(words.begin(), words.end(), [&](const std::string& word) {
+      return description.find(word) != std::string::npos;
+    });
     if (!is_told && side_by_side(words).size() > longest_choices)
       further.push_back(fmt::format("one of {}", fmt::join(words, ", ")));
   }

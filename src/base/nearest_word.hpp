@@ -6,12 +6,13 @@
 
 namespace fingerpad {
 
-/// The known word that `word` is without its unit ("fx" of "fx_n"), where it is the only one; else the one
-/// that is spelled most like it: at most a third of its letters are changed, left out, put
-/// in or swapped with their neighbour. If none is, the only one that has it between its hyphens ("point" of
-/// "closest-point"), that begins with it ("frict" of "friction"), or that is it without a unit ("x" of
-/// "x_m");
-/// "" if there is none, or are two.
+/// The known word that `word` may stand for; "" if there is none, or are two. It is looked for in this order:
+/// - the only one that `word` is without its unit ("fx" of "fx_n");
+/// - the one that is spelled most like it: at most a third of its letters are changed, left out, put in or
+///   swapped with their neighbour;
+/// - the only one that has it between its hyphens ("point" of "closest-point"), that begins with it ("frict"
+/// of
+///   "friction"), or that is it without a unit ("x" of "x_m").
 std::string nearest_word(std::string_view word, const std::vector<std::string>& known);
 
 /// "; did you mean 'closest-point'?", to stand behind what is said of an unknown word; "" where none is near.

@@ -145,8 +145,8 @@ ContactTape::Reader::Facet ContactTape::Reader::pass() noexcept {
   const Head head = take<Head>(at);
   at_ += bytes_of(head);
   if (head.hold_count == 0) return {};
-  const auto surface = take<std::int32_t>(at);
-  return {surface, take<std::int32_t>(at)};
+  const Hold first = take<Hold>(at);
+  return {first.surface, first.triangle};
 }
 
 }  // namespace fingerpad

@@ -33,11 +33,12 @@ class TapeForesight {
  public:
   TapeForesight(const ContactTape& tape, std::vector<PlacedSurface> surfaces)
       : reader_(tape), surfaces_(std::move(surfaces)) {
-    reader_.pass();
-    reader_.pass();
+    reader_.pass();  // the first tick's comes at once ...
+    reader_.pass();  // ... and the second's without what the first stage asks for
   }
 
-  /// Before each tick.
+  /// With each tick: asks for the corners of the next one's facet, whose numbers have come since, and for
+  /// what else there is of the facet after that.
   void go_on() noexcept {
     if (const Part* const part = part_of(next_)) {
       for (int k = 0; k < 3; ++k) let_come(part->vertices.col(part->triangles(k, next_.triangle)).data(), 3);

@@ -25,7 +25,8 @@ std::unique_ptr<ContactMethod> recording_contact(std::unique_ptr<ContactMethod> 
 
 /// Answers as a tape has it, tick by tick. Behind a reset `method`, which was never asked, is what any method
 /// is then, and answers from there on.
-/// @param surfaces  that the method touches: what a tick reads of them is asked for ahead
+/// @param surfaces  that the tape's method touched, by their numbers: what a tick reads of them is asked for
+/// ahead
 /// @pre the tape is this method's along the path to come, for as many ticks as are asked for
 std::unique_ptr<ContactMethod> played_contact(std::unique_ptr<ContactMethod> method,
                                               std::shared_ptr<const ContactTape> tape,

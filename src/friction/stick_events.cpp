@@ -63,10 +63,7 @@ Teeth many_teeth(const PlaneVector& q, const PlaneVector& way, double low, doubl
   // What the spring was stretched by: the integral of cos(angle) over the way, radius ln(sin/sin').
   const bool bends = sine > 1e-12 && end_sine > 1e-300;
   const double pulled = bends ? std::max(0.0, radius * std::log(sine / end_sine)) : along.length;
-  // Of next to no normal force the teeth are as good as none: a drag at the limit, at which nothing gives
-  // way.
-  constexpr double most_teeth = 1e6;
-  const double teeth = tooth > 0 && pulled < most_teeth * tooth ? std::floor(pulled / tooth) : 0;
+  const double teeth = tooth > 0 ? std::min(std::floor(pulled / tooth), 1e9) : 0;
   const double last = tooth > 0 ? std::clamp(pulled - teeth * tooth, 0.0, tooth) : 0;
   const PlaneVector across = sine > 0 ? aside / sine : PlaneVector();
   const PlaneVector direction = end_cosine * along.direction + end_sine * across;

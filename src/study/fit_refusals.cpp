@@ -178,7 +178,11 @@ void tell_unlike_friction(const std::vector<std::string>& names, const FitPoint&
               : "its trials are " + words);
     return;
   }
-  if (!words.empty()) fit.doubts.push_back("mu_static and mu_dynamic are means of trials that are " + words);
+  if (!words.empty())
+    fit.doubts.push_back(
+        "the trials are " + words +
+        "; mu_static and mu_dynamic are means of them, and axes and stiffnesses may be farther "
+        "off than their intervals reach");
   if (!is_paired) return;
   const std::vector<int> once(fit.evidence.size(), 1);
   fit.doubts.push_back(fmt::format(

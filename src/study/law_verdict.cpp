@@ -93,10 +93,13 @@ std::string another_law_words(const TrialParts& parts, const HiddenStick& hidden
     return words +
            ": of some trials the law leaves much more than of others, so that another may be behind it; add "
            "trials, rubbed alike";
+  const std::string drops =
+      hardly_drops ? fmt::format(", and stick drops the force at {} of its {} ends", found.drops, found.gives)
+                   : "";
   return fmt::format(
-      "{}, and stick drops the force at {} of its {} ends: another law may be behind it, as that of LuGre, "
-      "whose friction rises as the finger slows; rub faster, or sample faster",
-      words, found.drops, found.gives);
+      "{}{}: another law may be behind it, as that of LuGre, whose friction rises as the finger slows; rub "
+      "faster, or sample faster",
+      words, drops);
 }
 
 /// Whether stick gives way without a drop of the force: mostly, and mostly in most of the trials in which it

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
+#include <utility>
 
 #include "base/error.hpp"
 #include "base/number_text.hpp"
@@ -67,6 +69,19 @@ double taken_si(const NamedUnit& unit, const std::string& file, const Measuremen
              : told->second[static_cast<std::size_t>(unit.quantity)].value_or(said);
 }
 
+/// A unit is said once, and not of a six-axis sensor, whose contact points come from torque over force.
+void refuse_unfit_unit(const RecordedTrial& trial, const char* what, bool is_first) {
+  if (!is_first)
+    throw Error(ErrorKind::usage, "--trial-unit",
+                fmt::format("{}: its {} are given two units; name it once", trial_name(trial), what));
+  if (trial.sensor)
+    throw Error(
+        ErrorKind::usage, "--trial-unit",
+        fmt::format("{}: its contact points are told from torque over force, which one unit would part; "
+                    "bring its file to one unit, or leave it out (--leave-out)",
+                    trial_name(trial)));
+}
+
 }  // namespace
 
 std::string option_name(const RecordedTrial& trial, const std::vector<RecordedTrial>& all) {
@@ -96,6 +111,7 @@ std::string leave_out_trials(const std::vector<std::string>& named, RecordedMeas
 std::vector<std::string> take_trial_units(const std::vector<std::string>& said,
                                           const MeasurementFormat& format, RecordedMeasurement& recorded) {
   std::vector<std::string> told;
+  std::set<std::pair<std::size_t, Quantity>> taken;
   for (const std::string& text : said) {
     const std::size_t equals = std::min(text.rfind('='), text.size());
     const std::string name = text.substr(0, equals), word = text.substr(std::min(equals + 1, text.size()));
@@ -107,9 +123,11 @@ std::vector<std::string> take_trial_units(const std::vector<std::string>& said,
                               printable(text, 80)));
     const char* what = unit->quantity == Quantity::force ? "forces" : "positions";
     bool is_there = false;
-    for (RecordedTrial& trial : recorded.trials) {
+    for (std::size_t i = 0; i < recorded.trials.size(); ++i) {
+      RecordedTrial& trial = recorded.trials[i];
       if (!is_named(trial, name)) continue;
       is_there = true;
+      refuse_unfit_unit(trial, what, taken.emplace(i, unit->quantity).second);
       const double times = unit->si / taken_si(*unit, trial.file, format, recorded);
       (unit->quantity == Quantity::force ? trial.force_W : trial.position_W) *= times;
       if (unit->quantity == Quantity::length) trial.tracked_W *= times;

@@ -20,7 +20,8 @@ std::string leave_out_trials(const std::vector<std::string>& named, RecordedMeas
 /// Takes forces or positions of single trials to be in another unit than their file's.
 /// @param said    "NAME=UNIT": "trial 3=mN"
 /// @param format  that they were read in, by the program's own readers
-/// @returns what was taken so, a line each. Throws Error (usage) for what names no trial or no unit.
+/// @returns what was taken so, a line each. Throws Error (usage) for what names no trial or no unit, for two
+/// units of one trial, and for one of a six-axis sensor.
 std::vector<std::string> take_trial_units(const std::vector<std::string>& said,
                                           const MeasurementFormat& format, RecordedMeasurement& recorded);
 

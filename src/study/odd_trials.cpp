@@ -113,11 +113,14 @@ std::string likely_unit(double times, std::string_view thousandth) {
   return {};
 }
 
-/// How to say the unit of one trial, or leave it out.
-std::string unit_mend(const std::string& name, const char* of_file) {
+/// How to say the unit of one trial, where that can be said (take_trial_units), or leave it out.
+std::string unit_mend(const RecordedTrial& trial, const std::vector<RecordedTrial>& all,
+                      const char* of_file) {
+  const std::string name = option_name(trial, all);
+  if (trial.sensor) return fmt::format("; --leave-out '{}' leaves it out", name);
   return fmt::format(
-      "; --trial-unit '{0}=UNIT' says its unit ({1} that of all trials of a file), and --leave-out '{0}' "
-      "leaves it out",
+      "; --trial-unit '{0}=UNIT' says its unit ({1} that of all trials of a file; a published layout has its "
+      "own), and --leave-out '{0}' leaves it out",
       name, of_file);
 }
 
@@ -132,7 +135,7 @@ std::string odd_reach(const RecordedTrial& trial, double usual_m, const std::vec
       "its positions reach over {} m, and the other trials' over {} m: are they in another unit?{} They "
       "are counted as they are{}",
       rounded_text(reach_m, 3), rounded_text(usual_m, 3), likely_unit(times, "mm"),
-      unit_mend(option_name(trial, all), "--unit"));
+      unit_mend(trial, all, "--unit"));
 }
 
 /// What is odd in a trial that presses as the others do; empty where nothing is.
@@ -146,7 +149,7 @@ std::string oddity(const RecordedTrial& trial, const UsualTrial& usual,
         "its normal force is {} N where it presses, {} times the other trials' {} N: is it in another "
         "unit?{} It is counted as it is{}",
         press_text, times > 1 ? rounded_text(times, 3) : "1/" + rounded_text(1 / times, 3), usual_text,
-        likely_unit(times, "mN"), unit_mend(option_name(trial, all), "--force-unit"));
+        likely_unit(times, "mN"), unit_mend(trial, all, "--force-unit"));
   if (presses_the_other_way(trial, usual.press_n))
     return fmt::format(
         "its normal force is {} N where it presses, and the other trials' {} N: is its sign "

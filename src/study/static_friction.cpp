@@ -49,29 +49,46 @@ PadValue ruptures_mean(const std::vector<TrialEvidence>& trials, const std::vect
                        enough_ruptures, "no rupture from stick was found");
 }
 
-/// How mu_dynamic of trials goes with their load.
+double log_load(const TrialEvidence& trial) {
+  return trial.slip_log_load / static_cast<double>(trial.slip_samples);
+}
+
+/// Whether trials are enough, of loads enough, to tell that their friction goes with the load: a line goes
+/// through any two.
+bool tell_loads(const std::vector<const TrialEvidence*>& trials) {
+  constexpr std::size_t fewest_trials = 5, fewest_loads = 3;
+  constexpr double alike = 0.1;  // of ln n
+  std::vector<double> loads;
+  loads.reserve(trials.size());
+  for (const TrialEvidence* trial : trials) loads.push_back(log_load(*trial));
+  std::sort(loads.begin(), loads.end());
+  std::size_t unlike = loads.empty() ? 0 : 1;
+  for (std::size_t i = 1; i < loads.size(); ++i) unlike += loads[i] - loads[i - 1] > alike ? 1 : 0;
+  return trials.size() >= fewest_trials && unlike >= fewest_loads;
+}
+
+/// How mu_dynamic of trials goes with their load; nothing is explained of too few.
 struct LoadLine {
   double slope = 0, explained = 0;
 
   explicit LoadLine(const std::vector<const TrialEvidence*>& trials) {
+    if (!tell_loads(trials)) return;
     double load = 0, mu = 0, load_2 = 0, mu_2 = 0, both = 0;
     const auto count = static_cast<double>(trials.size());
     for (const TrialEvidence* trial : trials) {
-      const double x = trial->slip_log_load / static_cast<double>(trial->slip_samples),
-                   y = std::log(trial->mean_slip());
+      const double x = log_load(*trial), y = std::log(trial->mean_slip());
       load += x / count, mu += y / count;
       load_2 += x * x / count, mu_2 += y * y / count, both += x * y / count;
     }
     load_2 -= load * load, mu_2 -= mu * mu, both -= load * mu;
-    constexpr double least_spread = 0.1;  // standard deviation of ln n
-    if (!(load_2 > least_spread * least_spread) || !(mu_2 > 0)) return;
+    if (!(load_2 > 0) || !(mu_2 > 0)) return;
     slope = both / load_2;
     explained = both * both / (load_2 * mu_2);
   }
 };
 
 std::string load_text(const TrialEvidence& trial) {
-  return rounded_text(std::exp(trial.slip_log_load / static_cast<double>(trial.slip_samples)), 2);
+  return rounded_text(std::exp(log_load(trial)), 2);
 }
 
 }  // namespace

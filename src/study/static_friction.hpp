@@ -12,11 +12,11 @@ namespace fingerpad {
 /// Where trials of one subject are unlike one another, those whose ruptures are counted may not stand for
 /// all: slippery ones rupture more often. Then each subject's is what its ruptures are over the slip of the
 /// same trials, times what all its trials slip by.
-/// @param is_paired  the latter: FitPoint::pairs_friction
+/// @param is_paired  by each trial's own slip: FitPoint::pairs_friction
 PadValue static_friction(const std::vector<TrialEvidence>& trials, const std::vector<int>& times,
                          bool is_paired);
 
-/// Whether the two differ by more than a twentieth.
+/// Whether by each trial's own slip it is another, by more than a twentieth.
 bool is_friction_unlike(const std::vector<TrialEvidence>& trials);
 
 /// Each subject's own friction, of the trials whose ruptures are counted; 0 where none are. What one pad

@@ -18,6 +18,7 @@ std::vector<std::string> subcommands() {
   std::vector<std::string> names;
   bool is_listed = false;
   for (std::string line; std::getline(help, line);) {
+    if (is_listed && !names.empty() && line.empty()) break;
     if (is_listed && line.starts_with("  ") && line[2] != ' ')
       names.push_back(line.substr(2, line.find(' ', 2) - 2));
     is_listed |= line == "Subcommands:";
@@ -29,7 +30,10 @@ TEST(Help, HasNoLineThatATerminalBreaks) {
   const std::vector<std::string> names = subcommands();
   ASSERT_GE(names.size(), 8u);
   for (const std::string& name : names) {
-    std::istringstream help(test::fingerpad(name + " --help", test::scratch_dir()).out);
+    const auto result = test::fingerpad(name + " --help", test::scratch_dir());
+    EXPECT_EQ(result.exit_code, 0) << name;
+    EXPECT_THAT(result.out, HasSubstr("Usage: fingerpad " + name));
+    std::istringstream help(result.out);
     for (std::string line; std::getline(help, line);) EXPECT_LE(line.size(), 100u) << name << ": " << line;
   }
 }

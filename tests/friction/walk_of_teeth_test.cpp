@@ -58,15 +58,5 @@ TEST(WalkOfTeeth, ARuptureIsWhereTheLimitIsReachedAndFallsAlongTheSpring) {
   EXPECT_EQ(end.ratio.y(), 0);
 }
 
-// A normal force of 1e-15 N under a spring of fixed stiffness: a thousand million ruptures in a tick.
-TEST(WalkOfTeeth, CountsNoTeethOfNextToNoForce) {
-  const double low = 2, high = 3;
-  EXPECT_EQ(many_teeth({low, 0}, {1000.5, 0}, low, high).count, 1000);
-  const Teeth none = many_teeth({low, 0}, {1e12, 0}, low, high);
-  EXPECT_EQ(none.count, 0);
-  EXPECT_GE(none.ratio.x(), low);
-  EXPECT_LE(none.ratio.x(), high);
-}
-
 }  // namespace
 }  // namespace fingerpad::walk_of_teeth_test

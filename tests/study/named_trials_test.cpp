@@ -96,6 +96,22 @@ TEST(NamedTrials, AUnitIsOfWhatTheFileWasTakenIn) {
     EXPECT_NE(why_not([&] { take_trial_units({text}, {}, all); }), "taken") << text;
 }
 
+TEST(NamedTrials, HaveOneUnitEachAndNoneWhereASensorTellsContactPoints) {
+  RecordedMeasurement all = recorded();
+  EXPECT_THAT(why_not([&] {
+                take_trial_units({"trial 1=mN", "subject 1, trial 1=N"}, {}, all);
+              }),
+              HasSubstr("a, b.csv, subject 1, trial 1: its forces are given two units"));
+  EXPECT_EQ(why_not([&] { take_trial_units({"trial 12=mN", "trial 12=cm"}, {}, all); }), "taken");
+  all.trials[2].sensor = ContactSensor{};
+  for (const char* text : {"trial 1=mN", "subject 2=cm"})
+    EXPECT_THAT(why_not([&] { take_trial_units({text}, {}, all); }), HasSubstr("told from torque over force"))
+        << text;
+  all.trials[2].force_W *= 1e3;
+  EXPECT_THAT(odd_trial_doubts(all.trials), Contains(AllOf(HasSubstr("--leave-out 'subject 2, trial 1'"),
+                                                           testing::Not(HasSubstr("--trial-unit")))));
+}
+
 TEST(NamedTrials, AreNamedWithTheirFileWhereAnotherHasThem) {
   RecordedMeasurement all = recorded();
   EXPECT_EQ(option_name(all.trials[1], all.trials), "subject 1, trial 12");
