@@ -1,11 +1,15 @@
 #pragma once
 
+#include <limits>
+
 /// The numbers by which the pointer's finger presses, follows, lands and lifts.
 namespace fingerpad::pointer_limits {
 
 /// A step is made where it leaves the force below so many times what is asked for. Less than twice: what
 /// foresight cannot tell, as vibration, comes on top.
 inline constexpr double tried_share = 1.5, surely_share = 1.8;
+/// Where there is nothing else to do.
+inline constexpr double any_force_n = std::numeric_limits<double>::infinity();
 /// How soon a pressed finger follows the pointer aside, and how fast it goes at most [sizes of the parts a
 /// second].
 inline constexpr double aside_per_s = 50, fastest_per_s = 8, slow_share = 0.05;
@@ -26,6 +30,7 @@ inline constexpr double landing_m_per_s = 0.3, lifting_m_per_s = 0.5;
 /// The pointer's pace is told from so much of its way; it leads the finger on by no more than a share of the
 /// parts' size.
 inline constexpr double pace_s = 0.03, most_lead_share = 0.1;
+/// After so many ticks of a lift every tick is to ease the force.
 inline constexpr int most_lift_ticks = 100;
 /// How often a step is halved before the finger does something else.
 inline constexpr int most_halvings = 4;
