@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device/pointer_limits.hpp"
 #include "touch/finger_room.hpp"
 
 namespace fingerpad {
@@ -16,21 +17,22 @@ constexpr long most_looks = 20000;
 void OpenPlace::aim(const PointerAim& aim) noexcept {
   const bool same = has_aim_ && aim.finger.p_WQ == aim_.finger.p_WQ && aim.spot_W == aim_.spot_W &&
                     aim.finger.push_W_n == aim_.finger.push_W_n && aim.towards_eye_W == aim_.towards_eye_W;
-  if (same) return;
+  if (same && has_looked_) return;
   aim_ = aim;
-  has_aim_ = true;
+  has_aim_ = has_looked_ = true;
   if (given_up_ && !is_given_up()) given_up_.reset();
   look();
 }
 
 void OpenPlace::give_up() noexcept {
   given_up_ = aim_;
-  look();
+  has_looked_ = false;
 }
 
 bool OpenPlace::is_given_up() const noexcept {
   constexpr double beside = 2;
-  return given_up_ && aim_.towards_eye_W == given_up_->towards_eye_W &&
+  return given_up_ &&
+         (aim_.towards_eye_W - given_up_->towards_eye_W).norm() <= pointer_limits::another_view &&
          (aim_.spot_W - given_up_->spot_W).norm() < beside * soft_m_;
 }
 

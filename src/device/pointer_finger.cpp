@@ -71,9 +71,10 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_aim.finger.p_WQ) / dt_s - pace_W_);
   rest_.note(last_aim, aim_, dt_s);
   wanted_n_ = aim_.finger.push_W_n.norm();
-  open_.aim(aim_);
+  // What the flight says is about the last aim.
   const bool leads_nowhere = doing_ == Doing::flies && flight_.has_given_up() && flight_.has_arrived();
   if (open_.has_room() && leads_nowhere) open_.give_up();
+  open_.aim(aim_);
   doing_ = next_doing(dt_s);
   if (doing_ == Doing::flies) {
     fly(dt_s);
@@ -275,14 +276,13 @@ void PointerFinger::lift(double dt_s) noexcept {
     if (try_shorter(fastest_m(dt_s) * out_W_, most_n, dt_s)) return;
     return give_way(std::min(most_n, now_n), most_n, dt_s);
   }
-  const double fast_m = lifting_m_per_s * dt_s;
   const Clearance clearance = around_.at(flight_.place_W(), flight_.soft_m());
   const double free_m = std::max(0.0, clearance.free_m);
   flight_.note_free(free_m);
   // Beside what was touched another wall may stand.
   const Vec3 way_W = out_W_ + clearance.away_W;
-  const Vec3 step_W =
-      std::min(fast_m, 0.5 * free_m + 1e-3 * flight_.soft_m()) * way_W / std::max(1.0, way_W.norm());
+  const Vec3 step_W = std::min(lifting_m_per_s * dt_s, 0.5 * free_m + 1e-3 * flight_.soft_m()) * way_W /
+                      std::max(1.0, way_W.norm());
   if (!try_shorter(step_W, 0, dt_s)) try_step(Vec3::Zero(), any_force_n, dt_s);
 }
 

@@ -27,6 +27,8 @@ inline constexpr double leash_share = 0.25;
 inline constexpr double leash_s = 0.2;
 /// How fast it comes down where nothing is near yet, and goes up [m/s].
 inline constexpr double landing_m_per_s = 0.3, lifting_m_per_s = 0.5;
+/// What no way led to is tried for anew where the eye's direction has turned by more than this [rad].
+inline constexpr double another_view = 0.1;
 /// The pointer's pace is told from so much of its way; it leads the finger on by no more than a share of the
 /// parts' size.
 inline constexpr double pace_s = 0.03, most_lead_share = 0.1;
