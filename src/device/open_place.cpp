@@ -49,12 +49,13 @@ void OpenPlace::look() noexcept {
   down_W_ = has_room_ && push_n > 0 ? Vec3(aim_.finger.push_W_n / push_n) : Vec3(-aim_.towards_eye_W);
 }
 
-/// Whether there is so much room at the place that was asked for. Where the looks do not tell, there is:
-/// what is met on the way there stops the finger all the same.
+/// Whether there is so much room at the place that was asked for. Where the looks do not tell, there is: what
+/// is met on the way there stops the finger all the same.
 bool OpenPlace::seems_free(double least_m, Looks& looks) const noexcept {
   const NearestSurface nearest =
       nearest_surface(world_, aim_.finger.p_WQ, Normals::facet, around_.finger_radius_m(), looks);
-  return !nearest.is_sure || nearest.clear_m >= least_m;
+  // What a search that was broken off has found is there, but on which side of it the place is, is not sure.
+  return (nearest.is_sure ? nearest.clear_m : std::abs(nearest.clear_m)) >= least_m;
 }
 
 /// Looked for anew where the spot has gone on by a little: from tick to tick it goes hardly anywhere.

@@ -19,8 +19,9 @@ inline constexpr double following_s = 0.25, fading_s = 0.05, nothing_left = 1e-3
 /// At rest it goes on for its force until it has gone so far, in what a flight keeps from the parts; from
 /// then on only while the force is off by more than this share.
 inline constexpr double gone_share = 0.1, force_tolerated = 0.15;
-/// So long it flies after a pointer that rests; then it has come as near as it can, and slows down to rest.
-inline constexpr double flying_s = 3;
+/// So long it flies after a pointer that rests; then it has come as near as it can, and slows down to rest in
+/// this time.
+inline constexpr double flying_s = 3, flying_fading_s = 0.5;
 /// What is farther from the finger than this does not lead it over the surface [sizes of the parts] ...
 inline constexpr double leash_share = 0.25;
 /// ... nor what it has come no nearer to for this time.
