@@ -231,13 +231,13 @@ void PointerFinger::press(double dt_s) noexcept {
   flight_.note_way(held_W() + flight_.soft_m() * touched_.normal_W);
   const SurfaceProperties& surface = around_.properties(std::max(touched_.surface, 0));
   const double tolerated = rest_.gone_m() > gone_share * flight_.soft_m() ? force_tolerated : 0;
-  const double in_m = deeper_m(touched_, wanted_n_, surface, rest_.pressing_left(), tolerated, dt_s);
+  const double in_m = std::min(deeper_m(touched_, wanted_n_, surface, rest_.pressing_left(), tolerated, dt_s),
+                               fastest_m(dt_s));
   rest_.press(std::abs(in_m), dt_s);
   pressed_most_n_ = within(tried_share);
-  const Vec3 deeper_W = -std::min(in_m, fastest_m(dt_s)) * touched_.normal_W;
   Vec3 aside_W = aside(dt_s);
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
-    const Vec3 step_W = deeper_W + aside_W;
+    const Vec3 step_W = aside_W - in_m * touched_.normal_W;
     const double felt_n = foresight_.try_n(flight_.place_W() + step_W, dt_s);
     if (i == 0 && felt_n > 0 && turns_about_edge(aside_W)) {
       aside_W.setZero();

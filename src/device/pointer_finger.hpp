@@ -54,7 +54,8 @@ class PointerFinger final : public LiveDevice {
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;
   bool turns_about_edge(const Vec3& aside_W) const noexcept;
-  /// So far it goes in a tick, along a surface, into it or out of it.
+  /// So far it goes in a tick, along a surface or into it, and out of it in a lift. Out of one that it
+  /// presses too hard it goes as far as it must.
   double fastest_m(double dt_s) const noexcept {
     const double along_m_per_s = pointer_limits::fastest_per_s * around_.radius_m();
     return std::max(pointer_limits::lifting_m_per_s, along_m_per_s) * dt_s;

@@ -80,7 +80,8 @@ struct Teeth {
 };
 
 /// The teeth all at once, as the limit of small ones: q's direction follows the way as a dragged point does
-/// (a tractrix of radius (low + high)/2). Where low = high it is dragged along and never ruptures.
+/// (a tractrix of radius (low + high)/2). Where low = high it is dragged along and never ruptures; so it is
+/// where there would be over a million teeth: it counts none and ends at the limit.
 /// @param q     on the way out of a tooth's end, |q| = low
 /// @param way   what is left of the way, as a ratio
 Teeth many_teeth(const PlaneVector& q, const PlaneVector& way, double low, double high) noexcept;

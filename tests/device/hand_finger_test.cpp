@@ -64,7 +64,7 @@ TEST(HandFinger, IsFeltWhereItsEncodersPutItAndPushesWithItsSpring) {
   EXPECT_LE(most_off_m, 0.5e-4 + 1e-12) << "half a step";
 }
 
-// It came down as fast as it follows a pointer aside, and met the surface with 2.3 N where 1 N was asked for.
+// As fast as it follows a pointer aside it would meet the surface with 2.3 N where 1 N is asked for.
 TEST(HandFinger, LandsSoftly) {
   Scene scene = test::plane_scene("none");
   scene.motion.rate_hz = 4000;  // at 1 kHz the loop is at the edge of what is stable

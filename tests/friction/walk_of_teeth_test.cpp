@@ -62,6 +62,8 @@ TEST(WalkOfTeeth, ARuptureIsWhereTheLimitIsReachedAndFallsAlongTheSpring) {
 TEST(WalkOfTeeth, CountsNoTeethOfNextToNoForce) {
   const double low = 2, high = 3;
   EXPECT_EQ(many_teeth({low, 0}, {1000.5, 0}, low, high).count, 1000);
+  EXPECT_EQ(many_teeth({low, 0}, {1e6 - 0.5, 0}, low, high).count, 999999);
+  EXPECT_EQ(many_teeth({low, 0}, {1e6 + 1, 0}, low, high).count, 0);
   const Teeth none = many_teeth({low, 0}, {1e12, 0}, low, high);
   EXPECT_EQ(none.count, 0);
   EXPECT_GE(none.ratio.x(), low);
