@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "device/pointer_limits.hpp"
+
 namespace fingerpad {
 namespace {
 
@@ -135,13 +137,12 @@ void FreeFlight::choose_way(const Vec3& way_W, const Vec3& aside_W, const Vec3& 
 /// A goal that goes on is no way that leads nowhere; and one that has left for elsewhere, or is seen from
 /// another side, is tried for anew when it is back.
 void FreeFlight::note_goal(const Vec3& goal_W, const Vec3& towards_eye_W) noexcept {
-  constexpr double another_view = 0.1;
   if ((goal_W - goal_W_).norm() > soft_m_) {
     goal_W_ = goal_W;
     least_left_m_ = without_end;
     delay_s_ = 0;
   }
-  const bool is_seen_anew = (towards_eye_W - towards_eye_W_).norm() > another_view;
+  const bool is_seen_anew = (towards_eye_W - towards_eye_W_).norm() > pointer_limits::another_view;
   if (!is_seen_anew && (goal_W_ - tried_for_W_).norm() < 2 * soft_m_) return;
   tried_for_W_ = goal_W_;
   towards_eye_W_ = towards_eye_W;

@@ -35,11 +35,20 @@ FingerSample HandFinger::advance(double) noexcept {
 }
 
 /// While it lands, the hand goes down more slowly than aside: a mass that comes down as fast as the mouse
-/// clicks would meet the surface with more than it is to press with.
+/// clicks would meet the surface with more than it is to press with. So it does where it falls off a ledge.
 Vec3 HandFinger::next_intended_W(const Vec3& wanted_W, const TickRecord& tick) noexcept {
-  constexpr double most_landing_s = 0.6, near_share = 0.02;
+  constexpr double most_landing_s = 0.6, near_share = 0.02, falls_s = 0.01;
   const double push_n = seen_target_.push_W_n.norm();
+  const double near_m = near_share * push_n / settings_.stiffness_n_per_m;
+  const auto left_m = [&](const Vec3& from_W) {
+    return (wanted_W - from_W).dot(seen_target_.push_W_n) / push_n;
+  };
   if (!(push_n > 0)) lands_ = true;
+  free_s_ = tick.phase == Phase::free ? free_s_ + dt_s_ : 0;
+  if (push_n > 0 && !lands_ && free_s_ > falls_s && left_m(intended_.place_m()) > near_m) {
+    lands_ = true;
+    landing_.put(intended_.place_m(), Vec3::Zero());
+  }
   if (!(push_n > 0) || !lands_) {
     const Vec3 next_W = intended_.advance(wanted_W, dt_s_);
     landing_.put(next_W, intended_.velocity_m_per_s());
@@ -56,8 +65,7 @@ Vec3 HandFinger::next_intended_W(const Vec3& wanted_W, const TickRecord& tick) n
   intended_.put(next_W, velocity);
   landing_.put(next_W, velocity);
   if (tick.phase != Phase::free) landing_s_ += dt_s_;
-  const double left_m = (wanted_W - next_W).dot(down_W);
-  lands_ = landing_s_ < most_landing_s && left_m > near_share * push_n / settings_.stiffness_n_per_m;
+  lands_ = landing_s_ < most_landing_s && left_m(next_W) > near_m;
   return next_W;
 }
 

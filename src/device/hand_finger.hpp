@@ -29,6 +29,7 @@ class HandFinger final : public LiveDevice {
   Follower landing_;   ///< the same along the way down, while the hand lands
   bool lands_ = true;
   double landing_s_ = 0;  ///< so long it has touched meanwhile
+  double free_s_ = 0;     ///< so long it has touched nothing
   double dt_s_;
   Vec3 place_W_;  ///< of the last advance()
   FingerSample finger_;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "device/pointer_limits.hpp"
 #include "touch/finger_room.hpp"
 
 namespace fingerpad {
@@ -16,21 +17,22 @@ constexpr long most_looks = 20000;
 void OpenPlace::aim(const PointerAim& aim) noexcept {
   const bool same = has_aim_ && aim.finger.p_WQ == aim_.finger.p_WQ && aim.spot_W == aim_.spot_W &&
                     aim.finger.push_W_n == aim_.finger.push_W_n && aim.towards_eye_W == aim_.towards_eye_W;
-  if (same) return;
+  if (same && has_looked_) return;
   aim_ = aim;
-  has_aim_ = true;
+  has_aim_ = has_looked_ = true;
   if (given_up_ && !is_given_up()) given_up_.reset();
   look();
 }
 
 void OpenPlace::give_up() noexcept {
   given_up_ = aim_;
-  look();
+  has_looked_ = false;
 }
 
 bool OpenPlace::is_given_up() const noexcept {
   constexpr double beside = 2;
-  return given_up_ && aim_.towards_eye_W == given_up_->towards_eye_W &&
+  return given_up_ &&
+         (aim_.towards_eye_W - given_up_->towards_eye_W).norm() <= pointer_limits::another_view &&
          (aim_.spot_W - given_up_->spot_W).norm() < beside * soft_m_;
 }
 
@@ -47,12 +49,13 @@ void OpenPlace::look() noexcept {
   down_W_ = has_room_ && push_n > 0 ? Vec3(aim_.finger.push_W_n / push_n) : Vec3(-aim_.towards_eye_W);
 }
 
-/// Whether there is so much room at the place that was asked for. Where the looks do not tell, there is:
-/// what is met on the way there stops the finger all the same.
+/// Whether there is so much room at the place that was asked for. Where the looks do not tell, there is: what
+/// is met on the way there stops the finger all the same.
 bool OpenPlace::seems_free(double least_m, Looks& looks) const noexcept {
   const NearestSurface nearest =
       nearest_surface(world_, aim_.finger.p_WQ, Normals::facet, around_.finger_radius_m(), looks);
-  return !nearest.is_sure || nearest.clear_m >= least_m;
+  // What a search that was broken off has found is there, but on which side of it the place is, is not sure.
+  return (nearest.is_sure ? nearest.clear_m : std::abs(nearest.clear_m)) >= least_m;
 }
 
 /// Looked for anew where the spot has gone on by a little: from tick to tick it goes hardly anywhere.

@@ -24,8 +24,8 @@ class OpenPlace {
   /// looks go. noexcept, allocates nothing.
   void aim(const PointerAim& aim) noexcept;
 
-  /// No way has led to the place that was asked for. It is as if the finger had no room there, until the
-  /// pointer goes on.
+  /// No way has led to the place that was asked for last. From the next aim() on it is as if the finger had
+  /// no room there, until the pointer goes on.
   void give_up() noexcept;
 
   /// Whether the finger has room at the place that was asked for; one that hovers always, unless no way leads
@@ -50,7 +50,7 @@ class OpenPlace {
   const Surroundings& around_;
   double soft_m_;
   PointerAim aim_;
-  bool has_aim_ = false, has_room_ = true;
+  bool has_aim_ = false, has_looked_ = false, has_room_ = true;
   Vec3 place_W_ = Vec3::Zero(), down_W_ = -Vec3::UnitZ();
   std::optional<PointerAim> given_up_;  ///< to this, and what is beside it, leads no way
   bool has_stopped_ = false;

@@ -71,9 +71,10 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
   pace_W_ += (1 - std::exp(-dt_s / pace_s)) * ((aim_.finger.p_WQ - last_aim.finger.p_WQ) / dt_s - pace_W_);
   rest_.note(last_aim, aim_, dt_s);
   wanted_n_ = aim_.finger.push_W_n.norm();
-  open_.aim(aim_);
+  // What the flight says is about the last aim.
   const bool leads_nowhere = doing_ == Doing::flies && flight_.has_given_up() && flight_.has_arrived();
   if (open_.has_room() && leads_nowhere) open_.give_up();
+  open_.aim(aim_);
   doing_ = next_doing(dt_s);
   if (doing_ == Doing::flies) {
     fly(dt_s);
@@ -91,7 +92,7 @@ FingerSample PointerFinger::advance(double dt_s) noexcept {
   if (foresight_.go_n(flight_.place_W(), dt_s) > allowed_n) {
     foresight_.take_back();
     flight_.put(from_W, Vec3::Zero());
-    give_way(within(tried_share), dt_s);
+    give_way(within(tried_share), doing_ == Doing::lifts ? allowed_n : any_force_n, dt_s);
     foresight_.go_n(flight_.place_W(), dt_s);
   }
   finger_.p_WQ = flight_.place_W();
@@ -119,19 +120,16 @@ PointerFinger::Doing PointerFinger::next_doing(double dt_s) noexcept {
 }
 
 void PointerFinger::begin_lift() noexcept {
-  // On the way out another wall may come to hold it, whose force counts too.
+  // On the way out another wall may come to hold it, whose force counts too; no more than a press may have.
   constexpr double another_wall = 1.2;
   lift_ticks_ = 0;
-  lift_most_n_ = another_wall * touched_.normal_force_n;
+  lift_most_n_ =
+      std::min(another_wall * touched_.normal_force_n, std::max(touched_.normal_force_n, pressed_most_n_));
 }
 
 PointerFinger::Doing PointerFinger::after_lifting() const noexcept {
   return flight_.free_m() > 0.5 * flight_.soft_m() || lift_ticks_ > most_lift_ticks ? Doing::flies
                                                                                     : Doing::lifts;
-}
-
-PointerFinger::Doing PointerFinger::after_landing() const noexcept {
-  return wanted_n_ > 0 && can_land(landing_goes_on) ? Doing::lands : Doing::flies;
 }
 
 LandingWay PointerFinger::landing_way() const noexcept {
@@ -172,6 +170,14 @@ bool PointerFinger::try_step(const Vec3& step_W, double most_n, double dt_s) noe
   return true;
 }
 
+/// Goes so far, or half as far, and so on.
+bool PointerFinger::try_shorter(Vec3 step_W, double most_n, double dt_s) noexcept {
+  for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
+    if (try_step(step_W, most_n, dt_s)) return true;
+  }
+  return false;
+}
+
 void PointerFinger::fly(double dt_s) noexcept {
   const Vec3 from_W = flight_.place_W();
   Vec3 goal_W = open_.place_W();
@@ -195,11 +201,8 @@ void PointerFinger::land(double dt_s) noexcept {
   const double free_m = std::max(0.0, around_.at(flight_.place_W(), far_m).free_m);
   const double into_m = press_step_share * wanted_n_ / around_.stiffest_n_per_m(dt_s);
   landed_for_W_ = open_.place_W();
-  Vec3 step_W = std::min(far_m, 0.5 * free_m + into_m) * landing_way().unit_W();
-  for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
-    if (try_step(step_W, within(tried_share), dt_s)) return;
-  }
-  try_step(Vec3::Zero(), std::numeric_limits<double>::infinity(), dt_s);
+  const Vec3 step_W = std::min(far_m, 0.5 * free_m + into_m) * landing_way().unit_W();
+  if (!try_shorter(step_W, within(tried_share), dt_s)) try_step(Vec3::Zero(), any_force_n, dt_s);
 }
 
 /// Along the surface after the pointer; slowly where that has led no nearer for a while, and ever less after
@@ -228,21 +231,22 @@ void PointerFinger::press(double dt_s) noexcept {
   flight_.note_way(held_W() + flight_.soft_m() * touched_.normal_W);
   const SurfaceProperties& surface = around_.properties(std::max(touched_.surface, 0));
   const double tolerated = rest_.gone_m() > gone_share * flight_.soft_m() ? force_tolerated : 0;
-  const double in_m = deeper_m(touched_, wanted_n_, surface, rest_.pressing_left(), tolerated, dt_s);
+  const double in_m = std::min(deeper_m(touched_, wanted_n_, surface, rest_.pressing_left(), tolerated, dt_s),
+                               fastest_m(dt_s));
   rest_.press(std::abs(in_m), dt_s);
-  const Vec3 deeper_W = -std::min(in_m, fastest_m(dt_s)) * touched_.normal_W;
+  pressed_most_n_ = within(tried_share);
   Vec3 aside_W = aside(dt_s);
   for (int i = 0; i <= most_halvings; ++i, aside_W /= 2) {
-    const Vec3 step_W = deeper_W + aside_W;
+    const Vec3 step_W = aside_W - in_m * touched_.normal_W;
     const double felt_n = foresight_.try_n(flight_.place_W() + step_W, dt_s);
     if (i == 0 && felt_n > 0 && turns_about_edge(aside_W)) {
       aside_W.setZero();
       continue;
     }
-    if (felt_n <= within(tried_share)) return flight_.put(flight_.place_W() + step_W, step_W / dt_s);
+    if (felt_n <= pressed_most_n_) return flight_.put(flight_.place_W() + step_W, step_W / dt_s);
     if (aside_W.isZero(0)) break;
   }
-  give_way(within(tried_share), dt_s);
+  give_way(pressed_most_n_, any_force_n, dt_s);
 }
 
 /// So many times what is asked for, but hardly more than the scene's greatest force where no more is asked
@@ -252,37 +256,34 @@ double PointerFinger::within(double share) const noexcept {
   return wanted_n_ > greatest_n_ ? share * wanted_n_ : std::min(share * wanted_n_, hardly_more * greatest_n_);
 }
 
-/// Straight out, as little as is enough.
-void PointerFinger::give_way(double most_n, double dt_s) noexcept {
+/// Straight out, as little as is enough; else all the way, if that presses with no more than `at_worst_n`.
+void PointerFinger::give_way(double most_n, double at_worst_n, double dt_s) noexcept {
   for (const double share : {0.1, 0.25, 0.5, 0.75, 0.9}) {
     if (try_step(share * touched_.depth_m * touched_.normal_W, most_n, dt_s)) return;
   }
-  try_step(touched_.depth_m * touched_.normal_W, std::numeric_limits<double>::infinity(), dt_s);
+  const Vec3 all_W = touched_.depth_m * touched_.normal_W;
+  if (!try_step(all_W, at_worst_n, dt_s)) try_step(Vec3::Zero(), any_force_n, dt_s);
 }
 
 /// Straight out, as fast as it goes elsewhere; once it is free, by as much as that and a small step more.
 void PointerFinger::lift(double dt_s) noexcept {
   ++lift_ticks_;
   if (is_touching()) {
-    Vec3 step_W = fastest_m(dt_s) * out_W_;
-    for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
-      if (try_step(step_W, lift_most_n_, dt_s)) return;
-    }
-    give_way(touched_.normal_force_n, dt_s);
-    return;
+    // It may go up so for a while; between two walls it would without end.
+    constexpr double eases = 0.9;
+    const double now_n = touched_.normal_force_n;
+    const double most_n = lift_ticks_ > most_lift_ticks ? eases * now_n : std::max(now_n, lift_most_n_);
+    if (try_shorter(fastest_m(dt_s) * out_W_, most_n, dt_s)) return;
+    return give_way(std::min(most_n, now_n), most_n, dt_s);
   }
-  const double fast_m = lifting_m_per_s * dt_s;
   const Clearance clearance = around_.at(flight_.place_W(), flight_.soft_m());
   const double free_m = std::max(0.0, clearance.free_m);
   flight_.note_free(free_m);
   // Beside what was touched another wall may stand.
   const Vec3 way_W = out_W_ + clearance.away_W;
-  Vec3 step_W =
-      std::min(fast_m, 0.5 * free_m + 1e-3 * flight_.soft_m()) * way_W / std::max(1.0, way_W.norm());
-  for (int i = 0; i <= most_halvings; ++i, step_W /= 2) {
-    if (try_step(step_W, 0, dt_s)) return;
-  }
-  try_step(Vec3::Zero(), std::numeric_limits<double>::infinity(), dt_s);
+  const Vec3 step_W = std::min(lifting_m_per_s * dt_s, 0.5 * free_m + 1e-3 * flight_.soft_m()) * way_W /
+                      std::max(1.0, way_W.norm());
+  if (!try_shorter(step_W, 0, dt_s)) try_step(Vec3::Zero(), any_force_n, dt_s);
 }
 
 DeviceEntry pointer_device() noexcept {

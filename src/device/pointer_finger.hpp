@@ -42,7 +42,9 @@ class PointerFinger final : public LiveDevice {
   Doing next_doing(double dt_s) noexcept;
   void begin_lift() noexcept;
   Doing after_lifting() const noexcept;
-  Doing after_landing() const noexcept;
+  Doing after_landing() const noexcept {
+    return wanted_n_ > 0 && can_land(landing_goes_on) ? Doing::lands : Doing::flies;
+  }
   bool is_touching() const noexcept { return touched_.walls > 0; }
   /// Where the push that was felt holds the finger's centre out.
   Vec3 held_W() const noexcept { return flight_.place_W() + touched_.depth_m * touched_.normal_W; }
@@ -52,7 +54,8 @@ class PointerFinger final : public LiveDevice {
   void fly(double dt_s) noexcept;
   void land(double dt_s) noexcept;
   bool turns_about_edge(const Vec3& aside_W) const noexcept;
-  /// So far it goes in a tick, along a surface, into it or out of it.
+  /// So far it goes in a tick, along a surface or into it, and out of it in a lift. Out of one that it
+  /// presses too hard it goes as far as it must.
   double fastest_m(double dt_s) const noexcept {
     const double along_m_per_s = pointer_limits::fastest_per_s * around_.radius_m();
     return std::max(pointer_limits::lifting_m_per_s, along_m_per_s) * dt_s;
@@ -60,7 +63,8 @@ class PointerFinger final : public LiveDevice {
   void press(double dt_s) noexcept;
   void lift(double dt_s) noexcept;
   bool try_step(const Vec3& step_W, double most_n, double dt_s) noexcept;
-  void give_way(double most_n, double dt_s) noexcept;
+  bool try_shorter(Vec3 step_W, double most_n, double dt_s) noexcept;
+  void give_way(double most_n, double at_worst_n, double dt_s) noexcept;
   double within(double share) const noexcept;
   Vec3 aside(double dt_s) const noexcept;
 
@@ -81,7 +85,8 @@ class PointerFinger final : public LiveDevice {
   TickRecord touched_;          // what the last tick felt
   Vec3 out_W_ = Vec3::UnitZ();  // the way out of what was touched last, unit
   int lift_ticks_ = 0;
-  double lift_most_n_ = 0;              // that a lift may press with
+  double pressed_most_n_ = 0;           // that the last press might have pressed with ...
+  double lift_most_n_ = 0;              // ... and that a lift may
   Vec3 landed_for_W_;                   // what the last landing was aimed at ...
   double nearest_m_ = 0, delay_s_ = 0;  // ... how near the finger has come, and for how long no nearer
 };

@@ -36,7 +36,7 @@ class PointerRest {
   double gone_m() const noexcept { return gone_m_; }
   /// Of a flight.
   double flying_left() const noexcept {
-    return left(rests_s_ - pointer_limits::flying_s, 10 * pointer_limits::fading_s);
+    return left(rests_s_ - pointer_limits::flying_s, pointer_limits::flying_fading_s);
   }
 
  private:

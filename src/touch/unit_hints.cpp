@@ -27,7 +27,8 @@ std::string finger_hint(const World& world, const Scene& scene) {
   }
   if (!(longest_m > 0) || !(radius_m > too_large_m && radius_m > longest_m)) return {};
   return fmt::format(
-      "finger.radius_m: {} m, where the longest part has {} m; it is in metres: if millimetres are meant, "
+      "finger.radius_m: {} m, where the longest part is {} m long; it is in metres: if millimetres are "
+      "meant, "
       "radius_m = {}",
       rounded_text(radius_m, 3), rounded_text(longest_m, 3), rounded_text(metres_per_mm * radius_m, 3));
 }

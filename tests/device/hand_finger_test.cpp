@@ -64,7 +64,7 @@ TEST(HandFinger, IsFeltWhereItsEncodersPutItAndPushesWithItsSpring) {
   EXPECT_LE(most_off_m, 0.5e-4 + 1e-12) << "half a step";
 }
 
-// It came down as fast as it follows a pointer aside, and met the surface with 2.3 N where 1 N was asked for.
+// As fast as it follows a pointer aside it would meet the surface with 2.3 N where 1 N is asked for.
 TEST(HandFinger, LandsSoftly) {
   Scene scene = test::plane_scene("none");
   scene.motion.rate_hz = 4000;  // at 1 kHz the loop is at the edge of what is stable
@@ -94,6 +94,37 @@ TEST(HandFinger, LandsSoftly) {
       EXPECT_LT(landed_s, 1) << "and in time";
     }
   }
+}
+
+// Pressed all the while, it is dragged off a step of 30 mm.
+TEST(HandFinger, LandsSoftlyBelowALedge) {
+  Scene scene = test::plane_scene("none");
+  scene.motion.rate_hz = 4000;
+  const double dt_s = 1 / scene.motion.rate_hz, ledge_m = 0.03, press_n = 1;
+  World lower = *test::plane_world();
+  lower.surfaces[0].plane_point_W.z() = -ledge_m;
+  HandSettings hand;
+  hand.encoder_m = 0;
+  HandFinger finger({scene, nullptr, {0, Vec3(0, 0, 0.01), Vec3::UnitY()}, {}, hand}, dt_s);
+  Touch above(test::plane_world(), scene), below(std::make_shared<World>(lower), scene);
+  FingerSample target{0, Vec3(0, 0, scene.finger.radius_m), Vec3::UnitY()};
+  target.push_W_n = Vec3(0, 0, -press_n);
+  finger.set_target(target);
+  const auto most_n = [&](Touch& touch, double seconds) {
+    double most_n = 0;
+    for (int k = 0; k * dt_s < seconds; ++k) {
+      const TickRecord row = touch.tick(finger.advance(dt_s));
+      finger.feel(row);
+      most_n = std::max(most_n, row.normal_force_n);
+    }
+    return most_n;
+  };
+  most_n(above, 2);
+  target.p_WQ.z() -= ledge_m;
+  finger.set_target(target);
+  EXPECT_LT(most_n(below, 1), 1.3 * press_n);
+  const double at_rest_n = most_n(below, 0.2);
+  EXPECT_NEAR(at_rest_n, press_n, 0.2 * press_n) << "and in time";
 }
 
 }  // namespace

@@ -164,7 +164,7 @@ TEST(StillPointer, PressesOnTheRimThatItCannotPass) {
   EXPECT_NEAR(pointer.last().normal_force_n, 5, 0.2 * 5);
 }
 
-// 10 mm deep it left by half of its depth in a tick.
+// Also from 10 mm deep.
 TEST(StillPointer, IsLetGoNoFasterThanItGoesElsewhere) {
   const PointedWorld pointed = scene_of("bracket");
   const auto spot = spot_at(pointed, 28, 33, 90);

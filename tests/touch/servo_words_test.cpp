@@ -88,7 +88,7 @@ TEST(TouchEndWords, OfATouchOfNothing) {
                     HasSubstr("\nno tick began late, by more than a tick (1 ms); the worst by 20 us\n")));
 }
 
-// Its trace, replayed, tells of them; the touch itself did not.
+// As its trace does, replayed.
 TEST(ServoWords, TellOfUnsettledTicks) {
   FeltSum felt;
   TickRecord tick;

@@ -19,7 +19,7 @@ std::string hint_of(double radius_m, double part_m) {
   return finger_hint(world, scene);
 }
 
-// A fingertip of seven metres was touched with in silence.
+// A fingertip of seven metres is hardly meant.
 TEST(UnitHints, TellOfAFingerWhoseMillimetresAreReadAsMetres) {
   EXPECT_NE(hint_of(7, 0.12).find("radius_m = 0.007"), std::string::npos) << hint_of(7, 0.12);
 }
