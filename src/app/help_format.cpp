@@ -42,6 +42,16 @@ std::string wrapped_line(const std::string& line, std::size_t width, std::size_t
   return text + row;
 }
 
+/// Parts a text into lines of at most `width` letters, where it has blanks. A line keeps its indentation.
+/// @param hang  blanks before the lines that a line goes on in, beside its own indentation
+std::string wrapped(const std::string& text, std::size_t width, std::size_t hang) {
+  std::istringstream lines(text);
+  std::string all;
+  for (std::string line; std::getline(lines, line);) all += wrapped_line(line, width, hang) + "\n";
+  if (!all.empty()) all.pop_back();
+  return all;
+}
+
 }  // namespace
 
 std::size_t help_width() {
@@ -49,14 +59,6 @@ std::size_t help_width() {
   if (isatty(STDOUT_FILENO) == 0 || ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) != 0 || size.ws_col == 0)
     return usual_width;
   return std::clamp<std::size_t>(size.ws_col, least_width, greatest_width);
-}
-
-std::string wrapped(const std::string& text, std::size_t width, std::size_t hang) {
-  std::istringstream lines(text);
-  std::string all;
-  for (std::string line; std::getline(lines, line);) all += wrapped_line(line, width, hang) + "\n";
-  if (!all.empty()) all.pop_back();
-  return all;
 }
 
 std::string HelpFormat::entry(const std::string& name, const std::string& words) const {

@@ -27,8 +27,4 @@ class HelpFormat final : public CLI::Formatter {
 /// Letters a line of standard output: of a terminal its own, within what can be read; else 100.
 std::size_t help_width();
 
-/// Parts a text into lines of at most `width` letters, where it has blanks. A line keeps its indentation.
-/// @param hang  blanks before the lines that a line goes on in, beside its own indentation
-std::string wrapped(const std::string& text, std::size_t width, std::size_t hang);
-
 }  // namespace fingerpad

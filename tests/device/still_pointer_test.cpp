@@ -117,14 +117,20 @@ TEST(StillPointer, RestsWhereNoWayLeads) {
       << "it got there: look for another spot";
 }
 
+/// Whether the finger stays where it is for so long, to what nobody sees, about as hard as wished.
+void expect_rests(StillPointer& pointer, double for_s, double wished_n) {
+  constexpr double seen_m = 0.2e-3, about = 0.2;
+  EXPECT_LT(pointer.roams_m(for_s), seen_m);
+  EXPECT_NEAR(pointer.last().normal_force_n, wished_n, about * wished_n);
+}
+
 /// A place of the grid that spot_at() lays over the window.
 struct GridPlace {
   int column, row, of;
 };
 
 // On its way down to a counterbore's wall the finger passes by a gusset, and to others by an edge, by less
-// than counts as room. That was taken for what stops it: it came down beside it, was too far behind, flew up
-// again, and swung in the air by 7 mm.
+// than counts as room: these do not stop it.
 TEST(StillPointer, ComesDownPastWhatHardlyStopsIt) {
   const PointedWorld pointed = scene_of("bracket");
   for (const GridPlace at : {GridPlace{28, 55, 110}, {29, 58, 110}, {41, 52, 90}, {60, 17, 90}}) {
@@ -133,25 +139,21 @@ TEST(StillPointer, ComesDownPastWhatHardlyStopsIt) {
     ASSERT_TRUE(spot);
     StillPointer pointer(pointed, *spot, 3);
     pointer.roams_m(1);
-    EXPECT_LT(pointer.roams_m(0.3), 0.2e-3);
-    EXPECT_NEAR(pointer.last().normal_force_n, 3, 0.2 * 3);
+    expect_rests(pointer, 0.3, 3);
   }
 }
 
-// Pressed 9 mm deep into a pocket's corner it was led on and on along the edge: for its force alone, since as
-// the walls change, no place gives just that.
+// Pressed 9 mm deep into a pocket's corner: as the walls change there, no place gives just the wished force.
 TEST(StillPointer, GoesNoFartherForItsForceThanItNeed) {
   const PointedWorld pointed = scene_of("bracket");
   const auto spot = spot_at(pointed, 28, 33, 90);
   ASSERT_TRUE(spot);
   StillPointer pointer(pointed, *spot, 10);
   pointer.roams_m(1);
-  EXPECT_LT(pointer.roams_m(1), 0.2e-3);
-  EXPECT_NEAR(pointer.last().normal_force_n, 10, 0.2 * 10);
+  expect_rests(pointer, 1, 10);
 }
 
-// The spot is seen over a wall's rim, past which a finger does not fit. It slid down the wall's other side
-// and rested there, and nothing was touched however hard the press.
+// The spot is seen over a wall's rim, past which a finger does not fit.
 TEST(StillPointer, PressesOnTheRimThatItCannotPass) {
   const PointedWorld pointed = scene_of("housing");
   const auto beside = spot_at(pointed, 10, 8, 24), spot = spot_at(pointed, 10, 7, 24);
@@ -160,8 +162,7 @@ TEST(StillPointer, PressesOnTheRimThatItCannotPass) {
   pointer.roams_m(0.6);
   pointer.point(pointed, *spot, 5);
   pointer.roams_m(2.5);
-  EXPECT_LT(pointer.roams_m(0.2), 0.2e-3);
-  EXPECT_NEAR(pointer.last().normal_force_n, 5, 0.2 * 5);
+  expect_rests(pointer, 0.2, 5);
 }
 
 // Also from 10 mm deep.

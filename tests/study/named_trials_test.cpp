@@ -6,6 +6,7 @@
 #include "base/error.hpp"
 #include "study/odd_trials.hpp"
 #include "support/pad_measurement.hpp"
+#include "support/refusal.hpp"
 
 namespace fingerpad::named_trials_test {
 namespace {
@@ -36,13 +37,7 @@ std::vector<std::string> left(const std::vector<std::string>& named) {
 }
 
 std::string why_not(const std::function<void()>& make) {
-  try {
-    make();
-  } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::usage);
-    return error.what();
-  }
-  return "taken";
+  return test::why_not(make, ErrorKind::usage);
 }
 
 TEST(NamedTrials, AreLeftOutByAllOfTheirNameOrSome) {

@@ -10,11 +10,11 @@
 namespace fingerpad::test {
 
 /// Why `make` is refused; "taken" where it is not.
-inline std::string why_not(const std::function<void()>& make) {
+inline std::string why_not(const std::function<void()>& make, ErrorKind kind = ErrorKind::refused) {
   try {
     make();
   } catch (const Error& error) {
-    EXPECT_EQ(error.kind(), ErrorKind::refused);
+    EXPECT_EQ(error.kind(), kind);
     return error.what();
   }
   return "taken";
