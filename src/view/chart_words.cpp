@@ -128,7 +128,8 @@ std::vector<std::string> names_of_one_width(const std::vector<StackedKey>& keys,
 /// Where whole entries stand that go on in a further line where one is full: each one's line, from the top.
 /// @param width  of a key, its gap and the gap behind its name
 template <typename NameOf>
-std::vector<int> wrapped(std::size_t count, const NameOf& name_of, double size, double width, double room) {
+std::vector<int> lines_of_entries(std::size_t count, const NameOf& name_of, double size, double width,
+                                  double room) {
   std::vector<int> lines;
   double left = room;
   int line = 0;
@@ -158,7 +159,7 @@ void add_legend_lines(Drawing& drawing, const std::vector<StackedKey>& keys, con
   const auto name_of = [&](std::size_t i) -> const std::string& { return keys[i].name; };
   const auto count = keys.size(), lines = static_cast<std::size_t>(rows),
              a_line = (count + lines - 1) / lines;
-  std::vector<int> line_of = wrapped(count, name_of, sizes.size, sizes.beside_name(), room);
+  std::vector<int> line_of = lines_of_entries(count, name_of, sizes.size, sizes.beside_name(), room);
   const bool are_whole = line_of.back() < rows;
   const int last_line = are_whole ? line_of.back() : rows - 1;  // which stands upon the frame
   const double each = room / static_cast<double>(a_line) - sizes.beside_name();
@@ -226,7 +227,8 @@ std::vector<int> legend_rows(const Chart& chart, double width_px, double em) {
     rows.push_back(1);
     if (names.empty() || chart.legend_rows < 2) continue;
     const auto name_of = [&](std::size_t i) -> const std::string& { return names[i]; };
-    const int last = wrapped(names.size(), name_of, sizes.size, sizes.beside_name(), width_px).back();
+    const int last =
+        lines_of_entries(names.size(), name_of, sizes.size, sizes.beside_name(), width_px).back();
     rows.back() = std::min(1 + last, chart.legend_rows);
   }
   // Panels that stand evenly apart have as much room as the one with the most lines takes.
