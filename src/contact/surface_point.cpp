@@ -36,23 +36,27 @@ bool are_level(const Part& part, int t, int next) noexcept {
   return here.dot(there) > 0 && here.cross(there).squaredNorm() <= least_sine2;
 }
 
-/// The facet under q some edges away from triangle t, of which at most one is bent, or two where the surface
-/// is smooth: past a corner; -1: not found.
-/// @param view    of triangle t
-/// @param across  where it is the neighbour `across_t`, how that is seen
-int find_foot_around(const Part& part, int t, FacetView view, int across_t, const FacetView& across,
-                     Vec3& foot) noexcept {
+/// So far from the first facet's a normal may be turned on a way over smooth edges: 20 degrees. What lies
+/// beyond such a way is no other sheet, as it would be round a rib.
+constexpr double hardly_turned_cos = 0.94;
+
+/// The facet under q some edges away from triangle t, of which at most one is bent, or two where none is a
+/// crease, or any number where besides the surface hardly turns on the way; -1: not found.
+/// @param view  of triangle t
+int find_foot_around(const Part& part, int t, FacetView view, Vec3& foot) noexcept {
   constexpr int most_edges = 8;
-  int level = 0, bent = 0, most_bent = 2;
+  const Vec3 normal = part.facet_normals.col(t);
+  int bent = 0, most_bent = 2;
   for (int k = 0; k < most_edges; ++k) {
     const int edge = view.edge_farthest_behind(), next = part.neighbours(edge, t);
     if (next < 0) return -1;
     if (has_crease(part, t, edge)) most_bent = 1;
-    ++(are_level(part, t, next) ? level : bent);
-    if (bent > most_bent) return -1;
+    bent += are_level(part, t, next) ? 0 : 1;
+    const bool is_near = most_bent > 1 && normal.dot(part.facet_normals.col(next)) > hardly_turned_cos;
+    if (bent > most_bent && !is_near) return -1;
     t = next;
-    view = k == 0 && next == across_t ? across : FacetView(part, next, view.q);
-    if (view.find_foot(foot)) return level > 0 || bent > 1 ? t : -1;
+    view = FacetView(part, next, view.q);
+    if (view.find_foot(foot)) return t;
   }
   return -1;
 }
@@ -101,12 +105,12 @@ FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept {
 FacetFoot foot_on_facet(const Part& part, int t, const FacetView& view) noexcept {
   Vec3 foot;
   if (view.find_foot(foot)) return {part.centre_P + foot, t};
+  const int around = find_foot_around(part, t, view, foot);
+  if (around >= 0) return {part.centre_P + foot, around};
   const Feature feature = view.nearest_feature();
-  const int across_t = is_edge(feature) ? part.neighbours(edge_of(feature), t) : -1;
-  const FacetView across = across_t >= 0 ? FacetView(part, across_t, view.q) : view;
-  if (across_t >= 0 && across.find_foot(foot)) return {part.centre_P + foot, across_t};
-  const int around = find_foot_around(part, t, view, across_t, across, foot);
-  return around >= 0 ? FacetFoot{part.centre_P + foot, around} : FacetFoot{};
+  const int across = is_edge(feature) ? part.neighbours(edge_of(feature), t) : -1;
+  if (across >= 0 && FacetView(part, across, view.q).find_foot(foot)) return {part.centre_P + foot, across};
+  return {};
 }
 
 SurfacePoint nearest_surface_point(const TriangleTree& tree, const Vec3& p_P, Normals normals, int seed,

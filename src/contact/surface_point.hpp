@@ -55,9 +55,9 @@ struct FacetFoot {
 };
 
 /// The point of triangle t's facet under p_P, or of the facet across the edge where p_P lies beyond that, or,
-/// where the surface is smooth, of the next one past a corner; none where none of them has one. Triangles in
-/// one plane count as one facet, as far as a few edges on. No other triangle is looked at: one may be
-/// nearer.
+/// where the surface is smooth, of the next one past a corner, or of one some edges on where it hardly turns
+/// on the way; none where none of them has one. Triangles in one plane count as one facet, as far as a few
+/// edges on. No other triangle is looked at: one may be nearer.
 /// noexcept, allocates nothing.
 FacetFoot foot_on_facet(const Part& part, int t, const Vec3& p_P) noexcept;
 /// The same of a facet that was looked at from there.

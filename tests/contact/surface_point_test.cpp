@@ -331,6 +331,44 @@ TEST(FootOnFacet, OfAPlaneOfFacetsIsFoundSomeEdgesOn) {
   EXPECT_GT(far, 500);
 }
 
+TEST(FootOnFacet, OfASurfaceThatHardlyTurnsIsFoundSomeEdgesOn) {
+  const TriangleTree tree = tree_of(test::torus_soup(1, 0.4, 192, 128));
+  const Part& part = tree.part();
+  RandomStream random(11);
+  int far = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const int t = trial * 7 % part.triangle_count();
+    const Vec3 normal = part.facet_normals.col(t);
+    Vec3 along(random.normal(), random.normal(), random.normal());
+    along = 0.05 * (along - along.dot(normal) * normal).normalized();  // an edge is .02 to .05 long
+    const Vec3 q = part.vertices.col(part.triangles(0, t)) + along;
+    const FacetFoot foot = foot_on_facet(part, t, part.centre_P + q);
+    if (foot.triangle < 0 || bends_between(part, t, foot.triangle) <= 2) continue;
+    ++far;
+    const double distance_m = (foot.point_P - part.centre_P - q).norm();
+    // Over hollows a point may have the feet of two facets, and either is found.
+    ASSERT_LE(distance_m, std::abs(at(tree, part.centre_P + q).signed_distance_m) + 1e-4) << t;
+  }
+  EXPECT_GT(far, 500);
+}
+
+TEST(FootOnFacet, IsNotSoughtRoundATightRounding) {
+  const Part part =
+      make_part(test::torus_soup(1, 0.01, 400, 16), crease_rad);  // turns by 22.5 degrees an edge
+  RandomStream random(12);
+  int found = 0;
+  for (int trial = 0; trial < 4000; ++trial) {
+    const int t = trial * 3 % part.triangle_count();
+    const Vec3 q = part.vertices.col(part.triangles(0, t)) + random_point(random, 0.03);
+    const FacetFoot foot = foot_on_facet(part, t, part.centre_P + q);
+    if (foot.triangle < 0) continue;
+    ++found;
+    const double turned_cos = part.facet_normals.col(t).dot(part.facet_normals.col(foot.triangle));
+    ASSERT_TRUE(turned_cos > 0.93 || bends_between(part, t, foot.triangle) <= 2) << t;
+  }
+  EXPECT_GT(found, 500);
+}
+
 TEST(NearestPlanePoint, IsTheFootOfThePerpendicular) {
   const SurfacePoint s = nearest_plane_point({0, 0, 2}, Vec3::UnitZ(), {5, 6, 1.5});
   EXPECT_EQ(s.signed_distance_m, -0.5);
