@@ -18,18 +18,18 @@ struct CostRow {
 
 // Printed by bench_contact_cost: rubs over a torus, without friction, at 1 kHz and 0.1 m/s.
 constexpr CostRow cost_table[] = {
-    {"closest-point", "facet", false, {0.76, 1.00, 1.01, 1.07, 1.22, 1.57, 2.47}},
-    {"closest-point", "smooth", false, {0.81, 1.12, 1.12, 1.19, 1.32, 1.68, 2.59}},
-    {"closest-point", "curved", false, {2.44, 2.64, 2.64, 2.67, 2.80, 3.11, 3.99}},
-    {"proxy", "facet", false, {0.44, 0.69, 0.79, 0.98, 1.37, 2.30, 3.90}},
-    {"proxy", "smooth", false, {0.50, 0.82, 0.91, 1.12, 1.49, 2.34, 3.83}},
-    {"proxy", "curved", false, {0.78, 1.52, 1.61, 1.80, 2.18, 3.06, 4.52}},
-    {"closest-point", "facet", true, {0.94, 1.14, 1.21, 1.40, 1.93, 3.49, 7.89}},
-    {"closest-point", "smooth", true, {0.97, 1.25, 1.31, 1.50, 2.02, 3.59, 7.84}},
-    {"closest-point", "curved", true, {3.09, 3.23, 3.23, 3.35, 3.87, 5.48, 9.69}},
-    {"proxy", "facet", true, {1.03, 1.76, 2.63, 4.41, 7.10, 14.43, 36.68}},
-    {"proxy", "smooth", true, {1.08, 1.92, 2.81, 4.64, 7.40, 14.88, 37.51}},
-    {"proxy", "curved", true, {1.27, 2.61, 3.50, 5.33, 8.09, 15.60, 38.21}},
+    {"closest-point", "facet", false, {0.86, 1.00, 1.01, 1.04, 1.09, 1.23, 1.52}},
+    {"closest-point", "smooth", false, {0.92, 1.18, 1.17, 1.20, 1.25, 1.40, 1.67}},
+    {"closest-point", "curved", false, {2.37, 2.53, 2.56, 2.59, 2.61, 2.72, 2.93}},
+    {"proxy", "facet", false, {0.33, 0.52, 0.66, 0.92, 1.34, 2.36, 4.11}},
+    {"proxy", "smooth", false, {0.40, 0.67, 0.79, 1.06, 1.49, 2.39, 3.90}},
+    {"proxy", "curved", false, {0.62, 1.20, 1.33, 1.61, 2.01, 2.95, 4.48}},
+    {"closest-point", "facet", true, {1.03, 1.19, 1.26, 1.35, 1.51, 1.82, 2.46}},
+    {"closest-point", "smooth", true, {1.07, 1.33, 1.39, 1.50, 1.66, 1.96, 2.60}},
+    {"closest-point", "curved", true, {3.03, 3.12, 3.14, 3.20, 3.35, 3.65, 4.28}},
+    {"proxy", "facet", true, {0.80, 1.38, 2.31, 4.20, 6.97, 10.19, 20.47}},
+    {"proxy", "smooth", true, {0.84, 1.54, 2.49, 4.43, 7.25, 10.47, 20.45}},
+    {"proxy", "curved", true, {1.00, 2.08, 3.02, 5.00, 7.78, 11.25, 21.02}},
 };
 
 /// Between the table's counts, in their logarithm.

@@ -40,6 +40,7 @@ test::KnownSensors fine_sensors() {
 /// Told by where drops begin, mu_static came out 1.8 % low in each of six sets, and what rests on it, and
 /// samples in which the drop still shows bent the loop and the line of stick.
 TEST(SlowSensor, RupturesLieInTheMiddleOfTheirDrops) {
+  if (test::sanitized()) GTEST_SKIP() << "the next one goes the same way";
   test::KnownSensors sensors = fine_sensors();
   sensors.low_pass_hz = 300;
   const ProfileFit fit = fitted({}, sensors, 1);
@@ -48,7 +49,6 @@ TEST(SlowSensor, RupturesLieInTheMiddleOfTheirDrops) {
   EXPECT_TRUE(holds(fit, PadNumber::lateral_linearity, 1));
   EXPECT_TRUE(holds(fit, PadNumber::longitudinal_linearity, 1));
   EXPECT_THAT(fit.steps, Contains(HasSubstr("the force sensor shows their drops over some samples")));
-  if (test::sanitized()) return;  // it goes the same way again
   sensors.low_pass_hz = 0;
   EXPECT_THAT(fitted({}, sensors, 1).steps, Not(Contains(HasSubstr("shows their drops"))));
 }
@@ -77,7 +77,8 @@ TEST(SlowSensor, RupturesAtSlowRatesLieInTheMiddleOfTheirDropsToo) {
   sensors.rate_hz = 500;
   sensors.ticks_a_sample = 20;
   EXPECT_TRUE(holds(fitted({}, sensors, 2), PadNumber::mu_static, 0.3));
-  sensors.rate_hz = 300;  // where too few drops tell how late they are
+  if (test::sanitized()) return;  // it goes the same way again
+  sensors.rate_hz = 300;          // where too few drops tell how late they are
   sensors.ticks_a_sample = 30;
   EXPECT_TRUE(holds(fitted({}, sensors, 4), PadNumber::mu_static, 0.3));
 }

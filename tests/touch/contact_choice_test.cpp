@@ -383,6 +383,7 @@ TEST(ContactChoice, IsRememberedForNothingElse) {
       [](Scene& scene) { scene.contact.force_tolerance = 1e-6; },
       [](Scene& scene) { scene.contact.automatic_normals = true; },
       [](Scene& scene) { scene.contact.mu_tolerance = 1e-9; },
+      [](Scene& scene) { scene.contact.greatest_force_n = 20; },
       [](Scene& scene) { scene.parts[0].surface.mu_dynamic = 0.7; },
       [](Scene& scene) { scene.parts[0].surface.stiffness_n_per_m = 333; },
       [](Scene& scene) { scene.motion.rate_hz = 17; },
