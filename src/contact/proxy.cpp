@@ -119,15 +119,12 @@ void Proxy::settle(const ProxyLeash& leash) noexcept {
 void Proxy::break_off(const ProxyStep& step) noexcept {
   state_.contact.settled = false;
   state_.contact.broken_off = true;
-  if (step.wall_count == 0) return;
-  state_.hold_place_O = state_.place_O;
-  state_.hold = step;
+  if (step.wall_count > 0) state_.hold = step;
 }
 
 /// Goes the step as far as the leash lets it; true where the proxy has come to its end for this tick.
 bool Proxy::advance(const ProxyStep& step, const ProxyLeash& leash) noexcept {
   const double share = leash.share_of(state_.place_O, step.z), length_m = step.z.norm();
-  state_.hold_place_O = state_.place_O;
   state_.hold = step;
   state_.contact.settled = !(share < 1);
   if (!state_.contact.settled) {
@@ -217,7 +214,6 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const P
   sight_->let_go();
   state_.contact.settled = true;
   state_.place_O = new_place_O;
-  state_.hold_place_O = edge_O;
   state_.hold = step;
   return Way::gone;
 }

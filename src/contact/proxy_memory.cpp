@@ -76,7 +76,7 @@ bool ProxyMemory::slide_on_one(ProxyState& state) noexcept {
   report_free(state);
   const ProxyProjection skinless = held_by_one(world_, lack_m - world_.skin_m());
   if (skinless.active_count == 0) return true;
-  state.hold_place_O = place_O;
+  state.hold.from_O = place_O;
   state.hold.wall_count = 1;
   state.hold.walls[0] = wall_O;
   state.hold.walls[0].least_m = 0;
@@ -99,7 +99,7 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
   // Without its skin the ball's walls stand nearer by that.
   const ProxyProjection skinless = room_.every.with_walls_nearer(p, world_.skin_m());
   if (!skinless.found) return false;
-  state.hold_place_O = state.place_O = p.z;
+  state.hold.from_O = state.place_O = p.z;
   state.hold.wall_count = room_.wall_count;
   state.hold.share_m = p.share_m;
   for (std::size_t k = 0; k < walls_O.size(); ++k) {
@@ -161,8 +161,9 @@ bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& ed
   blockers_ = {Blocker{there.surface, there.triangle}};
   remember_fan(wall_O);
   state.contact.settled = true;
-  state.place_O = state.hold_place_O = to_O;
+  state.place_O = to_O;
   state.hold = {};
+  state.hold.from_O = to_O;
   state.hold.wall_count = 1;
   state.hold.walls[0] = there;
   state.hold.walls[0].least_m = 0;
@@ -174,7 +175,7 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
   if (room_.kind == Room::Kind::slide || is_past_views())
     return;  // it landed there; what is in view is not here
-  if (hold.wall_count == 0 || hold.stuck || place_O_ != state.hold_place_O) return;
+  if (hold.wall_count == 0 || hold.stuck || place_O_ != hold.from_O) return;
   const auto walls = hold.held_by();
   for (const ProxyWall& wall : walls) {
     if (wall.triangle < 0 && walls.size() == 1) continue;
@@ -183,12 +184,12 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   }
   room_.wall_count = hold.wall_count;
   for (std::size_t k = 0; k < walls.size(); ++k) {
-    room_.walls_O[k] = walls[k].seen_from(-state.hold_place_O);
+    room_.walls_O[k] = walls[k].seen_from(-hold.from_O);
     room_.facets[k] = FacetWeights(world_, walls[k]);
   }
   room_.every = EveryWall(walls);
   if (!make_room(walls, search_place_O(), state.place_O, state.place_O) &&
-      !make_room(walls, state.hold_place_O, state.place_O, state.place_O)) {
+      !make_room(walls, hold.from_O, state.place_O, state.place_O)) {
     // Something stands close in front of the walls: no room to slide, but a neighbour may yet be nearer.
     room_.centre_O = state.place_O;
     room_.radius_m = 0;

@@ -38,7 +38,7 @@ void sort_by_share(ProxyContact& contact) noexcept {
 bool is_held_back(const ProxyState& state) noexcept {
   const auto walls = state.hold.held_by();
   return std::any_of(walls.begin(), walls.end(), [&state](const ProxyWall& wall) {
-    return wall.lack_m(state.goal_O - state.hold_place_O) > 0;
+    return wall.lack_m(state.goal_O - state.hold.from_O) > 0;
   });
 }
 
@@ -75,16 +75,15 @@ Vec3 shaded_W(const ProxyWorld& world, const ProxyWall& wall, const TrianglePoin
 
 }  // namespace
 
-ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,
-                                  std::span<const ProxyWall> walls) noexcept {
-  const Vec3 goal = goal_O - place_O;
+ProxyProjection held_without_skin(const ProxyWorld& world, const ProxyStep& hold,
+                                  const Vec3& goal_O) noexcept {
+  const Vec3 goal = goal_O - hold.from_O;
   // Without its skin the ball's walls stand nearer by that.
-  std::array<ProxyWall, 3> skinless;
-  std::copy(walls.begin(), walls.end(), skinless.begin());
+  std::array<ProxyWall, 3> skinless = hold.walls;
   for (ProxyWall& wall : skinless) wall.least_m -= world.skin_m();
-  if (walls.size() == 1) return held_by_one(world, skinless[0].lack_m(goal));
-  return project_onto_walls(goal, std::span(skinless.data(), walls.size()),
-                            world.slack_m() + world.plane_rounding_m(place_O, goal_O));
+  if (hold.wall_count == 1) return held_by_one(world, skinless[0].lack_m(goal));
+  return project_onto_walls(goal, std::span(skinless.data(), hold.held_by().size()),
+                            world.slack_m() + world.plane_rounding_m(hold.from_O, goal_O));
 }
 
 ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,
@@ -109,7 +108,7 @@ void report(const ProxyWorld& world, ProxyState& state) noexcept {
   if (!state.contact.settled && !waits_freely) return report_underway(world, state);
   report_free(state);
   if (!state.contact.settled || hold.wall_count == 0) return;
-  const ProxyProjection p = held_without_skin(world, state.hold_place_O, state.goal_O, hold.held_by());
+  const ProxyProjection p = held_without_skin(world, hold, state.goal_O);
   if (!p.found) return report_underway(world, state);
   for (std::size_t k = 0; k < static_cast<std::size_t>(p.active_count); ++k)
     state.contact.holds[k] =

@@ -34,10 +34,9 @@ inline ProxyProjection held_by_one(const ProxyWorld& world, double depth_m) noex
   p.active_count = p.share_m[0] > world.slack_m() ? 1 : 0;
   return p;
 }
-/// Which of the walls hold the ball without its skin, and by how much.
-/// @param walls  the ball's with its skin, at most three, seen from a place
-ProxyProjection held_without_skin(const ProxyWorld& world, const Vec3& place_O, const Vec3& goal_O,
-                                  std::span<const ProxyWall> walls) noexcept;
+/// Which of a step's walls, which are the ball's with its skin, hold the ball without it, and by how much.
+ProxyProjection held_without_skin(const ProxyWorld& world, const ProxyStep& hold,
+                                  const Vec3& goal_O) noexcept;
 
 /// What holds the proxy where the place under it is looked for.
 ContactHold hold_at(const ProxyWorld& world, const ProxyWall& wall, double share_m,

@@ -12,7 +12,7 @@ namespace {
 std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxyState& s) noexcept {
   const ProxyWall* wall = s.one_triangles_wall();
   if (wall == nullptr) return std::nullopt;
-  const ProxyWall wall_O = wall->seen_from(-s.hold_place_O);
+  const ProxyWall wall_O = wall->seen_from(-s.hold.from_O);
   if (std::abs(wall_O.lack_m(s.place_O)) > world.touching_m()) return std::nullopt;
   if (world.approach(wall_O.surface, wall_O.triangle, s.place_O).at.feature != Feature::face)
     return std::nullopt;

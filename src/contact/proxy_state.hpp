@@ -7,10 +7,11 @@ namespace fingerpad {
 
 /// A step of the proxy and the walls that hold it.
 struct ProxyStep {
-  Vec3 z = Vec3::Zero();       ///< where to, relative to where the proxy stood [m]
+  Vec3 from_O = Vec3::Zero();  ///< where the proxy stood ...
+  Vec3 z = Vec3::Zero();       ///< ... and where to, relative to there [m]
   Vec3 goal_O = Vec3::Zero();  ///< towards which it was made
   int wall_count = 0;
-  std::array<ProxyWall, 3> walls;   ///< seen from where the proxy stood
+  std::array<ProxyWall, 3> walls;   ///< seen from from_O
   std::array<double, 3> share_m{};  ///< multiplier of each
   bool truncated = false;           ///< the step ends where no more is seen, or where it may go no farther
   bool bent = false;                ///< the step goes on along walls that bend away
@@ -45,8 +46,7 @@ struct ProxyState {
   Vec3 place_O = Vec3::Zero();  ///< of the ball's centre, its skin included
   Vec3 goal_O = Vec3::Zero();   ///< where the finger is
 
-  ProxyStep hold;                    ///< the last step, with the walls that stopped it ...
-  Vec3 hold_place_O = Vec3::Zero();  ///< ... and where it was made from
+  ProxyStep hold;  ///< the last step, with the walls that stopped it
 
   ProxyContact contact;
   bool lags = false;  ///< a hop is still on its way to be shown
@@ -58,7 +58,7 @@ struct ProxyState {
   Vec3 last_push_W = Vec3::Zero();        ///< what the tick before it showed: depth times normal [m] ...
   Vec3 last_direction_W = Vec3::UnitZ();  ///< ... and the direction
 
-  /// The wall of the one triangle that holds the proxy, where it rests on one alone, seen from hold_place_O;
+  /// The wall of the one triangle that holds the proxy, where it rests on one alone, seen from hold.from_O;
   /// else null.
   const ProxyWall* one_triangles_wall() const noexcept {
     const bool is_one = contact.settled && hold.wall_count == 1 && !hold.stuck && hold.walls[0].triangle >= 0;

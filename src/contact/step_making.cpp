@@ -19,6 +19,7 @@ void StepMaking::begin(const ProxySight& sight, const Vec3& goal_O, double most_
   breach_m_ = sight.world().tolerance_m() + ProxyLimits::breach_roundings * rounding_m;
   walls_.clear();
   step_ = {};
+  step_.from_O = sight.place_O();
   step_.goal_O = goal_O;
   pass_ = 0;
   is_amid_round_ = is_guessed_ = has_let_go_ = false;
@@ -92,7 +93,7 @@ ProxyStep StepMaking::unblocked(ProxySight& sight) noexcept {
 void StepMaking::go_on_along_bend(ProxySight& sight) noexcept {
   if (!(bent_m_ > 0) || step_.truncated || step_.wall_count == 0) return;
   sight.looks().spend(LookCosts::told * step_.wall_count);
-  const Vec3 on = way_along_bend(sight.world(), sight.place_O(), step_);
+  const Vec3 on = way_along_bend(sight.world(), step_);
   const double on_m = on.norm(), room_m = std::min(bent_m_, most_m_) - step_.z.norm();
   if (!(on_m > 0 && room_m > 0)) return;
   const Vec3 z = step_.z + std::min(1.0, room_m / on_m) * on;

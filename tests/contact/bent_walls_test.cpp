@@ -63,7 +63,7 @@ TEST(BentWalls, AnEdgeBendsAcrossAndAFaceNowhere) {
   const ProxyStep slide = step_from(sight, over, Vec3(1e-3, 2e-3, 0.011), {unbounded, unbounded});
   ASSERT_EQ(slide.wall_count, 1);
   EXPECT_FALSE(slide.bent);
-  EXPECT_EQ(way_along_bend(sight.world(), over, slide), Vec3::Zero());
+  EXPECT_EQ(way_along_bend(sight.world(), slide), Vec3::Zero());
 }
 
 /// Two boxes whose corners a ball can lie on at once, in a gap of half its size.

@@ -160,7 +160,10 @@ TEST(ProxyMemory, OneWallHoldsWithoutItsSkinWhereTheProjectionSaysSo) {
     ProxyWall wall;
     wall.normal = normal;
     wall.least_m = normal.dot(goal) + world.skin_m() + (0.1 * k + 0.05) * world.slack_m();
-    const ProxyProjection one = held_without_skin(world, Vec3::Zero(), goal, std::span(&wall, 1));
+    ProxyStep hold;
+    hold.wall_count = 1;
+    hold.walls[0] = wall;
+    const ProxyProjection one = held_without_skin(world, hold, goal);
     wall.least_m -= world.skin_m();
     const ProxyProjection any = project_onto_walls(goal, std::span(&wall, 1), world.slack_m());
     ASSERT_EQ(one.found, any.found);
