@@ -107,10 +107,14 @@ void Proxy::settle(const ProxyLeash& leash) noexcept {
     }
     if (sight_->looks().are_spent()) return break_off({});
     const ProxyStep step = sight_->step(state_, {leash.step_m, bent_m});
-    if (step.broken_off) return break_off(step);
+    if (step.end == StepEnd::broken_off) return break_off(step);
     if (advance(step, leash)) return;
     // Ways that converge get shorter by more than that.
-    bent_m = k == 0 ? leash.step_m : step.bent ? ProxyLimits::next_bend * step.z.norm() : bent_m;
+    if (k == 0) {
+      bent_m = leash.step_m;
+    } else if (step.end == StepEnd::bent) {
+      bent_m = ProxyLimits::next_bend * step.z.norm();
+    }
   }
   state_.contact.settled = goal_O == state_.place_O;
 }
@@ -132,9 +136,9 @@ bool Proxy::advance(const ProxyStep& step, const ProxyLeash& leash) noexcept {
     return true;
   }
   state_.place_O += step.z;
-  if (step.truncated) return false;
+  if (step.end == StepEnd::truncated) return false;
   const bool is_last = step.goal_O == state_.goal_O;
-  if (step.wall_count == 0 && !step.stuck) {
+  if (step.wall_count == 0 && step.end != StepEnd::stuck) {
     state_.place_O = step.goal_O;
     return is_last;
   }
@@ -154,7 +158,8 @@ bool Proxy::is_at_rest(const ProxyStep& step) const noexcept {
 }
 
 bool Proxy::has_come_to_rest(Way way) const noexcept {
-  return way == Way::rests || (way == Way::gone && !state_.hold.truncated && is_at_rest(state_.hold));
+  return way == Way::rests ||
+         (way == Way::gone && state_.hold.end != StepEnd::truncated && is_at_rest(state_.hold));
 }
 
 /// Goes over the smooth convex edge to the neighbour that is nearer to the finger. Blocked while an earlier
@@ -204,7 +209,7 @@ Proxy::Way Proxy::go_over(const ProxyWall& here, const ProxyWall& there, const P
     return Way::rests;
 
   const ProxyStep step = sight_->step_over(edge_O, goal_O, there.seen_from(*over), (far - *over).norm());
-  if (step.broken_off) {
+  if (step.end == StepEnd::broken_off) {
     state_.contact.broken_off = true;
     return Way::blocked;
   }

@@ -175,7 +175,7 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
   if (room_.kind == Room::Kind::slide || is_past_views())
     return;  // it landed there; what is in view is not here
-  if (hold.wall_count == 0 || hold.stuck || place_O_ != hold.from_O) return;
+  if (hold.wall_count == 0 || hold.end == StepEnd::stuck || place_O_ != hold.from_O) return;
   const auto walls = hold.held_by();
   for (const ProxyWall& wall : walls) {
     if (wall.triangle < 0 && walls.size() == 1) continue;

@@ -45,7 +45,7 @@ int triangle_under(const Part& part, int triangle, const Vec3& q_P, Looks& looks
 /// Of a step that ended where its rich view did. A view that was cut to less than `hopeless_share` does
 /// not count: the richest view comes next, which shows more.
 void ProxyViews::note_short_step(const ProxyStep& step, long looks) noexcept {
-  if (!falls_short_ || step.broken_off || near_.count() <= Limits::rich_view) return;
+  if (!falls_short_ || step.end == StepEnd::broken_off || near_.count() <= Limits::rich_view) return;
   if (is_cut_ && reach_m_ < Limits::hopeless_share * world_.clearance_m()) return;
   short_step_m_ = step.z.norm();
   short_step_looks_ = looks;
@@ -105,7 +105,7 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
 
 /// Of a step that was broken off some walls may be missing: it stays where those of before hold it.
 void ProxyViews::note_blockers(const ProxyStep& step) noexcept {
-  if (step.wall_count == 0 || step.broken_off) return;
+  if (step.wall_count == 0 || step.end == StepEnd::broken_off) return;
   blockers_ = {};
   std::transform(step.held_by().begin(), step.held_by().end(), blockers_.begin(), [](const ProxyWall& wall) {
     return Blocker{wall.surface, wall.triangle};

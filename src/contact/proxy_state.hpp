@@ -5,6 +5,15 @@
 
 namespace fingerpad {
 
+/// How a step of the proxy ends.
+enum class StepEnd {
+  whole,       ///< as close to its goal as its walls let it
+  bent,        ///< likewise, having gone on along walls that bend away
+  truncated,   ///< where no more is seen, or where it may go no farther
+  stuck,       ///< nowhere: rounding left no way
+  broken_off,  ///< nowhere, for want of looks: more walls may come
+};
+
 /// A step of the proxy and the walls that hold it.
 struct ProxyStep {
   Vec3 from_O = Vec3::Zero();  ///< where the proxy stood ...
@@ -13,10 +22,7 @@ struct ProxyStep {
   int wall_count = 0;
   std::array<ProxyWall, 3> walls;   ///< seen from from_O
   std::array<double, 3> share_m{};  ///< multiplier of each
-  bool truncated = false;           ///< the step ends where no more is seen, or where it may go no farther
-  bool bent = false;                ///< the step goes on along walls that bend away
-  bool stuck = false;               ///< rounding left no way: z is zero
-  bool broken_off = false;          ///< for want of looks: z is zero, and more walls may come
+  StepEnd end = StepEnd::whole;
 
   std::span<const ProxyWall> held_by() const noexcept {
     return {walls.data(), static_cast<std::size_t>(wall_count)};
@@ -61,8 +67,8 @@ struct ProxyState {
   /// The wall of the one triangle that holds the proxy, where it rests on one alone, seen from hold.from_O;
   /// else null.
   const ProxyWall* one_triangles_wall() const noexcept {
-    const bool is_one = contact.settled && hold.wall_count == 1 && !hold.stuck && hold.walls[0].triangle >= 0;
-    return is_one ? &hold.walls[0] : nullptr;
+    if (!contact.settled || hold.wall_count != 1 || hold.end == StepEnd::stuck) return nullptr;
+    return hold.walls[0].triangle >= 0 ? &hold.walls[0] : nullptr;
   }
 };
 

@@ -77,7 +77,7 @@ ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept
   if (overflow_) reach_m_ = (goal_O - place_O).norm() * rounded_up;
   ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * rounded_up), terms.bent_m);
   note_blockers(step);
-  falls_short_ = step.truncated && reach_m_ <= terms.most_m;
+  falls_short_ = step.end == StepEnd::truncated && reach_m_ <= terms.most_m;
   note_short_step(step, looks_.spent() - before);
   return step;
 }

@@ -57,7 +57,7 @@ class ProxyViews : public LimitedSight {
  private:
   static ProxyStep broken_off_step() noexcept {
     ProxyStep step;
-    step.stuck = step.broken_off = true;
+    step.end = StepEnd::broken_off;
     return step;
   }
   ProxyStep step_past_views(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;

@@ -51,8 +51,9 @@ bool StepMaking::project(ProxySight& sight) noexcept {
   step_.share_m = p.share_m;
   std::copy(walls_.all().begin(), walls_.all().end(), step_.walls.begin());
   const double length_m = p.z.norm();
-  step_.truncated = length_m > most_m_;
-  step_.z = step_.truncated ? Vec3(p.z * (most_m_ / length_m)) : p.z;
+  const bool is_too_long = length_m > most_m_;
+  step_.end = is_too_long ? StepEnd::truncated : StepEnd::whole;
+  step_.z = is_too_long ? Vec3(p.z * (most_m_ / length_m)) : p.z;
   return true;
 }
 
@@ -91,7 +92,7 @@ ProxyStep StepMaking::unblocked(ProxySight& sight) noexcept {
 
 /// Where walls bend away the step goes on along them, if that is free, no farther than was asked for.
 void StepMaking::go_on_along_bend(ProxySight& sight) noexcept {
-  if (!(bent_m_ > 0) || step_.truncated || step_.wall_count == 0) return;
+  if (!(bent_m_ > 0) || step_.end != StepEnd::whole || step_.wall_count == 0) return;
   sight.looks().spend(LookCosts::told * step_.wall_count);
   const Vec3 on = way_along_bend(sight.world(), step_);
   const double on_m = on.norm(), room_m = std::min(bent_m_, most_m_) - step_.z.norm();
@@ -101,12 +102,12 @@ void StepMaking::go_on_along_bend(ProxySight& sight) noexcept {
   LookRound round(breach_m_);
   if (!sight.offer_all(z, step_.held_by(), round) || round.worst.wall) return;
   step_.z = z;
-  step_.bent = on_m <= room_m;
+  if (on_m <= room_m) step_.end = StepEnd::bent;
 }
 
 /// Rounding has left the walls nothing in common, or brings up ever others: it goes nowhere.
 ProxyStep StepMaking::stuck() noexcept {
-  step_.stuck = true;
+  step_.end = StepEnd::stuck;
   step_.z.setZero();
   return step_;
 }
@@ -115,7 +116,7 @@ ProxyStep StepMaking::stuck() noexcept {
 ProxyStep StepMaking::waiting() const noexcept {
   ProxyStep so_far = step_;
   so_far.z.setZero();
-  so_far.stuck = so_far.broken_off = true;
+  so_far.end = StepEnd::broken_off;
   if (so_far.wall_count == 0 && round_.worst.wall) {
     // Whatever else blocks, this does.
     so_far.wall_count = 1;
