@@ -130,26 +130,41 @@ bool ProxyMemory::make_room(std::span<const ProxyWall> walls, const Vec3& centre
   return room_.holds(from_O) && room_.holds(to_O);
 }
 
+std::optional<ProxyStep> ProxyMemory::step_over(const WayOver& way) noexcept {
+  if (!is_way_free(way)) return no_way();
+  if (!land(way)) return look_and_step_from_edge(way);
+  ProxyStep there;
+  there.from_O = way.place_O + way.far;
+  there.goal_O = way.goal_O;
+  there.wall_count = 1;
+  there.walls[0] = way.walls.there;
+  there.walls[0].least_m = 0;
+  there.end = StepEnd::at_rest;
+  return there;
+}
+
 /// Besides what the view shows: whether the way ends in the room in front of the one wall that holds the
 /// proxy.
-bool ProxyMemory::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                              const ProxyWall& here) noexcept {
-  if (is_outrun(place_O, far.norm())) return false;
-  look_over_edge(place_O, over, far);
-  const Vec3 edge_O = place_O + over;
+bool ProxyMemory::is_way_free(const WayOver& way) noexcept {
+  if (is_outrun(way.place_O, way.far.norm())) return false;
+  look_over_edge(way);
+  const Vec3 edge_O = way.place_O + way.edge;
   const bool is_in_room =
       room_.is_slide_on_one() && room_.holds(edge_O) &&
       room_.walls_O[0].normal.dot(edge_O) >= room_.walls_O[0].least_m - world_.tolerance_m() &&
       is_clear_of_planes(edge_O, -1);
-  return is_in_room || is_seen_free(over, here);
+  return is_in_room || is_seen_free(way);
 }
 
-/// Slides on from there, if the room in front of the wall holds both places; else nothing is changed.
-bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& edge_O,
-                       const Vec3& to_O) noexcept {
+/// Slides on from the way's far end, where the second wall alone holds the proxy, if the room in front of
+/// that wall holds the edge too; else nothing is changed.
+bool ProxyMemory::land(const WayOver& way) noexcept {
+  if (!(way.depth_m > 0 && way.depth_m < way.must_beat_m)) return false;
+  const ProxyWall& there = way.walls.there;
+  const Vec3 edge_O = way.place_O + way.edge, to_O = way.place_O + way.far;
   const FacetWeights facet(world_, there);
   if (!(facet.at(to_O).minCoeff() > 0)) return false;
-  const ProxyWall wall_O = there.seen_from(-state.place_O), seen = wall_O.seen_from(place_O_);
+  const ProxyWall wall_O = there.seen_from(-way.place_O), seen = wall_O.seen_from(place_O_);
   Ball room{search_place_O(), 0};
   room.radius_m = room_in_front_of(std::span(&seen, 1), room.centre_O);
   if (!room.holds(edge_O) || !room.holds(to_O) || !is_clear_of_planes(to_O, -1)) return false;
@@ -160,13 +175,6 @@ bool ProxyMemory::land(ProxyState& state, const ProxyWall& there, const Vec3& ed
   room_.facets[0] = facet;
   blockers_ = {Blocker{there.surface, there.triangle}};
   remember_fan(wall_O);
-  state.contact.settled = true;
-  state.place_O = to_O;
-  state.hold = {};
-  state.hold.from_O = to_O;
-  state.hold.wall_count = 1;
-  state.hold.walls[0] = there;
-  state.hold.walls[0].least_m = 0;
   return true;
 }
 

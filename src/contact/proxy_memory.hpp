@@ -21,10 +21,7 @@ class ProxyMemory : public ProxyViews {
   bool carry(ProxyState& state) noexcept override;
   void note_rest(const ProxyState& state) noexcept override;
   bool slide(ProxyState& state) noexcept override;
-  bool land(ProxyState& state, const ProxyWall& there, const Vec3& edge_O,
-            const Vec3& to_O) noexcept override;
-  bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                   const ProxyWall& here) noexcept override;
+  std::optional<ProxyStep> step_over(const WayOver& way) noexcept override;
   std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept override;
   void let_go() noexcept override;
   void forget() noexcept override;
@@ -50,6 +47,8 @@ class ProxyMemory : public ProxyViews {
     bool is_slide_on_one() const noexcept { return kind == Kind::slide && wall_count == 1; }
   };
 
+  bool is_way_free(const WayOver& way) noexcept;
+  bool land(const WayOver& way) noexcept;
   bool fly(ProxyState& state) noexcept;
   bool slide_on_one(ProxyState& state) noexcept;
   bool slide_on_several(ProxyState& state) noexcept;

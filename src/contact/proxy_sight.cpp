@@ -33,16 +33,16 @@ ProxyStep ProxySight::step(const ProxyState& s, const StepTerms& terms) noexcept
   return step_towards(s.goal_O, reach_m_, terms.bent_m);
 }
 
-ProxyStep ProxySight::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
-                                double) noexcept {
-  look_from(edge_O, (goal_O - edge_O).norm());
-  return step_beside(first, goal_O);
+std::optional<ProxyStep> ProxySight::step_over(const WayOver& way) noexcept {
+  look_from(way.place_O, way.edge.norm());
+  if (!is_free(way.edge, way.walls.here)) return no_way();
+  const Vec3 edge_O = way.place_O + way.edge;
+  look_from(edge_O, (way.goal_O - edge_O).norm());
+  return step_from_edge(way);
 }
 
-bool ProxySight::is_way_free(const Vec3& place_O, const Vec3& over, const Vec3&,
-                             const ProxyWall& here) noexcept {
-  look_from(place_O, over.norm());
-  return is_free(over, std::span(&here, 1));
+std::optional<ProxyStep> ProxySight::no_way() const noexcept {
+  return looks_.are_spent() ? std::optional(broken_off_step()) : std::nullopt;
 }
 
 std::optional<WallPair> ProxySight::nearer_neighbour(const ProxyState& s) noexcept {
@@ -81,9 +81,9 @@ bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Look
   return true;
 }
 
-bool ProxySight::is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept {
+bool ProxySight::is_free(const Vec3& z, const ProxyWall& wall) noexcept {
   LookRound round(world_.tolerance_m());
-  return offer_all(z, walls, round) && !round.worst.wall;
+  return offer_all(z, std::span(&wall, 1), round) && !round.worst.wall;
 }
 
 ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m,
@@ -93,11 +93,10 @@ ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double ben
   return go_on_with_step();
 }
 
-/// The same to be made at once or not at all.
-/// @param first  a wall to begin with, seen from the place looked around from
-ProxyStep ProxySight::step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept {
-  making_.begin(*this, goal_O, reach_m_, 0);
-  making_.add(first);
+/// From the edge looked around from; to be made at once or not at all.
+ProxyStep ProxySight::step_from_edge(const WayOver& way) noexcept {
+  making_.begin(*this, way.goal_O, reach_m_, 0);
+  making_.add(way.walls.there.seen_from(way.edge));
   const ProxyStep step = go_on_with_step();
   drop_step();
   return step;

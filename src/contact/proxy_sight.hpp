@@ -16,6 +16,17 @@ struct WallPair {
   ProxyWall here, there;
 };
 
+/// A way of the proxy from one wall to another.
+struct WayOver {
+  Vec3 place_O, goal_O;  ///< of the proxy, and of the finger
+  WallPair walls;
+  // Seen from the place:
+  Vec3 edge;           ///< where the ball lies on both walls
+  Vec3 far;            ///< where the second wall alone would hold it
+  double depth_m;      ///< how far the finger is behind that wall
+  double must_beat_m;  ///< the way is worth going if it ends nearer to the finger than that
+};
+
 /// How far a step is to go.
 struct StepTerms {
   double most_m;      ///< the proxy will go no farther: what stands beyond need not be seen
@@ -42,14 +53,8 @@ class ProxySight : public ProxyShortcuts {
   /// surface. After a step that was broken off, from the same place, it is the same step gone on with,
   /// towards the goal that it was made for.
   virtual ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept;
-  /// The same from a place above an edge, where `first` is known to hold (seen from there).
-  /// @param rest_m  how far from there to the place that `first` alone would allow
-  virtual ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
-                              double rest_m) noexcept;
-  /// Whether the ball may go by `over` from its place, in front of the wall `here`.
-  /// @param far  where it will go on to from there, relative to its place
-  virtual bool is_way_free(const Vec3& place_O, const Vec3& over, const Vec3& far,
-                           const ProxyWall& here) noexcept;
+  /// The step from the way's edge, where its second wall holds; nothing where the way to there is blocked.
+  virtual std::optional<ProxyStep> step_over(const WayOver& way) noexcept;
   /// Where one facet holds the proxy from over its face: that facet and its smooth neighbour that is nearest
   /// to the finger, if one is nearer.
   virtual std::optional<WallPair> nearer_neighbour(const ProxyState& state) noexcept;
@@ -71,15 +76,17 @@ class ProxySight : public ProxyShortcuts {
   /// @param first  walls to begin with that likely hold, seen from the place looked around from
   ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m,
                          std::span<const ProxyWall> first = {}) noexcept;
-  ProxyStep step_beside(const ProxyWall& first, const Vec3& goal_O) noexcept;
+  ProxyStep step_from_edge(const WayOver& way) noexcept;
+  /// Of a way that was not seen to be free: nothing, or where that is for want of looks a step broken off.
+  std::optional<ProxyStep> no_way() const noexcept;
   /// Whether the last step was broken off.
   bool is_amid_step() const noexcept { return making_.is_underway(); }
   ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
   /// Looks around from there, for ways no longer than this.
   void look_from(const Vec3& place_O, double way_m) noexcept;
-  /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the given
-  /// walls cannot.
-  bool is_free(const Vec3& z, std::span<const ProxyWall> walls) noexcept;
+  /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the wall
+  /// cannot.
+  bool is_free(const Vec3& z, const ProxyWall& wall) noexcept;
   /// What offer_all asks of one part.
   virtual bool offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                           LookRound& round) noexcept;

@@ -10,6 +10,7 @@ enum class StepEnd {
   whole,       ///< as close to its goal as its walls let it
   bent,        ///< likewise, having gone on along walls that bend away
   truncated,   ///< where no more is seen, or where it may go no farther
+  at_rest,     ///< where it is known that no other step leads anywhere
   stuck,       ///< nowhere: rounding left no way
   broken_off,  ///< nowhere, for want of looks: more walls may come
 };
@@ -28,6 +29,12 @@ struct ProxyStep {
     return {walls.data(), static_cast<std::size_t>(wall_count)};
   }
 };
+
+inline ProxyStep broken_off_step() noexcept {
+  ProxyStep step;
+  step.end = StepEnd::broken_off;
+  return step;
+}
 
 /// Where the proxy stands against the finger. Of the Contact:
 /// - depth_m is from the finger to the ball without its skin, normal_W the direction of that way, shaded

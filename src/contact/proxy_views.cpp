@@ -82,26 +82,27 @@ ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept
   return step;
 }
 
-ProxyStep ProxyViews::step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
-                                double rest_m) noexcept {
-  see_from(edge_O, std::min(rest_m, Limits::serves_again * view_reach_m_), std::max(view_reach_m_, rest_m),
-           Vec3::Zero());
+ProxyStep ProxyViews::look_and_step_from_edge(const WayOver& way) noexcept {
+  const double rest_m = (way.far - way.edge).norm();
+  see_from(way.place_O + way.edge, std::min(rest_m, Limits::serves_again * view_reach_m_),
+           std::max(view_reach_m_, rest_m), Vec3::Zero());
   if (is_blind() || overflow_) return broken_off_step();
-  return step_beside(first, goal_O);
+  return step_from_edge(way);
 }
 
-bool ProxyViews::is_seen_free(const Vec3& over, const ProxyWall& here) noexcept {
-  return !overflow_ && reach_m_ >= over.norm() && is_free(over, std::span(&here, 1));
+bool ProxyViews::is_seen_free(const WayOver& way) noexcept {
+  return !overflow_ && reach_m_ >= way.edge.norm() && is_free(way.edge, way.walls.here);
 }
 
-void ProxyViews::look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept {
-  const double way_m = over.norm(), far_m = far.norm(), need_m = Limits::past_edge * std::max(far_m, way_m);
-  const double reach_m = view_reach_m_, both_m = way_m + (far - over).norm();
+void ProxyViews::look_over_edge(const WayOver& way) noexcept {
+  const double way_m = way.edge.norm(), far_m = way.far.norm(),
+               need_m = Limits::past_edge * std::max(far_m, way_m);
+  const double reach_m = view_reach_m_, both_m = way_m + (way.far - way.edge).norm();
   if (need_m < (1 - Limits::lead) * reach_m) {
-    look_ahead(place_O, need_m, Limits::lead * reach_m / far_m * far);
-  } else if (!look_again(place_O, both_m * rounded_up)) {
+    look_ahead(way.place_O, need_m, Limits::lead * reach_m / far_m * way.far);
+  } else if (!look_again(way.place_O, both_m * rounded_up)) {
     // What the step from the edge will ask for, too.
-    search_around(place_O, std::max(reach_m, both_m + Limits::serves_again * reach_m));
+    search_around(way.place_O, std::max(reach_m, both_m + Limits::serves_again * reach_m));
     suit_view();
   }
 }

@@ -21,8 +21,6 @@ class ProxyViews : public LimitedSight {
   ProxyViews(ProxyWorld world, Looks looks);
 
   ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept override;
-  ProxyStep step_over(const Vec3& edge_O, const Vec3& goal_O, const ProxyWall& first,
-                      double rest_m) noexcept override;
   void let_go() noexcept override;
   void forget() noexcept override;
 
@@ -30,14 +28,16 @@ class ProxyViews : public LimitedSight {
   /// Looks around where a view that shows as far as `need_m` will do; a search is made from `ahead` of the
   /// place, which is nearer than the usual reach.
   void look_ahead(const Vec3& place_O, double need_m, const Vec3& ahead) noexcept;
-  /// Sees to a view that shows the way by `over` to an edge and on to `far`, and some more in this direction.
-  void look_over_edge(const Vec3& place_O, const Vec3& over, const Vec3& far) noexcept;
+  /// Sees to a view that shows the way to the edge and on to its far end, and some more in this direction.
+  void look_over_edge(const WayOver& way) noexcept;
+  /// Sees to a view about the edge, and makes the step from there.
+  ProxyStep look_and_step_from_edge(const WayOver& way) noexcept;
   /// Whether steps from view to view over such a way would take more looks than are left, or no view about
   /// the place shows all that is near it.
   bool is_outrun(const Vec3& place_O, double way_m) const noexcept;
   /// The last step went past all views: what they show is not where the proxy is.
   bool is_past_views() const noexcept { return is_past_views_; }
-  bool is_seen_free(const Vec3& over, const ProxyWall& here) noexcept;
+  bool is_seen_free(const WayOver& way) noexcept;
   /// How far one can go from a centre in view and, in front of all these walls, meet no other [m].
   /// @param walls  seen from the place looked around from
   double room_in_front_of(std::span<const ProxyWall> walls, const Vec3& centre_O) noexcept;
@@ -55,11 +55,6 @@ class ProxyViews : public LimitedSight {
   std::array<Blocker, 3> blockers_;  // what held the proxy last
 
  private:
-  static ProxyStep broken_off_step() noexcept {
-    ProxyStep step;
-    step.end = StepEnd::broken_off;
-    return step;
-  }
   ProxyStep step_past_views(const Vec3& place_O, const Vec3& goal_O, const StepTerms& terms) noexcept;
   void note_short_step(const ProxyStep& step, long looks) noexcept;
   void note_blockers(const ProxyStep& step) noexcept;
