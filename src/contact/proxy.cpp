@@ -37,10 +37,10 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
   const bool was_behind = state_.contact.behind;
   const bool goes_on = std::exchange(state_.contact.broken_off, false) && state_.placed;
   if (!state_.placed && !start(goal_O)) return state_.contact;
+  const Vec3 push = state_.place_O - state_.goal_O;
   state_.finger_m = (goal_O - state_.goal_O).norm();
-  const ProxyLeash leash = leash_to(world(), state_, goal_O);
   state_.goal_O = goal_O;
-  if (goes_on || !sight_->carry(state_)) follow(leash, goes_on);
+  if (goes_on || !sight_->carry(state_)) follow(leash_after(push, world(), state_), goes_on);
   state_.contact.behind = state_.contact.broken_off || (was_behind && !state_.contact.settled);
   return state_.contact;
 }

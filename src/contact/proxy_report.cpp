@@ -60,7 +60,7 @@ void report_underway(const ProxyWorld& world, ProxyState& state) noexcept {
   contact.direction_W = push / length_m;
   contact.proxy_W = state.place_O + world.p_WO();
   contact.point_W = contact.proxy_W - world.radius_m() * contact.direction_W;
-  show_normal(world, contact.direction_W, state);
+  show_push(world, contact.direction_W, state);
 }
 
 /// The normal of a wall as Normals says at a point of its triangle.
@@ -132,13 +132,13 @@ void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& 
   if (is_single) {
     contact.direction_W = active_wall(state, p, 0).normal;
     contact.point_W = contact.holds[0].point_W;
-    show_normal(world, contact.holds[0].normal_W, state);
+    show_push(world, contact.holds[0].normal_W, state);
     return;
   }
   contact.direction_W = push / contact.depth_m;
   contact.point_W = contact.proxy_W - world.radius_m() * contact.direction_W;
   const Vec3& direction = contact.direction_W;
-  show_normal(world, world.is_shaded() ? turned(direction, turn_of_holds(state, p)) : direction, state);
+  show_push(world, world.is_shaded() ? turned(direction, turn_of_holds(state, p)) : direction, state);
   sort_by_share(contact);
 }
 

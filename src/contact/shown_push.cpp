@@ -52,7 +52,7 @@ void show_part_of_turn(const Vec3& shaded_W, double step2_m2, double most_m, Pro
 
 }  // namespace
 
-void show_normal(const ProxyWorld& world, const Vec3& shaded_W, ProxyState& state) noexcept {
+void show_push(const ProxyWorld& world, const Vec3& shaded_W, ProxyState& state) noexcept {
   state.contact.normal_W = shaded_W;
   const bool after_hop = state.hopped || state.lags;
   state.lags = false;
