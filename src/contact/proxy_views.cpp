@@ -35,7 +35,8 @@ ProxyViews::ProxyViews(ProxyWorld world, Looks looks) : LimitedSight(std::move(w
         std::max(usual_view_, Limits::beside_fans + Limits::fans_in_view * largest_fan(world_.part(i)));
   }
   usual_view_ = std::min(usual_view_, Limits::most_usual_view);
-  seeds_.assign(static_cast<std::size_t>(world_.surface_count()), -1);
+  seeds_.resize(static_cast<std::size_t>(world_.surface_count()));
+  ProxyViews::forget();
 }
 
 void ProxyViews::forget() noexcept {
@@ -45,13 +46,14 @@ void ProxyViews::forget() noexcept {
   search_reach_m_ = -1;
   blockers_ = {};
   rich_looks_ = 0;
-  is_cut_ = is_rich_ = overflow_ = falls_short_ = is_past_views_ = goes_past_views_ = false;
+  is_cut_ = is_rich_ = overflow_ = is_past_views_ = false;
   short_step_m_ = 0;
   short_step_looks_ = 0;
   crowded_place_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   ahead_goal_O_ = Vec3::Constant(std::numeric_limits<double>::quiet_NaN());
   ahead_ = {};
   view_reach_m_ = Limits::first_view * widest_view_m();
+  ProxyViews::let_go();
 }
 
 void ProxyViews::let_go() noexcept {

@@ -16,15 +16,16 @@ namespace fingerpad {
 /// step short of the finger, and the proxy then goes on from there; and a crowded view leaves out triangles
 /// that a ball in front of its blocker cannot get at (BallShadow), which would only have led a step to its
 /// end by other walls; and a step past all views begins with walls that it will likely end at.
+/// ProxyMemory derives from it, and sees to the ways over edges.
 class ProxyViews : public LimitedSight {
  public:
-  ProxyViews(ProxyWorld world, Looks looks);
-
   ProxyStep step(const ProxyState& state, const StepTerms& terms) noexcept override;
   void let_go() noexcept override;
   void forget() noexcept override;
 
  protected:
+  ProxyViews(ProxyWorld world, Looks looks);
+
   /// Looks around where a view that shows as far as `need_m` will do; a search is made from `ahead` of the
   /// place, which is nearer than the usual reach.
   void look_ahead(const Vec3& place_O, double need_m, const Vec3& ahead) noexcept;

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
+#include <type_traits>
 
 #include "contact/proxies.hpp"
 #include "contact/proxy_report.hpp"
@@ -149,6 +151,21 @@ TEST(ProxyMemory, AnswersAsTheProxyAloneDoesOnShapesThatHopRollAndWedge) {
   expect_agreement(surface_of(crossing).tree, "box and ring");
   expect_agreement(surface_of(test::sphere_soup(0.1, 4)).tree, "sphere");
   expect_agreement(surface_of(test::roof_soup(0.05, -0.4)).tree, "valley");
+}
+
+static_assert(!std::is_constructible_v<ProxyViews, ProxyWorld, Looks>, "without a memory it sees no edges");
+
+TEST(ProxyMemory, StepsAsThePlainSightFromItsMakingOn) {
+  const ProxyWorld world({surface_of(test::box_soup(Vec3(0.1, 0.1, 0.02)))}, 0.001, Normals::facet);
+  ProxyState state;
+  state.place_O = Vec3(0.01, 0.02, 0.0112);
+  state.goal_O = Vec3(0.0102, 0.02, 0.01);
+  const StepTerms terms{std::numeric_limits<double>::infinity()};
+  const ProxyStep fast = ProxyMemory(world, Looks(Looks::unlimited)).step(state, terms),
+                  plain = ProxySight(world).step(state, terms);
+  EXPECT_EQ(plain.wall_count, 1);
+  EXPECT_EQ(fast.wall_count, 1);
+  EXPECT_LT((fast.z - plain.z).norm(), 1e-15);  // rounding of 1e-2
 }
 
 TEST(ProxyMemory, OneWallHoldsWithoutItsSkinWhereTheProjectionSaysSo) {
