@@ -47,7 +47,7 @@ const ProxyContact& Proxy::move(const Vec3& p_WQ, double dt_s) noexcept {
 
 void Proxy::begin_tick(double dt_s) noexcept {
   const ProxyContact& last = state_.contact;
-  state_.last_push_W = last.touching ? Vec3(last.depth_m * last.normal_W) : Vec3::Zero();
+  state_.last_push_W = last.touching() ? Vec3(last.depth_m * last.normal_W) : Vec3::Zero();
   state_.last_direction_W = last.direction_W;
   state_.rest_share = std::min(1.0, dt_s / ProxyLimits::release_s);
   state_.hopped = false;

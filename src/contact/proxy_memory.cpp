@@ -24,7 +24,7 @@ void ProxyMemory::forget() noexcept {
 
 bool ProxyMemory::carry(ProxyState& state) noexcept {
   finger_m_ = state.finger_m;
-  return slide(state) || (!state.contact.touching && fly(state));
+  return slide(state) || (!state.contact.touching() && fly(state));
 }
 
 /// Flies or slides on in the room that is known.
@@ -35,7 +35,7 @@ bool ProxyMemory::slide(ProxyState& state) noexcept {
   if (!room_.holds(state.goal_O) || !is_clear_of_planes(state.goal_O, -1)) return false;
   state.place_O = state.goal_O;
   state.contact.settled = true;
-  report_free(state);
+  state.contact.hold_count = 0;
   return true;
 }
 
@@ -73,7 +73,7 @@ bool ProxyMemory::slide_on_one(ProxyState& state) noexcept {
   }
   if (!room_.holds(place_O) && !(lack_m > 0 && extend_slide(state.place_O, place_O))) return false;
   state.place_O = place_O;
-  report_free(state);
+  state.contact.hold_count = 0;
   const ProxyProjection skinless = held_by_one(world_, lack_m - world_.skin_m());
   if (skinless.active_count == 0) return true;
   state.hold.from_O = place_O;

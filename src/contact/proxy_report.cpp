@@ -42,24 +42,28 @@ bool is_held_back(const ProxyState& state) noexcept {
   });
 }
 
-/// The proxy has not come to rest: on its way it pushes as far as it still has to go. Where it stays behind
-/// for want of looks, nothing may be in the way at all.
+/// The push is towards a ball there, and what touches is the ball's point farthest along it.
+void tell_direction(const ProxyWorld& world, const Vec3& place_O, const Vec3& direction,
+                    ProxyContact& contact) noexcept {
+  contact.direction_W = direction;
+  contact.point_W = place_O + world.p_WO() - world.radius_m() * direction;
+}
+
+/// The proxy has not come to rest: on its way it pushes as far as it still has to go, by the holds of before
+/// where no wall is in its way.
 void report_underway(const ProxyWorld& world, ProxyState& state) noexcept {
   ProxyContact& contact = state.contact;
   const ProxyStep& hold = state.hold;
-  if (hold.wall_count > 0) contact.known_holds = hold.wall_count;
+  const int hold_count = hold.wall_count > 0 ? hold.wall_count : contact.hold_count;
   for (std::size_t k = 0; k < static_cast<std::size_t>(hold.wall_count); ++k)
     contact.holds[k] = hold_at(world, hold.walls[k], hold.share_m[k], state.place_O);
   const Vec3 push = state.place_O - state.goal_O;
   const double length_m = push.norm();
   contact.depth_m = std::max(0.0, length_m - world.skin_m());
-  contact.touching = contact.depth_m > 0 && contact.known_holds > 0;
-  contact.hold_count = contact.touching ? contact.known_holds : 0;
-  if (!contact.touching) return;
+  contact.hold_count = contact.depth_m > 0 ? hold_count : 0;
+  if (!contact.touching()) return;
   contact.settled = false;
-  contact.direction_W = push / length_m;
-  contact.proxy_W = state.place_O + world.p_WO();
-  contact.point_W = contact.proxy_W - world.radius_m() * contact.direction_W;
+  tell_direction(world, state.place_O, push / length_m, contact);
   show_push(world, contact.direction_W, state);
 }
 
@@ -104,9 +108,10 @@ ContactHold hold_on_facet(const ProxyWorld& world, const ProxyWall& wall, double
 
 void report(const ProxyWorld& world, ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
+  // Where the ball stays behind for want of looks, nothing may be in the way at all.
   const bool waits_freely = state.contact.broken_off && !is_held_back(state);
   if (!state.contact.settled && !waits_freely) return report_underway(world, state);
-  report_free(state);
+  state.contact.hold_count = 0;
   if (!state.contact.settled || hold.wall_count == 0) return;
   const ProxyProjection p = held_without_skin(world, hold, state.goal_O);
   if (!p.found) return report_underway(world, state);
@@ -123,20 +128,15 @@ void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& 
     push += p.share_m[k] * active_wall(state, p, k).normal;
   const bool is_single = p.active_count == 1;
   contact.settled = true;
-  contact.known_holds = p.active_count;
   contact.depth_m = is_single ? p.share_m[0] : push.norm();
-  contact.touching = contact.depth_m > 0;
-  contact.hold_count = contact.touching ? p.active_count : 0;
-  if (!contact.touching) return;
-  contact.proxy_W = state.goal_O + push + world.p_WO();
+  contact.hold_count = contact.depth_m > 0 ? p.active_count : 0;
+  if (!contact.touching()) return;
   if (is_single) {
     contact.direction_W = active_wall(state, p, 0).normal;
     contact.point_W = contact.holds[0].point_W;
-    show_push(world, contact.holds[0].normal_W, state);
-    return;
+    return show_push(world, contact.holds[0].normal_W, state);
   }
-  contact.direction_W = push / contact.depth_m;
-  contact.point_W = contact.proxy_W - world.radius_m() * contact.direction_W;
+  tell_direction(world, state.goal_O + push, push / contact.depth_m, contact);
   const Vec3& direction = contact.direction_W;
   show_push(world, world.is_shaded() ? turned(direction, turn_of_holds(state, p)) : direction, state);
   sort_by_share(contact);

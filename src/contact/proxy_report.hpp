@@ -19,11 +19,6 @@ namespace fingerpad {
 void report(const ProxyWorld& world, ProxyState& state) noexcept;
 /// The walls of state.hold that `p` names hold the proxy; their contact.holds are filled, in p's order.
 void report_held(const ProxyWorld& world, const ProxyProjection& p, ProxyState& state) noexcept;
-/// Nothing touches: the proxy is where the finger is.
-inline void report_free(ProxyState& state) noexcept {
-  state.contact.touching = false;
-  state.contact.hold_count = 0;
-}
 
 /// Whether one wall holds the ball without its skin, and by how much: what project_onto_walls comes to.
 /// @param depth_m  how far the finger is behind that ball's wall

@@ -45,11 +45,10 @@ inline ProxyStep broken_off_step() noexcept {
 /// - placed is false where a start found no place for the ball, or is broken off, started is true where it
 /// put it down anew.
 struct ProxyContact : Contact {
-  bool touching = false;        ///< hold_count > 0
-  bool settled = true;          ///< false: the proxy is still on its way to where it is closest to the finger
-  Vec3 proxy_W = Vec3::Zero();  ///< centre of the ball, its skin taken off [m]
-  Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to it
-  int known_holds = 0;               ///< of `holds`, also while nothing is touched: what is gone on with
+  bool settled = true;  ///< false: the proxy is still on its way to where it is closest to the finger
+  Vec3 direction_W = Vec3::UnitZ();  ///< unit, from the finger to the ball
+
+  bool touching() const noexcept { return hold_count > 0; }
 };
 
 /// All that a proxy takes from one tick to the next: where it is, what holds it there, and what it shows.

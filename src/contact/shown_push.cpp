@@ -30,9 +30,7 @@ void show_part_of_hop(const Vec3& shaded_W, double most_m, ProxyState& state) no
   contact.normal_W = normal_towards(shaded_W, most_m, state);
   // A hop that had to wait can bring the proxy nearer by more than may be shown at once.
   const double held_back_m = state.last_push_W.norm() - most_m - contact.depth_m;
-  if (!(held_back_m > 0)) return;
-  contact.depth_m += held_back_m;
-  contact.proxy_W += held_back_m * contact.direction_W;
+  contact.depth_m += std::max(0.0, held_back_m);
 }
 
 /// Shows as much of a turn that jumps as a tick may.

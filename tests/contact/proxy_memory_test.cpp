@@ -46,8 +46,8 @@ struct Agreement {
 };
 
 bool tell_the_same(const ProxyContact& a, const ProxyContact& b, double size_m) {
-  if (a.touching != b.touching) return std::max(a.depth_m, b.depth_m) < 1e-9 * size_m;  // the skin
-  if (!a.touching) return true;
+  if (a.touching() != b.touching()) return std::max(a.depth_m, b.depth_m) < 1e-9 * size_m;  // the skin
+  if (!a.touching()) return true;
   return std::abs(a.depth_m - b.depth_m) < 1e-11 * size_m && (a.direction_W - b.direction_W).norm() < 1e-6 &&
          a.hold_count == b.hold_count;
 }
@@ -60,7 +60,7 @@ bool name_the_same_triangles(const ProxyContact& a, const ProxyContact& b) {
 }
 
 void compare(const ProxyState& fast, const ProxyState& plain, double size_m, Agreement& sum) {
-  sum.touched += plain.contact.touching ? 1 : 0;
+  sum.touched += plain.contact.touching() ? 1 : 0;
   const bool is_same = (fast.place_O - plain.place_O).norm() <= 1e-12 * size_m;
   if (!fast.contact.settled || !plain.contact.settled) {
     // How far a view shows may yet decide which wall a step comes upon.
@@ -71,7 +71,7 @@ void compare(const ProxyState& fast, const ProxyState& plain, double size_m, Agr
     const ProxyContact &a = fast.contact, &b = plain.contact;
     if (!tell_the_same(a, b, size_m)) {
       ++sum.told_otherwise;
-    } else if (a.touching && b.touching && (a.normal_W - b.normal_W).norm() > 1e-6) {
+    } else if (a.touching() && b.touching() && (a.normal_W - b.normal_W).norm() > 1e-6) {
       ++(name_the_same_triangles(a, b) ? sum.told_otherwise : sum.shaded_otherwise);
     }
   } else {
