@@ -121,21 +121,16 @@ void Proxy::break_off(const ProxyStep& step) noexcept {
 
 /// Goes the step as far as the leash lets it; true where the proxy has come to its end for this tick.
 bool Proxy::advance(const ProxyStep& step, const ProxyLeash& leash) noexcept {
-  const double share = leash.share_of(state_.place_O, step.z), length_m = step.z.norm();
+  const double share = leash.share_of(state_.place_O, step.z);
   state_.hold = step;
+  state_.place_O += share * step.z;
   state_.contact.settled = !(share < 1);
-  if (!state_.contact.settled) {
-    state_.place_O += step.z * share;
-    return true;
-  }
-  state_.place_O += step.z;
+  if (!state_.contact.settled) return true;
   if (step.end == StepEnd::truncated) return false;
+  if (step.wall_count == 0) state_.place_O = step.goal_O;
+  // Else the finger has gone on since the step was broken off.
   const bool is_last = step.goal_O == state_.goal_O;
-  if (step.wall_count == 0 && step.end != StepEnd::stuck) {
-    state_.place_O = step.goal_O;
-    return is_last;
-  }
-  return is_last && (length_m <= world().tolerance_m() || is_at_rest(step));
+  return is_last && (step.wall_count == 0 || step.z.norm() <= world().tolerance_m() || is_at_rest(step));
 }
 
 /// Whether each triangle that holds the proxy shows it, from its new place, the wall that the step was made

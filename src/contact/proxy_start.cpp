@@ -15,17 +15,16 @@ namespace {
 /// The nearest place that keeps the clearance from every plane, by the dual active-set method: the plane that
 /// is breached most is added until none is.
 std::optional<Vec3> out_of_planes(const ProxyWorld& world, const Vec3& goal_O) noexcept {
-  ActiveWalls walls;
+  HoldingWalls walls;
   Vec3 place_O = goal_O;
   for (int pass = 0; pass < ProxyLimits::most_passes; ++pass) {
     const double slack_m = world.plane_rounding_m(place_O, goal_O);
     WorstWall worst{std::nullopt, -ProxyLimits::breach_roundings * slack_m};
     for (const int i : world.planes()) worst.offer_plane(world.plane_wall(i, place_O), Vec3::Zero());
     if (!worst.wall) return place_O;
-    walls.add(world.plane_wall(worst.wall->surface, goal_O));
-    const ProxyProjection p = walls.project(Vec3::Zero(), slack_m);
-    if (!p.found) return std::nullopt;
-    place_O = goal_O + p.z;
+    const auto z = walls.project(Vec3::Zero(), world.plane_wall(worst.wall->surface, goal_O), slack_m);
+    if (!z) return std::nullopt;
+    place_O = goal_O + *z;
   }
   return std::nullopt;
 }

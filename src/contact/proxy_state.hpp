@@ -15,19 +15,12 @@ enum class StepEnd {
   broken_off,  ///< nowhere, for want of looks: more walls may come
 };
 
-/// A step of the proxy and the walls that hold it.
-struct ProxyStep {
+/// A step of the proxy, and the walls that hold it where it ends, seen from where it began.
+struct ProxyStep : HoldingWalls {
   Vec3 from_O = Vec3::Zero();  ///< where the proxy stood ...
   Vec3 z = Vec3::Zero();       ///< ... and where to, relative to there [m]
   Vec3 goal_O = Vec3::Zero();  ///< towards which it was made
-  int wall_count = 0;
-  std::array<ProxyWall, 3> walls;   ///< seen from from_O
-  std::array<double, 3> share_m{};  ///< multiplier of each
   StepEnd end = StepEnd::whole;
-
-  std::span<const ProxyWall> held_by() const noexcept {
-    return {walls.data(), static_cast<std::size_t>(wall_count)};
-  }
 };
 
 inline ProxyStep broken_off_step() noexcept {

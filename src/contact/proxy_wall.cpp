@@ -72,13 +72,18 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
   return best;
 }
 
-ProxyProjection ActiveWalls::project(const Vec3& goal, double tolerance_m) noexcept {
-  const ProxyProjection p = project_onto_walls(goal, all(), tolerance_m);
-  if (!p.found) return p;
-  count_ = static_cast<std::size_t>(p.active_count);
-  // They are named in rising order.
-  for (std::size_t k = 0; k < count_; ++k) walls_[k] = walls_[static_cast<std::size_t>(p.active[k])];
-  return p;
+std::optional<Vec3> HoldingWalls::project(const Vec3& goal, const std::optional<ProxyWall>& more,
+                                          double tolerance_m) noexcept {
+  std::array<ProxyWall, 4> all;
+  std::size_t count = held_by().size();
+  std::copy(held_by().begin(), held_by().end(), all.begin());
+  if (more) all[count++] = *more;
+  const ProxyProjection p = project_onto_walls(goal, std::span(all.data(), count), tolerance_m);
+  if (!p.found) return std::nullopt;
+  wall_count = p.active_count;
+  for (std::size_t k = 0; k < held_by().size(); ++k) walls[k] = all[static_cast<std::size_t>(p.active[k])];
+  share_m = p.share_m;
+  return p.z;
 }
 
 }  // namespace fingerpad

@@ -1,8 +1,6 @@
 #pragma once
 
-#include <algorithm>
 #include <array>
-#include <cassert>
 #include <optional>
 #include <span>
 
@@ -55,27 +53,19 @@ std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const Pr
 ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,
                                    double tolerance_m) noexcept;
 
-/// The walls that a dual active-set method has come upon so far, and that hold: at most three, and one more.
-class ActiveWalls {
- public:
-  std::span<const ProxyWall> all() const noexcept { return {walls_.data(), count_}; }
-  void clear() noexcept { count_ = 0; }
-  /// @pre fewer than four: project() has dropped those that do not hold
-  void add(const ProxyWall& wall) noexcept {
-    assert(count_ < walls_.size());
-    walls_[count_++] = wall;
-  }
-  /// Projects onto them and drops those that the point does not lie on; none where there is no such point.
-  ProxyProjection project(const Vec3& goal, double tolerance_m) noexcept;
-  template <class IsToDrop>
-  void drop_if(IsToDrop is_to_drop) noexcept {
-    const auto end = walls_.begin() + static_cast<std::ptrdiff_t>(count_);
-    count_ = static_cast<std::size_t>(std::remove_if(walls_.begin(), end, is_to_drop) - walls_.begin());
-  }
+/// The walls that hold a point which is as close to a goal as they let it.
+struct HoldingWalls {
+  int wall_count = 0;
+  std::array<ProxyWall, 3> walls;
+  std::array<double, 3> share_m{};  ///< multiplier of each
 
- private:
-  std::array<ProxyWall, 4> walls_;
-  std::size_t count_ = 0;
+  std::span<const ProxyWall> held_by() const noexcept {
+    return {walls.data(), static_cast<std::size_t>(wall_count)};
+  }
+  /// A pass of the dual active-set method: with one wall more, if there is one, keeps those that the point
+  /// closest to the goal lies on. Returns that point; nothing, and changes nothing, where there is none.
+  std::optional<Vec3> project(const Vec3& goal, const std::optional<ProxyWall>& more,
+                              double tolerance_m) noexcept;
 };
 
 }  // namespace fingerpad

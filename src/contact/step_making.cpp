@@ -17,12 +17,13 @@ void StepMaking::begin(const ProxySight& sight, const Vec3& goal_O, double most_
                             sight.world().plane_rounding_m(sight.place_O(), goal_O);
   slack_m_ = sight.world().slack_m() + rounding_m;
   breach_m_ = sight.world().tolerance_m() + ProxyLimits::breach_roundings * rounding_m;
-  walls_.clear();
   step_ = {};
   step_.from_O = sight.place_O();
   step_.goal_O = goal_O;
   pass_ = 0;
-  is_amid_round_ = is_guessed_ = has_let_go_ = false;
+  round_ = LookRound(breach_m_);
+  is_amid_round_ = is_guessed_ = false;
+  held_.reset();
 }
 
 ProxyStep StepMaking::go_on(ProxySight& sight) noexcept {
@@ -33,27 +34,21 @@ ProxyStep StepMaking::go_on(ProxySight& sight) noexcept {
     }
     is_amid_round_ = !sight.offer_all(step_.z, step_.held_by(), round_);
     if (is_amid_round_) return waiting();
-    if (round_.worst.wall) {
-      walls_.add(*round_.worst.wall);
-    } else if (!let_go_of_far_walls(sight)) {
-      return unblocked(sight);
-    }
+    if (!round_.worst.wall && !let_go_of_far_walls(sight)) return unblocked(sight);
   }
   return stuck();
 }
 
-/// The projection onto the walls found so far, as far as it may go. False where they leave nothing.
+/// The projection onto the walls found so far and the last round's, as far as it may go. False where they
+/// leave nothing.
 bool StepMaking::project(ProxySight& sight) noexcept {
   sight.looks().spend(LookCosts::projection);
-  const ProxyProjection p = walls_.project(goal_, slack_m_);
-  if (!p.found) return false;
-  step_.wall_count = p.active_count;
-  step_.share_m = p.share_m;
-  std::copy(walls_.all().begin(), walls_.all().end(), step_.walls.begin());
-  const double length_m = p.z.norm();
+  const std::optional<Vec3> z = step_.project(goal_, round_.worst.wall, slack_m_);
+  if (!z) return false;
+  const double length_m = z->norm();
   const bool is_too_long = length_m > most_m_;
   step_.end = is_too_long ? StepEnd::truncated : StepEnd::whole;
-  step_.z = is_too_long ? Vec3(p.z * (most_m_ / length_m)) : p.z;
+  step_.z = is_too_long ? Vec3(*z * (most_m_ / length_m)) : *z;
   return true;
 }
 
@@ -67,25 +62,24 @@ bool StepMaking::leads_nowhere(const ProxySight& sight) const noexcept {
 /// it is not; where that leads nowhere either, all hold as before. Where it is far from all, and some were
 /// guessed, the step begins anew without them. False where there is nothing to let go.
 bool StepMaking::let_go_of_far_walls(ProxySight& sight) noexcept {
-  const std::size_t count = walls_.all().size();
-  if (has_let_go_ || count < (is_guessed_ ? 1 : 2) || !leads_nowhere(sight)) return false;
-  sight.looks().spend(LookCosts::told * static_cast<long>(count));
-  const auto is_far = [&](const ProxyWall& wall) { return sight.world().is_far_from(wall, sight.place_O()); };
-  const auto far = static_cast<std::size_t>(std::count_if(walls_.all().begin(), walls_.all().end(), is_far));
-  const std::size_t touched = count - far;
-  if (touched == count || (touched == 0 && !is_guessed_)) return false;
-  walls_.drop_if(is_far);
-  if (touched > 0) {
-    held_ = step_;
-    has_let_go_ = true;
-  }
+  const int count = step_.wall_count;
+  if (held_ || count < (is_guessed_ ? 1 : 2) || !leads_nowhere(sight)) return false;
+  sight.looks().spend(LookCosts::told * count);
+  ProxyStep touched = step_;
+  const auto is_far = [&](const ProxyWall& wall) { return sight.world().is_far_from(wall, step_.from_O); };
+  touched.wall_count = static_cast<int>(
+      std::remove_copy_if(step_.held_by().begin(), step_.held_by().end(), touched.walls.begin(), is_far) -
+      touched.walls.begin());
+  if (touched.wall_count == count || (touched.wall_count == 0 && !is_guessed_)) return false;
+  if (touched.wall_count > 0) held_ = step_;
+  step_ = touched;
   is_guessed_ = false;
   return true;
 }
 
 /// Nothing blocks the way.
 ProxyStep StepMaking::unblocked(ProxySight& sight) noexcept {
-  if (has_let_go_ && leads_nowhere(sight)) step_ = held_;
+  if (held_ && leads_nowhere(sight)) step_ = *held_;
   go_on_along_bend(sight);
   return step_;
 }
