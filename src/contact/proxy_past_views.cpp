@@ -98,7 +98,9 @@ ProxyStep ProxyViews::step_past_views(const Vec3& place_O, const Vec3& goal_O,
   reach_m_ = way_m * (1 + Limits::rounding);
   is_past_views_ = goes_past_views_ = true;
   falls_short_ = false;
-  const ProxyStep step = step_towards(goal_O, reach_m_, bent_m, std::span(first.data(), count));
+  making_.begin(*this, goal_O, reach_m_, bent_m);
+  for (std::size_t k = 0; k < count; ++k) making_.guess(first[k]);
+  const ProxyStep step = making_.go_on(*this);
   note_blockers(step);
   return step;
 }

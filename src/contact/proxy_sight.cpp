@@ -28,9 +28,11 @@ void ProxySight::look_from(const Vec3& place_O, double way_m) noexcept {
 }
 
 ProxyStep ProxySight::step(const ProxyState& s, const StepTerms& terms) noexcept {
-  if (is_amid_step()) return go_on_with_step();
-  look_from(s.place_O, std::min((s.goal_O - s.place_O).norm(), terms.most_m));
-  return step_towards(s.goal_O, reach_m_, terms.bent_m);
+  if (!making_.is_underway()) {
+    look_from(s.place_O, std::min((s.goal_O - s.place_O).norm(), terms.most_m));
+    making_.begin(*this, s.goal_O, reach_m_, terms.bent_m);
+  }
+  return making_.go_on(*this);
 }
 
 std::optional<ProxyStep> ProxySight::step_over(const WayOver& way) noexcept {
@@ -86,19 +88,12 @@ bool ProxySight::is_free(const Vec3& z, const ProxyWall& wall) noexcept {
   return offer_all(z, std::span(&wall, 1), round) && !round.worst.wall;
 }
 
-ProxyStep ProxySight::step_towards(const Vec3& goal_O, double most_m, double bent_m,
-                                   std::span<const ProxyWall> first) noexcept {
-  making_.begin(*this, goal_O, most_m, bent_m);
-  for (const ProxyWall& wall : first) making_.guess(wall);
-  return go_on_with_step();
-}
-
 /// From the edge looked around from; to be made at once or not at all.
 ProxyStep ProxySight::step_from_edge(const WayOver& way) noexcept {
   making_.begin(*this, way.goal_O, reach_m_, 0);
   making_.add(way.walls.there.seen_from(way.edge));
-  const ProxyStep step = go_on_with_step();
-  drop_step();
+  const ProxyStep step = making_.go_on(*this);
+  making_.drop();
   return step;
 }
 

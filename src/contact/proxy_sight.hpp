@@ -47,7 +47,6 @@ class ProxySight : public ProxyShortcuts {
   const ProxyWorld& world() const noexcept { return world_; }
   /// What this tick may still look at.
   Looks& looks() noexcept { return looks_; }
-  const Looks& looks() const noexcept { return looks_; }
 
   /// The step from the proxy's place that brings it as close to its goal as it can get without crossing a
   /// surface. After a step that was broken off, from the same place, it is the same step gone on with,
@@ -72,16 +71,9 @@ class ProxySight : public ProxyShortcuts {
   bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, LookRound& round) noexcept;
 
  protected:
-  /// @param most_m  the step ends there at the latest; no farther than is looked around
-  /// @param first  walls to begin with that likely hold, seen from the place looked around from
-  ProxyStep step_towards(const Vec3& goal_O, double most_m, double bent_m,
-                         std::span<const ProxyWall> first = {}) noexcept;
   ProxyStep step_from_edge(const WayOver& way) noexcept;
   /// Of a way that was not seen to be free: nothing, or where that is for want of looks a step broken off.
   std::optional<ProxyStep> no_way() const noexcept;
-  /// Whether the last step was broken off.
-  bool is_amid_step() const noexcept { return making_.is_underway(); }
-  ProxyStep go_on_with_step() noexcept { return making_.go_on(*this); }
   /// Looks around from there, for ways no longer than this.
   void look_from(const Vec3& place_O, double way_m) noexcept;
   /// Whether nothing blocks the way by `z` from the place looked around from; triangles behind the wall
@@ -95,8 +87,6 @@ class ProxySight : public ProxyShortcuts {
   Vec3 place_O_ = Vec3::Zero();  // looked around from ...
   double reach_m_ = 0;           // ... so far beyond the ball
   Looks looks_{Looks::unlimited};
-
- private:
   StepMaking making_;
 };
 

@@ -62,8 +62,8 @@ void ProxyViews::let_go() noexcept {
 }
 
 ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept {
-  if (is_amid_step()) {
-    const ProxyStep step = go_on_with_step();
+  if (making_.is_underway()) {
+    const ProxyStep step = making_.go_on(*this);
     note_blockers(step);
     return step;
   }
@@ -77,7 +77,8 @@ ProxyStep ProxyViews::step(const ProxyState& s, const StepTerms& terms) noexcept
   if (place_O_ == search_place_O_) suit_view();
   if (is_crowded_about(place_O)) return step_past_views(place_O, goal_O, terms);
   if (overflow_) reach_m_ = (goal_O - place_O).norm() * rounded_up;
-  ProxyStep step = step_towards(goal_O, std::min(reach_m_, terms.most_m * rounded_up), terms.bent_m);
+  making_.begin(*this, goal_O, std::min(reach_m_, terms.most_m * rounded_up), terms.bent_m);
+  const ProxyStep step = making_.go_on(*this);
   note_blockers(step);
   falls_short_ = step.end == StepEnd::truncated && reach_m_ <= terms.most_m;
   note_short_step(step, looks_.spent() - before);
