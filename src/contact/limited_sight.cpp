@@ -14,7 +14,7 @@ bool LimitedSight::offer_part(int surface, const Vec3& z, std::span<const ProxyW
   const PacketSieve asked = sieve.asked();
   const TriangleTree& tree = *world_.surface(surface).tree;
   auto offer = [&](int triangle) {
-    looks_.spend(LookCosts::fetched_cleared + before.looks_at_further_walls());
+    looks_.spend(LookCosts::fetched_cleared + looks_at_further_walls(before));
     const TriangleCorners corners = corners_of(tree.part(), triangle);
     if (before.hide(corners) || is_cleared_by_facet(world_, way, corners, round.worst)) return;
     looks_.spend(LookCosts::told);

@@ -138,10 +138,9 @@ bool Proxy::advance(const ProxyStep& step, const ProxyLeash& leash) noexcept {
 bool Proxy::is_at_rest(const ProxyStep& step) const noexcept {
   return std::all_of(step.held_by().begin(), step.held_by().end(), [this](const ProxyWall& wall) {
     if (wall.triangle < 0) return true;
-    const TriangleApproach& here = world().approach(wall.surface, wall.triangle, state_.place_O);
-    const Vec3 turned = world().turned_from_part(wall.surface, here.towards) - wall.normal;
-    return here.distance_m <= world().clearance_m() + world().touching_m() &&
-           turned.squaredNorm() <= ProxyLimits::same_wall * ProxyLimits::same_wall;
+    const ProxyWall here = world().wall_at(wall.surface, wall.triangle, state_.place_O);
+    return here.least_m >= -world().touching_m() &&
+           (here.normal - wall.normal).squaredNorm() <= ProxyLimits::same_wall * ProxyLimits::same_wall;
   });
 }
 
@@ -165,7 +164,7 @@ Proxy::Way Proxy::roll(const ProxyLeash& leash) noexcept {
   const ProxyWall* wall = state_.one_triangles_wall();
   if (wall == nullptr) return Way::blocked;
   const Vec3& place_O = state_.place_O;
-  const ProxyWall here = world().tangent_wall(wall->surface, wall->triangle, place_O, place_O);
+  const ProxyWall here = world().wall_at(wall->surface, wall->triangle, place_O);
   if (std::abs(here.least_m) > world().touching_m()) return Way::blocked;
   const ProxyWall there = world().tangent_wall(wall->surface, wall->triangle, state_.goal_O, place_O);
   if (!(here.normal.dot(there.normal) > ProxyLimits::least_roll_cosine)) return Way::blocked;

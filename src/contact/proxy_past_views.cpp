@@ -120,7 +120,7 @@ std::optional<ProxyWall> ProxyViews::wall_touched(const Blocker& blocker, const 
   if (blocker.triangle < 0) return std::nullopt;
   const int triangle = triangle_under(world_.part(blocker.surface), blocker.triangle,
                                       world_.in_part(blocker.surface, place_O), looks_);
-  const ProxyWall wall = world_.tangent_wall(blocker.surface, triangle, place_O, place_O);
+  const ProxyWall wall = world_.wall_at(blocker.surface, triangle, place_O);
   return std::abs(wall.least_m) <= world_.touching_m() ? std::optional(wall) : std::nullopt;
 }
 
@@ -128,7 +128,7 @@ std::optional<ProxyWall> ProxyViews::wall_touched(const Blocker& blocker, const 
 std::optional<ProxyWall> ProxyViews::wall_below(const Vec3& place_O, double way_m) noexcept {
   const Blocker below = about_closest(place_O, world_.clearance_m() + way_m, blockers_[0]);
   if (below.triangle < 0) return std::nullopt;
-  return world_.tangent_wall(below.surface, below.triangle, place_O, place_O);
+  return world_.wall_at(below.surface, below.triangle, place_O);
 }
 
 /// Of a triangle that is about the closest to the finger, if the ball is in front of it: where it is smooth

@@ -60,11 +60,11 @@ ProxyStart::End ProxyStart::push_on(const ProxyWorld& world, const Vec3& goal_O,
   for (; pushes_ < ProxyLimits::most_pushes; ++pushes_) {
     is_underway_ = looks.are_spent() || !look_at_all(world, looks);
     if (is_underway_) return End::broken_off;
-    if (!(lack_m_ > world.tolerance_m())) {
+    if (!(worst_.least_m > world.tolerance_m())) {
       has_failed_ = false;
       return End::placed;
     }
-    place_O_ += lack_m_ * outwards_W_;
+    place_O_ += worst_.least_m * worst_.normal;
     if (is_going_round()) break;
     if ((pushes_ & (pushes_ - 1)) == 0) passed_O_ = place_O_;
     look_anew(world);
@@ -76,12 +76,12 @@ ProxyStart::End ProxyStart::push_on(const ProxyWorld& world, const Vec3& goal_O,
 /// Whether it is back where it was, between walls that are nearer to each other than the ball is wide: if all
 /// pushes led on by as little, that would be next to nothing of what it lacks.
 bool ProxyStart::is_going_round() const noexcept {
-  return (place_O_ - passed_O_).norm() * ProxyLimits::most_pushes < ProxyLimits::little_way * lack_m_;
+  return (place_O_ - passed_O_).norm() * ProxyLimits::most_pushes < ProxyLimits::little_way * worst_.least_m;
 }
 
 void ProxyStart::look_anew(const ProxyWorld& world) noexcept {
   part_ = 0;
-  lack_m_ = world.tolerance_m();
+  worst_.least_m = world.tolerance_m();
 }
 
 /// Looks for the surface that the place is nearest to, or deepest in. False where it was broken off.
@@ -90,17 +90,12 @@ bool ProxyStart::look_at_all(const ProxyWorld& world, Looks& looks) noexcept {
     if (!look_at_part(world, world.parts()[part_], looks)) return false;
     look_ = {};
   }
-  for (const int plane : world.planes()) {
-    const ProxyWall wall = world.plane_wall(plane, place_O_);
-    note(wall.least_m, wall.normal);
-  }
+  for (const int plane : world.planes()) note(world.plane_wall(plane, place_O_));
   return true;
 }
 
-void ProxyStart::note(double lack_m, const Vec3& outwards_W) noexcept {
-  if (!(lack_m > lack_m_)) return;
-  lack_m_ = lack_m;
-  outwards_W_ = outwards_W;
+void ProxyStart::note(const ProxyWall& wall) noexcept {
+  if (wall.least_m > worst_.least_m) worst_ = wall;
 }
 
 /// False where it was broken off.
@@ -134,8 +129,8 @@ bool ProxyStart::look_at_part(const ProxyWorld& world, int surface, Looks& looks
   if (!inside) return false;
   // Behind a sheet that encloses nothing the way out is away from it, as it is in front.
   const double side = is_behind && !*inside ? -1 : 1;
-  note(world.clearance_m() - side * near.signed_distance_m,
-       world.surface(surface).R_WP * (side * near.normal_P));
+  note({world.surface(surface).R_WP * (side * near.normal_P),
+        world.clearance_m() - side * near.signed_distance_m, surface, near.triangle});
   return true;
 }
 
