@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 
+#include "contact/facet_rule.hpp"
 #include "contact/proxy_limits.hpp"
 
 namespace fingerpad {
@@ -18,7 +19,7 @@ Mat3 bend_of(const ProxyWorld& world, const ProxyWall& wall, double share_m, con
   const double bend = share_m / world.clearance_m();
   if (a.at.feature >= Feature::vertex0)
     return bend * (Mat3::Identity() - wall.normal * wall.normal.transpose());
-  const int k = static_cast<int>(a.at.feature) - static_cast<int>(Feature::edge0);
+  const int k = edge_of(a.at.feature);
   const Part& part = world.part(wall.surface);
   const Vec3 edge_P = part.vertices.col(part.triangles((k + 1) % 3, wall.triangle)) -
                       part.vertices.col(part.triangles(k, wall.triangle));

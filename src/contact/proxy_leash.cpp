@@ -29,9 +29,9 @@ double most_step_m(const ProxyState& state, double last_m) noexcept {
 
 bool are_hops_felt(const ProxyState& state) noexcept {
   if (!state.hopped || state.last_push_W.isZero(0)) return false;
-  const Vec3 way = state.place_O - state.goal_O;
-  const Vec3 last_way = state.last_push_W.norm() * state.last_direction_W;
-  return (way - last_way).norm() > most_step_m(state) + ProxyLimits::unfelt_share * way.norm();
+  const double last_m = state.last_push_W.norm();
+  const Vec3 way = state.place_O - state.goal_O, change = way - last_m * state.last_direction_W;
+  return change.norm() > most_step_m(state, last_m) + ProxyLimits::unfelt_share * way.norm();
 }
 
 }  // namespace fingerpad

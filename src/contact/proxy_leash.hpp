@@ -36,9 +36,6 @@ ProxyLeash leash_after(const Vec3& push, const ProxyWorld& world, const ProxySta
 /// The largest change in a tick of a push that was so long before it: the finger's motion and the proxy's
 /// [m].
 double most_step_m(const ProxyState& state, double last_m) noexcept;
-inline double most_step_m(const ProxyState& state) noexcept {
-  return most_step_m(state, state.last_push_W.norm());
-}
 
 /// Whether the hops of this tick change the push by more than hops may. A first touch may be anything.
 bool are_hops_felt(const ProxyState& state) noexcept;

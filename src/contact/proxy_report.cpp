@@ -15,6 +15,7 @@ const ProxyWall& active_wall(const ProxyState& state, const ProxyProjection& p, 
 }
 
 /// The turn from the walls' normals to the holds' shaded ones: the mean, each weighted with its share.
+/// @pre something is touched: they have shares
 Vec3 turn_of_holds(const ProxyState& state, const ProxyProjection& p) noexcept {
   Vec3 turn = Vec3::Zero();
   double share_m = 0;
@@ -23,7 +24,7 @@ Vec3 turn_of_holds(const ProxyState& state, const ProxyProjection& p) noexcept {
     turn += hold.share_m * turn_between(active_wall(state, p, k).normal, hold.normal_W);
     share_m += hold.share_m;
   }
-  return share_m > 0 ? Vec3(turn / share_m) : Vec3::Zero();
+  return turn / share_m;
 }
 
 /// Greatest first; std::stable_sort would allocate.

@@ -103,23 +103,22 @@ bool ProxyStart::look_at_part(const ProxyWorld& world, int surface, Looks& looks
   const TriangleTree& tree = *world.surface(surface).tree;
   const Vec3 q_P = world.in_part(surface, place_O_);
   if ((q_P.cwiseAbs() - tree.part().half_extent).maxCoeff() > world.clearance_m()) return true;
-  std::optional<ClosestTriangle> closest;
-  if (!look_.is_deep) {
-    closest = tree.closest(q_P, world.clearance_m(), look_.closest, looks);
-    if (!closest) return false;
-    if (closest->triangle < 0) {
-      // Of what is not near, all that counts is whether the place is inside, which takes far fewer looks to
-      // tell than what is closest.
-      const auto inside = tree.encloses(q_P, look_.winding, looks);
-      if (!inside) return false;
-      if (!*inside) return true;
-      look_.is_deep = true;
-      look_.closest.next = 0;  // from the triangle that it began near
-    }
-  }
   // What lies deep inside is pushed out, however far it is to the surface.
-  if (look_.is_deep)
-    closest = tree.closest(q_P, std::numeric_limits<double>::infinity(), look_.closest, looks);
+  const auto find_closest = [&] {
+    const double reach_m = look_.is_deep ? std::numeric_limits<double>::infinity() : world.clearance_m();
+    return tree.closest(q_P, reach_m, look_.closest, looks);
+  };
+  std::optional<ClosestTriangle> closest = find_closest();
+  if (closest && closest->triangle < 0 && !look_.is_deep) {
+    // Of what is not near, all that counts is whether the place is inside, which takes far fewer looks to
+    // tell than what is closest.
+    const auto inside = tree.encloses(q_P, look_.winding, looks);
+    if (!inside) return false;
+    if (!*inside) return true;
+    look_.is_deep = true;
+    look_.closest.next = 0;  // from the triangle that it began near
+    closest = find_closest();
+  }
   if (!closest) return false;
   const SurfacePoint near =
       surface_point_at(tree, *closest, q_P + tree.part().centre_P, Normals::facet, world.clearance_m());

@@ -12,7 +12,7 @@ namespace {
 struct Choice {
   int count;
   std::array<int, 3> walls;
-  int end;  ///< beyond the last of them
+  std::size_t end;  ///< beyond the last of them
 };
 /// Fewer walls first, so that one that adds nothing is not named.
 constexpr Choice choices[] = {{0, {}, 0},        {1, {0}, 1},       {1, {1}, 2},      {1, {2}, 3},
@@ -48,17 +48,16 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
                                    double tolerance_m) noexcept {
   ProxyProjection best;
   double best_distance_m = 0;
-  const int count = static_cast<int>(std::min<std::size_t>(walls.size(), 4));
   std::array<double, 4> lack_m{};
-  for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i) lack_m[i] = walls[i].lack_m(goal);
+  for (std::size_t i = 0; i < walls.size(); ++i) lack_m[i] = walls[i].lack_m(goal);
   for (const Choice& choice : choices) {
-    if (choice.end > count) continue;
+    if (choice.end > walls.size()) continue;
     const auto share_m = shares_m(choice, walls, lack_m);
     if (!share_m) continue;
     Vec3 z = goal;
     for (std::size_t i = 0; i < static_cast<std::size_t>(choice.count); ++i)
       z += (*share_m)[i] * walls[static_cast<std::size_t>(choice.walls[i])].normal;
-    const bool is_free = std::all_of(walls.begin(), walls.begin() + count, [&](const ProxyWall& wall) {
+    const bool is_free = std::all_of(walls.begin(), walls.end(), [&](const ProxyWall& wall) {
       return wall.normal.dot(z) >= wall.least_m - tolerance_m;
     });
     if (!is_free) continue;

@@ -48,6 +48,7 @@ std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const Pr
 /// three dimensions no more are needed to hold the closest point. A choice with two planes that are parallel
 /// to 1e-8 is passed over: one of the two alone gives the same point. Not found where rounding leaves the
 /// half spaces nothing in common.
+/// @param walls  at most four
 /// @param tolerance_m  a point this far behind a wall still counts as in front of it
 /// noexcept, O(1), allocates nothing.
 ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,

@@ -58,7 +58,8 @@ void show_push(const ProxyWorld& world, const Vec3& shaded_W, ProxyState& state)
   const double depth_m = state.contact.depth_m;
   const double step2_m2 = (depth_m * shaded_W - state.last_push_W).squaredNorm();
   if (step2_m2 <= state.finger_m * state.finger_m) return;
-  const double most_m = most_step_m(state) + (after_hop ? ProxyLimits::unfelt_share * depth_m : 0.0);
+  const double most_m =
+      most_step_m(state, state.last_push_W.norm()) + (after_hop ? ProxyLimits::unfelt_share * depth_m : 0.0);
   if (step2_m2 <= most_m * most_m) return;
   if (after_hop) {
     show_part_of_hop(shaded_W, most_m, state);

@@ -34,7 +34,10 @@ ProxyStep StepMaking::go_on(ProxySight& sight) noexcept {
     }
     is_amid_round_ = !sight.offer_all(step_.z, step_.held_by(), round_);
     if (is_amid_round_) return waiting();
-    if (!round_.worst.wall && !let_go_of_far_walls(sight)) return unblocked(sight);
+    if (round_.worst.wall || let_go_of_far_walls(sight)) continue;
+    if (held_ && leads_nowhere(sight)) step_ = *held_;
+    go_on_along_bend(sight);
+    return step_;
   }
   return stuck();
 }
@@ -75,13 +78,6 @@ bool StepMaking::let_go_of_far_walls(ProxySight& sight) noexcept {
   step_ = touched;
   is_guessed_ = false;
   return true;
-}
-
-/// Nothing blocks the way.
-ProxyStep StepMaking::unblocked(ProxySight& sight) noexcept {
-  if (held_ && leads_nowhere(sight)) step_ = *held_;
-  go_on_along_bend(sight);
-  return step_;
 }
 
 /// Where walls bend away the step goes on along them, if that is free, no farther than was asked for.

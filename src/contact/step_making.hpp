@@ -46,7 +46,6 @@ class StepMaking {
   void go_on_along_bend(ProxySight& sight) noexcept;
   bool leads_nowhere(const ProxySight& sight) const noexcept;
   bool let_go_of_far_walls(ProxySight& sight) noexcept;
-  ProxyStep unblocked(ProxySight& sight) noexcept;
   ProxyStep stuck() noexcept;
   ProxyStep waiting() const noexcept;
 
