@@ -8,7 +8,7 @@ namespace fingerpad {
 bool LimitedSight::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                               LookRound& round) noexcept {
   if (looks_.is_unlimited()) return ProxySight::offer_part(surface, z, walls, round);
-  const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
+  const PartWay way(world_, surface, world_.in_part(surface, at_.place_O), z);
   const PartWalls before(world_, surface, walls, way.from_P);
   const WaySieve sieve(world_, way, before, round.worst);
   const PacketSieve asked = sieve.asked();

@@ -23,7 +23,7 @@ void ProxyMemory::forget() noexcept {
 }
 
 bool ProxyMemory::carry(ProxyState& state) noexcept {
-  finger_m_ = state.finger_m;
+  view_.note_finger(state.finger_m);
   return slide(state) || (!state.contact.touching() && fly(state));
 }
 
@@ -44,7 +44,8 @@ bool ProxyMemory::fly(ProxyState& state) noexcept {
   const Vec3& goal_O = state.goal_O;
   for (int k = 0; k < Limits::most_flights; ++k) {
     const double way_m = (goal_O - state.place_O).norm();
-    const double free_m = room_m(state.place_O, std::min(way_m, view_reach_m_), way_m + world_.extent_m());
+    const double free_m =
+        room_m(state.place_O, std::min(way_m, view_.next_reach_m()), way_m + world_.extent_m());
     if (free_m >= way_m) {
       room_.kind = Room::Kind::flight;
       room_.centre_O = state.place_O;
@@ -53,7 +54,7 @@ bool ProxyMemory::fly(ProxyState& state) noexcept {
       state.contact.settled = true;
       return true;
     }
-    if (!(free_m > view_reach_m_)) return false;
+    if (!(free_m > view_.next_reach_m())) return false;
     let_go();
     state.place_O += (goal_O - state.place_O) * (free_m / way_m * Limits::flight_share);
   }
@@ -113,12 +114,12 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
 /// At the end of its room the slide goes on where a new look, ahead, shows more.
 bool ProxyMemory::extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept {
   const Vec3 way = to_O - from_O;
-  const double way_m = way.norm(), lead_m = Limits::lead * view_reach_m_;
-  if (!(way_m < lead_m) || is_past_views()) return false;
-  look_ahead(from_O, way_m, lead_m / way_m * way);
+  const double way_m = way.norm(), lead_m = Limits::lead * view_.next_reach_m();
+  if (!(way_m < lead_m) || view_.is_left()) return false;
+  view_.look_ahead(from_O, way_m, lead_m / way_m * way);
   const ProxyWall wall = room_.walls_O[0].seen_from(from_O);
   const std::span walls(&wall, 1);
-  return make_room(walls, search_place_O(), from_O, to_O) || make_room(walls, from_O, from_O, to_O);
+  return make_room(walls, view_.search_place_O(), from_O, to_O) || make_room(walls, from_O, from_O, to_O);
 }
 
 /// A ball about a place in view and in front of these walls (seen from the place last looked around from), if
@@ -126,7 +127,7 @@ bool ProxyMemory::extend_slide(const Vec3& from_O, const Vec3& to_O) noexcept {
 bool ProxyMemory::make_room(std::span<const ProxyWall> walls, const Vec3& centre_O, const Vec3& from_O,
                             const Vec3& to_O) noexcept {
   room_.centre_O = centre_O;
-  room_.radius_m = room_in_front_of(walls, centre_O);
+  room_.radius_m = view_.room_in_front_of(walls, centre_O);
   return room_.holds(from_O) && room_.holds(to_O);
 }
 
@@ -147,7 +148,7 @@ std::optional<ProxyStep> ProxyMemory::step_over(const WayOver& way) noexcept {
 /// proxy.
 bool ProxyMemory::is_way_free(const WayOver& way) noexcept {
   if (is_outrun(way.place_O, way.far.norm())) return false;
-  look_over_edge(way);
+  view_.look_over_edge(way);
   const Vec3 edge_O = way.place_O + way.edge;
   const bool is_in_room =
       room_.is_slide_on_one() && room_.holds(edge_O) &&
@@ -164,16 +165,16 @@ bool ProxyMemory::land(const WayOver& way) noexcept {
   const Vec3 edge_O = way.place_O + way.edge, to_O = way.place_O + way.far;
   const FacetWeights facet(world_, there);
   if (!(facet.at(to_O).minCoeff() > 0)) return false;
-  const ProxyWall wall_O = there.seen_from(-way.place_O), seen = wall_O.seen_from(place_O_);
-  Ball room{search_place_O(), 0};
-  room.radius_m = room_in_front_of(std::span(&seen, 1), room.centre_O);
+  const ProxyWall wall_O = there.seen_from(-way.place_O), seen = wall_O.seen_from(at_.place_O);
+  Ball room{view_.search_place_O(), 0};
+  room.radius_m = view_.room_in_front_of(std::span(&seen, 1), room.centre_O);
   if (!room.holds(edge_O) || !room.holds(to_O) || !is_clear_of_planes(to_O, -1)) return false;
   static_cast<Ball&>(room_) = room;
   room_.kind = Room::Kind::slide;
   room_.wall_count = 1;
   room_.walls_O[0] = wall_O;
   room_.facets[0] = facet;
-  blockers_ = {Blocker{there.surface, there.triangle}};
+  view_.note_blockers(std::span(&there, 1));
   remember_fan(wall_O);
   return true;
 }
@@ -181,9 +182,9 @@ bool ProxyMemory::land(const WayOver& way) noexcept {
 /// Notes how far the walls that hold the proxy let it slide, where it is not sliding yet.
 void ProxyMemory::note_rest(const ProxyState& state) noexcept {
   const ProxyStep& hold = state.hold;
-  if (room_.kind == Room::Kind::slide || is_past_views())
+  if (room_.kind == Room::Kind::slide || view_.is_left())
     return;  // it landed there; what is in view is not here
-  if (hold.wall_count == 0 || hold.end == StepEnd::stuck || place_O_ != hold.from_O) return;
+  if (hold.wall_count == 0 || hold.end == StepEnd::stuck || at_.place_O != hold.from_O) return;
   const auto walls = hold.held_by();
   for (const ProxyWall& wall : walls) {
     if (wall.triangle < 0 && walls.size() == 1) continue;
@@ -196,7 +197,7 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
     room_.facets[k] = FacetWeights(world_, walls[k]);
   }
   room_.every = EveryWall(walls);
-  if (!make_room(walls, search_place_O(), state.place_O, state.place_O) &&
+  if (!make_room(walls, view_.search_place_O(), state.place_O, state.place_O) &&
       !make_room(walls, hold.from_O, state.place_O, state.place_O)) {
     // Something stands close in front of the walls: no room to slide, but a neighbour may yet be nearer.
     room_.centre_O = state.place_O;

@@ -23,14 +23,13 @@ std::optional<ProxyWall> facet_that_holds(const ProxyWorld& world, const ProxySt
 
 /// A way of this length does not end beyond the reach, whatever rounding does.
 void ProxySight::look_from(const Vec3& place_O, double way_m) noexcept {
-  place_O_ = place_O;
-  reach_m_ = way_m * (1 + ProxyLimits::reach_rounding);
+  at_ = {place_O, way_m * (1 + ProxyLimits::reach_rounding)};
 }
 
 ProxyStep ProxySight::step(const ProxyState& s, const StepTerms& terms) noexcept {
   if (!making_.is_underway()) {
     look_from(s.place_O, std::min((s.goal_O - s.place_O).norm(), terms.most_m));
-    making_.begin(*this, s.goal_O, reach_m_, terms.bent_m);
+    making_.begin(*this, s.goal_O, at_.reach_m, terms.bent_m);
   }
   return making_.go_on(*this);
 }
@@ -61,7 +60,7 @@ std::optional<WallPair> ProxySight::nearer_neighbour(const ProxyState& s) noexce
 
 bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWall> walls,
                             LookRound& round) noexcept {
-  const PartWay way(world_, surface, world_.in_part(surface, place_O_), z);
+  const PartWay way(world_, surface, world_.in_part(surface, at_.place_O), z);
   const PartWalls before(world_, surface, walls, way.from_P);
   const Part& part = world_.part(surface);
   auto offer = [&](int triangle) {
@@ -70,7 +69,7 @@ bool ProxySight::offer_part(int surface, const Vec3& z, std::span<const ProxyWal
     round.worst.offer_triangle(world_, way, corners, triangle,
                                FirstApproach(approach_triangle(corners, way.from_P)));
   };
-  world_.surface(surface).tree->each_within(way.from_P, world_.clearance_m() + reach_m_,
+  world_.surface(surface).tree->each_within(way.from_P, world_.clearance_m() + at_.reach_m,
                                             call_with_triangle<decltype(offer)>, &offer);
   return true;
 }
@@ -79,7 +78,7 @@ bool ProxySight::offer_all(const Vec3& z, std::span<const ProxyWall> walls, Look
   for (; round.part < world_.parts().size(); ++round.part, round.next = 0) {
     if (!offer_part(world_.parts()[round.part], z, walls, round)) return false;
   }
-  for (const int i : world_.planes()) round.worst.offer_plane(world_.plane_wall(i, place_O_), z);
+  for (const int i : world_.planes()) round.worst.offer_plane(world_.plane_wall(i, at_.place_O), z);
   return true;
 }
 
@@ -90,7 +89,7 @@ bool ProxySight::is_free(const Vec3& z, const ProxyWall& wall) noexcept {
 
 /// From the edge looked around from; to be made at once or not at all.
 ProxyStep ProxySight::step_from_edge(const WayOver& way) noexcept {
-  making_.begin(*this, way.goal_O, reach_m_, 0);
+  making_.begin(*this, way.goal_O, at_.reach_m, 0);
   making_.add(way.walls.there.seen_from(way.edge));
   const ProxyStep step = making_.go_on(*this);
   making_.drop();

@@ -27,6 +27,12 @@ struct WayOver {
   double must_beat_m;  ///< the way is worth going if it ends nearer to the finger than that
 };
 
+/// Where a sight looks around from, and how far beyond the ball [m].
+struct Lookout {
+  Vec3 place_O = Vec3::Zero();
+  double reach_m = 0;
+};
+
 /// How far a step is to go.
 struct StepTerms {
   double most_m;      ///< the proxy will go no farther: what stands beyond need not be seen
@@ -65,7 +71,7 @@ class ProxySight : public ProxyShortcuts {
   virtual void forget() noexcept { drop_step(); }
 
   // For a step in the making:
-  const Vec3& place_O() const noexcept { return place_O_; }
+  const Vec3& place_O() const noexcept { return at_.place_O; }
   /// Looks for the wall that the way by `z` from there breaches most; triangles behind the given walls
   /// cannot. False where the looks were spent before the end.
   bool offer_all(const Vec3& z, std::span<const ProxyWall> walls, LookRound& round) noexcept;
@@ -84,8 +90,7 @@ class ProxySight : public ProxyShortcuts {
                           LookRound& round) noexcept;
 
   ProxyWorld world_;
-  Vec3 place_O_ = Vec3::Zero();  // looked around from ...
-  double reach_m_ = 0;           // ... so far beyond the ball
+  Lookout at_;
   Looks looks_{Looks::unlimited};
   StepMaking making_;
 };
