@@ -75,8 +75,8 @@ bool ProxyMemory::slide_on_one(ProxyState& state) noexcept {
   if (!room_.holds(place_O) && !(lack_m > 0 && extend_slide(state.place_O, place_O))) return false;
   state.place_O = place_O;
   state.contact.hold_count = 0;
-  const ProxyProjection skinless = held_by_one(world_, lack_m - world_.skin_m());
-  if (skinless.active_count == 0) return true;
+  const HoldingWalls skinless = held_by_one(world_, wall_O, lack_m - world_.skin_m());
+  if (skinless.wall_count == 0) return true;
   state.hold.from_O = place_O;
   state.hold.wall_count = 1;
   state.hold.walls[0] = wall_O;
@@ -98,15 +98,17 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
     if (!(weights[k].minCoeff() > 0)) return false;
   }
   // Without its skin the ball's walls stand nearer by that.
-  const ProxyProjection skinless = room_.every.with_walls_nearer(p, world_.skin_m());
-  if (!skinless.found) return false;
+  const ProxyProjection nearer = room_.every.with_walls_nearer(p, world_.skin_m());
+  if (!nearer.found) return false;
   state.hold.from_O = state.place_O = p.z;
   state.hold.wall_count = room_.wall_count;
   state.hold.share_m = p.share_m;
   for (std::size_t k = 0; k < walls_O.size(); ++k) {
     state.hold.walls[k] = walls_O[k].seen_from(p.z);
-    state.contact.holds[k] = hold_over(walls_O[k], skinless.share_m[k], p.z, weights[k]);
+    state.contact.holds[k] = hold_over(walls_O[k], nearer.share_m[k], p.z, weights[k]);
   }
+  HoldingWalls skinless = state.hold;
+  skinless.share_m = nearer.share_m;
   report_held(world_, skinless, state);
   return true;
 }

@@ -180,14 +180,14 @@ TEST(ProxyMemory, OneWallHoldsWithoutItsSkinWhereTheProjectionSaysSo) {
     ProxyStep hold;
     hold.wall_count = 1;
     hold.walls[0] = wall;
-    const ProxyProjection one = held_without_skin(world, hold, goal);
+    const auto one = held_without_skin(world, hold, goal);
     wall.least_m -= world.skin_m();
     const ProxyProjection any = project_onto_walls(goal, std::span(&wall, 1), world.slack_m());
-    ASSERT_EQ(one.found, any.found);
-    ASSERT_EQ(one.active_count, any.active_count) << k;
-    held += one.active_count;
-    if (one.active_count > 0) {
-      ASSERT_EQ(one.share_m[0], any.share_m[0]);
+    ASSERT_TRUE(one && any.found);
+    ASSERT_EQ(one->wall_count, any.active_count) << k;
+    held += one->wall_count;
+    if (one->wall_count > 0) {
+      ASSERT_EQ(one->share_m[0], any.share_m[0]);
     }
   }
   EXPECT_EQ(held, 31) << "from a slack on";
