@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "contact/proxy_limits.hpp"
 #include "contact/proxy_report.hpp"
@@ -70,7 +69,7 @@ bool ProxyMemory::slide_on_one(ProxyState& state) noexcept {
   Vec3 weights = Vec3::Zero();
   if (lack_m > 0 && wall_O.triangle >= 0) {
     weights = room_.facets[0].at(place_O);
-    if (!(weights.minCoeff() > 0) || nearest_neighbour(wall_O, goal_O) != nullptr) return false;
+    if (!(weights.minCoeff() > 0) || fan_.nearest_to(world_, wall_O, goal_O) != nullptr) return false;
   }
   if (!room_.holds(place_O) && !(lack_m > 0 && extend_slide(state.place_O, place_O))) return false;
   state.place_O = place_O;
@@ -177,7 +176,7 @@ bool ProxyMemory::land(const WayOver& way) noexcept {
   room_.walls_O[0] = wall_O;
   room_.facets[0] = facet;
   view_.note_blockers(std::span(&there, 1));
-  remember_fan(wall_O);
+  fan_.remember(world_, wall_O, looks_);
   return true;
 }
 
@@ -206,7 +205,7 @@ void ProxyMemory::note_rest(const ProxyState& state) noexcept {
     room_.radius_m = 0;
   }
   room_.kind = Room::Kind::slide;
-  if (room_.wall_count == 1) remember_fan(room_.walls_O[0]);
+  if (room_.wall_count == 1) fan_.remember(world_, room_.walls_O[0], looks_);
 }
 
 /// What holds the proxy where it stands over a facet, with these weights of its corners.
@@ -217,40 +216,10 @@ ContactHold ProxyMemory::hold_over(const ProxyWall& wall, double share_m, const 
   return hold_on_facet(world_, wall, share_m, place_O - world_.clearance_m() * wall.normal, at);
 }
 
-void ProxyMemory::remember_fan(const ProxyWall& wall_O) noexcept {
-  if (!world_.is_shaded()) return;
-  if (fan_surface_ == wall_O.surface && fan_triangle_ == wall_O.triangle &&
-      fan_normal_.dot(wall_O.normal) > 0)
-    return;
-  fan_surface_ = wall_O.surface;
-  fan_triangle_ = wall_O.triangle;
-  fan_normal_ = wall_O.normal;
-  fan_.gather(world_, wall_O);
-  looks_.spend(LookCosts::fetched * fan_.looks());
-  certain_m_ = -1;
-  std::size_t k = 0;
-  for (const ProxyWall& wall : fan_.neighbours_O())
-    per_slope_[k++] = 1 / (wall.normal - wall_O.normal).norm();
-}
-
-/// Of the fan, the neighbour that is nearer to the finger than the wall; null where none is.
-const ProxyWall* ProxyMemory::nearest_neighbour(const ProxyWall& wall_O, const Vec3& goal_O) noexcept {
-  if ((goal_O - certain_goal_O_).squaredNorm() < certain_m_ * std::abs(certain_m_)) return nullptr;
-  const ProxyWall* nearest = fan_.nearest_to(world_, wall_O, goal_O);
-  certain_goal_O_ = goal_O;
-  certain_m_ = std::numeric_limits<double>::infinity();
-  // The depths behind the planes change evenly with the goal.
-  const double wall_depth_m = wall_O.lack_m(goal_O) - world_.tolerance_m();
-  std::size_t k = 0;
-  for (const ProxyWall& wall : fan_.neighbours_O())
-    certain_m_ = std::min(certain_m_, (wall.lack_m(goal_O) - wall_depth_m) * per_slope_[k++]);
-  return nearest;
-}
-
 std::optional<WallPair> ProxyMemory::nearer_neighbour(const ProxyState& state) noexcept {
   if (!world_.is_shaded() || !room_.is_slide_on_one() || room_.walls_O[0].triangle < 0) return std::nullopt;
   const ProxyWall& wall_O = room_.walls_O[0];
-  const ProxyWall* nearest_O = nearest_neighbour(wall_O, state.goal_O);
+  const ProxyWall* nearest_O = fan_.nearest_to(world_, wall_O, state.goal_O);
   if (nearest_O == nullptr) return std::nullopt;
   return WallPair{wall_O.seen_from(state.place_O), nearest_O->seen_from(state.place_O)};
 }

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "contact/every_wall.hpp"
-#include "contact/facet_fan.hpp"
 #include "contact/facet_weights.hpp"
+#include "contact/fan_memory.hpp"
 #include "contact/proxy.hpp"
 #include "contact/proxy_views.hpp"
 
@@ -57,16 +57,9 @@ class ProxyMemory : public ProxyViews {
                  const Vec3& to_O) noexcept;
   ContactHold hold_over(const ProxyWall& wall, double share_m, const Vec3& place_O,
                         const Vec3& weights) const noexcept;
-  void remember_fan(const ProxyWall& wall_O) noexcept;
-  const ProxyWall* nearest_neighbour(const ProxyWall& wall_O, const Vec3& goal_O) noexcept;
 
   Room room_;
-  FacetFan fan_;  // about the facet that holds the proxy ...
-  int fan_surface_ = -1, fan_triangle_ = -1;
-  Vec3 fan_normal_ = Vec3::Zero();  // ... from the side to which its wall's normal points
-  std::array<double, ProxyLimits::most_neighbours> per_slope_{};  // 1/|a neighbour's normal - the wall's|
-  Vec3 certain_goal_O_ = Vec3::Zero();  // no neighbour of it is nearer to a finger ...
-  double certain_m_ = -1;               // ... that is within so much of here
+  FanMemory fan_;
 };
 
 }  // namespace fingerpad

@@ -1,5 +1,6 @@
 #include "contact/proxy_sight.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "contact/facet_fan.hpp"
