@@ -1,5 +1,6 @@
 #include "contact/proxy_wall.hpp"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -36,6 +37,23 @@ std::optional<std::array<double, 3>> shares_m(const Choice& choice, std::span<co
 }
 
 }  // namespace
+
+WallsTogether::WallsTogether(const std::array<Vec3, 3>& normals, int count) noexcept : count_(count) {
+  const Vec3 &a = normals[0], &b = normals[1], &c = normals[2];
+  if (count == 2) {
+    const double sine2 = a.cross(b).squaredNorm(), cosine = a.dot(b);
+    fix_shares_ = sine2 > ProxyLimits::parallel2;
+    turn_ = cosine < 0 ? -1 : 1;
+    common_ = 1 / (1 + turn_ * cosine);
+    per_sine2_ = 1 / sine2;
+  }
+  if (count == 3) {
+    const Vec3 bc = b.cross(c);
+    const double volume = a.dot(bc);
+    fix_shares_ = std::abs(volume) > ProxyLimits::flat_volume;
+    dual_ = {bc / volume, c.cross(a) / volume, a.cross(b) / volume};
+  }
+}
 
 std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const ProxyWall& b) noexcept {
   const WallsTogether together({a.normal, b.normal, Vec3::Zero()}, 2);
