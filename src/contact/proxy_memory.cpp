@@ -97,17 +97,15 @@ bool ProxyMemory::slide_on_several(ProxyState& state) noexcept {
     if (!(weights[k].minCoeff() > 0)) return false;
   }
   // Without its skin the ball's walls stand nearer by that.
-  const ProxyProjection nearer = room_.every.with_walls_nearer(p, world_.skin_m());
-  if (!nearer.found) return false;
+  const ProxyProjection skinless = room_.every.with_walls_nearer(p, world_.skin_m());
+  if (!skinless.found) return false;
   state.hold.from_O = state.place_O = p.z;
   state.hold.wall_count = room_.wall_count;
   state.hold.share_m = p.share_m;
   for (std::size_t k = 0; k < walls_O.size(); ++k) {
     state.hold.walls[k] = walls_O[k].seen_from(p.z);
-    state.contact.holds[k] = hold_over(walls_O[k], nearer.share_m[k], p.z, weights[k]);
+    state.contact.holds[k] = hold_over(walls_O[k], skinless.share_m[k], p.z, weights[k]);
   }
-  HoldingWalls skinless = state.hold;
-  skinless.share_m = nearer.share_m;
   report_held(world_, skinless, state);
   return true;
 }

@@ -81,8 +81,13 @@ ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> 
     if (!is_free) continue;
     const double distance_m = (z - goal).norm();
     if (best.found && !(distance_m < best_distance_m * (1 - ProxyLimits::reach_rounding))) continue;
-    best = {true, z, choice.count, choice.walls, *share_m};
-    for (double& share : best.share_m) share = std::max(0.0, share);
+    best.found = true;
+    best.z = z;
+    best.wall_count = choice.count;
+    for (std::size_t i = 0; i < best.held_by().size(); ++i) {
+      best.walls[i] = walls[static_cast<std::size_t>(choice.walls[i])];
+      best.share_m[i] = std::max(0.0, (*share_m)[i]);
+    }
     best_distance_m = distance_m;
     if (choice.count == 0) break;  // nothing is nearer to the goal than itself
   }
@@ -97,9 +102,7 @@ std::optional<Vec3> HoldingWalls::project(const Vec3& goal, const std::optional<
   if (more) all[count++] = *more;
   const ProxyProjection p = project_onto_walls(goal, std::span(all.data(), count), tolerance_m);
   if (!p.found) return std::nullopt;
-  wall_count = p.active_count;
-  for (std::size_t k = 0; k < held_by().size(); ++k) walls[k] = all[static_cast<std::size_t>(p.active[k])];
-  share_m = p.share_m;
+  *this = p;
   return p.z;
 }
 

@@ -63,13 +63,26 @@ class WallsTogether {
   std::array<Vec3, 3> dual_;                      // of three: 1 along its own normal, 0 along the others
 };
 
-/// The point of an intersection of half spaces that lies closest to a goal.
-struct ProxyProjection {
+/// The walls that hold a point which is as close to a goal as they let it.
+struct HoldingWalls {
+  int wall_count = 0;
+  std::array<ProxyWall, 3> walls;
+  std::array<double, 3> share_m{};  ///< multiplier of each, >= 0
+
+  std::span<const ProxyWall> held_by() const noexcept {
+    return {walls.data(), static_cast<std::size_t>(wall_count)};
+  }
+  /// A pass of the dual active-set method: with one wall more, if there is one, keeps those that the point
+  /// closest to the goal lies on. Returns that point; nothing, and changes nothing, where there is none.
+  std::optional<Vec3> project(const Vec3& goal, const std::optional<ProxyWall>& more,
+                              double tolerance_m) noexcept;
+};
+
+/// The point of an intersection of half spaces that lies closest to a goal, and the walls that it lies on:
+/// z - goal is the sum of their shares times their normals.
+struct ProxyProjection : HoldingWalls {
   bool found = false;
   Vec3 z = Vec3::Zero();
-  int active_count = 0;
-  std::array<int, 3> active{};      ///< which walls the point lies on
-  std::array<double, 3> share_m{};  ///< multipliers, >= 0: z - goal is the sum of share times normal
 };
 
 /// The place on both walls' planes that lies closest to `near`; nothing where they are parallel to 1e-8.
@@ -84,20 +97,5 @@ std::optional<Vec3> on_both_walls(const Vec3& near, const ProxyWall& a, const Pr
 /// noexcept, O(1), allocates nothing.
 ProxyProjection project_onto_walls(const Vec3& goal, std::span<const ProxyWall> walls,
                                    double tolerance_m) noexcept;
-
-/// The walls that hold a point which is as close to a goal as they let it.
-struct HoldingWalls {
-  int wall_count = 0;
-  std::array<ProxyWall, 3> walls;
-  std::array<double, 3> share_m{};  ///< multiplier of each
-
-  std::span<const ProxyWall> held_by() const noexcept {
-    return {walls.data(), static_cast<std::size_t>(wall_count)};
-  }
-  /// A pass of the dual active-set method: with one wall more, if there is one, keeps those that the point
-  /// closest to the goal lies on. Returns that point; nothing, and changes nothing, where there is none.
-  std::optional<Vec3> project(const Vec3& goal, const std::optional<ProxyWall>& more,
-                              double tolerance_m) noexcept;
-};
 
 }  // namespace fingerpad

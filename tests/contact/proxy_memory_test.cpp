@@ -184,7 +184,7 @@ TEST(ProxyMemory, OneWallHoldsWithoutItsSkinWhereTheProjectionSaysSo) {
     wall.least_m -= world.skin_m();
     const ProxyProjection any = project_onto_walls(goal, std::span(&wall, 1), world.slack_m());
     ASSERT_TRUE(one && any.found);
-    ASSERT_EQ(one->wall_count, any.active_count) << k;
+    ASSERT_EQ(one->wall_count, any.wall_count) << k;
     held += one->wall_count;
     if (one->wall_count > 0) {
       ASSERT_EQ(one->share_m[0], any.share_m[0]);

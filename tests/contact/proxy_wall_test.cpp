@@ -29,11 +29,11 @@ TEST(ProxyWall, ProjectionMeetsTheConditionsOfTheOptimum) {
     const Vec3 goal = 3 * random_vector(random);
     const ProxyProjection p = project_onto_walls(goal, walls, 1e-12);
     ASSERT_TRUE(p.found);
-    ++seen[static_cast<std::size_t>(p.active_count)];
+    ++seen[static_cast<std::size_t>(p.wall_count)];
     Vec3 push = Vec3::Zero();
     for (const ProxyWall& wall : walls) ASSERT_GE(wall.normal.dot(p.z), wall.least_m - 1e-12);
-    for (int k = 0; k < p.active_count; ++k) {
-      const ProxyWall& wall = walls[static_cast<std::size_t>(p.active[k])];
+    for (std::size_t k = 0; k < p.held_by().size(); ++k) {
+      const ProxyWall& wall = p.walls[k];
       // On the wall: rounding of numbers near 10, over the sine of 1e-4 between walls that nearly agree.
       ASSERT_NEAR(wall.normal.dot(p.z), wall.least_m, 1e-10);
       ASSERT_GE(p.share_m[k], 0);
@@ -54,7 +54,7 @@ TEST(ProxyWall, AWallGivenTwiceCountsOnce) {
   const std::array<ProxyWall, 3> walls{floor, floor, floor};
   const ProxyProjection p = project_onto_walls(Vec3(1, 2, -3), walls, 1e-12);
   ASSERT_TRUE(p.found);
-  EXPECT_EQ(p.active_count, 1);
+  EXPECT_EQ(p.wall_count, 1);
   EXPECT_EQ(p.share_m[0], 3);
   EXPECT_EQ(p.z, Vec3(1, 2, 0));
 }
