@@ -90,8 +90,8 @@ void Proxy::follow(ProxyLeash leash, bool goes_on) noexcept {
 void Proxy::settle(const ProxyLeash& leash) noexcept {
   const Vec3& goal_O = state_.goal_O;
   sight_->let_go();
-  double bent_m =
-      0;  // how far a step may go on along bent walls: the first, which mostly ends it, not at all
+  // How far a step may go on along bent walls: the first, which mostly ends it, not at all.
+  double bent_m = 0;
   for (int k = 0; k < ProxyLimits::most_steps; ++k) {
     if (goal_O == state_.place_O) {
       sight_->drop_step();
