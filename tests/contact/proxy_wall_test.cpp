@@ -59,5 +59,38 @@ TEST(ProxyWall, AWallGivenTwiceCountsOnce) {
   EXPECT_EQ(p.z, Vec3(1, 2, 0));
 }
 
+TEST(HoldingWalls, APassKeepsThoseThatHoldAndOneWithoutAPlaceChangesNothing) {
+  const ProxyWall floor{Vec3::UnitZ(), 0, 0, 0}, side{Vec3::UnitX(), 1, 0, 1},
+      slope{Vec3(0.6, 0, 0.8), 2, 0, 2}, ceiling{-Vec3::UnitZ(), 1, 0, 3};
+  const Vec3 goal(0, 0, -3);
+  HoldingWalls walls;
+  EXPECT_EQ(walls.project(goal, std::nullopt, 1e-12), goal);
+  EXPECT_EQ(walls.project(goal, floor, 1e-12), Vec3::Zero());
+  EXPECT_EQ(walls.project(goal, side, 1e-12), Vec3::UnitX());
+  EXPECT_EQ(walls.wall_count, 2);
+  EXPECT_FALSE(walls.project(goal, ceiling, 1e-12));
+  ASSERT_EQ(walls.wall_count, 2);
+  EXPECT_EQ(walls.walls[0].triangle, floor.triangle);
+  EXPECT_EQ(walls.walls[1].triangle, side.triangle);
+  EXPECT_EQ(walls.share_m[0], 3);
+  // The slope holds the point off both.
+  const auto on_slope = walls.project(goal, slope, 1e-12);
+  ASSERT_TRUE(on_slope);
+  EXPECT_NEAR(slope.lack_m(*on_slope), 0, 1e-15);  // rounding of 1
+  ASSERT_EQ(walls.wall_count, 1);
+  EXPECT_EQ(walls.walls[0].triangle, slope.triangle);
+}
+
+TEST(HoldingWalls, OneWallAloneAlwaysLeavesAPlace) {
+  RandomStream random(7);
+  for (int trial = 0; trial < 20000; ++trial) {
+    const double size_m = std::pow(10, -6 + 8 * random.uniform());
+    const ProxyWall wall{random_vector(random).normalized(), size_m * random.normal(), 0, 0};
+    HoldingWalls walls;
+    // What rounding does to coordinates of this size.
+    ASSERT_TRUE(walls.project(size_m * random_vector(random), wall, 1e-14 * size_m)) << trial;
+  }
+}
+
 }  // namespace
 }  // namespace fingerpad::proxy_wall_test
